@@ -153,9 +153,7 @@ int runFits(const FitsOptions& options) {
     return reportError(why, options.format);
   }
   const std::vector<PairFit>& rows = table->pairs();
-  std::vector<Contact> contacts;
-  for (const PairFit& row : rows) contacts.push_back(row.contact);
-  reportWarnings(warningsOf(findAlternatives(product.bodies, contacts, interrupt.token()), product.bodies));
+  reportWarnings(warningsOf(findAlternatives(product.bodies, interrupt.token()), product.bodies));
   if (options.format == Format::Json) {
     printPairs(rows);
   } else if (options.csv) {

@@ -262,7 +262,9 @@ CLI::App* addNew(CLI::App& app, NewOptions& options) {
       "of every other part. An assembly in the file (product.step:pump) stands for all of its parts; two parts of\n"
       "one name are pin and pin#2.");
   make->add_option("OUT", options.output, "Scenario file to write")->required();
-  make->add_option("--moves", options.moving, "The part that moves")->required();
+  make->add_option("--moves", options.moving, "The part that moves (can be repeated: they move as one)")
+      ->required()
+      ->allow_extra_args(false);
   make->add_option("--static", options.statics, "Parts that stay where they are");
   make->add_option("--mobile", options.mobiles, "Parts in the way that a person could move");
   addLength(

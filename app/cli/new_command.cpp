@@ -5,7 +5,9 @@
 #include "engine/base/body_choice.h"
 #include "engine/import/mesh_import.h"
 #include "engine/planning/automatic/move_to_clearance.h"
+#include "engine/scenario/assembly_edits.h"
 #include "engine/scenario/asset_path.h"
+#include "engine/scenario/scenario_bodies.h"
 #include "engine/scenario/scenario_file.h"
 #include "engine/scenario/scenario_fits.h"
 #include "engine/scenario/unit_guess.h"
@@ -26,7 +28,7 @@ std::vector<PartFile> partsOf(const NewOptions& options) {
     }
     parts.push_back(part);
   };
-  add(options.moving, PartRole::Moves);
+  for (const std::string& file : options.moving) add(file, PartRole::Moves);
   for (const std::string& file : options.statics) add(file, PartRole::Static);
   for (const std::string& file : options.mobiles) add(file, PartRole::Mobile);
   return parts;
@@ -41,22 +43,25 @@ Result<double> clearStart(const LoadedScenario& loaded, Scenario& scenario) {
   return 1000.0 * (clear->position - start.position).norm();
 }
 
-/// Bodies that are not added; the part that moves stays.
+/// The scenario keeps them, as left out; the part that moves stays.
 Outcome leaveOut(const std::vector<std::string>& names, Scenario& scenario) {
   if (names.empty()) return Done{};
+  std::vector<std::string> ids;
   std::vector<std::string> named;
-  for (const BodyDescription& body : scenario.bodies) named.push_back(body.name);
-  named.push_back(scenario.object.name);
+  for (const BodyDescription* body : presentBodiesOf(scenario)) {
+    ids.push_back(body->id);
+    named.push_back(body->name);
+  }
   const auto meant = bodiesMeant(named, names, "--without");
   if (!meant) return meant.error();
-  if (meant->back()) {
-    return Diagnostic{ErrorKind::Usage, "", "--without", "names the part that moves", "Name another body."};
+  const std::size_t others = scenario.bodies.size();
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    if (!(*meant)[i]) continue;
+    if (i >= others) {
+      return Diagnostic{ErrorKind::Usage, "", "--without", "names the part that moves", "Name another body."};
+    }
+    if (const Outcome left = glissade::leaveOut(ids[i], scenario); !left) return left;
   }
-  std::vector<BodyDescription> rest;
-  for (std::size_t i = 0; i < scenario.bodies.size(); ++i) {
-    if (!(*meant)[i]) rest.push_back(std::move(scenario.bodies[i]));
-  }
-  scenario.bodies = std::move(rest);
   return Done{};
 }
 

@@ -12,7 +12,7 @@ namespace glissade::cli {
 
 struct NewOptions {
   std::string output;
-  std::string moving;  ///< as usualPart() takes it, like those below
+  std::vector<std::string> moving;  ///< as usualPart() takes them, like those below; several move as one
   std::vector<std::string> statics;
   std::vector<std::string> mobiles;
   std::vector<std::string> without{};  ///< bodies that are left out

@@ -323,7 +323,7 @@ int runSequence(const SequenceOptions& options) {
   if (!fits) return reportError(fits.error(), options.format);
   reportWarnings(loaded->warnings);
   reportWarnings(fits->warnings());
-  reportWarnings(warningsOf(findAlternatives(product.bodies, fits->contacts(), interrupt.token()), product.bodies));
+  reportWarnings(warningsOf(findAlternatives(product.bodies, interrupt.token()), product.bodies));
 
   const std::uint64_t seed = earlier ? earlier->seed : options.seed.value_or(1);
   ProgressHost host(stop, team, product, begin);

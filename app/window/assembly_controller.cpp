@@ -3,10 +3,12 @@
 #include <QLineEdit>
 #include <QLocale>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "app/window/arranged_item.h"
 #include "app/window/assembly_script.h"
 #include "app/window/end_clearance.h"
+#include "engine/scenario/scenario_bodies.h"
 #include "widgets/commands/length_text.h"
 
 namespace glissade {
@@ -29,7 +31,7 @@ AssemblyController::AssemblyController(const Workbench& bench, PartImport& parts
   column->addWidget(scenePanel_, 1);
   column->addWidget(placement_);
   placement_->addPickAction(bench.actions["assembly.pick-frame"]);
-  for (const char* id : {"assembly.moves", "assembly.remove", "sequence.stays", "body.hide", "body.isolate",
+  for (const char* id : {"assembly.moves", "assembly.remove", "assembly.leave-out", "assembly.put-back", "sequence.stays", "body.hide", "body.isolate",
                          "body.show-all", "view.zoom-selection"}) {
     scenePanel_->addAction(bench.actions[QLatin1String(id)]);
   }
@@ -47,6 +49,7 @@ AssemblyController::AssemblyController(const Workbench& bench, PartImport& parts
     selection.bodies = bodies;
     document_.semantics().select(selection);
   });
+  connect(scenePanel_, &ScenePanel::itemSelectionChanged, this, &AssemblyController::enableActions);
   connect(scenePanel_, &ScenePanel::endChosen, this, [this](AssemblyItem::Kind end) { choose(AssemblyItem{end, {}}); });
   connect(placement_, &PlacementPanel::placed, this, [this](const Pose& X_WB) {
     const QString key = QStringLiteral("place %1 %2").arg(static_cast<int>(chosen_->kind));
@@ -66,6 +69,8 @@ AssemblyController::AssemblyController(const Workbench& bench, PartImport& parts
 void AssemblyController::connectActions() {
   const auto on = [this](const char* id, auto handler) { bench_.onAction(id, this, handler); };
   on("assembly.remove", [this] { removeSelected(); });
+  on("assembly.leave-out", [this] { leaveOutSelected(); });
+  on("assembly.put-back", [this] { putBackSelected(); });
   on("assembly.moves", [this] { markSelected(); });
   on("assembly.start-here", [this] {
     place({AssemblyItem::Kind::Start, {}}, bench_.session.snapshot()->device.q_device);
@@ -118,12 +123,24 @@ void AssemblyController::editScenario(const QString& text, const std::function<O
   showFailure(document_.edit(text, change));
 }
 
-/// Ids of the scenario's bodies, the object not among them.
+/// Ids of the scenario's bodies, those of the object not among them.
 std::set<std::string> AssemblyController::selectedBodies() const {
   std::set<std::string> ids;
   for (const QString& id : document_.semantics().selection().bodies) ids.insert(bodyIdOf(id.toStdString()));
-  if (document_.scenario()) ids.erase(document_.scenario()->scenario.object.id);
+  if (!document_.scenario()) return ids;
+  for (const BodyDescription& body : document_.scenario()->scenario.object.bodies) ids.erase(body.id);
   return ids;
+}
+
+std::vector<std::string> AssemblyController::selectedToMove() const {
+  std::set<std::string> ids;
+  for (const QString& id : document_.semantics().selection().bodies) ids.insert(bodyIdOf(id.toStdString()));
+  std::vector<std::string> ordered;
+  for (const BodyDescription& body : document_.scenario()->scenario.object.bodies) {
+    if (ids.erase(body.id) > 0) ordered.push_back(body.id);
+  }
+  ordered.insert(ordered.end(), ids.begin(), ids.end());
+  return ordered;
 }
 
 void AssemblyController::removeSelected() {
@@ -139,10 +156,36 @@ void AssemblyController::removeSelected() {
   });
 }
 
+void AssemblyController::leaveOutSelected() {
+  const std::set<std::string> ids = selectedBodies();
+  const QString text =
+      ids.size() == 1 ? tr("Leave out %1").arg(QString::fromStdString(*ids.begin())) : tr("Leave bodies out");
+  editScenario(text, [&](Scenario& scenario) {
+    for (const std::string& id : ids) {
+      const Outcome left = leaveOut(id, scenario);
+      if (!left) return left;
+    }
+    return Outcome(Done{});
+  });
+}
+
+void AssemblyController::putBackSelected() {
+  const std::vector<std::string> ids = scenePanel_->chosenLeftOut();
+  editScenario(tr("Put back"), [&](Scenario& scenario) {
+    for (const std::string& id : ids) {
+      const Outcome put = putBack(id, scenario);
+      if (!put) return put;
+    }
+    return Outcome(Done{});
+  });
+}
+
+/// What is selected of the object goes on to move: so a group grows.
 void AssemblyController::markSelected() {
-  const std::string id = *selectedBodies().begin();
-  editScenario(tr("%1 moves").arg(QString::fromStdString(id)),
-               [&](Scenario& scenario) { return markMoving(id, *document_.scenario(), scenario); });
+  const std::vector<std::string> ids = selectedToMove();
+  const QString first = QString::fromStdString(ids.front());
+  const QString text = ids.size() == 1 ? tr("%1 moves").arg(first) : tr("%1 and %2 more move").arg(first).arg(ids.size() - 1);
+  editScenario(text, [&](Scenario& scenario) { return markMoving(ids, *document_.scenario(), scenario); });
 }
 
 /// In the background; an edit of the arrangement cancels it.
@@ -196,8 +239,10 @@ void AssemblyController::choose(const std::optional<AssemblyItem>& item) {
 void AssemblyController::takeSelection() {
   if (!document_.scenario()) return;
   const std::set<std::string> ids = selectedBodies();
-  const bool object = document_.semantics().selection().bodies.contains(
-      QString::fromStdString(document_.scenario()->scenario.object.id));
+  const std::vector<RigidBody>& moving = document_.scenario()->objectBodies;
+  const bool object = std::any_of(moving.begin(), moving.end(), [this](const RigidBody& body) {
+    return document_.semantics().selection().bodies.contains(QString::fromStdString(body.id));
+  });
   const bool endChosen = chosen_ && chosen_->kind != AssemblyItem::Kind::Body;
   if (ids.size() == 1 && !object) {
     chosen_ = AssemblyItem{AssemblyItem::Kind::Body, *ids.begin()};
@@ -227,7 +272,7 @@ void AssemblyController::showPlacement() {
 }
 
 void AssemblyController::placeByFrame(const RigidBody& body, const Pose& X_MF) {
-  if (body.id == document_.scenario()->object.id) {
+  if (isInObject(*document_.scenario(), body.id)) {
     picked_[""] = X_MF;
     if (!chosen_ || chosen_->kind == AssemblyItem::Kind::Body) choose(AssemblyItem{AssemblyItem::Kind::Start, {}});
   } else {
@@ -246,7 +291,9 @@ void AssemblyController::enableActions() {
   const bool goal = document_.scenario() && std::holds_alternative<Pose>(document_.scenario()->scenario.goal);
   enable("assembly.add", editable_);
   enable("assembly.remove", editable_ && bodies > 0);
-  enable("assembly.moves", editable_ && bodies == 1);
+  enable("assembly.leave-out", editable_ && bodies > 0);
+  enable("assembly.put-back", editable_ && !scenePanel_->chosenLeftOut().empty());
+  enable("assembly.moves", editable_ && bodies > 0);
   enable("assembly.fit-workspace", editable_);
   enable("assembly.free-ends", editable_);
   enable("assembly.start-here", editable_);

@@ -2,6 +2,8 @@
 
 #include <map>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "app/window/end_clearance.h"
 #include "app/window/part_import.h"
@@ -42,6 +44,8 @@ class AssemblyController final : public QObject {
   void showFailure(const Outcome& outcome);
   void editScenario(const QString& text, const std::function<Outcome(Scenario&)>& change);
   void removeSelected();
+  void leaveOutSelected();
+  void putBackSelected();
   void markSelected();
   void moveEndsClear();
   void takeMovedEnds(const Result<std::vector<MovedEnd>>& moved);
@@ -49,6 +53,8 @@ class AssemblyController final : public QObject {
   void showPlacement();
   void enableActions();
   std::set<std::string> selectedBodies() const;
+  /// Those of the object among them, which come first.
+  std::vector<std::string> selectedToMove() const;
 
   const Workbench& bench_;
   WorkbenchDocument& document_;

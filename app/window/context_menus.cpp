@@ -22,7 +22,7 @@ const ActionIds kObjectMenu{"run.start",         "object.to-start", "", "assembl
                             "operator.camera"};
 const ActionIds kBodyMenu{
     "view.zoom-selection", "body.hide", "body.isolate", "body.show-all",   "", "assembly.moves", "sequence.stays",
-    "assembly.remove",     "",          "fits.find",    "assembly.arrange"};
+    "assembly.leave-out",  "assembly.remove", "",          "fits.find",    "assembly.arrange"};
 const ActionIds kDisplayMenu{"display-selected.shaded-edges", "display-selected.shaded", "display-selected.see-through",
                              "display-selected.wireframe", "display-selected.as-view"};
 const ActionIds kPlaceMenu{"place.forbid", "place.prefer", "milestone.set", "milestone.reset", "", "layer.places"};

@@ -9,6 +9,7 @@
 #include "app/window/environment_controller.h"
 #include "engine/base/number_text.h"
 #include "engine/environment/place_identifier.h"
+#include "engine/scenario/scenario_bodies.h"
 
 namespace glissade {
 namespace {
@@ -36,7 +37,7 @@ Outcome clickStep(const EnvironmentController& environment, const std::string& n
 
 bool hasBody(const LoadedScenario& scenario, const std::string& id) {
   const auto& obstacles = scenario.obstacles;
-  return scenario.object.id == id ||
+  return isInObject(scenario, id) ||
          std::any_of(obstacles.begin(), obstacles.end(), [&id](const RigidBody& body) { return body.id == id; });
 }
 
@@ -46,6 +47,10 @@ Outcome select(WorkbenchDocument& workbench, const EnvironmentController& enviro
   SemanticSelection selection;
   if (kind == "body" && workbench.scenario() && hasBody(*workbench.scenario(), name)) {
     selection.bodies.insert(QString::fromStdString(name));
+  } else if (kind == "bodies" && workbench.scenario()) {  // "nut+bolt"
+    for (const QString& id : QString::fromStdString(name).split(QLatin1Char('+'))) {
+      if (hasBody(*workbench.scenario(), id.toStdString())) selection.bodies.insert(id);
+    }
   } else if (kind == "step") {
     return clickStep(environment, name);
   } else if (kind == "place" && document.semantics() != nullptr) {

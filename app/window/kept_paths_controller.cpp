@@ -5,6 +5,7 @@
 
 #include "engine/base/number_text.h"
 #include "engine/planning/path_examination.h"
+#include "engine/scenario/scenario_bodies.h"
 
 namespace glissade {
 namespace {
@@ -175,7 +176,7 @@ void KeptPathsController::enableActions() {
 Outcome KeptPathsController::openPath(const std::string& name) {
   const KeptPathPtr path = bench_.document.paths().find(name);
   if (!path) return wrongCommand("there is no kept path '" + name + "'");
-  if (path->object != bench_.document.scenario()->object.id) {
+  if (path->object != idOf(bench_.document.scenario()->scenario.object)) {
     return Diagnostic{ErrorKind::Usage, "", name, "another object moves now",
                       "Make '" + path->object + "' the object first."};
   }

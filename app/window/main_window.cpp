@@ -38,6 +38,7 @@
 #include "app/window/view_controller.h"
 #include "app/window/welcome_controller.h"
 #include "app/window/window_script.h"
+#include "app/window/variants_controller.h"
 #include "app/window/workspace_notice.h"
 
 namespace glissade {
@@ -111,6 +112,7 @@ void MainWindow::addParts() {
   new ArrangeController(bench_, *assembly, *measure);
   auto* sections = new SectionController(bench_, *measure);
   new WorkspaceNotice(bench_);
+  new VariantsController(bench_);
   new SweepController(bench_);
   auto* kept = new KeptPathsController(bench_);
   auto* log = new LogController(bench_);

@@ -212,9 +212,11 @@ void RefusalController::allowAsFits() {
   for (const EndConflict& conflict : conflicts_->conflicts) {
     if (touches(conflict)) bodies.push_back(bench_.document.scenario()->obstacles[conflict.obstacle].id);
   }
-  const auto change = [bodies, object = bench_.document.scenario()->object.id](Scenario& scenario) {
+  const auto change = [bodies, object = bench_.document.scenario()->objectBodies](Scenario& scenario) {
     scenario.fits.on = true;
-    for (const std::string& body : bodies) accept(scenario.fits, object, body);
+    for (const std::string& body : bodies) {
+      for (const RigidBody& moving : object) accept(scenario.fits, moving.id, body);
+    }
     return Outcome(Done{});
   };
   const Outcome edited = bench_.document.edit(tr("Allow as fits"), change);

@@ -1,6 +1,7 @@
 #include "app/window/scene_target.h"
 
 #include "app/window/scene_ray.h"
+#include "engine/scenario/scenario_bodies.h"
 
 namespace glissade {
 namespace {
@@ -19,7 +20,7 @@ SceneTarget targetAt(const Workbench& bench, const QPointF& position) {
   const double farthest = body ? body->distance : kEndOfRay;
   SceneTarget target;
   if (view.showsSequence()) {
-    target.isObject = body && bodies[body->body].id == scenario.object.id;
+    target.isObject = body && isInObject(scenario, bodies[body->body].id);
   } else {
     RigidBody object = scenario.object;
     object.X_WB = view.objectPose();
@@ -29,7 +30,7 @@ SceneTarget targetAt(const Workbench& bench, const QPointF& position) {
   const SceneKnowledgePtr& knowledge = bench.document.knowledge();
   if (knowledge && view.layerVisible(SceneLayer::Places)) {
     target.place = pickPlace(knowledge->environment->map, ray, farthest);
-  } else if (body && bodies[body->body].id != scenario.object.id) {
+  } else if (body && !isInObject(scenario, bodies[body->body].id)) {
     target.body = QString::fromStdString(bodies[body->body].id);
   }
   return target;

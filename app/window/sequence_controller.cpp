@@ -12,6 +12,7 @@
 #include "app/window/sequence_script.h"
 #include "engine/scenario/plan_file.h"
 #include "engine/scenario/product_file.h"
+#include "engine/scenario/scenario_bodies.h"
 #include "engine/scenario/sequence_knowledge.h"
 #include "engine/sequence/exploded_view.h"
 #include "engine/sequence/plan_bodies.h"
@@ -356,10 +357,9 @@ void SequenceController::showScene(double time, double exploded) {
   if (plan.plan && !plan.plan->steps.empty() && (time > 0.0 || exploded > 0.0)) {
     const std::vector<PlayedBody> played = playback_.at(time);
     const bool aside = bench_.actions["sequence.aside"]->isChecked();
-    const ScenarioPtr& scenario = bench_.document.scenario();
+    const std::vector<RigidBody> bodies = rigidBodiesOf(*bench_.document.scenario());
     for (std::size_t i = 0; i < played.size(); ++i) {
-      const bool isObject = i + 1 == played.size();
-      const Pose X_WB = played[i].moved * (isObject ? scenario->object : scenario->obstacles[i]).X_WB;
+      const Pose X_WB = played[i].moved * bodies[i].X_WB;
       const Vector3 apart = played[i].left ? Vector3(Vector3::Zero()) : Vector3(exploded * offsets_[i]);
       picture.bodies.push_back({{X_WB.position + apart, X_WB.orientation}, aside || !played[i].left, played[i].moves});
     }
@@ -390,7 +390,7 @@ void SequenceController::showStuck(const QString& bodyId) {
 std::string SequenceController::productName() const {
   const ScenarioPtr& scenario = bench_.document.scenario();
   const Scenario& content = scenario->scenario;
-  if (!content.name.empty() && content.name != content.object.name) return content.name;
+  if (!content.name.empty() && content.name != content.object.first().name) return content.name;
   const bool assets = scenario->file.empty() && !content.assets.empty();
   const std::string& file = assets ? content.assets.front().path : scenario->file;
   const std::string stem = QFileInfo(QString::fromStdString(file)).completeBaseName().toStdString();

@@ -16,12 +16,6 @@ namespace {
 
 using Words = ScriptCommands::Words;
 
-QString joinedNames(const std::vector<std::string>& bodies, const AssembledProduct& product) {
-  QStringList names;
-  for (const std::string& id : bodies) names << QString::fromStdString(shownNameOf(id, product));
-  return names.join(QStringLiteral(", "));
-}
-
 /// Number of a script's word, from 1; nothing where it is none.
 std::optional<std::size_t> stepIn(const std::string& word, const SequencePanel& panel) {
   const auto number = toNumber(word);
@@ -31,6 +25,12 @@ std::optional<std::size_t> stepIn(const std::string& word, const SequencePanel& 
 }
 
 }  // namespace
+
+QString joinedNames(const std::vector<std::string>& bodies, const AssembledProduct& product) {
+  QStringList names;
+  for (const std::string& id : bodies) names << QString::fromStdString(shownNameOf(id, product));
+  return names.join(QStringLiteral(", "));
+}
 
 SequenceEdits::SequenceEdits(const Workbench& bench, SequenceController& sequence)
     : QObject(&sequence), bench_(bench), sequence_(sequence) {

@@ -7,6 +7,9 @@ namespace glissade {
 
 class SequenceController;
 
+/// What people see of the names of these bodies, with commas.
+QString joinedNames(const std::vector<std::string>& bodies, const AssembledProduct& product);
+
 /// What a person does to the steps of a plan: puts them elsewhere, locks them, forbids directions. Each is an undoable
 /// change of the document's demands, after which the sequence is planned anew.
 class SequenceEdits final : public QObject {

@@ -1,8 +1,10 @@
 #include "app/window/sequence_hand.h"
 
 #include <QAction>
+#include <algorithm>
 
 #include "app/window/sequence_controller.h"
+#include "app/window/sequence_edits.h"
 #include "engine/scenario/hand_run.h"
 #include "engine/sequence/demand_conflicts.h"
 #include "engine/sequence/demand_edits.h"
@@ -22,28 +24,18 @@ SequenceHand::SequenceHand(const Workbench& bench, SequenceController& sequence)
 void SequenceHand::begin() {
   SequencePanel& panel = *sequence_.panel();
   const ShownPlan shown = sequence_.shown();
-  Run run{shown, panel.chosenStuck(), panel.chosenStep()};
+  Run run{shown, {panel.chosenStuck()}, panel.chosenStep()};
   const auto& steps = shown.plan->steps;
-  if (run.step) {
-    if (!steps[*run.step].with.empty()) {
-      bench_.messages.showError(
-          tr("The step cannot be moved by hand"),
-          {ErrorKind::Usage, "", "step", "its parts leave together, and only one part can be moved by hand",
-           "Choose a step of a single part."});
-      return;
-    }
-    run.body = steps[*run.step].body;
-  }
+  if (run.step) run.bodies = steps[*run.step].bodies();
   std::vector<std::string> gone;
   for (std::size_t i = 0; i < run.step.value_or(steps.size()); ++i) {
     for (const std::string& id : steps[i].bodies()) gone.push_back(id);
   }
-  const QString name = QString::fromStdString(shownNameOf(run.body, *shown.product));
   run_ = run;
-  const auto change = [this, body = run.body, gone](Scenario& scenario) {
-    return prepareHandRun(body, gone, *bench_.document.scenario(), scenario);
+  const auto change = [this, bodies = run.bodies, gone](Scenario& scenario) {
+    return prepareHandRun(bodies, gone, *bench_.document.scenario(), scenario);
   };
-  const Outcome edited = bench_.document.edit(tr("Move %1 by hand").arg(name), change);
+  const Outcome edited = bench_.document.edit(tr("Move %1 by hand").arg(nameOf(run)), change);
   if (!edited) {
     run_.reset();
     bench_.messages.showError(tr("The step cannot be moved by hand"), edited.error());
@@ -53,17 +45,25 @@ void SequenceHand::begin() {
   bench_.document.whenArranged([this] { noteBegun(); });
 }
 
+QString SequenceHand::nameOf(const Run& run) const { return joinedNames(run.bodies, *run.plan.product); }
+
+bool SequenceHand::hasObject() const {
+  const std::vector<RigidBody>& object = bench_.document.scenario()->objectBodies;
+  return object.size() == run_->bodies.size() && std::all_of(object.begin(), object.end(), [this](const RigidBody& body) {
+    return std::find(run_->bodies.begin(), run_->bodies.end(), body.id) != run_->bodies.end();
+  });
+}
+
 void SequenceHand::noteBegun() {
   if (!run_ || run_->command >= 0) return;
-  if (bench_.document.scenario()->object.id != run_->body) {  // the edit has failed, and said so
+  if (!hasObject()) {  // the edit has failed, and said so
     run_.reset();
   } else {
     run_->command = bench_.document.undoStack().index();
-    const QString name = QString::fromStdString(shownNameOf(run_->body, *run_->plan.product));
     sequence_.panel()->setNotice(
         tr("You move %1 by hand, among the parts that are present at its step. Start (F5) begins a run. Its certified "
            "path becomes the step.")
-            .arg(name));
+            .arg(nameOf(*run_)));
   }
   enableActions();
 }
@@ -106,17 +106,18 @@ void SequenceHand::goBack(const std::function<void()>& then) {
 void SequenceHand::takePath() {
   const std::shared_ptr<const Path> path = bench_.document.results().path;
   if (!run_ || run_->command < 0 || goingBack_ || !path || path->points.size() < 2) return;
-  if (bench_.document.scenario()->object.id != run_->body) return;
+  if (!hasObject()) return;
   const ShownPlan& shown = run_->plan;
-  const RigidBody& body = shown.product->bodies[*shown.product->indexOf(run_->body)];
-  const DemandedMotion motion = motionOfRun(body, path->points, bench_.document.results().provenance.planner);
+  std::vector<RigidBody> bodies;
+  for (const std::string& id : run_->bodies) bodies.push_back(shown.product->bodies[*shown.product->indexOf(id)]);
+  const DemandedMotion motion = motionOfRun(bodies, path->points, bench_.document.results().provenance.planner);
   const SequenceDemands& present = bench_.document.demands();
   const DemandConflict conflict = conflictBetween(present, withMotion(motion, present));
   const bool taken = conflict.isNone() || bench_.messages.isNewDemandPreferred(
                                               tr("The path leaves in a forbidden direction"), inWords(conflict));
   if (!taken) return;
   const auto step = run_->step;
-  const QString name = QString::fromStdString(shownNameOf(run_->body, *shown.product));
+  const QString name = nameOf(*run_);
   const PlanPtr plan = shown.plan;
   goBack([this, motion, conflict, step, plan, name] {
     SequenceDemands demands = bench_.document.demands();

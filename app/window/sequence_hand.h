@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/window/workbench.h"
 #include "widgets/panels/step_table.h"
@@ -10,8 +11,8 @@ namespace glissade {
 
 class SequenceController;
 
-/// A step by hand: the part of a step in the hand, among the parts that are there at that step, as a run like any
-/// other. The scenario of the run is an edit on the undo stack; its first certified path becomes the motion of the
+/// A step by hand: what leaves in a step, a part or a group, in the hand, among the parts that are there at that step, as
+/// a run like any other. The scenario of the run is an edit on the undo stack; its first certified path becomes the motion of the
 /// step, and the edit is undone.
 class SequenceHand final : public QObject {
   Q_OBJECT
@@ -25,8 +26,8 @@ class SequenceHand final : public QObject {
 
  private:
   struct Run {
-    ShownPlan plan;                   ///< that the part is moved in
-    std::string body;                 ///< id
+    ShownPlan plan;                   ///< that the parts are moved in
+    std::vector<std::string> bodies;  ///< ids; the first one names the step
     std::optional<std::size_t> step;  ///< of the plan; nothing: the part was stuck
     int command = -1;                 ///< of the undo stack, that made the run's scenario; -1: not made yet
   };
@@ -42,6 +43,11 @@ class SequenceHand final : public QObject {
 
   const Workbench& bench_;
   SequenceController& sequence_;
+  /// What moves, for people.
+  QString nameOf(const Run& run) const;
+  /// The document has the bodies of the run as its object.
+  bool hasObject() const;
+
   std::optional<Run> run_;
   bool goingBack_ = false;
 };

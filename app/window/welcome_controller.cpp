@@ -40,8 +40,8 @@ std::vector<WelcomeEntry> sampleEntries(const QString& folder) {
 /// The workspace of a small product is much larger than its bodies.
 void bringBodiesNear(const Workbench& bench) {
   const ScenarioPtr& scenario = bench.document.scenario();
-  std::set<std::string> ids{scenario->object.id};
-  for (const RigidBody& body : scenario->obstacles) ids.insert(body.id);
+  std::set<std::string> ids;
+  for (const RigidBody& body : rigidBodiesOf(*scenario)) ids.insert(body.id);
   bench.scene.view().camera().zoomTo(bench.scene.view().extentOf(ids));
   bench.scene.refresh();
 }

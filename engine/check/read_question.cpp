@@ -10,6 +10,7 @@
 #include "engine/base/file.h"
 #include "engine/base/limits.h"
 #include "engine/check/scenario_json.h"
+#include "engine/check/stated_object.h"
 #include "engine/geometry/mesh_edges.h"
 #include "engine/import/geometry_loader.h"
 #include "engine/import/json_checksum.h"
@@ -23,8 +24,6 @@ namespace glissade::check {
 namespace {
 
 namespace fs = std::filesystem;
-
-Pose unitRotation(const Pose& pose) { return {pose.position, pose.orientation.normalized()}; }
 
 bool isUrdf(const std::string& file) { return endingOf(file) == "urdf"; }
 
@@ -63,30 +62,6 @@ void warnIfOpen(const Body& body, const std::string& file, std::map<MeshPtr, boo
                       "closed (--close-holes)."});
 }
 
-void addParts(const StatedScenario::StatedBody& stated, const LoadedGeometry& geometry, std::vector<Body>& bodies) {
-  for (const GeometryPart& part : geometry.parts) {
-    Body body;
-    body.id = partId(stated.id, part);
-    body.name = part.name.empty() ? stated.name : part.name;
-    body.mesh = part.mesh;
-    body.X_WB = unitRotation(stated.pose) * part.X_BP;
-    body.spacing = part.coordinateSpacing;
-    body.deflection = part.deflection;
-    bodies.push_back(std::move(body));
-  }
-}
-
-Body objectOf(const StatedScenario& scenario, const LoadedGeometry& geometry) {
-  Body object{scenario.object.id, scenario.object.name, nullptr, unitRotation(scenario.object.pose)};
-  const Vector3 reference = scenario.centreOnVertexMean ? geometry.vertexMean : scenario.referencePoint;
-  object.mesh = std::make_shared<const TriangleMesh>(wholeMesh(geometry, reference));
-  for (const GeometryPart& part : geometry.parts) {
-    object.spacing = std::max(object.spacing, part.coordinateSpacing);
-    object.deflection = std::max(object.deflection, part.deflection);
-  }
-  return object;
-}
-
 Outcome checkPairs(const Product& product, const std::string& file) {
   for (std::size_t i = 0; i < product.fits.pairs.size(); ++i) {
     for (const std::string& id : {product.fits.pairs[i].a, product.fits.pairs[i].b}) {
@@ -103,7 +78,8 @@ Outcome checkPairs(const Product& product, const std::string& file) {
 StatedScenario statedBy(const OmplAppConfig& config) {
   StatedScenario scenario;
   scenario.assets.push_back({"robot", config.robot, "", 1.0, UpAxis::Z});
-  scenario.object = {"robot", "robot", MeshGeometry{"robot"}, config.start};
+  scenario.object.push_back({"robot", "robot", MeshGeometry{"robot"}, Pose::identity()});
+  scenario.start = config.start;
   scenario.centreOnVertexMean = true;
   if (!config.world.empty()) {
     scenario.assets.push_back({"world", config.world, "", 1.0, UpAxis::Z});
@@ -233,32 +209,85 @@ Result<Product> productOfParts(const std::string& text, double deflection, const
 
 }  // namespace
 
-Result<Question> readQuestion(const std::string& file, const FitChoice& fits, const StopToken& stop) {
-  Question question;
-  Product& product = question.product;
-  auto stated = statedIn(file, product.warnings);
-  if (!stated) return stated.error();
-  const StatedScenario& scenario = *stated;
-  GeometryLoader loader(scenario.assets, folderOf(file), file, {}, stop);
-  for (const StatedScenario::StatedBody& body : scenario.bodies) {
-    const auto geometry = loader.load(body.geometry);
+namespace {
+
+/// A scenario's file with the bodies that it speaks of.
+struct ReadScenario {
+  StatedScenario stated;
+  std::vector<Body> others;        ///< that do not move
+  std::vector<Body> objectBodies;  ///< as bodies of the product
+  Body object;                     ///< as the one body that moves
+  Warnings warnings{};
+};
+
+Outcome readBodies(const std::string& file, const StopToken& stop, ReadScenario& read) {
+  const StatedScenario& stated = read.stated;
+  GeometryLoader loader(stated.assets, folderOf(file), file, {}, stop);
+  const auto load = [&](const StatedScenario::StatedBody& body) -> Result<LoadedGeometryPtr> {
+    auto geometry = loader.load(body.geometry);
+    if (geometry) warnOfMissingFaces(**geometry, body.id, file, loader.warnings());
+    return geometry;
+  };
+  for (const StatedScenario::StatedBody& body : stated.bodies) {
+    const auto geometry = load(body);
     if (!geometry) return geometry.error();
-    warnOfMissingFaces(**geometry, body.id, file, loader.warnings());
-    addParts(body, **geometry, product.bodies);
+    addParts(body, **geometry, read.others);
   }
-  const auto geometry = loader.load(scenario.object.geometry);
-  if (!geometry) return geometry.error();
+  ObjectGeometry ofObject;
+  for (const StatedScenario::StatedBody& body : stated.object) {
+    const auto geometry = load(body);
+    if (!geometry) return geometry.error();
+    ofObject.push_back(*geometry);
+  }
   if (stop.stopRequested()) return stopped(file);
-  warnOfMissingFaces(**geometry, scenario.object.id, file, loader.warnings());
-  product.bodies.push_back(objectOf(scenario, **geometry));
-  product.warnings.insert(product.warnings.end(), loader.warnings().begin(), loader.warnings().end());
+  read.object = objectOf(stated, ofObject);
+  read.objectBodies = {read.object};
+  if (stated.object.size() > 1) read.objectBodies = groupBodiesOf(stated, ofObject);
+  read.warnings.insert(read.warnings.end(), loader.warnings().begin(), loader.warnings().end());
+  return Done{};
+}
+
+Result<ReadScenario> readScenario(const std::string& file, const StopToken& stop) {
+  ReadScenario read;
+  auto stated = statedIn(file, read.warnings);
+  if (!stated) return stated.error();
+  read.stated = std::move(*stated);
+  if (const Outcome bodies = readBodies(file, stop, read); !bodies) return bodies.error();
+  for (const std::string& name : read.stated.leftOut) {
+    read.warnings.push_back({ErrorKind::MalformedInput, file, "'" + name + "'", "is left out",
+                             "Proofs are about the product without it."});
+  }
+  return read;
+}
+
+/// The product with these bodies for the object.
+Product productOf(const ReadScenario& read, const std::vector<Body>& object, const std::string& file) {
+  Product product;
+  product.bodies = read.others;
+  product.bodies.insert(product.bodies.end(), object.begin(), object.end());
+  product.warnings = read.warnings;
   std::map<MeshPtr, bool> closed;
   for (const Body& body : product.bodies) warnIfOpen(body, file, closed, product.warnings);
   shorten(product.bodies);
-  product.fits = scenario.fits;
-  choose(fits, product.fits);
-  product.demands = scenario.demands;
-  if (const Outcome known = checkPairs(product, file); !known) return known.error();
+  product.demands = read.stated.demands;
+  return product;
+}
+
+}  // namespace
+
+Result<Question> readQuestion(const std::string& file, const FitChoice& fits, const StopToken& stop) {
+  const auto read = readScenario(file, stop);
+  if (!read) return read.error();
+  const StatedScenario& scenario = read->stated;
+  Question question;
+  question.product = productOf(*read, {read->object}, file);
+  question.product.fits = scenario.fits;
+  choose(fits, question.product.fits);
+  if (scenario.object.size() > 1) {
+    question.product.bodies.back().name += " + " + std::to_string(read->objectBodies.size() - 1);
+    question.product.fits = wordsOfGroup(question.product.fits, read->objectBodies, read->object.id);
+  }
+  if (const Outcome known = checkPairs(question.product, file); !known) return known.error();
   if (scenario.goal) question.goal = unitRotation(*scenario.goal);
   question.workspace = scenario.workspace;
   question.forbidden = scenario.forbidden;
@@ -266,20 +295,27 @@ Result<Question> readQuestion(const std::string& file, const FitChoice& fits, co
   return question;
 }
 
+namespace {
+
+Result<Product> productOfScenario(const std::string& file, const FitChoice& fits, const StopToken& stop) {
+  const auto read = readScenario(file, stop);
+  if (!read) return read.error();
+  Product product = productOf(*read, read->objectBodies, file);
+  product.fits = read->stated.fits;
+  choose(fits, product.fits);
+  if (const Outcome known = checkPairs(product, file); !known) return known.error();
+  return product;
+}
+
+}  // namespace
+
 Result<Product> readProduct(const std::string& file, double deflection, const FitChoice& fits, const StopToken& stop) {
   const std::string path = splitPart(file).first;
   const bool isPart = isStepFile(path) || isUrdf(path);
-  Product product;
-  if (isPart) {
-    auto read = productOfParts(file, deflection, stop);
-    if (!read) return read.error();
-    product = std::move(*read);
-    choose(fits, product.fits);
-  } else {
-    auto question = readQuestion(file, fits, stop);
-    if (!question) return question.error();
-    product = std::move(question->product);
-  }
+  auto read = isPart ? productOfParts(file, deflection, stop) : productOfScenario(file, fits, stop);
+  if (!read) return read.error();
+  Product product = std::move(*read);
+  if (isPart) choose(fits, product.fits);
   if (product.bodies.size() < 2) {
     return Diagnostic{ErrorKind::MalformedInput, file, "", "holds one body: there is nothing to take apart",
                       "Give a product of several parts."};

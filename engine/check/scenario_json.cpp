@@ -147,17 +147,25 @@ StatedScenario readStatedScenario(const JsonCursor& root) {
     if (id.find('/') != std::string::npos) at.at("id").fail("holds a '/'", "Leave it out.");
     if (!ids.insert(id).second) at.at("id").fail("has the id '" + id + "' a second time");
   };
-  const JsonCursor bodies = root.at("bodies");
-  for (std::size_t i = 0; i < bodies.sizeUpTo(limits::kMostBodies); ++i) {
-    scenario.bodies.push_back(readStatedBody(bodies.element(i), assets));
-    addId(scenario.bodies.back().id, bodies.element(i));
-  }
+  const auto addBodies = [&](const JsonCursor& list, std::vector<StatedScenario::StatedBody>& bodies) {
+    for (std::size_t i = 0; i < list.sizeUpTo(limits::kMostBodies); ++i) {
+      bodies.push_back(readStatedBody(list.element(i), assets));
+      addId(bodies.back().id, list.element(i));
+    }
+  };
+  addBodies(root.at("bodies"), scenario.bodies);
   const JsonCursor object = root.at("object");
-  scenario.object = readStatedBody(object, assets);
-  addId(scenario.object.id, object);
+  scenario.object.push_back(readStatedBody(object, assets));
+  addId(scenario.object.front().id, object);
+  if (const auto with = object.find("with")) addBodies(*with, scenario.object);
+  if (const auto leftOut = root.find("left_out")) {
+    std::vector<StatedScenario::StatedBody> bodies;
+    addBodies(*leftOut, bodies);
+    for (const StatedScenario::StatedBody& body : bodies) scenario.leftOut.push_back(body.name);
+  }
   if (const auto centre = object.find("centre_on_vertex_mean")) scenario.centreOnVertexMean = centre->boolean();
   if (const auto point = object.find("reference_point")) scenario.referencePoint = point->vector();
-  scenario.object.pose = root.at("start").pose();
+  scenario.start = root.at("start").pose();
   const JsonCursor goal = root.at("goal");
   if (!goal.isString()) scenario.goal = goal.pose();
   if (goal.isString() && goal.text() != "out") goal.fail("is neither a configuration nor \"out\"");

@@ -22,9 +22,11 @@ struct StatedScenario {
   };
   std::vector<Asset> assets;
   std::vector<StatedBody> bodies;
-  StatedBody object;  ///< its pose is the start
+  std::vector<StatedBody> object;  ///< at least one; poses of the later ones are in the frame of the first one's geometry
+  std::vector<std::string> leftOut;  ///< names of bodies that are not there
+  Pose start;                        ///< of the object's reference point
   bool centreOnVertexMean = false;
-  Vector3 referencePoint = Vector3::Zero();
+  Vector3 referencePoint = Vector3::Zero();  ///< in the frame of the first one's geometry
   std::optional<Pose> goal;
   Box3 workspace;
   std::map<ParameterId, double> parameters;

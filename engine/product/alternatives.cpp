@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "engine/geometry/mesh_audit.h"
 #include "engine/geometry/solid_interior.h"
@@ -43,13 +44,16 @@ double spread(int i, double step) {
   return value - std::floor(value);
 }
 
-/// Of the volume that both fill, cubic metres, by points in the box that they have in common.
-double commonVolume(const RigidBody& a, const FilledBody& inA, const RigidBody& b, const FilledBody& inB) {
+/// Of the volume that both fill, cubic metres, by points in the box that they have in common. A pair that the first
+/// points show to be none is not looked at further.
+double commonVolume(const RigidBody& a, const FilledBody& inA, const RigidBody& b, const FilledBody& inB,
+                    double wanted) {
   constexpr int kPoints = 4000;
+  constexpr int kFirst = 200;
   // Powers of the root of x^4 = x + 1: evenly spread in three dimensions (Roberts 2018, sequence R3).
   constexpr double kSteps[3] = {0.8191725133961645, 0.6710436067037893, 0.5497004779019703};
   const Box3 common = boundingBox(*a.mesh, a.X_WB).intersection(boundingBox(*b.mesh, b.X_WB));
-  if (common.isEmpty()) return 0.0;
+  const double volume = common.sizes().prod();
   const Pose X_AW = inverse(a.X_WB);
   const Pose X_BW = inverse(b.X_WB);
   int inBoth = 0;
@@ -57,31 +61,58 @@ double commonVolume(const RigidBody& a, const FilledBody& inA, const RigidBody& 
     const Vector3 share(spread(i, kSteps[0]), spread(i, kSteps[1]), spread(i, kSteps[2]));
     const Vector3 p = common.min() + common.sizes().cwiseProduct(share);
     if (inA.interior.contains(X_AW * p) && inB.interior.contains(X_BW * p)) ++inBoth;
+    if (i == kFirst && volume * inBoth < 0.5 * wanted * kFirst) return 0.0;
   }
-  return common.sizes().prod() * inBoth / kPoints;
+  return volume * inBoth / kPoints;
+}
+
+/// `boxes`: the volume that the bounding boxes have in common, cubic metres. Nothing where the bodies have less than
+/// half of the larger one in common.
+std::optional<double> shareInCommon(const RigidBody& a, const RigidBody& b, double boxes, FilledBodies& solids) {
+  const FilledBody* inA = solids.of(a.mesh);
+  const FilledBody* inB = inA == nullptr ? nullptr : solids.of(b.mesh);
+  if (inB == nullptr) return std::nullopt;
+  const double larger = std::max(std::abs(inA->volume), std::abs(inB->volume));
+  const double smaller = std::min(std::abs(inA->volume), std::abs(inB->volume));
+  const double wanted = kInCommon * larger;
+  if (smaller < wanted || boxes < wanted) return std::nullopt;
+  const double common = commonVolume(a, *inA, b, *inB, wanted);
+  return common < wanted ? std::nullopt : std::optional<double>(std::min(common / larger, 1.0));
 }
 
 }  // namespace
 
-std::vector<Alternative> findAlternatives(const std::vector<RigidBody>& bodies, const std::vector<Contact>& contacts,
-                                          const StopToken& stop) {
+std::vector<Alternative> findAlternatives(const std::vector<RigidBody>& bodies, const StopToken& stop) {
+  std::vector<Box3> boxes;
+  for (const RigidBody& body : bodies) boxes.push_back(boundingBox(*body.mesh, body.X_WB));
   FilledBodies solids;
   std::vector<Alternative> alternatives;
-  for (const Contact& contact : contacts) {
-    if (stop.stopRequested()) break;
-    if (contact.overlap <= 0.0) continue;
-    const RigidBody& a = bodies[contact.a];
-    const RigidBody& b = bodies[contact.b];
-    const FilledBody* inA = solids.of(a.mesh);
-    const FilledBody* inB = solids.of(b.mesh);
-    if (inA == nullptr || inB == nullptr) continue;
-    const double larger = std::max(std::abs(inA->volume), std::abs(inB->volume));
-    const double smaller = std::min(std::abs(inA->volume), std::abs(inB->volume));
-    if (smaller < kInCommon * larger) continue;
-    const double share = commonVolume(a, *inA, b, *inB) / larger;
-    if (share >= kInCommon) alternatives.push_back({contact.a, contact.b, std::min(share, 1.0)});
+  for (std::size_t a = 0; a < bodies.size() && !stop.stopRequested(); ++a) {
+    for (std::size_t b = a + 1; b < bodies.size(); ++b) {
+      const Box3 common = boxes[a].intersection(boxes[b]);
+      if (common.isEmpty()) continue;
+      const auto share = shareInCommon(bodies[a], bodies[b], common.sizes().prod(), solids);
+      if (share) alternatives.push_back({a, b, *share});
+    }
   }
   return alternatives;
+}
+
+std::vector<std::vector<std::size_t>> variantsOf(const std::vector<Alternative>& alternatives) {
+  std::vector<std::set<std::size_t>> groups;
+  for (const Alternative& each : alternatives) {
+    std::set<std::size_t> joined{each.a, each.b};
+    std::erase_if(groups, [&](const std::set<std::size_t>& group) {
+      if (group.count(each.a) == 0 && group.count(each.b) == 0) return false;
+      joined.insert(group.begin(), group.end());
+      return true;
+    });
+    groups.push_back(std::move(joined));
+  }
+  std::vector<std::vector<std::size_t>> variants;
+  for (const auto& group : groups) variants.emplace_back(group.begin(), group.end());
+  std::sort(variants.begin(), variants.end());
+  return variants;
 }
 
 Warnings warningsOf(const std::vector<Alternative>& alternatives, const std::vector<RigidBody>& bodies) {

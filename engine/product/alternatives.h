@@ -4,7 +4,7 @@
 
 #include "engine/base/diagnostic.h"
 #include "engine/base/stop_token.h"
-#include "engine/product/contact_report.h"
+#include "engine/environment/rigid_body.h"
 
 namespace glissade {
 
@@ -15,10 +15,13 @@ struct Alternative {
   double share = 0.0;  ///< of the volume of the larger one that both fill, estimated
 };
 
-/// Pairs of closed bodies, among those that overlap, that have at least half of the larger one in common. A screw in a
-/// block that has no hole for it is none: the block is not filled by it.
-std::vector<Alternative> findAlternatives(const std::vector<RigidBody>& bodies, const std::vector<Contact>& contacts,
-                                          const StopToken& stop = {});
+/// Pairs of closed bodies that have at least half of the larger one in common, by a, then by b. A screw in a block that
+/// has no hole for it is none: the block is not filled by it.
+std::vector<Alternative> findAlternatives(const std::vector<RigidBody>& bodies, const StopToken& stop = {});
+
+/// Bodies that are alternatives of each other, directly or by others: groups of ascending indices, of which a product
+/// has one body each.
+std::vector<std::vector<std::size_t>> variantsOf(const std::vector<Alternative>& alternatives);
 
 /// One for each, with the option that leaves one of the two out.
 Warnings warningsOf(const std::vector<Alternative>& alternatives, const std::vector<RigidBody>& bodies);

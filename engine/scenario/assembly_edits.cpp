@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "engine/base/file.h"
 #include "engine/import/geometry_loader.h"
 #include "engine/scenario/part_files.h"
-#include "engine/scenario/reference_point.h"
+#include "engine/scenario/object_geometry.h"
+#include "engine/scenario/scenario_bodies.h"
 
 namespace glissade {
 namespace {
@@ -29,22 +29,48 @@ bool uses(const Geometry& geometry, const Asset& asset) {
 }
 
 void dropUnusedAssets(Scenario& scenario) {
-  const auto isUnused = [&](const Asset& asset) {
-    return !uses(scenario.object.geometry, asset) &&
-           std::none_of(scenario.bodies.begin(), scenario.bodies.end(),
-                        [&](const BodyDescription& body) { return uses(body.geometry, asset); });
-  };
-  scenario.assets.erase(std::remove_if(scenario.assets.begin(), scenario.assets.end(), isUnused),
-                        scenario.assets.end());
+  const std::vector<const BodyDescription*> bodies = allBodiesOf(scenario);
+  std::erase_if(scenario.assets, [&](const Asset& asset) {
+    return std::none_of(bodies.begin(), bodies.end(),
+                        [&](const BodyDescription* body) { return uses(body->geometry, asset); });
+  });
 }
 
-const LoadedGeometry& geometryOf(const Geometry& geometry, const LoadedScenario& loaded) {
-  return *loaded.geometry.at(geometryKey(geometry, loaded.scenario.assets, folderOf(loaded.file)));
+void dropFitsOf(const std::string& bodyId, Scenario& scenario) {
+  std::erase_if(scenario.fits.pairs,
+                [&](const FitEdit& edit) { return bodyIdOf(edit.a) == bodyId || bodyIdOf(edit.b) == bodyId; });
 }
 
 /// From the frame of an object's geometry to that about its reference point.
-Pose toReferencePoint(const ObjectDescription& object, const LoadedScenario& loaded) {
-  return Pose::translation(referencePointOf(object, geometryOf(object.geometry, loaded)));
+Pose toReferencePoint(const ObjectDescription& object, const ObjectGeometry& geometry) {
+  return Pose::translation(referencePointOf(object, geometry));
+}
+
+/// The object's bodies where they start, as bodies of the product.
+std::vector<BodyDescription> placedBodiesOf(const ObjectDescription& object, const LoadedScenario& loaded,
+                                            const Pose& start) {
+  const Pose X_WG = start * inverse(toReferencePoint(object, geometryOf(object, loaded)));
+  std::vector<BodyDescription> bodies = object.bodies;
+  for (std::size_t i = 0; i < bodies.size(); ++i) bodies[i].pose = i == 0 ? X_WG : X_WG * poseInObject(object, i);
+  return bodies;
+}
+
+/// Takes the body from the list; nothing where it is not in it.
+std::optional<BodyDescription> taken(const std::string& id, std::vector<BodyDescription>& from) {
+  const auto body = std::find_if(from.begin(), from.end(), [&](const BodyDescription& each) { return each.id == id; });
+  if (body == from.end()) return std::nullopt;
+  BodyDescription found = std::move(*body);
+  from.erase(body);
+  return found;
+}
+
+ObjectDescription objectOf(std::vector<BodyDescription> placed) {
+  ObjectDescription object;
+  object.bodies = std::move(placed);
+  const Pose X_GW = inverse(object.first().pose);
+  for (std::size_t i = 1; i < object.bodies.size(); ++i) object.bodies[i].pose = X_GW * object.bodies[i].pose;
+  object.first().pose = Pose::identity();
+  return object;
 }
 
 /// About the bodies, and the object where it starts.
@@ -83,12 +109,27 @@ Outcome place(const AssemblyItem& item, const Pose& X_WB, Scenario& scenario) {
 }
 
 Outcome removeBody(const std::string& bodyId, Scenario& scenario) {
-  const auto body = findBody(bodyId, scenario);
-  if (body == scenario.bodies.end()) return noSuchBody(bodyId);
-  scenario.bodies.erase(body);
-  std::erase_if(scenario.fits.pairs,
-                [&](const FitEdit& edit) { return bodyIdOf(edit.a) == bodyId || bodyIdOf(edit.b) == bodyId; });
+  if (!taken(bodyId, scenario.bodies)) return noSuchBody(bodyId);
+  dropFitsOf(bodyId, scenario);
   dropUnusedAssets(scenario);
+  return Done{};
+}
+
+Outcome leaveOut(const std::string& bodyId, Scenario& scenario) {
+  for (const BodyDescription& moving : scenario.object.bodies) {
+    if (moving.id == bodyId) return refusal("body '" + bodyId + "'", "is what moves", "Choose another object first.");
+  }
+  auto body = taken(bodyId, scenario.bodies);
+  if (!body) return noSuchBody(bodyId);
+  dropFitsOf(bodyId, scenario);
+  scenario.leftOut.push_back(std::move(*body));
+  return Done{};
+}
+
+Outcome putBack(const std::string& bodyId, Scenario& scenario) {
+  auto body = taken(bodyId, scenario.leftOut);
+  if (!body) return noSuchBody(bodyId);
+  scenario.bodies.push_back(std::move(*body));
   return Done{};
 }
 
@@ -100,19 +141,37 @@ Outcome swapEnds(Scenario& scenario) {
   return Done{};
 }
 
-Outcome markMoving(const std::string& bodyId, const LoadedScenario& loaded, Scenario& scenario) {
-  const auto body = findBody(bodyId, scenario);
-  if (body == scenario.bodies.end()) return noSuchBody(bodyId);
-  const BodyDescription moving = *body;
-  const ObjectDescription& was = scenario.object;
-  const Pose pose = scenario.start * inverse(toReferencePoint(was, loaded));
-  *body = {was.id, was.name, Mobility::Static, was.geometry, pose, was.colour, was.attributes};
-  scenario.object = {moving.id, moving.name, moving.geometry, false, Vector3::Zero(), moving.colour, moving.attributes};
-  chooseReferencePoint(scenario.object, geometryOf(moving.geometry, loaded));
-  scenario.start = moving.pose * toReferencePoint(scenario.object, loaded);
+bool isObject(const std::vector<std::string>& bodyIds, const Scenario& scenario) {
+  const std::vector<BodyDescription>& bodies = scenario.object.bodies;
+  return bodyIds.size() == bodies.size() && std::all_of(bodies.begin(), bodies.end(), [&](const BodyDescription& body) {
+           return std::find(bodyIds.begin(), bodyIds.end(), body.id) != bodyIds.end();
+         });
+}
+
+Outcome markMoving(const std::vector<std::string>& bodyIds, const LoadedScenario& loaded, Scenario& scenario) {
+  if (bodyIds.empty()) return refusal("", "no body is chosen", "Choose what moves.");
+  if (isObject(bodyIds, scenario)) return refusal("", "this is the object already", "Choose other bodies.");
+  const std::vector<BodyDescription> before = placedBodiesOf(scenario.object, loaded, scenario.start);
+  std::vector<BodyDescription> others = scenario.bodies;
+  const auto first = std::find_if(others.begin(), others.end(),
+                                  [&](const BodyDescription& body) { return body.id == bodyIds.front(); });
+  // What stops to move takes the place of what begins to.
+  others.insert(first, before.begin(), before.end());
+  std::vector<BodyDescription> moving;
+  for (const std::string& id : bodyIds) {
+    auto body = taken(id, others);
+    if (!body) return noSuchBody(id);
+    moving.push_back(std::move(*body));
+  }
+  const Pose X_WG = moving.front().pose;
+  scenario.bodies = std::move(others);
+  scenario.object = objectOf(std::move(moving));
+  const ObjectGeometry geometry = geometryOf(scenario.object, loaded);
+  chooseReferencePoint(scenario.object, geometry);
+  scenario.start = X_WG * toReferencePoint(scenario.object, geometry);
   scenario.goal = GoalOut{};
   scenario.wayPoints.clear();
-  const double radius = radiusAboutOrigin(objectMesh(scenario.object, geometryOf(moving.geometry, loaded)));
+  const double radius = radiusAboutOrigin(objectMesh(scenario.object, geometry));
   scenario.workspace.extend(roomAbout(boxOfAll(loaded), radius));
   return Done{};
 }
@@ -127,6 +186,7 @@ void takeAssembly(const Scenario& from, Scenario& to) {
   to.assets = from.assets;
   to.bodies = from.bodies;
   to.object = from.object;
+  to.leftOut = from.leftOut;
   to.start = from.start;
   to.goal = from.goal;
   to.workspace = from.workspace;

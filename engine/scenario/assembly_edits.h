@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "engine/base/result.h"
 #include "engine/scenario/scenario.h"
@@ -26,15 +27,23 @@ Outcome place(const AssemblyItem& item, const Pose& X_WB, Scenario& scenario);
 /// Takes a body out, with the assets that nothing else uses and what was said about its fits.
 Outcome removeBody(const std::string& bodyId, Scenario& scenario);
 
+/// The body stays in the scenario and is not there: what was said about its fits goes. And back.
+Outcome leaveOut(const std::string& bodyId, Scenario& scenario);
+Outcome putBack(const std::string& bodyId, Scenario& scenario);
+
 /// The object starts where its goal was, and the other way round. Not where the goal is "out".
 Outcome swapEnds(Scenario& scenario);
 
-/// The body becomes the object, from where it lies and to "out", for which the workspace grows; what was the
-/// object becomes a static body where it started. Way points of the simulated operator go with their object.
-Outcome markMoving(const std::string& bodyId, const LoadedScenario& loaded, Scenario& scenario);
+/// The bodies become the object, as one rigid body, from where they lie and to "out", for which the workspace grows; the
+/// other bodies that were the object do not move any more, and stay where they started. Way points of the simulated
+/// operator go with their object. The first one gives the object its id and its frame.
+Outcome markMoving(const std::vector<std::string>& bodyIds, const LoadedScenario& loaded, Scenario& scenario);
 
 /// A workspace about all that there is, with room for the object to get clear of it on every side.
 Box3 fittingWorkspace(const LoadedScenario& loaded);
+
+/// The object is made of these bodies of the scenario, in any order.
+bool isObject(const std::vector<std::string>& bodyIds, const Scenario& scenario);
 
 /// Takes over what is edited step by step: the assembly, semantic attributes, the rules of strategy "own", fits. The
 /// rest (planner, parameters, seed, environment) stays as it is.

@@ -28,7 +28,7 @@ EndConflict conflictOf(const Contact& contact, std::size_t obstacle) {
 /// Of the whole object, measured on its mesh.
 std::vector<EndConflict> measuredConflicts(const LoadedScenario& scenario, const Pose& q, double required,
                                            const StopToken& stop) {
-  std::vector<ContactBody> bodies = contactBodiesOf(bodiesOf(scenario));
+  std::vector<ContactBody> bodies = contactBodiesOf(objectAndOthers(scenario));
   const std::size_t object = bodies.size() - 1;
   bodies[object].X_WB = q;
   ContactLimits limits;

@@ -2,38 +2,52 @@
 
 #include <algorithm>
 
-#include "engine/base/file.h"
-#include "engine/import/geometry_loader.h"
 #include "engine/scenario/assembly_edits.h"
-#include "engine/scenario/reference_point.h"
+#include "engine/scenario/object_geometry.h"
+#include "engine/scenario/scenario_bodies.h"
 
 namespace glissade {
 namespace {
 
-Outcome checkWhole(const std::string& id, const LoadedScenario& loaded) {
-  const std::string body = bodyIdOf(id);
-  const auto parts = std::count_if(loaded.obstacles.begin(), loaded.obstacles.end(),
-                                   [&](const RigidBody& each) { return bodyIdOf(each.id) == body; });
-  if (parts < 2) return Done{};
-  return Diagnostic{ErrorKind::Usage, loaded.file, "body '" + body + "'",
-                    "is several parts in one body of the scenario, of which '" + id + "' cannot be moved alone",
-                    "Make a scenario that has each part as a body: New from parts does so with STEP files."};
+/// All rigid bodies of the scenario's body are among these, or none is.
+Outcome checkWhole(const std::vector<std::string>& ids, const LoadedScenario& loaded) {
+  for (const RigidBody& each : rigidBodiesOf(loaded)) {
+    const bool named = std::find(ids.begin(), ids.end(), each.id) != ids.end();
+    const auto sister = std::find_if(ids.begin(), ids.end(), [&](const std::string& id) {
+      return id != each.id && bodyIdOf(id) == bodyIdOf(each.id);
+    });
+    if (named || sister == ids.end()) continue;
+    return Diagnostic{ErrorKind::Usage, loaded.file, "body '" + bodyIdOf(each.id) + "'",
+                      "is several parts in one body of the scenario, of which '" + *sister + "' cannot be moved alone",
+                      "Make a scenario that has each part as a body: New from parts does so with STEP files."};
+  }
+  return Done{};
 }
 
-/// Where the body turns about in a product: see AssembledProduct. World frame.
-Vector3 middleOf(const std::string& id, const LoadedScenario& loaded) {
-  const auto known = std::find_if(loaded.obstacles.begin(), loaded.obstacles.end(),
-                                  [&](const RigidBody& body) { return body.id == id; });
-  const RigidBody& body = known == loaded.obstacles.end() ? loaded.object : *known;
-  return body.X_WB * Vector3(boundingBox(*body.mesh, Pose::identity()).center());
+/// Ids of the scenario's bodies, each once.
+std::vector<std::string> bodyIdsOf(const std::vector<std::string>& rigidIds) {
+  std::vector<std::string> ids;
+  for (const std::string& rigid : rigidIds) {
+    const std::string id = bodyIdOf(rigid);
+    if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
+  }
+  return ids;
+}
+
+/// Where what moves turns about in a product: see MovingObject. World frame.
+Vector3 middleOf(const std::vector<RigidBody>& bodies) {
+  if (bodies.size() == 1) {
+    return bodies.front().X_WB * Vector3(boundingBox(*bodies.front().mesh, Pose::identity()).center());
+  }
+  Box3 box;
+  for (const RigidBody& body : bodies) box.extend(boundingBox(*body.mesh, body.X_WB));
+  return box.center();
 }
 
 /// The object stays where it is. Motions between two configurations depend on the point that an object turns about.
 void turnAbout(const Vector3& point_W, const LoadedScenario& loaded, Scenario& scenario) {
   ObjectDescription& object = scenario.object;
-  const auto& geometry =
-      *loaded.geometry.at(geometryKey(object.geometry, loaded.scenario.assets, folderOf(loaded.file)));
-  const Pose X_WG = scenario.start * Pose::translation(-referencePointOf(object, geometry));
+  const Pose X_WG = scenario.start * Pose::translation(-referencePointOf(object, geometryOf(object, loaded)));
   object.centreOnVertexMean = false;
   object.referencePoint = inverse(X_WG) * point_W;
   scenario.start = X_WG * Pose::translation(object.referencePoint);
@@ -41,37 +55,44 @@ void turnAbout(const Vector3& point_W, const LoadedScenario& loaded, Scenario& s
 
 }  // namespace
 
-Outcome prepareHandRun(const std::string& moving, const std::vector<std::string>& gone, const LoadedScenario& loaded,
-                       Scenario& scenario) {
-  for (const std::string& id : gone) {
-    if (const Outcome whole = checkWhole(id, loaded); !whole) return whole;
+Outcome prepareHandRun(const std::vector<std::string>& moving, const std::vector<std::string>& gone,
+                       const LoadedScenario& loaded, Scenario& scenario) {
+  for (const auto& ids : {moving, gone}) {
+    if (const Outcome whole = checkWhole(ids, loaded); !whole) return whole;
   }
-  if (moving != loaded.object.id) {
-    if (const Outcome whole = checkWhole(moving, loaded); !whole) return whole;
-    const Outcome marked = markMoving(bodyIdOf(moving), loaded, scenario);
+  std::vector<RigidBody> bodies;
+  for (const RigidBody& body : rigidBodiesOf(loaded)) {
+    if (std::find(moving.begin(), moving.end(), body.id) != moving.end()) bodies.push_back(body);
+  }
+  const std::vector<std::string> chosen = bodyIdsOf(moving);
+  if (!isObject(chosen, scenario)) {
+    const Outcome marked = markMoving(chosen, loaded, scenario);
     if (!marked) return marked;
   }
-  turnAbout(middleOf(moving, loaded), loaded, scenario);
+  turnAbout(middleOf(bodies), loaded, scenario);
   scenario.goal = GoalOut{};
-  for (const std::string& id : gone) {
-    const Outcome removed = removeBody(bodyIdOf(id), scenario);
+  for (const std::string& id : bodyIdsOf(gone)) {
+    const Outcome removed = removeBody(id, scenario);
     if (!removed) return removed;
   }
   return Done{};
 }
 
-DemandedMotion motionOfRun(const RigidBody& body, const std::vector<PathPoint>& path, const std::string& planner) {
+DemandedMotion motionOfRun(const std::vector<RigidBody>& bodies, const std::vector<PathPoint>& path,
+                           const std::string& planner) {
   // Samples in contact are drawn about the object in the hand.
   const bool steered = std::any_of(path.begin(), path.end(), [](const PathPoint& point) {
     return point.author != Author::Computer || point.segmentAuthor != Author::Computer;
   });
-  DemandedMotion motion{{body.id}, {}, steered || planner.empty() ? kByHand : planner};
-  const Pose X_OB = inverse(path.front().q) * body.X_WB;
+  DemandedMotion motion{{}, {}, steered || planner.empty() ? kByHand : planner};
+  for (const RigidBody& body : bodies) motion.bodies.push_back(body.id);
+  const Pose X_WA = bodies.size() == 1 ? bodies.front().X_WB : Pose::translation(middleOf(bodies));  // assembled
+  const Pose X_OA = inverse(path.front().q) * X_WA;
   for (const PathPoint& point : path) {
-    motion.path.push_back({point.q * X_OB, point.author, point.segmentAuthor});
+    motion.path.push_back({point.q * X_OA, point.author, point.segmentAuthor});
     motion.path.back().q.orientation.normalize();
   }
-  motion.path.front().q = body.X_WB;
+  motion.path.front().q = X_WA;
   return motion;
 }
 

@@ -8,15 +8,17 @@
 
 namespace glissade {
 
-/// Makes of a product's scenario the question of one step: the body `moving` leaves, those of `gone` are not there any
-/// more. The object turns about the middle of its bounding box, as bodies of products do. Both by id of rigid bodies.
-/// `loaded` is the same scenario, loaded. Errors, Usage: the body, or one that is gone, is one of several links or
-/// parts that the scenario holds as one body.
-Outcome prepareHandRun(const std::string& moving, const std::vector<std::string>& gone, const LoadedScenario& loaded,
-                       Scenario& scenario);
+/// Makes of a product's scenario the question of one step: the bodies `moving` leave as one, those of `gone` are not
+/// there any more. What moves turns about the middle of its bounding box, as groups of a product's bodies do. Both by id
+/// of rigid bodies. `loaded` is the same scenario, loaded. Errors, Usage: a body that moves, or one that is gone, is one
+/// of several links or parts that the scenario holds as one body.
+Outcome prepareHandRun(const std::vector<std::string>& moving, const std::vector<std::string>& gone,
+                       const LoadedScenario& loaded, Scenario& scenario);
 
-/// The path of the object as the motion of the product's body, from where it is assembled: by hand where a person has
-/// steered a part of it, else by the planner that found it. Precondition: the path has two points.
-DemandedMotion motionOfRun(const RigidBody& body, const std::vector<PathPoint>& path, const std::string& planner);
+/// The path of the object as the motion of these bodies of the product, which leave as one from where they are
+/// assembled: by hand where a person has steered a part of it, else by the planner that found it. The first body names
+/// the step. Precondition: there is a body, and the path has two points.
+DemandedMotion motionOfRun(const std::vector<RigidBody>& bodies, const std::vector<PathPoint>& path,
+                           const std::string& planner);
 
 }  // namespace glissade

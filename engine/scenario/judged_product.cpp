@@ -1,6 +1,7 @@
 #include "engine/scenario/judged_product.h"
 
 #include "engine/product/fit_words.h"
+#include "engine/scenario/scenario_fits.h"
 
 namespace glissade {
 namespace {
@@ -52,11 +53,6 @@ const char* nameOf(PlanEnd end) {
   return "";
 }
 
-double valueOf(const std::map<std::string, double>& values, const std::string& id) {
-  const auto known = values.find(id);
-  return known == values.end() ? 0.0 : known->second;
-}
-
 }  // namespace
 
 std::vector<check::Body> judgedBodies(const std::vector<RigidBody>& bodies) {
@@ -86,14 +82,12 @@ check::Plan judgedPlan(const AssemblyPlan& plan) {
 
 check::Question judgedQuestion(const LoadedScenario& scenario) {
   check::Question question;
-  question.product.bodies = judgedBodies(scenario.obstacles);
-  question.product.bodies.push_back(judgedBodies({scenario.object}).front());
+  const AssembledProduct product = objectAndOthers(scenario);
+  question.product = judgedProduct(product);
   question.product.bodies.back().X_WB = scenario.problem.start;
-  for (check::Body& body : question.product.bodies) {
-    body.deflection = valueOf(scenario.deflections, body.id);
-    body.spacing = valueOf(scenario.coordinateSpacings, body.id);
+  for (std::size_t i = 0; i < product.bodies.size(); ++i) {
+    question.product.bodies[i].spacing = product.spacings[i];
   }
-  question.product.fits = wordsOf(scenario.scenario.fits);
   question.product.demands = judgedDemands(scenario.scenario.sequence);
   if (const Pose* goal = std::get_if<Pose>(&scenario.problem.goal)) question.goal = *goal;
   question.workspace = scenario.problem.bounds;

@@ -1,5 +1,7 @@
 #include "engine/scenario/kept_path.h"
 
+#include "engine/scenario/scenario_bodies.h"
+
 #include <algorithm>
 
 #include "engine/planning/coarse/prohibitions.h"
@@ -30,7 +32,7 @@ KeptPath keptPath(const std::string& name, const Path& path, const PathProvenanc
                   const LoadedScenario& scenario) {
   KeptPath kept;
   kept.name = name;
-  kept.object = scenario.object.id;
+  kept.object = idOf(scenario.scenario.object);
   kept.provenance = provenance;
   kept.smoothed = smoothed;
   kept.requiredClearance = path.certificate.tolerance;
@@ -62,7 +64,7 @@ std::string freePathName(const KeptPaths& paths, const std::string& stem) {
 
 KeptPathProof proveAgain(const KeptPath& kept, const LoadedScenario& scenario, const WorkWatch& watch) {
   KeptPathProof proof;
-  if (kept.object != scenario.object.id) {
+  if (kept.object != idOf(scenario.scenario.object)) {
     proof.state = KeptPathState::OtherObject;
     return proof;
   }

@@ -8,6 +8,7 @@
 #include "engine/base/printable_text.h"
 #include "engine/import/asset_path.h"
 #include "engine/import/step_import.h"
+#include "engine/scenario/scenario_bodies.h"
 
 namespace glissade {
 namespace {
@@ -37,8 +38,8 @@ std::set<std::string> assetIds(const Scenario& scenario) {
 }
 
 std::set<std::string> bodyIds(const Scenario& scenario) {
-  std::set<std::string> ids{scenario.object.id};
-  for (const BodyDescription& body : scenario.bodies) ids.insert(body.id);
+  std::set<std::string> ids;
+  for (const BodyDescription* body : allBodiesOf(scenario)) ids.insert(body->id);
   return ids;
 }
 
@@ -47,20 +48,25 @@ std::set<std::string> bodyIds(const Scenario& scenario) {
 PartAdder::PartAdder(Scenario& scenario, const std::string& file)
     : scenario_(scenario), folder_(folderOf(file)), saved_(!file.empty()) {}
 
-void PartAdder::addBody(const PartFile& part) {
+BodyDescription PartAdder::bodyOf(const PartFile& part) {
   BodyDescription body;
   body.id = uniqueId(idOf(part), bodyIds(scenario_));
   body.name = part.part.empty() ? body.id : part.part;
   body.mobility = part.role == PartRole::Mobile ? Mobility::Mobile : Mobility::Static;
   body.geometry = geometryOf(part);
-  scenario_.bodies.push_back(std::move(body));
+  return body;
 }
 
-void PartAdder::setObject(const PartFile& part) {
-  ObjectDescription& object = scenario_.object;
-  object.id = idOf(part);
-  object.name = nameOf(part);
-  object.geometry = geometryOf(part);
+void PartAdder::addBody(const PartFile& part) { scenario_.bodies.push_back(bodyOf(part)); }
+
+void PartAdder::addToObject(const PartFile& part) {
+  std::vector<BodyDescription>& bodies = scenario_.object.bodies;
+  if (hasObject_) {
+    bodies.push_back(bodyOf(part));
+    return;
+  }
+  hasObject_ = true;
+  bodies.assign(1, {idOf(part), nameOf(part), Mobility::Static, geometryOf(part)});
 }
 
 Geometry PartAdder::geometryOf(const PartFile& part) {

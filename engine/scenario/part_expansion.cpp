@@ -7,6 +7,7 @@
 #include "engine/import/asset_path.h"
 #include "engine/import/step_import.h"
 #include "engine/import/step_parts.h"
+#include "engine/scenario/scenario_bodies.h"
 
 namespace glissade {
 namespace {
@@ -28,8 +29,7 @@ std::vector<Claim> claimsOf(const Scenario& scenario, const std::string& scenari
       if (asset.id == step->asset) claims.push_back({assetFile(asset, folderOf(scenarioFile)), step->part});
     }
   };
-  add(scenario.object.geometry);
-  for (const BodyDescription& body : scenario.bodies) add(body.geometry);
+  for (const BodyDescription* body : allBodiesOf(scenario)) add(body->geometry);
   return claims;
 }
 

@@ -12,7 +12,7 @@
 #include "engine/import/step_import.h"
 #include "engine/scenario/part_adder.h"
 #include "engine/scenario/part_expansion.h"
-#include "engine/scenario/reference_point.h"
+#include "engine/scenario/object_geometry.h"
 
 namespace glissade {
 namespace {
@@ -117,30 +117,31 @@ Result<Scenario> scenarioOfParts(const std::vector<PartFile>& files, GeometryCac
   const auto entries = oneEntryEach(files, Scenario(), "", known, stop);
   if (!entries) return entries.error();
   const std::vector<PartFile>& parts = *entries;
-  const auto moving = std::find_if(parts.begin(), parts.end(), moves);
-  if (moving == parts.end()) return usage("", "no part moves", "Choose the part that moves.");
-  if (const auto second = std::find_if(moving + 1, parts.end(), moves); second != parts.end()) {
-    return usage(second->path, "is the second part that moves", "Choose one part that moves.");
+  if (std::none_of(parts.begin(), parts.end(), moves)) {
+    return usage("", "no part moves", "Choose the part that moves.");
   }
   Scenario scenario;
   PartAdder adder(scenario, "");
-  adder.setObject(*moving);
+  for (const PartFile& part : parts) {
+    if (moves(part)) adder.addToObject(part);
+  }
   for (const PartFile& part : parts) {
     if (!moves(part)) adder.addBody(part);
   }
   GeometryLoader loader(scenario.assets, ".", "", std::move(known), stop);
-  const auto object = loader.load(scenario.object.geometry);
-  if (!object) return object.error();
+  ObjectDescription& object = scenario.object;
+  const auto geometry = loadGeometryOf(object, loader);
+  if (!geometry) return geometry.error();
   const auto bodies = boxOfBodies(loader, scenario, 0);
   if (!bodies) return bodies.error();
   loader.noteHashes(scenario.assets);
   if (read != nullptr) read->merge(loader.loaded());
-  scenario.name = scenario.object.name;
-  chooseReferencePoint(scenario.object, **object);
-  scenario.start = Pose::translation(referencePointOf(scenario.object, **object));
+  scenario.name = object.first().name;
+  chooseReferencePoint(object, *geometry);
+  scenario.start = Pose::translation(referencePointOf(object, *geometry));
   scenario.goal = GoalOut{};
   scenario.workspace =
-      roomAbout(bodies->merged(boxOf(**object)), radiusAboutOrigin(objectMesh(scenario.object, **object)));
+      roomAbout(bodies->merged(boxOf(object, *geometry)), radiusAboutOrigin(objectMesh(object, *geometry)));
   scenario.planner = "auto";
   scenario.fits.on = true;
   return scenario;
@@ -164,12 +165,12 @@ Result<Scenario> withParts(Scenario scenario, const std::string& scenarioFile, c
   GeometryLoader loader(scenario.assets, folderOf(scenarioFile), scenarioFile, std::move(known), stop);
   const auto added = boxOfBodies(loader, scenario, before);
   if (!added) return added.error();
-  const auto object = loader.load(scenario.object.geometry);
-  if (!object) return object.error();
+  const auto geometry = loadGeometryOf(scenario.object, loader);
+  if (!geometry) return geometry.error();
   loader.noteHashes(scenario.assets);
   if (read != nullptr) read->merge(loader.loaded());
   if (!std::holds_alternative<GoalOut>(scenario.goal)) return scenario;
-  scenario.workspace.extend(roomAbout(*added, radiusAboutOrigin(objectMesh(scenario.object, **object))));
+  scenario.workspace.extend(roomAbout(*added, radiusAboutOrigin(objectMesh(scenario.object, *geometry))));
   return scenario;
 }
 

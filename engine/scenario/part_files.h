@@ -60,13 +60,13 @@ Box3 roomAbout(const Box3& box, double radius);
 /// Where a part lies: metres, z up. `inFile` is of partsInFile().
 Box3 boxOfPart(const PartFile& part, const Box3& inFile);
 
-/// A scenario of these parts, one of which moves: it is to come "out", from where it lies. A STEP file that
-/// moves does so as one; of others each part is a body of its own, unless another entry names it. The reference
-/// point is in the middle of the part (the origin of a URDF file); the workspace leaves room for "out" on
+/// A scenario of these parts, one or several of which move, as one: they are to come "out", from where they lie. A STEP
+/// file that moves does so as one; of others each part is a body of its own, unless another entry names it. The
+/// reference point is in the middle of what moves (the origin of a URDF file); the workspace leaves room for "out" on
 /// every side; fits are on. Reads all files, which takes its time; what is in `read` (may be null) is not read again,
 /// and what is read comes into it.
 ///
-/// Errors are Usage where not exactly one part moves, and those of the importers.
+/// Errors are Usage where no part moves, and those of the importers.
 Result<Scenario> scenarioOfParts(const std::vector<PartFile>& files, GeometryCache* read = nullptr,
                                  const StopToken& stop = {});
 

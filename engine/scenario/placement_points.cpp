@@ -1,9 +1,7 @@
 #include "engine/scenario/placement_points.h"
 
-#include "engine/base/file.h"
 #include "engine/environment/rigid_body.h"
-#include "engine/import/geometry_loader.h"
-#include "engine/scenario/reference_point.h"
+#include "engine/scenario/object_geometry.h"
 
 namespace glissade {
 namespace {
@@ -12,9 +10,8 @@ PlacementPoints pointsOfObject(const LoadedScenario& loaded) {
   const ObjectDescription& object = loaded.scenario.object;
   PlacementPoints points;
   points.middle = boundingBox(*loaded.object.mesh).center();
-  const auto geometry =
-      loaded.geometry.find(geometryKey(object.geometry, loaded.scenario.assets, folderOf(loaded.file)));
-  if (geometry != loaded.geometry.end()) points.fileOrigin = -referencePointOf(object, *geometry->second);
+  const ObjectGeometry geometry = geometryOf(object, loaded);
+  if (!geometry.empty()) points.fileOrigin = -referencePointOf(object, geometry);
   return points;
 }
 

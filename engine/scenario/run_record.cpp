@@ -67,6 +67,7 @@ std::string problemSha256(const Scenario& scenario) {
   problem.paths.clear();
   problem.forbiddenRegions.clear();
   problem.plan.reset();
+  problem.leftOut.clear();
   problem.sequence = {};
   for (Asset& asset : problem.assets) {
     asset.path = fs::path(asset.path).filename().string();  // the scenario may have been saved elsewhere since

@@ -1,5 +1,6 @@
 #include "engine/planning/planner.h"
 #include "engine/scenario/run_record.h"
+#include "engine/scenario/scenario_bodies.h"
 #include "engine/scenario/scenario_io.h"
 
 namespace glissade {
@@ -41,8 +42,7 @@ Outcome checkParameters(const RunRecord& record, ParameterValues& initial) {
 }
 
 Outcome checkSemantics(const RunLog& log, const LoadedScenario& scenario) {
-  std::vector<std::string> ids{scenario.scenario.object.id};
-  for (const BodyDescription& body : scenario.scenario.bodies) ids.push_back(body.id);
+  const std::vector<std::string> ids = presentIdsOf(scenario.scenario);
   const auto check = [&](const std::shared_ptr<const SemanticEdits>& edits) {
     return edits ? checkEdits(*edits, ids) : Outcome(Done{});
   };

@@ -21,27 +21,31 @@
 
 namespace glissade {
 
+/// A body of the product as the file names it.
 struct BodyDescription {
   std::string id;
-  std::string name;
+  std::string name{};
   Mobility mobility = Mobility::Static;
-  Geometry geometry;
-  Pose pose;  ///< X_WB; for URDF the pose of its root
-  std::optional<Colour> colour;
-  Attributes attributes;
+  Geometry geometry{};
+  Pose pose{};  ///< X_WB; for URDF the pose of its root
+  std::optional<Colour> colour{};
+  Attributes attributes{};
 };
 
+/// What moves: the bodies of the product that a person has chosen, as one rigid body.
 struct ObjectDescription {
-  std::string id = "object";
-  std::string name;
-  Geometry geometry;
-  /// OMPL.app moves the robot so that the mean of its imported vertices is the reference point.
+  /// At least one. The first one's frame is that of the object's geometry, G: its own pose is not used. The pose of
+  /// the others is X_GB.
+  std::vector<BodyDescription> bodies{BodyDescription{"object"}};
+  /// OMPL.app moves the robot so that the mean of its imported vertices is the reference point. Of one body only.
   bool centreOnVertexMean = false;
-  /// Where else its reference point is, in the geometry's frame. Written down, because the triangles of a STEP
-  /// part are not the same everywhere.
+  /// Where else the reference point is, in G. Written down, because the triangles of a STEP part are not the same
+  /// everywhere.
   Vector3 referencePoint = Vector3::Zero();
-  std::optional<Colour> colour;
-  Attributes attributes;
+
+  BodyDescription& first() { return bodies.front(); }
+  const BodyDescription& first() const { return bodies.front(); }
+  bool isGroup() const { return bodies.size() > 1; }
 };
 
 /// A person's plan for the simulated operator: free configurations to pass through in order.
@@ -52,8 +56,9 @@ struct Scenario {
   std::string name;
   std::string description;
   std::vector<Asset> assets;
-  std::vector<BodyDescription> bodies;
+  std::vector<BodyDescription> bodies;  ///< those that do not move
   ObjectDescription object;
+  std::vector<BodyDescription> leftOut;  ///< of the product, and not there: nothing is about them until they are put back
   Pose start;
   Goal goal;
   Box3 workspace;
@@ -83,7 +88,9 @@ struct LoadedScenario {
   Scenario scenario;
   std::string file;                  ///< where it came from
   std::vector<RigidBody> obstacles;  ///< in the order of the scenario, URDF links and STEP parts expanded
-  RigidBody object;                  ///< X_WB is the start
+  RigidBody object;                  ///< X_WB is the start; its id is that of the object's first body
+  /// The bodies that the object is made of, as bodies of the product, where they start. One is the object itself.
+  std::vector<RigidBody> objectBodies;
   GeometryCache geometry;            ///< what the bodies and the object are made of
   /// Metres that meshes are off the surfaces they stand for, about: of STEP parts, by rigid body's id.
   std::map<std::string, double> deflections;

@@ -1,25 +1,62 @@
 #include "engine/scenario/scenario_fits.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "engine/product/fitted_world.h"
+#include "engine/scenario/scenario_bodies.h"
 
 namespace glissade {
 namespace {
 
-double valueOf(const std::map<std::string, double>& values, const std::string& id) {
-  const auto known = values.find(id);
-  return known == values.end() ? 0.0 : known->second;
+/// What is said of the group's bodies with one other, as said of the group.
+struct GroupWord {
+  FitEdit edit;
+  std::size_t accepted = 0;  ///< of how many of its bodies a clash is
+};
+
+void add(const FitEdit& said, GroupWord& word) {
+  FitEdit& edit = word.edit;
+  if (!edit.kind) edit.kind = said.kind;
+  if (!edit.pitch) edit.pitch = said.pitch;
+  if (said.allowance) edit.allowance = std::min(edit.allowance.value_or(*said.allowance), *said.allowance);
+  word.accepted += said.accepted ? 1 : 0;
+}
+
+FitSettings fitsOfGroup(const FitSettings& fits, const std::vector<RigidBody>& group, const std::string& groupId) {
+  const auto isInGroup = [&group](const std::string& id) {
+    return std::any_of(group.begin(), group.end(), [&id](const RigidBody& body) { return body.id == id; });
+  };
+  FitSettings ofGroup = fits;
+  ofGroup.pairs.clear();
+  std::map<std::string, GroupWord> words;  // by the other body
+  for (const FitEdit& edit : fits.pairs) {
+    const bool a = isInGroup(edit.a);
+    if (a == isInGroup(edit.b)) {
+      if (!a) ofGroup.pairs.push_back(edit);
+      continue;
+    }
+    const std::string& other = a ? edit.b : edit.a;
+    GroupWord& word = words[other];
+    word.edit.a = groupId;
+    word.edit.b = other;
+    if (word.edit.turned.empty() && !edit.turned.empty()) word.edit.turned = edit.turned == other ? other : groupId;
+    add(edit, word);
+  }
+  for (auto& [other, word] : words) {
+    word.edit.accepted = word.accepted == group.size();
+    ofGroup.pairs.push_back(word.edit);
+  }
+  return ofGroup;
 }
 
 }  // namespace
 
 AssembledProduct bodiesOf(const LoadedScenario& scenario) {
   AssembledProduct product;
-  product.bodies = scenario.obstacles;
-  product.bodies.push_back(scenario.object);
+  product.bodies = rigidBodiesOf(scenario);
   for (const RigidBody& body : product.bodies) {
     product.deflections.push_back(valueOf(scenario.deflections, body.id));
     product.spacings.push_back(valueOf(scenario.coordinateSpacings, body.id));
@@ -28,11 +65,26 @@ AssembledProduct bodiesOf(const LoadedScenario& scenario) {
   return product;
 }
 
+AssembledProduct objectAndOthers(const LoadedScenario& scenario) {
+  if (!scenario.scenario.object.isGroup()) return bodiesOf(scenario);
+  AssembledProduct product;
+  product.bodies = scenario.obstacles;
+  product.bodies.push_back(scenario.object);
+  for (const RigidBody& body : scenario.obstacles) {
+    product.deflections.push_back(valueOf(scenario.deflections, body.id));
+    product.spacings.push_back(valueOf(scenario.coordinateSpacings, body.id));
+  }
+  product.deflections.push_back(largestOf(scenario.deflections, scenario.objectBodies));
+  product.spacings.push_back(largestOf(scenario.coordinateSpacings, scenario.objectBodies));
+  product.fits = fitsOfGroup(scenario.scenario.fits, scenario.objectBodies, scenario.object.id);
+  return product;
+}
+
 Outcome applyFits(LoadedScenario& scenario, const StopToken& stop) {
   scenario.fits = {};
   scenario.fitsPending = false;
   if (scenario.scenario.fits.on) {
-    const AssembledProduct product = bodiesOf(scenario);
+    const AssembledProduct product = objectAndOthers(scenario);
     FitQuestion question{product, scenario.obstacles.size(), {scenario.problem.start}};
     if (const Pose* goal = std::get_if<Pose>(&scenario.problem.goal)) question.ends.push_back(*goal);
     question.world = scenario.problem.world;

@@ -10,8 +10,14 @@
 
 namespace glissade {
 
-/// The obstacles in their order, then the object at its start, in the frames that the scenario gives them.
+/// The product: the obstacles in their order, then the object's bodies at the start, in the frames that the scenario
+/// gives them.
 AssembledProduct bodiesOf(const LoadedScenario& scenario);
+
+/// The obstacles in their order, then the object as the one body that moves. What a person says of the bodies of a
+/// group holds for the group where it asks for more, and where it is said of each of them: the least allowance of all,
+/// and a clash that is accepted for all of them. Of threads, and of kinds, the first one counts.
+AssembledProduct objectAndOthers(const LoadedScenario& scenario);
 
 /// Finds the fits of the object as `scenario.scenario.fits` asks, and thins the object in the problem's world by what
 /// they allow; fits that there were are replaced. The product is taken as assembled in the start and, where it is a

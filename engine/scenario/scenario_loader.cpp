@@ -15,7 +15,8 @@
 #include "engine/scenario/extent_check.h"
 #include "engine/scenario/fit_options.h"
 #include "engine/scenario/part_files.h"
-#include "engine/scenario/reference_point.h"
+#include "engine/scenario/object_geometry.h"
+#include "engine/scenario/scenario_bodies.h"
 #include "engine/scenario/scenario_file.h"
 #include "engine/scenario/scenario_fits.h"
 
@@ -79,11 +80,11 @@ void noteUncertainties(const LoadedGeometry& geometry, const std::string& bodyId
 }
 
 /// The largest of the object and the largest of an obstacle, together.
-double largestOfBoth(const std::map<std::string, double>& values, const std::string& objectId) {
+double largestOfBoth(const std::map<std::string, double>& values, const LoadedScenario& loaded) {
   double object = 0.0;
   double obstacle = 0.0;
   for (const auto& [id, value] : values) {
-    double& largest = id == objectId ? object : obstacle;
+    double& largest = isInObject(loaded, id) ? object : obstacle;
     largest = std::max(largest, value);
   }
   return object + obstacle;
@@ -105,20 +106,74 @@ std::vector<RigidBody> toBodies(const BodyDescription& description, const Loaded
   return bodies;
 }
 
-Result<RigidBody> loadObject(const Scenario& scenario, const std::string& file, GeometryLoader& loader) {
-  const auto loaded = loader.load(scenario.object.geometry);
-  if (!loaded) return loaded.error();
-  const LoadedGeometry& geometry = **loaded;
+RigidBody objectOf(const Scenario& scenario, const ObjectGeometry& geometry) {
+  const BodyDescription& first = scenario.object.first();
   RigidBody object;
-  object.id = scenario.object.id;
-  object.name = scenario.object.name;
+  object.id = first.id;
+  object.name = first.name;
   object.mobility = Mobility::Mobile;
   object.mesh = std::make_shared<const TriangleMesh>(objectMesh(scenario.object, geometry));
   object.X_WB = normalized(scenario.start);
-  warnOfMissingFaces(geometry, object.id, file, loader.warnings());
-  object.colour =
-      scenario.object.colour ? *scenario.object.colour : geometry.parts.front().colour.value_or(kObjectColour);
+  object.colour = first.colour ? *first.colour : geometry.front()->parts.front().colour.value_or(kObjectColour);
   return object;
+}
+
+/// As bodies of the product that do not move are made, so that the choice of what moves changes none of them.
+std::vector<RigidBody> bodiesOfGroup(const Scenario& scenario, const ObjectGeometry& geometry) {
+  const ObjectDescription& object = scenario.object;
+  const Pose X_WG = normalized(scenario.start) * Pose::translation(-referencePointOf(object, geometry));
+  std::vector<RigidBody> bodies;
+  for (std::size_t i = 0; i < object.bodies.size(); ++i) {
+    BodyDescription placed = object.bodies[i];
+    placed.pose = X_WG * poseInObject(object, i);
+    placed.mobility = Mobility::Mobile;
+    placed.attributes.erase("mobility");
+    for (RigidBody& body : toBodies(placed, *geometry[i])) bodies.push_back(std::move(body));
+  }
+  return bodies;
+}
+
+Outcome loadObject(const Scenario& scenario, const LoadedScenario* before, GeometryLoader& loader,
+                   LoadedScenario& loaded) {
+  const auto geometry = loadGeometryOf(scenario.object, loader);
+  if (!geometry) return geometry.error();
+  const bool group = scenario.object.isGroup();
+  loaded.object = objectOf(scenario, *geometry);
+  if (before != nullptr && isSameMesh(*before->object.mesh, *loaded.object.mesh)) {
+    loaded.object.mesh = before->object.mesh;  // prepared already
+  }
+  bool closed = true;
+  for (std::size_t i = 0; i < geometry->size(); ++i) {
+    const LoadedGeometry& each = *(*geometry)[i];
+    warnOfMissingFaces(each, scenario.object.bodies[i].id, loaded.file, loader.warnings());
+    noteUncertainties(each, scenario.object.bodies[i].id, !group, loaded);
+    if (group) noteClosed(each, loaded);
+    closed = closed && allAreClosed(each);
+  }
+  if (closed || group) loaded.closed.emplace(loaded.object.mesh, closed);
+  loaded.objectBodies = group ? bodiesOfGroup(scenario, *geometry) : std::vector<RigidBody>{loaded.object};
+  return Done{};
+}
+
+/// What people see of the names, among all bodies of the product.
+void labelAll(LoadedScenario& loaded) {
+  std::vector<RigidBody> all = rigidBodiesOf(loaded);
+  labelBodies(all);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::size_t others = loaded.obstacles.size();
+    (i < others ? loaded.obstacles[i] : loaded.objectBodies[i - others]).label = all[i].label;
+  }
+  loaded.object.label = loaded.objectBodies.front().label;
+  const std::size_t more = loaded.objectBodies.size() - 1;
+  if (more > 0) loaded.object.label += " + " + std::to_string(more);
+}
+
+std::optional<Diagnostic> leftOutWarning(const Scenario& scenario, const std::string& file) {
+  if (scenario.leftOut.empty()) return std::nullopt;
+  std::string names;
+  for (const BodyDescription& body : scenario.leftOut) names += (names.empty() ? "'" : ", '") + body.name + "'";
+  return Diagnostic{ErrorKind::MalformedInput, file, "/left_out", "leaves bodies out: " + names,
+                    "Proofs are about the product without them."};
 }
 
 Outcome applyParameters(const Scenario& scenario, const std::string& file, ParameterValues& values) {
@@ -136,7 +191,7 @@ Outcome applyParameters(const Scenario& scenario, const std::string& file, Param
 
 SceneDescription describeScene(const Scenario& scenario) {
   SceneDescription scene;
-  scene.objectId = scenario.object.id;
+  scene.objectId = scenario.object.first().id;
   scene.environment = scenario.environment;
   scene.edits = std::make_shared<const SemanticEdits>(semanticEditsOf(scenario));
   if (scenario.rules) scene.rules = std::make_shared<const StrategyRules>(*scenario.rules);
@@ -148,9 +203,7 @@ Scenario toScenario(const OmplAppConfig& config) {
   scenario.name = config.name;
   scenario.description = "Imported from OMPL.app";
   scenario.assets.push_back({"robot", config.robot, "", 1.0, UpAxis::Z});
-  scenario.object.id = "robot";
-  scenario.object.name = "robot";
-  scenario.object.geometry = MeshGeometry{"robot"};
+  scenario.object.first() = {"robot", "robot", Mobility::Static, MeshGeometry{"robot"}};
   scenario.object.centreOnVertexMean = true;
   if (!config.world.empty()) {
     scenario.assets.push_back({"world", config.world, "", 1.0, UpAxis::Z});
@@ -242,21 +295,13 @@ Result<LoadedScenario> loadGeometry(Scenario scenario, const std::string& folder
     for (RigidBody& rigid : toBodies(body, **geometry)) loaded.obstacles.push_back(std::move(rigid));
     if (const Outcome few = checkNumberOfBodies(loaded, file); !few) return few.error();
   }
-  auto object = loadObject(scenario, file, loader);
-  if (!object) return object.error();
-  const auto geometryOfObject = loader.load(scenario.object.geometry);
-  noteUncertainties(**geometryOfObject, scenario.object.id, true, loaded);
+  if (const Outcome object = loadObject(scenario, before, loader, loaded); !object) return object.error();
   loader.noteHashes(scenario.assets);
-  loaded.object = std::move(*object);
   loaded.geometry = std::move(loader.loaded());
   loaded.warnings = std::move(loader.warnings());
-  if (before != nullptr && isSameMesh(*before->object.mesh, *loaded.object.mesh)) {
-    loaded.object.mesh = before->object.mesh;  // prepared already
-  }
-  if (allAreClosed(**geometryOfObject)) loaded.closed.emplace(loaded.object.mesh, true);
-  labelBodies(loaded.obstacles, &loaded.object);
-  for (const RigidBody& body : loaded.obstacles) warnIfOpen(body, file, before, loaded);
-  warnIfOpen(loaded.object, file, before, loaded);
+  labelAll(loaded);
+  for (const RigidBody& body : rigidBodiesOf(loaded)) warnIfOpen(body, file, before, loaded);
+  if (const auto left = leftOutWarning(scenario, file)) loaded.warnings.push_back(*left);
 
   if (const Outcome sound = checkExtents(loaded, scenario.workspace, file); !sound) return sound.error();
   loaded.problem.world = before != nullptr ? before->problem.world->updated(loaded.obstacles, loaded.object.mesh)
@@ -311,11 +356,11 @@ Outcome saveScenario(const Scenario& scenario, const std::string& file) {
 }
 
 double surfaceDeviation(const LoadedScenario& scenario) {
-  return largestOfBoth(scenario.deflections, scenario.object.id);
+  return largestOfBoth(scenario.deflections, scenario);
 }
 
 double coordinateSpacing(const LoadedScenario& scenario) {
-  return largestOfBoth(scenario.coordinateSpacings, scenario.object.id);
+  return largestOfBoth(scenario.coordinateSpacings, scenario);
 }
 
 }  // namespace glissade

@@ -75,8 +75,7 @@ Geometry readGeometry(const JsonCursor& at, const std::set<std::string>& assets)
   return SphereGeometry{sphere.at("radius").length()};
 }
 
-BodyDescription readBody(const JsonCursor& at, const std::set<std::string>& assets) {
-  at.allowOnly({"id", "name", "mobility", "geometry", "pose", "colour", "attributes"});
+BodyDescription readDescription(const JsonCursor& at, const std::set<std::string>& assets) {
   BodyDescription body;
   body.id = at.at("id").nonEmptyText();
   body.name = at.has("name") ? at.at("name").text() : body.id;
@@ -86,29 +85,37 @@ BodyDescription readBody(const JsonCursor& at, const std::set<std::string>& asse
     body.mobility = value == "mobile" ? Mobility::Mobile : Mobility::Static;
   }
   body.geometry = readGeometry(at.at("geometry"), assets);
-  if (const auto pose = at.find("pose")) body.pose = pose->pose();
   if (const auto colour = at.find("colour")) body.colour = readColour(*colour);
   body.attributes = readAttributes(at.find("attributes"));
   return body;
 }
 
+BodyDescription readBody(const JsonCursor& at, const std::set<std::string>& assets) {
+  at.allowOnly({"id", "name", "mobility", "geometry", "pose", "colour", "attributes"});
+  BodyDescription body = readDescription(at, assets);
+  if (const auto pose = at.find("pose")) body.pose = pose->pose();
+  return body;
+}
+
 ObjectDescription readObject(const JsonCursor& at, const std::set<std::string>& assets) {
-  at.allowOnly({"id", "name", "geometry", "centre_on_vertex_mean", "reference_point", "colour", "attributes"});
+  at.allowOnly({"id", "name", "mobility", "geometry", "with", "centre_on_vertex_mean", "reference_point", "colour",
+                "attributes"});
   ObjectDescription object;
-  object.id = at.at("id").nonEmptyText();
-  object.name = at.has("name") ? at.at("name").text() : object.id;
-  object.geometry = readGeometry(at.at("geometry"), assets);
+  object.first() = readDescription(at, assets);
+  if (const auto with = at.find("with")) {
+    for (std::size_t i = 0; i < with->sizeUpTo(limits::kMostBodies); ++i) {
+      object.bodies.push_back(readBody(with->element(i), assets));
+    }
+  }
   if (const auto centre = at.find("centre_on_vertex_mean")) {
     object.centreOnVertexMean = centre->boolean();
-    const bool mesh = std::holds_alternative<MeshGeometry>(object.geometry);
-    if (object.centreOnVertexMean && !mesh) centre->fail("is for mesh files only");
+    const bool mesh = std::holds_alternative<MeshGeometry>(object.first().geometry) && !object.isGroup();
+    if (object.centreOnVertexMean && !mesh) centre->fail("is for one body of a mesh file only");
   }
   if (const auto point = at.find("reference_point")) {
     object.referencePoint = point->vector();
     if (object.centreOnVertexMean) point->fail("is said twice: there is 'centre_on_vertex_mean'");
   }
-  if (const auto colour = at.find("colour")) object.colour = readColour(*colour);
-  object.attributes = readAttributes(at.find("attributes"));
   return object;
 }
 
@@ -143,11 +150,29 @@ void checkId(std::set<std::string>& seen, const std::string& id, const JsonCurso
     at.at("id").fail("has the id '" + id + "' a second time", "Give every one an id of its own.");
 }
 
+void checkIds(std::set<std::string>& seen, const ObjectDescription& object, const JsonCursor& at) {
+  checkId(seen, object.first().id, at);
+  for (std::size_t i = 1; i < object.bodies.size(); ++i) {
+    checkId(seen, object.bodies[i].id, at.at("with").element(i - 1));
+  }
+}
+
+std::vector<BodyDescription> readBodies(const JsonCursor& list, const std::set<std::string>& assets,
+                                        std::set<std::string>& seen) {
+  std::vector<BodyDescription> bodies;
+  for (std::size_t i = 0; i < list.sizeUpTo(limits::kMostBodies); ++i) {
+    bodies.push_back(readBody(list.element(i), assets));
+    checkId(seen, bodies.back().id, list.element(i));
+  }
+  return bodies;
+}
+
 Scenario readScenario(const JsonCursor& root) {
   root.allowOnly({"format",     "version",     "name",       "description", "assets",     "bodies",
                   "object",     "start",       "goal",       "workspace",   "way_points", "planner",
                   "parameters", "environment", "attributes", "places",      "milestones", "forbidden_regions",
-                  "rules",      "fits",        "sequence",   "seed",        "paths",      "plan"});
+                  "rules",      "fits",        "sequence",   "seed",        "paths",      "plan",
+                  "left_out"});
   Scenario scenario;
   if (const auto name = root.find("name")) scenario.name = name->text();
   if (const auto description = root.find("description")) scenario.description = description->text();
@@ -158,13 +183,10 @@ Scenario readScenario(const JsonCursor& root) {
     checkId(assets, scenario.assets.back().id, assetList->element(i));
   }
   std::set<std::string> bodies;
-  const JsonCursor bodyList = root.at("bodies");
-  for (std::size_t i = 0; i < bodyList.sizeUpTo(limits::kMostBodies); ++i) {
-    scenario.bodies.push_back(readBody(bodyList.element(i), assets));
-    checkId(bodies, scenario.bodies.back().id, bodyList.element(i));
-  }
+  scenario.bodies = readBodies(root.at("bodies"), assets, bodies);
   scenario.object = readObject(root.at("object"), assets);
-  checkId(bodies, scenario.object.id, root.at("object"));
+  checkIds(bodies, scenario.object, root.at("object"));
+  if (const auto leftOut = root.find("left_out")) scenario.leftOut = readBodies(*leftOut, assets, bodies);
   scenario.start = root.at("start").pose();
   scenario.goal = readGoal(root.at("goal"));
   scenario.workspace = readWorkspace(root.at("workspace"));

@@ -74,21 +74,26 @@ Json toJson(const BodyDescription& body) {
   return json;
 }
 
-Json toJson(const ObjectDescription& object) {
-  Json json;
-  json["id"] = object.id;
-  json["name"] = object.name;
-  json["geometry"] = toJson(object.geometry);
-  if (object.centreOnVertexMean) json["centre_on_vertex_mean"] = true;
-  if (!object.referencePoint.isZero(0.0)) json["reference_point"] = glissade::toJson(object.referencePoint);
-  addAppearance(json, object.colour, object.attributes);
-  return json;
-}
-
 template <class Range>
 Json itemList(const Range& range) {
   Json json = Json::array();
   for (const auto& item : range) json.push_back(toJson(item));
+  return json;
+}
+
+Json toJson(const ObjectDescription& object) {
+  const BodyDescription& first = object.first();
+  Json json;
+  json["id"] = first.id;
+  json["name"] = first.name;
+  if (first.mobility == Mobility::Mobile) json["mobility"] = "mobile";
+  json["geometry"] = toJson(first.geometry);
+  if (object.isGroup()) {
+    json["with"] = itemList(std::vector<BodyDescription>(object.bodies.begin() + 1, object.bodies.end()));
+  }
+  if (object.centreOnVertexMean) json["centre_on_vertex_mean"] = true;
+  if (!object.referencePoint.isZero(0.0)) json["reference_point"] = glissade::toJson(object.referencePoint);
+  addAppearance(json, first.colour, first.attributes);
   return json;
 }
 
@@ -101,6 +106,7 @@ Json scenarioJson(const Scenario& scenario) {
   json["assets"] = itemList(scenario.assets);
   json["bodies"] = itemList(scenario.bodies);
   json["object"] = toJson(scenario.object);
+  if (!scenario.leftOut.empty()) json["left_out"] = itemList(scenario.leftOut);
   json["start"] = glissade::toJson(scenario.start);
   const Pose* goal = std::get_if<Pose>(&scenario.goal);
   json["goal"] = goal != nullptr ? glissade::toJson(*goal) : Json("out");

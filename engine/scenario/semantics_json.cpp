@@ -3,6 +3,7 @@
 #include "engine/base/limits.h"
 #include "engine/planning/planner.h"
 #include "engine/scenario/forbidden_regions_json.h"
+#include "engine/scenario/scenario_bodies.h"
 
 namespace glissade {
 
@@ -123,9 +124,7 @@ void checkSemantics(const Scenario& scenario, const JsonCursor& root) {
     why.file = root.file();
     throw JsonError{std::move(why)};
   };
-  std::vector<std::string> ids{scenario.object.id};
-  for (const BodyDescription& body : scenario.bodies) ids.push_back(body.id);
-  const Outcome sound = checkEdits(edits, ids);
+  const Outcome sound = checkEdits(edits, presentIdsOf(scenario));
   if (!sound) {
     Diagnostic why = sound.error();
     // In the file a body is known by its number.
@@ -141,9 +140,12 @@ void checkSemantics(const Scenario& scenario, const JsonCursor& root) {
       why.location = "/sequence/attributes/" + bodyIdOf(id) + "~1" + pathWithin(id, bodyIdOf(id)) + "/" +
                      why.location.substr(byPart.size());
     }
-    const std::string byObject = "/bodies/" + scenario.object.id + "/attributes/";
-    if (why.location.rfind(byObject, 0) == 0)
-      why.location = "/object/attributes/" + why.location.substr(byObject.size());
+    for (std::size_t i = 0; i < scenario.object.bodies.size(); ++i) {
+      const std::string byId = "/bodies/" + scenario.object.bodies[i].id + "/attributes/";
+      if (why.location.rfind(byId, 0) != 0) continue;
+      const std::string place = i == 0 ? "/object" : "/object/with/" + std::to_string(i - 1);
+      why.location = place + "/attributes/" + why.location.substr(byId.size());
+    }
     refuse(why);
   }
   if (!scenario.rules) return;
@@ -269,10 +271,9 @@ void addSemantics(const Scenario& scenario, Json& json) {
 
 SemanticEdits semanticEditsOf(const Scenario& scenario) {
   SemanticEdits edits{scenario.attributeDefinitions, scenario.places, {}, scenario.milestones};
-  for (const BodyDescription& body : scenario.bodies) {
-    if (!body.attributes.empty()) edits.bodies[body.id] = body.attributes;
+  for (const BodyDescription* body : presentBodiesOf(scenario)) {
+    if (!body->attributes.empty()) edits.bodies[body->id] = body->attributes;
   }
-  if (!scenario.object.attributes.empty()) edits.bodies[scenario.object.id] = scenario.object.attributes;
   for (const auto& [id, attributes] : scenario.sequence.attributes) {
     if (isPart(id)) edits.bodies[id] = attributes;
   }
@@ -288,7 +289,7 @@ void setSemanticEdits(const SemanticEdits& edits, Scenario& scenario) {
     return found == edits.bodies.end() ? Attributes{} : found->second;
   };
   for (BodyDescription& body : scenario.bodies) body.attributes = attributesOf(body.id);
-  scenario.object.attributes = attributesOf(scenario.object.id);
+  for (BodyDescription& body : scenario.object.bodies) body.attributes = attributesOf(body.id);
   auto& ofParts = scenario.sequence.attributes;
   std::erase_if(ofParts, [](const auto& each) { return isPart(each.first); });
   for (const auto& [id, attributes] : edits.bodies) {

@@ -36,10 +36,6 @@
         <translation>Les pièces CAO se touchent en position assemblée. Si un jeu est exigé, le départ ou le but doivent être écartés&#xa0;; la distance trouvée est indiquée.</translation>
     </message>
     <message>
-        <source>The object is the one rigid body whose motion is planned. All other bodies are obstacles.</source>
-        <translation>L&apos;objet est le corps rigide dont le mouvement est planifié. Tous les autres corps sont des obstacles.</translation>
-    </message>
-    <message>
         <source>Parts of a product touch or overlap as designed. A fit says by how much the object is taken thinner against one body, and every result states it.</source>
         <translation>Les pièces d&apos;un produit se touchent ou se recouvrent par conception. Un ajustement indique de combien l&apos;objet est aminci face à un corps, et chaque résultat le mentionne.</translation>
     </message>
@@ -66,6 +62,14 @@
     <message>
         <source>Keys and devices move the object as a rule. In camera mode the same input moves the view instead.</source>
         <translation>D&apos;ordinaire, touches et périphériques déplacent l&apos;objet. En mode caméra, ils déplacent la vue.</translation>
+    </message>
+    <message>
+        <source>The object is what moves: one body, or several as one rigid body. All other bodies are obstacles.</source>
+        <translation>L&apos;objet est ce qui bouge : un corps, ou plusieurs comme un seul corps rigide. Tous les autres corps sont des obstacles.</translation>
+    </message>
+    <message>
+        <source>CAD files often hold variants of a part that are drawn over each other. One is built, the others are left out. Proofs are about the product without them.</source>
+        <translation>Les fichiers de CAO contiennent souvent des variantes d&apos;une pièce dessinées l&apos;une sur l&apos;autre. Une seule est construite, les autres sont écartées. Les preuves portent sur le produit sans elles.</translation>
     </message>
 </context>
 <context>
@@ -545,10 +549,6 @@
     <message>
         <source>&amp;Add parts...</source>
         <translation>&amp;Ajouter des pièces...</translation>
-    </message>
-    <message>
-        <source>This part &amp;moves</source>
-        <translation>Cette pièce &amp;bouge</translation>
     </message>
     <message>
         <source>Click a plane or a cylinder: the numbers of the placement are those of its frame</source>
@@ -1651,10 +1651,6 @@
         <translation>Cau&amp;ses de l&apos;absence de chemin</translation>
     </message>
     <message>
-        <source>The selected body becomes the object, from its present pose to &quot;out&quot;; the former object stays at its start</source>
-        <translation>Le corps sélectionné devient l&apos;objet, de sa position actuelle vers «&#xa0;dehors&#xa0;»&#xa0;; l&apos;ancien objet reste à son départ</translation>
-    </message>
-    <message>
         <source>Where the object touches or overlaps a body at its start or goal, move it clear by the smallest distance that is found</source>
         <translation>Si l&apos;objet touche ou recouvre un corps à son départ ou à son but, l&apos;écarter de la plus petite distance trouvée</translation>
     </message>
@@ -1721,6 +1717,38 @@
     <message>
         <source>&amp;Align...</source>
         <translation>&amp;Aligner...</translation>
+    </message>
+    <message>
+        <source>&amp;Leave the selected bodies out</source>
+        <translation>&amp;Écarter les corps sélectionnés</translation>
+    </message>
+    <message>
+        <source>The scenario keeps the selected bodies, and they are not there: variants that are not built</source>
+        <translation>Le scénario garde les corps sélectionnés, mais ils ne sont pas là : variantes qui ne sont pas construites</translation>
+    </message>
+    <message>
+        <source>Choose &amp;variants...</source>
+        <translation>Choisir les &amp;variantes...</translation>
+    </message>
+    <message>
+        <source>Bodies that fill the same place: choose which of them is built</source>
+        <translation>Corps qui remplissent le même endroit : choisir celui qui est construit</translation>
+    </message>
+    <message>
+        <source>&amp;Put the bodies back</source>
+        <translation>&amp;Remettre les corps</translation>
+    </message>
+    <message>
+        <source>The selected bodies under &quot;Left out&quot; are there again</source>
+        <translation>Les corps sélectionnés sous « Écartés » sont de nouveau là</translation>
+    </message>
+    <message>
+        <source>The selected bodies &amp;move</source>
+        <translation>Les corps sélectionnés &amp;bougent</translation>
+    </message>
+    <message>
+        <source>The selected bodies become the object, as one, from their present pose to &quot;out&quot;; what was the object and is not selected stays at its start</source>
+        <translation>Les corps sélectionnés deviennent l&apos;objet, ensemble, de leur position actuelle à « dehors » ; ce qui était l&apos;objet et n&apos;est pas sélectionné reste à son départ</translation>
     </message>
 </context>
 <context>
@@ -2409,10 +2437,6 @@
     <message>
         <source>Start again with another seed.</source>
         <translation>Recommencez avec une autre graine.</translation>
-    </message>
-    <message>
-        <source>Start again.</source>
-        <translation>Recommencez.</translation>
     </message>
     <message>
         <source>the rule is too long</source>
@@ -4939,14 +4963,6 @@
         <translation>Choisissez la pièce qui bouge.</translation>
     </message>
     <message>
-        <source>is the second part that moves</source>
-        <translation>est la seconde pièce qui bouge</translation>
-    </message>
-    <message>
-        <source>Choose one part that moves.</source>
-        <translation>Choisissez une seule pièce qui bouge.</translation>
-    </message>
-    <message>
         <source>cannot be what moves: the scenario has its object</source>
         <translation>ne peut pas être la pièce qui bouge&#xa0;: le scénario a déjà son objet</translation>
     </message>
@@ -5352,7 +5368,7 @@
     </message>
     <message>
         <source>other files taken in the same way: %1</source>
-        <translation>autres fichiers interprétés de la même façon : %1</translation>
+        <translation>autres fichiers interprétés de la même façon&#xa0;: %1</translation>
     </message>
     <message>
         <source>Give the unit: --unit 1mm, or --unit 1m.</source>
@@ -5613,6 +5629,38 @@
     <message>
         <source>Not a directory</source>
         <translation>ce n&apos;est pas un dossier</translation>
+    </message>
+    <message>
+        <source>no body is chosen</source>
+        <translation>aucun corps n&apos;est choisi</translation>
+    </message>
+    <message>
+        <source>Choose what moves.</source>
+        <translation>Choisissez ce qui bouge.</translation>
+    </message>
+    <message>
+        <source>this is the object already</source>
+        <translation>c&apos;est déjà l&apos;objet</translation>
+    </message>
+    <message>
+        <source>is what moves</source>
+        <translation>est ce qui bouge</translation>
+    </message>
+    <message>
+        <source>Choose another object first.</source>
+        <translation>Choisissez d&apos;abord un autre objet.</translation>
+    </message>
+    <message>
+        <source>Choose other bodies.</source>
+        <translation>Choisissez d&apos;autres corps.</translation>
+    </message>
+    <message>
+        <source>leaves bodies out: %1</source>
+        <translation>écarte des corps : %1</translation>
+    </message>
+    <message>
+        <source>Proofs are about the product without them.</source>
+        <translation>Les preuves portent sur le produit sans eux.</translation>
     </message>
 </context>
 <context>
@@ -5876,6 +5924,17 @@
     <message>
         <source>Se&amp;ctions</source>
         <translation>Coup&amp;es</translation>
+    </message>
+</context>
+<context>
+    <name>Messages</name>
+    <message>
+        <source>&amp;Keep the earlier demand</source>
+        <translation>&amp;Garder l&apos;exigence précédente</translation>
+    </message>
+    <message>
+        <source>&amp;Remove it and take the new one</source>
+        <translation>&amp;La supprimer et prendre la nouvelle</translation>
     </message>
 </context>
 <context>
@@ -6719,7 +6778,7 @@
     </message>
     <message>
         <source>Choose View &gt; Sections &gt; Section across Y (Ctrl+Alt+Y): the plane cuts the bodies open, so that bolts, rod and holes are seen. The arrow in the scene moves the plane.</source>
-        <translation>Choisissez Vue &gt; Coupes &gt; Coupe perpendiculaire à Y (Ctrl+Alt+Y) : le plan coupe les corps, et l&apos;on voit les vis, la tige et les trous. La flèche dans la scène déplace le plan.</translation>
+        <translation>Choisissez Vue &gt; Coupes &gt; Coupe perpendiculaire à Y (Ctrl+Alt+Y)&#xa0;: le plan coupe les corps, et l&apos;on voit les vis, la tige et les trous. La flèche dans la scène déplace le plan.</translation>
     </message>
     <message>
         <source>Choose Assembly &gt; Plan the sequence (Ctrl+J): in which order do the parts leave? Each step has a motion that is proved. The rod leaves before the bolts, which have no room below it. A click on a row shows the step.</source>
@@ -7013,7 +7072,7 @@
     </message>
     <message>
         <source>Planes that cut bodies open in the view: across an axis, or along a face. Arrows in the scene drag them. Planning ignores them.</source>
-        <translation>Plans qui coupent les corps dans la vue : perpendiculaires à un axe, ou le long d&apos;une face. Des flèches dans la scène les déplacent. La planification n&apos;en tient pas compte.</translation>
+        <translation>Plans qui coupent les corps dans la vue&#xa0;: perpendiculaires à un axe, ou le long d&apos;une face. Des flèches dans la scène les déplacent. La planification n&apos;en tient pas compte.</translation>
     </message>
 </context>
 <context>
@@ -7214,6 +7273,22 @@
     <message>
         <source>the start was moved by %1</source>
         <translation>le départ a été déplacé de %1</translation>
+    </message>
+    <message>
+        <source>Leave out %1</source>
+        <translation>Écarter %1</translation>
+    </message>
+    <message>
+        <source>Leave bodies out</source>
+        <translation>Écarter des corps</translation>
+    </message>
+    <message>
+        <source>Put back</source>
+        <translation>Remettre</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more move</source>
+        <translation>%1 et %2 autres bougent</translation>
     </message>
 </context>
 <context>
@@ -8939,10 +9014,6 @@
         <translation>Bouge</translation>
     </message>
     <message>
-        <source>The part whose motion is looked for</source>
-        <translation>La pièce dont on cherche le mouvement</translation>
-    </message>
-    <message>
         <source>Static</source>
         <translation>Statique</translation>
     </message>
@@ -9007,10 +9078,6 @@
         <translation>Le fichier donne lui-même son unité&#xa0;; Z est l&apos;axe vertical</translation>
     </message>
     <message>
-        <source>What the part is in the scenario; static or mobile: all selected rows together</source>
-        <translation>Rôle de la pièce dans le scénario&#xa0;; statique ou mobile&#xa0;: pour toutes les lignes sélectionnées</translation>
-    </message>
-    <message>
         <source>Select several rows to choose their role, unit or axis together.</source>
         <translation>Sélectionnez plusieurs lignes pour choisir ensemble leur rôle, leur unité ou leur axe.</translation>
     </message>
@@ -9037,6 +9104,14 @@
     <message>
         <source>Is the unit right? The files do not state it, and their size does not decide it. Choose the unit.</source>
         <translation>L&apos;unité est-elle la bonne&#xa0;? Les fichiers ne la donnent pas, et leur taille ne permet pas de la déduire. Choisissez-la.</translation>
+    </message>
+    <message>
+        <source>What the part is in the scenario; all selected rows together</source>
+        <translation>Ce que la pièce est dans le scénario ; toutes les lignes sélectionnées ensemble</translation>
+    </message>
+    <message>
+        <source>The part whose motion is looked for; several move as one</source>
+        <translation>La pièce dont on cherche le mouvement ; plusieurs bougent ensemble</translation>
     </message>
 </context>
 <context>
@@ -9963,6 +10038,18 @@
         <source>Within about %1 of the part&apos;s surface</source>
         <translation>À environ %1 de la surface de la pièce</translation>
     </message>
+    <message>
+        <source>Left out</source>
+        <translation>Écartés</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>écarté</translation>
+    </message>
+    <message>
+        <source>%1: part of the product&apos;s file, and not of this product</source>
+        <translation>%1 : fait partie du fichier du produit, mais pas de ce produit</translation>
+    </message>
 </context>
 <context>
     <name>glissade::SectionPanel</name>
@@ -10836,6 +10923,48 @@
     </message>
 </context>
 <context>
+    <name>glissade::VariantsController</name>
+    <message>
+        <source>and %1 more</source>
+        <translation>et %1 autres</translation>
+    </message>
+    <message>
+        <source>Bodies fill the same place: are they variants of one part?</source>
+        <translation>Des corps remplissent le même endroit : sont-ils des variantes d&apos;une pièce ?</translation>
+    </message>
+    <message>
+        <source>Leave variants out</source>
+        <translation>Écarter des variantes</translation>
+    </message>
+    <message>
+        <source>The variant cannot be left out</source>
+        <translation>La variante ne peut pas être écartée</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::VariantsDialog</name>
+    <message>
+        <source>Variants</source>
+        <translation>Variantes</translation>
+    </message>
+    <message>
+        <source>These bodies fill the same place, as variants of one part do. Choose the one that is built. The scenario keeps the others under &quot;Left out&quot;.</source>
+        <translation>Ces corps remplissent le même endroit, comme le font les variantes d&apos;une pièce. Choisissez celui qui est construit. Le scénario garde les autres sous « Écartés ».</translation>
+    </message>
+    <message>
+        <source>&amp;Leave the others out</source>
+        <translation>É&amp;carter les autres</translation>
+    </message>
+    <message>
+        <source>Place %1</source>
+        <translation>Endroit %1</translation>
+    </message>
+    <message>
+        <source>All of them are built</source>
+        <translation>Tous sont construits</translation>
+    </message>
+</context>
+<context>
     <name>glissade::ViewCube</name>
     <message>
         <source>Left</source>
@@ -10959,24 +11088,6 @@
     <message>
         <source>A run is refused there. Undo, or fit the workspace.</source>
         <translation>Un calcul y est refusé. Annulez, ou ajustez l&apos;espace de travail.</translation>
-    </message>
-</context>
-<context>
-    <name>glissade::ViewController</name>
-    <message>
-        <source>&lt;h2&gt;Glissade&lt;/h2&gt;&lt;p&gt;Open a scenario (Ctrl+O), or make one of your parts (Ctrl+N). Or drop either here.&lt;/p&gt;&lt;p&gt;The folder &lt;i&gt;samples&lt;/i&gt; holds the papers&apos; environments.&lt;/p&gt;</source>
-        <translation>&lt;h2&gt;Glissade&lt;/h2&gt;&lt;p&gt;Ouvrez un scénario (Ctrl+O), ou faites-en un de vos pièces (Ctrl+N). Ou déposez les uns ou les autres ici.&lt;/p&gt;&lt;p&gt;Le dossier &lt;i&gt;samples&lt;/i&gt; contient les environnements des articles.&lt;/p&gt;</translation>
-    </message>
-</context>
-<context>
-    <name>Messages</name>
-    <message>
-        <source>&amp;Keep the earlier demand</source>
-        <translation>&amp;Garder l&apos;exigence précédente</translation>
-    </message>
-    <message>
-        <source>&amp;Remove it and take the new one</source>
-        <translation>&amp;La supprimer et prendre la nouvelle</translation>
     </message>
 </context>
 </TS>

@@ -256,9 +256,9 @@ TEST_P(AccessibilityTest, NoTwoActionsHaveOneShortcut) {
 /// A cube between two blocks.
 Scenario scenarioWithNames(const std::string& tail) {
   Scenario scenario;
-  scenario.object.id = "cube";
-  scenario.object.name = "cube" + tail;
-  scenario.object.geometry = BoxGeometry{{0.2, 0.2, 0.2}};
+  scenario.object.first().id = "cube";
+  scenario.object.first().name = "cube" + tail;
+  scenario.object.first().geometry = BoxGeometry{{0.2, 0.2, 0.2}};
   for (const double side : {-1.0, 1.0}) {
     BodyDescription block;
     block.id = side < 0.0 ? "left" : "right";

@@ -14,8 +14,8 @@ class DailyWindow : public WindowTest {
   /// A cube of 0.2 m that starts at x, between two blocks that leave it no more than 0.2 m.
   QString scenarioWithCubeAt(double x) {
     Scenario scenario;
-    scenario.object.id = scenario.object.name = "cube";
-    scenario.object.geometry = BoxGeometry{{0.2, 0.2, 0.2}};
+    scenario.object.first().id = scenario.object.first().name = "cube";
+    scenario.object.first().geometry = BoxGeometry{{0.2, 0.2, 0.2}};
     for (const double side : {-1.0, 1.0}) {
       BodyDescription block;
       block.id = block.name = side < 0.0 ? "left" : "right";

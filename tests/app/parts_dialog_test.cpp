@@ -124,7 +124,7 @@ TEST_F(PartsPage, WhatItGivesIsAScenario) {
   const PartsDialog dialog(Purpose::NewScenario, files(), true);
   const auto scenario = scenarioOfParts(dialog.parts());
   ASSERT_TRUE(scenario) << toString(scenario.error());
-  EXPECT_EQ(scenario->object.id, "block");
+  EXPECT_EQ(scenario->object.first().id, "block");
 }
 
 TEST_F(PartsPage, AddedPartsDoNotMove) {
@@ -200,7 +200,7 @@ TEST_F(PartsPage, EveryPartOfAStepFileIsARow) {
   GeometryCache read = dialog.read();
   const auto scenario = scenarioOfParts(dialog.parts(), &read);
   ASSERT_TRUE(scenario) << toString(scenario.error());
-  EXPECT_EQ(scenario->object.id, "pin");
+  EXPECT_EQ(scenario->object.first().id, "pin");
   EXPECT_EQ(scenario->bodies.size(), 5U);
 }
 

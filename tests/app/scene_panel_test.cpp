@@ -14,6 +14,7 @@ class ScenePanelTest : public ::testing::Test {
   ScenePanelTest() {
     scenario.problem = windowProblem();
     scenario.object = boxBody("peg", {0.1, 0.1, 0.1}, Pose::identity());
+    scenario.objectBodies = {scenario.object};
     for (const char* name : {"pump/cover/screw", "pump/cover/screw#2", "pump/housing", "plate"}) {
       scenario.obstacles.push_back(boxBody(name, {0.1, 0.1, 0.1}, Pose::identity()));
     }

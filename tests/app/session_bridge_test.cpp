@@ -73,7 +73,7 @@ TEST_P(Bridge, ARearrangedScenarioKeepsWhatTheUserHasSet) {
   while (bridge.snapshot()->seed != 77 && timer.elapsed() < 10000) QCoreApplication::processEvents();
 
   Scenario other = before->scenario;
-  other.object.geometry = BoxGeometry{{1.0, 1.0, 1.0}};
+  other.object.first().geometry = BoxGeometry{{1.0, 1.0, 1.0}};
   other.start.position.z() += 1.0;
   auto loaded = loadGeometry(other, ".", before->file, before->geometry);
   ASSERT_TRUE(loaded.ok());
@@ -118,7 +118,7 @@ TEST_P(Bridge, APathThatWasFoundGoesAlongAsFarAsItHolds) {
   EXPECT_EQ(bridge.snapshot()->path->configurations(), found);
 
   Scenario other = before->scenario;
-  other.object.id = "another";
+  other.object.first().id = "another";
   auto another = loadGeometry(other, folderOf(before->file), before->file, before->geometry);
   bridge.rearrange(std::make_shared<const LoadedScenario>(std::move(*another)));
   bridge.post(command::SetSeed{5});

@@ -103,7 +103,7 @@ TEST_F(WorkbenchDocumentTest, WhatCannotBeLoadedIsRefusedAndChangesNothing) {
   const std::string before = text();
   Scenario broken = document.current();
   broken.assets.push_back({"gone", "gone.stl", "", 1.0, UpAxis::Z});
-  broken.object.geometry = MeshGeometry{"gone"};
+  broken.object.first().geometry = MeshGeometry{"gone"};
   const Outcome outcome = document.edit(QStringLiteral("Break"), becomes(broken));
   ASSERT_FALSE(outcome.ok());
   EXPECT_NE(outcome.error().file.find("gone.stl"), std::string::npos);
@@ -312,7 +312,7 @@ TEST_F(WorkbenchDocumentTest, ACancelledOrRefusedEditChangesNothing) {
   EXPECT_FALSE(document.isArranging());
   Scenario broken = document.current();
   broken.assets.push_back({"gone", "gone.stl", "", 1.0, UpAxis::Z});
-  broken.object.geometry = MeshGeometry{"gone"};
+  broken.object.first().geometry = MeshGeometry{"gone"};
   EXPECT_TRUE(document.edit(QStringLiteral("Break"), becomes(broken)).ok());
   ASSERT_TRUE(arranged());
   EXPECT_EQ(failures, (std::vector<bool>{false, true}));

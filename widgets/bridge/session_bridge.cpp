@@ -4,6 +4,7 @@
 
 #include "engine/base/guarded.h"
 #include "engine/operator/device_registry.h"
+#include "engine/scenario/scenario_bodies.h"
 
 namespace glissade {
 namespace {
@@ -61,7 +62,7 @@ void SessionBridge::rearrange(const ScenarioPtr& scenario) {
   edits_ = scenario->problem.scene.edits;
   knowledge_ = scenario->problem.scene.knowledge;
   beginAnew([&] {
-    keepPath(before->object.id);
+    keepPath(idOf(before->scenario.object));
     takeSettings();
     settings_.parameters = carriedOver(settings_.parameters, scenario->problem.world->objectRadius());
   });
@@ -76,14 +77,14 @@ void SessionBridge::setDevice(const std::string& deviceId) {
 void SessionBridge::givePath(command::ExaminePath path) {
   beginAnew([&] {
     takeSettings();
-    kept_[scenario_->object.id] = std::move(path);
+    kept_[idOf(scenario_->scenario.object)] = std::move(path);
   });
 }
 
 /// Of the same scenario, with the path that was there.
 void SessionBridge::restart() {
   beginAnew([this] {
-    keepPath(scenario_->object.id);
+    keepPath(idOf(scenario_->scenario.object));
     takeSettings();
   });
 }
@@ -127,7 +128,7 @@ void SessionBridge::beginAnew(const Prepare& prepare) {
     return;
   }
   emitSnapshot();
-  const auto kept = kept_.find(scenario_->object.id);
+  const auto kept = kept_.find(idOf(scenario_->scenario.object));
   if (kept != kept_.end()) post(kept->second);
 }
 
@@ -206,7 +207,7 @@ void SessionBridge::post(Command command) {
   if (scenario_ && !session_) restart();  // it could not be made
   if (!session_) return;
   if (std::holds_alternative<command::Start>(command)) {
-    kept_.erase(scenario_->object.id);
+    kept_.erase(idOf(scenario_->scenario.object));
     startedRun_ = announced_ ? announced_->run + 1 : 1;
   }
   session_->post(std::move(command));

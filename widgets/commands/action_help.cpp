@@ -38,8 +38,12 @@ constexpr std::pair<const char*, const char*> kMore[] = {
                                              "required, start or goal have to move by the distance that is found and "
                                              "stated.")},
     {"assembly.moves", QT_TRANSLATE_NOOP("ActionHelp",
-                                         "The object is the one rigid body whose motion is planned. All other bodies "
-                                         "are obstacles.")},
+                                         "The object is what moves: one body, or several as one rigid body. All other "
+                                         "bodies are obstacles.")},
+    {"assembly.leave-out", QT_TRANSLATE_NOOP("ActionHelp",
+                                             "CAD files often hold variants of a part that are drawn over each other. "
+                                             "One is built, the others are left out. Proofs are about the product "
+                                             "without them.")},
     {"fits.find", QT_TRANSLATE_NOOP("ActionHelp",
                                     "Parts of a product touch or overlap as designed. A fit says by how much the "
                                     "object is taken thinner against one body, and every result states it.")},

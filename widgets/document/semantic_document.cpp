@@ -4,6 +4,7 @@
 
 #include "engine/environment/edit_binding.h"
 #include "engine/planning/planner.h"
+#include "engine/scenario/scenario_bodies.h"
 #include "widgets/document/value_command.h"
 
 namespace glissade {
@@ -25,8 +26,8 @@ void SemanticDocument::open(const LoadedScenario& scenario) {
 }
 
 void SemanticDocument::takeScenario(const LoadedScenario& scenario) {
-  bodies_ = scenario.obstacles;
-  bodies_.push_back(scenario.object);
+  bodies_ = rigidBodiesOf(scenario);
+  obstacles_ = scenario.obstacles.size();
   rules_ = scenario.scenario.rules;
 }
 
@@ -54,8 +55,9 @@ void SemanticDocument::apply(const SemanticEdits& edits) {
   warnings_.clear();
   if (knowledge_) {
     warnings_ = editWarnings(knowledge_->environment->map, edits_);
-    const std::vector<RigidBody> obstacles(bodies_.begin(), bodies_.end() - 1);
-    semantics_.emplace(knowledge_->environment, obstacles, bodies_.back().id, edits_, knowledge_->compatibility());
+    const auto object = bodies_.begin() + static_cast<std::ptrdiff_t>(obstacles_);
+    const std::vector<RigidBody> obstacles(bodies_.begin(), object);
+    semantics_.emplace(knowledge_->environment, obstacles, object->id, edits_, knowledge_->compatibility());
   }
   emit changed();
 }

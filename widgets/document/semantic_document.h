@@ -58,6 +58,8 @@ class SemanticDocument final : public QObject {
   /// Which edits count nowhere, or not as they are meant; empty until the environment model is there.
   const Warnings& warnings() const { return warnings_; }
   const std::vector<RigidBody>& bodies() const { return bodies_; }
+  /// The body, by its number, is one of the object.
+  bool isMoved(std::size_t body) const { return body >= obstacles_; }
   /// The attributes that there are, also before the environment model is there.
   const AttributeTable& table() const { return table_; }
   ProvenValue bodyValue(const QString& bodyId, const std::string& attribute) const;
@@ -94,7 +96,8 @@ class SemanticDocument final : public QObject {
   Outcome checkDefinitions(const SemanticEdits& edits, const std::string& attribute) const;
 
   QUndoStack& undo_;
-  std::vector<RigidBody> bodies_;  ///< the obstacles, and the object as the last one
+  std::vector<RigidBody> bodies_;  ///< the obstacles, then those of the object
+  std::size_t obstacles_ = 0;      ///< how many obstacles there are
   std::optional<StrategyRules> rules_;
   SceneKnowledgePtr knowledge_;
   SemanticEdits edits_;

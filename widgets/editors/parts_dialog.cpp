@@ -187,13 +187,13 @@ void PartsDialog::addRow(int row, const PartFile& part) {
 
 QComboBox* PartsDialog::makeRole(const QString& name) {
   QComboBox* role =
-      makeCombo("role", name, tr("What the part is in the scenario; static or mobile: all selected rows together"));
+      makeCombo("role", name, tr("What the part is in the scenario; all selected rows together"));
   const auto add = [role](const QString& label, PartRole value, const QString& tip) {
     role->addItem(label, static_cast<int>(value));
     role->setItemData(role->count() - 1, tip, Qt::ToolTipRole);
   };
   if (purpose_ == Purpose::NewScenario) {
-    add(tr("Moves"), PartRole::Moves, tr("The part whose motion is looked for"));
+    add(tr("Moves"), PartRole::Moves, tr("The part whose motion is looked for; several move as one"));
   }
   add(tr("Static"), PartRole::Static, tr("Stays where it is"));
   add(tr("Mobile"), PartRole::Mobile, tr("In the way, but a person could move it"));
@@ -256,16 +256,14 @@ void PartsDialog::removeRow(int row) {
   rows_.erase(rows_.begin() + row);
 }
 
-/// One part moves; the other roles are given to all selected rows together.
+/// A role is given to all selected rows together; what else has moved before does not move any more.
 void PartsDialog::chooseRole(int row, PartRole role) {
   if (role == PartRole::Moves) {
     for (Row& other : rows_) {
       if (other.part.role == role) other.part.role = PartRole::Static;
     }
-    rows_[row].part.role = role;
-  } else {
-    for (const int i : rowsWith(row)) rows_[i].part.role = role;
   }
+  for (const int i : rowsWith(row)) rows_[i].part.role = role;
   roleChosen_ = true;
   refresh();
 }

@@ -138,7 +138,7 @@ void SemanticsTree::showBodies() {
     item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
     item->setText(0, QString::fromStdString(bodies[i].shown()));
     item->setIcon(0, swatch(bodies[i].colour));
-    item->setText(1, i + 1 == bodies.size()
+    item->setText(1, document_.isMoved(i)
                          ? tr("moved")
                          : QString::fromStdString(toText(document_.bodyValue(id, "mobility").value)));
     item->setData(0, kKeyRole, id);

@@ -13,6 +13,7 @@ namespace {
 constexpr int kBodyRole = Qt::UserRole;     // of bodies
 constexpr int kEndRole = Qt::UserRole + 1;  // of start and goal: AssemblyItem::Kind
 constexpr int kObstacleRole = Qt::UserRole + 2;
+constexpr int kLeftOutRole = Qt::UserRole + 3;  // of what is left out: its id
 
 QIcon swatch(const Colour& colour) { return colourSwatch(QColor::fromRgbF(colour[0], colour[1], colour[2])); }
 
@@ -93,13 +94,33 @@ void ScenePanel::setScenario(const LoadedScenario& scenario) {
   const QSignalBlocker block(this);
   clear();
   QTreeWidgetItem* object = addGroup(tr("Object"));
-  addBody(*object, scenario.object, tr("moved"));
+  for (const RigidBody& body : scenario.objectBodies) addBody(*object, body, tr("moved"));
   const Pose* goal = std::get_if<Pose>(&scenario.problem.goal);
   addEnd(*object, tr("start  %1").arg(place(scenario.problem.start)), AssemblyItem::Kind::Start);
   addEnd(*object, tr("goal  %1").arg(goal != nullptr ? place(*goal) : tr("out")), AssemblyItem::Kind::Goal);
   obstacles_ = addGroup(tr("Obstacles"));
   for (const RigidBody& body : scenario.obstacles) addObstacle(body);
+  addLeftOut(scenario.scenario.leftOut);
   showDeflections(scenario);
+}
+
+void ScenePanel::addLeftOut(const std::vector<BodyDescription>& bodies) {
+  if (bodies.empty()) return;
+  QTreeWidgetItem* group = addGroup(tr("Left out"));
+  for (const BodyDescription& body : bodies) {
+    auto* item = new QTreeWidgetItem(group, {QString::fromStdString(body.name), tr("left out")});
+    item->setToolTip(0, tr("%1: part of the product's file, and not of this product").arg(item->text(0)));
+    item->setData(0, kLeftOutRole, QString::fromStdString(body.id));
+  }
+}
+
+std::vector<std::string> ScenePanel::chosenLeftOut() const {
+  std::vector<std::string> ids;
+  for (const QTreeWidgetItem* item : selectedItems()) {
+    const QVariant id = item->data(0, kLeftOutRole);
+    if (id.isValid()) ids.push_back(id.toString().toStdString());
+  }
+  return ids;
 }
 
 void ScenePanel::addObstacle(const RigidBody& body) {
@@ -161,6 +182,7 @@ void ScenePanel::setHiddenBodies(const std::set<std::string>& bodyIds) {
 void ScenePanel::showSelection(const QSet<QString>& bodyIds, const std::optional<AssemblyItem>& chosen) {
   const QSignalBlocker block(this);
   for (QTreeWidgetItemIterator item(this); *item != nullptr; ++item) {
+    if ((*item)->data(0, kLeftOutRole).isValid()) continue;
     const QVariant id = (*item)->data(0, kBodyRole);
     const QVariant end = (*item)->data(0, kEndRole);
     const bool isChosenEnd = end.isValid() && chosen && static_cast<int>(chosen->kind) == end.toInt();

@@ -11,9 +11,9 @@
 
 namespace glissade {
 
-/// What is in the scene: the object, its ends, and the obstacles with their colour, mobility and triangles. Obstacles
-/// stand under the assemblies of their file: a name as in "pump/cover/screw" is a part of "pump/cover". To select, hide
-/// or show an assembly is to do so with all of its bodies.
+/// What is in the scene: the object's bodies, its ends, the obstacles with their colour, mobility and triangles, and
+/// what is left out. Obstacles stand under the assemblies of their file: a name as in "pump/cover/screw" is a part of
+/// "pump/cover". To select, hide or show an assembly is to do so with all of its bodies.
 class ScenePanel final : public QTreeWidget {
   Q_OBJECT
 
@@ -27,6 +27,8 @@ class ScenePanel final : public QTreeWidget {
   void setHiddenBodies(const std::set<std::string>& bodyIds);
   /// What is selected: rigid bodies by id, or the start or the goal. Announces nothing.
   void showSelection(const QSet<QString>& bodyIds, const std::optional<AssemblyItem>& chosen);
+  /// Ids of the selected rows of what is left out.
+  std::vector<std::string> chosenLeftOut() const;
 
  signals:
   /// The user wants an obstacle to be shown, or not.
@@ -43,6 +45,7 @@ class ScenePanel final : public QTreeWidget {
   /// The item of an assembly under `parent`; made at the first call.
   static QTreeWidgetItem* assemblyUnder(QTreeWidgetItem& parent, const QString& name);
   QTreeWidgetItem* addEnd(QTreeWidgetItem& group, const QString& text, AssemblyItem::Kind end);
+  void addLeftOut(const std::vector<BodyDescription>& bodies);
   void showDeflections(const LoadedScenario& scenario);
   void takeSelection();
 

@@ -218,8 +218,11 @@ Box3 SceneView::extentOf(const std::set<std::string>& bodyIds) const {
   for (const RigidBody& body : impl_->scenario->obstacles) {
     if (bodyIds.count(body.id) != 0) box.extend(boundingBox(*body.mesh, body.X_WB));
   }
-  const RigidBody& object = impl_->scenario->object;
-  if (bodyIds.count(object.id) != 0) box.extend(boundingBox(*object.mesh, objectPose()));
+  const LoadedScenario& scenario = *impl_->scenario;
+  const Pose moved = objectPose() * inverse(scenario.object.X_WB);
+  for (const RigidBody& body : scenario.objectBodies) {
+    if (bodyIds.count(body.id) != 0) box.extend(boundingBox(*body.mesh, moved * body.X_WB));
+  }
   return box;
 }
 
@@ -234,8 +237,11 @@ std::vector<RigidBody> SceneView::drawnObstacles() const {
   for (std::size_t i = 0; layerVisible(SceneLayer::Bodies) && i < obstacles.size(); ++i) {
     if (impl_->isDrawn(i)) add(obstacles[i], impl_->poseOf(i));
   }
-  const bool inPlan = showsSequence() && layerVisible(SceneLayer::Object) && impl_->sequence.bodies.back().shown;
-  if (inPlan) add(impl_->scenario->object, impl_->sequence.bodies.back().X_WB);
+  if (!showsSequence() || !layerVisible(SceneLayer::Object)) return bodies;
+  for (std::size_t i = 0; i < impl_->scenario->objectBodies.size(); ++i) {
+    const SequenceBody& shown = impl_->sequence.bodies[obstacles.size() + i];
+    if (shown.shown) add(impl_->scenario->objectBodies[i], shown.X_WB);
+  }
   return bodies;
 }
 

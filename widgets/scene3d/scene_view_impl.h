@@ -79,8 +79,7 @@ struct SceneView::Impl {
   std::set<std::string> hidden;    ///< obstacles, by id
   std::set<std::size_t> inHand;    ///< obstacles that are not drawn where the scenario has them
   SequencePicture sequence;
-  osg::ref_ptr<osg::MatrixTransform> plainObject;          ///< the object as one of the product's bodies
-  osg::ref_ptr<osg::Group> plainObjects = new osg::Group;  ///< that alone; it is cut open
+  osg::ref_ptr<osg::Group> plainObjects = new osg::Group;  ///< the object's bodies as those of the product; cut open
   osg::ref_ptr<osg::Group> motionLayers = new osg::Group;  ///< what is about the motion of the object
 
   osg::Group& layer(SceneLayer id) { return *layers[static_cast<std::size_t>(id)]; }
@@ -119,15 +118,20 @@ struct SceneView::Impl {
       layer(SceneLayer::Selection).addChild(makeHighlight(shapes.of(body.mesh), poseOf(i), palette.path, palette));
     }
     if (sequence.bodies.empty()) return;
-    const RigidBody& last = scenario->object;
-    if (isMarked(scenario->obstacles.size())) {
-      const Pose& X_WB = sequence.bodies.back().X_WB;
-      layer(SceneLayer::Selection).addChild(makeHighlight(shapes.of(last.mesh), X_WB, palette.path, palette));
+    for (std::size_t i = 0; i < scenario->objectBodies.size(); ++i) {
+      if (!isMarked(scenario->obstacles.size() + i)) continue;
+      const BodyShape& shape = shapes.of(scenario->objectBodies[i].mesh);
+      layer(SceneLayer::Selection).addChild(makeHighlight(shape, inSequence(i).X_WB, palette.path, palette));
     }
     if (sequence.way.size() > 1) layer(SceneLayer::Selection).addChild(makeWay());
   }
 
-  /// Of an obstacle, or of the object behind the last one.
+  /// A body of the object where the plan has it.
+  const SequenceBody& inSequence(std::size_t objectBody) const {
+    return sequence.bodies[scenario->obstacles.size() + objectBody];
+  }
+
+  /// Of an obstacle, or of the object's bodies behind the last one.
   bool isMarked(std::size_t body) const { return body < sequence.bodies.size() && sequence.bodies[body].marked; }
 
   bool isDrawn(std::size_t obstacle) const {
@@ -252,17 +256,17 @@ struct SceneView::Impl {
     if (capsLeft && caps.hasLeft()) capsLeft();
   }
 
-  /// The obstacles in their order, and the object where a plan has it among them. A body in somebody's hand has no
-  /// caps.
+  /// The obstacles in their order, and the object's bodies where a plan has them among those. A body in somebody's hand
+  /// has no caps.
   std::vector<CapBody> capBodies() const {
     std::vector<CapBody> bodies;
     for (std::size_t i = 0; i < scenario->obstacles.size(); ++i) {
       const RigidBody& body = scenario->obstacles[i];
       bodies.push_back({body.mesh, poseOf(i), toOsg(body.colour), isDrawn(i) && inHand.count(i) == 0});
     }
-    if (!sequence.bodies.empty()) {
-      const SequenceBody& last = sequence.bodies.back();
-      bodies.push_back({scenario->object.mesh, last.X_WB, toOsg(scenario->object.colour), last.shown});
+    for (std::size_t i = 0; !sequence.bodies.empty() && i < scenario->objectBodies.size(); ++i) {
+      const RigidBody& body = scenario->objectBodies[i];
+      bodies.push_back({body.mesh, inSequence(i).X_WB, toOsg(body.colour), inSequence(i).shown});
     }
     return bodies;
   }
@@ -338,8 +342,9 @@ struct SceneView::Impl {
     const RigidBody& moved = scenario->object;
     object = makeMovedBody(shapes.of(moved.mesh), moved.X_WB, toOsg(moved.colour), palette);
     layer(SceneLayer::Object).addChild(object);
-    plainObject = makeBody(shapes.of(moved.mesh), moved.X_WB, toOsg(moved.colour), modeOf(moved), palette);
-    plainObjects->addChild(plainObject);
+    for (const RigidBody& body : scenario->objectBodies) {
+      plainObjects->addChild(makeBody(shapes.of(body.mesh), body.X_WB, toOsg(body.colour), modeOf(body), palette));
+    }
     layer(SceneLayer::Object).addChild(plainObjects);
     placeObject();
     osg::Group& ends = layer(SceneLayer::StartAndGoal);
@@ -394,9 +399,13 @@ struct SceneView::Impl {
     if (!object) return;
     const bool inPlan = !sequence.bodies.empty();
     object->setNodeMask(inPlan ? 0U : ~0U);
-    plainObject->setNodeMask(inPlan && sequence.bodies.back().shown ? ~0U : 0U);
+    plainObjects->setNodeMask(inPlan ? ~0U : 0U);
     if (inPlan) {
-      plainObject->setMatrix(toOsg(sequence.bodies.back().X_WB));
+      for (std::size_t i = 0; i < scenario->objectBodies.size(); ++i) {
+        auto* body = static_cast<osg::MatrixTransform*>(plainObjects->getChild(static_cast<unsigned>(i)));
+        body->setMatrix(toOsg(inSequence(i).X_WB));
+        body->setNodeMask(inSequence(i).shown ? ~0U : 0U);
+      }
     } else if (snapshot) {
       object->setMatrix(toOsg(playback ? *playback : snapshot->device.q_device));
     }
@@ -408,8 +417,9 @@ struct SceneView::Impl {
     for (std::size_t i = 0; i < scenario->obstacles.size(); ++i) {
       if (isDrawn(i)) box.extend(boundingBox(*scenario->obstacles[i].mesh, poseOf(i)));
     }
-    const SequenceBody& last = sequence.bodies.back();
-    if (last.shown) box.extend(boundingBox(*scenario->object.mesh, last.X_WB));
+    for (std::size_t i = 0; i < scenario->objectBodies.size(); ++i) {
+      if (inSequence(i).shown) box.extend(boundingBox(*scenario->objectBodies[i].mesh, inSequence(i).X_WB));
+    }
     return box;
   }
 

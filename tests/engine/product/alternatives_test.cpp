@@ -9,12 +9,6 @@
 namespace glissade {
 namespace {
 
-std::vector<Alternative> alternativesOf(const std::vector<RigidBody>& bodies) {
-  std::vector<ContactBody> contactBodies;
-  for (const RigidBody& body : bodies) contactBodies.push_back({body.id, body.mesh, body.X_WB, 0.0});
-  return findAlternatives(bodies, findContacts(contactBodies).contacts);
-}
-
 /// Boxes that share a slab: the share of the larger one's volume is known.
 TEST(Alternatives, AreBodiesThatFillAtLeastHalfOfThePlaceTogether) {
   RandomStream random(1, "alternatives");
@@ -23,7 +17,7 @@ TEST(Alternatives, AreBodiesThatFillAtLeastHalfOfThePlaceTogether) {
     const std::vector<RigidBody> bodies{
         test::partAt("a", makeBox({0.04, 0.03, 0.02}), place),
         test::partAt("b", makeBox({0.04, 0.03, 0.02}), place * Pose::translation({shift, 0.0, 0.0}))};
-    const auto found = alternativesOf(bodies);
+    const auto found = findAlternatives(bodies);
     const double share = 1.0 - shift / 0.04;
     ASSERT_EQ(found.size(), share >= 0.5 ? 1U : 0U) << share;
     if (share < 0.5) continue;
@@ -32,8 +26,24 @@ TEST(Alternatives, AreBodiesThatFillAtLeastHalfOfThePlaceTogether) {
   }
 }
 
+/// Contacts of bodies whose surfaces coincide have no overlap.
+TEST(Alternatives, TheSameBodyTwiceIsOne) {
+  const TriangleMesh box = makeBox({0.04, 0.03, 0.02});
+  const auto found =
+      findAlternatives({test::partAt("a", box, Pose::identity()), test::partAt("b", box, Pose::identity())});
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_NEAR(found.front().share, 1.0, 1e-9);
+}
+
+TEST(Alternatives, ThatHaveABodyInCommonAreVariantsOfOnePart) {
+  using Groups = std::vector<std::vector<std::size_t>>;
+  EXPECT_EQ(variantsOf({{0, 4}, {1, 2}, {2, 3}, {3, 5}}), (Groups{{0, 4}, {1, 2, 3, 5}}));
+  EXPECT_EQ(variantsOf({{0, 1}, {2, 3}, {1, 2}}), (Groups{{0, 1, 2, 3}}));
+  EXPECT_TRUE(variantsOf({}).empty());
+}
+
 TEST(Alternatives, AScrewInABlockWithoutAHoleIsNone) {
-  EXPECT_TRUE(alternativesOf({test::partAt("block", makeBox({0.05, 0.05, 0.03}), Pose::identity()),
+  EXPECT_TRUE(findAlternatives({test::partAt("block", makeBox({0.05, 0.05, 0.03}), Pose::identity()),
                               test::partAt("screw", test::makeRing(0.0, 0.003, 0.04, 24), Pose::identity())})
                   .empty());
 }
@@ -43,8 +53,8 @@ TEST(Alternatives, OpenBodiesAndThoseThatOnlyTouchAreNone) {
   TriangleMesh open = box;
   open.triangles.pop_back();
   EXPECT_TRUE(
-      alternativesOf({test::partAt("a", box, Pose::identity()), test::partAt("b", open, Pose::identity())}).empty());
-  EXPECT_TRUE(alternativesOf({test::partAt("a", box, Pose::identity()),
+      findAlternatives({test::partAt("a", box, Pose::identity()), test::partAt("b", open, Pose::identity())}).empty());
+  EXPECT_TRUE(findAlternatives({test::partAt("a", box, Pose::identity()),
                               test::partAt("b", box, Pose::translation({0.04, 0.0, 0.0}))})
                   .empty());
 }

@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "engine/scenario/part_files.h"
+#include "engine/scenario/scenario_bodies.h"
+#include "engine/scenario/scenario_file.h"
 #include "engine/scenario/scenario_io.h"
 #include "tests/engine/scenario/scenario_fixture.h"
 #include "tests/engine/support/loaded_scenario.h"
@@ -73,7 +77,7 @@ TEST(AssemblyEdits, AnotherPartMovesAndNothingGoesElsewhere) {
   const LoadedScenario before = loadedFrom(*scenario);
 
   Scenario other = before.scenario;
-  ASSERT_TRUE(markMoving("tray", before, other).ok());
+  ASSERT_TRUE(markMoving({"tray"}, before, other).ok());
   const LoadedScenario after = loadedFrom(other);
   EXPECT_EQ(after.object.id, "tray");
   ASSERT_EQ(after.obstacles.size(), 1U);
@@ -86,11 +90,98 @@ TEST(AssemblyEdits, AnotherPartMovesAndNothingGoesElsewhere) {
   EXPECT_TRUE(other.workspace.contains(fittingWorkspace(after)));
 
   Scenario back = after.scenario;
-  ASSERT_TRUE(markMoving("block", after, back).ok());
+  ASSERT_TRUE(markMoving({"block"}, after, back).ok());
   const LoadedScenario again = loadedFrom(back);
   EXPECT_LT((again.problem.start.position - before.problem.start.position).norm(), 1e-9);
   EXPECT_LT((worldBox(again, "tray").min() - worldBox(before, "tray").min()).norm(), 1e-9);
-  expectRefused(markMoving("block", again, back), "no such body");
+  expectRefused(markMoving({"block"}, again, back), "the object already");
+  expectRefused(markMoving({"nobody"}, again, back), "no such body");
+}
+
+/// Boxes of 0.1 m in a row, turned against each other; "a" moves.
+Scenario rowOfBoxes() {
+  Scenario scenario;
+  scenario.object.bodies = {{"a", "rack/a", Mobility::Static, BoxGeometry{{0.1, 0.1, 0.1}}}};
+  for (const char* id : {"b", "c", "d"}) {
+    const double x = 0.2 * static_cast<double>(scenario.bodies.size() + 1);
+    scenario.bodies.push_back({id, std::string("rack/") + id, Mobility::Static, BoxGeometry{{0.1, 0.1, 0.1}},
+                               Pose{Vector3(x, 0.0, 0.0), fromRollPitchYaw(0.0, 0.0, x)}});
+  }
+  scenario.goal = GoalOut{};
+  scenario.workspace = Box3(Vector3::Constant(-2.0), Vector3::Constant(2.0));
+  return scenario;
+}
+
+std::vector<std::string> idsOf(const std::vector<RigidBody>& bodies) {
+  std::vector<std::string> ids;
+  for (const RigidBody& body : bodies) ids.push_back(body.id);
+  return ids;
+}
+
+/// Of a body of the product, whether it moves or not.
+Box3 boxInProduct(const LoadedScenario& loaded, const std::string& id) {
+  for (const RigidBody& body : rigidBodiesOf(loaded)) {
+    if (body.id == id) return boundingBox(*body.mesh, body.X_WB);
+  }
+  ADD_FAILURE() << "no body " << id;
+  return {};
+}
+
+TEST(AssemblyEdits, AGroupMovesAsOneAndEachOfItsBodiesStaysInTheProduct) {
+  const LoadedScenario before = loadedFrom(rowOfBoxes());
+  Scenario grouped = before.scenario;
+  ASSERT_TRUE(markMoving({"c", "b"}, before, grouped).ok());
+  const LoadedScenario group = loadedFrom(grouped);
+  EXPECT_EQ(idsOf(group.obstacles), (std::vector<std::string>{"a", "d"}));
+  EXPECT_EQ(idsOf(group.objectBodies), (std::vector<std::string>{"c", "b"}));
+  EXPECT_EQ(group.object.id, "c");
+  EXPECT_EQ(group.object.shown(), "c + 1");
+  EXPECT_EQ(idOf(grouped.object), "c+b");
+  for (const char* id : {"a", "b", "c", "d"}) {
+    EXPECT_LT((boxInProduct(group, id).min() - boxInProduct(before, id).min()).norm(), 1e-12) << id;
+    EXPECT_LT((boxInProduct(group, id).max() - boxInProduct(before, id).max()).norm(), 1e-12) << id;
+  }
+  // The object is both, about their middle.
+  Box3 both = boxInProduct(before, "b");
+  both.extend(boxInProduct(before, "c"));
+  const Box3 object = boundingBox(*group.object.mesh, group.problem.start);
+  EXPECT_LT((object.min() - both.min()).norm() + (object.max() - both.max()).norm(), 1e-12);
+  EXPECT_TRUE(isObject({"b", "c"}, grouped));
+  expectRefused(markMoving({"b", "c"}, group, grouped), "the object already");
+
+  // What goes on to move and what is new; then one alone.
+  Scenario more = group.scenario;
+  ASSERT_TRUE(markMoving({"b", "d"}, group, more).ok());
+  const LoadedScenario other = loadedFrom(more);
+  Scenario alone = other.scenario;
+  ASSERT_TRUE(markMoving({"a"}, other, alone).ok());
+  for (const LoadedScenario& loaded : {other, loadedFrom(alone)}) {
+    EXPECT_EQ(loaded.obstacles.size() + loaded.objectBodies.size(), 4U);
+    for (const char* id : {"a", "b", "c", "d"}) {
+      EXPECT_LT((boxInProduct(loaded, id).min() - boxInProduct(before, id).min()).norm(), 1e-12) << id;
+    }
+  }
+}
+
+TEST(AssemblyEdits, WhatIsLeftOutIsKeptAndComesBack) {
+  Scenario scenario = rowOfBoxes();
+  scenario.fits.pairs = {{"b", "c", {}, 0.0, false}, {"a", "c", {}, 0.0, false}};
+  ASSERT_TRUE(leaveOut("b", scenario).ok());
+  expectRefused(leaveOut("b", scenario), "no such body");
+  expectRefused(leaveOut("a", scenario), "is what moves");
+  EXPECT_EQ(scenario.fits.pairs.size(), 1U) << "nothing is said about what is not there";
+  const auto read = parseScenario(writeScenario(scenario), "file");
+  ASSERT_TRUE(read) << toString(read.error());
+  const LoadedScenario without = loadedFrom(*read);
+  EXPECT_EQ(without.obstacles.size(), 2U);
+  EXPECT_TRUE(std::any_of(without.warnings.begin(), without.warnings.end(), [](const Diagnostic& warning) {
+    return warning.reason.find("leaves bodies out: 'rack/b'") != std::string::npos;
+  })) << "a proof is about what is there";
+  Scenario back = *read;
+  ASSERT_TRUE(putBack("b", back).ok());
+  EXPECT_TRUE(back.leftOut.empty());
+  EXPECT_LT((boxInProduct(loadedFrom(back), "b").min() - boxInProduct(loadedFrom(rowOfBoxes()), "b").min()).norm(),
+            1e-12);
 }
 
 TEST(AssemblyEdits, WhatIsNotOfTheAssemblyStays) {

@@ -11,8 +11,8 @@ namespace {
 /// A cube of 0.2 m between two blocks.
 Scenario betweenBlocks(double x) {
   Scenario scenario;
-  scenario.object.id = scenario.object.name = "cube";
-  scenario.object.geometry = BoxGeometry{{0.2, 0.2, 0.2}};
+  scenario.object.first().id = scenario.object.first().name = "cube";
+  scenario.object.first().geometry = BoxGeometry{{0.2, 0.2, 0.2}};
   for (const double side : {-1.0, 1.0}) {
     BodyDescription block;
     block.id = block.name = side < 0.0 ? "left" : "right";

@@ -15,7 +15,7 @@ BodyDescription box(const std::string& id, double x) {
 Scenario threeBoxes() {
   Scenario scenario;
   scenario.bodies = {box("base", 0.0), box("left", -0.3), box("right", 0.3)};
-  scenario.object = {"object", "object", BoxGeometry{{0.1, 0.1, 0.1}}, false, Vector3::Zero(), {}, {}};
+  scenario.object.bodies = {box("object", 0.0)};
   scenario.start = Pose::translation({0.0, 0.0, 0.3});
   scenario.goal = Pose::translation({0.0, 0.0, 0.6});
   scenario.workspace = Box3(Vector3::Constant(-2.0), Vector3::Constant(2.0));
@@ -25,7 +25,7 @@ Scenario threeBoxes() {
 TEST(HandRun, HasThePartInTheHandAndWhatIsThereAtItsStep) {
   const LoadedScenario loaded = test::loadedFrom(threeBoxes());
   Scenario scenario = loaded.scenario;
-  ASSERT_TRUE(prepareHandRun("right", {"left", "object"}, loaded, scenario).ok());
+  ASSERT_TRUE(prepareHandRun({"right"}, {"left", "object"}, loaded, scenario).ok());
   const LoadedScenario run = test::loadedFrom(scenario);
   EXPECT_EQ(run.object.id, "right");
   ASSERT_EQ(run.obstacles.size(), 1U);
@@ -37,16 +37,35 @@ TEST(HandRun, HasThePartInTheHandAndWhatIsThereAtItsStep) {
   Scenario beside = loaded.scenario;
   beside.object.referencePoint = {0.05, 0.05, 0.0};
   const LoadedScenario turned = test::loadedFrom(beside);
-  ASSERT_TRUE(prepareHandRun("object", {}, turned, beside).ok());
+  ASSERT_TRUE(prepareHandRun({"object"}, {}, turned, beside).ok());
   EXPECT_LT((test::loadedFrom(beside).problem.start.position - Vector3(-0.05, -0.05, 0.3)).norm(), 1e-12);
   EXPECT_LT((test::worldBox(test::loadedFrom(beside), "object").min() - test::worldBox(turned, "object").min()).norm(),
             1e-12);
 
   Scenario own = loaded.scenario;
-  ASSERT_TRUE(prepareHandRun("object", {"left"}, loaded, own).ok());
-  EXPECT_EQ(own.object.id, "object");
+  ASSERT_TRUE(prepareHandRun({"object"}, {"left"}, loaded, own).ok());
+  EXPECT_EQ(own.object.first().id, "object");
   EXPECT_EQ(own.bodies.size(), 2U);
   EXPECT_TRUE(std::holds_alternative<GoalOut>(own.goal));
+}
+
+TEST(HandRun, HasAGroupInTheHandAboutItsMiddle) {
+  const LoadedScenario loaded = test::loadedFrom(threeBoxes());
+  Scenario scenario = loaded.scenario;
+  ASSERT_TRUE(prepareHandRun({"left", "base"}, {"object"}, loaded, scenario).ok());
+  const LoadedScenario run = test::loadedFrom(scenario);
+  ASSERT_EQ(run.objectBodies.size(), 2U);
+  ASSERT_EQ(run.obstacles.size(), 1U);
+  EXPECT_EQ(run.obstacles.front().id, "right");
+  EXPECT_LT((run.problem.start.position - Vector3(-0.15, 0.0, 0.0)).norm(), 1e-12);
+
+  // The path of the group is that of the frame at the middle of its box, which has the world's orientation.
+  const Pose moved = Pose::translation({0.0, 0.4, 0.1}) * run.problem.start;
+  const DemandedMotion motion =
+      motionOfRun(run.objectBodies, {{run.problem.start, Author::Computer}, {moved, Author::Operator}}, "auto");
+  EXPECT_EQ(motion.bodies, (std::vector<std::string>{"left", "base"}));
+  EXPECT_LT((motion.path.front().q.position - Vector3(-0.15, 0.0, 0.0)).norm(), 1e-12);
+  EXPECT_LT((motion.path.back().q.position - Vector3(-0.15, 0.4, 0.1)).norm(), 1e-12);
 }
 
 TEST(HandRun, RefusesAPartOfABodyOfSeveral) {
@@ -55,7 +74,8 @@ TEST(HandRun, RefusesAPartOfABodyOfSeveral) {
   loaded.obstacles[1].id = "robot/hand";
   Scenario scenario = loaded.scenario;
   for (const auto& outcome :
-       {prepareHandRun("robot/arm", {}, loaded, scenario), prepareHandRun("right", {"robot/hand"}, loaded, scenario)}) {
+       {prepareHandRun({"robot/arm"}, {}, loaded, scenario),
+        prepareHandRun({"right"}, {"robot/hand"}, loaded, scenario)}) {
     ASSERT_FALSE(outcome.ok());
     EXPECT_EQ(outcome.error().location, "body 'robot'");
     EXPECT_FALSE(outcome.error().advice.empty());
@@ -70,7 +90,7 @@ TEST(HandRun, ThePathOfTheObjectIsTheMotionOfTheBody) {
   const Pose X_BO{{0.02, 0.0, 0.01}, fromRollPitchYaw(0.3, 0.0, 0.0)};
   const Pose there{{0.3, 0.5, 0.0}, fromRollPitchYaw(0.0, 0.4, 1.0)};
   const DemandedMotion motion =
-      motionOfRun(body, {{body.X_WB * X_BO, Author::Computer}, {there * X_BO, Author::Operator}}, "contact-birrt");
+      motionOfRun({body}, {{body.X_WB * X_BO, Author::Computer}, {there * X_BO, Author::Operator}}, "contact-birrt");
   EXPECT_EQ(motion.bodies, std::vector<std::string>{"right"});
   EXPECT_EQ(motion.method, kByHand);
   EXPECT_EQ(motion.path.front().q, body.X_WB);
@@ -78,7 +98,7 @@ TEST(HandRun, ThePathOfTheObjectIsTheMotionOfTheBody) {
   EXPECT_LT(motion.path.back().q.orientation.angularDistance(there.orientation), 1e-7);
   EXPECT_EQ(motion.path.back().author, Author::Operator);
   const std::vector<PathPoint> alone{{body.X_WB, Author::Computer}, {there, Author::Computer}};
-  EXPECT_EQ(motionOfRun(body, alone, "auto").method, "auto") << "no hand has moved it";
+  EXPECT_EQ(motionOfRun({body}, alone, "auto").method, "auto") << "no hand has moved it";
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ using testing::HasSubstr;
 Scenario meshScenario(const std::string& object, const std::string& body) {
   Scenario scenario = test::boxScenario();
   scenario.assets = {{"object", object, "", 1.0, UpAxis::Z}, {"body", body, "", 1.0, UpAxis::Z}};
-  scenario.object.geometry = MeshGeometry{"object"};
+  scenario.object.first().geometry = MeshGeometry{"object"};
   scenario.bodies.resize(1);
   scenario.bodies[0].geometry = MeshGeometry{"body"};
   scenario.bodies[0].pose = Pose::identity();
@@ -59,7 +59,7 @@ TEST(MeshAsset, SpacingsOfCoordinatesAreInMetresAndAddUp) {
   const auto both = loadGeometry(scenario, folder.path(), "s.json");
   ASSERT_TRUE(both.ok()) << toString(both.error());
   const double spacing = std::nextafter(50.0F, 51.0F) - 50.0F;
-  EXPECT_DOUBLE_EQ(both->coordinateSpacings.at(scenario.object.id), spacing);
+  EXPECT_DOUBLE_EQ(both->coordinateSpacings.at(scenario.object.first().id), spacing);
   EXPECT_DOUBLE_EQ(both->coordinateSpacings.at(scenario.bodies[0].id), 0.001 * spacing);
   EXPECT_DOUBLE_EQ(coordinateSpacing(*both), 1.001 * spacing);
   const auto exact = loadGeometry(meshScenario("other.obj", "other.obj"), folder.path(), "s.json");

@@ -67,7 +67,7 @@ TEST(ScenarioOfParts, PartsLieWhereTheirFilesHaveThem) {
   EXPECT_TRUE(boxes[0].sizes().isApprox(kMillimetre * product.blockSize, 1e-3));
   EXPECT_TRUE(boxes[1].sizes().isApprox(Vector3(0.11, 0.09, 0.065), 1e-3));
   EXPECT_EQ(scenario.name, "block");
-  EXPECT_EQ(scenario.object.id, "block");
+  EXPECT_EQ(scenario.object.first().id, "block");
   EXPECT_EQ(bodyIds(scenario), std::vector<std::string>{"tray"});
   EXPECT_EQ(scenario.seed, 1U);
 }
@@ -142,7 +142,7 @@ TEST(ScenarioOfParts, IdsComeFromFileNamesAndAreUnique) {
                                     partOf(third, PartRole::Mobile)};
   const auto scenario = scenarioOfParts(parts);
   ASSERT_TRUE(scenario) << toString(scenario.error());
-  EXPECT_EQ(scenario->object.id, "block");
+  EXPECT_EQ(scenario->object.first().id, "block");
   EXPECT_EQ(bodyIds(*scenario), (std::vector<std::string>{"block-2", "block-3"}));
   EXPECT_EQ(scenario->bodies[0].mobility, Mobility::Static);
   EXPECT_EQ(scenario->bodies[1].mobility, Mobility::Mobile);
@@ -150,12 +150,16 @@ TEST(ScenarioOfParts, IdsComeFromFileNamesAndAreUnique) {
   EXPECT_EQ(writeScenario(*scenario), writeScenario(*scenarioOfParts(parts)));
 }
 
-TEST(ScenarioOfParts, ExactlyOnePartMoves) {
+TEST(ScenarioOfParts, OnePartMovesOrSeveralAsOne) {
   const TrayProduct product;
   expectRefused(scenarioOfParts({}), ErrorKind::Usage, "", "no part");
   expectRefused(scenarioOfParts({partOf(product.tray)}), ErrorKind::Usage, "", "no part moves");
-  expectRefused(scenarioOfParts({partOf(product.tray, PartRole::Moves), partOf(product.block, PartRole::Moves)}),
-                ErrorKind::Usage, "block.obj", "second");
+  const auto both = scenarioOfParts({partOf(product.tray, PartRole::Moves), partOf(product.block, PartRole::Moves)});
+  ASSERT_TRUE(both) << toString(both.error());
+  EXPECT_TRUE(both->bodies.empty());
+  ASSERT_EQ(both->object.bodies.size(), 2U);
+  EXPECT_EQ(both->object.first().id, "tray");
+  EXPECT_EQ(both->object.bodies[1].id, "block");
   expectRefused(scenarioOfParts({{product.tray, PartRole::Moves, 0.0, UpAxis::Z}}), ErrorKind::Usage, "tray.obj",
                 "unit");
 }

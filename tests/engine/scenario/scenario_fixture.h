@@ -21,8 +21,8 @@ inline Scenario boxScenario() {
   wall.name = "The wall";
   wall.geometry = BoxGeometry{{1, 4, 1}};
   scenario.bodies = {wall};
-  scenario.object.name = "Brick";
-  scenario.object.geometry = BoxGeometry{{0.5, 0.5, 0.5}};
+  scenario.object.first().name = "Brick";
+  scenario.object.first().geometry = BoxGeometry{{0.5, 0.5, 0.5}};
   scenario.start = Pose::translation({-3, 0, 0});
   scenario.goal = Pose::translation({3, 0, 0});
   scenario.workspace = Box3(Vector3(-5, -5, -5), Vector3(5, 5, 5));
@@ -83,15 +83,24 @@ inline Scenario fullScenario() {
   pin.name = "The pin";
   pin.geometry = CylinderGeometry{0.25, 2.0};
   scenario.bodies.insert(scenario.bodies.end(), {mesh, urdf, step, product, pin});
-  scenario.object.geometry = SphereGeometry{0.125};
+  scenario.object.first().geometry = SphereGeometry{0.125};
   scenario.object.referencePoint = {0.0, 1.0 / 3.0, -0.1};
+  scenario.object.first().mobility = Mobility::Mobile;
+  BodyDescription cap = pin;
+  cap.id = "cap";
+  cap.pose = mesh.pose;
+  cap.attributes = {{"weight", 0.5}};
+  scenario.object.bodies.push_back(cap);
+  BodyDescription variant = mesh;
+  variant.id = "variant";
+  scenario.leftOut = {variant};
   scenario.goal = GoalOut{};
   scenario.wayPoints = {scenario.start, Pose::translation({0, 4, 0})};
   scenario.planner = "own";
   scenario.parameters = {{ParameterId::Alpha, 0.7}, {ParameterId::ContactSamples, 5}};
   scenario.environment = {0.1, 1.0 / 3.0, 5, "watershed"};
   scenario.attributeDefinitions = ownAttributes();
-  scenario.object.attributes = {{"weight", 2.5}};
+  scenario.object.first().attributes = {{"weight", 2.5}};
   scenario.places = {{{1.0 / 3.0, 0, -0.1}, "Hall", {{"quality", std::string("bad")}, {"compatibility", 0.25}}},
                      {{2, 0, 0}, "", {{"forbidden", true}}},
                      {{3, 0, 0}, "Named only", {}}};
@@ -119,7 +128,7 @@ inline Scenario fullScenario() {
   KeptPath kept;
   kept.name = "Weg \"1\"";
   kept.pinned = kept.smoothed = true;
-  kept.object = scenario.object.id;
+  kept.object = scenario.object.first().id;
   kept.provenance = {"gts", 12};
   kept.requiredClearance = 1.0 / 3e6;
   kept.clearance = 0.25;

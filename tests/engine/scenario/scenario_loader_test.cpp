@@ -46,7 +46,7 @@ TEST(LoadScenario, RefusesWhatReachesBeyondTheLimitsOfLengths) {
   scenario.bodies[0].pose = Pose::translation({1e9, 0, 0});
   expectRefused(load(scenario), "boxes.json", "beyond 1e9 m");
   scenario = boxScenario();
-  scenario.object.geometry = BoxGeometry{{1e-11, 1e-11, 1e-11}};
+  scenario.object.first().geometry = BoxGeometry{{1e-11, 1e-11, 1e-11}};
   expectRefused(load(scenario), "boxes.json", "1e10 times as large as the object");
   const TemporaryFolder folder;
   scenario = withMesh(folder.write("part.obj", kObj));

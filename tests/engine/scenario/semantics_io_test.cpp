@@ -17,7 +17,7 @@ TEST(SemanticsFile, KeepsEveryValue) {
   EXPECT_EQ(read->places, written.places);
   EXPECT_EQ(read->milestones, written.milestones);
   EXPECT_EQ(read->rules, written.rules);
-  EXPECT_EQ(read->object.attributes, written.object.attributes);
+  EXPECT_EQ(read->object.first().attributes, written.object.first().attributes);
 }
 
 TEST(SemanticsFile, SaysNothingWhereNothingWasSaid) {

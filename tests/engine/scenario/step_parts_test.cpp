@@ -124,7 +124,7 @@ TEST(StepParts, AWholeFileInAScenarioIsABodyAPart) {
 TEST(StepParts, AnyPartCanBeMadeTheOneThatMovesAndBack) {
   const LoadedScenario first = loadedFrom(scenarioOf({moving(kUnit + ":pin"), still(kUnit)}));
   Scenario scenario = first.scenario;
-  ASSERT_TRUE(markMoving("pump.Läufer", first, scenario));
+  ASSERT_TRUE(markMoving({"pump.Läufer"}, first, scenario));
   const LoadedScenario second = loadedFrom(scenario);
   EXPECT_EQ(second.object.id, "pump.Läufer");
   for (const char* id : {"pin", "plate", "pump.Läufer"}) {

@@ -15,8 +15,8 @@ class PathReport : public testing::Test {
   PathReport() {
     Scenario scenario;
     scenario.name = "Shelf & box";
-    scenario.object.name = "box";
-    scenario.object.geometry = BoxGeometry{{0.1, 0.1, 0.1}};
+    scenario.object.first().name = "box";
+    scenario.object.first().geometry = BoxGeometry{{0.1, 0.1, 0.1}};
     BodyDescription shelf;
     shelf.id = shelf.name = "shelf";
     shelf.geometry = BoxGeometry{{1.0, 0.02, 1.0}};

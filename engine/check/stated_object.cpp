@@ -1,0 +1,102 @@
+#include "engine/check/stated_object.h"
+
+#include <algorithm>
+#include <map>
+
+#include "engine/import/geometry_loader.h"
+
+namespace glissade::check {
+namespace {
+
+/// In the frame of the first one's geometry.
+Vector3 referenceOf(const StatedScenario& scenario, const ObjectGeometry& geometry) {
+  return scenario.centreOnVertexMean ? geometry.front()->vertexMean : scenario.referencePoint;
+}
+
+Pose poseInObject(const StatedScenario& scenario, std::size_t body) {
+  return body == 0 ? Pose::identity() : unitRotation(scenario.object[body].pose);
+}
+
+/// What a person says of the pairs of a group with one other body, as said of the group.
+struct GroupWord {
+  PairWord word;
+  std::size_t accepted = 0;  ///< of how many bodies of the group
+};
+
+}  // namespace
+
+Pose unitRotation(const Pose& pose) { return {pose.position, pose.orientation.normalized()}; }
+
+void addParts(const StatedScenario::StatedBody& stated, const LoadedGeometry& geometry, std::vector<Body>& bodies) {
+  for (const GeometryPart& part : geometry.parts) {
+    Body body;
+    body.id = partId(stated.id, part);
+    body.name = part.name.empty() ? stated.name : part.name;
+    body.mesh = part.mesh;
+    body.X_WB = unitRotation(stated.pose) * part.X_BP;
+    body.spacing = part.coordinateSpacing;
+    body.deflection = part.deflection;
+    bodies.push_back(std::move(body));
+  }
+}
+
+Body objectOf(const StatedScenario& scenario, const ObjectGeometry& geometry) {
+  const StatedScenario::StatedBody& first = scenario.object.front();
+  Body object{first.id, first.name, nullptr, unitRotation(scenario.start)};
+  const Vector3 reference = referenceOf(scenario, geometry);
+  TriangleMesh mesh = wholeMesh(*geometry.front(), reference);
+  for (std::size_t i = 0; i < geometry.size(); ++i) {
+    for (const GeometryPart& part : geometry[i]->parts) {
+      object.spacing = std::max(object.spacing, part.coordinateSpacing);
+      object.deflection = std::max(object.deflection, part.deflection);
+    }
+    if (i == 0) continue;
+    const Pose X_OB = Pose::translation(-reference) * poseInObject(scenario, i);
+    append(mesh, transformed(wholeMesh(*geometry[i], Vector3::Zero()), X_OB));
+  }
+  object.mesh = std::make_shared<const TriangleMesh>(std::move(mesh));
+  return object;
+}
+
+std::vector<Body> groupBodiesOf(const StatedScenario& scenario, const ObjectGeometry& geometry) {
+  const Pose X_WG = unitRotation(scenario.start) * Pose::translation(-referenceOf(scenario, geometry));
+  std::vector<Body> bodies;
+  for (std::size_t i = 0; i < geometry.size(); ++i) {
+    StatedScenario::StatedBody placed = scenario.object[i];
+    placed.pose = X_WG * poseInObject(scenario, i);
+    addParts(placed, *geometry[i], bodies);
+  }
+  return bodies;
+}
+
+FitWords wordsOfGroup(const FitWords& fits, const std::vector<Body>& group, const std::string& groupId) {
+  const auto isInGroup = [&group](const std::string& id) {
+    return std::any_of(group.begin(), group.end(), [&id](const Body& body) { return body.id == id; });
+  };
+  FitWords ofGroup{fits.on, fits.acceptedClash, {}};
+  std::map<std::string, GroupWord> words;  // by the other body
+  for (const PairWord& said : fits.pairs) {
+    if (isInGroup(said.a) && isInGroup(said.b)) continue;
+    if (!isInGroup(said.a) && !isInGroup(said.b)) {
+      ofGroup.pairs.push_back(said);
+      continue;
+    }
+    const std::string& other = isInGroup(said.a) ? said.b : said.a;
+    GroupWord& known = words[other];
+    PairWord& word = known.word;
+    word.a = groupId;
+    word.b = other;
+    if (word.kind.empty()) word.kind = said.kind;
+    if (!word.pitch) word.pitch = said.pitch;
+    if (word.turned.empty() && !said.turned.empty()) word.turned = said.turned == other ? other : groupId;
+    if (said.allowance) word.allowance = std::min(word.allowance.value_or(*said.allowance), *said.allowance);
+    known.accepted += said.accepted ? 1 : 0;
+  }
+  for (auto& [other, known] : words) {
+    known.word.accepted = known.accepted == group.size();
+    ofGroup.pairs.push_back(known.word);
+  }
+  return ofGroup;
+}
+
+}  // namespace glissade::check

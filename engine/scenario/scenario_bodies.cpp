@@ -1,0 +1,61 @@
+#include "engine/scenario/scenario_bodies.h"
+
+#include <algorithm>
+
+namespace glissade {
+namespace {
+
+void addAll(const std::vector<BodyDescription>& bodies, std::vector<const BodyDescription*>& all) {
+  for (const BodyDescription& body : bodies) all.push_back(&body);
+}
+
+}  // namespace
+
+std::vector<const BodyDescription*> presentBodiesOf(const Scenario& scenario) {
+  std::vector<const BodyDescription*> all;
+  addAll(scenario.bodies, all);
+  addAll(scenario.object.bodies, all);
+  return all;
+}
+
+std::vector<const BodyDescription*> allBodiesOf(const Scenario& scenario) {
+  std::vector<const BodyDescription*> all = presentBodiesOf(scenario);
+  addAll(scenario.leftOut, all);
+  return all;
+}
+
+std::vector<std::string> presentIdsOf(const Scenario& scenario) {
+  std::vector<std::string> ids;
+  for (const BodyDescription* body : presentBodiesOf(scenario)) ids.push_back(body->id);
+  return ids;
+}
+
+std::string idOf(const ObjectDescription& object) {
+  std::string id;
+  for (const BodyDescription& body : object.bodies) id += (id.empty() ? "" : "+") + body.id;
+  return id;
+}
+
+bool isInObject(const LoadedScenario& loaded, const std::string& rigidId) {
+  return std::any_of(loaded.objectBodies.begin(), loaded.objectBodies.end(),
+                     [&](const RigidBody& body) { return body.id == rigidId; });
+}
+
+double valueOf(const std::map<std::string, double>& values, const std::string& id) {
+  const auto known = values.find(id);
+  return known == values.end() ? 0.0 : known->second;
+}
+
+double largestOf(const std::map<std::string, double>& values, const std::vector<RigidBody>& bodies) {
+  double largest = 0.0;
+  for (const RigidBody& body : bodies) largest = std::max(largest, valueOf(values, body.id));
+  return largest;
+}
+
+std::vector<RigidBody> rigidBodiesOf(const LoadedScenario& loaded) {
+  std::vector<RigidBody> bodies = loaded.obstacles;
+  bodies.insert(bodies.end(), loaded.objectBodies.begin(), loaded.objectBodies.end());
+  return bodies;
+}
+
+}  // namespace glissade

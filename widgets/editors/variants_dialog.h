@@ -1,0 +1,38 @@
+#pragma once
+
+#include <QButtonGroup>
+#include <QDialog>
+#include <QImage>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace glissade {
+
+/// A body that fills the place of others.
+struct Variant {
+  std::string id;
+  QString name;
+  QImage picture;
+};
+
+/// Asks which of several bodies that fill the same place is built: a picture of each, one choice for each place.
+class VariantsDialog final : public QDialog {
+  Q_OBJECT
+
+ public:
+  /// `places`: the variants of each place.
+  VariantsDialog(std::vector<std::vector<Variant>> places, QWidget* parent);
+
+  /// Ids of those that were not chosen, of the places where one was.
+  std::set<std::string> leftOut() const;
+
+ private:
+  QWidget* makePlace(const std::vector<Variant>& variants, int number);
+  QWidget* makeVariant(const Variant& variant, int index, QButtonGroup& choice);
+
+  std::vector<std::vector<Variant>> places_;
+  std::vector<QButtonGroup*> choices_;  ///< of each place; the button of a variant has its index
+};
+
+}  // namespace glissade
