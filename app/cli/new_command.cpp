@@ -2,7 +2,7 @@
 
 #include <iostream>
 
-#include "engine/base/body_choice.h"
+#include "engine/assembly/body_choice.h"
 #include "engine/import/mesh_import.h"
 #include "engine/planning/automatic/move_to_clearance.h"
 #include "engine/scenario/assembly_edits.h"

@@ -283,6 +283,15 @@ StopToken limited(const StopToken& stop, double seconds) {
   return stop.withDeadline(Clock::now() + std::chrono::duration_cast<Clock::duration>(limit));
 }
 
+/// Where the limit of time, and no interrupt, has ended what comes before the search.
+Diagnostic orLimit(const Diagnostic& why, const Interrupt& interrupt, const std::string& file) {
+  if (why.kind != ErrorKind::Interrupted || interrupt.token().stopRequested()) return why;
+  return {ErrorKind::LimitReached, file, "--time-limit",
+          "was reached before the search: the file is read, and its fits "
+          "are found, within it, too",
+          "Give more time."};
+}
+
 }  // namespace
 
 int runSequence(const SequenceOptions& options) {
@@ -297,8 +306,8 @@ int runSequence(const SequenceOptions& options) {
     earlier = std::move(*read);
   }
   const double deflection = earlier ? earlier->deflection : options.deflection;
-  auto loaded = loadProduct(options.file, interrupt.token(), deflection);
-  if (!loaded) return reportError(loaded.error(), options.format);
+  auto loaded = loadProduct(options.file, stop, deflection);
+  if (!loaded) return reportError(orLimit(loaded.error(), interrupt, options.file), options.format);
   if (const Outcome left = leaveOut(options.without, *loaded); !left) return reportError(left.error(), options.format);
   AssembledProduct& product = loaded->product;
   product.fits = withOptions(product.fits, options.fits);
@@ -319,11 +328,11 @@ int runSequence(const SequenceOptions& options) {
     return reportError(why, options.format);
   }
   ThreadTeam team(options.lanes - 1);
-  const auto fits = ProductFits::find(product, team, interrupt.token());
-  if (!fits) return reportError(fits.error(), options.format);
+  const auto fits = ProductFits::find(product, team, stop);
+  if (!fits) return reportError(orLimit(fits.error(), interrupt, options.file), options.format);
   reportWarnings(loaded->warnings);
   reportWarnings(fits->warnings());
-  reportWarnings(warningsOf(findAlternatives(product.bodies, interrupt.token()), product.bodies));
+  reportWarnings(warningsOf(findAlternatives(product.bodies, stop), product.bodies));
 
   const std::uint64_t seed = earlier ? earlier->seed : options.seed.value_or(1);
   ProgressHost host(stop, team, product, begin);

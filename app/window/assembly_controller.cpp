@@ -31,8 +31,8 @@ AssemblyController::AssemblyController(const Workbench& bench, PartImport& parts
   column->addWidget(scenePanel_, 1);
   column->addWidget(placement_);
   placement_->addPickAction(bench.actions["assembly.pick-frame"]);
-  for (const char* id : {"assembly.moves", "assembly.remove", "assembly.leave-out", "assembly.put-back", "sequence.stays", "body.hide", "body.isolate",
-                         "body.show-all", "view.zoom-selection"}) {
+  for (const char* id : {"assembly.moves", "assembly.remove", "assembly.leave-out", "assembly.put-back",
+                         "sequence.stays", "body.hide", "body.isolate", "body.show-all", "view.zoom-selection"}) {
     scenePanel_->addAction(bench.actions[QLatin1String(id)]);
   }
   scenePanel_->setContextMenuPolicy(Qt::ActionsContextMenu);
@@ -59,6 +59,10 @@ AssemblyController::AssemblyController(const Workbench& bench, PartImport& parts
   connectActions();
   enableActions();
   addAssemblyCommands(bench, parts);
+  bench.scripts.add("choose-left-out", 1, [this](const ScriptCommands::Words& words) -> Outcome {
+    if (scenePanel_->chooseLeftOut(words[0])) return Done{};
+    return wrongCommand("'" + words[0] + "' is not left out");
+  });
   bench.scripts.add("expect-placed-by", 1, [this](const ScriptCommands::Words& words) -> Outcome {
     const std::string about = placement_->chosenPoint().toStdString();
     if (about.find(words[0]) != std::string::npos) return Done{};
@@ -184,7 +188,8 @@ void AssemblyController::putBackSelected() {
 void AssemblyController::markSelected() {
   const std::vector<std::string> ids = selectedToMove();
   const QString first = QString::fromStdString(ids.front());
-  const QString text = ids.size() == 1 ? tr("%1 moves").arg(first) : tr("%1 and %2 more move").arg(first).arg(ids.size() - 1);
+  const QString text =
+      ids.size() == 1 ? tr("%1 moves").arg(first) : tr("%1 and %2 more move").arg(first).arg(ids.size() - 1);
   editScenario(text, [&](Scenario& scenario) { return markMoving(ids, *document_.scenario(), scenario); });
 }
 

@@ -7,7 +7,7 @@
 
 #include "app/window/plain_message_box.h"
 #include "app/window/save_conflict.h"
-#include "engine/base/body_path.h"
+#include "engine/assembly/body_path.h"
 #include "engine/scenario/part_files.h"
 #include "engine/scenario/path_reader.h"
 

@@ -35,10 +35,10 @@
 #include "app/window/sweep_controller.h"
 #include "app/window/theme.h"
 #include "app/window/tour_controller.h"
+#include "app/window/variants_controller.h"
 #include "app/window/view_controller.h"
 #include "app/window/welcome_controller.h"
 #include "app/window/window_script.h"
-#include "app/window/variants_controller.h"
 #include "app/window/workspace_notice.h"
 
 namespace glissade {

@@ -11,8 +11,6 @@
 namespace glissade {
 namespace {
 
-/// Room for the view cube.
-constexpr int kCubeRoom = 104;
 /// Bodies that are named one by one.
 constexpr std::size_t kMostNamed = 4;
 /// What is looked at is this much larger than where the surfaces meet.
@@ -42,7 +40,9 @@ void accept(FitSettings& fits, const std::string& object, const std::string& bod
 }  // namespace
 
 RefusalController::RefusalController(const Workbench& bench)
-    : QObject(&bench.window), bench_(bench), bar_(new NoticeBar(bench.actions, bench.scene.widget(), kCubeRoom)) {
+    : QObject(&bench.window),
+      bench_(bench),
+      bar_(new NoticeBar(bench.actions, bench.scene.widget(), kRoomForViewCube)) {
   connect(bar_, &NoticeBar::closed, this, &RefusalController::close);
   bar_->installEventFilter(this);
   bench.enable("refusal.close", false);

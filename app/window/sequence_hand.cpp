@@ -49,9 +49,10 @@ QString SequenceHand::nameOf(const Run& run) const { return joinedNames(run.bodi
 
 bool SequenceHand::hasObject() const {
   const std::vector<RigidBody>& object = bench_.document.scenario()->objectBodies;
-  return object.size() == run_->bodies.size() && std::all_of(object.begin(), object.end(), [this](const RigidBody& body) {
-    return std::find(run_->bodies.begin(), run_->bodies.end(), body.id) != run_->bodies.end();
-  });
+  return object.size() == run_->bodies.size() &&
+         std::all_of(object.begin(), object.end(), [this](const RigidBody& body) {
+           return std::find(run_->bodies.begin(), run_->bodies.end(), body.id) != run_->bodies.end();
+         });
 }
 
 void SequenceHand::noteBegun() {

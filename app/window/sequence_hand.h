@@ -11,9 +11,9 @@ namespace glissade {
 
 class SequenceController;
 
-/// A step by hand: what leaves in a step, a part or a group, in the hand, among the parts that are there at that step, as
-/// a run like any other. The scenario of the run is an edit on the undo stack; its first certified path becomes the motion of the
-/// step, and the edit is undone.
+/// A step by hand: what leaves in a step, a part or a group, in the hand, among the parts that are there at that step,
+/// as a run like any other. The scenario of the run is an edit on the undo stack; its first certified path becomes the
+/// motion of the step, and the edit is undone.
 class SequenceHand final : public QObject {
   Q_OBJECT
 

@@ -11,8 +11,6 @@ namespace glissade {
 namespace {
 
 constexpr QSize kPictureSize(264, 176);
-/// Room for the view cube.
-constexpr int kCubeWidth = 104;
 constexpr std::size_t kMostNamed = 3;
 
 std::vector<std::string> idsOf(const LoadedScenario& scenario) {
@@ -24,7 +22,9 @@ std::vector<std::string> idsOf(const LoadedScenario& scenario) {
 }  // namespace
 
 VariantsController::VariantsController(const Workbench& bench)
-    : QObject(&bench.window), bench_(bench), bar_(new NoticeBar(bench.actions, bench.scene.widget(), kCubeWidth)) {
+    : QObject(&bench.window),
+      bench_(bench),
+      bar_(new NoticeBar(bench.actions, bench.scene.widget(), kRoomForViewCube)) {
   bench.onAction("assembly.variants", this, [this] { ask(); });
   connect(&bench.document, &WorkbenchDocument::changed, this, &VariantsController::followDocument);
   connect(bar_, &NoticeBar::closed, this, [this] { bench_.scene.widget()->setFocus(); });
@@ -78,8 +78,8 @@ void VariantsController::ask() {
     places.emplace_back();
     for (const std::size_t i : place) {
       const RigidBody& body = bodies[i];
-      places.back().push_back({body.id, QString::fromStdString(body.shown()),
-                               pictureOf(body.id, boundingBox(*body.mesh, body.X_WB))});
+      places.back().push_back(
+          {body.id, QString::fromStdString(body.shown()), pictureOf(body.id, boundingBox(*body.mesh, body.X_WB))});
     }
   }
   VariantsDialog dialog(std::move(places), &bench_.window);
@@ -119,6 +119,17 @@ QImage VariantsController::pictureOf(const std::string& rigidId, const Box3& box
 }
 
 void VariantsController::addCommands() {
+  bench_.scripts.add("choose-variant", 1, [this](const ScriptCommands::Words& words) -> Outcome {
+    std::set<std::string> others;
+    for (const std::vector<std::size_t>& place : places_) {
+      std::set<std::string> ids;
+      for (const std::size_t body : place) ids.insert(known_[body]);
+      if (ids.erase(words[0]) > 0) others = ids;
+    }
+    if (others.empty()) return wrongCommand("'" + words[0] + "' is no variant");
+    leaveOthersOut(others);
+    return Done{};
+  });
   bench_.scripts.add("expect-variants", 1, [this](const ScriptCommands::Words& words) -> Outcome {
     const std::string places = std::to_string(places_.size());
     if (places == words[0]) return Done{};

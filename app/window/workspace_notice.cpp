@@ -7,15 +7,11 @@
 #include "app/window/arranged_item.h"
 
 namespace glissade {
-namespace {
-
-/// Room for the view cube.
-constexpr int kCubeWidth = 104;
-
-}  // namespace
 
 WorkspaceNotice::WorkspaceNotice(const Workbench& bench)
-    : QObject(&bench.window), bench_(bench), bar_(new NoticeBar(bench.actions, bench.scene.widget(), kCubeWidth)) {
+    : QObject(&bench.window),
+      bench_(bench),
+      bar_(new NoticeBar(bench.actions, bench.scene.widget(), kRoomForViewCube)) {
   connect(&bench.document, &WorkbenchDocument::changed, this, &WorkspaceNotice::followDocument);
   connect(bar_, &NoticeBar::closed, this, [this] { bench_.scene.widget()->setFocus(); });
   addCommands();

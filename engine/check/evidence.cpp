@@ -107,12 +107,8 @@ AllowanceBound boundOf(const MeasuredBody& side, const MeasuredBody& other, doub
   return bound;
 }
 
-/// Why nothing is allowed for the pair; empty: nothing is wrong.
-std::string clashOf(const MeasuredBody& one, const MeasuredBody& other, const FitWords& fits, const PairWord* word) {
-  const double a = one.measured.overlap.deepest;
-  const double b = other.measured.overlap.deepest;
-  const double overlap = a > 0.0 && b > 0.0 ? std::min(a, b) : std::max(a, b);
-  const double thickness = std::max(one.measured.overlap.thickness, other.measured.overlap.thickness);
+/// Why nothing is taken from the body whose faces the other one overlaps so deep; empty: nothing is wrong.
+std::string clashOf(double overlap, double thickness, const FitWords& fits, const PairWord* word) {
   if (overlap <= kClashOverlap && overlap <= kClashShare * thickness) return {};
   const bool said =
       word != nullptr && (word->accepted || word->allowance || (!word->kind.empty() && word->kind != "clash"));
@@ -121,6 +117,13 @@ std::string clashOf(const MeasuredBody& one, const MeasuredBody& other, const Fi
   text.precision(3);
   text << "they overlap by " << overlap * 1e3 << " mm, which is a clash that nobody accepted";
   return text.str();
+}
+
+void refuse(AllowanceBound& bound, const std::string& why) {
+  if (!bound.inFit || why.empty()) return;
+  bound.refused = why;
+  bound.most = 0.0;
+  std::fill(bound.atMost.begin(), bound.atMost.end(), 0.0);
 }
 
 }  // namespace
@@ -147,22 +150,27 @@ PairBounds boundsOf(const MeasuredBody& one, const MeasuredBody& other, const Fi
   const double sizeOfOther = std::max(one.body.radius, other.body.halfDiagonal);
   PairBounds bounds{boundOf(one, other, spacing, assembledMargin(one.body.radius), word),
                     boundOf(other, one, spacing, assembledMargin(sizeOfOther), word)};
-  if (!bounds.one.inFit && !bounds.other.inFit) return bounds;
-  const std::string refused = clashOf(one, other, fits, word);
-  if (refused.empty()) return bounds;
-  for (AllowanceBound* bound : {&bounds.one, &bounds.other}) {
-    bound->refused = refused;
-    bound->most = 0.0;
-    std::fill(bound->atMost.begin(), bound->atMost.end(), 0.0);
-  }
+  // Either body may give way by what the other one is below its own faces: a belt that is deep in a pulley is a clash
+  // for the pulley's faces, however little the pulley's surface is in the belt.
+  // Where only the one surface is inside the other body, that counts for both.
+  const double a = one.measured.overlap.deepest;
+  const double b = other.measured.overlap.deepest;
+  const double thickness = std::max(one.measured.overlap.thickness, other.measured.overlap.thickness);
+  refuse(bounds.one, clashOf(a > 0.0 ? a : b, thickness, fits, word));
+  refuse(bounds.other, clashOf(b > 0.0 ? b : a, thickness, fits, word));
   return bounds;
+}
+
+std::string PairBounds::refused() const {
+  if (one.most > 0.0 || other.most > 0.0) return {};
+  return one.refused.empty() ? other.refused : one.refused;
 }
 
 AllowanceBound united(const AllowanceBound& a, const AllowanceBound& b) {
   AllowanceBound both = a.most >= b.most ? a : b;
   for (std::size_t t = 0; t < both.atMost.size(); ++t) both.atMost[t] = std::max(a.atMost[t], b.atMost[t]);
   both.inFit = a.inFit || b.inFit;
-  if (both.refused.empty()) both.refused = a.refused.empty() ? b.refused : a.refused;
+  refuse(both, a.refused.empty() ? b.refused : a.refused);
   return both;
 }
 

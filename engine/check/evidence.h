@@ -36,6 +36,9 @@ struct AllowanceBound {
 struct PairBounds {
   AllowanceBound one;
   AllowanceBound other;
+
+  /// Why nothing is taken from either of them: a clash; empty: something is, or nothing is wrong.
+  std::string refused() const;
 };
 
 /// What was measured of the faces of one body against another one.

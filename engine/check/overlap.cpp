@@ -12,6 +12,12 @@ namespace {
 
 constexpr double kLeastDepth = 1e-7;  ///< metres: what rounding of coordinates can be
 constexpr int kMostWidenings = 8;
+/// Near a part, more triangles than these are not all compared with it where it is a clash anyway.
+constexpr std::size_t kManyTriangles = 256;
+/// Points between two questions whether to stop.
+constexpr std::size_t kPointsBetweenStops = 64;
+/// Least cosine between the way from one face of a wall to the other and the inward normal of the one.
+constexpr double kStraightThrough = 0.7;
 
 class DepthSearch {
  public:
@@ -21,7 +27,7 @@ class DepthSearch {
 
   Overlap search(const StopToken& stop) {
     other_.tree.visit(body_.tree.box(), [&](std::uint32_t t) {
-      meetTriangle(t);
+      meetTriangle(t, stop);
       return !stop.stopRequested();
     });
     for (double& depth : overlap_.depths) depth = depth > kLeastDepth ? depth : 0.0;
@@ -34,8 +40,9 @@ class DepthSearch {
   }
 
  private:
-  /// Triangles of the body that can be nearest to a point of the part are no farther from it than it is deep.
-  void meetTriangle(std::uint32_t number) {
+  /// Triangles of the body that can be nearest to a point of the part are no farther from it than it is deep. Of a
+  /// clash with a fine mesh not all points are looked at: what is not met is not allowed.
+  void meetTriangle(std::uint32_t number, const StopToken& stop) {
     const Triangle& part = other_.tree.triangles()[number];
     const Vector3& normal = other_.normals[number];
     double deepest = 0.0;
@@ -43,14 +50,27 @@ class DepthSearch {
     for (int i = 0; i < kMostWidenings; ++i) {
       const double reach = 2.0 * std::max(deepest, kLeastDepth);
       const std::vector<std::uint32_t> near = trianglesNear(part, reach);
+      if (deepest > kClashOverlap && near.size() > kManyTriangles) return;
       if (deepest == 0.0 && isOutside(part, normal, near)) return;
-      std::vector<Triangle> triangles;
-      for (const std::uint32_t t : near) triangles.push_back(body_.tree.triangles()[t]);
-      for (const Vector3& p : deepestPoints(part, triangles)) {
-        if (!isShallow(p, near, normal)) deepest = std::max(deepest, meet(p, normal));
-      }
-      if (deepest <= reach) return;
+      deepest = std::max(deepest, deepestOf(part, normal, near, stop));
+      if (deepest <= reach || stop.stopRequested()) return;
     }
+  }
+
+  double deepestOf(const Triangle& part, const Vector3& normal, const std::vector<std::uint32_t>& near,
+                   const StopToken& stop) {
+    std::vector<Triangle> triangles;
+    for (const std::uint32_t t : near) triangles.push_back(body_.tree.triangles()[t]);
+    const std::vector<Vector3> points = deepestPoints(part, triangles);
+    double deepest = 0.0;
+    double met = metBelow(near, normal);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (i % kPointsBetweenStops == 0 && stop.stopRequested()) break;
+      if (isNearer(points[i], met, near, normal)) continue;
+      deepest = std::max(deepest, meet(points[i], normal));
+      met = metBelow(near, normal);
+    }
+    return deepest;
   }
 
   /// The part does not pass through the surface, and its middle is not inside.
@@ -75,30 +95,42 @@ class DepthSearch {
       }
       return true;
     });
+    std::sort(near.begin(), near.end());
     return near;
   }
 
-  /// The point is no deeper than what was met below each of the faces that it can count for.
-  bool isShallow(const Vector3& p, const std::vector<std::uint32_t>& near, const Vector3& normal) const {
+  /// What was met below each of the faces that points of the part can count for: points that are no deeper tell nothing
+  /// new.
+  double metBelow(const std::vector<std::uint32_t>& near, const Vector3& normal) const {
     double met = std::numeric_limits<double>::infinity();
-    double distance = std::numeric_limits<double>::infinity();
     for (const std::uint32_t t : near) {
-      const double cosine = body_.normals[t].dot(normal);
-      if (cosine > -kFacing) continue;
-      distance = std::min(distance, (nearestPoint(body_.tree.triangles()[t], p) - p).squaredNorm());
-      if (cosine < kFacing) met = std::min(met, overlap_.depths[body_.regions.of[t]]);
+      if (body_.normals[t].dot(normal) < kFacing) met = std::min(met, overlap_.depths[body_.regions.of[t]]);
     }
-    const double enough = std::max(std::isfinite(met) ? met : 0.0, kLeastDepth);
-    return distance <= enough * enough;
+    return std::max(std::isfinite(met) ? met : 0.0, kLeastDepth);
   }
 
-  /// Depth of a point of the other surface, 0 outside. It counts for the face that is nearest, if that faces it. The
-  /// other side of a thin wall, which points the same way as the other surface, is passed over.
+  /// One of the triangles, ascending, that do not point along the normal is within the distance.
+  bool isNearer(const Vector3& p, double distance, const std::vector<std::uint32_t>& triangles,
+                const Vector3& normal) const {
+    bool within = false;
+    const Vector3 reach = Vector3::Constant(distance);
+    body_.tree.visit(Box3(p - reach, p + reach), [&](std::uint32_t t) {
+      if (body_.normals[t].dot(normal) > -kFacing) return true;
+      within = (nearestPoint(body_.tree.triangles()[t], p) - p).squaredNorm() <= distance * distance &&
+               std::binary_search(triangles.begin(), triangles.end(), t);
+      return !within;
+    });
+    return within;
+  }
+
+  /// Depth of a point of the other surface, 0 outside and on the surface. It counts for the face that is nearest, if
+  /// that faces it. The other side of a thin wall, which points the same way as the other surface, is passed over.
   double meet(const Vector3& p, const Vector3& normal) {
     if (!body_.tree.box().contains(p) || !body_.contains(p)) return 0.0;
     const TriangleTree::Nearest nearest = body_.tree.nearest(p, std::numeric_limits<double>::infinity());
+    if (nearest.distance <= kLeastDepth) return 0.0;
     const bool isOtherSide = body_.normals[nearest.triangle].dot(normal) > -kFacing;
-    const TriangleTree::Nearest counted = isOtherSide ? nearestNotBehind(p, normal) : nearest;
+    const TriangleTree::Nearest counted = isOtherSide ? acrossTheWall(p, normal, nearest) : nearest;
     if (body_.normals[counted.triangle].dot(normal) < kFacing) {
       double& depth = overlap_.depths[body_.regions.of[counted.triangle]];
       depth = std::max(depth, counted.distance);
@@ -111,20 +143,26 @@ class DepthSearch {
     return nearest.distance;
   }
 
-  /// The nearest triangle within the largest overlap that is no clash, of those that do not point along the normal; any
-  /// triangle that does where there is none.
-  TriangleTree::Nearest nearestNotBehind(const Vector3& p, const Vector3& normal) const {
-    TriangleTree::Nearest nearest = body_.tree.nearest(p, std::numeric_limits<double>::infinity());
+  /// The other face of a wall that the point is in, of which the nearest face is one: the nearest of those straight
+  /// behind it that do not point along the normal, no farther than the largest overlap that is no clash. A face beside
+  /// the point is none, such as that of a hole beside a face that the other body rests on. The nearest face where there
+  /// is none.
+  TriangleTree::Nearest acrossTheWall(const Vector3& p, const Vector3& normal,
+                                      const TriangleTree::Nearest& nearest) const {
+    TriangleTree::Nearest across = nearest;
     double least = kClashOverlap * kClashOverlap;
     const Vector3 reach = Vector3::Constant(kClashOverlap);
+    const Vector3 inwards = -body_.normals[nearest.triangle];
     body_.tree.visit(Box3(p - reach, p + reach), [&](std::uint32_t t) {
       if (body_.normals[t].dot(normal) > -kFacing) return true;
-      const double squared = (nearestPoint(body_.tree.triangles()[t], p) - p).squaredNorm();
-      if (squared < least) nearest = {std::sqrt(squared), t};
-      least = std::min(least, squared);
+      const Vector3 way = nearestPoint(body_.tree.triangles()[t], p) - p;
+      const double squared = way.squaredNorm();
+      if (squared >= least || way.dot(inwards) < kStraightThrough * std::sqrt(squared)) return true;
+      across = {std::sqrt(squared), t};
+      least = squared;
       return true;
     });
-    return nearest;
+    return across;
   }
 
   void findThickness() {

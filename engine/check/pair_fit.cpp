@@ -124,9 +124,9 @@ class PairFitter {
   }
 
   void applyOwn() {
-    if (!bounds_.one.refused.empty()) {
+    if (const std::string refused = bounds_.refused(); !refused.empty()) {
       AppliedAllowance& allowance = add(false, 0.0);
-      fit_.refusals.push_back(allowanceRefused(allowance, bounds_.one.refused));
+      fit_.refusals.push_back(allowanceRefused(allowance, refused));
     }
     if (bounds_.one.most <= 0.0 && bounds_.other.most <= 0.0) return;
     const std::vector<double> one = limited(bounds_.one.atMost, bounds_.one.most);

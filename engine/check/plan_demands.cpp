@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/base/body_path.h"
+#include "engine/assembly/body_path.h"
 
 namespace glissade::check {
 namespace {
@@ -49,7 +49,7 @@ bool isSameMotion(const std::vector<Pose>& demanded, const std::vector<Point>& p
 Group bodiesNamed(const Product& product, const std::string& name) {
   Group bodies;
   for (std::size_t i = 0; i < product.bodies.size(); ++i) {
-    if (endsInPath(product.bodies[i].id, name)) bodies.push_back(i);
+    if (isMeantBy(name, product.bodies[i].id)) bodies.push_back(i);
   }
   return bodies;
 }

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <map>
 
-#include "engine/base/body_choice.h"
-#include "engine/base/body_path.h"
+#include "engine/assembly/body_choice.h"
+#include "engine/assembly/body_path.h"
 #include "engine/base/file.h"
 #include "engine/base/limits.h"
 #include "engine/check/scenario_json.h"
@@ -254,8 +254,8 @@ Result<ReadScenario> readScenario(const std::string& file, const StopToken& stop
   read.stated = std::move(*stated);
   if (const Outcome bodies = readBodies(file, stop, read); !bodies) return bodies.error();
   for (const std::string& name : read.stated.leftOut) {
-    read.warnings.push_back({ErrorKind::MalformedInput, file, "'" + name + "'", "is left out",
-                             "Proofs are about the product without it."});
+    read.warnings.push_back(
+        {ErrorKind::MalformedInput, file, "'" + name + "'", "is left out", "Proofs are about the product without it."});
   }
   return read;
 }

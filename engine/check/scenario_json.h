@@ -22,7 +22,8 @@ struct StatedScenario {
   };
   std::vector<Asset> assets;
   std::vector<StatedBody> bodies;
-  std::vector<StatedBody> object;  ///< at least one; poses of the later ones are in the frame of the first one's geometry
+  std::vector<StatedBody>
+      object;  ///< at least one; poses of the later ones are in the frame of the first one's geometry
   std::vector<std::string> leftOut;  ///< names of bodies that are not there
   Pose start;                        ///< of the object's reference point
   bool centreOnVertexMean = false;

@@ -28,12 +28,12 @@ struct GroupWord {
 Pose unitRotation(const Pose& pose) { return {pose.position, pose.orientation.normalized()}; }
 
 void addParts(const StatedScenario::StatedBody& stated, const LoadedGeometry& geometry, std::vector<Body>& bodies) {
-  for (const GeometryPart& part : geometry.parts) {
+  for (const Occurrence& part : geometry.parts) {
     Body body;
     body.id = partId(stated.id, part);
-    body.name = part.name.empty() ? stated.name : part.name;
+    body.name = part.path.empty() ? stated.name : part.path;
     body.mesh = part.mesh;
-    body.X_WB = unitRotation(stated.pose) * part.X_BP;
+    body.X_WB = unitRotation(stated.pose) * part.X_FP;
     body.spacing = part.coordinateSpacing;
     body.deflection = part.deflection;
     bodies.push_back(std::move(body));
@@ -46,7 +46,7 @@ Body objectOf(const StatedScenario& scenario, const ObjectGeometry& geometry) {
   const Vector3 reference = referenceOf(scenario, geometry);
   TriangleMesh mesh = wholeMesh(*geometry.front(), reference);
   for (std::size_t i = 0; i < geometry.size(); ++i) {
-    for (const GeometryPart& part : geometry[i]->parts) {
+    for (const Occurrence& part : geometry[i]->parts) {
       object.spacing = std::max(object.spacing, part.coordinateSpacing);
       object.deflection = std::max(object.deflection, part.deflection);
     }

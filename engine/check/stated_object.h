@@ -23,8 +23,8 @@ Body objectOf(const StatedScenario& scenario, const ObjectGeometry& geometry);
 std::vector<Body> groupBodiesOf(const StatedScenario& scenario, const ObjectGeometry& geometry);
 
 /// What a person says of the bodies of a group, as said of the group: what asks for more, or is said of each of its
-/// bodies. So it is the least allowance, and a clash that is accepted for all. Of kinds and threads the first one counts.
-/// What is between two of its bodies is about nothing.
+/// bodies. So it is the least allowance, and a clash that is accepted for all. Of kinds and threads the first one
+/// counts. What is between two of its bodies is about nothing.
 FitWords wordsOfGroup(const FitWords& fits, const std::vector<Body>& group, const std::string& groupId);
 
 }  // namespace glissade::check

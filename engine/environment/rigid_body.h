@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/base/body_path.h"
+#include "engine/assembly/body_path.h"
 #include "engine/geometry/triangle_mesh.h"
 
 namespace glissade {

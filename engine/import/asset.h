@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "engine/assembly/occurrence.h"
 #include "engine/base/diagnostic.h"
 #include "engine/geometry/triangle_mesh.h"
 
@@ -53,19 +54,9 @@ struct SphereGeometry {
 };
 using Geometry = std::variant<MeshGeometry, UrdfGeometry, StepGeometry, BoxGeometry, CylinderGeometry, SphereGeometry>;
 
-/// One rigid part of what a geometry names, as read.
-struct GeometryPart {
-  std::string name;  ///< of the URDF link or STEP part; empty where there is only one part
-  MeshPtr mesh;      ///< in the part's frame P
-  Pose X_BP;
-  std::optional<std::array<double, 3>> colour;  ///< sRGB
-  double deflection = 0.0;                      ///< metres that the mesh is off a STEP surface, about; else 0
-  std::size_t facesWithoutMesh = 0;             ///< of STEP, that are missing because they could not be tessellated
-  bool isClosed = false;                        ///< known to be a closed surface; else it is to be found out
-  double coordinateSpacing = 0.0;  ///< metres that the mesh may be off the file: want of digits, closed T-junctions
-};
+/// What a geometry names, as read. The frame F of its parts is that of the body.
 struct LoadedGeometry {
-  std::vector<GeometryPart> parts;
+  std::vector<Occurrence> parts;
   Vector3 vertexMean = Vector3::Zero();  ///< of a mesh file's vertices, as imported, in the body's frame
   /// Of the bytes that it was read from, and of the files that a STEP file names; empty for primitives.
   std::string sha256;

@@ -201,7 +201,7 @@ Result<LoadedGeometry> GeometryLoader::readMesh(const Asset& asset) {
   if (asset.closeHoles) mesh = withoutHoles(mesh, content->file, warnings);
   LoadedGeometry geometry = single(std::move(mesh));
   geometry.warnings = std::move(warnings);
-  GeometryPart& part = geometry.parts.front();
+  Occurrence& part = geometry.parts.front();
   part.isClosed = isClosed;
   part.coordinateSpacing = asset.unit * imported->coordinateSpacing + moved;
   TriangleMesh point;
@@ -219,11 +219,7 @@ Result<LoadedGeometry> GeometryLoader::readUrdf(const Asset& asset) {
   if (!links) return links.error();
   LoadedGeometry geometry;
   geometry.sha256 = hashes_[asset.id];
-  for (UrdfLink& link : *links) {
-    geometry.parts.push_back(
-        {link.name, std::make_shared<const TriangleMesh>(std::move(link.mesh)), link.X_RL, link.colour});
-    geometry.parts.back().coordinateSpacing = link.coordinateSpacing;
-  }
+  geometry.parts = std::move(*links);
   return geometry;
 }
 
@@ -234,14 +230,11 @@ Result<LoadedGeometry> GeometryLoader::readStep(const Asset& asset) {
   const auto product = importStep(*content, asset.deflection, stop_);
   if (!product) return product.error();
   noteHash(asset, content->file, hashOf(*content, *product));
-  const std::vector<StepPart>& parts = product->parts;
   LoadedGeometry geometry;
   geometry.warnings = product->warnings;
   geometry.sha256 = hashes_[asset.id];
-  for (const StepPart& part : parts) {
-    const std::string name = parts.size() == 1 ? "" : part.path;
-    geometry.parts.push_back({name, part.mesh, part.X_FP, part.colour, part.deflection, part.facesWithoutMesh});
-  }
+  geometry.parts = product->parts;
+  if (geometry.parts.size() == 1) geometry.parts.front().path.clear();
   return geometry;
 }
 
@@ -252,10 +245,10 @@ Result<LoadedGeometry> GeometryLoader::partOf(const StepGeometry& step) {
   LoadedGeometry geometry;
   geometry.sha256 = (*whole)->sha256;
   geometry.warnings = (*whole)->warnings;
-  for (const GeometryPart& part : (*whole)->parts) {
-    if (!isWithin(part.name, step.part)) continue;
+  for (const Occurrence& part : (*whole)->parts) {
+    if (!isWithin(part.path, step.part)) continue;
     geometry.parts.push_back(part);
-    geometry.parts.back().name = pathWithin(part.name, step.part);
+    geometry.parts.back().path = pathWithin(part.path, step.part);
   }
   if (!geometry.parts.empty()) return geometry;
   return noSuchPart(assetFile(assetById(step.asset, assets_), folder_), step.part, namesOf(**whole));
@@ -268,11 +261,11 @@ Outcome GeometryLoader::checkOwnUnit(const Asset& asset, const std::string& kind
                     "Leave out 'unit' and 'up_axis'."};
 }
 
-std::string partId(const std::string& bodyId, const GeometryPart& part) { return joinedPath(bodyId, part.name); }
+std::string partId(const std::string& bodyId, const Occurrence& part) { return joinedPath(bodyId, part.path); }
 
 void warnOfMissingFaces(const LoadedGeometry& geometry, const std::string& bodyId, const std::string& file,
                         Warnings& warnings) {
-  for (const GeometryPart& part : geometry.parts) {
+  for (const Occurrence& part : geometry.parts) {
     if (part.facesWithoutMesh == 0) continue;
     warnings.push_back({ErrorKind::MalformedInput, file, "body '" + partId(bodyId, part) + "'",
                         "is not closed: faces or boundaries that could not be made: " +
@@ -283,13 +276,13 @@ void warnOfMissingFaces(const LoadedGeometry& geometry, const std::string& bodyI
 
 TriangleMesh wholeMesh(const LoadedGeometry& geometry, const Vector3& reference) {
   TriangleMesh mesh;
-  for (const GeometryPart& part : geometry.parts) append(mesh, transformed(*part.mesh, part.X_BP));
+  for (const Occurrence& part : geometry.parts) append(mesh, transformed(*part.mesh, part.X_FP));
   return reference.isZero(0.0) ? mesh : transformed(mesh, Pose::translation(-reference));
 }
 
 Box3 boxOf(const LoadedGeometry& geometry) {
   Box3 box;
-  for (const GeometryPart& part : geometry.parts) box.extend(boundingBox(*part.mesh, part.X_BP));
+  for (const Occurrence& part : geometry.parts) box.extend(boundingBox(*part.mesh, part.X_FP));
   return box;
 }
 

@@ -57,7 +57,7 @@ class GeometryLoader {
 };
 
 /// The id of a part of a body: "body/part"; that of the other one where one of them has no name.
-std::string partId(const std::string& bodyId, const GeometryPart& part);
+std::string partId(const std::string& bodyId, const Occurrence& part);
 
 /// What of a STEP file is not there is free space to the planner: a warning for each part that lacks something.
 void warnOfMissingFaces(const LoadedGeometry& geometry, const std::string& bodyId, const std::string& file,

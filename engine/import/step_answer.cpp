@@ -188,11 +188,11 @@ class StepDecoder {
     return external;
   }
 
-  Result<StepPart> takePart() {
+  Result<Occurrence> takePart() {
     protocol::Part record;
     if (!answer_.message.take(&record, 1) || record.shape >= shapes_.size()) return broken();
     const Shape& shape = shapes_[record.shape];
-    StepPart part{"", shape.mesh, {}, {}, shape.deflection, shape.facesWithoutMesh};
+    Occurrence part{"", shape.mesh, {}, {}, shape.deflection, shape.facesWithoutMesh};
     if (!takePath(record.pathBytes, part.path)) return broken();
     const auto place = placeOf(record);
     if (!place) return place.error();

@@ -9,15 +9,15 @@ namespace glissade {
 
 /// A product that a STEP file places and another file has.
 struct StepExternal {
-  std::string path;  ///< as of StepPart, below the root
+  std::string path;  ///< as of Occurrence, below the root
   Pose X_FP;
   std::string file;  ///< as the STEP file names it
 };
 
 /// What one STEP file holds itself.
 struct StepAnswer {
-  std::string rootName;         ///< of the one product of the file, where it is no assembly; else empty
-  std::vector<StepPart> parts;  ///< with their paths below the root; none where `externals` has some
+  std::string rootName;           ///< of the one product of the file, where it is no assembly; else empty
+  std::vector<Occurrence> parts;  ///< with their paths below the root; none where `externals` has some
   std::vector<StepExternal> externals;
   Warnings warnings;
 };

@@ -20,7 +20,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "engine/base/body_path.h"
+#include "engine/assembly/body_path.h"
 #include "engine/base/printable_text.h"
 #include "engine/import/import_protocol.h"
 #include "engine/import/step_external_files.h"
@@ -140,7 +140,7 @@ class AssemblyWalk {
     const TopoDS_Shape whole = XCAFDoc_ShapeTool::GetShape(product);
     const std::vector<TopoDS_Shape> shapes = rigidShapesOf(whole);
     if (shapes.empty()) addExternalPart(whole, place);
-    if (!shapes.empty() && seen_.Add(whole.Located(TopLoc_Location()))) {
+    if (!whole.IsNull() && seen_.Add(whole.Located(TopLoc_Location()))) {
       for (std::string& note : curveNotes(whole, place.path)) assembly_.curves.push_back(std::move(note));
     }
     UniqueNames names;

@@ -5,7 +5,7 @@
 #include <memory>
 #include <set>
 
-#include "engine/base/body_path.h"
+#include "engine/assembly/body_path.h"
 #include "engine/base/file.h"
 #include "engine/import/import_limits.h"
 #include "engine/import/import_protocol.h"
@@ -63,7 +63,7 @@ class Composition {
 
   Outcome add(const File& file, const Place& place) {
     chain_.push_back(&file);
-    for (const StepPart& part : file.answer.parts) {
+    for (const Occurrence& part : file.answer.parts) {
       if (product_.parts.size() == protocol::kMostParts) {
         return refusal(content_.file, "has more than " + std::to_string(protocol::kMostParts) + " parts");
       }
@@ -126,7 +126,7 @@ class Composition {
   /// Whether all files together have few enough.
   bool countTriangles(const StepAnswer& answer) {
     std::set<const TriangleMesh*> counted;
-    for (const StepPart& part : answer.parts) {
+    for (const Occurrence& part : answer.parts) {
       if (counted.insert(part.mesh.get()).second) triangles_ += part.mesh->triangles.size();
     }
     return triangles_ <= protocol::kMostElements;

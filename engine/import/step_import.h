@@ -5,23 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "engine/assembly/occurrence.h"
 #include "engine/base/result.h"
 #include "engine/base/stop_token.h"
 #include "engine/geometry/triangle_mesh.h"
 #include "engine/import/file_content.h"
 
 namespace glissade {
-
-/// A solid of a STEP file where the assembly has it, or the surfaces of a product that are none.
-struct StepPart {
-  /// Names of the products that it is in and its own, each once among its sisters: "pump/rotor", "pin#2".
-  std::string path;
-  MeshPtr mesh;                                 ///< at its own origin P, metres; instances of one solid share it
-  Pose X_FP;                                    ///< in the file's frame F, metres and z up
-  std::optional<std::array<double, 3>> colour;  ///< sRGB
-  double deflection = 0.0;                      ///< metres that the mesh is off the surface: the most of its faces
-  std::size_t facesWithoutMesh = 0;             ///< faces and boundaries that could not be made: they are missing
-};
 
 /// A file that another one names for a part of its product.
 struct StepPartFile {
@@ -31,7 +21,7 @@ struct StepPartFile {
 
 /// The content of a STEP file, and of those that it names for its parts.
 struct StepProduct {
-  std::vector<StepPart> parts;  ///< at least one
+  std::vector<Occurrence> parts;  ///< solids, or the surfaces of a product that are none; at least one
   /// What the files say and OpenCASCADE has not made, with the entity; files that are not there, with their parts.
   Warnings warnings;
   std::vector<StepPartFile> partFiles;  ///< each once, in the order in which they are named

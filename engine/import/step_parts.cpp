@@ -3,18 +3,10 @@
 #include <algorithm>
 #include <set>
 
+#include "engine/assembly/product_tree.h"
+
 namespace glissade {
 namespace {
-
-/// The parts and the assemblies that they are in.
-std::set<std::string> nodesOf(const std::vector<std::string>& parts) {
-  std::set<std::string> nodes;
-  for (const std::string& part : parts) {
-    for (const std::string& assembly : assembliesAbove(part)) nodes.insert(assembly);
-    nodes.insert(part);
-  }
-  return nodes;
-}
 
 /// As many as a person reads.
 std::string nameList(const std::vector<std::string>& names) {
@@ -29,20 +21,20 @@ std::string nameList(const std::vector<std::string>& names) {
 
 std::vector<std::string> namesOf(const LoadedGeometry& wholeFile) {
   std::vector<std::string> names;
-  for (const GeometryPart& part : wholeFile.parts) names.push_back(part.name);
+  for (const Occurrence& part : wholeFile.parts) names.push_back(part.path);
   return names;
 }
 
 Result<std::string> nodeNamed(const std::string& name, const std::vector<std::string>& parts, const std::string& file) {
-  const std::set<std::string> nodes = nodesOf(parts);
-  if (name.empty() || nodes.count(name) > 0) return name;
-  std::vector<std::string> found;
-  std::copy_if(nodes.begin(), nodes.end(), std::back_inserter(found),
-               [&](const std::string& node) { return endsInPath(node, name); });
+  if (name.empty()) return name;
+  const ProductTree tree(parts);
+  std::set<std::string> found;
+  for (const std::size_t node : tree.named(name)) found.insert(tree.nodes()[node].path);
+  if (found.count(name) > 0) return name;
   if (found.empty()) return noSuchPart(file, name, parts);
-  if (found.size() == 1) return found.front();
+  if (found.size() == 1) return *found.begin();
   return Diagnostic{ErrorKind::MalformedInput, file, "part '" + name + "'", "is the name of several parts",
-                    "Give the whole name: " + nameList(found) + "."};
+                    "Give the whole name: " + nameList({found.begin(), found.end()}) + "."};
 }
 
 Diagnostic noSuchPart(const std::string& file, const std::string& name, const std::vector<std::string>& parts) {

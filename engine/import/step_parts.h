@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/base/body_path.h"
+#include "engine/assembly/body_path.h"
 #include "engine/base/result.h"
 #include "engine/import/asset.h"
 

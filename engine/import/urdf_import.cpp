@@ -69,8 +69,8 @@ class LinkBuilder {
   LinkBuilder(std::string file, std::string packageFolder, StopToken stop)
       : file_(std::move(file)), packageFolder_(std::move(packageFolder)), stop_(std::move(stop)) {}
 
-  Result<std::vector<UrdfLink>> build(const urdf::ModelInterface& model) {
-    std::vector<UrdfLink> links;
+  Result<std::vector<Occurrence>> build(const urdf::ModelInterface& model) {
+    std::vector<Occurrence> links;
     std::vector<std::pair<urdf::LinkConstSharedPtr, Pose>> open{{model.getRoot(), Pose::identity()}};
     for (std::size_t i = 0; i < open.size(); ++i) {
       // Two joints with one child would be followed twice, and a chain of such pairs without end.
@@ -85,7 +85,10 @@ class LinkBuilder {
         return malformedUrdf(file_, "", "has more than " + std::to_string(kMostTriangles) + " triangles");
       }
       if (!mesh->empty()) {
-        links.push_back({printableLine(link->name), std::move(*mesh), X_RL, colourOf(*link), coordinateSpacing_});
+        Occurrence part{printableLine(link->name), std::make_shared<const TriangleMesh>(std::move(*mesh)), X_RL,
+                        colourOf(*link)};
+        part.coordinateSpacing = coordinateSpacing_;
+        links.push_back(std::move(part));
       }
       for (const auto& joint : link->child_joints) {
         if (joint->type != urdf::Joint::FIXED) {
@@ -207,8 +210,8 @@ std::size_t shapesIn(const urdf::ModelInterface& model) {
 
 }  // namespace
 
-Result<std::vector<UrdfLink>> importUrdf(const FileContent& content, const std::string& packageFolder,
-                                         const StopToken& stop) {
+Result<std::vector<Occurrence>> importUrdf(const FileContent& content, const std::string& packageFolder,
+                                           const StopToken& stop) {
   const auto& [file, text] = content;
   const auto facts = precheckXml(text, file);
   if (!facts) return facts.error();
@@ -226,7 +229,7 @@ Result<std::vector<UrdfLink>> importUrdf(const FileContent& content, const std::
   return LinkBuilder(file, packageFolder, stop).build(*model);
 }
 
-Result<std::vector<UrdfLink>> importUrdf(const std::string& file, const std::string& packageFolder) {
+Result<std::vector<Occurrence>> importUrdf(const std::string& file, const std::string& packageFolder) {
   const auto content = readContent(file, kMostUrdfBytes);
   if (!content) return content.error();
   return importUrdf(*content, packageFolder);

@@ -95,7 +95,8 @@ class PairExaminer {
       setOverlap(thickest_ > kThreadShare * shaft ? ContactKind::Thread : ContactKind::Press, thickest_, 0.0);
     } else if (coaxialTouch_ || planarTouch_) {
       set(coaxialTouch_ ? ContactKind::Cylindrical : ContactKind::Planar, 0.0, 0.0);
-    } else if (tangentTouch_ || (freeGap_ <= freeUnsure_ + kTouching && !(exactGap_ > kTouching && fromExact_))) {
+    } else if (tangentTouch_ || meetsExactly_ ||
+               (freeGap_ <= freeUnsure_ + kTouching && !(exactGap_ > kTouching && fromExact_))) {
       set(ContactKind::Contact, 0.0, tangentTouch_ ? 0.0 : freeUnsure_);
     } else {
       // Where the same gap was found both ways, the exact one counts.
@@ -108,6 +109,7 @@ class PairExaminer {
   void summarize() {
     for (const auto& [key, near] : near_) {
       meet_ = meet_ || near.meet;
+      meetsExactly_ = meetsExactly_ || (near.meet && near.deviation == 0.0);
       unsure_ = std::max(unsure_, near.deviation);
       if (!near.exact || !near.beside || isEmptyBetween(*near.exact)) continue;
       takeExact(*near.exact);
@@ -226,6 +228,7 @@ class PairExaminer {
   std::set<std::uint64_t> coincidentA_;  ///< labels of surfaces that coincide with one of the other body
   std::set<std::uint64_t> coincidentB_;
   bool meet_ = false;
+  bool meetsExactly_ = false;  ///< of planes: their triangles are not off them
   bool planarTouch_ = false;
   bool coaxialTouch_ = false;
   bool tangentTouch_ = false;

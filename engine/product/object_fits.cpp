@@ -72,17 +72,16 @@ struct Decision {
 /// Whether an overlap is a clash is decided by the evidence, which is measured face by face. A smaller limit that was
 /// asked for still gives the pair its kind.
 Decision decide(const Contact& contact, const FitEdit* edit, const FitSettings& settings,
-                const check::AllowanceBound& bound, const ContactLimits& limits) {
+                const check::PairBounds& bounds, const ContactLimits& limits) {
   const bool small = settings.acceptedClash > 0.0 && contact.overlap <= settings.acceptedClash;
   const bool accepted = small || (edit != nullptr && edit->accepted);
   Decision decision{contact.kind, false, edit != nullptr && edit->allowance};
   const bool usual = limits.clashOverlap == ContactLimits().clashOverlap;
-  if (contact.kind == ContactKind::Clash && bound.refused.empty() && !accepted && usual) {
-    decision.kind = ContactKind::Overlap;
-  }
-  if (!bound.refused.empty()) decision.kind = ContactKind::Clash;
+  const bool clash = !bounds.refused().empty();
+  if (contact.kind == ContactKind::Clash && !clash && !accepted && usual) decision.kind = ContactKind::Overlap;
+  if (clash) decision.kind = ContactKind::Clash;
   if (edit != nullptr && edit->kind) decision.kind = *edit->kind;
-  decision.refused = !decision.given && !bound.refused.empty();
+  decision.refused = !decision.given && clash;
   return decision;
 }
 
@@ -237,7 +236,7 @@ class FitFinder {
   void resolve(std::size_t obstacle, const FoundContact& found) {
     const FitEdit* edit = editOf(question_.product.fits, object_.id, body(obstacle).id);
     const check::PairBounds bounds = boundsWith(obstacle);
-    const Decision decision = decide(found.contact, edit, question_.product.fits, bounds.one, question_.limits);
+    const Decision decision = decide(found.contact, edit, question_.product.fits, bounds, question_.limits);
     Contact& contact = fits_.contacts.emplace_back(found.contact);
     contact.kind = decision.kind;
     if (found.contact.kind == ContactKind::Clash && decision.kind == ContactKind::Overlap) {
@@ -341,8 +340,10 @@ class FitFinder {
              "Close the surface of one of them.");
       return;
     }
+    // Of the body that would lose less.
+    const bool fromOther = bounds.one.most <= 0.0 || (bounds.other.most > 0.0 && bounds.other.most < bounds.one.most);
     Fit wanted = fit;
-    wanted.allowance = std::max(bounds.one.most, bounds.other.most);
+    wanted.allowance = fromOther ? bounds.other.most : bounds.one.most;
     refuse(wanted,
            "fit so that one of them would have to be taken " + inMillimetres(wanted.allowance) +
                " thinner, which the local thickness or the shape of neither gives: it counts as a clash",

@@ -41,6 +41,7 @@ class RegionFinder {
     const double diagonal = mesh.vertices.empty() ? 0.0 : boundingBox(mesh).diagonal().norm();
     tolerance_ = std::min(kOffSurface, 1e-4 * diagonal) + kOffSurfaceShare * diagonal;
     result_.labels.resize(mesh.triangles.size());
+    curved_.assign(mesh.triangles.size(), false);
     measure();
     connect();
     if (closed_ && signedVolume(mesh_) < 0.0) {
@@ -49,6 +50,7 @@ class RegionFinder {
   }
 
   SurfaceRegions find() {
+    takeStatedFaces();
     findCylinders();
     findPlanes();
     return std::move(result_);
@@ -80,7 +82,7 @@ class RegionFinder {
 
   std::uint32_t corner(std::uint32_t t, int i) const { return mesh_.triangles[t][static_cast<std::size_t>(i)]; }
   const Vector3& vertex(std::uint32_t t, int i) const { return mesh_.vertices[corner(t, i)]; }
-  bool isFree(std::uint32_t t) const { return result_.labels[t].kind == Kind::Free; }
+  bool isFree(std::uint32_t t) const { return result_.labels[t].kind == Kind::Free && !curved_[t]; }
   bool isSmooth(std::uint32_t a, std::uint32_t b) const { return normals_[a].dot(normals_[b]) > kSmoothCosine; }
 
   /// Triangles from the seed on, over edges that `accept` lets pass (from, to).
@@ -118,6 +120,69 @@ class RegionFinder {
     return normals;
   }
 
+  const SurfaceFace& faceOf(std::uint32_t t) const { return mesh_.faces[mesh_.faceOf[t]]; }
+
+  void takeStatedFaces() {
+    if (mesh_.faces.empty()) return;
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+      using Stated = SurfaceFace::Kind;
+      const Stated kind = faceOf(t).kind;
+      curved_[t] = kind == Stated::Cone || kind == Stated::Sphere || kind == Stated::Torus;
+    }
+    for (std::uint32_t seed = 0; seed < mesh_.triangles.size(); ++seed) {
+      if (!isFree(seed) || areas_[seed] <= 0.0) continue;
+      if (faceOf(seed).kind == SurfaceFace::Kind::Plane) addStatedPlane(seed);
+      if (faceOf(seed).kind == SurfaceFace::Kind::Cylinder) addStatedCylinder(seed);
+    }
+  }
+
+  /// Metres that the vertices of a face may be off what the file states of it.
+  double offStated(const SurfaceFace& face) const { return std::max(tolerance_, face.deflection); }
+
+  bool isOnPlane(std::uint32_t t, const Vector3& normal, double offset, double off) const {
+    for (int i = 0; i < 3; ++i) {
+      if (std::abs(normal.dot(vertex(t, i)) - offset) > off) return false;
+    }
+    return true;
+  }
+
+  /// With the faces beside it that lie in the same plane.
+  void addStatedPlane(std::uint32_t seed) {
+    const SurfaceFace& face = faceOf(seed);
+    Vector3 normal = face.axis.normalized();
+    if (normal.dot(normals_[seed]) < 0.0) normal = -normal;
+    const double offset = normal.dot(face.point);
+    const double off = offStated(face);
+    if (!isOnPlane(seed, normal, offset, off)) return;
+    const auto region = grow(seed, mesh_.triangles.size(), [&](std::uint32_t, std::uint32_t t) {
+      const bool along = normals_[t].dot(normal) > kFlatCosine || areas_[t] < 1e-6 * areas_[seed];
+      return faceOf(t).kind == SurfaceFace::Kind::Plane && along && isOnPlane(t, normal, offset, off);
+    });
+    for (const std::uint32_t t : region) {
+      result_.labels[t] = {Kind::Plane, static_cast<std::uint32_t>(result_.planes.size())};
+    }
+    result_.planes.push_back({normal, offset});
+  }
+
+  /// With the faces beside it that are of the same cylinder.
+  void addStatedCylinder(std::uint32_t seed) {
+    const SurfaceFace& face = faceOf(seed);
+    const FittedCylinder stated{face.point, face.axis.normalized(), face.radius};
+    const double off = offStated(face);
+    const auto isOnIt = [&](std::uint32_t t) {
+      for (int i = 0; i < 3; ++i) {
+        if (std::abs(stated.distanceFromAxis(vertex(t, i)) - stated.radius) > off) return false;
+      }
+      return true;
+    };
+    if (!isOnIt(seed)) return;
+    const bool shaft = isShaft(stated, seed);
+    const auto region = grow(seed, mesh_.triangles.size(), [&](std::uint32_t, std::uint32_t t) {
+      return faceOf(t).kind == SurfaceFace::Kind::Cylinder && isOnIt(t) && isShaft(stated, t) == shaft;
+    });
+    addCylinder(region, stated, shaft);
+  }
+
   void findCylinders() {
     for (std::uint32_t seed = 0; seed < mesh_.triangles.size(); ++seed) {
       if (!isFree(seed) || areas_[seed] <= 0.0) continue;
@@ -125,7 +190,7 @@ class RegionFinder {
           grow(seed, kPatch, [&](std::uint32_t a, std::uint32_t b) { return areas_[b] > 0.0 && isSmooth(a, b); });
       if (patch.size() < 4) continue;
       const auto first = fitCylinder(verticesOf(patch), normalsOf(patch), tolerance_);
-      if (first) addCylinder(seed, *first);
+      if (first) addFittedCylinder(seed, *first);
     }
   }
 
@@ -137,23 +202,26 @@ class RegionFinder {
     return true;
   }
 
-  void addCylinder(std::uint32_t seed, const FittedCylinder& first) {
+  void addFittedCylinder(std::uint32_t seed, const FittedCylinder& first) {
     if (!isOn(first, seed)) return;
     const auto accept = [&](std::uint32_t a, std::uint32_t b) { return isSmooth(a, b) && isOn(first, b); };
     const auto region = grow(seed, mesh_.triangles.size(), accept);
     if (facetsOf(region) < kFewestFacets) return;
     const auto fitted = fitCylinder(verticesOf(region), normalsOf(region), tolerance_);
-    if (!fitted) return;
-    CylinderRegion cylinder{fitted->point, fitted->direction, fitted->radius, isShaft(*fitted, seed)};
+    if (fitted) addCylinder(region, *fitted, isShaft(*fitted, seed));
+  }
+
+  void addCylinder(const std::vector<std::uint32_t>& region, const FittedCylinder& surface, bool shaft) {
+    CylinderRegion cylinder{surface.point, surface.direction, surface.radius, shaft};
     cylinder.low = std::numeric_limits<double>::infinity();
     cylinder.high = -cylinder.low;
     for (const std::uint32_t t : region) {
       for (int i = 0; i < 3; ++i) {
-        const double height = (vertex(t, i) - fitted->point).dot(fitted->direction);
+        const double height = (vertex(t, i) - surface.point).dot(surface.direction);
         cylinder.low = std::min(cylinder.low, height);
         cylinder.high = std::max(cylinder.high, height);
         const Vector3 middle = 0.5 * (vertex(t, i) + vertex(t, (i + 1) % 3));
-        cylinder.sagitta = std::max(cylinder.sagitta, fitted->radius - fitted->distanceFromAxis(middle));
+        cylinder.sagitta = std::max(cylinder.sagitta, surface.radius - surface.distanceFromAxis(middle));
       }
       result_.labels[t] = {Kind::Cylinder, static_cast<std::uint32_t>(result_.cylinders.size())};
     }
@@ -177,6 +245,7 @@ class RegionFinder {
   }
 
   void findPlanes() {
+    const auto first = static_cast<std::uint32_t>(result_.planes.size());  // behind those that are stated
     std::vector<std::uint32_t> seeds(mesh_.triangles.size());
     std::iota(seeds.begin(), seeds.end(), 0U);
     std::stable_sort(seeds.begin(), seeds.end(), [&](auto a, auto b) { return areas_[a] > areas_[b]; });
@@ -198,18 +267,18 @@ class RegionFinder {
       result_.planes.push_back({normal, offset});
       regions.push_back(region);
     }
-    freeFacets(regions);
+    freeFacets(regions, first);
   }
 
-  /// Takes back the planes that are facets of a free surface.
-  void freeFacets(const std::vector<std::vector<std::uint32_t>>& regions) {
-    std::vector<double> area(regions.size(), 0.0);
-    for (std::size_t r = 0; r < regions.size(); ++r) {
-      for (const std::uint32_t t : regions[r]) area[r] += areas_[t];
+  /// Takes back the planes that are facets of a free surface. `first`: the number of the first region's plane.
+  void freeFacets(const std::vector<std::vector<std::uint32_t>>& regions, std::uint32_t first) {
+    std::vector<double> area(result_.planes.size(), 0.0);
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+      if (result_.labels[t].kind == Kind::Plane) area[result_.labels[t].index] += areas_[t];
     }
     std::vector<std::size_t> facets;
     for (std::size_t r = 0; r < regions.size(); ++r) {
-      if (isFacet(regions[r], r, area)) facets.push_back(r);
+      if (isFacet(regions[r], first + r, area)) facets.push_back(r);
     }
     for (const std::size_t r : facets) {
       for (const std::uint32_t t : regions[r]) result_.labels[t] = {};
@@ -240,7 +309,8 @@ class RegionFinder {
   std::vector<double> areas_;
   std::vector<Vector3> normals_;
   std::vector<std::array<std::uint32_t, 3>> neighbours_;
-  bool closed_ = true;  ///< every edge has two triangles
+  std::vector<bool> curved_;  ///< of each triangle: of a face that the file states to be neither plane nor cylinder
+  bool closed_ = true;        ///< every edge has two triangles
   std::vector<std::uint32_t> visited_;
   std::uint32_t visit_ = 0;
   SurfaceRegions result_;

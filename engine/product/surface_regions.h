@@ -36,9 +36,11 @@ struct SurfaceRegions {
   std::vector<Label> labels;  ///< of each triangle
 };
 
-/// Fits planes and cylinders to connected triangles by growing regions over edges. The mesh must be welded. Vertices
-/// that an exporter put on a cylinder give its exact radius, however coarse the triangles are. A prism with fewer than
-/// ten sides a turn is not taken as a cylinder.
+/// The planes and cylinders that the file states of the mesh's faces, as they are; its cones, spheres and tori are free
+/// surfaces. Where the file states nothing of a face (a mesh file, a spline) planes and cylinders are fitted to
+/// connected triangles by growing regions over edges: vertices that an exporter put on a cylinder give its exact
+/// radius, however coarse the triangles are, and a prism with fewer than ten sides a turn is not taken as a cylinder. A
+/// statement that the triangles contradict is not used. The mesh must be welded.
 SurfaceRegions findSurfaceRegions(const TriangleMesh& mesh);
 
 /// The regions of the mesh placed at X_WB.

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "engine/import/geometry_loader.h"
-#include "engine/scenario/part_files.h"
 #include "engine/scenario/object_geometry.h"
+#include "engine/scenario/part_files.h"
 #include "engine/scenario/scenario_bodies.h"
 
 namespace glissade {

@@ -34,8 +34,8 @@ Outcome putBack(const std::string& bodyId, Scenario& scenario);
 /// The object starts where its goal was, and the other way round. Not where the goal is "out".
 Outcome swapEnds(Scenario& scenario);
 
-/// The bodies become the object, as one rigid body, from where they lie and to "out", for which the workspace grows; the
-/// other bodies that were the object do not move any more, and stay where they started. Way points of the simulated
+/// The bodies become the object, as one rigid body, from where they lie and to "out", for which the workspace grows;
+/// the other bodies that were the object do not move any more, and stay where they started. Way points of the simulated
 /// operator go with their object. The first one gives the object its id and its frame.
 Outcome markMoving(const std::vector<std::string>& bodyIds, const LoadedScenario& loaded, Scenario& scenario);
 

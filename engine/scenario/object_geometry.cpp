@@ -33,8 +33,8 @@ Pose poseInObject(const ObjectDescription& object, std::size_t body) {
 Box3 boxOf(const ObjectDescription& object, const ObjectGeometry& geometry) {
   Box3 box = boxOf(*geometry.front());
   for (std::size_t i = 1; i < geometry.size(); ++i) {
-    for (const GeometryPart& part : geometry[i]->parts) {
-      box.extend(boundingBox(*part.mesh, poseInObject(object, i) * part.X_BP));
+    for (const Occurrence& part : geometry[i]->parts) {
+      box.extend(boundingBox(*part.mesh, poseInObject(object, i) * part.X_FP));
     }
   }
   return box;

@@ -10,9 +10,9 @@
 #include "engine/import/geometry_loader.h"
 #include "engine/import/mesh_import.h"
 #include "engine/import/step_import.h"
+#include "engine/scenario/object_geometry.h"
 #include "engine/scenario/part_adder.h"
 #include "engine/scenario/part_expansion.h"
-#include "engine/scenario/object_geometry.h"
 
 namespace glissade {
 namespace {
@@ -96,7 +96,7 @@ Result<std::vector<MeasuredPart>> partsInFile(const std::string& path, GeometryC
   if (!geometry) return geometry.error();
   if (!isStepFile(path)) return std::vector<MeasuredPart>{{"", boxOf(**geometry)}};
   std::vector<MeasuredPart> parts;
-  for (const GeometryPart& part : (*geometry)->parts) parts.push_back({part.name, boundingBox(*part.mesh, part.X_BP)});
+  for (const Occurrence& part : (*geometry)->parts) parts.push_back({part.path, boundingBox(*part.mesh, part.X_FP)});
   return parts;
 }
 

@@ -42,6 +42,15 @@ Json toJson(const StepProof& proof) {
           {"nearest", proof.nearest.empty() ? Json(nullptr) : Json(proof.nearest)}};
 }
 
+Json toJson(const check::Evidence& evidence) {
+  Json json{{"overlap_m", evidence.overlap},
+            {"deflection_m", evidence.deflection},
+            {"spacing_m", evidence.spacing},
+            {"margin_m", evidence.margin}};
+  if (evidence.byPerson > 0.0) json["by_person_m"] = evidence.byPerson;
+  return json;
+}
+
 Json toJson(const StepAllowance& allowance) {
   Json json{{"body", allowance.body},
             {"kind", kindName(allowance.kind)},
@@ -50,6 +59,7 @@ Json toJson(const StepAllowance& allowance) {
             {"text", allowance.text}};
   if (!allowance.moving.empty()) json["moving"] = allowance.moving;
   if (allowance.yields) json["yields"] = true;
+  if (allowance.evidence.sum() > 0.0) json["evidence"] = toJson(allowance.evidence);
   if (allowance.pitch == 0.0) return json;
   json["pitch_m"] = allowance.pitch;
   json["turns"] = allowance.turns;
@@ -257,14 +267,24 @@ class PlanReader {
     return proof;
   }
 
+  static check::Evidence readEvidence(const JsonCursor& at) {
+    at.allowOnly({"overlap_m", "deflection_m", "spacing_m", "margin_m", "by_person_m"});
+    check::Evidence evidence{readLength(at.at("overlap_m")), readLength(at.at("deflection_m")),
+                             readLength(at.at("spacing_m")), readLength(at.at("margin_m"))};
+    if (const auto person = at.find("by_person_m")) evidence.byPerson = readLength(*person);
+    return evidence;
+  }
+
   StepAllowance readAllowance(const JsonCursor& at) const {
-    at.allowOnly({"body", "kind", "overlap_m", "allowance_m", "text", "moving", "yields", "pitch_m", "turns"});
+    at.allowOnly(
+        {"body", "kind", "overlap_m", "allowance_m", "text", "moving", "yields", "evidence", "pitch_m", "turns"});
     const auto kind = kindByName(at.at("kind").text());
     if (!kind) at.at("kind").fail("is not a kind of fit");
     StepAllowance allowance{readId(at.at("body")), *kind, readLength(at.at("overlap_m")),
                             readLength(at.at("allowance_m")), at.at("text").text()};
     if (const auto moving = at.find("moving")) allowance.moving = readId(*moving);
     if (const auto yields = at.find("yields")) allowance.yields = yields->boolean();
+    if (const auto evidence = at.find("evidence")) allowance.evidence = readEvidence(*evidence);
     if (const auto pitch = at.find("pitch_m")) {
       allowance.pitch = pitch->coordinate();
       if (allowance.pitch == 0.0) pitch->fail("is not a pitch");

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "engine/base/body_choice.h"
+#include "engine/assembly/body_choice.h"
 #include "engine/import/geometry_loader.h"
 #include "engine/scenario/part_files.h"
 #include "engine/scenario/scenario_fits.h"
@@ -26,9 +26,9 @@ Result<ProductFile> productOfParts(const std::string& file, const StopToken& sto
   const auto geometry = readPart(guessed.front(), read, stop, &loaded.warnings);
   if (!geometry) return geometry.error();
   warnOfMissingFaces(**geometry, "", file, loaded.warnings);
-  for (const GeometryPart& solid : (*geometry)->parts) {
-    const std::string name = solid.name.empty() ? file : solid.name;
-    loaded.product.bodies.push_back({name, name, Mobility::Mobile, solid.mesh, solid.X_BP});
+  for (const Occurrence& solid : (*geometry)->parts) {
+    const std::string name = solid.path.empty() ? file : solid.path;
+    loaded.product.bodies.push_back({name, name, Mobility::Mobile, solid.mesh, solid.X_FP});
     if (solid.colour) loaded.product.bodies.back().colour = *solid.colour;
     loaded.product.deflections.push_back(solid.deflection);
     loaded.product.spacings.push_back(solid.coordinateSpacing);

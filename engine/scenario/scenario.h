@@ -58,7 +58,8 @@ struct Scenario {
   std::vector<Asset> assets;
   std::vector<BodyDescription> bodies;  ///< those that do not move
   ObjectDescription object;
-  std::vector<BodyDescription> leftOut;  ///< of the product, and not there: nothing is about them until they are put back
+  std::vector<BodyDescription>
+      leftOut;  ///< of the product, and not there: nothing is about them until they are put back
   Pose start;
   Goal goal;
   Box3 workspace;
@@ -91,7 +92,7 @@ struct LoadedScenario {
   RigidBody object;                  ///< X_WB is the start; its id is that of the object's first body
   /// The bodies that the object is made of, as bodies of the product, where they start. One is the object itself.
   std::vector<RigidBody> objectBodies;
-  GeometryCache geometry;            ///< what the bodies and the object are made of
+  GeometryCache geometry;  ///< what the bodies and the object are made of
   /// Metres that meshes are off the surfaces they stand for, about: of STEP parts, by rigid body's id.
   std::map<std::string, double> deflections;
   /// Metres that meshes may be off their files, by rigid body's id: 32-bit numbers, edges closed at T-junctions.

@@ -19,7 +19,6 @@ std::vector<std::string> presentIdsOf(const Scenario& scenario);
 /// What the object is called in files about it: the ids of its bodies, joined by "+".
 std::string idOf(const ObjectDescription& object);
 
-
 /// A body of the object has this id.
 bool isInObject(const LoadedScenario& loaded, const std::string& rigidId);
 

@@ -14,8 +14,8 @@
 #include "engine/scenario/default_colour.h"
 #include "engine/scenario/extent_check.h"
 #include "engine/scenario/fit_options.h"
-#include "engine/scenario/part_files.h"
 #include "engine/scenario/object_geometry.h"
+#include "engine/scenario/part_files.h"
 #include "engine/scenario/scenario_bodies.h"
 #include "engine/scenario/scenario_file.h"
 #include "engine/scenario/scenario_fits.h"
@@ -43,13 +43,13 @@ void warnIfOpen(const RigidBody& body, const std::string& file, const LoadedScen
 
 /// What is known from reading is not looked at again.
 void noteClosed(const LoadedGeometry& geometry, LoadedScenario& loaded) {
-  for (const GeometryPart& part : geometry.parts) {
+  for (const Occurrence& part : geometry.parts) {
     if (part.isClosed) loaded.closed.emplace(part.mesh, true);
   }
 }
 
 bool allAreClosed(const LoadedGeometry& geometry) {
-  return std::all_of(geometry.parts.begin(), geometry.parts.end(), [](const GeometryPart& p) { return p.isClosed; });
+  return std::all_of(geometry.parts.begin(), geometry.parts.end(), [](const Occurrence& p) { return p.isClosed; });
 }
 
 bool isSameMesh(const TriangleMesh& a, const TriangleMesh& b) {
@@ -72,7 +72,7 @@ void noteLargest(double value, const std::string& bodyId, std::map<std::string, 
 
 /// How far the geometry may be off. `merged`: all parts are one rigid body.
 void noteUncertainties(const LoadedGeometry& geometry, const std::string& bodyId, bool merged, LoadedScenario& loaded) {
-  for (const GeometryPart& part : geometry.parts) {
+  for (const Occurrence& part : geometry.parts) {
     const std::string id = merged ? bodyId : partId(bodyId, part);
     noteLargest(part.deflection, id, loaded.deflections);
     noteLargest(part.coordinateSpacing, id, loaded.coordinateSpacings);
@@ -92,13 +92,13 @@ double largestOfBoth(const std::map<std::string, double>& values, const LoadedSc
 
 std::vector<RigidBody> toBodies(const BodyDescription& description, const LoadedGeometry& geometry) {
   std::vector<RigidBody> bodies;
-  for (const GeometryPart& part : geometry.parts) {
+  for (const Occurrence& part : geometry.parts) {
     RigidBody body;
     body.id = partId(description.id, part);
-    body.name = part.name.empty() ? description.name : part.name;
+    body.name = part.path.empty() ? description.name : part.path;
     body.mobility = mobilityOf(description);
     body.mesh = part.mesh;
-    body.X_WB = normalized(description.pose) * part.X_BP;
+    body.X_WB = normalized(description.pose) * part.X_FP;
     const Colour usual = body.mobility == Mobility::Static ? defaultColour(body.name) : kMobileColour;
     body.colour = description.colour ? *description.colour : part.colour.value_or(usual);
     bodies.push_back(std::move(body));
@@ -355,9 +355,7 @@ Outcome saveScenario(const Scenario& scenario, const std::string& file) {
   return saved ? Outcome(Done{}) : Outcome(saved.why);
 }
 
-double surfaceDeviation(const LoadedScenario& scenario) {
-  return largestOfBoth(scenario.deflections, scenario);
-}
+double surfaceDeviation(const LoadedScenario& scenario) { return largestOfBoth(scenario.deflections, scenario); }
 
 double coordinateSpacing(const LoadedScenario& scenario) {
   return largestOfBoth(scenario.coordinateSpacings, scenario);

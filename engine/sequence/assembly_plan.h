@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/planning/path.h"
-#include "engine/product/fit_settings.h"
+#include "engine/product/fit.h"
 #include "engine/sequence/fastener_kind.h"
 #include "engine/sequence/order_rules.h"
 #include "engine/sequence/tool_kind.h"
@@ -16,13 +16,14 @@ namespace glissade {
 struct StepAllowance {
   std::string body;  ///< id of the other one
   ContactKind kind = ContactKind::Contact;
-  double overlap = 0.0;    ///< as measured, metres
-  double allowance = 0.0;  ///< metres
-  std::string text;        ///< for people, with names
-  std::string moving{};    ///< id of the body of the step; empty: its first one
-  bool yields = false;     ///< the other one is taken thinner, not the moving one
-  double pitch = 0.0;      ///< of a thread that comes apart by turning only, metres a turn; 0: none
-  double turns = 0.0;      ///< of the body in it, by the right hand about the direction in which it leaves
+  double overlap = 0.0;        ///< as measured, metres
+  double allowance = 0.0;      ///< metres
+  std::string text;            ///< for people, with names
+  std::string moving{};        ///< id of the body of the step; empty: its first one
+  bool yields = false;         ///< the other one is taken thinner, not the moving one
+  double pitch = 0.0;          ///< of a thread that comes apart by turning only, metres a turn; 0: none
+  double turns = 0.0;          ///< of the body in it, by the right hand about the direction in which it leaves
+  check::Evidence evidence{};  ///< what the largest allowance of the pair may rest on; all zero: the file does not say
 };
 
 /// Whether a tool can be brought on when a step begins.

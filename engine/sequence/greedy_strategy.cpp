@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 
+#include "engine/assembly/product_tree.h"
 #include "engine/sequence/plan_steps.h"
 #include "engine/sequence/step_precedence.h"
 
@@ -26,6 +27,7 @@ class GreedySearch {
   GreedySearch(const SequenceQuestion& question, SequenceHost& host)
       : question_(question),
         host_(host),
+        tree_(pathsOf(question.product)),
         present_(question.product.bodies.size(), true),
         placed_(question.product.bodies.size(), false) {
     plan_.seed = question.seed;
@@ -55,6 +57,15 @@ class GreedySearch {
 
   const std::string& idOf(std::size_t body) const { return question_.product.bodies[body].id; }
   bool stopped() const { return host_.stopToken().stopRequested(); }
+
+  /// In the tree of the product's file: ids say which bodies are parts of one body of a scenario, names the rest.
+  static std::vector<std::string> pathsOf(const AssembledProduct& product) {
+    std::vector<std::string> paths;
+    for (const RigidBody& body : product.bodies) {
+      paths.push_back(assembliesAbove(body.id).empty() ? body.name : body.id);
+    }
+    return paths;
+  }
 
   std::vector<std::string> idsOf(const BodyGroup& bodies) const { return glissade::idsOf(bodies, question_.product); }
 
@@ -270,8 +281,12 @@ class GreedySearch {
   /// What is still there of them.
   std::vector<BodyGroup> assembliesOfTheFile() const {
     std::map<std::string, BodyGroup> assemblies;
-    for (const std::size_t body : bodiesIn(present_)) {
-      for (const std::string& assembly : assembliesAbove(idOf(body))) assemblies[assembly].push_back(body);
+    for (std::size_t node = 0; node < tree_.nodes().size(); ++node) {
+      if (tree_.nodes()[node].body) continue;
+      BodyGroup& bodies = assemblies[tree_.nodes()[node].path];
+      for (const std::size_t body : tree_.bodiesOf(node)) {
+        if (present_[body]) bodies.push_back(body);
+      }
     }
     std::vector<BodyGroup> groups;
     for (const auto& assembly : assemblies) {
@@ -443,6 +458,7 @@ class GreedySearch {
 
   const SequenceQuestion& question_;
   SequenceHost& host_;
+  ProductTree tree_;
   BodySet present_;
   BodySet placed_;                                        ///< bodies that a person wants at a place
   std::map<BodyGroup, Refusal> notAtPlace_;               ///< steps that were refused at their place

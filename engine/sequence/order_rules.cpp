@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "engine/base/body_path.h"
+#include "engine/assembly/body_path.h"
 #include "engine/sequence/step_motion.h"
 
 namespace glissade {
@@ -152,7 +152,7 @@ std::size_t OrderRules::placeOf(const BodyGroup& group) const {
 BodyGroup bodiesNamed(const AssembledProduct& product, const std::string& name) {
   BodyGroup bodies;
   for (std::size_t body = 0; body < product.bodies.size(); ++body) {
-    if (endsInPath(product.bodies[body].id, name)) bodies.push_back(body);
+    if (isMeantBy(name, product.bodies[body].id)) bodies.push_back(body);
   }
   return bodies;
 }

@@ -108,7 +108,8 @@ std::vector<std::string> PlanWords::allowances(const AssemblyStep& step, const A
   for (const StepAllowance& allowance : step.allowances) {
     const RigidBody& other = product.bodies[*product.indexOf(allowance.body)];
     const std::string length = length_(allowance.allowance);
-    const std::string kind = words_(kindName(allowance.kind));
+    std::string kind = words_(kindName(allowance.kind));
+    if (allowance.evidence.byPerson > 0.0) kind += words_(", as a person allows");
     texts.push_back(allowance.yields ? words_("%1 taken %2 thinner (%3)", {other.shown(), length, kind})
                                      : words_("taken %1 thinner against %2 (%3)", {length, other.shown(), kind}));
   }

@@ -72,6 +72,7 @@ const std::map<std::string_view, std::string_view>& studyFrench() {
       {"turn %1 about %2", "rotation de %1 autour de l'axe %2"},
       {"taken %1 thinner against %2 (%3)", "amincie de %1 face à %2 (%3)"},
       {"%1 taken %2 thinner (%3)", "%1 amincie de %2 (%3)"},
+      {", as a person allows", ", comme une personne le permet"},
       {"clearance", "jeu"},
       {"planar", "plan"},
       {"cylindrical", "cylindrique"},

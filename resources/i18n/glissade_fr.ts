@@ -65,7 +65,7 @@
     </message>
     <message>
         <source>The object is what moves: one body, or several as one rigid body. All other bodies are obstacles.</source>
-        <translation>L&apos;objet est ce qui bouge : un corps, ou plusieurs comme un seul corps rigide. Tous les autres corps sont des obstacles.</translation>
+        <translation>L&apos;objet est ce qui bouge&#xa0;: un corps, ou plusieurs comme un seul corps rigide. Tous les autres corps sont des obstacles.</translation>
     </message>
     <message>
         <source>CAD files often hold variants of a part that are drawn over each other. One is built, the others are left out. Proofs are about the product without them.</source>
@@ -1724,7 +1724,7 @@
     </message>
     <message>
         <source>The scenario keeps the selected bodies, and they are not there: variants that are not built</source>
-        <translation>Le scénario garde les corps sélectionnés, mais ils ne sont pas là : variantes qui ne sont pas construites</translation>
+        <translation>Le scénario garde les corps sélectionnés, mais ils ne sont pas là&#xa0;: variantes qui ne sont pas construites</translation>
     </message>
     <message>
         <source>Choose &amp;variants...</source>
@@ -1732,7 +1732,7 @@
     </message>
     <message>
         <source>Bodies that fill the same place: choose which of them is built</source>
-        <translation>Corps qui remplissent le même endroit : choisir celui qui est construit</translation>
+        <translation>Corps qui remplissent le même endroit&#xa0;: choisir celui qui est construit</translation>
     </message>
     <message>
         <source>&amp;Put the bodies back</source>
@@ -1740,7 +1740,7 @@
     </message>
     <message>
         <source>The selected bodies under &quot;Left out&quot; are there again</source>
-        <translation>Les corps sélectionnés sous « Écartés » sont de nouveau là</translation>
+        <translation>Les corps sélectionnés sous «&#xa0;Écartés&#xa0;» sont de nouveau là</translation>
     </message>
     <message>
         <source>The selected bodies &amp;move</source>
@@ -1748,7 +1748,7 @@
     </message>
     <message>
         <source>The selected bodies become the object, as one, from their present pose to &quot;out&quot;; what was the object and is not selected stays at its start</source>
-        <translation>Les corps sélectionnés deviennent l&apos;objet, ensemble, de leur position actuelle à « dehors » ; ce qui était l&apos;objet et n&apos;est pas sélectionné reste à son départ</translation>
+        <translation>Les corps sélectionnés deviennent l&apos;objet, ensemble, de leur position actuelle à «&#xa0;dehors&#xa0;»&#xa0;; ce qui était l&apos;objet et n&apos;est pas sélectionné reste à son départ</translation>
     </message>
 </context>
 <context>
@@ -5656,7 +5656,7 @@
     </message>
     <message>
         <source>leaves bodies out: %1</source>
-        <translation>écarte des corps : %1</translation>
+        <translation>écarte des corps&#xa0;: %1</translation>
     </message>
     <message>
         <source>Proofs are about the product without them.</source>
@@ -9107,11 +9107,11 @@
     </message>
     <message>
         <source>What the part is in the scenario; all selected rows together</source>
-        <translation>Ce que la pièce est dans le scénario ; toutes les lignes sélectionnées ensemble</translation>
+        <translation>Ce que la pièce est dans le scénario&#xa0;; toutes les lignes sélectionnées ensemble</translation>
     </message>
     <message>
         <source>The part whose motion is looked for; several move as one</source>
-        <translation>La pièce dont on cherche le mouvement ; plusieurs bougent ensemble</translation>
+        <translation>La pièce dont on cherche le mouvement&#xa0;; plusieurs bougent ensemble</translation>
     </message>
 </context>
 <context>
@@ -9254,6 +9254,10 @@
     <message>
         <source>(thread), pitch %1, %2 turns</source>
         <translation>(filetage), pas %1, %2 tours</translation>
+    </message>
+    <message>
+        <source>, as a person allows</source>
+        <translation>, comme une personne le permet</translation>
     </message>
 </context>
 <context>
@@ -10048,7 +10052,7 @@
     </message>
     <message>
         <source>%1: part of the product&apos;s file, and not of this product</source>
-        <translation>%1 : fait partie du fichier du produit, mais pas de ce produit</translation>
+        <translation>%1&#xa0;: fait partie du fichier du produit, mais pas de ce produit</translation>
     </message>
 </context>
 <context>
@@ -10930,7 +10934,7 @@
     </message>
     <message>
         <source>Bodies fill the same place: are they variants of one part?</source>
-        <translation>Des corps remplissent le même endroit : sont-ils des variantes d&apos;une pièce ?</translation>
+        <translation>Des corps remplissent le même endroit&#xa0;: sont-ils des variantes d&apos;une pièce&#xa0;?</translation>
     </message>
     <message>
         <source>Leave variants out</source>
@@ -10949,7 +10953,7 @@
     </message>
     <message>
         <source>These bodies fill the same place, as variants of one part do. Choose the one that is built. The scenario keeps the others under &quot;Left out&quot;.</source>
-        <translation>Ces corps remplissent le même endroit, comme le font les variantes d&apos;une pièce. Choisissez celui qui est construit. Le scénario garde les autres sous « Écartés ».</translation>
+        <translation>Ces corps remplissent le même endroit, comme le font les variantes d&apos;une pièce. Choisissez celui qui est construit. Le scénario garde les autres sous «&#xa0;Écartés&#xa0;».</translation>
     </message>
     <message>
         <source>&amp;Leave the others out</source>

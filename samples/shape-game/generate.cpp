@@ -227,11 +227,11 @@ Scenario scenarioOf(const Preset& preset, const Piece& piece) {
   o1.colour = Colour{0.62, 0.66, 0.72};
   scenario.bodies = {o1, box("O2", Mobility::Static, {14.4, 2.2, 0.0}, {15.0, 16.0, kSide}, {0.62, 0.66, 0.72}),
                      box("O3", Mobility::Mobile, {10.0, 13.0, 9.0}, {12.0, 17.0, 15.0}, {0.85, 0.65, 0.35})};
-  scenario.object.id = piece.shape;
-  scenario.object.name = piece.shape;
-  scenario.object.geometry = MeshGeometry{"object"};
-  scenario.object.colour = piece.colour;
-  scenario.object.attributes["shape"] = piece.shape;
+  scenario.object.first().id = piece.shape;
+  scenario.object.first().name = piece.shape;
+  scenario.object.first().geometry = MeshGeometry{"object"};
+  scenario.object.first().colour = piece.colour;
+  scenario.object.first().attributes["shape"] = piece.shape;
   scenario.start = Pose::translation(Vector3(2.4, piece.start.y, piece.start.z) * kUnit);
   scenario.goal = Pose::translation(Vector3(21.6, 8.0, 12.0) * kUnit);
   scenario.workspace = Box3(Vector3::Zero(), Vector3::Constant(kSide * kUnit));

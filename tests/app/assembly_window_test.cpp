@@ -57,6 +57,65 @@ TEST_F(AssemblyWindow, APartIsTakenOutOfAProductInOneStepFile) {
   expectRefused(QString(), QStringLiteral("new-scenario %1:pim 1 Z\n").arg(unit), "pin#2");
 }
 
+TEST_F(AssemblyWindow, AGroupMovesAsOneAndItsBodiesStayBodiesOfTheProduct) {
+  const QString saved = folder.filePath(QStringLiteral("group.json"));
+  const QString unit = QString::fromStdString(stepFile("unit.step"));
+  expectGood(run(QString(), QStringLiteral("new-scenario %1:pin 1 Z\nadd-part %1 static 1 Z\n"
+                                           "select bodies pin#2+plate\naction assembly.moves\n"
+                                           "expect-place pin 0,0,0\nexpect-place plate nowhere\n"
+                                           "expect-place pin#2 nowhere\n"
+                                           // What was the object joins the group.
+                                           "select bodies pin+pin#2+plate\naction assembly.moves\n"
+                                           "expect-place pin nowhere\nsave %2\nopen %2\n"
+                                           "plan-sequence all\nexpect-sequence parts 5\n"
+                                           "action run.start\nwait ended 20000\nexpect solved\n"
+                                           "select body pump.housing\naction assembly.moves\n"
+                                           "expect-place pin 0,0,0\nexpect-place plate 0,0,0\n"
+                                           "action edit.undo\nexpect-place plate nowhere\n")
+                                .arg(unit, saved)));
+}
+
+TEST_F(AssemblyWindow, WhatIsLeftOutIsKeptByTheScenarioAndPutBack) {
+  const QString saved = folder.filePath(QStringLiteral("left.json"));
+  const QString picture = folder.filePath(QStringLiteral("left.png"));
+  const QString unit = QString::fromStdString(stepFile("unit.step"));
+  expectGood(run(QString(), QStringLiteral("new-scenario %1:pin 1 Z\nadd-part %1 static 1 Z\n"
+                                           "select body plate\naction assembly.leave-out\n"
+                                           "expect-place plate nowhere\nsave %2\nopen %2\n"
+                                           "expect-place plate nowhere\naction panel.scene\nscreenshot %3\n"
+                                           "choose-left-out plate\naction assembly.put-back\n"
+                                           "expect-place plate 0,0,0\naction edit.undo\nexpect-place plate nowhere\n")
+                                .arg(unit, saved, picture)));
+  QFile file(saved);
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  EXPECT_TRUE(file.readAll().contains("\"left_out\""));
+}
+
+/// Two boxes in the same place, and one beside them.
+TEST_F(AssemblyWindow, VariantsAreSaidAndOneIsChosen) {
+  const QString scenario = folder.filePath(QStringLiteral("variants.json"));
+  QFile file(scenario);
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  const char* body = R"({"id": "%1", "geometry": {"box": [0.1, 0.1, %2]},
+    "pose": {"position": [%3, 0, 0], "orientation": [0, 0, 0, 1]}})";
+  QStringList bodies;
+  bodies << QString::fromLatin1(body).arg(QStringLiteral("short"), QStringLiteral("0.08"), QStringLiteral("0"))
+         << QString::fromLatin1(body).arg(QStringLiteral("long"), QStringLiteral("0.1"), QStringLiteral("0"))
+         << QString::fromLatin1(body).arg(QStringLiteral("post"), QStringLiteral("0.1"), QStringLiteral("0.4"));
+  file.write(QStringLiteral(R"({"format": "glissade-scenario", "version": 1, "bodies": [%1],
+    "object": {"id": "part", "geometry": {"sphere": {"radius": 0.05}}},
+    "start": {"position": [0, 1, 0], "orientation": [0, 0, 0, 1]}, "goal": "out",
+    "workspace": {"min": [-2, -2, -2], "max": [2, 2, 2]}})")
+                 .arg(bodies.join(QLatin1Char(',')))
+                 .toUtf8());
+  file.close();
+  const QString picture = folder.filePath(QStringLiteral("variants.png"));
+  expectGood(run(scenario, QStringLiteral("expect-variants 1\nscreenshot %1\nchoose-variant long\n"
+                                          "expect-place short nowhere\nexpect-place long 0,0,0\nexpect-variants 0\n"
+                                          "action edit.undo\nexpect-place short 0,0,0\nexpect-variants 1\n")
+                               .arg(picture)));
+}
+
 TEST_F(AssemblyWindow, AMobileBodyIsDraggedAndTheCellsFollowAsIfItHadAlwaysBeenThere) {
   const QString dragged = folder.filePath(QStringLiteral("dragged.png"));
   const QString fresh = folder.filePath(QStringLiteral("fresh.png"));

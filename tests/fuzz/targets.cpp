@@ -129,9 +129,9 @@ std::string assemblyPlan(const std::string& bytes) {
 std::string urdf(const std::string& bytes) {
   const auto links = importUrdf(asFile(bytes), "/nonexistent");
   if (!links) return requireError(links.error());
-  for (const UrdfLink& link : *links) {
-    require(!link.mesh.empty() && isNear(link.X_RL), "a link has triangles within the limits");
-    require(isUtf8(link.name), "names are valid UTF-8");
+  for (const Occurrence& link : *links) {
+    require(!link.mesh->empty() && isNear(link.X_FP), "a link has triangles within the limits");
+    require(isUtf8(link.path), "names are valid UTF-8");
   }
   return {};
 }
@@ -156,7 +156,7 @@ std::string stepProtocol(const std::string& bytes) {
     require(isUtf8(part.path) && isUtf8(part.file) && isValid(part.X_FP),
             "a file that is named has a name and a place");
   }
-  for (const StepPart& part : product->parts) {
+  for (const Occurrence& part : product->parts) {
     require(isUtf8(part.path) && isValid(part.X_FP), "a part has a name and a place");
     for (const TriangleIndices& triangle : part.mesh->triangles) {
       for (const std::uint32_t corner : triangle) require(corner < part.mesh->vertices.size(), "corners exist");

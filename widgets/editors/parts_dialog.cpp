@@ -186,8 +186,7 @@ void PartsDialog::addRow(int row, const PartFile& part) {
 }
 
 QComboBox* PartsDialog::makeRole(const QString& name) {
-  QComboBox* role =
-      makeCombo("role", name, tr("What the part is in the scenario; all selected rows together"));
+  QComboBox* role = makeCombo("role", name, tr("What the part is in the scenario; all selected rows together"));
   const auto add = [role](const QString& label, PartRole value, const QString& tip) {
     role->addItem(label, static_cast<int>(value));
     role->setItemData(role->count() - 1, tip, Qt::ToolTipRole);

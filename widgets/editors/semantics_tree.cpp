@@ -138,9 +138,8 @@ void SemanticsTree::showBodies() {
     item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
     item->setText(0, QString::fromStdString(bodies[i].shown()));
     item->setIcon(0, swatch(bodies[i].colour));
-    item->setText(1, document_.isMoved(i)
-                         ? tr("moved")
-                         : QString::fromStdString(toText(document_.bodyValue(id, "mobility").value)));
+    item->setText(1, document_.isMoved(i) ? tr("moved")
+                                          : QString::fromStdString(toText(document_.bodyValue(id, "mobility").value)));
     item->setData(0, kKeyRole, id);
     QString search = item->text(0) + QLatin1Char(' ') + item->text(1);
     for (const AttributeDefinition& definition : document_.table().definitions()) {

@@ -15,6 +15,9 @@ struct Notice {
   std::vector<const char*> actions;  ///< ids of the catalogue, as buttons
 };
 
+/// Pixels beside a bar at the top of the scene: room for the view cube.
+inline constexpr int kRoomForViewCube = 104;
+
 /// A bar over the scene: what was refused, why, and buttons for what can be done. Its buttons are reached by Tab.
 class NoticeBar final : public QFrame {
   Q_OBJECT

@@ -31,6 +31,7 @@ QString allowanceText(const Fit& fit, const std::vector<PathPoint>& points, cons
   const QString length = lengthText(fit.allowance);
   QString text = fit.yields ? PathPanel::tr("%1 taken %2 thinner").arg(body, length)
                             : PathPanel::tr("taken %1 thinner against %2").arg(length, body);
+  if (fit.evidence.byPerson > 0.0) text += PathPanel::tr(", as a person allows");
   if (!fit.thread) return text;
   const double turns = turnsOn(points, scenario, fit);
   return text + QStringLiteral(" ") +

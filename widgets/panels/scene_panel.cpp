@@ -4,6 +4,7 @@
 #include <QLocale>
 #include <QSignalBlocker>
 
+#include "engine/assembly/product_tree.h"
 #include "widgets/commands/colour_swatch.h"
 #include "widgets/commands/length_text.h"
 
@@ -99,7 +100,7 @@ void ScenePanel::setScenario(const LoadedScenario& scenario) {
   addEnd(*object, tr("start  %1").arg(place(scenario.problem.start)), AssemblyItem::Kind::Start);
   addEnd(*object, tr("goal  %1").arg(goal != nullptr ? place(*goal) : tr("out")), AssemblyItem::Kind::Goal);
   obstacles_ = addGroup(tr("Obstacles"));
-  for (const RigidBody& body : scenario.obstacles) addObstacle(body);
+  addObstacles(scenario.obstacles);
   addLeftOut(scenario.scenario.leftOut);
   showDeflections(scenario);
 }
@@ -114,6 +115,16 @@ void ScenePanel::addLeftOut(const std::vector<BodyDescription>& bodies) {
   }
 }
 
+bool ScenePanel::chooseLeftOut(const std::string& bodyId) {
+  for (QTreeWidgetItemIterator item(this); *item != nullptr; ++item) {
+    if ((*item)->data(0, kLeftOutRole).toString().toStdString() != bodyId) continue;
+    clearSelection();
+    (*item)->setSelected(true);
+    return true;
+  }
+  return false;
+}
+
 std::vector<std::string> ScenePanel::chosenLeftOut() const {
   std::vector<std::string> ids;
   for (const QTreeWidgetItem* item : selectedItems()) {
@@ -123,23 +134,28 @@ std::vector<std::string> ScenePanel::chosenLeftOut() const {
   return ids;
 }
 
-void ScenePanel::addObstacle(const RigidBody& body) {
-  QStringList path;
-  for (const std::string& step : stepsOf(body.name)) path << QString::fromStdString(step);
-  QTreeWidgetItem* parent = obstacles_;
-  while (path.size() > 1) parent = assemblyUnder(*parent, path.takeFirst());
-  QTreeWidgetItem* item = addBody(*parent, body, body.mobility == Mobility::Static ? tr("static") : tr("mobile"));
-  if (!path.isEmpty()) item->setText(0, path.front());
+void ScenePanel::addObstacles(const std::vector<RigidBody>& bodies) {
+  std::vector<std::string> paths;
+  for (const RigidBody& body : bodies) paths.push_back(body.name);
+  const ProductTree tree(paths);
+  std::vector<QTreeWidgetItem*> items;  // of the nodes; parents come before their children
+  for (const ProductTree::Node& node : tree.nodes()) {
+    QTreeWidgetItem& parent = node.parent ? *items[*node.parent] : *obstacles_;
+    const QString name = QString::fromStdString(node.name);
+    items.push_back(node.body ? addObstacle(parent, bodies[*node.body], name) : addAssembly(parent, name));
+  }
+}
+
+QTreeWidgetItem* ScenePanel::addObstacle(QTreeWidgetItem& parent, const RigidBody& body, const QString& name) {
+  QTreeWidgetItem* item = addBody(parent, body, body.mobility == Mobility::Static ? tr("static") : tr("mobile"));
+  if (!name.isEmpty()) item->setText(0, name);
   item->setData(0, kObstacleRole, true);
   item->setCheckState(0, Qt::Checked);
   item->setToolTip(0, tr("%1: drawn while the box is checked").arg(item->toolTip(0)));
+  return item;
 }
 
-QTreeWidgetItem* ScenePanel::assemblyUnder(QTreeWidgetItem& parent, const QString& name) {
-  for (int i = 0; i < parent.childCount(); ++i) {
-    QTreeWidgetItem* child = parent.child(i);
-    if (!isObstacle(child) && child->text(0) == name) return child;
-  }
+QTreeWidgetItem* ScenePanel::addAssembly(QTreeWidgetItem& parent, const QString& name) {
   auto* assembly = new QTreeWidgetItem(&parent, {name});
   assembly->setFlags(assembly->flags() | Qt::ItemIsAutoTristate | Qt::ItemIsUserCheckable);
   assembly->setToolTip(0, name);

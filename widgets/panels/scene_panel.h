@@ -27,6 +27,8 @@ class ScenePanel final : public QTreeWidget {
   void setHiddenBodies(const std::set<std::string>& bodyIds);
   /// What is selected: rigid bodies by id, or the start or the goal. Announces nothing.
   void showSelection(const QSet<QString>& bodyIds, const std::optional<AssemblyItem>& chosen);
+  /// Selects this row of what is left out alone. False: there is none.
+  bool chooseLeftOut(const std::string& bodyId);
   /// Ids of the selected rows of what is left out.
   std::vector<std::string> chosenLeftOut() const;
 
@@ -41,9 +43,9 @@ class ScenePanel final : public QTreeWidget {
   QTreeWidgetItem* addGroup(const QString& title);
   static QTreeWidgetItem* addBody(QTreeWidgetItem& group, const RigidBody& body, const QString& kind);
 
-  void addObstacle(const RigidBody& body);
-  /// The item of an assembly under `parent`; made at the first call.
-  static QTreeWidgetItem* assemblyUnder(QTreeWidgetItem& parent, const QString& name);
+  void addObstacles(const std::vector<RigidBody>& bodies);
+  static QTreeWidgetItem* addObstacle(QTreeWidgetItem& parent, const RigidBody& body, const QString& name);
+  static QTreeWidgetItem* addAssembly(QTreeWidgetItem& parent, const QString& name);
   QTreeWidgetItem* addEnd(QTreeWidgetItem& group, const QString& text, AssemblyItem::Kind end);
   void addLeftOut(const std::vector<BodyDescription>& bodies);
   void showDeflections(const LoadedScenario& scenario);

@@ -99,6 +99,46 @@ TEST(Overlap, OfFacesThatCoincideIsNothing) {
   }
 }
 
+/// A frustum that stands on a plate beside a hole, or is pressed in a little. The wall of the hole is near the edge of
+/// the frustum, and its facets are inclined; but nothing is below that wall.
+TEST(Overlap, OfAFrustumBesideAHoleIsThatOfTheFaceThatItStandsOn) {
+  RandomStream random(4, "frusta");
+  for (int round = 0; round < 40; ++round) {
+    const double pressed = round % 2 == 0 ? 0.0 : random.uniform(1e-6, 5e-5);
+    TriangleMesh frustum = test::prism(16 + round, 0.002, 0.004);
+    Box3 box = boundingBox(frustum);
+    const double narrower = random.uniform(0.1, 0.8);
+    for (Vector3& v : frustum.vertices) {
+      if (v.z() > box.center().z()) v.head<2>() *= narrower;
+    }
+    const double beside = random.uniform(1e-4, 9e-4);
+    const Pose place{Vector3(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)),
+                     fromRollPitchYaw(random.uniform(0.0, 3.0), random.uniform(0.0, 3.0), random.uniform(0.0, 3.0))};
+    Body plate = test::checkBody("plate", test::holedPlate(24, 0.01, 0.03, -0.005, 0.0));
+    Body insert = test::checkBody("insert", frustum);
+    plate.X_WB = place;
+    insert.X_WB = place * Pose::translation({0.012 + beside, 0.0, -box.min().z() - pressed});
+    const PlacedBody a = placed(plate);
+    const PlacedBody b = placed(insert);
+    for (const Overlap& found : {overlapIn(a, b, {}), overlapIn(b, a, {})}) {
+      EXPECT_LE(*std::max_element(found.depths.begin(), found.depths.end()), 1.02 * pressed + 1.1e-7) << beside;
+    }
+  }
+}
+
+/// A belt that is deep in a pulley: the pulley's surface is not deep in the thin belt, but the pair is a clash for the
+/// pulley's faces.
+TEST(Evidence, ADeepOverlapIsNotAllowedByTheOtherBodysThinness) {
+  const Body pulley = test::checkBody("pulley", makeBox({0.05, 0.05, 0.05}));
+  const Body belt = test::checkBody("belt", makeBox({0.08, 0.01, 0.0004}));
+  const PairBounds bounds = boundsOf(placed(pulley), placed(belt), {true, 0.0, {}}, nullptr);
+  EXPECT_EQ(bounds.one.most, 0.0);
+  EXPECT_FALSE(bounds.one.refused.empty());
+  EXPECT_LE(bounds.other.most, 0.0003);
+  const PairWord accepted{"pulley", "belt", "", {}, true};
+  EXPECT_GT(boundsOf(placed(pulley), placed(belt), {true, 0.0, {accepted}}, &accepted).one.most, 0.001);
+}
+
 /// A knob of twelve sides under a lip that overlaps it by 0.8 mm: all planes, so that nothing is off anything.
 TEST(Evidence, APrismIsNoCylinder) {
   const Body knob = test::checkBody("knob", test::prism(12, 0.02, 0.02));

@@ -34,7 +34,9 @@ void expectSameQuestion(const std::string& file) {
     EXPECT_EQ(a.deflection, b.deflection) << a.id;
     EXPECT_EQ(a.spacing, b.spacing) << a.id;
     // Of a group the planner's says how many bodies there are more.
-    if (i + 1 < expected.product.bodies.size() || loaded->objectBodies.size() == 1) EXPECT_EQ(a.name, b.name);
+    if (i + 1 < expected.product.bodies.size() || loaded->objectBodies.size() == 1) {
+      EXPECT_EQ(a.name, b.name);
+    }
   }
   EXPECT_EQ(read->goal, expected.goal);
   EXPECT_EQ(read->requiredClearance, expected.requiredClearance);

@@ -32,7 +32,7 @@ constexpr std::array kSplit{"split.step", "split-plate.stp", "split-pin.stp", "s
 
 std::vector<std::string> pathsOf(const StepProduct& product) {
   std::vector<std::string> paths;
-  for (const StepPart& part : product.parts) paths.push_back(part.path);
+  for (const Occurrence& part : product.parts) paths.push_back(part.path);
   return paths;
 }
 
@@ -61,7 +61,7 @@ TEST_F(SplitProduct, IsReadWithItsFiles) {
   EXPECT_TRUE(middle(2).isApprox(Vector3(0, 0.2, 0.008), 1e-3));
   EXPECT_TRUE(middle(4).isApprox(Vector3(0.3, 0, -0.03), 1e-3))
       << "turned with its assembly: " << middle(4).transpose();
-  for (const StepPart& part : product->parts) EXPECT_TRUE(audit(*part.mesh).closed()) << part.path;
+  for (const Occurrence& part : product->parts) EXPECT_TRUE(audit(*part.mesh).closed()) << part.path;
   std::vector<std::string> names;
   for (const StepPartFile& file : product->partFiles) {
     names.push_back(file.name);
@@ -165,7 +165,7 @@ class ComposedFiles : public testing::Test {
     folder.write(name, name);
     return answers_[folder / name];
   }
-  static StepPart part(const std::string& path) {
+  static Occurrence part(const std::string& path) {
     return {path, std::make_shared<const TriangleMesh>(makeBox(Vector3(1, 1, 1))), {}, {}, 0.0, 0};
   }
   static StepExternal use(const std::string& path, const std::string& file) { return {path, Pose::identity(), file}; }
@@ -190,7 +190,7 @@ class ComposedFiles : public testing::Test {
 TEST_F(ComposedFiles, PlacesOfFilesInFilesAreComposed) {
   const Pose shift = Pose::translation(Vector3(1, 2, 3));
   const Pose turn{Vector3(0, 0, 1), fromRollPitchYaw(0.3, -0.2, 1.0)};
-  StepPart bolt = part("");
+  Occurrence bolt = part("");
   bolt.X_FP = turn;
   StepAnswer& inner = add("sub/inner.stp");
   inner.rootName = "a name that the user of the file knows better";
@@ -261,7 +261,7 @@ TEST_F(ComposedFiles, ManyMissingFilesAreCounted) {
   EXPECT_THAT(product->warnings.back().reason, HasSubstr("30 more files"));
 }
 
-Box3 placedBox(const StepPart& part) { return boundingBox(*part.mesh, part.X_FP); }
+Box3 placedBox(const Occurrence& part) { return boundingBox(*part.mesh, part.X_FP); }
 
 /// The triangles are in the planes of their faces, and look the same way.
 void expectPlanes(const TriangleMesh& mesh) {

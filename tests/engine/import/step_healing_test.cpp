@@ -33,7 +33,7 @@ double surfaceAreaOf(const TriangleMesh& mesh) {
 }
 
 /// Closed, consistently oriented, and within deflection times area of the true volume (cubic millimetres).
-void expectSolid(const StepPart& part, double volume) {
+void expectSolid(const Occurrence& part, double volume) {
   const MeshAudit result = audit(*part.mesh);
   EXPECT_TRUE(result.closed());
   EXPECT_TRUE(result.consistentlyOriented);

@@ -19,7 +19,7 @@ using testing::ElementsAre;
 
 constexpr double kCubicMillimetre = 1e-9;
 
-std::vector<StepPart> partsOf(const std::string& name, double deflection = 0.0) {
+std::vector<Occurrence> partsOf(const std::string& name, double deflection = 0.0) {
   auto product = importStep(stepFile(name), deflection);
   EXPECT_TRUE(product) << toString(product.error());
   if (!product) return {};
@@ -27,19 +27,19 @@ std::vector<StepPart> partsOf(const std::string& name, double deflection = 0.0) 
   return std::move(product->parts);
 }
 
-StepPart onePart(const std::string& name, double deflection = 0.0) {
+Occurrence onePart(const std::string& name, double deflection = 0.0) {
   const auto parts = partsOf(name, deflection);
   EXPECT_EQ(parts.size(), 1U);
   return parts.at(0);
 }
 
-std::vector<std::string> pathsOf(const std::vector<StepPart>& parts) {
+std::vector<std::string> pathsOf(const std::vector<Occurrence>& parts) {
   std::vector<std::string> paths;
-  for (const StepPart& part : parts) paths.push_back(part.path);
+  for (const Occurrence& part : parts) paths.push_back(part.path);
   return paths;
 }
 
-Box3 boxInFile(const StepPart& part) { return boundingBox(*part.mesh, part.X_FP); }
+Box3 boxInFile(const Occurrence& part) { return boundingBox(*part.mesh, part.X_FP); }
 
 TEST(StepImport, SolidsAreClosedAndTheirOutsideIsOutside) {
   // Each with the volume of the true solid, mm³.
@@ -52,7 +52,7 @@ TEST(StepImport, SolidsAreClosedAndTheirOutsideIsOutside) {
       {"boolean.step", 0.0}};
   for (const auto& [name, volume] : solids) {
     SCOPED_TRACE(name);
-    const StepPart part = onePart(name);
+    const Occurrence part = onePart(name);
     const MeshAudit result = audit(*part.mesh);
     EXPECT_TRUE(result.closed());
     EXPECT_TRUE(result.consistentlyOriented);
@@ -80,7 +80,7 @@ TEST(StepImport, ProductsOfAnAssemblyLieWhereItHasThem) {
   EXPECT_TRUE(boxInFile(parts[2]).sizes().isApprox(Vector3(0.016, 0.04, 0.016), 5e-3)) << "turned";
   EXPECT_TRUE(boxInFile(parts[2]).center().isApprox(Vector3(0, 0.2, 0.008), 1e-3));
   EXPECT_TRUE(boxInFile(parts[4]).center().isApprox(Vector3(0.3, -0.05, 0.02), 1e-3)) << "in an assembly in it";
-  for (const StepPart& part : parts) EXPECT_TRUE(audit(*part.mesh).closed()) << part.path;
+  for (const Occurrence& part : parts) EXPECT_TRUE(audit(*part.mesh).closed()) << part.path;
 }
 
 TEST(StepImport, ColoursAreTheFiles) {
@@ -128,7 +128,7 @@ TEST(StepImport, DeflectionIsAtMostAThousandthOfTheDiagonalWithinLimitsUnlessSom
   EXPECT_EQ(onePart("box.step").deflection, 0.0);
   std::size_t before = 0;
   for (const double deflection : {2e-3, 2e-4, 2e-5}) {
-    const StepPart ball = onePart("ball.stp", deflection);
+    const Occurrence ball = onePart("ball.stp", deflection);
     const TriangleMesh& mesh = *ball.mesh;
     EXPECT_LE(ball.deflection, 1.1 * deflection) << "OpenCASCADE does not keep it";
     EXPECT_GT(mesh.triangles.size(), before);

@@ -31,7 +31,7 @@ void expectSane(const std::string& file) {
     return;
   }
   EXPECT_FALSE(product->parts.empty());
-  for (const StepPart& part : product->parts) {
+  for (const Occurrence& part : product->parts) {
     EXPECT_FALSE(part.mesh->empty());
     EXPECT_TRUE(boundingBox(*part.mesh, part.X_FP).max().allFinite());
   }

@@ -29,13 +29,13 @@ std::string joint(const std::string& type, const std::string& child, const std::
 const std::string kBox = "<box size=\"1 2 3\"/>";
 const std::string kPartObj = "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 3\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
 
-Result<std::vector<UrdfLink>> import(const TemporaryFolder& folder, const std::string& text) {
+Result<std::vector<Occurrence>> import(const TemporaryFolder& folder, const std::string& text) {
   return importUrdf(folder.write("model.urdf", text), folder.path());
 }
 
 TEST(Urdf, ReadsShapesJointsAndColours) {
   const TemporaryFolder folder;
-  const Result<std::vector<UrdfLink>> model = import(
+  const Result<std::vector<Occurrence>> model = import(
       folder,
       robot("<material name=\"blue\"><color rgba=\"0 0 1 1\"/></material>" + link("root") +
             link("wall", "<visual><geometry>" + kBox + "</geometry><material name=\"blue\"/></visual>" +
@@ -46,18 +46,18 @@ TEST(Urdf, ReadsShapesJointsAndColours) {
   ASSERT_TRUE(model.ok()) << toString(model.error());
   ASSERT_EQ(model->size(), 2U);  // the root has no geometry
 
-  const UrdfLink& wall = (*model)[1];
-  EXPECT_EQ(wall.name, "wall");
-  EXPECT_TRUE(boundingBox(wall.mesh).max().isApprox(Vector3(0.5, 1, 3)));
-  EXPECT_TRUE((wall.X_RL * Vector3(0, 1, 0)).isApprox(Vector3::Zero(), 1e-12) ||
-              (wall.X_RL * Vector3(0, 1, 0)).norm() < 1e-12);
+  const Occurrence& wall = (*model)[1];
+  EXPECT_EQ(wall.path, "wall");
+  EXPECT_TRUE(boundingBox(*wall.mesh).max().isApprox(Vector3(0.5, 1, 3)));
+  EXPECT_TRUE((wall.X_FP * Vector3(0, 1, 0)).isApprox(Vector3::Zero(), 1e-12) ||
+              (wall.X_FP * Vector3(0, 1, 0)).norm() < 1e-12);
   ASSERT_TRUE(wall.colour.has_value());
   EXPECT_EQ(*wall.colour, (std::array<double, 3>{0, 0, 1}));
 
-  const UrdfLink& ball = (*model)[0];
-  EXPECT_EQ(audit(ball.mesh).surfaces.size(), 2U);  // both collision shapes
-  EXPECT_GE(boundingBox(ball.mesh).max().x(), 1.0);
-  EXPECT_EQ(ball.X_RL.position, Vector3(0, 5, 0));
+  const Occurrence& ball = (*model)[0];
+  EXPECT_EQ(audit(*ball.mesh).surfaces.size(), 2U);  // both collision shapes
+  EXPECT_GE(boundingBox(*ball.mesh).max().x(), 1.0);
+  EXPECT_EQ(ball.X_FP.position, Vector3(0, 5, 0));
   EXPECT_FALSE(ball.colour.has_value());
 }
 
@@ -65,7 +65,7 @@ TEST(Urdf, VisualGeometryStandsInForMissingCollisionGeometry) {
   const TemporaryFolder folder;
   const auto model = import(folder, robot(link("root", "<visual><geometry>" + kBox + "</geometry></visual>")));
   ASSERT_TRUE(model.ok()) << toString(model.error());
-  EXPECT_EQ((*model)[0].mesh.triangles.size(), 12U);
+  EXPECT_EQ((*model)[0].mesh->triangles.size(), 12U);
 }
 
 TEST(Urdf, MeshFilesAreFoundInsideTheFolder) {
@@ -75,7 +75,7 @@ TEST(Urdf, MeshFilesAreFoundInsideTheFolder) {
     const auto model =
         import(folder, robot(link("root", collision("<mesh filename=\"" + name + "\" scale=\"2 1 1\"/>"))));
     ASSERT_TRUE(model.ok()) << toString(model.error());
-    EXPECT_TRUE(boundingBox((*model)[0].mesh).max().isApprox(Vector3(2, 2, 3)));
+    EXPECT_TRUE(boundingBox(*(*model)[0].mesh).max().isApprox(Vector3(2, 2, 3)));
   }
 }
 
@@ -177,7 +177,7 @@ TEST(Urdf, MalformedFilesGiveOneClearMessage) {
   for (const MalformedRobot& row : malformedRobots()) {
     SCOPED_TRACE(row.what);
     const TemporaryFolder folder;
-    const Result<std::vector<UrdfLink>> model = import(folder, row.text);
+    const Result<std::vector<Occurrence>> model = import(folder, row.text);
     ASSERT_FALSE(model.ok());
     EXPECT_EQ(model.error().kind, ErrorKind::MalformedInput);
     EXPECT_THAT(model.error().file, testing::StartsWith(folder.path()));

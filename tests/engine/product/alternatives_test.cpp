@@ -44,7 +44,7 @@ TEST(Alternatives, ThatHaveABodyInCommonAreVariantsOfOnePart) {
 
 TEST(Alternatives, AScrewInABlockWithoutAHoleIsNone) {
   EXPECT_TRUE(findAlternatives({test::partAt("block", makeBox({0.05, 0.05, 0.03}), Pose::identity()),
-                              test::partAt("screw", test::makeRing(0.0, 0.003, 0.04, 24), Pose::identity())})
+                                test::partAt("screw", test::makeRing(0.0, 0.003, 0.04, 24), Pose::identity())})
                   .empty());
 }
 
@@ -55,7 +55,7 @@ TEST(Alternatives, OpenBodiesAndThoseThatOnlyTouchAreNone) {
   EXPECT_TRUE(
       findAlternatives({test::partAt("a", box, Pose::identity()), test::partAt("b", open, Pose::identity())}).empty());
   EXPECT_TRUE(findAlternatives({test::partAt("a", box, Pose::identity()),
-                              test::partAt("b", box, Pose::translation({0.04, 0.0, 0.0}))})
+                                test::partAt("b", box, Pose::translation({0.04, 0.0, 0.0}))})
                   .empty());
 }
 

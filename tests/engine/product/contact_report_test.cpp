@@ -163,7 +163,7 @@ TEST(ContactReport, KnowsTheFitsOfAStepProduct) {
   const auto product = importStep(test::stepFile("fits.step"), 0.0);
   ASSERT_TRUE(product);
   std::vector<ContactBody> bodies;
-  for (const StepPart& part : product->parts) bodies.push_back({part.path, part.mesh, part.X_FP, part.deflection});
+  for (const Occurrence& part : product->parts) bodies.push_back({part.path, part.mesh, part.X_FP, part.deflection});
   std::map<std::string, std::string> kinds;
   for (const Contact& contact : findContacts(bodies).contacts) {
     const auto nameOf = [&](std::size_t i) { return bodies[i].id.substr(bodies[i].id.rfind('/') + 1); };

@@ -111,7 +111,7 @@ TEST(FitTable, OfAStepProduct) {
   const auto read = importStep(test::stepFile("fits.step"), 0.0);
   ASSERT_TRUE(read);
   AssembledProduct product;
-  for (const StepPart& part : read->parts) {
+  for (const Occurrence& part : read->parts) {
     RigidBody body;
     body.id = body.name = part.path;
     body.mesh = part.mesh;

@@ -61,8 +61,11 @@ TEST(ObjectFits, SaysItInWords) {
   EXPECT_EQ(inWords(screw, "screw", "plate"), "screw taken 0.41 mm thinner in the tapped hole of plate (thread)");
   const Fit nut{0, ContactKind::Cylindrical, Fit::Role::Hole, 0.0, 0.0000213};
   EXPECT_EQ(inWords(nut, "nut", "bolt"), "nut taken 0.0213 mm thinner on the shaft of bolt (cylindrical)");
-  const Fit block{0, ContactKind::Planar, Fit::Role::Other, 0.0, 0.000001};
+  Fit block{0, ContactKind::Planar, Fit::Role::Other, 0.0, 0.000001};
   EXPECT_EQ(inWords(block, "block", "plate"), "block taken 0.001 mm thinner against plate (planar)");
+  block.evidence.byPerson = 1e-6;
+  EXPECT_EQ(inWords(block, "block", "plate"),
+            "block taken 0.001 mm thinner against plate (planar, as a person allows)");
 }
 
 TEST(ObjectFits, AllowsNothingToBodiesThatStandApart) {

@@ -43,6 +43,59 @@ TEST(SurfaceRegions, TakeAPrismAsPlanes) {
   }
 }
 
+/// The mesh with a face for each region that was fitted to it.
+TriangleMesh withFaces(TriangleMesh mesh, const std::vector<SurfaceFace>& planes,
+                       const std::vector<SurfaceFace>& cylinders) {
+  const SurfaceRegions fitted = findSurfaceRegions(mesh);
+  EXPECT_EQ(fitted.planes.size(), planes.size());
+  EXPECT_EQ(fitted.cylinders.size(), cylinders.size());
+  mesh.faces = planes;
+  mesh.faces.insert(mesh.faces.end(), cylinders.begin(), cylinders.end());
+  for (const SurfaceRegions::Label& label : fitted.labels) {
+    const bool plane = label.kind == SurfaceRegions::Kind::Plane;
+    mesh.faceOf.push_back(label.index + (plane ? 0U : static_cast<std::uint32_t>(planes.size())));
+  }
+  return mesh;
+}
+
+/// A ring as a STEP file states it: radii and axes are the stated ones to the last bit, normals point outwards.
+TEST(SurfaceRegions, AreThoseThatTheFileStates) {
+  RandomStream random(3, "stated rings");
+  for (int round = 0; round < 20; ++round) {
+    const double inner = 0.001 + 0.02 * random.uniform();
+    const double outer = inner + 0.003;
+    const Pose place = randomPose(random, kRegionsRoom);
+    const TriangleMesh ring = transformed(test::makeRing(inner, outer, 0.02, 16), place);
+    const SurfaceRegions fitted = findSurfaceRegions(ring);
+    std::vector<SurfaceFace> planes(2);
+    std::vector<SurfaceFace> cylinders(2);
+    for (std::size_t i = 0; i < 2; ++i) {
+      planes[i] = {SurfaceFace::Kind::Plane, fitted.planes[i].offset * fitted.planes[i].normal};
+      planes[i].axis = random.uniform() < 0.5 ? fitted.planes[i].normal : Vector3(-fitted.planes[i].normal);
+      cylinders[i] = {SurfaceFace::Kind::Cylinder, place.position, place.orientation * Vector3::UnitZ()};
+      cylinders[i].radius = fitted.cylinders[i].shaft ? outer : inner;
+    }
+    const SurfaceRegions stated = findSurfaceRegions(withFaces(ring, planes, cylinders));
+    ASSERT_EQ(stated.cylinders.size(), 2U);
+    ASSERT_EQ(stated.planes.size(), 2U);
+    for (const CylinderRegion& cylinder : stated.cylinders) {
+      EXPECT_EQ(cylinder.radius, cylinder.shaft ? outer : inner);
+      EXPECT_NEAR(cylinder.high - cylinder.low, 0.02, 1e-9);
+    }
+    for (const PlaneRegion& plane : stated.planes) {
+      EXPECT_GT(plane.offset - plane.normal.dot(place.position), 0.009) << "outwards";
+    }
+    // What the triangles contradict is not used: the radii are those of the triangles.
+    for (SurfaceFace& cylinder : cylinders) cylinder.radius *= 1.01;
+    for (const CylinderRegion& cylinder : findSurfaceRegions(withFaces(ring, planes, cylinders)).cylinders) {
+      EXPECT_NEAR(cylinder.radius, cylinder.shaft ? outer : inner, 1e-7);
+    }
+    // A cone is no cylinder, however much its triangles look like one.
+    for (SurfaceFace& cylinder : cylinders) cylinder.kind = SurfaceFace::Kind::Cone;
+    EXPECT_TRUE(findSurfaceRegions(withFaces(ring, planes, cylinders)).cylinders.empty());
+  }
+}
+
 TEST(SurfaceRegions, LeaveASphereFree) {
   const SurfaceRegions found = findSurfaceRegions(makeSphere(0.02, 3));
   EXPECT_TRUE(found.cylinders.empty());

@@ -73,9 +73,8 @@ TEST(HandRun, RefusesAPartOfABodyOfSeveral) {
   loaded.obstacles[0].id = "robot/arm";
   loaded.obstacles[1].id = "robot/hand";
   Scenario scenario = loaded.scenario;
-  for (const auto& outcome :
-       {prepareHandRun({"robot/arm"}, {}, loaded, scenario),
-        prepareHandRun({"right"}, {"robot/hand"}, loaded, scenario)}) {
+  for (const auto& outcome : {prepareHandRun({"robot/arm"}, {}, loaded, scenario),
+                              prepareHandRun({"right"}, {"robot/hand"}, loaded, scenario)}) {
     ASSERT_FALSE(outcome.ok());
     EXPECT_EQ(outcome.error().location, "body 'robot'");
     EXPECT_FALSE(outcome.error().advice.empty());

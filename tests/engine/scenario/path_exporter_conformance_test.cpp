@@ -155,7 +155,7 @@ TEST_P(PathExporterConformance, ManagesWithoutAScenarioWhereItSaysSo) {
 
 TEST_P(PathExporterConformance, NamesMayBeAnyBytes) {
   scenario_.scenario.name = scenario_.obstacles[0].id = scenario_.obstacles[0].name = "\xE9\x01\"";
-  scenario_.object.first().name = "";
+  scenario_.object.name = "";
   written("a");
 }
 

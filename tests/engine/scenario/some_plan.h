@@ -19,6 +19,7 @@ inline AssemblyPlan somePlan() {
       1,
       {0, 1e-6, 2e-6, 3e-6, "bolt"},
       {{"bolt", ContactKind::Thread, 4e-4, 4.1e-4, "nut taken 0.41 mm thinner on the thread of bolt (thread)"}}};
+  nut.allowances.front().evidence = {4e-4, 1e-5, 1e-9, 1e-6, 2e-5};
   plan.steps.push_back(nut);
   plan.bodies.insert(plan.bodies.end(), {"wheel", "bearing"});
   AssemblyStep group{"wheel", {{Pose::identity(), Author::Computer}, {away, Author::Computer}}, "straight", 2, {}, {}};

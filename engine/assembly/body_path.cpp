@@ -1,4 +1,4 @@
-#include "engine/base/body_path.h"
+#include "engine/assembly/body_path.h"
 
 #include <algorithm>
 #include <map>
@@ -59,6 +59,13 @@ bool endsInPath(const std::string& path, const std::string& end) {
   if (path == end) return true;
   const std::string tail = kSeparator + end;
   return path.size() > tail.size() && path.compare(path.size() - tail.size(), tail.size(), tail) == 0;
+}
+
+bool isMeantBy(const std::string& name, const std::string& path) {
+  if (endsInPath(path, name)) return true;
+  const std::vector<std::string> above = assembliesAbove(path);
+  return std::any_of(above.begin(), above.end(),
+                     [&](const std::string& assembly) { return endsInPath(assembly, name); });
 }
 
 std::vector<std::string> shownNames(const std::vector<std::string>& ids, const std::vector<std::string>& names) {

@@ -1,4 +1,4 @@
-#include "engine/base/body_path.h"
+#include "engine/assembly/body_path.h"
 
 #include <gtest/gtest.h>
 

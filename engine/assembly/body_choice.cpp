@@ -1,32 +1,20 @@
-#include "engine/base/body_choice.h"
+#include "engine/assembly/body_choice.h"
 
 #include <algorithm>
 
-#include "engine/base/body_path.h"
+#include "engine/assembly/product_tree.h"
 
 namespace glissade {
-namespace {
-
-bool isMeant(const std::string& id, const std::string& name) {
-  if (endsInPath(id, name)) return true;
-  const std::vector<std::string> assemblies = assembliesAbove(id);
-  return std::any_of(assemblies.begin(), assemblies.end(),
-                     [&](const std::string& assembly) { return endsInPath(assembly, name); });
-}
-
-}  // namespace
-
 Result<std::vector<bool>> bodiesMeant(const std::vector<std::string>& ids, const std::vector<std::string>& names,
                                       const std::string& option) {
+  const ProductTree tree(ids);
   std::vector<bool> meant(ids.size(), false);
   for (const std::string& name : names) {
-    bool any = false;
-    for (std::size_t i = 0; i < ids.size(); ++i) {
-      if (name.empty() || !isMeant(ids[i], name)) continue;
-      meant[i] = true;
-      any = true;
+    const std::vector<std::size_t> nodes = tree.named(name);
+    for (const std::size_t node : nodes) {
+      for (const std::size_t body : tree.bodiesOf(node)) meant[body] = true;
     }
-    if (any) continue;
+    if (!nodes.empty()) continue;
     return Diagnostic{ErrorKind::Usage, "", option, "names '" + name + "', which is not a body of the product",
                       "See 'glissade-cli fits' for the names."};
   }

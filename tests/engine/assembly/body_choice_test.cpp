@@ -1,4 +1,4 @@
-#include "engine/base/body_choice.h"
+#include "engine/assembly/body_choice.h"
 
 #include <gtest/gtest.h>
 
