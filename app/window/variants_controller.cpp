@@ -48,17 +48,16 @@ void VariantsController::find() {
   const ScenarioPtr scenario = bench_.document.scenario();
   const auto work = [this, scenario](const WorkWatch& watch) -> BackgroundTask::Delivery {
     const Places places = variantsOf(findAlternatives(rigidBodiesOf(*scenario), watch.stop));
-    return [this, scenario, places] { take(scenario, places); };
+    return [this, places] { take(places); };
   };
   task_.start("looking for variants", work, bench_.work.isAtOnce());
 }
 
-void VariantsController::take(const ScenarioPtr& scenario, const Places& places) {
-  scenario_ = scenario;
+void VariantsController::take(const Places& places) {
   places_ = places;
   bench_.enable("assembly.variants", !places.empty());
   if (places.empty()) return;
-  const std::vector<RigidBody> bodies = rigidBodiesOf(*scenario);
+  const std::vector<RigidBody> bodies = rigidBodiesOf(*bench_.document.scenario());
   QStringList facts;
   for (std::size_t i = 0; i < std::min(kMostNamed, places.size()); ++i) {
     QStringList names;
@@ -72,7 +71,7 @@ void VariantsController::take(const ScenarioPtr& scenario, const Places& places)
 }
 
 void VariantsController::ask() {
-  const std::vector<RigidBody> bodies = rigidBodiesOf(*scenario_);
+  const std::vector<RigidBody> bodies = rigidBodiesOf(*bench_.document.scenario());
   std::vector<std::vector<Variant>> places;
   for (const std::vector<std::size_t>& place : places_) {
     places.emplace_back();
@@ -108,7 +107,7 @@ QImage VariantsController::pictureOf(const std::string& rigidId, const Box3& box
   std::set<std::string> others(known_.begin(), known_.end());
   others.erase(rigidId);
   view.setHiddenBodies(others);
-  if (!isInObject(*scenario_, rigidId)) view.setLayerVisible(SceneLayer::Object, false);
+  if (!isInObject(*bench_.document.scenario(), rigidId)) view.setLayerVisible(SceneLayer::Object, false);
   view.camera().zoomTo(box);
   QImage picture = bench_.scene.picture(kPictureSize);
   view.camera().setPose(pose);

@@ -25,7 +25,7 @@ class VariantsController final : public QObject {
 
   void followDocument(Changes what);
   void find();
-  void take(const ScenarioPtr& scenario, const Places& places);
+  void take(const Places& places);
   void ask();
   void leaveOthersOut(const std::set<std::string>& rigidIds);
   /// The body alone, as large as it can be.
@@ -36,8 +36,7 @@ class VariantsController final : public QObject {
   NoticeBar* bar_;
   BackgroundTask task_;
   std::vector<std::string> known_;  ///< ids of the bodies that were looked at
-  ScenarioPtr scenario_;            ///< that `places_` are of
-  Places places_;
+  Places places_;                   ///< that were found
 };
 
 }  // namespace glissade

@@ -109,13 +109,14 @@ ObjectDescription readObject(const JsonCursor& at, const std::set<std::string>& 
   }
   if (const auto centre = at.find("centre_on_vertex_mean")) {
     object.centreOnVertexMean = centre->boolean();
-    const bool mesh = std::holds_alternative<MeshGeometry>(object.first().geometry) && !object.isGroup();
-    if (object.centreOnVertexMean && !mesh) centre->fail("is for one body of a mesh file only");
+    const bool mesh = std::holds_alternative<MeshGeometry>(object.first().geometry);
+    if (object.centreOnVertexMean && !mesh) centre->fail("is for mesh files only");
   }
   if (const auto point = at.find("reference_point")) {
     object.referencePoint = point->vector();
     if (object.centreOnVertexMean) point->fail("is said twice: there is 'centre_on_vertex_mean'");
   }
+  if (object.centreOnVertexMean && object.isGroup()) at.at("with").fail("is not beside 'centre_on_vertex_mean'");
   return object;
 }
 

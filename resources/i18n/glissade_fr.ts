@@ -5662,6 +5662,10 @@
         <source>Proofs are about the product without them.</source>
         <translation>Les preuves portent sur le produit sans eux.</translation>
     </message>
+    <message>
+        <source>is not beside &apos;centre_on_vertex_mean&apos;</source>
+        <translation>ne se met pas à côté de &apos;centre_on_vertex_mean&apos;</translation>
+    </message>
 </context>
 <context>
     <name>FilmWriter</name>

@@ -67,7 +67,7 @@ TEST_F(AssemblyWindow, AGroupMovesAsOneAndItsBodiesStayBodiesOfTheProduct) {
                                            // What was the object joins the group.
                                            "select bodies pin+pin#2+plate\naction assembly.moves\n"
                                            "expect-place pin nowhere\nsave %2\nopen %2\n"
-                                           "plan-sequence all\nexpect-sequence parts 5\n"
+                                           "plan-sequence all\nexpect-sequence parts 4\n"
                                            "action run.start\nwait ended 20000\nexpect solved\n"
                                            "select body pump.housing\naction assembly.moves\n"
                                            "expect-place pin 0,0,0\nexpect-place plate 0,0,0\n"

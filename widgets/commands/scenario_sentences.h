@@ -86,6 +86,7 @@ inline constexpr const char* kScenarioSentences[] = {
     QT_TRANSLATE_NOOP("Diagnostics", "Give the metres in a unit of the file."),
     QT_TRANSLATE_NOOP("Diagnostics", "no part moves"),
     QT_TRANSLATE_NOOP("Diagnostics", "Choose the part that moves."),
+    QT_TRANSLATE_NOOP("Diagnostics", "is not beside 'centre_on_vertex_mean'"),
     QT_TRANSLATE_NOOP("Diagnostics", "no body is chosen"),
     QT_TRANSLATE_NOOP("Diagnostics", "Choose what moves."),
     QT_TRANSLATE_NOOP("Diagnostics", "this is the object already"),
