@@ -103,15 +103,20 @@ QImage VariantsController::pictureOf(const std::string& rigidId, const Box3& box
   SceneView& view = bench_.scene.view();
   const std::set<std::string> hidden = view.hiddenBodies();
   const CameraPose pose = view.camera().pose();
-  const bool object = view.layerVisible(SceneLayer::Object);
+  const SceneLayer shown = isInObject(*bench_.document.scenario(), rigidId) ? SceneLayer::Object : SceneLayer::Bodies;
+  std::vector<SceneLayer> layers;  // that are not to be in the picture
+  for (int i = 0; i < kSceneLayerCount; ++i) {
+    const auto layer = static_cast<SceneLayer>(i);
+    if (layer != shown && view.layerVisible(layer)) layers.push_back(layer);
+  }
   std::set<std::string> others(known_.begin(), known_.end());
   others.erase(rigidId);
   view.setHiddenBodies(others);
-  if (!isInObject(*bench_.document.scenario(), rigidId)) view.setLayerVisible(SceneLayer::Object, false);
+  for (const SceneLayer layer : layers) view.setLayerVisible(layer, false);
   view.camera().zoomTo(box);
   QImage picture = bench_.scene.picture(kPictureSize);
   view.camera().setPose(pose);
-  view.setLayerVisible(SceneLayer::Object, object);
+  for (const SceneLayer layer : layers) view.setLayerVisible(layer, true);
   view.setHiddenBodies(hidden);
   bench_.scene.refresh();
   return picture;

@@ -126,10 +126,9 @@ std::vector<RigidBody> bodiesOfGroup(const Scenario& scenario, const ObjectGeome
   for (std::size_t i = 0; i < object.bodies.size(); ++i) {
     BodyDescription placed = object.bodies[i];
     placed.pose = X_WG * poseInObject(object, i);
-    placed.mobility = Mobility::Mobile;
-    placed.attributes.erase("mobility");
     for (RigidBody& body : toBodies(placed, *geometry[i])) bodies.push_back(std::move(body));
   }
+  for (RigidBody& body : bodies) body.mobility = Mobility::Mobile;
   return bodies;
 }
 
@@ -273,7 +272,9 @@ Result<LoadedScenario> loadScenario(const std::string& file, const StopToken& st
 Result<LoadedScenario> loadScenario(const std::string& file, const FitOptions& options, const StopToken& stop) {
   auto opened = openScenario(file, options, stop, FindFits::Now);
   if (!opened) return opened.error();
-  return std::move(opened->scenario);
+  LoadedScenario& loaded = opened->scenario;
+  if (const auto left = leftOutWarning(loaded.scenario, file)) loaded.warnings.push_back(*left);
+  return std::move(loaded);
 }
 
 Result<ScenarioFile> openScenarioFile(const std::string& file, const StopToken& stop, FindFits fits) {
@@ -301,7 +302,6 @@ Result<LoadedScenario> loadGeometry(Scenario scenario, const std::string& folder
   loaded.warnings = std::move(loader.warnings());
   labelAll(loaded);
   for (const RigidBody& body : rigidBodiesOf(loaded)) warnIfOpen(body, file, before, loaded);
-  if (const auto left = leftOutWarning(scenario, file)) loaded.warnings.push_back(*left);
 
   if (const Outcome sound = checkExtents(loaded, scenario.workspace, file); !sound) return sound.error();
   loaded.problem.world = before != nullptr ? before->problem.world->updated(loaded.obstacles, loaded.object.mesh)
