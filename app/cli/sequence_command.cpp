@@ -283,13 +283,37 @@ StopToken limited(const StopToken& stop, double seconds) {
   return stop.withDeadline(Clock::now() + std::chrono::duration_cast<Clock::duration>(limit));
 }
 
-/// Where the limit of time, and no interrupt, has ended what comes before the search.
-Diagnostic orLimit(const Diagnostic& why, const Interrupt& interrupt, const std::string& file) {
-  if (why.kind != ErrorKind::Interrupted || interrupt.token().stopRequested()) return why;
-  return {ErrorKind::LimitReached, file, "--time-limit",
-          "was reached before the search: the file is read, and its fits "
-          "are found, within it, too",
-          "Give more time."};
+/// Where the limit of time ends the search of fits: what there was, so that it can be resumed.
+AssemblyPlan planWithout(const std::optional<AssemblyPlan>& earlier, const AssembledProduct& product,
+                         const BodySet& staying, std::uint64_t seed) {
+  if (earlier) return *earlier;
+  AssemblyPlan plan;
+  plan.seed = seed;
+  for (std::size_t body = 0; body < product.bodies.size(); ++body) {
+    plan.bodies.push_back(product.bodies[body].id);
+    if (staying[body]) plan.staying.push_back(product.bodies[body].id);
+  }
+  return plan;
+}
+
+/// Writes and prints the plan; the exit code.
+int deliver(const AssemblyPlan& plan, const ProductFile& loaded, const SequenceOptions& options,
+            const ProgressHost& host, double seconds) {
+  if (!loaded.product.fits.on && !plan.stuck.empty()) reportWarnings({fitsAreOff(options.file)});
+  if (!options.out.empty()) {
+    if (const Outcome saved = savePlan(plan, options.file, options.out); !saved) {
+      return reportError(saved.error(), options.format);
+    }
+  }
+  if (options.format == Format::Json) {
+    nlohmann::ordered_json report = planJson(plan, options.file);
+    report["wall_s"] = seconds;
+    report["surface_deviation_m"] = loaded.deviation;
+    printJson(report);
+  } else {
+    printPlan(plan, host, seconds);
+  }
+  return exitCodeOf(plan);
 }
 
 }  // namespace
@@ -306,8 +330,8 @@ int runSequence(const SequenceOptions& options) {
     earlier = std::move(*read);
   }
   const double deflection = earlier ? earlier->deflection : options.deflection;
-  auto loaded = loadProduct(options.file, stop, deflection);
-  if (!loaded) return reportError(orLimit(loaded.error(), interrupt, options.file), options.format);
+  auto loaded = loadProduct(options.file, interrupt.token(), deflection);
+  if (!loaded) return reportError(loaded.error(), options.format);
   if (const Outcome left = leaveOut(options.without, *loaded); !left) return reportError(left.error(), options.format);
   AssembledProduct& product = loaded->product;
   product.fits = withOptions(product.fits, options.fits);
@@ -328,43 +352,36 @@ int runSequence(const SequenceOptions& options) {
     return reportError(why, options.format);
   }
   ThreadTeam team(options.lanes - 1);
-  const auto fits = ProductFits::find(product, team, stop);
-  if (!fits) return reportError(orLimit(fits.error(), interrupt, options.file), options.format);
-  reportWarnings(loaded->warnings);
-  reportWarnings(fits->warnings());
-  reportWarnings(warningsOf(findAlternatives(product.bodies, stop), product.bodies));
-
   const std::uint64_t seed = earlier ? earlier->seed : options.seed.value_or(1);
+  const auto fits = ProductFits::find(product, team, stop);
+  const bool outOfTime = !fits && fits.error().kind == ErrorKind::Interrupted && !interrupt.requested();
+  if (!fits && !outOfTime) return reportError(fits.error(), options.format);
+  reportWarnings(loaded->warnings);
   ProgressHost host(stop, team, product, begin);
   if (earlier) host.skip(earlier->steps.size());
   AssemblyPlan like;
   like.strategy = options.strategy;
   like.demands = *demands;
   like.deflection = deflection;
-  if (!options.out.empty()) host.keepIn(options, std::move(like));
-  auto planned =
-      planSequence(product, *fits, {*staying, options.strategy, seed, *demands, earlier ? &*earlier : nullptr}, host);
+  Result<AssemblyPlan> planned = planWithout(earlier, product, *staying, seed);
+  if (outOfTime) {
+    reportWarnings({{ErrorKind::LimitReached, options.file, "--time-limit", "was reached while fits were searched",
+                     "Give more time."}});
+    planned->strategy = options.strategy;
+    planned->demands = *demands;
+    planned->end = PlanEnd::TimeLimit;
+  } else {
+    reportWarnings(fits->warnings());
+    reportWarnings(warningsOf(findAlternatives(product.bodies, stop), product.bodies));
+    if (!options.out.empty()) host.keepIn(options, std::move(like));
+    planned =
+        planSequence(product, *fits, {*staying, options.strategy, seed, *demands, earlier ? &*earlier : nullptr}, host);
+  }
   if (!planned) return reportError(ofOptions(planned.error(), options), options.format);
   AssemblyPlan& plan = *planned;
   if (plan.end == PlanEnd::Interrupted && !interrupt.requested()) plan.end = PlanEnd::TimeLimit;
   plan.deflection = deflection;
-  const double seconds = secondsSince(begin);
-  if (!product.fits.on && !plan.stuck.empty()) reportWarnings({fitsAreOff(options.file)});
-
-  if (!options.out.empty()) {
-    if (const Outcome saved = savePlan(plan, options.file, options.out); !saved) {
-      return reportError(saved.error(), options.format);
-    }
-  }
-  if (options.format == Format::Json) {
-    nlohmann::ordered_json report = planJson(plan, options.file);
-    report["wall_s"] = seconds;
-    report["surface_deviation_m"] = loaded->deviation;
-    printJson(report);
-  } else {
-    printPlan(plan, host, seconds);
-  }
-  return exitCodeOf(plan);
+  return deliver(plan, *loaded, options, host, secondsSince(begin));
 }
 
 }  // namespace glissade::cli
