@@ -1735,8 +1735,8 @@
         <translation>Corps qui remplissent le même endroit&#xa0;: choisir celui qui est construit</translation>
     </message>
     <message>
-        <source>&amp;Put the bodies back</source>
-        <translation>&amp;Remettre les corps</translation>
+        <source>P&amp;ut the bodies back</source>
+        <translation>Remettre les c&amp;orps</translation>
     </message>
     <message>
         <source>The selected bodies under &quot;Left out&quot; are there again</source>

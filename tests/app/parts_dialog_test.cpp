@@ -218,7 +218,10 @@ TEST_F(PartsPage, ARoleIsOfAllSelectedRows) {
   choose(dialog, 2, PartsDialog::kRole, "Mobile");
   EXPECT_EQ(roles(dialog), (std::vector<PartRole>{kMobile, kMobile, kMobile}));
   choose(dialog, 0, PartsDialog::kRole, "Moves");
-  EXPECT_EQ(roles(dialog), (std::vector<PartRole>{kMoves, kMobile, kMobile})) << "one moves";
+  EXPECT_EQ(roles(dialog), (std::vector<PartRole>{kMoves, kMoves, kMoves})) << "as one";
+  table(dialog).clearSelection();
+  choose(dialog, 1, PartsDialog::kRole, "Moves");
+  EXPECT_EQ(roles(dialog), (std::vector<PartRole>{kStatic, kMoves, kStatic})) << "what has moved before does not";
 }
 
 TEST_F(PartsPage, WhatCannotBeReadIsSaidAndHoldsUpTheRest) {

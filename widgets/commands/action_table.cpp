@@ -61,7 +61,7 @@ const std::vector<ActionSpec>& actionSpecs() {
        false},
       {"assembly.variants", QT_TRANSLATE_NOOP("Actions", "Choose &variants..."), "",
        QT_TRANSLATE_NOOP("Actions", "Bodies that fill the same place: choose which of them is built"), false},
-      {"assembly.put-back", QT_TRANSLATE_NOOP("Actions", "&Put the bodies back"), "",
+      {"assembly.put-back", QT_TRANSLATE_NOOP("Actions", "P&ut the bodies back"), "",
        QT_TRANSLATE_NOOP("Actions", "The selected bodies under \"Left out\" are there again"), false},
       {"assembly.moves", QT_TRANSLATE_NOOP("Actions", "The selected bodies &move"), "Ctrl+Shift+M",
        QT_TRANSLATE_NOOP("Actions",
