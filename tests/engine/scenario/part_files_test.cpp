@@ -12,7 +12,6 @@
 namespace glissade {
 namespace {
 
-using test::TemporaryFolder;
 using test::TrayProduct;
 using testing::HasSubstr;
 
