@@ -2,19 +2,21 @@
 
 #include <algorithm>
 
-#include "engine/assembly/product_tree.h"
+#include "engine/assembly/body_path.h"
 
 namespace glissade {
+
 Result<std::vector<bool>> bodiesMeant(const std::vector<std::string>& ids, const std::vector<std::string>& names,
                                       const std::string& option) {
-  const ProductTree tree(ids);
   std::vector<bool> meant(ids.size(), false);
   for (const std::string& name : names) {
-    const std::vector<std::size_t> nodes = tree.named(name);
-    for (const std::size_t node : nodes) {
-      for (const std::size_t body : tree.bodiesOf(node)) meant[body] = true;
+    bool any = false;
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      if (name.empty() || !isMeantBy(name, ids[i])) continue;
+      meant[i] = true;
+      any = true;
     }
-    if (!nodes.empty()) continue;
+    if (any) continue;
     return Diagnostic{ErrorKind::Usage, "", option, "names '" + name + "', which is not a body of the product",
                       "See 'glissade-cli fits' for the names."};
   }

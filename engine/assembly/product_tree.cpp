@@ -7,30 +7,26 @@
 namespace glissade {
 
 ProductTree::ProductTree(const std::vector<std::string>& paths) {
-  for (std::size_t body = 0; body < paths.size(); ++body) {
-    Node leaf{paths[body], lastStepOf(paths[body])};
-    leaf.body = body;
-    const std::vector<std::string> above = assembliesAbove(paths[body]);
-    if (!above.empty()) leaf.parent = assemblyAt(above.back());
-    add(std::move(leaf));
-  }
+  Assemblies known;
+  for (std::size_t body = 0; body < paths.size(); ++body) nodes_[addBelow(paths[body], known)].body = body;
 }
 
 /// Made with those above it at the first call.
-std::size_t ProductTree::assemblyAt(const std::string& path) {
-  const auto known = assemblies_.find(path);
-  if (known != assemblies_.end()) return known->second;
-  Node assembly{path, lastStepOf(path)};
-  const std::vector<std::string> above = assembliesAbove(path);
-  if (!above.empty()) assembly.parent = assemblyAt(above.back());
-  const std::size_t node = add(std::move(assembly));
-  assemblies_.emplace(path, node);
+std::size_t ProductTree::assemblyAt(const std::string& path, Assemblies& known) {
+  const auto found = known.find(path);
+  if (found != known.end()) return found->second;
+  const std::size_t node = addBelow(path, known);
+  known.emplace(path, node);
   return node;
 }
 
-std::size_t ProductTree::add(Node node) {
+/// Adds a node below the assembly that its path names.
+std::size_t ProductTree::addBelow(const std::string& path, Assemblies& known) {
+  Node node{path, lastStepOf(path)};
+  const std::vector<std::string> above = assembliesAbove(path);
+  if (!above.empty()) node.parent = assemblyAt(above.back(), known);
   const std::size_t index = nodes_.size();
-  (node.parent ? nodes_[*node.parent].children : roots_).push_back(index);
+  if (node.parent) nodes_[*node.parent].children.push_back(index);
   nodes_.push_back(std::move(node));
   return index;
 }

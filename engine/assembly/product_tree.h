@@ -25,20 +25,17 @@ class ProductTree {
 
   /// Parents before their children, in the order of the bodies.
   const std::vector<Node>& nodes() const { return nodes_; }
-  /// At the top.
-  const std::vector<std::size_t>& roots() const { return roots_; }
   /// Numbers of the bodies that are the node or below it, ascending.
   std::vector<std::size_t> bodiesOf(std::size_t node) const;
   /// The nodes that a person means by a name: those whose path is it, or ends in it in whole names.
   std::vector<std::size_t> named(const std::string& name) const;
 
  private:
-  std::size_t assemblyAt(const std::string& path);
-  std::size_t add(Node node);
+  using Assemblies = std::map<std::string, std::size_t>;  ///< numbers of nodes, by path
+  std::size_t assemblyAt(const std::string& path, Assemblies& known);
+  std::size_t addBelow(const std::string& path, Assemblies& known);
 
   std::vector<Node> nodes_;
-  std::map<std::string, std::size_t> assemblies_;  ///< by their paths
-  std::vector<std::size_t> roots_;
 };
 
 }  // namespace glissade
