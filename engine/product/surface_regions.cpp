@@ -139,11 +139,13 @@ class RegionFinder {
   /// Metres that the vertices of a face may be off what the file states of it.
   double offStated(const SurfaceFace& face) const { return std::max(tolerance_, face.deflection); }
 
-  bool isOnPlane(std::uint32_t t, const Vector3& normal, double offset, double off) const {
+  /// The vertices are no farther off the plane, and the triangle faces the same way. A sliver beside a larger triangle,
+  /// the seed, has no normal to speak of: its vertices decide.
+  bool isInPlane(std::uint32_t t, std::uint32_t seed, const PlaneRegion& plane, double off) const {
     for (int i = 0; i < 3; ++i) {
-      if (std::abs(normal.dot(vertex(t, i)) - offset) > off) return false;
+      if (std::abs(plane.normal.dot(vertex(t, i)) - plane.offset) > off) return false;
     }
-    return true;
+    return normals_[t].dot(plane.normal) > kFlatCosine || areas_[t] < 1e-6 * areas_[seed];
   }
 
   /// With the faces beside it that lie in the same plane.
@@ -153,15 +155,18 @@ class RegionFinder {
     if (normal.dot(normals_[seed]) < 0.0) normal = -normal;
     const double offset = normal.dot(face.point);
     const double off = offStated(face);
-    if (!isOnPlane(seed, normal, offset, off)) return;
+    if (!isInPlane(seed, seed, {normal, offset}, off)) return;
     const auto region = grow(seed, mesh_.triangles.size(), [&](std::uint32_t, std::uint32_t t) {
-      const bool along = normals_[t].dot(normal) > kFlatCosine || areas_[t] < 1e-6 * areas_[seed];
-      return faceOf(t).kind == SurfaceFace::Kind::Plane && along && isOnPlane(t, normal, offset, off);
+      return faceOf(t).kind == SurfaceFace::Kind::Plane && isInPlane(t, seed, {normal, offset}, off);
     });
+    addPlane(region, {normal, offset});
+  }
+
+  void addPlane(const std::vector<std::uint32_t>& region, const PlaneRegion& plane) {
     for (const std::uint32_t t : region) {
       result_.labels[t] = {Kind::Plane, static_cast<std::uint32_t>(result_.planes.size())};
     }
-    result_.planes.push_back({normal, offset});
+    result_.planes.push_back(plane);
   }
 
   /// With the faces beside it that are of the same cylinder.
@@ -255,16 +260,9 @@ class RegionFinder {
       const Vector3 normal = normals_[seed];
       const double offset = normal.dot(vertex(seed, 0));
       const auto region = grow(seed, mesh_.triangles.size(), [&](std::uint32_t, std::uint32_t t) {
-        // A sliver has no normal to speak of: its vertices decide.
-        for (int i = 0; i < 3; ++i) {
-          if (std::abs(normal.dot(vertex(t, i)) - offset) > tolerance_) return false;
-        }
-        return normals_[t].dot(normal) > kFlatCosine || areas_[t] < 1e-6 * areas_[seed];
+        return isInPlane(t, seed, {normal, offset}, tolerance_);
       });
-      for (const std::uint32_t t : region) {
-        result_.labels[t] = {Kind::Plane, static_cast<std::uint32_t>(result_.planes.size())};
-      }
-      result_.planes.push_back({normal, offset});
+      addPlane(region, {normal, offset});
       regions.push_back(region);
     }
     freeFacets(regions, first);
