@@ -284,14 +284,16 @@ StopToken limited(const StopToken& stop, double seconds) {
 }
 
 /// Where the limit of time ends the search of fits: what there was, so that it can be resumed.
-AssemblyPlan planWithout(const std::optional<AssemblyPlan>& earlier, const AssembledProduct& product,
-                         const BodySet& staying, std::uint64_t seed) {
-  if (earlier) return *earlier;
-  AssemblyPlan plan;
-  plan.seed = seed;
+AssemblyPlan planWithout(const AssembledProduct& product, const SequenceRequest& request) {
+  AssemblyPlan plan = request.resumed != nullptr ? *request.resumed : AssemblyPlan{};
+  plan.strategy = request.strategy;
+  plan.seed = request.seed;
+  plan.demands = request.demands;
+  plan.end = PlanEnd::TimeLimit;
+  if (request.resumed != nullptr) return plan;
   for (std::size_t body = 0; body < product.bodies.size(); ++body) {
     plan.bodies.push_back(product.bodies[body].id);
-    if (staying[body]) plan.staying.push_back(product.bodies[body].id);
+    if (request.staying[body]) plan.staying.push_back(product.bodies[body].id);
   }
   return plan;
 }
@@ -363,20 +365,16 @@ int runSequence(const SequenceOptions& options) {
   like.strategy = options.strategy;
   like.demands = *demands;
   like.deflection = deflection;
-  Result<AssemblyPlan> planned = planWithout(earlier, product, *staying, seed);
+  const SequenceRequest request{*staying, options.strategy, seed, *demands, earlier ? &*earlier : nullptr};
   if (outOfTime) {
     reportWarnings({{ErrorKind::LimitReached, options.file, "--time-limit", "was reached while fits were searched",
                      "Give more time."}});
-    planned->strategy = options.strategy;
-    planned->demands = *demands;
-    planned->end = PlanEnd::TimeLimit;
   } else {
     reportWarnings(fits->warnings());
     reportWarnings(warningsOf(findAlternatives(product.bodies, stop), product.bodies));
     if (!options.out.empty()) host.keepIn(options, std::move(like));
-    planned =
-        planSequence(product, *fits, {*staying, options.strategy, seed, *demands, earlier ? &*earlier : nullptr}, host);
   }
+  auto planned = outOfTime ? planWithout(product, request) : planSequence(product, *fits, request, host);
   if (!planned) return reportError(ofOptions(planned.error(), options), options.format);
   AssemblyPlan& plan = *planned;
   if (plan.end == PlanEnd::Interrupted && !interrupt.requested()) plan.end = PlanEnd::TimeLimit;
