@@ -127,18 +127,23 @@ void AssemblyController::editScenario(const QString& text, const std::function<O
   showFailure(document_.edit(text, change));
 }
 
-/// Ids of the scenario's bodies, those of the object not among them.
-std::set<std::string> AssemblyController::selectedBodies() const {
+/// Ids of the scenario's bodies, those of the object among them.
+std::set<std::string> AssemblyController::selectedOfAll() const {
   std::set<std::string> ids;
   for (const QString& id : document_.semantics().selection().bodies) ids.insert(bodyIdOf(id.toStdString()));
+  return ids;
+}
+
+/// The same without those of the object.
+std::set<std::string> AssemblyController::selectedBodies() const {
+  std::set<std::string> ids = selectedOfAll();
   if (!document_.scenario()) return ids;
   for (const BodyDescription& body : document_.scenario()->scenario.object.bodies) ids.erase(body.id);
   return ids;
 }
 
 std::vector<std::string> AssemblyController::selectedToMove() const {
-  std::set<std::string> ids;
-  for (const QString& id : document_.semantics().selection().bodies) ids.insert(bodyIdOf(id.toStdString()));
+  std::set<std::string> ids = selectedOfAll();
   std::vector<std::string> ordered;
   for (const BodyDescription& body : document_.scenario()->scenario.object.bodies) {
     if (ids.erase(body.id) > 0) ordered.push_back(body.id);
@@ -149,39 +154,19 @@ std::vector<std::string> AssemblyController::selectedToMove() const {
 
 void AssemblyController::removeSelected() {
   const std::set<std::string> ids = selectedBodies();
-  const QString text =
-      ids.size() == 1 ? tr("Remove %1").arg(QString::fromStdString(*ids.begin())) : tr("Remove bodies");
-  editScenario(text, [&](Scenario& scenario) {
-    for (const std::string& id : ids) {
-      const Outcome removed = removeBody(id, scenario);
-      if (!removed) return removed;
-    }
-    return Outcome(Done{});
-  });
+  editScenario(ids.size() == 1 ? tr("Remove %1").arg(QString::fromStdString(*ids.begin())) : tr("Remove bodies"),
+               [&ids](Scenario& scenario) { return editEach(ids, removeBody, scenario); });
 }
 
 void AssemblyController::leaveOutSelected() {
   const std::set<std::string> ids = selectedBodies();
-  const QString text =
-      ids.size() == 1 ? tr("Leave out %1").arg(QString::fromStdString(*ids.begin())) : tr("Leave bodies out");
-  editScenario(text, [&](Scenario& scenario) {
-    for (const std::string& id : ids) {
-      const Outcome left = leaveOut(id, scenario);
-      if (!left) return left;
-    }
-    return Outcome(Done{});
-  });
+  editScenario(ids.size() == 1 ? tr("Leave out %1").arg(QString::fromStdString(*ids.begin())) : tr("Leave bodies out"),
+               [&ids](Scenario& scenario) { return editEach(ids, leaveOut, scenario); });
 }
 
 void AssemblyController::putBackSelected() {
   const std::vector<std::string> ids = scenePanel_->chosenLeftOut();
-  editScenario(tr("Put back"), [&](Scenario& scenario) {
-    for (const std::string& id : ids) {
-      const Outcome put = putBack(id, scenario);
-      if (!put) return put;
-    }
-    return Outcome(Done{});
-  });
+  editScenario(tr("Put back"), [&ids](Scenario& scenario) { return editEach(ids, putBack, scenario); });
 }
 
 /// What is selected of the object goes on to move: so a group grows.

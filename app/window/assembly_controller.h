@@ -52,6 +52,7 @@ class AssemblyController final : public QObject {
   void takeSelection();
   void showPlacement();
   void enableActions();
+  std::set<std::string> selectedOfAll() const;
   std::set<std::string> selectedBodies() const;
   /// Those of the object among them, which come first.
   std::vector<std::string> selectedToMove() const;

@@ -357,9 +357,9 @@ void SequenceController::showScene(double time, double exploded) {
   if (plan.plan && !plan.plan->steps.empty() && (time > 0.0 || exploded > 0.0)) {
     const std::vector<PlayedBody> played = playback_.at(time);
     const bool aside = bench_.actions["sequence.aside"]->isChecked();
-    const std::vector<RigidBody> bodies = rigidBodiesOf(*bench_.document.scenario());
+    const LoadedScenario& scenario = *bench_.document.scenario();
     for (std::size_t i = 0; i < played.size(); ++i) {
-      const Pose X_WB = played[i].moved * bodies[i].X_WB;
+      const Pose X_WB = played[i].moved * rigidBodyAt(i, scenario).X_WB;
       const Vector3 apart = played[i].left ? Vector3(Vector3::Zero()) : Vector3(exploded * offsets_[i]);
       picture.bodies.push_back({{X_WB.position + apart, X_WB.orientation}, aside || !played[i].left, played[i].moves});
     }

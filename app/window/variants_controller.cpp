@@ -27,6 +27,7 @@ VariantsController::VariantsController(const Workbench& bench)
       bar_(new NoticeBar(bench.actions, bench.scene.widget(), kRoomForViewCube)) {
   bench.onAction("assembly.variants", this, [this] { ask(); });
   connect(&bench.document, &WorkbenchDocument::changed, this, &VariantsController::followDocument);
+  connect(&task_, &BackgroundTask::failed, &bench.work, &WorkController::reportFailure);
   connect(bar_, &NoticeBar::closed, this, [this] { bench_.scene.widget()->setFocus(); });
   bench_.enable("assembly.variants", false);
   addCommands();
@@ -57,11 +58,11 @@ void VariantsController::take(const Places& places) {
   places_ = places;
   bench_.enable("assembly.variants", !places.empty());
   if (places.empty()) return;
-  const std::vector<RigidBody> bodies = rigidBodiesOf(*bench_.document.scenario());
+  const LoadedScenario& scenario = *bench_.document.scenario();
   QStringList facts;
   for (std::size_t i = 0; i < std::min(kMostNamed, places.size()); ++i) {
     QStringList names;
-    for (const std::size_t body : places[i]) names << QString::fromStdString(bodies[body].shown());
+    for (const std::size_t body : places[i]) names << QString::fromStdString(rigidBodyAt(body, scenario).shown());
     facts << names.join(QStringLiteral(", "));
   }
   if (places.size() > kMostNamed) facts << tr("and %1 more").arg(places.size() - kMostNamed);
@@ -71,12 +72,12 @@ void VariantsController::take(const Places& places) {
 }
 
 void VariantsController::ask() {
-  const std::vector<RigidBody> bodies = rigidBodiesOf(*bench_.document.scenario());
+  const LoadedScenario& scenario = *bench_.document.scenario();
   std::vector<std::vector<Variant>> places;
   for (const std::vector<std::size_t>& place : places_) {
     places.emplace_back();
     for (const std::size_t i : place) {
-      const RigidBody& body = bodies[i];
+      const RigidBody& body = rigidBodyAt(i, scenario);
       places.back().push_back(
           {body.id, QString::fromStdString(body.shown()), pictureOf(body.id, boundingBox(*body.mesh, body.X_WB))});
     }
@@ -89,13 +90,8 @@ void VariantsController::leaveOthersOut(const std::set<std::string>& rigidIds) {
   if (rigidIds.empty()) return;
   std::set<std::string> ids;
   for (const std::string& id : rigidIds) ids.insert(bodyIdOf(id));
-  const Outcome edited = bench_.document.edit(tr("Leave variants out"), [&ids](Scenario& scenario) {
-    for (const std::string& id : ids) {
-      const Outcome left = leaveOut(id, scenario);
-      if (!left) return left;
-    }
-    return Outcome(Done{});
-  });
+  const auto change = [&ids](Scenario& scenario) { return editEach(ids, leaveOut, scenario); };
+  const Outcome edited = bench_.document.edit(tr("Leave variants out"), change);
   if (!edited) bench_.messages.showError(tr("The variant cannot be left out"), edited.error());
 }
 

@@ -31,6 +31,19 @@ Outcome removeBody(const std::string& bodyId, Scenario& scenario);
 Outcome leaveOut(const std::string& bodyId, Scenario& scenario);
 Outcome putBack(const std::string& bodyId, Scenario& scenario);
 
+/// What is done to a body of the scenario, by its id.
+using BodyEdit = Outcome (*)(const std::string& bodyId, Scenario& scenario);
+
+/// Edits one body after the other, up to the first that fails.
+template <class Ids>
+Outcome editEach(const Ids& bodyIds, BodyEdit edit, Scenario& scenario) {
+  for (const std::string& id : bodyIds) {
+    const Outcome edited = edit(id, scenario);
+    if (!edited) return edited;
+  }
+  return Done{};
+}
+
 /// The object starts where its goal was, and the other way round. Not where the goal is "out".
 Outcome swapEnds(Scenario& scenario);
 

@@ -1,6 +1,8 @@
 #include "engine/scenario/hand_run.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 #include "engine/scenario/assembly_edits.h"
 #include "engine/scenario/object_geometry.h"
@@ -11,15 +13,16 @@ namespace {
 
 /// All rigid bodies of the scenario's body are among these, or none is.
 Outcome checkWhole(const std::vector<std::string>& ids, const LoadedScenario& loaded) {
+  const std::set<std::string> named(ids.begin(), ids.end());
+  std::map<std::string, std::string> partOf;  // of the scenario's bodies: one that is named
+  for (const std::string& id : ids) partOf.try_emplace(bodyIdOf(id), id);
   for (const RigidBody& each : rigidBodiesOf(loaded)) {
-    const bool named = std::find(ids.begin(), ids.end(), each.id) != ids.end();
-    const auto sister = std::find_if(ids.begin(), ids.end(), [&](const std::string& id) {
-      return id != each.id && bodyIdOf(id) == bodyIdOf(each.id);
-    });
-    if (named || sister == ids.end()) continue;
-    return Diagnostic{ErrorKind::Usage, loaded.file, "body '" + bodyIdOf(each.id) + "'",
-                      "is several parts in one body of the scenario, of which '" + *sister + "' cannot be moved alone",
-                      "Make a scenario that has each part as a body: New from parts does so with STEP files."};
+    const auto sister = partOf.find(bodyIdOf(each.id));
+    if (sister == partOf.end() || named.count(each.id) > 0) continue;
+    return Diagnostic{
+        ErrorKind::Usage, loaded.file, "body '" + sister->first + "'",
+        "is several parts in one body of the scenario, of which '" + sister->second + "' cannot be moved alone",
+        "Make a scenario that has each part as a body: New from parts does so with STEP files."};
   }
   return Done{};
 }
@@ -71,11 +74,7 @@ Outcome prepareHandRun(const std::vector<std::string>& moving, const std::vector
   }
   turnAbout(middleOf(bodies), loaded, scenario);
   scenario.goal = GoalOut{};
-  for (const std::string& id : bodyIdsOf(gone)) {
-    const Outcome removed = removeBody(id, scenario);
-    if (!removed) return removed;
-  }
-  return Done{};
+  return editEach(bodyIdsOf(gone), removeBody, scenario);
 }
 
 DemandedMotion motionOfRun(const std::vector<RigidBody>& bodies, const std::vector<PathPoint>& path,

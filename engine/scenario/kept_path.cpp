@@ -1,13 +1,12 @@
 #include "engine/scenario/kept_path.h"
 
-#include "engine/scenario/scenario_bodies.h"
-
 #include <algorithm>
 
 #include "engine/planning/coarse/prohibitions.h"
 #include "engine/scenario/kept_path_proof.h"
 #include "engine/scenario/run_record.h"
 #include "engine/scenario/scenario.h"
+#include "engine/scenario/scenario_bodies.h"
 
 namespace glissade {
 namespace {

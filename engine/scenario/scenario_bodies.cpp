@@ -58,4 +58,9 @@ std::vector<RigidBody> rigidBodiesOf(const LoadedScenario& loaded) {
   return bodies;
 }
 
+const RigidBody& rigidBodyAt(std::size_t body, const LoadedScenario& loaded) {
+  const std::size_t others = loaded.obstacles.size();
+  return body < others ? loaded.obstacles[body] : loaded.objectBodies[body - others];
+}
+
 }  // namespace glissade

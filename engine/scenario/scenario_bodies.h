@@ -29,5 +29,7 @@ double largestOf(const std::map<std::string, double>& values, const std::vector<
 
 /// The rigid bodies of the product: those of the obstacles in their order, then those of the object at its start.
 std::vector<RigidBody> rigidBodiesOf(const LoadedScenario& loaded);
+/// The one of this number among them.
+const RigidBody& rigidBodyAt(std::size_t body, const LoadedScenario& loaded);
 
 }  // namespace glissade

@@ -66,14 +66,13 @@ AssembledProduct bodiesOf(const LoadedScenario& scenario) {
 }
 
 AssembledProduct objectAndOthers(const LoadedScenario& scenario) {
-  if (!scenario.scenario.object.isGroup()) return bodiesOf(scenario);
-  AssembledProduct product;
-  product.bodies = scenario.obstacles;
+  AssembledProduct product = bodiesOf(scenario);
+  if (!scenario.scenario.object.isGroup()) return product;
+  const std::size_t others = scenario.obstacles.size();
+  product.bodies.resize(others);
   product.bodies.push_back(scenario.object);
-  for (const RigidBody& body : scenario.obstacles) {
-    product.deflections.push_back(valueOf(scenario.deflections, body.id));
-    product.spacings.push_back(valueOf(scenario.coordinateSpacings, body.id));
-  }
+  product.deflections.resize(others);
+  product.spacings.resize(others);
   product.deflections.push_back(largestOf(scenario.deflections, scenario.objectBodies));
   product.spacings.push_back(largestOf(scenario.coordinateSpacings, scenario.objectBodies));
   product.fits = fitsOfGroup(scenario.scenario.fits, scenario.objectBodies, scenario.object.id);
