@@ -111,6 +111,38 @@ TEST_F(SequenceWindow, AStepIsMovedByHandAndItsPathComesBack) {
                                 "expect-sequence steps 10\n")));
 }
 
+/// Two blocks that leave together, in the hand as one.
+TEST_F(SequenceWindow, AGroupIsMovedByHandAndItsPathComesBack) {
+  const auto block = [](const char* id, const char* x) {
+    return QStringLiteral(R"({"id": "%1", "geometry": {"box": [0.1, 0.1, 0.1]},
+      "pose": {"position": [%2, 0, 0], "orientation": [0, 0, 0, 1]}})")
+        .arg(QLatin1String(id), QLatin1String(x));
+  };
+  QFile scenario(file("group.json"));
+  ASSERT_TRUE(scenario.open(QIODevice::WriteOnly));
+  scenario.write(QStringLiteral(R"({"format": "glissade-scenario", "version": 1, "bodies": [
+    {"id": "base", "geometry": {"box": [0.6, 0.3, 0.05]},
+     "pose": {"position": [0, 0, -0.1], "orientation": [0, 0, 0, 1]}}, %1, %2],
+    "object": {"id": "ball", "geometry": {"sphere": {"radius": 0.05}}},
+    "start": {"position": [-0.2, 0, 0], "orientation": [0, 0, 0, 1]}, "goal": "out",
+    "sequence": {"together": [["left", "right"]]}, "workspace": {"min": [-2, -2, -2], "max": [2, 2, 2]}})")
+                     .arg(block("left", "0"), block("right", "0.15"))
+                     .toUtf8());
+  scenario.close();
+  expectGood(run(file("group.json"), QStringLiteral("plan-sequence all\nexpect-sequence steps 2\nexpect-row 2 right\n"
+                                                    "show-step 2\naction sequence.by-hand\n"
+                                                    "expect-sequence end none\naction run.start\n"
+                                                    "wait solved 20000\nexpect-sequence end complete\n"
+                                                    "expect-sequence steps 2\nexport-sequence %1\n")
+                                         .arg(file("group-plan.json"))));
+  QProcess check;
+  check.start(QString::fromStdString(programDirectory() + "/glissade-cli"),
+              {QStringLiteral("check"), file("group.json"), file("group-plan.json")});
+  EXPECT_TRUE(check.waitForFinished(60000));
+  EXPECT_EQ(check.exitCode(), 0);
+  EXPECT_TRUE(content("group-plan.json").contains("\"motions\"")) << "the path is a demand";
+}
+
 TEST_F(SequenceWindow, EveryFormatIsWritten) {
   expectGood(runOnStand(QStringLiteral("plan-sequence all\naction sequence.assembly-order\nexport-sequence %1\n"
                                        "export-sequence %2\nexport-sequence %3\nexport-sequence %4\n")
