@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "engine/check/course.h"
@@ -30,6 +31,14 @@ inline constexpr double kRelativeError = 1e-9;
 inline constexpr double kCoordinateError = 4e-15;
 /// Where that comes to more than this share of the clearance, it is undecided.
 inline constexpr double kErrorShare = 0.05;
+
+/// Of two surfaces. The search ends where none is nearer than `enough`: then the result is that, without points.
+inline fcl::DistanceResultd between(const Model& fixed, const Model& moving, const fcl::Transform3d& X_WB,
+                                    double enough) {
+  fcl::DistanceResultd gap(enough);
+  fcl::distance(&fixed, fcl::Transform3d::Identity(), &moving, X_WB, fcl::DistanceRequestd(true), gap);
+  return gap;
+}
 
 inline void addTriangles(Model& model, const TriangleMesh& mesh) {
   std::vector<fcl::Vector3d> points(mesh.vertices.begin(), mesh.vertices.end());
@@ -67,7 +76,7 @@ struct MotionCheck::Group {
   double coordinates;        ///< the largest of the obstacles and of the object in its own frame, together
 
   Group(const TriangleMesh& mesh, double scale)
-      : object(scaled(mesh, Vector3::Constant(scale))),
+      : object(welded(scaled(mesh, Vector3::Constant(scale)))),
         objectSolid(object),
         middle(boundingBox(object).center()),
         radius(0.0),
@@ -97,38 +106,34 @@ struct MotionCheck::Group {
            radius * (1.0 + distances::kRelativeError);
   }
 
-  /// Of those that are nearer than `enough`; farther where there is none.
+  /// Of those that are nearer than `enough`; infinity where there is none.
   Nearest nearest(const fcl::Transform3d& X_WB, double enough) const {
     Nearest found;
     found.distance = std::numeric_limits<double>::infinity();
-    const fcl::Transform3d fixed = fcl::Transform3d::Identity();
     const double error = errorAt(X_WB.translation());
-    double least = enough;
-    for (std::size_t i = 0; i < obstacles.size(); ++i) {
+    for (const auto& [least, i] : byLeastDistance(X_WB)) {
+      const double wanted = std::min(enough, found.distance);
+      if (least > wanted + error) break;
       const Obstacle& obstacle = *obstacles[i];
-      if (leastDistance(obstacle, X_WB) > least + error) continue;
-      fcl::CollisionResultd touch;
-      if (fcl::collide(&obstacle.surface, fixed, &objectSurface, X_WB, fcl::CollisionRequestd(), touch) > 0) {
+      if (touches(obstacle, objectSurface, X_WB)) {
         found.distance = 0.0;
         found.body = numbers[i];
         return found;
       }
-      fcl::DistanceResultd gap;
-      fcl::distance(&obstacle.surface, fixed, &objectSurface, X_WB, fcl::DistanceRequestd(true), gap);
+      const double reach = (wanted + error) * (1.0 + 4.0 * distances::kRelativeError);
+      const fcl::DistanceResultd gap = distances::between(obstacle.surface, objectSurface, X_WB, reach);
       const double distance = std::max(0.0, gap.min_distance * (1.0 - distances::kRelativeError) - error);
-      if (distance >= found.distance) continue;
+      if (distance >= wanted) continue;
       found.distance = distance;
       found.body = numbers[i];
       found.onBody = gap.nearest_points[0];
       found.onMoving = gap.nearest_points[1];
-      least = std::min(least, distance);
     }
     return found;
   }
 
   /// Lower bound on the distance on a whole straight way from there, along which the object does not turn. What
-  /// touches no prism's boundary is inside the prism, or nowhere. Obstacles whose boxes are farther than `enough` are
-  /// not looked at more closely.
+  /// touches no prism's boundary is inside the prism, or nowhere. What is farther than `enough` is not measured.
   double sweptDistance(const fcl::Transform3d& X_WB, const Vector3& way, double enough) const {
     TriangleMesh placed = object;
     for (Vector3& vertex : placed.vertices) vertex = X_WB * vertex;
@@ -150,25 +155,24 @@ struct MotionCheck::Group {
         distances::addTriangles(*swept, sweptBy(placed, way));
         swept->endModel();
       }
-      least = std::min(least, sweptDistance(*obstacle, *swept, placed, way, error));
+      least = std::min(least, sweptDistance(*obstacle, *swept, placed, way, std::min(enough, least), error));
       if (least == 0.0) return 0.0;
     }
     return least;
   }
 
+  /// At most `enough`, about.
   static double sweptDistance(const Obstacle& obstacle, const distances::Model& swept, const TriangleMesh& placed,
-                              const Vector3& way, double error) {
+                              const Vector3& way, double enough, double error) {
     const fcl::Transform3d fixed = fcl::Transform3d::Identity();
-    fcl::CollisionResultd touch;
-    if (fcl::collide(&obstacle.surface, fixed, &swept, fixed, fcl::CollisionRequestd(), touch) > 0) return 0.0;
+    if (touches(obstacle, swept, fixed)) return 0.0;
     for (const Vector3& point : obstacle.solid.partPoints()) {
       for (const auto& [a, b, c] : placed.triangles) {
         if (passesOver(placed.vertices[a], placed.vertices[b], placed.vertices[c], way, point)) return 0.0;
       }
     }
-    fcl::DistanceResultd gap;
-    fcl::distance(&obstacle.surface, fixed, &swept, fixed, fcl::DistanceRequestd(), gap);
-    return std::max(0.0, gap.min_distance * (1.0 - distances::kRelativeError) - error);
+    const double distance = distances::between(obstacle.surface, swept, fixed, enough).min_distance;
+    return std::max(0.0, distance * (1.0 - distances::kRelativeError) - error);
   }
 
   /// Lower bound on the distance while the object turns about the axis from there by any angle and rises along it.
@@ -217,6 +221,20 @@ struct MotionCheck::Group {
   }
 
  private:
+  static bool touches(const Obstacle& obstacle, const distances::Model& moving, const fcl::Transform3d& X_WB) {
+    fcl::CollisionResultd touch;
+    return fcl::collide(&obstacle.surface, fcl::Transform3d::Identity(), &moving, X_WB, fcl::CollisionRequestd(),
+                        touch) > 0;
+  }
+
+  /// The obstacles by leastDistance(), the nearest first.
+  std::vector<std::pair<double, std::size_t>> byLeastDistance(const fcl::Transform3d& X_WB) const {
+    std::vector<std::pair<double, std::size_t>> sorted;
+    for (std::size_t i = 0; i < obstacles.size(); ++i) sorted.emplace_back(leastDistance(*obstacles[i], X_WB), i);
+    std::sort(sorted.begin(), sorted.end());
+    return sorted;
+  }
+
   std::vector<Corners> fixedCorners() const {
     std::vector<Corners> corners;
     for (const ObstaclePtr& obstacle : obstacles) {

@@ -1,46 +1,41 @@
 #include "engine/check/motion_setup.h"
 
 #include <algorithm>
-
-#include "engine/check/thinning.h"
+#include <map>
 
 namespace glissade::check {
-namespace {
-
-MeshPtr taken(const MeshPtr& mesh, const std::vector<double>& allowances) {
-  return allowances.empty() ? mesh : std::make_shared<const TriangleMesh>(thinned(*mesh, allowances));
-}
-
-}  // namespace
-
-JudgedMotion judgeMotion(const MotionQuestion& question, const WorkWatch& watch) {
-  const auto inPathFrame = [&](const MeshPtr& mesh) {
-    return std::make_shared<const TriangleMesh>(transformed(*mesh, question.X_PB));
+JudgedMotion judgeMotion(const MotionQuestion& question, MotionBodies& prepared, const WorkWatch& watch) {
+  std::map<MeshPtr, MeshPtr> inPathFrame;  // the object as it is taken
+  const auto placed = [&](const MeshPtr& mesh) {
+    MeshPtr& known = inPathFrame[mesh];
+    if (!known) known = std::make_shared<const TriangleMesh>(transformed(*mesh, question.X_PB));
+    return known;
   };
-  const MeshPtr whole = inPathFrame(question.moving.mesh);
+  const MeshPtr whole = placed(question.moving.mesh);
   std::vector<MeshPtr> objects;  // for each pair
   std::vector<MeshPtr> others;
   std::vector<const TriangleMesh*> meshes{whole.get()};
   std::vector<Body> bodies{question.moving};
   for (const MotionPair& pair : question.pairs) {
-    objects.push_back(pair.fit.moving.empty() ? whole : inPathFrame(taken(question.moving.mesh, pair.fit.moving)));
-    others.push_back(taken(pair.other->mesh, pair.fit.other));
+    if (watch.stop.stopRequested()) return {{}, "the check was stopped"};
+    objects.push_back(placed(prepared.taken(question.moving.mesh, pair.fit.moving)));
+    others.push_back(prepared.taken(pair.other->mesh, pair.fit.other));
     for (const MeshPtr& mesh : {objects.back(), others.back()}) meshes.push_back(mesh.get());
     bodies.push_back(*pair.other);
   }
-  const double scale = MotionCheck::scaleFor(meshes, bodies);
+  const double scale = prepared.scaleFor(meshes, bodies);
   std::vector<MotionCheck::Against> against;
   std::vector<MotionCheck::Threaded> threads;
   for (std::size_t i = 0; i < question.pairs.size(); ++i) {
     if (watch.stop.stopRequested()) return {{}, "the check was stopped"};
     const MotionPair& pair = question.pairs[i];
-    against.push_back({MotionCheck::prepare(*others[i], pair.other->X_WB, scale), objects[i], pair.fit.isThinned()});
+    against.push_back({prepared.obstacle(others[i], pair.other->X_WB, scale), objects[i], pair.fit.isThinned()});
     if (!pair.fit.thread) continue;
     Thread thread = *pair.fit.thread;
     thread.other = i;
     thread.assembled = thread.assembled * inverse(question.X_PB);
-    threads.push_back(
-        {thread, pair.other->mesh, pair.other->X_WB, MotionCheck::prepare(*pair.other->mesh, pair.other->X_WB, scale)});
+    const auto wholeOther = prepared.obstacle(pair.other->mesh, pair.other->X_WB, scale);
+    threads.push_back({thread, pair.other->mesh, pair.other->X_WB, wholeOther});
   }
   const MotionCheck check(against, *whole, scale, threads);
   JudgedMotion judged{check.check(question.path, question.demands, watch), ""};

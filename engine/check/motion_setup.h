@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "engine/check/motion_bodies.h"
 #include "engine/check/motion_check.h"
 #include "engine/check/pair_fit.h"
 
@@ -29,7 +30,7 @@ struct JudgedMotion {
   std::string why{};  ///< why it is undecided; else empty
 };
 
-JudgedMotion judgeMotion(const MotionQuestion& question, const WorkWatch& watch);
+JudgedMotion judgeMotion(const MotionQuestion& question, MotionBodies& prepared, const WorkWatch& watch);
 
 /// Of points whose rotations are of unit length.
 std::vector<Pose> configurationsOf(const std::vector<Point>& points);

@@ -146,7 +146,8 @@ PathVerdict judgePath(const Question& question, const Path& path, const WorkWatc
     verdict.refusals.insert(verdict.refusals.end(), pair.fit.refusals.begin(), pair.fit.refusals.end());
     motion.pairs.push_back(std::move(pair));
   }
-  verdict.motion = judgeMotion(motion, watch);
+  MotionBodies prepared(bodies);
+  verdict.motion = judgeMotion(motion, prepared, watch);
   return verdict;
 }
 

@@ -95,8 +95,8 @@ Box3 sweepOf(const std::vector<Pose>& path, double reach) {
 class StepJudge {
  public:
   StepJudge(const Product& product, const NumberedStep& numbered, std::optional<double> required, PlacedBodies& placed,
-            const WorkWatch& watch)
-      : product_(product), numbered_(numbered), placed_(placed), watch_(watch) {
+            MotionBodies& prepared, const WorkWatch& watch)
+      : product_(product), numbered_(numbered), placed_(placed), prepared_(prepared), watch_(watch) {
     required_ = std::numeric_limits<double>::infinity();
     for (const std::size_t body : numbered.group) {
       required_ = std::min(required_, usual(product.bodies[body], ParameterId::RequiredClearance));
@@ -192,7 +192,7 @@ class StepJudge {
       verdict.refusals.insert(verdict.refusals.end(), pair.fit.refusals.begin(), pair.fit.refusals.end());
       motion.pairs.push_back(std::move(pair));
     }
-    JudgedMotion judged = judgeMotion(motion, WorkWatch(watch_.stop));
+    JudgedMotion judged = judgeMotion(motion, prepared_, WorkWatch(watch_.stop));
     judged.verdict.minClearance = std::min(judged.verdict.minClearance, leastOfFar);
     judged.verdict.provedClearance = std::min(judged.verdict.provedClearance, leastOfFar);
     return judged;
@@ -201,6 +201,7 @@ class StepJudge {
   const Product& product_;
   const NumberedStep& numbered_;
   PlacedBodies& placed_;
+  MotionBodies& prepared_;
   const WorkWatch& watch_;
   double required_ = 0.0;
 };
@@ -232,6 +233,7 @@ PlanVerdict judgePlan(const Product& product, const Plan& plan, std::optional<do
   verdict.remaining = verdict.parts - std::min(verdict.parts, removed);
   verdict.steps.resize(steps.size());
   PlacedBodies placed;
+  MotionBodies prepared(product.bodies);
   ThreadTeam team(std::max(1U, std::thread::hardware_concurrency()) - 1);
   std::mutex mutex;
   std::size_t judged = 0;
@@ -239,7 +241,7 @@ PlanVerdict judgePlan(const Product& product, const Plan& plan, std::optional<do
     verdict.steps[i].bodies = steps[i].step->bodies;
     verdict.steps[i].motion.why = "the check was stopped";
     if (watch.stop.stopRequested()) return;
-    verdict.steps[i] = StepJudge(product, steps[i], required, placed, watch).judge();
+    verdict.steps[i] = StepJudge(product, steps[i], required, placed, prepared, watch).judge();
     for (const Demands* demands : {&plan.demands, &product.demands}) {
       if (!verdict.steps[i].againstDemand.empty()) continue;
       verdict.steps[i].againstDemand =

@@ -1,21 +1,51 @@
 #include "engine/check/sweep.h"
 
 #include <algorithm>
-#include <set>
+#include <cmath>
+#include <map>
 #include <utility>
+#include <vector>
 
 namespace glissade::check {
+namespace {
+
+/// Share of the sizes that enter: what is nearer to the plane that an edge sweeps is on neither side of it.
+constexpr double kInPlane = 1e-9;
+
+using Edge = std::pair<std::uint32_t, std::uint32_t>;
+
+/// On which side of the plane that the edge sweeps the corner is: 1, -1; 0: in it.
+int sideOf(const TriangleMesh& mesh, const Edge& edge, std::uint32_t corner, const Vector3& way) {
+  const Vector3 along = mesh.vertices[edge.second] - mesh.vertices[edge.first];
+  const Vector3 out = mesh.vertices[corner] - mesh.vertices[edge.first];
+  const double volume = along.cross(way).dot(out);
+  if (std::abs(volume) <= kInPlane * along.norm() * way.norm() * out.norm()) return 0;
+  return volume > 0.0 ? 1 : -1;
+}
+
+/// Two triangles on either side of what their edge sweeps: their prisms hold it inside.
+bool isInside(const TriangleMesh& mesh, const Edge& edge, const std::vector<std::uint32_t>& corners,
+              const Vector3& way) {
+  return corners.size() == 2 && sideOf(mesh, edge, corners[0], way) * sideOf(mesh, edge, corners[1], way) < 0;
+}
+
+}  // namespace
 
 TriangleMesh sweptBy(const TriangleMesh& mesh, const Vector3& way) {
   TriangleMesh swept = mesh;
   const auto count = static_cast<std::uint32_t>(mesh.vertices.size());
   for (const Vector3& vertex : mesh.vertices) swept.vertices.emplace_back(vertex + way);
-  std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
-  for (const auto& [a, b, c] : mesh.triangles) {
+  std::map<Edge, std::vector<std::uint32_t>> edges;  // the corners that are across
+  for (const TriangleIndices& triangle : mesh.triangles) {
+    const auto& [a, b, c] = triangle;
     swept.triangles.push_back({a + count, b + count, c + count});
-    edges.insert({std::minmax(a, b), std::minmax(b, c), std::minmax(c, a)});
+    for (std::size_t i = 0; i < 3; ++i) {
+      edges[std::minmax(triangle[i], triangle[(i + 1) % 3])].push_back(triangle[(i + 2) % 3]);
+    }
   }
-  for (const auto& [a, b] : edges) {
+  for (const auto& [edge, corners] : edges) {
+    if (isInside(mesh, edge, corners, way)) continue;
+    const auto& [a, b] = edge;
     swept.triangles.push_back({a, b, b + count});
     swept.triangles.push_back({a, b + count, a + count});
   }

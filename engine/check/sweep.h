@@ -4,7 +4,8 @@
 
 namespace glissade::check {
 
-/// What a mesh passes over on a straight way: the boundaries of the prisms that its triangles sweep.
+/// What a mesh passes over on a straight way: the boundary of all prisms that its triangles sweep, together. The faces
+/// between two prisms that are beside each other are left out.
 TriangleMesh sweptBy(const TriangleMesh& mesh, const Vector3& way);
 
 /// Whether a triangle on a straight way passes over the point.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <set>
 #include <tuple>
 #include <vector>
@@ -136,6 +137,7 @@ class ThinBody {
   TriangleMesh thinned() {
     findNormals();
     findRooms();
+    findPieces();
     std::vector<Vector3> moves = movesOf();
     for (int round = 0; round < kRounds; ++round) {
       TriangleMesh result{points_, triangles_};
@@ -170,12 +172,27 @@ class ThinBody {
     }
   }
 
-  /// A face looks inwards from four of its points, as far as could make a difference.
+  /// Of vertices of a face that has an allowance: others stay.
+  std::vector<bool> mayMove() const {
+    std::vector<bool> may(points_.size(), false);
+    for (std::size_t f = 0; f < triangles_.size(); ++f) {
+      if (allowances_[f] <= 0.0) continue;
+      for (const std::uint32_t i : triangles_[f]) may[i] = true;
+    }
+    return may;
+  }
+
+  /// A face looks inwards from four of its points, as far as could make a difference. Where no corner of it may move,
+  /// nothing asks for its room.
   void findRooms() {
+    const std::vector<bool> may = mayMove();
     const double reach = *std::max_element(allowances_.begin(), allowances_.end()) / kThicknessShare;
     const double same = kSameFace * box_.diagonal().norm();
     const BoxRow row(boxes_);
     for (std::size_t f = 0; f < faces_.size(); ++f) {
+      const TriangleIndices& corners = triangles_[f];
+      rooms_.push_back(kThicknessShare * reach);
+      if (std::none_of(corners.begin(), corners.end(), [&](std::uint32_t i) { return may[i]; })) continue;
       const Corners& face = faces_[f];
       const Vector3 middle = (face[0] + face[1] + face[2]) / 3.0;
       double thickness = reach;
@@ -190,7 +207,7 @@ class ThinBody {
           return true;
         });
       }
-      rooms_.push_back(kThicknessShare * thickness);
+      rooms_.back() = kThicknessShare * thickness;
     }
   }
 
@@ -263,35 +280,36 @@ class ThinBody {
   }
 
   /// Vertices that hang together have the same number.
-  std::vector<std::uint32_t> pieces() const {
-    std::vector<std::uint32_t> piece(points_.size());
-    for (std::uint32_t i = 0; i < piece.size(); ++i) piece[i] = i;
-    for (bool changed = true; changed;) {
-      changed = false;
-      for (const auto& [a, b, c] : triangles_) {
-        const std::uint32_t least = std::min({piece[a], piece[b], piece[c]});
-        for (const std::uint32_t i : {a, b, c}) {
-          changed = changed || piece[i] != least;
-          piece[i] = least;
-        }
-      }
+  void findPieces() {
+    piece_.resize(points_.size());
+    std::iota(piece_.begin(), piece_.end(), 0U);
+    for (const auto& [a, b, c] : triangles_) {
+      const std::uint32_t root = pieceOf(a);
+      piece_[pieceOf(b)] = root;
+      piece_[pieceOf(c)] = root;
     }
-    return piece;
+    for (std::uint32_t i = 0; i < piece_.size(); ++i) piece_[i] = pieceOf(i);
+  }
+
+  /// Follows the links to the first vertex of the piece, shortening them on the way.
+  std::uint32_t pieceOf(std::uint32_t i) {
+    while (piece_[i] != i) i = piece_[i] = piece_[piece_[i]];
+    return i;
   }
 
   std::set<std::uint32_t> crossingCorners(const TriangleMesh& thin) const {
-    const std::vector<std::uint32_t> piece = pieces();
     std::set<std::uint32_t> bad;
     const double rounding = kSameFace * box_.diagonal().norm();
     const BoxRow row(boxes_);
     for (const TriangleIndices& moved : thin.triangles) {
       double way = 0.0;
       for (const std::uint32_t i : moved) way = std::max(way, (thin.vertices[i] - points_[i]).norm());
+      if (way == 0.0) continue;
       const double near = std::max(rounding, kStays * way);
       const Corners corners = cornersOf(moved, thin.vertices);
       const Box3 box = boxAround(corners);
       row.visit(box, [&](std::uint32_t f) {
-        if (piece[moved[0]] != piece[triangles_[f][0]]) return true;
+        if (piece_[moved[0]] != piece_[triangles_[f][0]]) return true;
         if (meetAtStillCorner(moved, triangles_[f], thin) || !trianglesCross(corners, faces_[f], near)) return true;
         bad.insert(moved.begin(), moved.end());
         return false;
@@ -309,13 +327,12 @@ class ThinBody {
   /// Of surfaces that do not cross: a point of each connected one decides. It is the middle of the face that has moved
   /// farthest inwards, because other points may be on faces that stay.
   bool isWithin(const TriangleMesh& thin) const {
-    const std::vector<std::uint32_t> piece = pieces();
     std::map<std::uint32_t, std::pair<double, Vector3>> deepest;
     for (std::size_t f = 0; f < triangles_.size(); ++f) {
       const auto& [a, b, c] = triangles_[f];
       const Vector3 middle = (thin.vertices[a] + thin.vertices[b] + thin.vertices[c]) / 3.0;
       const double way = normals_[f].dot((faces_[f][0] + faces_[f][1] + faces_[f][2]) / 3.0 - middle);
-      auto& [most, at] = deepest[piece[a]];
+      auto& [most, at] = deepest[piece_[a]];
       if (way <= most) continue;
       most = way;
       at = middle;
@@ -333,6 +350,7 @@ class ThinBody {
   Box3 box_;
   std::vector<Vector3> normals_;  ///< outwards; zero of a face with next to no area
   std::vector<double> rooms_;
+  std::vector<std::uint32_t> piece_;  ///< of each vertex: the vertices of a connected surface have the same
 };
 
 }  // namespace

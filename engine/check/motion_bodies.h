@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "engine/check/motion_check.h"
+
+namespace glissade::check {
+
+/// What motions of one product are judged against, made once for all of them: bodies taken thinner, and obstacles.
+/// May be asked by several threads at a time.
+class MotionBodies {
+ public:
+  /// `bodies`: of the product, all that motions may be judged against.
+  explicit MotionBodies(const std::vector<Body>& bodies);
+
+  /// The scale of motions in which these meshes take part: of the product's, unless theirs is larger.
+  double scaleFor(const std::vector<const TriangleMesh*>& meshes, const std::vector<Body>& placed) const;
+  /// The mesh taken thinner by the allowance of each triangle; itself where there is none.
+  MeshPtr taken(const MeshPtr& mesh, const std::vector<double>& allowances);
+  MotionCheck::ObstaclePtr obstacle(const MeshPtr& mesh, const Pose& X_WB, double scale);
+
+ private:
+  struct Prepared {
+    MotionCheck::ObstaclePtr obstacle;
+    std::uint64_t askedAt = 0;
+  };
+  struct Place {
+    MeshPtr mesh;
+    std::vector<double> numbers;  ///< of pose and scale
+    auto operator<=>(const Place&) const = default;
+  };
+  void forgetOldest();
+
+  double scale_;
+  std::mutex mutex_;  ///< of what follows
+  std::map<std::pair<MeshPtr, std::vector<double>>, MeshPtr> thinned_;
+  std::map<Place, Prepared> obstacles_;
+  std::size_t triangles_ = 0;  ///< of the obstacles
+  std::uint64_t asked_ = 0;
+};
+
+}  // namespace glissade::check
