@@ -7,9 +7,6 @@
 namespace glissade::check {
 namespace {
 
-/// Triangles of obstacles that are kept: about half a kilobyte each.
-constexpr std::size_t kMostTriangles = 400'000;
-
 double scaleOf(const std::vector<Body>& bodies) {
   std::vector<const TriangleMesh*> meshes;
   for (const Body& body : bodies) meshes.push_back(body.mesh.get());
@@ -18,7 +15,8 @@ double scaleOf(const std::vector<Body>& bodies) {
 
 }  // namespace
 
-MotionBodies::MotionBodies(const std::vector<Body>& bodies) : scale_(scaleOf(bodies)) {}
+MotionBodies::MotionBodies(const std::vector<Body>& bodies, std::size_t keptTriangles)
+    : scale_(scaleOf(bodies)), keptTriangles_(keptTriangles) {}
 
 double MotionBodies::scaleFor(const std::vector<const TriangleMesh*>& meshes, const std::vector<Body>& placed) const {
   return std::max(scale_, MotionCheck::scaleFor(meshes, placed));
@@ -52,7 +50,7 @@ MotionCheck::ObstaclePtr MotionBodies::obstacle(const MeshPtr& mesh, const Pose&
   const auto [entry, isNew] = obstacles_.try_emplace(place, Prepared{std::move(prepared), ++asked_});
   MotionCheck::ObstaclePtr found = entry->second.obstacle;
   if (isNew) triangles_ += mesh->triangles.size();
-  while (triangles_ > kMostTriangles && obstacles_.size() > 1) forgetOldest();
+  while (triangles_ > keptTriangles_ && obstacles_.size() > 1) forgetOldest();
   return found;
 }
 

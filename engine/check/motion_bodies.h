@@ -14,8 +14,9 @@ namespace glissade::check {
 /// May be asked by several threads at a time.
 class MotionBodies {
  public:
-  /// `bodies`: of the product, all that motions may be judged against.
-  explicit MotionBodies(const std::vector<Body>& bodies);
+  /// `bodies`: of the product, all that motions may be judged against. `keptTriangles`: of obstacles, about half a
+  /// kilobyte each; those that were not asked for longest are made again.
+  explicit MotionBodies(const std::vector<Body>& bodies, std::size_t keptTriangles = 400'000);
 
   /// The scale of motions in which these meshes take part: of the product's, unless theirs is larger.
   double scaleFor(const std::vector<const TriangleMesh*>& meshes, const std::vector<Body>& placed) const;
@@ -36,6 +37,7 @@ class MotionBodies {
   void forgetOldest();
 
   double scale_;
+  std::size_t keptTriangles_;
   std::mutex mutex_;  ///< of what follows
   std::map<std::pair<MeshPtr, std::vector<double>>, MeshPtr> thinned_;
   std::map<Place, Prepared> obstacles_;

@@ -39,13 +39,12 @@ TEST(MotionBodies, MakesTheSameOnce) {
 
 /// An obstacle that is no longer kept is made again, and lives on where it is in use.
 TEST(MotionBodies, ForgetsThoseNotAskedForLong) {
-  const MeshPtr large = ball(6);
-  ASSERT_GT(large->triangles.size(), 80'000U);
-  MotionBodies bodies(bodiesOf({large}));
-  const auto first = bodies.obstacle(large, Pose::identity(), 1.0);
-  for (int i = 1; i < 8; ++i) bodies.obstacle(large, Pose::translation({0.1 * i, 0, 0}), 1.0);
+  const MeshPtr mesh = ball(2);
+  MotionBodies bodies(bodiesOf({mesh}), 3 * mesh->triangles.size());
+  const auto first = bodies.obstacle(mesh, Pose::identity(), 1.0);
+  for (int i = 1; i < 4; ++i) bodies.obstacle(mesh, Pose::translation({0.1 * i, 0, 0}), 1.0);
   EXPECT_EQ(first.use_count(), 1);
-  const auto last = bodies.obstacle(large, Pose::translation({0.7, 0, 0}), 1.0);
+  const auto last = bodies.obstacle(mesh, Pose::translation({0.1 * 3, 0, 0}), 1.0);
   EXPECT_EQ(last.use_count(), 2);
 }
 
