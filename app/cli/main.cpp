@@ -216,7 +216,8 @@ CLI::App* addSequence(CLI::App& app, SequenceOptions& options) {
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
   sequence->add_option("--resume", options.resume, "Go on from a plan that has not ended");
-  sequence->add_option("--strategy", options.strategy, "How the order is searched")->capture_default_str();
+  sequence->add_option("--strategy", options.strategy,
+                       "How the order is searched: best-first or greedy (default: best-first, or the resumed plan's)");
   sequence->add_option("--seed", options.seed, "Seed of everything random (default: 1, or the resumed plan's)");
   sequence->add_option("--lanes", options.lanes, "Threads; they do not change the plan")
       ->check(CLI::Range(1, 1024))
@@ -231,11 +232,15 @@ CLI::App* addSequence(CLI::App& app, SequenceOptions& options) {
   sequence->add_option("--place", options.places, "3,name: the body leaves as the third step; 3,name,name: as one");
   sequence->add_option("--forbid", options.forbidden,
                        "name,-z or name,0,0,-1: the body does not leave in this direction");
+  sequence->add_option("--joints", options.joints,
+                       "Joints that the plan keeps to: recognised, suggested (those too that a person would have to "
+                       "confirm) or off (default: the scenario's, or recognised)");
   sequence->add_option("--gravity", options.gravity, "Direction of gravity: x y z (default: the scenario's, or 0 0 -1)")
       ->expected(3);
-  sequence->add_option("--cost", options.cost,
-                       "What a step costs for best-first: balanced, steady, few-tools, short, fragile-first, or an "
-                       "expression (default: the scenario's, or balanced)");
+  sequence->add_option(
+      "--cost", options.cost,
+      "What a step costs for best-first: fitter, balanced, steady, few-tools, short, fragile-first, as-found, "
+      "or an expression (default: the scenario's, or fitter)");
   addPartDeflection(*sequence, options.deflection);
   addWithout(*sequence, options.without);
   addFitOptions(*sequence, options.fits, "on, or the scenario's");

@@ -24,6 +24,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// Complete, and flexible bodies leave without a proof.
+constexpr int kExitWithoutProof = 6;
+
 double secondsSince(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
 /// A line on standard error for each wave, and for each search.
@@ -168,6 +171,14 @@ Result<SequenceDemands> demandsOf(const SequenceOptions& options, SequenceDemand
     demands.gravity = {options.gravity[0], options.gravity[1], options.gravity[2]};
   }
   if (!options.cost.empty()) demands.cost = options.cost;
+  if (!options.joints.empty()) {
+    const auto use = jointUseByName(options.joints);
+    if (!use) {
+      return Diagnostic{ErrorKind::Usage, "", "--joints", "is unknown: " + options.joints,
+                        "Choose recognised, suggested or off."};
+    }
+    demands.jointUse = *use;
+  }
   return demands;
 }
 
@@ -188,17 +199,19 @@ std::vector<std::string> stayingNames(const SequenceOptions& options, const Sequ
 Result<AssemblyPlan> resumedPlan(const SequenceOptions& options) {
   auto plan = readPlan(options.resume);
   if (!plan) return plan;
-  if (plan->strategy != options.strategy || (options.seed && *options.seed != plan->seed) || !options.staying.empty() ||
-      options.deflection > 0.0) {
+  const bool other = !options.strategy.empty() && plan->strategy != options.strategy;
+  if (other || (options.seed && *options.seed != plan->seed) || !options.staying.empty() || options.deflection > 0.0) {
     return Diagnostic{ErrorKind::Usage, options.resume, "",
                       "has a strategy, a seed, staying bodies and a deflection of its own",
                       "Leave out --strategy, --seed, --stay and --deflection, or plan anew."};
   }
   const bool demands = !options.together.empty() || !options.before.empty() || !options.gravity.empty() ||
-                       !options.cost.empty() || !options.places.empty() || !options.forbidden.empty();
+                       !options.cost.empty() || !options.places.empty() || !options.forbidden.empty() ||
+                       !options.joints.empty();
   if (demands && plan->demands != SequenceDemands()) {
-    return Diagnostic{ErrorKind::Usage, options.resume, "", "has demands of its own",
-                      "Leave out --together, --before, --place, --forbid, --gravity and --cost, or plan anew."};
+    return Diagnostic{
+        ErrorKind::Usage, options.resume, "", "has demands of its own",
+        "Leave out --together, --before, --place, --forbid, --gravity, --joints and --cost, or plan anew."};
   }
   return plan;
 }
@@ -223,6 +236,13 @@ std::string toolText(const StepTool& tool, const ProgressHost& host) {
   return text;
 }
 
+/// "every motion certified", but for flexible bodies.
+std::string certifiedText(const AssemblyPlan& plan) {
+  const std::size_t open = plan.removedWithoutProof();
+  if (open == 0) return "every motion certified";
+  return "every motion certified but those of " + std::to_string(open) + " flexible parts";
+}
+
 void printPlan(const AssemblyPlan& plan, const ProgressHost& host, double seconds) {
   const PlanWords words(Language::English, lengthInMillimetres);
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
@@ -230,11 +250,15 @@ void printPlan(const AssemblyPlan& plan, const ProgressHost& host, double second
     std::cout << std::setw(4) << i + 1 << "  " << host.namesOf(step);
     if (step.fastener != FastenerKind::None) std::cout << " (" << fastenerName(step.fastener) << ")";
     std::cout << ": " << step.method;
+    if (!step.certified) std::cout << ", not certified";
     if (!step.proof.nearest.empty()) {
       std::cout << ", clearance " << step.proof.minClearance * 1e3 << " mm to '" << host.nameOf(step.proof.nearest)
                 << "'";
     }
     std::cout << "\n";
+    for (const std::string& text : words.joints(step, host.product(), PlanOrder::Removal)) {
+      std::cout << "      " << text << "\n";
+    }
     if (step.tool.kind != ToolKind::None) std::cout << "      tool: " << toolText(step.tool, host) << "\n";
     for (const std::string& text : words.violations(step, host.product())) {
       std::cout << "      forced, although: " << text << "\n";
@@ -251,13 +275,13 @@ void printPlan(const AssemblyPlan& plan, const ProgressHost& host, double second
     }
     std::cout << (stuck.reason.empty() ? "" : ": ") << stuck.reason << "\n";
   }
-  std::cout << plan.removed() << " of " << plan.parts() << " parts leave in " << plan.steps.size()
-            << " steps, every motion certified, " << seconds << " s\n";
+  std::cout << plan.removed() << " of " << plan.parts() << " parts leave in " << plan.steps.size() << " steps, "
+            << certifiedText(plan) << ", " << seconds << " s\n";
 }
 
 int exitCodeOf(const AssemblyPlan& plan) {
   switch (plan.end) {
-    case PlanEnd::Complete: return 0;
+    case PlanEnd::Complete: return plan.removedWithoutProof() == 0 ? 0 : kExitWithoutProof;
     case PlanEnd::Stuck: return exitCode(ErrorKind::NoPath);
     case PlanEnd::TimeLimit: return exitCode(ErrorKind::LimitReached);
     case PlanEnd::Interrupted: break;
@@ -266,7 +290,7 @@ int exitCodeOf(const AssemblyPlan& plan) {
 }
 
 Outcome checkOptions(const SequenceOptions& options) {
-  if (makeSequenceStrategyRegistry().find(options.strategy) == nullptr) {
+  if (!options.strategy.empty() && makeSequenceStrategyRegistry().find(options.strategy) == nullptr) {
     return Diagnostic{ErrorKind::Usage, "", "--strategy", "is unknown: " + options.strategy,
                       "Choose greedy or best-first."};
   }
@@ -362,10 +386,11 @@ int runSequence(const SequenceOptions& options) {
   ProgressHost host(stop, team, product, begin);
   if (earlier) host.skip(earlier->steps.size());
   AssemblyPlan like;
-  like.strategy = options.strategy;
+  const std::string usual = options.strategy.empty() ? kUsualStrategy : options.strategy;
+  like.strategy = earlier ? earlier->strategy : usual;
   like.demands = *demands;
   like.deflection = deflection;
-  const SequenceRequest request{*staying, options.strategy, seed, *demands, earlier ? &*earlier : nullptr};
+  const SequenceRequest request{*staying, like.strategy, seed, *demands, earlier ? &*earlier : nullptr};
   if (outOfTime) {
     reportWarnings({{ErrorKind::LimitReached, options.file, "--time-limit", "was reached while fits were searched",
                      "Give more time."}});

@@ -11,8 +11,8 @@
 namespace glissade::cli {
 
 struct SequenceOptions {
-  std::string file;  ///< a scenario, or a part file as usualPart() takes it
-  std::string strategy = "greedy";
+  std::string file;                    ///< a scenario, or a part file as usualPart() takes it
+  std::string strategy;                ///< empty: kUsualStrategy, or that of the plan that is resumed
   std::optional<std::uint64_t> seed;   ///< 1, or that of the plan that is resumed
   double timeLimit = 0.0;              ///< seconds; 0: none
   std::size_t lanes = 1;               ///< threads; they do not change the plan
@@ -22,6 +22,7 @@ struct SequenceOptions {
   std::vector<std::string> places;     ///< demands: "3,name" or "3,name,name"
   std::vector<std::string> forbidden;  ///< demands: "name,-z" or "name,0,0,-1"
   std::vector<double> gravity;         ///< its direction; empty: the scenario's, or down
+  std::string joints;                  ///< as of jointUseName(); empty: the scenario's
   std::string cost;                    ///< of best-first: a preset or an expression; empty: the scenario's
   std::vector<std::string> without{};  ///< bodies and assemblies that are left out
   double deflection = 0.0;             ///< metres, of STEP files; 0: by the size of each part
@@ -33,7 +34,8 @@ struct SequenceOptions {
 };
 
 /// glissade-cli sequence: in which order the parts of a product leave, with certified motions. Exit code 0 all parts
-/// but those that stay leave, 1 some are stuck, 5 time limit, 130 interrupted; the plan so far is written always.
+/// but those that stay leave, 6 all do and flexible bodies without a proof, 1 some are stuck, 5 time limit, 130
+/// interrupted; the plan so far is written always.
 int runSequence(const SequenceOptions& options);
 
 }  // namespace glissade::cli

@@ -131,7 +131,7 @@ void SequenceController::plan(bool resume, std::optional<std::size_t> mostSteps)
   job.staying = *staying;
   job.seed = bench_.document.settings().seed;
   job.mostSteps = mostSteps;
-  job.strategy = job.demands.cost.empty() ? "greedy" : "best-first";
+  job.strategy = kUsualStrategy;
   if (goesOn) {
     job.resumed = shown().plan;
     job.seed = job.resumed->seed;

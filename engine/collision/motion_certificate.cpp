@@ -123,6 +123,15 @@ class PathCertifier {
     return result;
   }
 
+  std::optional<RefusedEdge> refusedEdge() {
+    for (std::size_t i = 0; i < demands_.size(); ++i) {
+      if (screwed_[i] > 0.0) continue;
+      const MotionCheck found = check(i, demands_[i].clearance);
+      if (found.status != CertificateStatus::Certified) return RefusedEdge{i, found};
+    }
+    return std::nullopt;
+  }
+
  private:
   const Pose& endOf(std::size_t edge) const { return endOfEdge(path_, edge); }
 
@@ -140,15 +149,6 @@ class PathCertifier {
         screwed_[edge] = shown;
       }
     }
-  }
-
-  std::optional<RefusedEdge> refusedEdge() {
-    for (std::size_t i = 0; i < demands_.size(); ++i) {
-      if (screwed_[i] > 0.0) continue;
-      const MotionCheck found = check(i, demands_[i].clearance);
-      if (found.status != CertificateStatus::Certified) return RefusedEdge{i, found};
-    }
-    return std::nullopt;
   }
 
   MotionCheck check(std::size_t edge, double clearance) {
@@ -291,12 +291,7 @@ MotionCertificate certifyPath(CollisionQuery& query, const std::vector<Pose>& pa
 
 std::optional<RefusedEdge> firstRefusedEdge(CollisionQuery& query, const std::vector<Pose>& path,
                                             const std::vector<EdgeDemand>& demands, const StopToken& stop) {
-  for (std::size_t i = 0; i < demands.size(); ++i) {
-    const MotionCheck found =
-        query.checkMotion(path[i], endOfEdge(path, i), demands[i].clearance, SeekViolation::Any, stop);
-    if (found.status != CertificateStatus::Certified) return RefusedEdge{i, found};
-  }
-  return std::nullopt;
+  return PathCertifier(query, path, demands, stop).refusedEdge();
 }
 
 MotionCertificate certifyPath(CollisionQuery& query, const std::vector<Pose>& path,

@@ -28,12 +28,13 @@ const char* nameOf(StepViolation::Rule rule) {
     case StepViolation::Rule::Fastener: return "fastener";
     case StepViolation::Rule::Standing: return "standing";
     case StepViolation::Rule::Place: return "place";
+    case StepViolation::Rule::Joint: return "joint";
   }
   return "";
 }
 
 check::Step judgedStep(const AssemblyStep& step) {
-  check::Step judged{step.bodies(), judgedPoints(step.path), step.after, {}, {}, true};
+  check::Step judged{step.bodies(), judgedPoints(step.path), step.after, {}, {}, step.certified};
   for (const StepAllowance& each : step.allowances) {
     check::StatedAllowance allowance{each.moving, each.body, each.allowance, each.yields};
     if (each.pitch != 0.0) allowance.pitch = each.pitch;

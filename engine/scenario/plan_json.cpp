@@ -20,6 +20,8 @@ namespace {
 using Json = JsonCursor::Json;
 
 constexpr std::size_t kMostEffort = 64;
+/// Lines of groups of groups.
+constexpr std::size_t kMostLines = 32;
 constexpr std::array<std::pair<PlanEnd, const char*>, 4> kEndNames{{{PlanEnd::Complete, "complete"},
                                                                     {PlanEnd::Stuck, "stuck"},
                                                                     {PlanEnd::TimeLimit, "time_limit"},
@@ -33,8 +35,12 @@ const char* endName(PlanEnd end) {
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-Json toJson(const StepProof& proof) {
-  return {{"status", "certified"},
+/// What a certificate says of itself: a flexible body leaves without a proof.
+constexpr const char* kCertified = "certified";
+constexpr const char* kNotCertified = "not_certified";
+
+Json toJson(const StepProof& proof, bool certified) {
+  return {{"status", certified ? kCertified : kNotCertified},
           {"after_steps", proof.afterSteps},
           {"required_m", proof.required},
           {"proved_clearance_m", number(proof.provedClearance)},
@@ -78,11 +84,12 @@ Json toJson(const StepTool& tool) {
   return json;
 }
 
-constexpr std::array<std::pair<StepViolation::Rule, const char*>, 4> kRuleNames{
+constexpr std::array<std::pair<StepViolation::Rule, const char*>, 5> kRuleNames{
     {{StepViolation::Rule::Before, "before"},
      {StepViolation::Rule::Fastener, "fastener"},
      {StepViolation::Rule::Standing, "standing"},
-     {StepViolation::Rule::Place, "place"}}};
+     {StepViolation::Rule::Place, "place"},
+     {StepViolation::Rule::Joint, "joint"}}};
 
 const char* ruleName(StepViolation::Rule rule) {
   const auto found =
@@ -90,10 +97,28 @@ const char* ruleName(StepViolation::Rule rule) {
   return found->second;
 }
 
+Json toJson(const StepJoint& joint) {
+  Json json{{"kind", jointName(joint.kind)}, {"body", joint.body}, {"others", joint.others}};
+  if (!joint.clamped.empty()) json["clamped"] = joint.clamped;
+  if (!joint.designation.empty()) json["designation"] = joint.designation;
+  if (joint.drive != DriveKind::None) json["drive"] = driveName(joint.drive);
+  if (joint.driveSize > 0.0) json["drive_size_m"] = joint.driveSize;
+  if (joint.bend > 0.0) json["bend_m"] = joint.bend;
+  if (joint.pitch == 0.0) return json;
+  json["diameter_m"] = joint.diameter;
+  json["pitch_m"] = joint.pitch;
+  json["pitch_stated"] = joint.isPitchStated;
+  json["turns"] = joint.turns;
+  return json;
+}
+
 Json toJson(const AssemblyStep& step) {
-  Json json{
-      {"bodies", step.bodies()},           {"method", step.method},      {"wave", step.wave}, {"after", step.after},
-      {"certificate", toJson(step.proof)}, {"allowances", Json::array()}};
+  Json json{{"bodies", step.bodies()},
+            {"method", step.method},
+            {"wave", step.wave},
+            {"after", step.after},
+            {"certificate", toJson(step.proof, step.certified)},
+            {"allowances", Json::array()}};
   if (!step.falling.empty()) json["falling"] = step.falling;
   if (step.fastener != FastenerKind::None) json["fastener"] = fastenerName(step.fastener);
   if (step.tool.kind != ToolKind::None) json["tool"] = toJson(step.tool);
@@ -102,6 +127,24 @@ Json toJson(const AssemblyStep& step) {
   for (const StepViolation& violation : step.violates) {
     json["violates"].push_back({{"rule", ruleName(violation.rule)}, {"bodies", violation.bodies}});
   }
+  for (const StepJoint& joint : step.joints) json["joints"].push_back(toJson(joint));
+  if (step.task != 0) json["task"] = step.task;
+  return json;
+}
+
+Json toJson(const StuckBody& stuck) {
+  return {{"part", stuck.body}, {"blocked_by", stuck.blockedBy}, {"reason", stuck.reason}};
+}
+
+Json toJson(const SubassemblyLine& line) {
+  Json json{{"step", line.step},
+            {"bodies", line.bodies},
+            {"staying", line.staying},
+            {"steps", Json::array()},
+            {"stuck", Json::array()}};
+  for (const AssemblyStep& step : line.steps) json["steps"].push_back(toJson(step));
+  for (const StuckBody& stuck : line.stuck) json["stuck"].push_back(toJson(stuck));
+  for (const SubassemblyLine& each : line.lines) json["lines"].push_back(toJson(each));
   return json;
 }
 
@@ -110,7 +153,8 @@ class PlanReader {
  public:
   AssemblyPlan read(const JsonCursor& at) {
     at.allowOnly({"format", "version", "program", "product", "strategy", "seed", "deflection_m", "parts", "removed",
-                  "end", "certified", "bodies", "staying", "steps", "stuck", "refusals", "waiting", "sequence"});
+                  "end", "certified", "bodies", "staying", "steps", "stuck", "refusals", "waiting", "sequence",
+                  "lines"});
     if (at.at("format").text() != kPlanFormat) at.at("format").fail("is not \"glissade-plan\"");
     if (at.at("version").wholeNumber() != 1) at.at("version").fail("is not 1", "Use a newer Glissade.");
     plan_.strategy = at.at("strategy").nonEmptyText();
@@ -133,7 +177,13 @@ class PlanReader {
       plan_.waiting.push_back(readStep(waiting->element(i)));
     }
     const JsonCursor stuck = at.at("stuck");
-    for (std::size_t i = 0; i < stuck.sizeUpTo(limits::kMostBodies); ++i) readStuck(stuck.element(i));
+    for (std::size_t i = 0; i < stuck.sizeUpTo(limits::kMostBodies); ++i) {
+      plan_.stuck.push_back(readStuck(stuck.element(i)));
+    }
+    const auto lines = at.find("lines");
+    for (std::size_t i = 0; lines && i < lines->sizeUpTo(limits::kMostBodies); ++i) {
+      plan_.lines.push_back(readLine(lines->element(i), plan_.steps.size(), 0));
+    }
     const JsonCursor refusals = at.at("refusals");
     for (std::size_t i = 0; i < refusals.sizeUpTo(kMostEffort * limits::kMostBodies); ++i) {
       readRefusal(refusals.element(i));
@@ -185,7 +235,7 @@ class PlanReader {
 
   AssemblyStep readStep(const JsonCursor& at) const {
     at.allowOnly({"bodies", "method", "wave", "after", "fastener", "tool", "falling", "certificate", "allowances",
-                  "path", "violates"});
+                  "path", "violates", "joints", "task"});
     AssemblyStep step;
     const JsonCursor bodies = at.at("bodies");
     std::vector<std::string> ids = readIds(bodies);
@@ -210,7 +260,13 @@ class PlanReader {
       step.violates.push_back(readViolation(violates->element(i)));
     }
     step.wave = static_cast<std::size_t>(at.at("wave").wholeNumber());
-    step.proof = readProof(at.at("certificate"));
+    step.certified = readCertified(at.at("certificate").at("status"));
+    step.proof = readProof(at.at("certificate"), step.certified);
+    const auto joints = at.find("joints");
+    for (std::size_t i = 0; joints && i < joints->sizeUpTo(limits::kMostBodies); ++i) {
+      step.joints.push_back(readJoint(joints->element(i)));
+    }
+    if (const auto task = at.find("task")) step.task = static_cast<std::size_t>(task->wholeNumber());
     const JsonCursor allowances = at.at("allowances");
     for (std::size_t i = 0; i < allowances.sizeUpTo(limits::kMostBodies); ++i) {
       step.allowances.push_back(readAllowance(allowances.element(i)));
@@ -224,7 +280,7 @@ class PlanReader {
     const std::string rule = at.at("rule").text();
     const auto known =
         std::find_if(kRuleNames.begin(), kRuleNames.end(), [&](const auto& each) { return rule == each.second; });
-    if (known == kRuleNames.end()) at.at("rule").fail("is not before, fastener, standing or place");
+    if (known == kRuleNames.end()) at.at("rule").fail("is not before, fastener, standing, place or joint");
     return {known->first, readIds(at.at("bodies"))};
   }
 
@@ -255,11 +311,39 @@ class PlanReader {
     return after;
   }
 
-  StepProof readProof(const JsonCursor& at) const {
+  static bool readCertified(const JsonCursor& at) {
+    const std::string status = at.text();
+    if (status != kCertified && status != kNotCertified) at.fail("is not certified or not_certified");
+    return status == kCertified;
+  }
+
+  StepJoint readJoint(const JsonCursor& at) const {
+    at.allowOnly({"kind", "body", "others", "clamped", "designation", "drive", "drive_size_m", "bend_m", "diameter_m",
+                  "pitch_m", "pitch_stated", "turns"});
+    const auto kind = jointByName(at.at("kind").text());
+    if (!kind) at.at("kind").fail("is not a kind of joint");
+    StepJoint joint{*kind, readId(at.at("body")), readIds(at.at("others"))};
+    if (const auto clamped = at.find("clamped")) joint.clamped = readIds(*clamped);
+    if (const auto designation = at.find("designation")) joint.designation = designation->text();
+    if (const auto drive = at.find("drive")) {
+      const auto known = driveByName(drive->text());
+      if (!known) drive->fail("is not a kind of drive");
+      joint.drive = *known;
+    }
+    if (const auto size = at.find("drive_size_m")) joint.driveSize = readLength(*size);
+    if (const auto bend = at.find("bend_m")) joint.bend = readLength(*bend);
+    if (const auto diameter = at.find("diameter_m")) joint.diameter = readLength(*diameter);
+    if (const auto pitch = at.find("pitch_m")) joint.pitch = pitch->coordinate();
+    if (const auto stated = at.find("pitch_stated")) joint.isPitchStated = stated->boolean();
+    if (const auto turns = at.find("turns")) joint.turns = readLength(*turns);
+    return joint;
+  }
+
+  StepProof readProof(const JsonCursor& at, bool certified) const {
     at.allowOnly({"status", "after_steps", "required_m", "proved_clearance_m", "min_clearance_m", "nearest"});
-    if (at.at("status").text() != "certified") at.at("status").fail("is not \"certified\"");
     StepProof proof;
     proof.afterSteps = readAfter(at.at("after_steps"));
+    if (!certified) return proof;
     proof.required = at.at("required_m").positiveNumber();
     proof.provedClearance = readLength(at.at("proved_clearance_m"));
     proof.minClearance = readLength(at.at("min_clearance_m"));
@@ -296,11 +380,41 @@ class PlanReader {
     return allowance;
   }
 
-  void readStuck(const JsonCursor& at) {
+  StuckBody readStuck(const JsonCursor& at) const {
     at.allowOnly({"part", "blocked_by", "reason"});
-    plan_.stuck.push_back({readId(at.at("part")), readIds(at.at("blocked_by"))});
-    if (const auto reason = at.find("reason")) plan_.stuck.back().reason = reason->text();
-    if (gone_.count(plan_.stuck.back().body) != 0) at.at("part").fail("stays, or has left");
+    StuckBody stuck{readId(at.at("part")), readIds(at.at("blocked_by"))};
+    if (const auto reason = at.find("reason")) stuck.reason = reason->text();
+    if (gone_.count(stuck.body) != 0) at.at("part").fail("stays, or has left");
+    return stuck;
+  }
+
+  /// Of a group: its bodies are those that are there, and nothing has left before. `steps`: of what it belongs to.
+  SubassemblyLine readLine(const JsonCursor& at, std::size_t steps, std::size_t depth) const {
+    at.allowOnly({"step", "bodies", "staying", "steps", "stuck", "lines"});
+    if (depth == kMostLines) at.fail("is deeper than " + std::to_string(kMostLines) + " lines");
+    SubassemblyLine line;
+    line.step = static_cast<std::size_t>(at.at("step").wholeNumber());
+    if (line.step == 0 || line.step > steps) at.at("step").fail("is not a step before it");
+    line.bodies = readIds(at.at("bodies"));
+    line.staying = readIds(at.at("staying"));
+    PlanReader inner;
+    inner.known_ = {line.bodies.begin(), line.bodies.end()};
+    inner.gone_ = {line.staying.begin(), line.staying.end()};
+    const JsonCursor own = at.at("steps");
+    for (std::size_t i = 0; i < own.sizeUpTo(limits::kMostBodies); ++i) {
+      inner.plan_.steps.push_back(inner.readStep(own.element(i)));
+      for (const std::string& id : inner.plan_.steps.back().bodies()) inner.gone_.insert(id);
+    }
+    const JsonCursor stuck = at.at("stuck");
+    for (std::size_t i = 0; i < stuck.sizeUpTo(limits::kMostBodies); ++i) {
+      line.stuck.push_back(inner.readStuck(stuck.element(i)));
+    }
+    line.steps = std::move(inner.plan_.steps);
+    const auto lines = at.find("lines");
+    for (std::size_t i = 0; lines && i < lines->sizeUpTo(limits::kMostBodies); ++i) {
+      line.lines.push_back(inner.readLine(lines->element(i), line.steps.size(), depth + 1));
+    }
+    return line;
   }
 
   void readRefusal(const JsonCursor& at) {
@@ -330,7 +444,7 @@ Json planJson(const AssemblyPlan& plan, const std::string& product) {
             {"parts", plan.parts()},
             {"removed", plan.removed()},
             {"end", endName(plan.end)},
-            {"certified", true},
+            {"certified", plan.removedWithoutProof() == 0},
             {"bodies", plan.bodies},
             {"staying", plan.staying},
             {"steps", Json::array()},
@@ -339,9 +453,8 @@ Json planJson(const AssemblyPlan& plan, const std::string& product) {
   addSequence(plan.demands, json);
   for (const AssemblyStep& step : plan.steps) json["steps"].push_back(toJson(step));
   for (const AssemblyStep& step : plan.waiting) json["waiting"].push_back(toJson(step));
-  for (const StuckBody& stuck : plan.stuck) {
-    json["stuck"].push_back({{"part", stuck.body}, {"blocked_by", stuck.blockedBy}, {"reason", stuck.reason}});
-  }
+  for (const StuckBody& stuck : plan.stuck) json["stuck"].push_back(toJson(stuck));
+  for (const SubassemblyLine& line : plan.lines) json["lines"].push_back(toJson(line));
   for (const RefusedRemoval& refused : plan.refusals) {
     json["refusals"].push_back({{"part", refused.body},
                                 {"effort", refused.effort},

@@ -144,7 +144,7 @@ SequenceJson motionJson(const std::vector<PathPoint>& path) {
 
 SequenceDemands readSequence(const JsonCursor& at) {
   at.allowOnly({"together", "before", "gravity", "densities", "stay", "masses", "fragile", "tools", "fasteners", "cost",
-                "attributes", "classes", "places", "motions", "forbidden"});
+                "attributes", "classes", "places", "motions", "forbidden", "joint_use"});
   SequenceDemands demands;
   const auto together = at.find("together");
   for (std::size_t i = 0; together && i < together->sizeUpTo(limits::kMostBodies); ++i) {
@@ -163,6 +163,11 @@ SequenceDemands readSequence(const JsonCursor& at) {
     density.allowOnly({"body", "density"});
     demands.densities.emplace_back(density.at("body").nonEmptyText(), density.at("density").positiveNumber());
   }
+  if (const auto use = at.find("joint_use")) {
+    const auto known = jointUseByName(use->text());
+    if (!known) use->fail("is not off, recognised or suggested");
+    demands.jointUse = *known;
+  }
   readKnowledge(at, demands);
   readSteps(at, demands);
   return demands;
@@ -179,6 +184,7 @@ void addSequence(const SequenceDemands& demands, SequenceJson& json) {
   for (const auto& [body, density] : demands.densities) {
     section["densities"].push_back({{"body", body}, {"density", density}});
   }
+  if (demands.jointUse != SequenceDemands().jointUse) section["joint_use"] = jointUseName(demands.jointUse);
   addKnowledge(demands, section);
   addSteps(demands, section);
   json["sequence"] = std::move(section);

@@ -6,6 +6,7 @@
 
 #include "engine/planning/path.h"
 #include "engine/product/fit.h"
+#include "engine/product/joint.h"
 #include "engine/sequence/fastener_kind.h"
 #include "engine/sequence/order_rules.h"
 #include "engine/sequence/tool_kind.h"
@@ -36,6 +37,24 @@ struct StepTool {
   std::vector<std::string> blockedBy{};  ///< ids of bodies in its way
 };
 
+/// A joint that comes apart by a step: what people read, and what has to be true of the step's motion.
+struct StepJoint {
+  JointKind kind = JointKind::Screw;
+  std::string body;                    ///< id, as Joint::body
+  std::vector<std::string> others{};   ///< ids, as Joint::others
+  std::vector<std::string> clamped{};  ///< ids, as Joint::clamped
+  std::string designation{};           ///< as Joint::designation
+  DriveKind drive = DriveKind::None;
+  double driveSize = 0.0;  ///< metres; 0: not known
+  double diameter = 0.0;   ///< of the thread, metres; 0: it has none
+  double pitch = 0.0;      ///< metres a turn, below 0: left-handed; 0: no thread
+  bool isPitchStated = false;
+  double turns = 0.0;  ///< that the step turns out of it, above 0 whatever the hand; 0: it does not turn
+  double bend = 0.0;   ///< of the hook of a snap, metres
+
+  bool operator==(const StepJoint&) const = default;
+};
+
 /// What was proved of a step's motion: it keeps the required clearance from every body that was there.
 struct StepProof {
   std::size_t afterSteps = 0;    ///< the bodies that were there: those that remain after so many steps of the plan
@@ -51,11 +70,15 @@ struct StepViolation {
     Before,    ///< `bodies` are demanded to leave before
     Fastener,  ///< `bodies` are nuts that are still on it
     Standing,  ///< `bodies` fall
-    Place      ///< it comes at another place than the demanded one: nothing else can leave before
+    Place,     ///< it comes at another place than the demanded one: nothing else can leave before
+    Joint      ///< `bodies` hold it, as screws hold what they clamp
   };
   Rule rule = Rule::Before;
   std::vector<std::string> bodies;  ///< ids
 };
+
+/// AssemblyStep::method of a flexible body, of whose motion nothing is proved.
+inline constexpr const char* kFlexible = "flexible";
 
 /// The removal of one body, or of several that move as one. A motion that was proved against bodies is proved against
 /// any of them.
@@ -64,7 +87,7 @@ struct AssemblyStep {
   /// Of the frame that stands at the first configuration where the product is assembled: that of the body (see
   /// AssembledProduct), or of the group. Every body of the step has X_WB = X(t) X(0)^-1 X_WB(assembled).
   std::vector<PathPoint> path;
-  /// "straight", "turned", "by hand" (kByHand), or "auto" and what found it: "auto: turning-rrt"
+  /// "straight", "turned", "by hand" (kByHand), or "auto" and what found it: "auto: turning-rrt"; kFlexible
   std::string method;
   std::size_t wave = 0;  ///< steps of one wave were found together, from 1
   StepProof proof;
@@ -80,6 +103,11 @@ struct AssemblyStep {
   /// Ids of bodies that stand before the step, and would tip or fall after it: they have to be held.
   std::vector<std::string> falling{};
   std::vector<StepViolation> violates{};  ///< of a step that a person has put at its place
+  std::vector<StepJoint> joints{};        ///< that come apart by the step
+  /// Steps of one task have the same number, from 1: alike joints that clamp the same bodies. 0: it is a task alone.
+  std::size_t task = 0;
+  /// False: of a flexible body. Its path is for the eye, and nothing is proved of it.
+  bool certified = true;
 
   /// Ids of all bodies that leave, the first one first.
   std::vector<std::string> bodies() const {
@@ -109,6 +137,17 @@ struct StuckBody {
   std::string reason{};  ///< for people, with names; may be empty
 };
 
+/// A group that has left, taken apart in a frame of its own: nothing but its bodies is there. They stand as they do
+/// in the assembled product.
+struct SubassemblyLine {
+  std::size_t step = 0;                  ///< by which it has left, number from 1, of the plan or of the line above it
+  std::vector<std::string> bodies{};     ///< ids of all
+  std::vector<std::string> staying{};    ///< ids of those that the others are taken off
+  std::vector<AssemblyStep> steps{};     ///< their numbers (`after`) are those of this line
+  std::vector<StuckBody> stuck{};        ///< that remain together with those that stay
+  std::vector<SubassemblyLine> lines{};  ///< of its groups
+};
+
 /// In which order the bodies of a product leave, each with a certified motion; assembly is the reverse. A value.
 struct AssemblyPlan {
   std::string strategy;  ///< id
@@ -123,14 +162,13 @@ struct AssemblyPlan {
   PlanEnd end = PlanEnd::Complete;
   SequenceDemands demands{};
   double deflection = 0.0;  ///< metres, that the product's STEP file was read with; 0: by the size of each part
+  std::vector<SubassemblyLine> lines{};  ///< of the groups that have left, by step
 
   std::size_t parts() const { return bodies.size() - staying.size(); }
   /// Bodies that leave.
-  std::size_t removed() const {
-    std::size_t count = 0;
-    for (const AssemblyStep& step : steps) count += 1 + step.with.size();
-    return count;
-  }
+  std::size_t removed() const;
+  /// Of them those that leave by a step that is not certified.
+  std::size_t removedWithoutProof() const;
 };
 
 }  // namespace glissade

@@ -5,10 +5,12 @@
 #include <numbers>
 #include <optional>
 
+#include "engine/assembly/body_path.h"
 #include "engine/sequence/greedy_strategy.h"
 #include "engine/sequence/order_search.h"
 #include "engine/sequence/plan_steps.h"
 #include "engine/sequence/step_motion.h"
+#include "engine/sequence/step_tools.h"
 
 namespace glissade {
 namespace {
@@ -25,35 +27,59 @@ double massOf(const BodyGroup& group, const SequenceQuestion& question) {
   return mass;
 }
 
+/// The assemblies of the file that a body is in, the outermost first.
+std::vector<std::string> assembliesOf(const RigidBody& body) {
+  const std::string& path = assembliesAbove(body.id).empty() ? body.name : body.id;
+  return assembliesAbove(path);
+}
+
+/// Levels that one of the two is in, and the other one is not, as a share.
+double assemblyChangeOf(const std::vector<std::string>& one, const std::vector<std::string>& other) {
+  const std::size_t most = std::max(one.size(), other.size());
+  if (most == 0) return 0.0;
+  const auto [end, unused] = std::mismatch(
+      one.begin(), one.begin() + static_cast<std::ptrdiff_t>(std::min(one.size(), other.size())), other.begin());
+  return 1.0 - static_cast<double>(end - one.begin()) / static_cast<double>(most);
+}
+
 class Reordering {
  public:
-  Reordering(const AssemblyPlan& plan, const SequenceQuestion& question, const StepCost& cost)
-      : plan_(plan), question_(question), cost_(cost) {
+  Reordering(const AssemblyPlan& plan, const SequenceQuestion& question, const StepCost& cost, const StopToken& stop)
+      : plan_(plan), question_(question), cost_(cost), stop_(stop) {
     const BodySet all(question.product.bodies.size(), true);
     const double size = boxOf(question.product, all).diagonal().norm();
+    const double volume = boxOf(question.product, all).volume();
+    if (cost.uses("tool_blocked") && !question.tools.empty()) tools_.emplace(plan, question);
     for (const AssemblyStep& step : plan.steps) {
       groups_.push_back(groupOf(step, question.product));
+      const BodyGroup& group = groups_.back();
       StepFigures figures;
       for (const MotionLeg& leg : legsOf(step.path)) {
         figures.length += size > 0.0 ? leg.length / size : 0.0;
         figures.turns += leg.turn / (2.0 * std::numbers::pi);
       }
-      const BodyGroup& group = groups_.back();
       figures.bodies = static_cast<double>(group.size());
       figures.mass = massOf(group, question);
       figures.fragile = !question.fragile.empty() && std::any_of(group.begin(), group.end(), [&](std::size_t body) {
         return question.fragile[body];
       });
       figures.id = step.body;
+      figures.size = volume > 0.0 ? boxVolume(question.product, group) / volume : 0.0;
       figures_.push_back(std::move(figures));
       const std::size_t count = step.path.size();
       const Vector3 way = count < 2 ? Vector3(Vector3::Zero())
                                     : Vector3(step.path[count - 1].q.position - step.path[count - 2].q.position);
       ways_.push_back(way.norm() > 0.0 ? Vector3(way.normalized()) : way);
+      BodySet own(all.size(), false);
+      for (const std::size_t body : group) own[body] = true;
+      places_.push_back(boxOf(question.product, own).center() / (size > 0.0 ? size : 1.0));
+      assemblies_.push_back(assembliesOf(question.product.bodies[group.front()]));
+      const bool single = question.joints != nullptr && group.size() == 1;
+      tasks_.push_back(single ? question.joints->taskOf(group.front()) : 0);
     }
   }
 
-  std::vector<std::size_t> order(const StopToken& stop) const {
+  std::vector<std::size_t> order() {
     OrderQuestion question;
     for (const AssemblyStep& step : plan_.steps) {
       question.after.emplace_back();
@@ -62,24 +88,43 @@ class Reordering {
     question.cost = [this](std::size_t step, const std::size_t* last, const std::vector<bool>& done) {
       return costOfStep(step, last, done);
     };
+    question.atLeast = [this](std::size_t step, const std::size_t* last, const std::vector<bool>& done) {
+      return cost_.of(figuresOf(step, last, done));
+    };
     if (!question_.rules.placed.empty()) {
       for (const BodyGroup& group : groups_) question.fixed.push_back(question_.rules.placeOf(group) != 0);
     }
     question.mostExpansions = question_.standing != nullptr ? kExpansionsWithStanding : kMostOrderExpansions;
-    return cheapestOrder(question, stop);
+    return cheapestOrder(question, stop_);
   }
 
  private:
-  double costOfStep(std::size_t step, const std::size_t* last, const std::vector<bool>& done) const {
+  /// But what is asked of other bodies: what falls, and whether a tool can be brought on.
+  StepFigures figuresOf(std::size_t step, const std::size_t* last, const std::vector<bool>& done) const {
     StepFigures figures = figures_[step];
     figures.directionChange = last == nullptr || ways_[step].dot(ways_[*last]) < kSameWay;
     figures.toolChange = last == nullptr || usesAnotherTool(plan_.steps[step], plan_.steps[*last]);
-    if (question_.standing == nullptr) return cost_.of(figures);
+    figures.taskChange = last == nullptr || tasks_[step] == 0 || tasks_[step] != tasks_[*last];
+    figures.assemblyChange = last == nullptr ? 0.0 : assemblyChangeOf(assemblies_[step], assemblies_[*last]);
+    figures.distance = last == nullptr ? 0.0 : (places_[step] - places_[*last]).norm();
+    const auto left = std::count(done.begin(), done.end(), false);
+    figures.early = static_cast<double>(left - 1) / static_cast<double>(done.size());
+    return figures;
+  }
+
+  double costOfStep(std::size_t step, const std::size_t* last, const std::vector<bool>& done) {
+    StepFigures figures = figuresOf(step, last, done);
     BodySet present(question_.product.bodies.size(), true);
     for (std::size_t other = 0; other < done.size(); ++other) {
       if (done[other]) present = without(std::move(present), groups_[other]);
     }
-    figures.falling = static_cast<double>(question_.standing->newlyFalling(present, groups_[step]).size());
+    if (question_.standing != nullptr && cost_.uses("falling")) {
+      figures.falling = static_cast<double>(question_.standing->newlyFalling(present, groups_[step]).size());
+    }
+    if (tools_) {
+      const auto tool = tools_->toolOf(step, without(std::move(present), groups_[step]), stop_);
+      figures.toolBlocked = tool && tool->access == ToolAccess::Blocked;
+    }
     return cost_.of(figures);
   }
 
@@ -89,27 +134,55 @@ class Reordering {
 
   const AssemblyPlan& plan_;
   const SequenceQuestion& question_;
-  std::vector<BodyGroup> groups_;
   const StepCost& cost_;
-  std::vector<StepFigures> figures_;  ///< what does not depend on the order
-  std::vector<Vector3> ways_;         ///< at the end, unit; zero where it only turns
+  const StopToken& stop_;
+  std::vector<BodyGroup> groups_;
+  std::vector<StepFigures> figures_;                  ///< what does not depend on the order
+  std::vector<Vector3> ways_;                         ///< at the end, unit; zero where it only turns
+  std::vector<Vector3> places_;                       ///< middles, by the diagonal of the product's box
+  std::vector<std::vector<std::string>> assemblies_;  ///< of the file, of the first body
+  std::vector<std::size_t> tasks_;
+  std::optional<ToolFacts> tools_;  ///< where the cost asks
 };
+
+/// Bodies that are there when the first steps of the plan have been carried out, for each number of them.
+std::vector<BodySet> presentAfter(const AssemblyPlan& plan, const SequenceQuestion& question) {
+  std::vector<BodySet> present{BodySet(question.product.bodies.size(), true)};
+  for (const AssemblyStep& step : plan.steps) {
+    present.push_back(without(present.back(), groupOf(step, question.product)));
+  }
+  return present;
+}
+
+/// What was proved against bodies is proved against any of them, and says what is nearest while that one is there.
+bool isStillProved(const AssemblyStep& step, const BodySet& proved, const BodySet& present,
+                   const AssembledProduct& product) {
+  for (std::size_t body = 0; body < present.size(); ++body) {
+    if (present[body] && !proved[body]) return false;
+  }
+  return step.proof.nearest.empty() || present[*product.indexOf(step.proof.nearest)];
+}
 
 /// The steps in another order, each certified against the bodies that are there then; nothing where that fails.
 std::optional<std::vector<AssemblyStep>> reordered(const AssemblyPlan& plan, const std::vector<std::size_t>& order,
                                                    const SequenceQuestion& question, const StopToken& stop) {
   std::vector<std::size_t> numberOf(order.size());
   for (std::size_t place = 0; place < order.size(); ++place) numberOf[order[place]] = place + 1;
+  const std::vector<BodySet> before = presentAfter(plan, question);
   std::vector<AssemblyStep> steps;
   BodySet present(question.product.bodies.size(), true);
   for (const std::size_t step : order) {
-    const AssemblyStep& earlier = plan.steps[step];
-    const BodyGroup group = groupOf(earlier, question.product);
-    const auto removed = question.trial.certified(group, earlier.path, earlier.method, present, stop);
-    if (!removed) return std::nullopt;
-    AssemblyStep next = makeStep(group, *removed, question, steps.size());
+    AssemblyStep next = plan.steps[step];
+    const BodyGroup group = groupOf(next, question.product);
+    if (next.certified && !isStillProved(next, before[next.proof.afterSteps], present, question.product)) {
+      const auto removed = question.trial.certified(group, next.path, next.method, present, stop);
+      if (!removed) return std::nullopt;
+      next.proof = makeStep(group, *removed, question, steps.size()).proof;
+    }
+    next.proof.afterSteps = steps.size();
     next.wave = steps.size() + 1;
-    for (const std::size_t number : earlier.after) next.after.push_back(numberOf[number - 1]);
+    next.after.clear();
+    for (const std::size_t number : plan.steps[step].after) next.after.push_back(numberOf[number - 1]);
     std::sort(next.after.begin(), next.after.end());
     BodyGroup falling;
     if (question.standing != nullptr) falling = question.standing->newlyFalling(present, group);
@@ -131,7 +204,8 @@ AssemblyPlan BestFirstStrategy::plan(const SequenceQuestion& question, SequenceH
   if (plan.end == PlanEnd::Interrupted || host.stopToken().stopRequested()) return plan;
   const auto usual = StepCost::of(SequenceDemands());
   const StepCost& cost = question.cost != nullptr ? *question.cost : *usual;
-  const auto order = Reordering(plan, question, cost).order(host.stopToken());
+  const auto order = Reordering(plan, question, cost, host.stopToken()).order();
+  if (std::is_sorted(order.begin(), order.end())) return plan;
   if (auto steps = reordered(plan, order, question, host.stopToken())) plan.steps = std::move(*steps);
   return plan;
 }

@@ -9,13 +9,14 @@
 namespace glissade {
 
 DemandingTrial::DemandingTrial(RemovalTrial& inner, const OrderRules& rules, const AssembledProduct& product,
-                               const AssemblyPlan* known)
-    : inner_(inner), rules_(rules), product_(product) {
+                               const AssemblyPlan* known, const JointRules* joints)
+    : inner_(inner), rules_(rules), product_(product), joints_(joints) {
   if (known == nullptr) return;
   for (const auto* steps : {&known->steps, &known->waiting}) {
     for (const AssemblyStep& step : *steps) {
       const BodyGroup group = groupOf(step, product);
-      if (step.path.size() < 2 || isForbidden(exitDirection(step.path), rules.forbiddenTo(group))) continue;
+      if (!step.certified || step.path.size() < 2 || isForbidden(exitDirection(step.path), rules.forbiddenTo(group)))
+        continue;
       known_[group] = {group, step.path, step.method};
     }
   }
@@ -25,7 +26,7 @@ RemovalAnswer DemandingTrial::tryRemoval(const BodyGroup& group, const BodySet& 
                                          const StopToken& stop) {
   if (const auto* motion = rules_.motionOf(group)) return byMotion(*motion, present, stop);
   const auto known = known_.find(group);
-  if (effort > 0 && known != known_.end() && known->second.method != kByHand) {
+  if (effort > 0 && known != known_.end() && known->second.method != kByHand && !isOfJoint(group, present)) {
     if (besideTheEnd(known->second, without(present, group)).empty()) {
       auto removed = inner_.certified(group, known->second.path, known->second.method, present, stop);
       if (removed) return std::move(*removed);

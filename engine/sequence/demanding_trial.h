@@ -3,6 +3,7 @@
 #include <map>
 
 #include "engine/sequence/assembly_plan.h"
+#include "engine/sequence/joint_rules.h"
 #include "engine/sequence/order_rules.h"
 #include "engine/sequence/removal_trial.h"
 
@@ -12,9 +13,10 @@ namespace glissade {
 /// that motion. Where a motion of an earlier plan is known, it is tried before one is searched.
 class DemandingTrial final : public RemovalTrial {
  public:
-  /// Refers to all but `known`: a plan of the same product, or null.
+  /// Refers to all but `known`: a plan of the same product, or null. `joints`: of a group in a closed thread a known
+  /// motion counts only where it turns; null: there are none.
   DemandingTrial(RemovalTrial& inner, const OrderRules& rules, const AssembledProduct& product,
-                 const AssemblyPlan* known);
+                 const AssemblyPlan* known, const JointRules* joints = nullptr);
 
   int efforts() const override { return inner_.efforts(); }
   RemovalAnswer tryRemoval(const BodyGroup& group, const BodySet& present, int effort, const StopToken& stop) override;
@@ -38,12 +40,16 @@ class DemandingTrial final : public RemovalTrial {
   void learn(const BodyGroup& group, const std::vector<PathPoint>& path) override { inner_.learn(group, path); }
 
  private:
+  bool isOfJoint(const BodyGroup& group, const BodySet& present) const {
+    return joints_ != nullptr && !joints_->opened(group, present).empty();
+  }
   RemovalAnswer byMotion(const OrderRules::GivenMotion& motion, const BodySet& present, const StopToken& stop);
   std::vector<std::size_t> besideTheEnd(const OrderRules::GivenMotion& motion, const BodySet& others) const;
 
   RemovalTrial& inner_;
   const OrderRules& rules_;
   const AssembledProduct& product_;
+  const JointRules* joints_;
   std::map<BodyGroup, OrderRules::GivenMotion> known_;  ///< of an earlier plan
 };
 

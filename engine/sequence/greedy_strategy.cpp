@@ -116,7 +116,7 @@ class GreedySearch {
     if (stopped()) return false;
     if (askAll(openUnits(0, true), 0)) return true;
     if (stopped()) return false;  // what was not asked to the end might have left
-    if (leave()) return true;
+    if (leave() || flexibleLeaves()) return true;
     const int efforts = question_.trial.efforts();
     for (int effort = 0; effort < efforts && !stopped(); ++effort) {
       if (effort == kShortEffort + 1 && groupsLeave(kFewBodies)) return true;
@@ -203,7 +203,10 @@ class GreedySearch {
   std::vector<BodyGroup> openUnits(int effort, bool knowledge) const {
     std::vector<BodyGroup> open;
     for (const BodyGroup& unit : units()) {
-      if (waiting_.count(unit) == 0 && mayLeave(unit, knowledge) && isOpen(unit, effort)) open.push_back(unit);
+      const bool isSearched = effort == 0 || !isFlexible(unit);
+      if (isSearched && waiting_.count(unit) == 0 && mayLeave(unit, knowledge) && isOpen(unit, effort)) {
+        open.push_back(unit);
+      }
     }
     return open;
   }
@@ -215,8 +218,33 @@ class GreedySearch {
     return !stays && !placed && heldBy(group, knowledge).empty();
   }
 
+  /// By what is demanded, and by joints.
   std::vector<std::size_t> heldBy(const BodyGroup& group, bool knowledge) const {
-    return glissade::heldBy(group, present_, question_.rules, knowledge);
+    std::vector<std::size_t> holding = glissade::heldBy(group, present_, question_.rules, knowledge);
+    const BodyGroup screws = heldByJoints(group, present_, question_, knowledge);
+    holding.insert(holding.end(), screws.begin(), screws.end());
+    return holding;
+  }
+
+  bool isFlexible(const BodyGroup& unit) const {
+    return question_.joints != nullptr && unit.size() == 1 && question_.joints->isFlexible(unit.front());
+  }
+
+  /// Where nothing leaves along a line, a flexible body does, the smallest one first: it bends.
+  bool flexibleLeaves() {
+    std::optional<std::size_t> smallest;
+    for (const BodyGroup& unit : units()) {
+      if (!isFlexible(unit) || !mayLeave(unit, false)) continue;
+      if (!smallest || volumes_[unit.front()] < volumes_[*smallest]) smallest = unit.front();
+    }
+    if (!smallest) return false;
+    ++wave_;
+    const BodyGroup unit{*smallest};
+    waiting_[unit] = makeFlexibleStep(*smallest, present_, question_, plan_.steps.size());
+    carryOut(unit, fallingWithout(unit));
+    waiting_.erase(unit);
+    announce();
+    return true;
   }
 
   bool isOpen(const BodyGroup& group, int effort) const {
@@ -334,6 +362,22 @@ class GreedySearch {
            std::any_of(group.begin(), group.end(), [&](std::size_t body) { return question_.fragile[body]; });
   }
 
+  /// By which the smaller groups come first; those of one task come as the smallest one of them.
+  double sizeInOrder(const BodyGroup& group) const {
+    if (isFragile(group)) return -1.0;
+    const std::size_t task = taskOf(group);
+    double size = volumeOf(group);
+    for (const auto& [other, step] : waiting_) {
+      if (task != 0 && taskOf(other) == task && !isFragile(other)) size = std::min(size, volumeOf(other));
+    }
+    return size;
+  }
+
+  /// 0: it is in none with others.
+  std::size_t taskOf(const BodyGroup& group) const {
+    return question_.joints != nullptr && group.size() == 1 ? question_.joints->taskOf(group.front()) : 0;
+  }
+
   /// Those of which a motion is known, fragile bodies first, then the smallest. What lets bodies fall waits, because it
   /// may do without when something else has left. Where all do, the one with the fewest such bodies leaves. False where
   /// none is known.
@@ -341,8 +385,10 @@ class GreedySearch {
     if (waiting_.empty()) return false;
     ++wave_;
     std::vector<std::pair<double, BodyGroup>> bySize;
-    for (const auto& [group, step] : waiting_) bySize.emplace_back(isFragile(group) ? -1.0 : volumeOf(group), group);
-    std::stable_sort(bySize.begin(), bySize.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (const auto& [group, step] : waiting_) bySize.emplace_back(sizeInOrder(group), group);
+    std::stable_sort(bySize.begin(), bySize.end(), [&](const auto& a, const auto& b) {
+      return std::pair(a.first, taskOf(a.second)) < std::pair(b.first, taskOf(b.second));
+    });
     const std::size_t before = plan_.steps.size();
     const BodyGroup* least = nullptr;  // of those after which bodies fall
     BodyGroup leastFalling;
@@ -431,7 +477,33 @@ class GreedySearch {
         }
       }
     }
-    plan_.stuck.push_back({idOf(body), idsOf({blocking.begin(), blocking.end()}), reasonOf(body, holding, blocking)});
+    const std::string joints = jointReason(unit);
+    plan_.stuck.push_back({idOf(body), idsOf({blocking.begin(), blocking.end()}),
+                           joints.empty() ? reasonOf(body, holding, blocking) : joints});
+  }
+
+  /// "held by 4 screws M3x8: remove these first", and why these do not leave; empty where no joint holds the unit.
+  std::string jointReason(const BodyGroup& unit) const {
+    if (question_.joints == nullptr) return {};
+    const std::vector<std::size_t> joints = question_.joints->holding(unit, present_, false);
+    if (joints.empty()) return {};
+    std::string reason = question_.joints->inWords(joints) + ": remove these first";
+    for (const std::size_t body : question_.joints->holders(joints, unit, present_)) {
+      if (!isBlockedBy(unitOf(body), unit)) continue;
+      const auto name = [&](std::size_t each) { return "'" + question_.product.bodies[each].shown() + "'"; };
+      return reason + "; " + name(body) + " is captive: " + name(unit.front()) + " is in its way";
+    }
+    return reason;
+  }
+
+  bool isBlockedBy(const BodyGroup& unit, const BodyGroup& others) const {
+    const auto refused = refusals_.find(unit);
+    if (refused == refusals_.end()) return false;
+    return std::any_of(refused->second.begin(), refused->second.end(), [&](const auto& each) {
+      const std::vector<std::size_t>& blocking = each.second.blockedBy;
+      return std::any_of(blocking.begin(), blocking.end(),
+                         [&](std::size_t body) { return std::binary_search(others.begin(), others.end(), body); });
+    });
   }
 
   std::string reasonOf(std::size_t body, const std::vector<std::size_t>& holding,

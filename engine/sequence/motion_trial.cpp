@@ -21,7 +21,7 @@ constexpr double kToolClearance = 1e-5;
 }  // namespace
 
 MotionTrial::MotionTrial(const AssembledProduct& product, const ProductFits& fits, std::uint64_t seed, int searches,
-                         Forbidden forbidden)
+                         Forbidden forbidden, const JointRules* joints)
     : fits_(fits),
       bodies_(product.bodies.size()),
       searches_(searches),
@@ -29,12 +29,19 @@ MotionTrial::MotionTrial(const AssembledProduct& product, const ProductFits& fit
       worlds_(product, fits),
       straight_(product, fits, worlds_, forbidden_),
       turned_(fits, worlds_),
-      searched_(product, fits, worlds_, seed) {}
+      joints_(joints),
+      searched_(product, fits, worlds_, seed) {
+  if (joints != nullptr) jointed_.emplace(product, fits, worlds_, *joints);
+}
 
 /// A search is refused by those that block the straight lines and those that the group fits. What a thread holds is not
 /// searched.
 RemovalAnswer MotionTrial::tryRemoval(const BodyGroup& group, const BodySet& present, int effort,
                                       const StopToken& stop) {
+  if (joints_ != nullptr) {
+    const std::vector<std::size_t> opened = joints_->opened(group, present);
+    if (!opened.empty()) return tryTurning(group, present, opened, stop);
+  }
   if (effort == 0) return tryDirectly(group, present, stop);
   RemovalAnswer answer = Refused{};
   if (!turned_.isHeld(group, present)) {
@@ -50,6 +57,16 @@ RemovalAnswer MotionTrial::tryRemoval(const BodyGroup& group, const BodySet& pre
   std::set<std::size_t> blocking(lines->blockedBy.begin(), lines->blockedBy.end());
   for (const BodyFit& fit : fits_.fitsOf(group, present)) blocking.insert(fit.fit.obstacle);
   refused->blockedBy.assign(blocking.begin(), blocking.end());
+  return answer;
+}
+
+/// Threads that a person has marked have a rule of their own in the worlds.
+RemovalAnswer MotionTrial::tryTurning(const BodyGroup& group, const BodySet& present,
+                                      const std::vector<std::size_t>& opened, const StopToken& stop) {
+  RemovalAnswer answer = fits_.isInThread(group, present) ? turned_.tryRemoval(group, present, stop)
+                                                          : jointed_->tryRemoval(group, present, opened, stop);
+  const auto* removed = std::get_if<Removed>(&answer);
+  if (removed != nullptr && !mayLeaveIn(exitDirection(removed->path.points), group)) answer = Refused{};
   return answer;
 }
 
@@ -76,7 +93,8 @@ bool MotionTrial::mayLeaveIn(const Vector3& direction, const BodyGroup& group) c
 
 std::vector<BodyGroup> MotionTrial::groupsAlongLines(const GroupQuestion& question, ThreadTeam& team,
                                                      const StopToken& stop) {
-  return straight_.groups(question, team, stop);
+  if (joints_ == nullptr) return straight_.groups(question, {}, team, stop);
+  return straight_.groups(question, joints_->links(question.present), team, stop);
 }
 
 std::vector<std::size_t> MotionTrial::inTheWay(const BodyGroup& group, const std::vector<PathPoint>& path,

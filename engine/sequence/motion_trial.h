@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/sequence/joint_removal.h"
 #include "engine/sequence/searched_removal.h"
 #include "engine/sequence/straight_removal.h"
 #include "engine/sequence/turned_removal.h"
@@ -16,9 +17,10 @@ class MotionTrial final : public RemovalTrial {
   /// Directions in which bodies may not leave, unit, of each body; empty: all may.
   using Forbidden = std::vector<std::vector<Vector3>>;
 
-  /// Refers to product and fits. `searches`: levels of search beside the straight lines, from 0 to kMostSearches.
+  /// Refers to product, fits and rules. `searches`: levels of search beside the straight lines, from 0 to
+  /// kMostSearches. `joints`: what is in a closed thread leaves by turning only; null: there are none.
   MotionTrial(const AssembledProduct& product, const ProductFits& fits, std::uint64_t seed,
-              int searches = kMostSearches, Forbidden forbidden = {});
+              int searches = kMostSearches, Forbidden forbidden = {}, const JointRules* joints = nullptr);
 
   int efforts() const override { return 1 + searches_; }
   RemovalAnswer tryRemoval(const BodyGroup& group, const BodySet& present, int effort, const StopToken& stop) override;
@@ -37,6 +39,8 @@ class MotionTrial final : public RemovalTrial {
 
  private:
   RemovalAnswer tryDirectly(const BodyGroup& group, const BodySet& present, const StopToken& stop);
+  RemovalAnswer tryTurning(const BodyGroup& group, const BodySet& present, const std::vector<std::size_t>& opened,
+                           const StopToken& stop);
   bool mayLeaveIn(const Vector3& direction, const BodyGroup& group) const;
 
   const ProductFits& fits_;
@@ -46,6 +50,8 @@ class MotionTrial final : public RemovalTrial {
   MotionWorlds worlds_;
   StraightRemoval straight_;
   TurnedRemoval turned_;
+  const JointRules* joints_;
+  std::optional<JointRemoval> jointed_;  ///< where there are joints
   SearchedRemoval searched_;
 };
 

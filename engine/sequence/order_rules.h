@@ -1,12 +1,14 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "engine/base/result.h"
 #include "engine/environment/body_class.h"
+#include "engine/product/joint.h"
 #include "engine/sequence/body_group.h"
 #include "engine/sequence/demanded_steps.h"
 
@@ -14,6 +16,17 @@ namespace glissade {
 
 /// Of steel, kg/m^3.
 inline constexpr double kUsualDensity = 7850.0;
+
+/// Which joints a plan keeps to. What a person has dissolved never counts.
+enum class JointUse {
+  Off,         ///< none: threads that nobody marked may be pulled apart
+  Recognised,  ///< those that the shapes say, or a person
+  Suggested    ///< those that shape, name or class hint at as well
+};
+
+/// "off", "recognised", "suggested".
+const char* jointUseName(JointUse use);
+std::optional<JointUse> jointUseByName(const std::string& name);
 
 /// What a person demands of an assembly plan, and knows of its bodies; bodies by id, or by the end of ids behind a "/".
 struct SequenceDemands {
@@ -32,6 +45,8 @@ struct SequenceDemands {
   std::vector<DemandedPlace> places{};             ///< steps at places
   std::vector<DemandedMotion> motions{};           ///< of these bodies the only ones
   std::vector<ForbiddenDirection> forbidden{};
+  JointUse jointUse = JointUse::Recognised;
+  std::vector<JointEdit> joints{};  ///< what a person says of joints
 
   bool operator==(const SequenceDemands&) const = default;
 };

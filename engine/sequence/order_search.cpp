@@ -24,15 +24,27 @@ bool mayFollow(std::size_t step, const CarriedOut& done, const OrderQuestion& qu
 
 const std::size_t* lastOf(const std::vector<std::size_t>& order) { return order.empty() ? nullptr : &order.back(); }
 
+/// The steps that may follow, each with what it costs at least; the cheapest first, of equal ones the first.
+std::vector<std::pair<double, std::size_t>> mayComeNext(const std::vector<std::size_t>& order, const CarriedOut& done,
+                                                        const OrderQuestion& question) {
+  std::vector<std::pair<double, std::size_t>> steps;
+  for (std::size_t step = 0; step < done.size(); ++step) {
+    if (!mayFollow(step, done, question)) continue;
+    steps.emplace_back(question.atLeast ? question.atLeast(step, lastOf(order), done) : 0.0, step);
+  }
+  std::sort(steps.begin(), steps.end());
+  return steps;
+}
+
 /// Always the cheapest step, the first one of equal ones. Shorter where no step may follow.
 std::vector<std::size_t> completed(std::vector<std::size_t> order, CarriedOut done, const OrderQuestion& question) {
   while (order.size() < done.size()) {
     std::size_t cheapest = done.size();
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t step = 0; step < done.size(); ++step) {
-      if (!mayFollow(step, done, question)) continue;
+    for (const auto& [atLeast, step] : mayComeNext(order, done, question)) {
+      if (atLeast > least) break;
       const double cost = question.cost(step, lastOf(order), done);
-      if (cheapest != done.size() && cost >= least) continue;
+      if (cheapest != done.size() && std::pair(cost, step) >= std::pair(least, cheapest)) continue;
       least = cost;
       cheapest = step;
     }

@@ -13,6 +13,9 @@ struct OrderQuestion {
   std::vector<std::vector<std::size_t>> after;
   /// What a step costs (>= 0) behind another one, or as the first one (nothing), when `done` have been carried out.
   std::function<double(std::size_t step, const std::size_t* last, const std::vector<bool>& done)> cost;
+  /// No more than `cost`, and found more quickly: where it exceeds another step's cost, `cost` is not asked. Null: it
+  /// is always asked.
+  std::function<double(std::size_t step, const std::size_t* last, const std::vector<bool>& done)> atLeast{};
   std::size_t mostExpansions = 2000;
   /// Steps that keep their index in the order; empty: none. Where some do, `after` has to allow for the order 0, 1, ...
   std::vector<bool> fixed{};

@@ -45,6 +45,22 @@ class Renaming {
       one(allowance.body);
       one(allowance.moving);
     }
+    for (StepJoint& joint : step.joints) {
+      one(joint.body);
+      all(joint.others);
+      all(joint.clamped);
+    }
+  }
+  void line(SubassemblyLine& line) const {
+    all(line.bodies);
+    all(line.staying);
+    for (AssemblyStep& each : line.steps) step(each);
+    for (StuckBody& each : line.stuck) stuck(each);
+    for (SubassemblyLine& each : line.lines) this->line(each);
+  }
+  void stuck(StuckBody& stuck) const {
+    one(stuck.body);
+    all(stuck.blockedBy);
   }
   void demands(SequenceDemands& demands) const {
     for (auto& group : demands.together) all(group);
@@ -64,6 +80,10 @@ class Renaming {
       for (auto& each : *texts) one(each.first);
     }
     std::map<std::string, Attributes> attributes;
+    for (JointEdit& edit : demands.joints) {
+      one(edit.key.body);
+      all(edit.key.others);
+    }
     for (auto& [id, own] : demands.attributes) {
       std::string name = id;
       one(name);
@@ -99,10 +119,8 @@ std::optional<AssemblyPlan> planAbout(const AssembledProduct& product, const Ass
     rename.all(refused.with);
     rename.all(refused.blockedBy);
   }
-  for (StuckBody& stuck : renamed.stuck) {
-    rename.one(stuck.body);
-    rename.all(stuck.blockedBy);
-  }
+  for (StuckBody& stuck : renamed.stuck) rename.stuck(stuck);
+  for (SubassemblyLine& line : renamed.lines) rename.line(line);
   rename.demands(renamed.demands);
   return renamed;
 }

@@ -5,6 +5,8 @@
 #include <set>
 #include <utility>
 
+#include "engine/sequence/removal_directions.h"
+
 namespace glissade {
 namespace {
 
@@ -43,6 +45,11 @@ std::vector<std::size_t> heldBy(const BodyGroup& group, const BodySet& present, 
   return holding;
 }
 
+BodyGroup heldByJoints(const BodyGroup& group, const BodySet& present, const SequenceQuestion& question, bool strict) {
+  if (question.joints == nullptr) return {};
+  return question.joints->holders(question.joints->holding(group, present, strict), group, present);
+}
+
 std::vector<StepViolation> violationsOf(const BodyGroup& group, const BodySet& present, const BodyGroup& falling,
                                         std::size_t number, const SequenceQuestion& question) {
   std::vector<StepViolation> violations;
@@ -58,6 +65,7 @@ std::vector<StepViolation> violationsOf(const BodyGroup& group, const BodySet& p
   }
   add(StepViolation::Rule::Before, demanded);
   add(StepViolation::Rule::Fastener, nuts);
+  add(StepViolation::Rule::Joint, heldByJoints(group, present, question, true));
   add(StepViolation::Rule::Standing, falling);
   if (question.rules.placeOf(group) != number) violations.push_back({StepViolation::Rule::Place, {}});
   return violations;
@@ -102,6 +110,27 @@ AssemblyStep makeStep(const BodyGroup& group, const Removed& removed, const Sequ
   const int nearest = certificate.nearest.body;
   if (nearest >= 0) step.proof.nearest = product.bodies[static_cast<std::size_t>(nearest)].id;
   addAllowances(step, group, removed.fits, product);
+  return step;
+}
+
+AssemblyStep makeFlexibleStep(std::size_t body, const BodySet& present, const SequenceQuestion& question,
+                              std::size_t afterSteps) {
+  const RigidBody& own = question.product.bodies[body];
+  Vector3 direction = Vector3::UnitZ();
+  for (const Joint& joint : question.joints->joints()) {
+    if (joint.kind == JointKind::Flexible && joint.body == body) direction = joint.direction;
+  }
+  const double margin = leavingMargin(radiusAboutOrigin(*own.mesh));
+  Pose end = own.X_WB;
+  end.position +=
+      wayOutOf(boundingBox(*own.mesh, own.X_WB), boxOf(question.product, without(present, {body})), direction, margin) *
+      direction;
+  AssemblyStep step;
+  step.body = own.id;
+  step.path = {{own.X_WB}, {end}};
+  step.method = kFlexible;
+  step.proof.afterSteps = afterSteps;
+  step.certified = false;
   return step;
 }
 

@@ -2,8 +2,11 @@
 
 #include "engine/sequence/demanding_trial.h"
 #include "engine/sequence/fasteners.h"
+#include "engine/sequence/joined_units.h"
+#include "engine/sequence/joint_rules.h"
 #include "engine/sequence/motion_trial.h"
 #include "engine/sequence/standing.h"
+#include "engine/sequence/step_joints.h"
 #include "engine/sequence/step_tools.h"
 
 namespace glissade {
@@ -54,7 +57,11 @@ Result<AssemblyPlan> planSequence(const AssembledProduct& product, const Product
   }
   auto rules = resolved(request.demands, product);
   if (!rules) return rules.error();
-  const Outcome places = checkPlaces(product, *rules, request.staying);
+  JointRules joints(request.joints != nullptr ? countingJoints(*request.joints, request.demands.jointUse) : Joints(),
+                    product);
+  const BodySet staying = withJoined(request.staying, joints.bonded());
+  joinUnits(joints.bonded(), product, *rules);
+  const Outcome places = checkPlaces(product, *rules, staying);
   if (!places) return places.error();
   const auto cost = StepCost::of(request.demands);
   if (!cost) return cost.error();
@@ -63,16 +70,18 @@ Result<AssemblyPlan> planSequence(const AssembledProduct& product, const Product
   if (!tools) return tools.error();
   for (const OrderRule& rule : fastenerRules(fasteners, fits.contacts())) rules->before.push_back(rule);
   Standing standing(product,
-                    {fits.contacts(), fasteners, request.staying, densitiesOf(request.demands, product),
+                    {fits.contacts(), fasteners, staying, densitiesOf(request.demands, product),
                      request.demands.gravity, massesOf(request.demands, product)},
                     host.team());
-  MotionTrial motions(product, fits, request.seed, MotionTrial::kMostSearches, rules->forbidden);
-  DemandingTrial trial(motions, *rules, product, request.known);
-  const SequenceQuestion question{product,   request.staying, request.seed,
+  const JointRules* counting = joints.joints().empty() ? nullptr : &joints;
+  MotionTrial motions(product, fits, request.seed, MotionTrial::kMostSearches, rules->forbidden, counting);
+  DemandingTrial trial(motions, *rules, product, request.known, counting);
+  const SequenceQuestion question{product,   staying,         request.seed,
                                   trial,     request.resumed, *rules,
                                   fasteners, &standing,       fragileBodies(product, request.demands),
-                                  *tools,    &*cost};
+                                  *tools,    &*cost,          counting};
   AssemblyPlan plan = strategy->make()->plan(question, host);
+  addJoints(plan, question);
   addTools(plan, question, host);
   plan.demands = request.demands;
   return plan;

@@ -11,18 +11,24 @@
 
 namespace glissade {
 
+/// The strategy where nobody chooses one.
+inline constexpr const char* kUsualStrategy = "best-first";
+
 /// What is asked for when the sequence of a product is planned.
 struct SequenceRequest {
-  BodySet staying;                  ///< bodies that are not to leave
-  std::string strategy = "greedy";  ///< id of the registry
+  BodySet staying;                        ///< bodies that are not to leave
+  std::string strategy = kUsualStrategy;  ///< id of the registry
   std::uint64_t seed = 1;
   SequenceDemands demands{};
   const AssemblyPlan* resumed = nullptr;  ///< as in SequenceQuestion
   /// A plan of the same product with other demands: before a motion is searched, its motion is tried. Or null.
   const AssemblyPlan* known = nullptr;
+  /// Of this product, with what a person says of them; null: they are found, where the demands use them.
+  const Joints* joints = nullptr;
 };
 
-/// Plans with all that is known of the product: its fits, its fasteners, what stands, and the demands. Errors: an
+/// Plans with all that is known of the product: its fits, its joints, its fasteners, what stands, and the demands. What
+/// is one body with one that stays, stays too. Errors: an
 /// unknown strategy, demands that name no body or contradict each other.
 Result<AssemblyPlan> planSequence(const AssembledProduct& product, const ProductFits& fits,
                                   const SequenceRequest& request, SequenceHost& host);

@@ -8,6 +8,7 @@
 
 #include "engine/base/thread_team.h"
 #include "engine/sequence/assembly_plan.h"
+#include "engine/sequence/joint_rules.h"
 #include "engine/sequence/order_rules.h"
 #include "engine/sequence/removal_trial.h"
 #include "engine/sequence/standing.h"
@@ -29,6 +30,7 @@ struct SequenceQuestion {
   std::vector<bool> fragile{};            ///< of each body; empty: none is
   ToolChoices tools{};                    ///< of each body; empty: not known
   const StepCost* cost = nullptr;         ///< of best-first; null: the usual one
+  const JointRules* joints = nullptr;     ///< null: there are none
 };
 
 /// What a strategy tells while it works, and asks. Called on the strategy's thread.

@@ -15,7 +15,7 @@ struct NamedFigure {
   double (*value)(const StepFigures& figures);
 };
 
-constexpr std::array<NamedFigure, 8> kFigures{{
+constexpr std::array<NamedFigure, 14> kFigures{{
     {"length", [](const StepFigures& figures) { return figures.length; }},
     {"turns", [](const StepFigures& figures) { return figures.turns; }},
     {"direction_change", [](const StepFigures& figures) { return figures.directionChange ? 1.0 : 0.0; }},
@@ -24,6 +24,12 @@ constexpr std::array<NamedFigure, 8> kFigures{{
     {"bodies", [](const StepFigures& figures) { return figures.bodies; }},
     {"mass", [](const StepFigures& figures) { return figures.mass; }},
     {"fragile", [](const StepFigures& figures) { return figures.fragile ? 1.0 : 0.0; }},
+    {"tool_blocked", [](const StepFigures& figures) { return figures.toolBlocked ? 1.0 : 0.0; }},
+    {"task_change", [](const StepFigures& figures) { return figures.taskChange ? 1.0 : 0.0; }},
+    {"assembly_change", [](const StepFigures& figures) { return figures.assemblyChange; }},
+    {"distance", [](const StepFigures& figures) { return figures.distance; }},
+    {"size", [](const StepFigures& figures) { return figures.size; }},
+    {"early", [](const StepFigures& figures) { return figures.early; }},
 }};
 
 const NamedFigure* figureNamed(const std::string& name) {
@@ -56,12 +62,16 @@ std::optional<RuleType> typeOfAttribute(const std::string& name, const std::map<
 }  // namespace
 
 std::vector<StepCostPreset> stepCostPresets() {
-  return {
-      {"balanced", "Balanced", "length + direction_change + tool_change + 10 * falling"},
-      {"steady", "Steady", "100 * falling + 0.1 * (length + direction_change + tool_change)"},
-      {"few-tools", "Few changes of tools", "10 * tool_change + direction_change + length + 10 * falling"},
-      {"short", "Short motions", "length + turns + 10 * falling"},
-      {"fragile-first", "Fragile parts leave first", "if(fragile, 0, 5) + length + direction_change + tool_change"}};
+  return {{"fitter", "As a fitter would",
+           "20 * tool_blocked + 10 * falling + 4 * task_change + 4 * assembly_change + 2 * tool_change + "
+           "direction_change + "
+           "2 * distance + 4 * size * early - 4 * fragile * early"},
+          {"balanced", "Balanced", "length + direction_change + tool_change + 10 * falling"},
+          {"steady", "Steady", "100 * falling + 0.1 * (length + direction_change + tool_change)"},
+          {"few-tools", "Few changes of tools", "10 * tool_change + direction_change + length + 10 * falling"},
+          {"short", "Short motions", "length + turns + 10 * falling"},
+          {"fragile-first", "Fragile parts leave first", "if(fragile, 0, 5) + length + direction_change + tool_change"},
+          {"as-found", "As found", "0"}};
 }
 
 Result<StepCost> StepCost::of(const SequenceDemands& demands) {

@@ -19,6 +19,12 @@ struct StepFigures {
   double mass = 0.0;             ///< of all of them, kg
   bool fragile = false;          ///< one of them is
   std::string id;                ///< of the first one, for its attributes
+  bool toolBlocked = false;      ///< no tool that turns the fastener can be brought on
+  bool taskChange = false;       ///< the step before is of another task, or it is the first one
+  double assemblyChange = 0.0;   ///< levels of the file's tree that it does not share with the step before, as a share
+  double distance = 0.0;         ///< from where the step before was, by the diagonal of the product's box
+  double size = 0.0;             ///< of the boxes of the bodies that leave, by that of the product
+  double early = 0.0;            ///< share of the steps that are still to come
 };
 
 /// An expression with a name.
@@ -28,12 +34,13 @@ struct StepCostPreset {
   std::string expression;
 };
 
-/// "balanced" (the usual one), "steady", "few-tools", "short", "fragile-first".
+/// "fitter" (the usual one), "balanced", "steady", "few-tools", "short", "fragile-first", "as-found".
 std::vector<StepCostPreset> stepCostPresets();
 
 /// What a step costs, as an expression that a user can read and change, in the language of the rules of coarse
-/// planning (see Expression). Names: length, turns, direction_change, tool_change, falling, bodies, mass, fragile, and
-/// body.<attribute> of the first body that leaves. Costs below zero, and those that are no number, count as 0.
+/// planning (see Expression). Names: length, turns, direction_change, tool_change, falling, bodies, mass, fragile,
+/// tool_blocked, task_change, assembly_change, distance, size, early, and body.<attribute> of the first body that
+/// leaves. Costs below zero, and those that are no number, count as 0.
 class StepCost {
  public:
   /// `demands.cost`: a preset's id, an expression, or empty. Errors, MalformedInput at /sequence/cost: what does not
@@ -41,6 +48,8 @@ class StepCost {
   static Result<StepCost> of(const SequenceDemands& demands);
 
   double of(const StepFigures& figures) const;
+  /// The expression names this figure.
+  bool uses(const std::string& figure) const { return text().find(figure) != std::string::npos; }
   const std::string& text() const { return expression_.text(); }
 
  private:

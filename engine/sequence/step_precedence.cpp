@@ -45,9 +45,47 @@ void addAllowancesOfOtherOrders(AssemblyPlan& plan, const std::vector<BodyGroup>
       if (before[step].count(earlier + 1) != 0) continue;
       for (const std::size_t body : groups[earlier]) others[body] = true;
     }
+    if (!plan.steps[step].certified) continue;
     std::vector<BodyFit> fits = question.trial.fitsWith(groups[step], others);
     std::erase_if(fits, [&](const BodyFit& fit) { return isStated(plan.steps[step], fit, product); });
     addAllowances(plan.steps[step], groups[step], fits, product);
+  }
+}
+
+/// Threads come apart by the earlier one of the two steps, and what is clamped stays until then. `stepOf`: by number
+/// from 1 of each body; 0: it does not leave. Steps that the step `number` is after.
+void addJointPrecedence(const JointRules& rules, const std::vector<std::size_t>& stepOf, std::size_t number,
+                        std::set<std::size_t>& after) {
+  const auto addEarlier = [&](std::size_t step) {
+    if (step != 0 && step < number) after.insert(step);
+  };
+  for (const Joint& joint : rules.joints()) {
+    const bool screwed = joint.kind == JointKind::Screw || joint.kind == JointKind::Nut;
+    if (!screwed && joint.kind != JointKind::Flexible) continue;
+    const std::size_t own = stepOf[joint.body];
+    for (const std::size_t other : joint.others) {
+      if (stepOf[other] == number) addEarlier(own);
+      if (own == number && screwed) addEarlier(stepOf[other]);
+    }
+    for (const std::size_t clamped : joint.clamped) {
+      if (stepOf[clamped] != number) continue;
+      addEarlier(own);
+      if (own != 0 && own < number) continue;
+      for (const std::size_t other : joint.others) addEarlier(stepOf[other]);
+    }
+  }
+}
+
+/// Of a flexible body: steps whose bodies its box meets. What nothing is proved of keeps its place.
+void addFlexiblePrecedence(std::size_t step, const std::vector<BodyGroup>& groups, const AssembledProduct& product,
+                           std::set<std::size_t>& after) {
+  BodySet own(product.bodies.size(), false);
+  for (const std::size_t body : groups[step]) own[body] = true;
+  const Box3 box = boxOf(product, own);
+  for (std::size_t earlier = 0; earlier < step; ++earlier) {
+    BodySet others(product.bodies.size(), false);
+    for (const std::size_t body : groups[earlier]) others[body] = true;
+    if (box.intersects(boxOf(product, others))) after.insert(earlier + 1);
   }
 }
 
@@ -67,10 +105,15 @@ void addPrecedence(AssemblyPlan& plan, const SequenceQuestion& question, Sequenc
       left.insert(left.end(), groups[earlier].begin(), groups[earlier].end());
     }
     std::set<std::size_t> after;
-    for (const std::size_t body :
-         question.trial.inTheWay(groups[step], plan.steps[step].path, left, host.stopToken())) {
-      after.insert(stepOf[body]);
+    if (plan.steps[step].certified) {
+      for (const std::size_t body :
+           question.trial.inTheWay(groups[step], plan.steps[step].path, left, host.stopToken())) {
+        after.insert(stepOf[body]);
+      }
+    } else {
+      addFlexiblePrecedence(step, groups, question.product, after);
     }
+    if (question.joints != nullptr) addJointPrecedence(*question.joints, stepOf, step + 1, after);
     for (const OrderRule& rule : question.rules.before) {
       const std::size_t first = stepOf[rule.first];
       if (stepOf[rule.then] == step + 1 && first != 0 && first <= step) after.insert(first);

@@ -3,6 +3,7 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "engine/sequence/plan_steps.h"
 #include "engine/sequence/step_motion.h"
@@ -68,65 +69,109 @@ using Blockers = std::vector<std::size_t>;
 
 Blockers fewer(Blockers one, Blockers other) { return other.size() < one.size() ? std::move(other) : std::move(one); }
 
-/// The question of one tool at one head.
-struct ToolQuestion {
-  ToolKind kind;
-  const ToolMesh& mesh;
-  const FastenerHead& head;
-  const std::vector<std::size_t>& others;
-  RemovalTrial& trial;
-  const StopToken& stop;
-};
-
-/// What is in the way of a tool that is in place in this frame, or else of the best way to bring it on.
-Blockers blockersAt(const Pose& X_WT, const ToolQuestion& tool) {
-  if (tool.mesh.entering != tool.mesh.inPlace) {
-    Blockers inPlace = tool.trial.inTheWayOfTool(tool.mesh.inPlace, {X_WT, X_WT}, tool.others, tool.stop);
-    if (!inPlace.empty()) return inPlace;
+Blockers presentOf(const Blockers& blockers, const BodySet& there) {
+  Blockers present;
+  for (const std::size_t body : blockers) {
+    if (there[body]) present.push_back(body);
   }
-  std::optional<Blockers> best;
-  for (const Vector3& way : takeOffWays(tool.kind, tool.head)) {
-    Pose off = X_WT;
-    off.position += X_WT.orientation * way;
-    Blockers blocking = tool.trial.inTheWayOfTool(tool.mesh.entering, {off, X_WT}, tool.others, tool.stop);
-    best = best ? fewer(std::move(*best), std::move(blocking)) : std::move(blocking);
-  }
-  return best ? std::move(*best) : Blockers();
-}
-
-/// Those of the position of the handle with the fewest.
-Blockers blockersOf(const ToolQuestion& tool, const Pose& X_WB, const Vector3& exit) {
-  std::optional<Blockers> fewest;
-  const int positions = handlePositions(tool.kind);
-  for (int i = 0; i < positions && !(fewest && fewest->empty()); ++i) {
-    Blockers blocking = blockersAt(toolFrame(tool.head, X_WB, exit, 2.0 * std::numbers::pi * i / positions), tool);
-    fewest = fewest ? fewer(std::move(*fewest), std::move(blocking)) : std::move(blocking);
-  }
-  return std::move(*fewest);
-}
-
-StepTool toolOf(const AssemblyStep& step, const std::vector<std::size_t>& others, const ToolMeshes& meshes,
-                const SequenceQuestion& question, const StopToken& stop) {
-  const std::size_t body = *question.product.indexOf(step.body);
-  const RigidBody& own = question.product.bodies[body];
-  const FastenerHead* head = meshes.head(own.mesh);
-  if (head == nullptr) return step.tool;
-  std::optional<StepTool> preferred;
-  for (const ToolKind kind : question.tools[body]) {
-    const ToolQuestion tool{kind, meshes.tool(own.mesh, kind), *head, others, question.trial, stop};
-    const auto blocking = blockersOf(tool, own.X_WB, exitDirection(step.path));
-    if (stop.stopRequested()) return step.tool;
-    if (blocking.empty()) return {kind, ToolAccess::Free, {}};
-    if (!preferred) preferred = {kind, ToolAccess::Blocked, idsOf(blocking, question.product)};
-  }
-  return *preferred;
+  return present;
 }
 
 }  // namespace
 
+/// What is in the way in one position of a handle, whoever is there: found where it is asked for.
+struct ToolFacts::Position {
+  std::optional<Blockers> inPlace{};
+  std::vector<std::optional<Blockers>> ways{};  ///< to bring the tool on
+};
+
+/// Of one tool at the head of one step.
+struct ToolFacts::Tool {
+  ToolKind kind;
+  ToolMesh mesh;
+  std::vector<Pose> frames;  ///< of the positions of its handle
+  std::vector<Vector3> offWays;
+  std::vector<Position> positions{};
+};
+
+struct ToolFacts::Step {
+  std::vector<Tool> tools;          ///< the preferred one first
+  std::vector<std::size_t> others;  ///< all bodies but the fastener
+};
+
+ToolFacts::ToolFacts(const AssemblyPlan& plan, const SequenceQuestion& question) : question_(question) {
+  const ToolMeshes meshes(plan, question);
+  for (const AssemblyStep& step : plan.steps) {
+    steps_.emplace_back();
+    if (step.tool.kind == ToolKind::None) continue;
+    const std::size_t body = *question.product.indexOf(step.body);
+    const RigidBody& own = question.product.bodies[body];
+    const FastenerHead* head = meshes.head(own.mesh);
+    if (head == nullptr) continue;
+    steps_.back().others = bodiesIn(without(BodySet(question.product.bodies.size(), true), {body}));
+    for (const ToolKind kind : question.tools[body]) {
+      Tool tool{kind, meshes.tool(own.mesh, kind), {}, takeOffWays(kind, *head)};
+      const int positions = handlePositions(kind);
+      for (int i = 0; i < positions; ++i) {
+        const double turn = 2.0 * std::numbers::pi * i / positions;
+        tool.frames.push_back(toolFrame(*head, own.X_WB, exitDirection(step.path), turn));
+      }
+      tool.positions.resize(tool.frames.size(), {std::nullopt, {tool.offWays.size(), std::nullopt}});
+      steps_.back().tools.push_back(std::move(tool));
+    }
+  }
+}
+
+ToolFacts::~ToolFacts() = default;
+
+/// Not kept after a stop.
+std::vector<std::size_t> ToolFacts::blocking(std::optional<std::vector<std::size_t>>& fact, const Placing& placing,
+                                             const Step& step, const BodySet& there, const StopToken& stop) {
+  if (fact) return presentOf(*fact, there);
+  Blockers found = question_.trial.inTheWayOfTool(placing.mesh, placing.motion, step.others, stop);
+  Blockers present = presentOf(found, there);
+  if (!stop.stopRequested()) fact = std::move(found);
+  return present;
+}
+
+/// What is in the way of a tool that is in place in this position, or else of the best way to bring it on.
+std::vector<std::size_t> ToolFacts::blockersAt(std::size_t position, Tool& tool, const Step& step, const BodySet& there,
+                                               const StopToken& stop) {
+  const Pose& X_WT = tool.frames[position];
+  Position& facts = tool.positions[position];
+  if (tool.mesh.entering != tool.mesh.inPlace) {
+    Blockers inPlace = blocking(facts.inPlace, {tool.mesh.inPlace, {X_WT, X_WT}}, step, there, stop);
+    if (!inPlace.empty()) return inPlace;
+  }
+  std::optional<Blockers> best;
+  for (std::size_t way = 0; way < tool.offWays.size(); ++way) {
+    Pose off = X_WT;
+    off.position += X_WT.orientation * tool.offWays[way];
+    Blockers onWay = blocking(facts.ways[way], {tool.mesh.entering, {off, X_WT}}, step, there, stop);
+    best = best ? fewer(std::move(*best), std::move(onWay)) : std::move(onWay);
+  }
+  return best ? std::move(*best) : Blockers();
+}
+
+std::optional<StepTool> ToolFacts::toolOf(std::size_t number, const BodySet& there, const StopToken& stop) {
+  Step& step = steps_[number];
+  std::optional<StepTool> preferred;
+  for (Tool& tool : step.tools) {
+    std::optional<Blockers> fewest;
+    for (std::size_t i = 0; i < tool.frames.size() && !(fewest && fewest->empty()); ++i) {
+      Blockers blocking = blockersAt(i, tool, step, there, stop);
+      fewest = fewest ? fewer(std::move(*fewest), std::move(blocking)) : std::move(blocking);
+    }
+    if (stop.stopRequested()) return std::nullopt;
+    if (fewest->empty()) return StepTool{tool.kind, ToolAccess::Free, {}};
+    if (!preferred) preferred = StepTool{tool.kind, ToolAccess::Blocked, idsOf(*fewest, question_.product)};
+  }
+  return preferred;
+}
+
 void addTools(AssemblyPlan& plan, const SequenceQuestion& question, SequenceHost& host) {
   if (question.tools.empty()) return;
-  const ToolMeshes meshes(plan, question);
+  ToolFacts facts(plan, question);
   std::vector<BodyGroup> groups;
   for (const AssemblyStep& step : plan.steps) groups.push_back(groupOf(step, question.product));
   host.team().run(plan.steps.size(), [&](std::size_t i) {
@@ -134,7 +179,7 @@ void addTools(AssemblyPlan& plan, const SequenceQuestion& question, SequenceHost
     if (step.tool.kind == ToolKind::None) return;
     BodySet there(question.product.bodies.size(), true);
     for (std::size_t earlier = 0; earlier <= i; ++earlier) there = without(std::move(there), groups[earlier]);
-    step.tool = toolOf(step, bodiesIn(there), meshes, question, host.stopToken());
+    if (auto tool = facts.toolOf(i, there, host.stopToken())) step.tool = std::move(*tool);
   });
 }
 

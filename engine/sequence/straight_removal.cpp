@@ -52,7 +52,9 @@ RemovalAnswer StraightRemoval::tryRemoval(const BodyGroup& group, const BodySet&
   return Refused{{blocking.begin(), blocking.end()}, false};
 }
 
-std::vector<BodyGroup> StraightRemoval::groups(const GroupQuestion& question, ThreadTeam& team, const StopToken& stop) {
+std::vector<BodyGroup> StraightRemoval::groups(const GroupQuestion& question,
+                                               const std::vector<std::pair<std::size_t, std::size_t>>& links,
+                                               ThreadTeam& team, const StopToken& stop) {
   BodyGroup leaving;
   for (const std::size_t body : bodiesIn(question.present)) {
     if (!question.staying[body]) leaving.push_back(body);
@@ -77,6 +79,7 @@ std::vector<BodyGroup> StraightRemoval::groups(const GroupQuestion& question, Th
         for (const std::size_t other : blockers[body][along].bodies) graph.blocks(other, body);
       }
     }
+    for (const auto& [first, then] : links) graph.blocks(first, then);
     for (BodyGroup& group : graph.groups(question.units, question.most)) found.push_back(std::move(group));
   }
   return smallestDisjoint(std::move(found), [&](const BodyGroup& group) { return boxVolume(product_, group); });

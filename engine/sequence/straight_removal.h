@@ -22,8 +22,11 @@ class StraightRemoval {
 
   /// As RemovalTrial::tryRemoval().
   RemovalAnswer tryRemoval(const BodyGroup& group, const BodySet& present, const StopToken& stop);
-  /// As RemovalTrial::groupsAlongLines().
-  std::vector<BodyGroup> groups(const GroupQuestion& question, ThreadTeam& team, const StopToken& stop);
+  /// As RemovalTrial::groupsAlongLines(). `links`: pairs of bodies that are there; the second one does not leave unless
+  /// the first one does.
+  std::vector<BodyGroup> groups(const GroupQuestion& question,
+                                const std::vector<std::pair<std::size_t, std::size_t>>& links, ThreadTeam& team,
+                                const StopToken& stop);
   /// Bodies of the same geometry try the line of this one first.
   void learn(const BodyGroup& group, const std::vector<PathPoint>& path);
 

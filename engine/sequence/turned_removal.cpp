@@ -5,6 +5,7 @@
 
 #include "engine/planning/path_certificate.h"
 #include "engine/planning/screw_motion.h"
+#include "engine/sequence/joint_removal.h"
 #include "engine/sequence/removal_directions.h"
 
 namespace glissade {
@@ -49,7 +50,7 @@ RemovalAnswer TurnedRemoval::tryRemoval(const BodyGroup& group, const BodySet& p
     path.certificate = certifyPath(*query, path.points, worlds_.parameters(group), stop);
     nameByProduct(path.certificate, motion.bodies);
     if (path.certificate.status == CertificateStatus::Certified) {
-      return Removed{std::move(path), "turned", fits_.fitsOf(group, present)};
+      return Removed{std::move(path), kTurned, fits_.fitsOf(group, present)};
     }
     const int nearest = path.certificate.nearest.body;
     if (nearest >= 0) blocking.insert(static_cast<std::size_t>(nearest));

@@ -65,13 +65,64 @@ std::vector<std::string> PlanWords::violations(const AssemblyStep& step, const A
       case StepViolation::Rule::Before: texts.push_back(words_("demanded before it: %1", {bodies})); break;
       case StepViolation::Rule::Fastener: texts.push_back(words_("nuts still on it: %1", {bodies})); break;
       case StepViolation::Rule::Standing: texts.push_back(words_("falling: %1", {bodies})); break;
+      case StepViolation::Rule::Joint: texts.push_back(words_("still joined to it: %1", {bodies})); break;
       case StepViolation::Rule::Place: texts.push_back(words_("demanded at another place")); break;
     }
   }
   return texts;
 }
 
+std::vector<std::string> PlanWords::joints(const AssemblyStep& step, const AssembledProduct& product,
+                                           PlanOrder order) const {
+  std::vector<std::string> texts;
+  for (const StepJoint& each : step.joints) {
+    std::string text = joint(each, step, product, order);
+    const bool isNew = std::find(texts.begin(), texts.end(), text) == texts.end();
+    if (isNew && !text.empty()) texts.push_back(std::move(text));
+  }
+  return texts;
+}
+
+/// Of a shaft that turns out of a nut, the nut is named.
+std::string PlanWords::joint(const StepJoint& joint, const AssemblyStep& step, const AssembledProduct& product,
+                             PlanOrder order) const {
+  const bool removal = order == PlanOrder::Removal;
+  const std::vector<std::string> bodies = step.bodies();
+  const bool isOwn = std::find(bodies.begin(), bodies.end(), joint.body) != bodies.end();
+  const std::string what = joint.designation.empty() ? shownNameOf(joint.body, product) : joint.designation;
+  const std::string turns = decimals(joint.turns, 1);
+  switch (joint.kind) {
+    case JointKind::Screw:
+    case JointKind::Nut: {
+      if (!isOwn) return words_(removal ? "turn out of %1, %2 turns" : "turn into %1, %2 turns", {what, turns});
+      if (joint.kind == JointKind::Nut) {
+        return words_(removal ? "turn off nut %1, %2 turns" : "screw on nut %1, %2 turns", {what, turns});
+      }
+      return words_(removal ? "turn out screw %1, %2 turns" : "screw in %1, %2 turns", {what, turns});
+    }
+    case JointKind::Insert:
+      return words_(removal ? "press out of %1" : "press into %1", {someOf(joint.others, product)});
+    case JointKind::Pin: return words_(removal ? "pull out of %1" : "put into %1", {someOf(joint.others, product)});
+    case JointKind::Snap: return words_("bent by %1", {length_(joint.bend)});
+    case JointKind::Flexible: return words_(removal ? "take off %1" : "lay on %1", {someOf(joint.others, product)});
+    case JointKind::Permanent:
+    case JointKind::Unit: break;
+  }
+  return {};
+}
+
+/// The turns of a screw motion are one leg.
+std::string PlanWords::turnedMotion(const AssemblyStep& step, PlanOrder order) const {
+  const MotionLeg last = legsOf(step.path).back();
+  const std::string turns = decimals(step.joints.front().turns, 1);
+  const bool removal = order == PlanOrder::Removal;
+  const Vector3 way = removal ? last.direction : Vector3(-last.direction);
+  const std::string straight = direction(way) + ", " + length_(last.length);
+  return words_(removal ? "%1 turns out, then %2" : "%2, then %1 turns in", {turns, straight});
+}
+
 std::string PlanWords::motion(const AssemblyStep& step, PlanOrder order) const {
+  if (!step.joints.empty() && step.joints.front().turns > 0.0) return turnedMotion(step, order);
   const auto removal = legsOf(step.path);
   const auto legs = order == PlanOrder::Assembly ? reversed(removal) : removal;
   if (legs.empty()) return words_("does not move");

@@ -27,6 +27,8 @@ class PlanWords {
   std::string direction(const Vector3& direction) const;
   /// The motion of a step: "up (+Z), 62.0 mm". The words of assembly are those of the reverse.
   std::string motion(const AssemblyStep& step, PlanOrder order) const;
+  /// What is done to the joints of a step: "turn out screw ISO 4762 M3x8, 9.5 turns", an entry each.
+  std::vector<std::string> joints(const AssemblyStep& step, const AssembledProduct& product, PlanOrder order) const;
   /// "hex key"; "socket, blocked by plate"; empty where the step needs none.
   std::string tool(const AssemblyStep& step, const AssembledProduct& product) const;
   /// "hold rod, bolt and 3 more"; empty where nothing falls.
@@ -37,6 +39,9 @@ class PlanWords {
   std::vector<std::string> allowances(const AssemblyStep& step, const AssembledProduct& product) const;
 
  private:
+  std::string joint(const StepJoint& joint, const AssemblyStep& step, const AssembledProduct& product,
+                    PlanOrder order) const;
+  std::string turnedMotion(const AssemblyStep& step, PlanOrder order) const;
   std::string someOf(const std::vector<std::string>& ids, const AssembledProduct& product) const;
 
   StudyWords words_;

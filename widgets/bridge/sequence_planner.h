@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/sequence/assembly_plan.h"
+#include "engine/sequence/sequence_run.h"
 #include "engine/sequence/body_group.h"
 #include "engine/sequence/order_rules.h"
 #include "engine/sequence/product_fits.h"
@@ -23,7 +24,7 @@ struct SequenceJob {
   ProductPtr product;
   BodySet staying;
   SequenceDemands demands;
-  std::string strategy = "greedy";
+  std::string strategy = kUsualStrategy;
   std::uint64_t seed = 1;
   PlanPtr resumed;                       ///< goes on from this plan; null: begins anew
   PlanPtr known;                         ///< of the same product with other demands: its motions need not be searched

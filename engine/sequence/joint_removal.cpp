@@ -1,0 +1,140 @@
+#include "engine/sequence/joint_removal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/planning/path_certificate.h"
+#include "engine/planning/screw_motion.h"
+#include "engine/sequence/removal_directions.h"
+
+namespace glissade {
+namespace {
+
+/// Motions of less than a turn are not proved as one.
+constexpr double kLeastTurns = 1.25;
+/// Configurations of a turn.
+constexpr int kFewest = 4;
+constexpr int kMost = 64;
+/// Of the clearance that a motion has to keep: what the chords of a turn may be off it.
+constexpr double kOffShare = 0.2;
+/// Joints open together whose axes and pitches are as near as this: sine, metres, share.
+constexpr double kSameDirection = 1e-4;
+constexpr double kSameAxis = 1e-5;
+constexpr double kSamePitch = 1e-6;
+
+}  // namespace
+
+std::vector<Pose> turnedAlong(const ScrewAxis& screw, const Pose& from, double advance, double off) {
+  const double arm = (from.position - screw.point_W).cross(screw.axis_W).norm();
+  int perTurn = kFewest;
+  while (perTurn < kMost && arm * (1.0 - std::cos(std::numbers::pi / perTurn)) > off) perTurn *= 2;
+  const double turns = std::abs(advance / screw.pitch);
+  const auto count = std::max(1, static_cast<int>(std::ceil(turns * perTurn - 1e-9)));
+  std::vector<Pose> poses{from};
+  for (int i = 1; i <= count; ++i) poses.push_back(screwed(screw, from, advance * i / count));
+  return poses;
+}
+
+std::optional<JointRemoval::Turn> JointRemoval::commonTurn(const BodyGroup& group,
+                                                           const std::vector<std::size_t>& opened) const {
+  std::optional<Turn> common;
+  for (const std::size_t index : opened) {
+    const Joint& joint = rules_.joints()[index];
+    const JointThread& thread = *joint.thread;
+    if (!(std::abs(thread.pitch) > 0.0) || !(joint.direction.norm() > 0.0)) return std::nullopt;
+    const bool isFastener = std::binary_search(group.begin(), group.end(), joint.body);
+    const Vector3 axis = (isFastener ? 1.0 : -1.0) * joint.direction.normalized();
+    const double advance = std::abs(thread.pitch) * std::max(kLeastTurns, thread.turns());
+    if (!common) {
+      common = Turn{{joint.point, axis, thread.pitch}, advance};
+      continue;
+    }
+    const ScrewAxis& screw = common->screw;
+    const bool alike = screw.axis_W.cross(axis).norm() < kSameDirection && screw.axis_W.dot(axis) > 0.0 &&
+                       (joint.point - screw.point_W).cross(screw.axis_W).norm() < kSameAxis &&
+                       std::abs(screw.pitch - thread.pitch) < kSamePitch * std::abs(screw.pitch);
+    if (!alike) return std::nullopt;
+    common->advance = std::max(common->advance, advance);
+  }
+  return common;
+}
+
+std::optional<Refused> JointRemoval::known(const BodyGroup& group, const BodySet& present) const {
+  const std::lock_guard lock(mutex_);
+  const auto found = refused_.find(group);
+  if (found == refused_.end()) return std::nullopt;
+  const std::vector<std::size_t>& blocking = found->second.blockedBy;
+  const bool holds = std::all_of(blocking.begin(), blocking.end(), [&](std::size_t body) { return present[body]; });
+  return holds ? std::optional(found->second) : std::nullopt;
+}
+
+RemovalAnswer JointRemoval::tryRemoval(const BodyGroup& group, const BodySet& present,
+                                       const std::vector<std::size_t>& opened, const StopToken& stop) {
+  if (const auto refusal = known(group, present)) return *refusal;
+  const auto turn = commonTurn(group, opened);
+  if (!turn) return Refused{rules_.holders(opened, group, present)};
+  const MovingObject& object = worlds_.object(group);
+  const MotionWorld motion = worlds_.world(group, present);
+  const auto query = motion.world->makeQuery();
+  const std::vector<Pose> turned = turnedAlong(turn->screw, object.X_WB, turn->advance, kOffShare * object.required);
+  if (turnIsFree(*query, *turn, object)) {
+    std::vector<Vector3> directions{turn->screw.axis_W};
+    for (const Vector3& direction : removalDirections(product_, fits_, group.front())) directions.push_back(direction);
+    for (const Vector3& direction : directions) {
+      Path path{computedPoints(wayOn(turned, direction, object, motion.world->obstaclesBox())), {}};
+      const Pose& last = path.points.back().q;
+      const auto free = query->checkMotion(turned.back(), last, object.required, SeekViolation::Any, stop);
+      if (stop.stopRequested()) return Refused{{}, true};
+      if (free.status != CertificateStatus::Certified) continue;
+      path.certificate = certifyPath(*query, path.points, worlds_.parameters(group), stop);
+      if (path.certificate.status != CertificateStatus::Certified) continue;
+      nameByProduct(path.certificate, motion.bodies);
+      return Removed{std::move(path), kTurned, fits_.fitsOf(group, present)};
+    }
+  }
+  const Pose end = wayOn(turned, turn->screw.axis_W, object, motion.world->obstaclesBox()).back();
+  Refused refused{blockersOf(group, present, *turn, {turned.back(), end}, stop), stop.stopRequested()};
+  if (refused.stopped || refused.blockedBy.empty()) return refused;
+  const std::lock_guard lock(mutex_);
+  refused_[group] = refused;
+  return refused;
+}
+
+/// Whatever its angle. The chords of the path are off the turn by a share of the clearance.
+bool JointRemoval::turnIsFree(CollisionQuery& query, const Turn& turn, const MovingObject& object) {
+  const double off = kOffShare * object.required;
+  const double apart = query.distanceUpTo(object.X_WB, object.radius);
+  if (apart < object.required + off) return false;
+  return query.screwClearance(object.X_WB, turn.screw, turn.advance, apart, off) >= object.required + off;
+}
+
+std::vector<Pose> JointRemoval::wayOn(std::vector<Pose> poses, const Vector3& direction, const MovingObject& object,
+                                      const Box3& others) {
+  Pose end = poses.back();
+  end.position += wayOutOf(boundingBox(*object.mesh, end), others, direction, leavingMargin(object.radius)) * direction;
+  poses.push_back(end);
+  return poses;
+}
+
+/// Each of the others by itself: those that the motion hits.
+std::vector<std::size_t> JointRemoval::blockersOf(const BodyGroup& group, const BodySet& present, const Turn& turn,
+                                                  const std::pair<Pose, Pose>& on, const StopToken& stop) {
+  const MovingObject& object = worlds_.object(group);
+  const Box3 swept = worlds_.sweptBy(group, computedPoints({object.X_WB, on.first, on.second}));
+  std::vector<std::size_t> blocking;
+  for (const std::size_t other : bodiesIn(without(present, group))) {
+    if (stop.stopRequested()) return {};
+    if (!swept.intersects(worlds_.boxOf(other))) continue;
+    BodySet alone(present.size(), false);
+    alone[other] = true;
+    const auto query = worlds_.world(group, alone).world->makeQuery();
+    const bool isFree = turnIsFree(*query, turn, object) &&
+                        query->checkMotion(on.first, on.second, object.required, SeekViolation::Any, stop).status ==
+                            CertificateStatus::Certified;
+    if (!isFree) blocking.push_back(other);
+  }
+  return blocking;
+}
+
+}  // namespace glissade

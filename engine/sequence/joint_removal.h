@@ -1,0 +1,57 @@
+#pragma once
+
+#include <map>
+#include <mutex>
+#include <optional>
+
+#include "engine/geometry/screw_axis.h"
+#include "engine/sequence/joint_rules.h"
+#include "engine/sequence/motion_world.h"
+#include "engine/sequence/removal_trial.h"
+
+namespace glissade {
+
+/// AssemblyStep::method of what turns out of a joint or a marked thread.
+inline constexpr const char* kTurned = "turned";
+
+/// Removal of a group that closed joints hold by their threads: it turns about the axis by the joint's pitch until the
+/// threads are free, then goes straight on. The turns are proved as one, for all angles (see certifyPath): a body that
+/// turns stays in its solid of revolution. There is no other motion: a thread is not pulled. A refusal holds while
+/// those that it names are there, and is not asked again. May be asked by several threads at a time.
+class JointRemoval {
+ public:
+  /// Refers to all.
+  JointRemoval(const AssembledProduct& product, const ProductFits& fits, MotionWorlds& worlds, const JointRules& rules)
+      : product_(product), fits_(fits), worlds_(worlds), rules_(rules) {}
+
+  /// `opened`: as of JointRules::opened(), not empty.
+  RemovalAnswer tryRemoval(const BodyGroup& group, const BodySet& present, const std::vector<std::size_t>& opened,
+                           const StopToken& stop);
+
+ private:
+  /// A turn that all opened joints allow.
+  struct Turn {
+    ScrewAxis screw;
+    double advance = 0.0;  ///< metres along the axis, above 0
+  };
+  std::optional<Turn> commonTurn(const BodyGroup& group, const std::vector<std::size_t>& opened) const;
+  std::optional<Refused> known(const BodyGroup& group, const BodySet& present) const;
+  static bool turnIsFree(CollisionQuery& query, const Turn& turn, const MovingObject& object);
+  static std::vector<Pose> wayOn(std::vector<Pose> poses, const Vector3& direction, const MovingObject& object,
+                                 const Box3& others);
+  std::vector<std::size_t> blockersOf(const BodyGroup& group, const BodySet& present, const Turn& turn,
+                                      const std::pair<Pose, Pose>& on, const StopToken& stop);
+
+  const AssembledProduct& product_;
+  const ProductFits& fits_;
+  MotionWorlds& worlds_;
+  const JointRules& rules_;
+  mutable std::mutex mutex_;              ///< of what follows
+  std::map<BodyGroup, Refused> refused_;  ///< the last refusal
+};
+
+/// Configurations of a screw motion from there, by an advance along the axis, metres: enough of them that no point of a
+/// body whose frame is off the axis leaves the helix by more than `off`, metres.
+std::vector<Pose> turnedAlong(const ScrewAxis& screw, const Pose& from, double advance, double off);
+
+}  // namespace glissade

@@ -1,0 +1,205 @@
+#include "engine/sequence/joint_rules.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+#include <tuple>
+
+namespace glissade {
+namespace {
+
+bool has(const BodyGroup& group, std::size_t body) { return std::binary_search(group.begin(), group.end(), body); }
+
+bool hasAny(const BodyGroup& group, const std::vector<std::size_t>& bodies) {
+  return std::any_of(bodies.begin(), bodies.end(), [&](std::size_t body) { return has(group, body); });
+}
+
+bool isScrewed(const Joint& joint) { return joint.kind == JointKind::Screw || joint.kind == JointKind::Nut; }
+
+bool isBonded(const Joint& joint) {
+  return joint.kind == JointKind::Insert || joint.kind == JointKind::Permanent || joint.kind == JointKind::Unit;
+}
+
+/// "M3x8", "ISO 4762 M3x8"; by the thread where no name says.
+std::string sizeInWords(const Joint& joint) {
+  if (!joint.designation.empty()) return joint.designation;
+  if (!joint.thread || joint.thread->diameter <= 0.0) return {};
+  const auto tenths = static_cast<long>(1e4 * joint.thread->diameter + 0.5);
+  std::string text = "of " + std::to_string(tenths / 10);
+  if (tenths % 10 != 0) text += "." + std::to_string(tenths % 10);
+  return text + " mm";
+}
+
+}  // namespace
+
+Joints countingJoints(const Joints& joints, JointUse use) {
+  Joints counting;
+  if (use == JointUse::Off) return counting;
+  std::copy_if(joints.begin(), joints.end(), std::back_inserter(counting),
+               [&](const Joint& joint) { return use == JointUse::Suggested || joint.state != JointState::Suggested; });
+  return counting;
+}
+
+JointRules::JointRules(Joints joints, const AssembledProduct& product)
+    : joints_(std::move(joints)),
+      ofBody_(product.bodies.size()),
+      isFlexible_(product.bodies.size(), false),
+      isNut_(product.bodies.size(), false) {
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    const Joint& joint = joints_[i];
+    if (joint.kind == JointKind::Flexible) isFlexible_[joint.body] = true;
+    if (joint.kind == JointKind::Nut) isNut_[joint.body] = true;
+    if (!isScrewed(joint) && joint.kind != JointKind::Flexible) continue;
+    std::set<std::size_t> bodies{joint.body};
+    bodies.insert(joint.others.begin(), joint.others.end());
+    bodies.insert(joint.clamped.begin(), joint.clamped.end());
+    for (const std::size_t body : bodies) ofBody_[body].push_back(i);
+  }
+  bond(product);
+  findTasks(product);
+}
+
+void JointRules::bond(const AssembledProduct& product) {
+  std::vector<std::size_t> first(product.bodies.size());  // the lowest body that each one is one with
+  std::iota(first.begin(), first.end(), std::size_t{0});
+  for (const Joint& joint : joints_) {
+    if (!isBonded(joint)) continue;
+    for (const std::size_t other : joint.others) {
+      const auto [low, high] = std::minmax(first[joint.body], first[other]);
+      const std::size_t from = high;
+      const std::size_t to = low;
+      std::replace(first.begin(), first.end(), from, to);
+    }
+  }
+  std::map<std::size_t, BodyGroup> groups;
+  for (std::size_t body = 0; body < first.size(); ++body) groups[first[body]].push_back(body);
+  for (auto& [body, group] : groups) {
+    if (group.size() > 1) bonded_.push_back(std::move(group));
+  }
+}
+
+/// By designation; by geometry where no name says.
+void JointRules::findTasks(const AssembledProduct& product) {
+  using Key = std::tuple<JointKind, std::string, const TriangleMesh*, std::vector<std::size_t>>;
+  std::map<Key, std::vector<std::size_t>> alike;
+  std::vector<Key> order;
+  for (const Joint& joint : joints_) {
+    if (!isScrewed(joint) || joint.clamped.empty()) continue;
+    std::vector<std::size_t> clamped = joint.clamped;
+    std::sort(clamped.begin(), clamped.end());
+    const TriangleMesh* shape = joint.designation.empty() ? product.bodies[joint.body].mesh.get() : nullptr;
+    Key key{joint.kind, joint.designation, shape, std::move(clamped)};
+    const auto [at, isNew] = alike.try_emplace(key);
+    if (isNew) order.push_back(std::move(key));
+    at->second.push_back(joint.body);
+  }
+  tasks_.assign(product.bodies.size(), 0);
+  std::size_t number = 0;
+  for (const Key& key : order) {
+    const std::vector<std::size_t>& bodies = alike[key];
+    if (bodies.size() < 2) continue;
+    ++number;
+    for (const std::size_t body : bodies) tasks_[body] = number;
+  }
+}
+
+bool JointRules::isClosed(const Joint& joint, const BodySet& present) const {
+  return present[joint.body] &&
+         std::any_of(joint.others.begin(), joint.others.end(), [&](std::size_t other) { return present[other]; });
+}
+
+std::vector<std::size_t> JointRules::jointsOf(const BodyGroup& group) const {
+  std::set<std::size_t> joints;
+  for (const std::size_t body : group) joints.insert(ofBody_[body].begin(), ofBody_[body].end());
+  return {joints.begin(), joints.end()};
+}
+
+std::vector<std::size_t> JointRules::holding(const BodyGroup& group, const BodySet& present, bool strict) const {
+  std::vector<std::size_t> found;
+  for (const std::size_t index : jointsOf(group)) {
+    const Joint& joint = joints_[index];
+    if (joint.kind == JointKind::Flexible) {
+      if (present[joint.body] && !has(group, joint.body)) found.push_back(index);
+      continue;
+    }
+    const bool clamps = hasAny(group, joint.clamped);
+    if (!isClosed(joint, present)) {
+      if (strict && clamps && present[joint.body] && !has(group, joint.body)) found.push_back(index);
+      continue;
+    }
+    const auto there = [&](std::size_t other) { return present[other]; };
+    const auto leaves = [&](std::size_t other) { return !there(other) || has(group, other); };
+    const bool all = std::all_of(joint.others.begin(), joint.others.end(), leaves);
+    const bool some = hasAny(group, joint.others);
+    const bool turns = has(group, joint.body);
+    if (turns && all) continue;
+    // A nut is turned off its shaft; what a screw is in stays.
+    const bool screwStays = !turns && some && joint.kind == JointKind::Screw &&
+                            std::none_of(group.begin(), group.end(), [&](std::size_t body) { return isNut_[body]; });
+    if (clamps || screwStays || (turns && some)) found.push_back(index);
+  }
+  return found;
+}
+
+std::vector<std::size_t> JointRules::opened(const BodyGroup& group, const BodySet& present) const {
+  std::vector<std::size_t> found;
+  const BodySet others = without(present, group);
+  for (const std::size_t index : jointsOf(group)) {
+    const Joint& joint = joints_[index];
+    if (!isScrewed(joint) || !joint.thread) continue;
+    const auto stays = [&](std::size_t other) { return others[other]; };
+    const bool threadStays = std::any_of(joint.others.begin(), joint.others.end(), stays);
+    const bool leaves = has(group, joint.body) ? threadStays : hasAny(group, joint.others) && others[joint.body];
+    if (leaves) found.push_back(index);
+  }
+  return found;
+}
+
+BodyGroup JointRules::holders(const std::vector<std::size_t>& joints, const BodyGroup& group,
+                              const BodySet& present) const {
+  std::set<std::size_t> bodies;
+  for (const std::size_t index : joints) {
+    const Joint& joint = joints_[index];
+    if (!has(group, joint.body)) {
+      if (present[joint.body]) bodies.insert(joint.body);
+      continue;
+    }
+    for (const std::size_t other : joint.others) {
+      if (present[other] && !has(group, other)) bodies.insert(other);
+    }
+  }
+  return {bodies.begin(), bodies.end()};
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> JointRules::links(const BodySet& present) const {
+  std::vector<std::pair<std::size_t, std::size_t>> links;
+  for (const Joint& joint : joints_) {
+    if (!isScrewed(joint) || !isClosed(joint, present)) continue;
+    for (const std::size_t other : joint.others) {
+      if (!present[other]) continue;
+      links.emplace_back(joint.body, other);
+      links.emplace_back(other, joint.body);
+    }
+    for (const std::size_t clamped : joint.clamped) {
+      if (present[clamped]) links.emplace_back(joint.body, clamped);
+    }
+  }
+  return links;
+}
+
+std::string JointRules::inWords(const std::vector<std::size_t>& joints) const {
+  std::map<std::pair<JointKind, std::string>, std::set<std::size_t>> alike;
+  for (const std::size_t index : joints) {
+    alike[{joints_[index].kind, sizeInWords(joints_[index])}].insert(joints_[index].body);
+  }
+  std::string text;
+  for (const auto& [what, bodies] : alike) {
+    text += text.empty() ? "held by " : " and ";
+    text += std::to_string(bodies.size()) + " " + jointName(what.first) + (bodies.size() > 1 ? "s" : "");
+    if (!what.second.empty()) text += " " + what.second;
+  }
+  return text;
+}
+
+}  // namespace glissade
