@@ -41,7 +41,7 @@ Joints countingJoints(const Joints& joints, JointUse use) {
   return counting;
 }
 
-JointRules::JointRules(Joints joints, const AssembledProduct& product)
+JointRules::JointRules(Joints joints, const AssembledProduct& product, const std::vector<FastenerKind>& fasteners)
     : joints_(std::move(joints)),
       ofBody_(product.bodies.size()),
       isFlexible_(product.bodies.size(), false),
@@ -50,6 +50,9 @@ JointRules::JointRules(Joints joints, const AssembledProduct& product)
     const Joint& joint = joints_[i];
     if (joint.kind == JointKind::Flexible) isFlexible_[joint.body] = true;
     if (joint.kind == JointKind::Nut) isNut_[joint.body] = true;
+    for (const std::size_t other : joint.others) {
+      if (isScrewed(joint) && fasteners[other] == FastenerKind::Nut) isNut_[other] = true;
+    }
     if (!isScrewed(joint) && joint.kind != JointKind::Flexible) continue;
     std::set<std::size_t> bodies{joint.body};
     bodies.insert(joint.others.begin(), joint.others.end());

@@ -5,6 +5,7 @@
 
 #include "engine/product/joint.h"
 #include "engine/sequence/body_group.h"
+#include "engine/sequence/fastener_kind.h"
 #include "engine/sequence/order_rules.h"
 
 namespace glissade {
@@ -18,8 +19,8 @@ Joints countingJoints(const Joints& joints, JointUse use);
 /// clamps stays until then, its thread comes apart by turning only. What is pressed in, welded or a unit is one body.
 class JointRules {
  public:
-  /// `joints`: those that count, of this product.
-  JointRules(Joints joints, const AssembledProduct& product);
+  /// `joints`: those that count, of this product. `fasteners`: of each body; a nut may be turned off a screw.
+  JointRules(Joints joints, const AssembledProduct& product, const std::vector<FastenerKind>& fasteners);
 
   const Joints& joints() const { return joints_; }
   /// Bodies that are one: host and guest of an insert, units, what is permanent. Several bodies each, no body in two.

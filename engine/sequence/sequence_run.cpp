@@ -1,5 +1,6 @@
 #include "engine/sequence/sequence_run.h"
 
+#include "engine/product/joint_finder.h"
 #include "engine/sequence/demanding_trial.h"
 #include "engine/sequence/fasteners.h"
 #include "engine/sequence/joined_units.h"
@@ -45,6 +46,13 @@ Outcome checkPlaces(const AssembledProduct& product, const OrderRules& rules, co
   return Done{};
 }
 
+/// Those that count: as they are given, else as they are found.
+Joints jointsOf(const AssembledProduct& product, const SequenceRequest& request, const StopToken& stop) {
+  const JointUse use = request.demands.jointUse;
+  if (use == JointUse::Off) return {};
+  return countingJoints(request.joints != nullptr ? *request.joints : findJoints(product, stop), use);
+}
+
 }  // namespace
 
 Result<AssemblyPlan> planSequence(const AssembledProduct& product, const ProductFits& fits,
@@ -57,15 +65,14 @@ Result<AssemblyPlan> planSequence(const AssembledProduct& product, const Product
   }
   auto rules = resolved(request.demands, product);
   if (!rules) return rules.error();
-  JointRules joints(request.joints != nullptr ? countingJoints(*request.joints, request.demands.jointUse) : Joints(),
-                    product);
+  const std::vector<FastenerKind> fasteners = fastenersKnown(product, fits.contacts(), request.demands);
+  const JointRules joints(jointsOf(product, request, host.stopToken()), product, fasteners);
   const BodySet staying = withJoined(request.staying, joints.bonded());
   joinUnits(joints.bonded(), product, *rules);
   const Outcome places = checkPlaces(product, *rules, staying);
   if (!places) return places.error();
   const auto cost = StepCost::of(request.demands);
   if (!cost) return cost.error();
-  const std::vector<FastenerKind> fasteners = fastenersKnown(product, fits.contacts(), request.demands);
   const auto tools = chooseTools(product, fasteners, request.demands);
   if (!tools) return tools.error();
   for (const OrderRule& rule : fastenerRules(fasteners, fits.contacts())) rules->before.push_back(rule);
