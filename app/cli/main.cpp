@@ -23,6 +23,7 @@
 #include "app/cli/smooth_command.h"
 #include "app/cli/study_command.h"
 #include "app/cli/sweep_command.h"
+#include "app/cli/times_command.h"
 #include "app/version_text.h"
 #include "engine/base/guarded.h"
 #include "engine/base/limits.h"
@@ -248,6 +249,18 @@ CLI::App* addSequence(CLI::App& app, SequenceOptions& options) {
   return sequence;
 }
 
+CLI::App* addTimes(CLI::App& app, TimesOptions& options) {
+  CLI::App* times =
+      app.add_subcommand("times", "How long the steps of an assembly plan take, also divided over a line");
+  times->add_option("FILE", options.product, "The product of the plan: a scenario or a STEP file")->required();
+  times->add_option("PLAN", options.plan, "Assembly plan, as 'sequence --out' writes it")->required();
+  times->add_option("--stations", options.stations, "Divide the steps over so many stations, one person each");
+  times->add_option("--table", options.table, "File of work times (default: the program's estimates)");
+  times->add_option("--write-table", options.writeTable, "Write the table of work times to a file, to be edited");
+  addFormat(*times, options.format);
+  return times;
+}
+
 CLI::App* addConvert(CLI::App& app, ConvertOptions& options) {
   CLI::App* convert =
       app.add_subcommand("convert", "Convert an OMPL.app .cfg to a scenario, or a path to another format");
@@ -354,6 +367,7 @@ int run(int argc, char** argv) {
   InfoOptions info;
   FitsOptions fits;
   SequenceOptions sequence;
+  TimesOptions times;
   ConvertOptions convert;
   NewOptions fresh;
   StudyOptions study;
@@ -368,6 +382,7 @@ int run(int argc, char** argv) {
   const CLI::App* infoCommand = addInfo(app, info);
   const CLI::App* fitsCommand = addFits(app, fits);
   const CLI::App* sequenceCommand = addSequence(app, sequence);
+  const CLI::App* timesCommand = addTimes(app, times);
   const CLI::App* studyCommand = addStudy(app, study);
   const CLI::App* mergeCommand = addMerge(app, merge);
   const CLI::App* reportCommand = addReport(app, report);
@@ -387,6 +402,7 @@ int run(int argc, char** argv) {
   if (infoCommand->parsed()) return runInfo(info);
   if (fitsCommand->parsed()) return runFits(fits);
   if (sequenceCommand->parsed()) return runSequence(sequence);
+  if (timesCommand->parsed()) return runTimes(times);
   if (studyCommand->parsed()) return runStudyCommand(study);
   if (mergeCommand->parsed()) return runMerge(merge);
   if (reportCommand->parsed()) return runReport(report);

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "engine/base/result.h"
+#include "engine/sequence/work_times.h"
+
+namespace glissade {
+
+/// A table of work times as a file: "format": "glissade-work-times", "version": 1, and "times" with a
+/// member for each row of workTimeRows(). What a file leaves out keeps its default.
+nlohmann::ordered_json toJson(const WorkTimes& times);
+
+/// Errors: MalformedInput with the JSON pointer as place.
+Result<WorkTimes> readWorkTimes(const std::string& file);
+
+/// Saves it atomically.
+Outcome saveWorkTimes(const WorkTimes& times, const std::string& file);
+
+}  // namespace glissade

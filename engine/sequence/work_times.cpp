@@ -1,0 +1,122 @@
+#include "engine/sequence/work_times.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/sequence/solid_mass.h"
+#include "engine/sequence/standing.h"
+
+namespace glissade {
+namespace {
+
+constexpr double kHour = 3600.0;
+
+/// What steps are timed by.
+class StepTimer {
+ public:
+  StepTimer(const AssemblyPlan& plan, const AssembledProduct& product, const WorkTimes& times)
+      : product_(product),
+        times_(times),
+        masses_(massesOf(plan.demands, product)),
+        densities_(densitiesOf(plan.demands, product)) {}
+
+  StepTime timeOf(const AssemblyStep& step, const AssemblyStep* before) const {
+    StepTime time;
+    time.fetch = fetchOf(step);
+    time.place = placeOf(step);
+    time.turn = turnOf(step);
+    if (step.tool.kind != ToolKind::None && (before == nullptr || before->tool.kind != step.tool.kind)) {
+      time.tool = times_.toolChange;
+    }
+    time.hold = times_.hold * static_cast<double>(step.falling.size());
+    return time;
+  }
+
+ private:
+  /// Bodies that come as one are fetched as one.
+  double fetchOf(const AssemblyStep& step) const {
+    double mass = 0.0;
+    Box3 box;
+    for (const std::string& id : step.bodies()) {
+      const std::size_t body = *product_.indexOf(id);
+      const RigidBody& rigid = product_.bodies[body];
+      mass += masses_[body] > 0.0 ? masses_[body] : densities_[body] * solidMass(*rigid.mesh).volume;
+      box.extend(boundingBox(*rigid.mesh, rigid.X_WB));
+    }
+    const double longest = box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
+    if (mass > times_.aidAbove) return times_.fetchWithAid;
+    if (mass > times_.twoHandsAbove || longest > times_.largeAbove) return times_.fetchLarge;
+    return longest < times_.smallBelow ? times_.fetchSmall : times_.fetch;
+  }
+
+  /// Of a body that is turned, the way to the thread is a placing without a fit.
+  double placeOf(const AssemblyStep& step) const {
+    if (turnsOf(step) > 0.0) return times_.place;
+    if (comesApart(step, JointKind::Flexible)) return times_.lay;
+    if (comesApart(step, JointKind::Insert)) return times_.press;
+    if (step.path.size() > 2) return times_.placeLed;
+    return step.allowances.empty() ? times_.place : times_.placeAligned;
+  }
+
+  static bool comesApart(const AssemblyStep& step, JointKind kind) {
+    return std::any_of(step.joints.begin(), step.joints.end(),
+                       [&](const StepJoint& each) { return each.kind == kind; });
+  }
+
+  double turnOf(const AssemblyStep& step) const {
+    const double turns = turnsOf(step);
+    if (turns == 0.0) return 0.0;
+    const bool powered = step.tool.kind != ToolKind::None && step.tool.kind != ToolKind::OpenWrench;
+    return times_.startThread + turns * (powered ? times_.turn : times_.turnByHand);
+  }
+
+  static double turnsOf(const AssemblyStep& step) {
+    double turns = 0.0;
+    for (const StepAllowance& each : step.allowances) turns = std::max(turns, std::abs(each.turns));
+    for (const StepJoint& each : step.joints) turns = std::max(turns, each.turns);
+    return turns;
+  }
+
+  const AssembledProduct& product_;
+  const WorkTimes& times_;
+  std::vector<double> masses_;
+  std::vector<double> densities_;
+};
+
+}  // namespace
+
+const std::vector<WorkTimeRow>& workTimeRows() {
+  static const std::vector<WorkTimeRow> rows{
+      {"small_below_m", &WorkTimes::smallBelow, 1.0, "a part is small below this length"},
+      {"large_above_m", &WorkTimes::largeAbove, 100.0, "a part is large above this length"},
+      {"two_hands_above_kg", &WorkTimes::twoHandsAbove, 1000.0, "a heavier part is handled as a large one"},
+      {"aid_above_kg", &WorkTimes::aidAbove, 1000.0, "a heavier part needs a lifting aid"},
+      {"fetch_s", &WorkTimes::fetch, kHour, "fetch a part"},
+      {"fetch_small_s", &WorkTimes::fetchSmall, kHour, "fetch a small part"},
+      {"fetch_large_s", &WorkTimes::fetchLarge, kHour, "fetch a large part with both hands"},
+      {"fetch_with_aid_s", &WorkTimes::fetchWithAid, kHour, "fetch a part with a lifting aid"},
+      {"place_s", &WorkTimes::place, kHour, "place a part along a straight way"},
+      {"place_aligned_s", &WorkTimes::placeAligned, kHour, "place a part into a fit"},
+      {"place_led_s", &WorkTimes::placeLed, kHour, "place a part along a way with turns"},
+      {"press_s", &WorkTimes::press, kHour, "press a part into its seat"},
+      {"lay_s", &WorkTimes::lay, kHour, "lay a flexible part on"},
+      {"start_thread_s", &WorkTimes::startThread, kHour, "start a thread"},
+      {"turn_s", &WorkTimes::turn, kHour, "one turn with a powered tool"},
+      {"turn_by_hand_s", &WorkTimes::turnByHand, kHour, "one turn by hand or with an open wrench"},
+      {"tool_change_s", &WorkTimes::toolChange, kHour, "take another tool"},
+      {"hold_s", &WorkTimes::hold, kHour, "hold one body meanwhile"},
+  };
+  return rows;
+}
+
+std::vector<StepTime> stepTimes(const AssemblyPlan& plan, const AssembledProduct& product, const WorkTimes& times) {
+  const StepTimer timer(plan, product, times);
+  std::vector<StepTime> all;
+  for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+    const bool isFirst = i + 1 == plan.steps.size();
+    all.push_back(timer.timeOf(plan.steps[i], isFirst ? nullptr : &plan.steps[i + 1]));
+  }
+  return all;
+}
+
+}  // namespace glissade
