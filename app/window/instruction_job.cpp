@@ -141,9 +141,11 @@ void InstructionJob::write() {
                       return finish(drawn);
                     }
                     const PlanWords words(language, [](double metres) { return lengthText(metres).toStdString(); });
+                    const auto timing = planTiming(*content->plan, *content->product, WorkTimes());
                     const StudyReport report =
                         workInstruction({*content->plan, *content->product, content->name, content->deviation,
-                                         content->checks, content->exploded, graph.toStdString(), content->pictures},
+                                         content->checks, content->exploded, graph.toStdString(), content->pictures,
+                                         timing ? std::optional(*timing) : std::nullopt},
                                         words);
                     return finish(saveReport(report, content->file));
                   });

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <map>
+#include <sstream>
 
 namespace glissade {
 namespace {
@@ -21,6 +23,7 @@ class Composer {
     addCover();
     addPartsList();
     for (std::size_t i = 0; i < content_.plan.steps.size(); ++i) addStep(i);
+    addTimes();
     addStuck();
     if (!content_.graphPicture.empty()) {
       report_.blocks.emplace_back(ReportHeading{say("Order of the steps"), 2, true});
@@ -133,9 +136,69 @@ class Composer {
     const auto allowances = plain_.allowances(step, content_.product);
     if (allowances.empty()) rows.push_back({say("Allowance"), say("none")});
     for (const std::string& text : allowances) rows.push_back({say("Allowance"), text});
+    if (content_.timing) rows.push_back({say("Time"), seconds(content_.timing->times[place].total())});
     rows.push_back({say("Found by"), step.method});
     rows.push_back({say("Check"), checkText(i < content_.checks.size() ? content_.checks[i] : StepCheck::NotAsked)});
     report_.blocks.emplace_back(facts(std::move(rows)));
+  }
+
+  std::string seconds(double value) const {
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(1) << value;
+    return say("%1 s", {text.str()});
+  }
+
+  void addTimes() {
+    if (!content_.timing) return;
+    const PlanTiming& timing = *content_.timing;
+    report_.blocks.emplace_back(ReportHeading{say("Times"), 2, true});
+    report_.blocks.emplace_back(ReportText{
+        say("The times are estimates of the size of tables for manual assembly (Boothroyd, Dewhurst and Knight 2011). "
+            "They were not measured.")});
+    report_.blocks.emplace_back(facts({{say("One person"), seconds(timing.sum())},
+                                       {say("Longest chain"), seconds(timing.chainSeconds())},
+                                       {say("Steps of the longest chain"), numbersText(timing.chain)}}));
+    if (timing.line) addLine(timing);
+  }
+
+  void addLine(const PlanTiming& timing) {
+    const LineBalance& line = *timing.line;
+    report_.blocks.emplace_back(ReportHeading{say("Line of %1 stations", {std::to_string(line.load.size())}), 3});
+    report_.blocks.emplace_back(ReportText{say("A product leaves the line every %1. No division is faster than %2.",
+                                               {seconds(line.cycle), seconds(line.least)})});
+    ReportTable table{"",
+                      {{say("Station"), ReportColumn::Kind::Number},
+                       {say("Time"), ReportColumn::Kind::Number},
+                       {say("Steps"), ReportColumn::Kind::Prose}},
+                      {}};
+    for (std::size_t s = 0; s < line.load.size(); ++s) {
+      table.rows.push_back({std::to_string(s + 1), seconds(line.load[s]), numbersText(timing.stepsAt(s))});
+    }
+    report_.blocks.emplace_back(std::move(table));
+    report_.blocks.emplace_back(loadPlot(line));
+  }
+
+  /// A bar for each station.
+  Plot loadPlot(const LineBalance& line) const {
+    constexpr double kBarShare = 0.6;
+    Plot plot;
+    plot.name = "station_load";
+    plot.title = say("Work of each station");
+    plot.kind = PlotKind::Bars;
+    std::vector<std::string> names;
+    for (std::size_t s = 0; s < line.load.size(); ++s) names.push_back(std::to_string(s + 1));
+    plot.x = PlotScale::categories(say("Station"), names);
+    std::vector<double> values = line.load;
+    values.push_back(0.0);
+    plot.y = PlotScale::linear(say("seconds"), values);
+    plot.barWidth = kBarShare / static_cast<double>(line.load.size());
+    PlotSeries series;
+    for (std::size_t s = 0; s < line.load.size(); ++s) {
+      const double load = line.load[s];
+      series.points.push_back({static_cast<double>(s), load, load, load, "", seconds(load), std::nullopt});
+    }
+    plot.series.push_back(std::move(series));
+    return plot;
   }
 
   std::string checkText(StepCheck check) const {

@@ -160,6 +160,23 @@ TEST(WorkInstruction, IsWhollyInFrench) {
   }
 }
 
+TEST(WorkInstruction, SaysTimesAndTheLine) {
+  const AssembledProduct product = test::lockedDrawer();
+  const AssemblyPlan plan = somePlan();
+  const auto timing = planTiming(plan, product, WorkTimes(), 2);
+  ASSERT_TRUE(timing.ok());
+  for (const Language language : {Language::English, Language::French}) {
+    const auto page =
+        reportHtml(workInstruction({plan, product, "drawer", 1e-5, {}, "", "", {}, *timing}, wordsIn(language)));
+    ASSERT_TRUE(page.ok());
+    const bool english = language == Language::English;
+    EXPECT_NE(page->find(english ? "Longest chain" : "Chaîne la plus longue"), std::string::npos);
+    EXPECT_NE(page->find(english ? "Line of 2 stations" : "Ligne de 2 postes"), std::string::npos);
+    EXPECT_NE(page->find("<svg"), std::string::npos);
+    EXPECT_EQ(page->find("The times are") == std::string::npos, !english);
+  }
+}
+
 TEST(WorkInstruction, AMissingPictureIsAnError) {
   const AssembledProduct product = test::lockedDrawer();
   const AssemblyPlan plan = somePlan();
