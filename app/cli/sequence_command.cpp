@@ -17,6 +17,7 @@
 #include "engine/sequence/sequence_run.h"
 #include "engine/sequence/step_motion.h"
 #include "engine/sequence/step_precedence.h"
+#include "engine/sequence/subassembly_lines.h"
 #include "engine/study/plan_words.h"
 
 namespace glissade::cli {
@@ -243,11 +244,11 @@ std::string certifiedText(const AssemblyPlan& plan) {
   return "every motion certified but those of " + std::to_string(open) + " flexible parts";
 }
 
-void printPlan(const AssemblyPlan& plan, const ProgressHost& host, double seconds) {
+void printSteps(const std::vector<AssemblyStep>& steps, const std::string& before, const ProgressHost& host) {
   const PlanWords words(Language::English, lengthInMillimetres);
-  for (std::size_t i = 0; i < plan.steps.size(); ++i) {
-    const AssemblyStep& step = plan.steps[i];
-    std::cout << std::setw(4) << i + 1 << "  " << host.namesOf(step);
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const AssemblyStep& step = steps[i];
+    std::cout << before << std::setw(4) << i + 1 << "  " << host.namesOf(step);
     if (step.fastener != FastenerKind::None) std::cout << " (" << fastenerName(step.fastener) << ")";
     std::cout << ": " << step.method;
     if (!step.certified) std::cout << ", not certified";
@@ -266,14 +267,39 @@ void printPlan(const AssemblyPlan& plan, const ProgressHost& host, double second
     for (const std::string& id : step.falling) std::cout << "      to be held: " << host.nameOf(id) << "\n";
     for (const StepAllowance& allowance : step.allowances) std::cout << "      allowance: " << allowance.text << "\n";
   }
-  for (const StuckBody& stuck : plan.stuck) {
-    std::cout << "stuck: " << host.nameOf(stuck.body);
+}
+
+void printStuck(const std::vector<StuckBody>& all, const std::string& before, const ProgressHost& host) {
+  for (const StuckBody& stuck : all) {
+    std::cout << before << "stuck: " << host.nameOf(stuck.body);
     const char* separator = ", blocked by ";
     for (const std::string& other : stuck.blockedBy) {
       std::cout << separator << host.nameOf(other);
       separator = ", ";
     }
     std::cout << (stuck.reason.empty() ? "" : ": ") << stuck.reason << "\n";
+  }
+}
+
+/// "      " for the first ones, more for groups of groups.
+void printLines(const std::vector<SubassemblyLine>& lines, const std::string& before, const ProgressHost& host) {
+  for (const SubassemblyLine& line : lines) {
+    std::cout << before << "the group of step " << line.step << " is taken apart off";
+    for (const std::string& id : line.staying) std::cout << " " << host.nameOf(id);
+    std::cout << ":\n";
+    printSteps(line.steps, before, host);
+    printStuck(line.stuck, before, host);
+    printLines(line.lines, before + "  ", host);
+  }
+}
+
+void printPlan(const AssemblyPlan& plan, const ProgressHost& host, double seconds) {
+  printSteps(plan.steps, "", host);
+  printLines(plan.lines, "  ", host);
+  printStuck(plan.stuck, "", host);
+  const std::size_t apart = bodiesApart(plan);
+  if (apart < plan.removed()) {
+    std::cout << plan.removed() - apart << " of the parts that leave remain joined in groups\n";
   }
   std::cout << plan.removed() << " of " << plan.parts() << " parts leave in " << plan.steps.size() << " steps, "
             << certifiedText(plan) << ", " << seconds << " s\n";

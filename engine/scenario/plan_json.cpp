@@ -13,6 +13,7 @@
 #include "engine/product/contact_report.h"
 #include "engine/scenario/plan_file.h"
 #include "engine/scenario/sequence_json.h"
+#include "engine/sequence/subassembly_lines.h"
 
 namespace glissade {
 namespace {
@@ -152,9 +153,9 @@ Json toJson(const SubassemblyLine& line) {
 class PlanReader {
  public:
   AssemblyPlan read(const JsonCursor& at) {
-    at.allowOnly({"format", "version", "program", "product", "strategy", "seed", "deflection_m", "parts", "removed",
-                  "end", "certified", "bodies", "staying", "steps", "stuck", "refusals", "waiting", "sequence",
-                  "lines"});
+    at.allowOnly({"format", "version", "program",  "product", "strategy",  "seed",   "deflection_m",
+                  "parts",  "removed", "apart",    "end",     "certified", "bodies", "staying",
+                  "steps",  "stuck",   "refusals", "waiting", "sequence",  "lines"});
     if (at.at("format").text() != kPlanFormat) at.at("format").fail("is not \"glissade-plan\"");
     if (at.at("version").wholeNumber() != 1) at.at("version").fail("is not 1", "Use a newer Glissade.");
     plan_.strategy = at.at("strategy").nonEmptyText();
@@ -443,6 +444,7 @@ Json planJson(const AssemblyPlan& plan, const std::string& product) {
             {"deflection_m", plan.deflection},
             {"parts", plan.parts()},
             {"removed", plan.removed()},
+            {"apart", bodiesApart(plan)},
             {"end", endName(plan.end)},
             {"certified", plan.removedWithoutProof() == 0},
             {"bodies", plan.bodies},

@@ -46,7 +46,7 @@ class Reordering {
  public:
   Reordering(const AssemblyPlan& plan, const SequenceQuestion& question, const StepCost& cost, const StopToken& stop)
       : plan_(plan), question_(question), cost_(cost), stop_(stop) {
-    const BodySet all(question.product.bodies.size(), true);
+    const BodySet all = question.initial();
     const double size = boxOf(question.product, all).diagonal().norm();
     const double volume = boxOf(question.product, all).volume();
     if (cost.uses("tool_blocked") && !question.tools.empty()) tools_.emplace(plan, question);
@@ -114,7 +114,7 @@ class Reordering {
 
   double costOfStep(std::size_t step, const std::size_t* last, const std::vector<bool>& done) {
     StepFigures figures = figuresOf(step, last, done);
-    BodySet present(question_.product.bodies.size(), true);
+    BodySet present = question_.initial();
     for (std::size_t other = 0; other < done.size(); ++other) {
       if (done[other]) present = without(std::move(present), groups_[other]);
     }
@@ -147,7 +147,7 @@ class Reordering {
 
 /// Bodies that are there when the first steps of the plan have been carried out, for each number of them.
 std::vector<BodySet> presentAfter(const AssemblyPlan& plan, const SequenceQuestion& question) {
-  std::vector<BodySet> present{BodySet(question.product.bodies.size(), true)};
+  std::vector<BodySet> present{question.initial()};
   for (const AssemblyStep& step : plan.steps) {
     present.push_back(without(present.back(), groupOf(step, question.product)));
   }
@@ -170,7 +170,7 @@ std::optional<std::vector<AssemblyStep>> reordered(const AssemblyPlan& plan, con
   for (std::size_t place = 0; place < order.size(); ++place) numberOf[order[place]] = place + 1;
   const std::vector<BodySet> before = presentAfter(plan, question);
   std::vector<AssemblyStep> steps;
-  BodySet present(question.product.bodies.size(), true);
+  BodySet present = question.initial();
   for (const std::size_t step : order) {
     AssemblyStep next = plan.steps[step];
     const BodyGroup group = groupOf(next, question.product);

@@ -28,12 +28,12 @@ class GreedySearch {
       : question_(question),
         host_(host),
         tree_(pathsOf(question.product)),
-        present_(question.product.bodies.size(), true),
+        present_(question.initial()),
         placed_(question.product.bodies.size(), false) {
     plan_.seed = question.seed;
     for (std::size_t body = 0; body < present_.size(); ++body) {
-      plan_.bodies.push_back(idOf(body));
-      if (question.staying[body]) plan_.staying.push_back(idOf(body));
+      if (present_[body]) plan_.bodies.push_back(idOf(body));
+      if (present_[body] && question.staying[body]) plan_.staying.push_back(idOf(body));
       volumes_.push_back(boxVolume(question.product.bodies[body]));
     }
     for (const auto& step : question.rules.placed) {

@@ -22,7 +22,8 @@ constexpr double kToolClearance = 1e-5;
 
 MotionTrial::MotionTrial(const AssembledProduct& product, const ProductFits& fits, std::uint64_t seed, int searches,
                          Forbidden forbidden, const JointRules* joints)
-    : fits_(fits),
+    : product_(product),
+      fits_(fits),
       bodies_(product.bodies.size()),
       searches_(searches),
       forbidden_(std::move(forbidden)),
@@ -60,14 +61,31 @@ RemovalAnswer MotionTrial::tryRemoval(const BodyGroup& group, const BodySet& pre
   return answer;
 }
 
-/// Threads that a person has marked have a rule of their own in the worlds.
+/// Threads that a person has marked have a rule of their own in the worlds. Facets of a mesh that states no faces are
+/// allowed nothing for other angles than the assembled one, unless a person says that they are a thread: there the way
+/// along a line has to do.
 RemovalAnswer MotionTrial::tryTurning(const BodyGroup& group, const BodySet& present,
                                       const std::vector<std::size_t>& opened, const StopToken& stop) {
-  RemovalAnswer answer = fits_.isInThread(group, present) ? turned_.tryRemoval(group, present, stop)
-                                                          : jointed_->tryRemoval(group, present, opened, stop);
+  const bool marked = fits_.isInThread(group, present);
+  RemovalAnswer answer =
+      marked ? turned_.tryRemoval(group, present, stop) : jointed_->tryRemoval(group, present, opened, stop);
+  const auto* held = std::get_if<Refused>(&answer);
+  if (held != nullptr && !held->stopped && !marked && hasFacetsOnly(group, opened)) {
+    answer = straight_.tryRemoval(group, present, stop);
+  }
   const auto* removed = std::get_if<Removed>(&answer);
   if (removed != nullptr && !mayLeaveIn(exitDirection(removed->path.points), group)) answer = Refused{};
   return answer;
+}
+
+/// Of a body that turns in these joints, or that it turns in.
+bool MotionTrial::hasFacetsOnly(const BodyGroup& group, const std::vector<std::size_t>& opened) const {
+  const auto isFaceless = [&](std::size_t body) { return product_.bodies[body].mesh->faces.empty(); };
+  if (std::any_of(group.begin(), group.end(), isFaceless)) return true;
+  return std::any_of(opened.begin(), opened.end(), [&](std::size_t index) {
+    const Joint& joint = joints_->joints()[index];
+    return isFaceless(joint.body) || std::any_of(joint.others.begin(), joint.others.end(), isFaceless);
+  });
 }
 
 /// Both are refused by those that block either.

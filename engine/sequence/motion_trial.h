@@ -41,8 +41,10 @@ class MotionTrial final : public RemovalTrial {
   RemovalAnswer tryDirectly(const BodyGroup& group, const BodySet& present, const StopToken& stop);
   RemovalAnswer tryTurning(const BodyGroup& group, const BodySet& present, const std::vector<std::size_t>& opened,
                            const StopToken& stop);
+  bool hasFacetsOnly(const BodyGroup& group, const std::vector<std::size_t>& opened) const;
   bool mayLeaveIn(const Vector3& direction, const BodyGroup& group) const;
 
+  const AssembledProduct& product_;
   const ProductFits& fits_;
   std::size_t bodies_;
   int searches_;

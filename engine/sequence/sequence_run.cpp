@@ -9,6 +9,7 @@
 #include "engine/sequence/standing.h"
 #include "engine/sequence/step_joints.h"
 #include "engine/sequence/step_tools.h"
+#include "engine/sequence/subassembly_lines.h"
 
 namespace glissade {
 namespace {
@@ -89,6 +90,7 @@ Result<AssemblyPlan> planSequence(const AssembledProduct& product, const Product
                                   *tools,    &*cost,          counting};
   AssemblyPlan plan = strategy->make()->plan(question, host);
   addJoints(plan, question);
+  addLines(plan, question, host);
   addTools(plan, question, host);
   plan.demands = request.demands;
   return plan;

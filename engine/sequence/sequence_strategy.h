@@ -31,6 +31,9 @@ struct SequenceQuestion {
   ToolChoices tools{};                    ///< of each body; empty: not known
   const StepCost* cost = nullptr;         ///< of best-first; null: the usual one
   const JointRules* joints = nullptr;     ///< null: there are none
+  BodySet there{};                        ///< bodies that are there at the beginning; empty: all
+
+  BodySet initial() const { return there.empty() ? BodySet(product.bodies.size(), true) : there; }
 };
 
 /// What a strategy tells while it works, and asks. Called on the strategy's thread.

@@ -60,7 +60,7 @@ double turnsOf(const std::vector<PathPoint>& path) {
 
 void addJoints(AssemblyPlan& plan, const SequenceQuestion& question) {
   if (question.joints == nullptr) return;
-  BodySet present(question.product.bodies.size(), true);
+  BodySet present = question.initial();
   std::map<std::size_t, std::vector<std::size_t>> tasks;  // indices of their steps
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
     const BodyGroup group = groupOf(plan.steps[i], question.product);

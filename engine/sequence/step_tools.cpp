@@ -108,7 +108,7 @@ ToolFacts::ToolFacts(const AssemblyPlan& plan, const SequenceQuestion& question)
     const RigidBody& own = question.product.bodies[body];
     const FastenerHead* head = meshes.head(own.mesh);
     if (head == nullptr) continue;
-    steps_.back().others = bodiesIn(without(BodySet(question.product.bodies.size(), true), {body}));
+    steps_.back().others = bodiesIn(without(question.initial(), {body}));
     for (const ToolKind kind : question.tools[body]) {
       Tool tool{kind, meshes.tool(own.mesh, kind), {}, takeOffWays(kind, *head)};
       const int positions = handlePositions(kind);
@@ -177,7 +177,7 @@ void addTools(AssemblyPlan& plan, const SequenceQuestion& question, SequenceHost
   host.team().run(plan.steps.size(), [&](std::size_t i) {
     AssemblyStep& step = plan.steps[i];
     if (step.tool.kind == ToolKind::None) return;
-    BodySet there(question.product.bodies.size(), true);
+    BodySet there = question.initial();
     for (std::size_t earlier = 0; earlier <= i; ++earlier) there = without(std::move(there), groups[earlier]);
     if (auto tool = facts.toolOf(i, there, host.stopToken())) step.tool = std::move(*tool);
   });

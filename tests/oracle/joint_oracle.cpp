@@ -216,6 +216,23 @@ std::vector<std::string> violationsOf(const StatedLine& plan, const std::vector<
   return violations;
 }
 
+std::vector<StatedJoint> readStatedJoints(const std::string& file, bool suggested) {
+  std::vector<StatedJoint> joints;
+  for (const Json& each : parsed(file).at("joints")) {
+    if (!suggested && each.at("state") == "suggested") continue;
+    StatedJoint joint{each.at("kind"), each.at("body"), idsIn(each, "others"), idsIn(each, "clamped")};
+    joint.point = each.at("point").get<Point>();
+    joint.direction = each.at("direction").get<Point>();
+    if (each.contains("thread")) {
+      const Json& thread = each.at("thread");
+      joint.pitch = thread.at("pitch_m");
+      joint.travel = std::max(thread.at("engaged_m").get<double>(), thread.value("travel_m", 0.0));
+    }
+    joints.push_back(std::move(joint));
+  }
+  return joints;
+}
+
 StatedLine readStatedPlan(const std::string& file) { return lineIn(parsed(file)); }
 
 }  // namespace glissade::oracle

@@ -27,7 +27,18 @@ TEST(StepCost, KnowsTheFiguresOfAStep) {
   EXPECT_EQ(costOf("bodies", figures), 4.0);
   EXPECT_EQ(costOf("mass", figures), 5.0);
   EXPECT_EQ(costOf("if(fragile, 7, 8)", figures), 7.0);
-  EXPECT_EQ(costOf("", figures), 1.5 + 1.0 + 30.0) << "the usual one";
+  EXPECT_EQ(costOf("balanced", figures), 1.5 + 1.0 + 30.0);
+  EXPECT_EQ(costOf("", figures), 30.0 + 1.0) << "the usual one";
+  StepFigures around;
+  around.toolBlocked = around.taskChange = true;
+  around.assemblyChange = 0.5;
+  around.distance = 0.25;
+  around.size = 0.125;
+  around.early = 0.75;
+  EXPECT_EQ(costOf("tool_blocked + 2 * task_change", around), 3.0);
+  EXPECT_EQ(costOf("assembly_change + distance", around), 0.75);
+  EXPECT_EQ(costOf("size + early", around), 0.875);
+  EXPECT_EQ(costOf("as-found", around), 0.0);
 }
 
 TEST(StepCost, KnowsTheAttributesOfTheBody) {

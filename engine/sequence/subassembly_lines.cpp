@@ -1,0 +1,160 @@
+#include "engine/sequence/subassembly_lines.h"
+
+#include <algorithm>
+
+#include "engine/sequence/best_first_strategy.h"
+#include "engine/sequence/plan_steps.h"
+#include "engine/sequence/step_joints.h"
+#include "engine/sequence/step_tools.h"
+
+namespace glissade {
+namespace {
+
+/// Searches of lines: the shortest one.
+constexpr int kLineEfforts = 2;
+
+/// The same answers without the longer searches.
+class ShortTrial final : public RemovalTrial {
+ public:
+  explicit ShortTrial(RemovalTrial& inner) : inner_(inner) {}
+
+  int efforts() const override { return std::min(kLineEfforts, inner_.efforts()); }
+  RemovalAnswer tryRemoval(const BodyGroup& group, const BodySet& present, int effort, const StopToken& stop) override {
+    return inner_.tryRemoval(group, present, effort, stop);
+  }
+  std::vector<BodyGroup> groupsAlongLines(const GroupQuestion& question, ThreadTeam& team,
+                                          const StopToken& stop) override {
+    return inner_.groupsAlongLines(question, team, stop);
+  }
+  std::vector<std::size_t> inTheWay(const BodyGroup& group, const std::vector<PathPoint>& path,
+                                    const std::vector<std::size_t>& left, const StopToken& stop) override {
+    return inner_.inTheWay(group, path, left, stop);
+  }
+  std::vector<BodyFit> fitsWith(const BodyGroup& group, const BodySet& others) const override {
+    return inner_.fitsWith(group, others);
+  }
+  std::optional<Removed> certified(const BodyGroup& group, const std::vector<PathPoint>& path,
+                                   const std::string& method, const BodySet& present, const StopToken& stop) override {
+    return inner_.certified(group, path, method, present, stop);
+  }
+  std::vector<std::size_t> inTheWayOfTool(const MeshPtr& tool, const std::pair<Pose, Pose>& motion,
+                                          const std::vector<std::size_t>& others, const StopToken& stop) override {
+    return inner_.inTheWayOfTool(tool, motion, others, stop);
+  }
+  void learn(const BodyGroup& group, const std::vector<PathPoint>& path) override { inner_.learn(group, path); }
+
+ private:
+  RemovalTrial& inner_;
+};
+
+/// Passes on but the plan so far: a line is no plan that can be resumed.
+class LineHost final : public SequenceHost {
+ public:
+  explicit LineHost(SequenceHost& host) : host_(host) {}
+  const StopToken& stopToken() const override { return host_.stopToken(); }
+  ThreadTeam& team() override { return host_.team(); }
+  void asking(std::size_t bodies, int effort) override { host_.asking(bodies, effort); }
+  void stepFound(const AssemblyPlan& /*plan*/) override {}
+
+ private:
+  SequenceHost& host_;
+};
+
+/// The unit of the group that a body is in.
+BodyGroup unitIn(std::size_t body, const JointRules* joints) {
+  if (joints != nullptr) {
+    for (const BodyGroup& unit : joints->bonded()) {
+      if (std::binary_search(unit.begin(), unit.end(), body)) return unit;
+    }
+  }
+  return {body};
+}
+
+std::size_t largestIn(const BodyGroup& group, const AssembledProduct& product) {
+  return *std::max_element(group.begin(), group.end(), [&](std::size_t a, std::size_t b) {
+    return boxVolume(product.bodies[a]) < boxVolume(product.bodies[b]);
+  });
+}
+
+/// What a person demands of places and of what leaves as one is about the whole product.
+OrderRules rulesOf(const SequenceQuestion& question, const BodySet& there) {
+  OrderRules rules = question.rules;
+  rules.placed.clear();
+  rules.motions.clear();
+  rules.together.clear();
+  if (question.joints == nullptr) return rules;
+  for (const BodyGroup& unit : question.joints->bonded()) {
+    if (there[unit.front()]) rules.together.push_back(unit);
+  }
+  return rules;
+}
+
+/// The question about a group. What stands is not asked: a group is held as it is handy.
+SequenceQuestion questionOf(const BodyGroup& group, const SequenceQuestion& question, RemovalTrial& trial) {
+  BodySet there(question.product.bodies.size(), false);
+  BodySet staying = there;
+  for (const std::size_t body : group) there[body] = true;
+  for (const std::size_t body : unitIn(largestIn(group, question.product), question.joints)) staying[body] = true;
+  return {question.product,
+          staying,
+          question.seed,
+          trial,
+          nullptr,
+          rulesOf(question, there),
+          question.fasteners,
+          nullptr,
+          question.fragile,
+          question.tools,
+          question.cost,
+          question.joints,
+          there};
+}
+
+SubassemblyLine lineOf(const BodyGroup& group, const SequenceQuestion& question, RemovalTrial& trial,
+                       SequenceHost& host);
+
+/// Of the groups among the steps.
+std::vector<SubassemblyLine> linesOf(const std::vector<AssemblyStep>& steps, const SequenceQuestion& question,
+                                     RemovalTrial& trial, SequenceHost& host) {
+  std::vector<SubassemblyLine> lines;
+  for (std::size_t i = 0; i < steps.size() && !host.stopToken().stopRequested(); ++i) {
+    const BodyGroup group = groupOf(steps[i], question.product);
+    if (unitIn(group.front(), question.joints).size() >= group.size()) continue;
+    lines.push_back(lineOf(group, question, trial, host));
+    lines.back().step = i + 1;
+  }
+  return lines;
+}
+
+SubassemblyLine lineOf(const BodyGroup& group, const SequenceQuestion& question, RemovalTrial& trial,
+                       SequenceHost& host) {
+  const SequenceQuestion own = questionOf(group, question, trial);
+  LineHost quiet(host);
+  AssemblyPlan plan = BestFirstStrategy().plan(own, quiet);
+  addJoints(plan, own);
+  addTools(plan, own, quiet);
+  SubassemblyLine line;
+  line.bodies = idsOf(group, question.product);
+  line.staying = std::move(plan.staying);
+  line.lines = linesOf(plan.steps, own, trial, quiet);
+  line.steps = std::move(plan.steps);
+  line.stuck = std::move(plan.stuck);
+  return line;
+}
+
+std::size_t stuckIn(const std::vector<SubassemblyLine>& lines) {
+  std::size_t count = 0;
+  for (const SubassemblyLine& line : lines) count += line.stuck.size() + stuckIn(line.lines);
+  return count;
+}
+
+}  // namespace
+
+std::size_t bodiesApart(const AssemblyPlan& plan) { return plan.removed() - stuckIn(plan.lines); }
+
+void addLines(AssemblyPlan& plan, const SequenceQuestion& question, SequenceHost& host) {
+  ShortTrial trial(question.trial);
+  plan.lines = linesOf(plan.steps, question, trial, host);
+}
+
+}  // namespace glissade

@@ -1,0 +1,256 @@
+// Plans that keep to joints: hand-made joints, so that the tests do not depend on how joints are found.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "engine/scenario/judged_product.h"
+#include "engine/sequence/joined_units.h"
+#include "engine/sequence/joint_removal.h"
+#include "engine/sequence/joint_rules.h"
+#include "engine/sequence/sequence_run.h"
+#include "engine/sequence/step_joints.h"
+#include "tests/engine/product/ring.h"
+#include "tests/engine/sequence/products.h"
+
+namespace glissade {
+namespace {
+
+constexpr double kPitch = 0.0008;
+constexpr double kEngaged = 0.004;
+
+/// The triangles are one face, as of a CAD file.
+RigidBody partOf(const std::string& name, TriangleMesh mesh, const Vector3& at) {
+  mesh.faces.emplace_back();
+  mesh.faceOf.assign(mesh.triangles.size(), 0);
+  RigidBody body = boxBody(name, {1.0, 1.0, 1.0}, Pose::translation(at));
+  body.mesh = std::make_shared<const TriangleMesh>(std::move(mesh));
+  return body;
+}
+
+/// A shaft of 5 mm along z, 14 mm long, with a head of 9 mm above z = 0.
+TriangleMesh headedScrew() {
+  TriangleMesh mesh = test::makeRing(0.0, 0.0025, 0.014, 36);
+  for (Vector3& vertex : mesh.vertices) vertex.z() -= 0.006;
+  append(mesh, transformed(test::makeRing(0.0, 0.0045, 0.003, 36), Pose::translation({0.0, 0.0, 0.0016})));
+  return mesh;
+}
+
+/// A hole of 5.2 mm in a base, a cover on it with a hole of 5.8 mm, and the screw in both.
+AssembledProduct screwedCover() {
+  return test::productOf({partOf("base", test::makeRing(0.0026, 0.03, 0.02, 48), {0.0, 0.0, -0.0151}),
+                          partOf("cover", test::makeRing(0.0029, 0.02, 0.0049, 48), {0.0, 0.0, -0.0025}),
+                          partOf("screw", headedScrew(), Vector3::Zero())});
+}
+
+Joint screwIn(std::size_t body, std::vector<std::size_t> others, std::vector<std::size_t> clamped) {
+  Joint joint;
+  joint.body = body;
+  joint.others = std::move(others);
+  joint.clamped = std::move(clamped);
+  joint.thread = JointThread{0.005, kPitch, false, kEngaged, kEngaged};
+  return joint;
+}
+
+Joint jointOf(JointKind kind, std::size_t body, std::vector<std::size_t> others) {
+  Joint joint;
+  joint.kind = kind;
+  joint.body = body;
+  joint.others = std::move(others);
+  return joint;
+}
+
+AssemblyPlan planOf(const AssembledProduct& product, const Joints& joints, const std::string& staying,
+                    JointUse use = JointUse::Recognised) {
+  test::QuietHost host;
+  SequenceRequest request{BodySet(product.bodies.size(), false)};
+  request.staying[*product.indexOf(staying)] = true;
+  request.demands.jointUse = use;
+  request.joints = &joints;
+  auto plan = planSequence(product, test::fitsOf(product), request, host);
+  EXPECT_TRUE(plan.ok());
+  return std::move(*plan);
+}
+
+AssembledProduct boxes(std::size_t count) {
+  std::vector<RigidBody> bodies;
+  for (std::size_t i = 0; i < count; ++i) {
+    bodies.push_back(boxBody("b" + std::to_string(i), {0.5, 0.5, 0.5}, Pose::translation({double(i), 0.0, 0.0})));
+  }
+  return test::productOf(std::move(bodies));
+}
+
+JointRules rulesOf(const Joints& joints, std::size_t bodies) {
+  return {joints, boxes(bodies), std::vector<FastenerKind>(bodies, FastenerKind::None)};
+}
+
+TEST(JointRules, AScrewHoldsWhatItClampsAndWhatItIsScrewedInto) {
+  const JointRules rules = rulesOf({screwIn(2, {0}, {1})}, 3);
+  const BodySet all(3, true);
+  EXPECT_EQ(rules.holding({1}, all, false), std::vector<std::size_t>{0});
+  EXPECT_EQ(rules.holding({0}, all, false), std::vector<std::size_t>{0});
+  EXPECT_TRUE(rules.holding({2}, all, false).empty()) << "the screw turns out";
+  EXPECT_FALSE(rules.holding({1, 2}, all, false).empty()) << "a screw does not turn with what it clamps";
+  EXPECT_TRUE(rules.holding({0, 1, 2}, all, false).empty()) << "the whole joint moves as one";
+  EXPECT_EQ(rules.opened({2}, all), std::vector<std::size_t>{0});
+  EXPECT_TRUE(rules.opened({1}, all).empty());
+  EXPECT_EQ(rules.holders({0}, {1}, all), BodyGroup{2});
+}
+
+TEST(JointRules, ANutOpensTheJointAndTheScrewStillLeavesBeforeWhatItClampsWhereItCan) {
+  Joints joints{screwIn(2, {3}, {0, 1})};
+  const JointRules rules(joints, boxes(4),
+                         {FastenerKind::None, FastenerKind::None, FastenerKind::Screw, FastenerKind::Nut});
+  const BodySet all(4, true);
+  EXPECT_TRUE(rules.holding({3}, all, true).empty()) << "a nut is turned off";
+  EXPECT_EQ(rules.opened({3}, all), std::vector<std::size_t>{0});
+  const BodySet noNut = without(all, {3});
+  EXPECT_TRUE(rules.holding({1}, noNut, false).empty());
+  EXPECT_EQ(rules.holding({1}, noNut, true), std::vector<std::size_t>{0});
+}
+
+TEST(JointRules, WhatIsOneBodyIsOneGroup) {
+  const JointRules rules = rulesOf({jointOf(JointKind::Insert, 1, {0}), jointOf(JointKind::Unit, 3, {4}),
+                                    jointOf(JointKind::Insert, 2, {1}), jointOf(JointKind::Pin, 5, {4})},
+                                   6);
+  EXPECT_EQ(rules.bonded(), (std::vector<BodyGroup>{{0, 1, 2}, {3, 4}}));
+  OrderRules order;
+  order.together = {{2, 5}};
+  order.placed = {{{0}, 1}};
+  joinUnits(rules.bonded(), boxes(6), order);
+  std::sort(order.together.begin(), order.together.end());
+  EXPECT_EQ(order.together, (std::vector<BodyGroup>{{0, 1, 2, 5}, {3, 4}}));
+  EXPECT_EQ(order.placed.front().group, (BodyGroup{0, 1, 2, 5}));
+  EXPECT_EQ(withJoined({false, true, false, false, false, false}, rules.bonded()),
+            (BodySet{true, true, true, false, false, false}));
+}
+
+TEST(JointRules, AlikeScrewsThatClampTheSameAreOneTask) {
+  Joints joints{screwIn(2, {0}, {1}), screwIn(3, {0}, {1}), screwIn(4, {0}, {1}), screwIn(5, {0}, {6})};
+  for (std::size_t i = 0; i < 4; ++i) joints[i].designation = i == 2 ? "M4x8" : "M3x8";
+  const JointRules rules = rulesOf(joints, 7);
+  EXPECT_EQ(rules.taskOf(2), 1U);
+  EXPECT_EQ(rules.taskOf(3), 1U);
+  EXPECT_EQ(rules.taskOf(4), 0U) << "another size";
+  EXPECT_EQ(rules.taskOf(5), 0U) << "it clamps something else";
+  EXPECT_EQ(rules.inWords(rules.holding({1}, BodySet(7, true), false)), "held by 2 screws M3x8 and 1 screw M4x8");
+}
+
+TEST(JointRules, SuggestedJointsCountWhereTheyAreAskedFor) {
+  Joints joints{screwIn(2, {0}, {1}), jointOf(JointKind::Flexible, 1, {0})};
+  joints[1].state = JointState::Suggested;
+  EXPECT_EQ(countingJoints(joints, JointUse::Off).size(), 0U);
+  EXPECT_EQ(countingJoints(joints, JointUse::Recognised).size(), 1U);
+  EXPECT_EQ(countingJoints(joints, JointUse::Suggested).size(), 2U);
+  EXPECT_EQ(jointUseByName("suggested"), JointUse::Suggested);
+  EXPECT_FALSE(jointUseByName("all"));
+}
+
+TEST(TurnedAlong, NoEdgeTurnsByHalfACircleAndAFrameOffTheAxisHasMoreOfThem) {
+  const ScrewAxis screw{{0.0, 0.0, 0.0}, Vector3::UnitZ(), kPitch};
+  const Pose start = Pose::translation({0.0, 0.0, 0.01});
+  const std::vector<Pose> onAxis = turnedAlong(screw, start, 5.0 * kPitch, 1e-8);
+  EXPECT_EQ(onAxis.size(), 21U);
+  EXPECT_NEAR(onAxis.back().position.z(), 0.01 + 5.0 * kPitch, 1e-15);
+  for (std::size_t i = 1; i < onAxis.size(); ++i) {
+    EXPECT_LT(angleBetween(onAxis[i - 1].orientation, onAxis[i].orientation), 0.51 * std::numbers::pi);
+  }
+  const double arm = 1e-5;
+  const std::vector<Pose> beside = turnedAlong(screw, Pose::translation({arm, 0.0, 0.01}), 5.0 * kPitch, 1e-7);
+  EXPECT_GT(beside.size(), onAxis.size());
+  const Vector3 chord = 0.5 * (beside[0].position + beside[1].position);
+  EXPECT_LT(arm - chord.head<2>().norm(), 1e-7);
+}
+
+TEST(JointPlan, AScrewTurnsOutBeforeWhatItClamps) {
+  const AssembledProduct product = screwedCover();
+  const AssemblyPlan plan = planOf(product, {screwIn(2, {0}, {1})}, "base");
+  ASSERT_EQ(test::orderOf(plan), (std::vector<std::string>{"screw", "cover"}));
+  const AssemblyStep& step = plan.steps.front();
+  EXPECT_EQ(step.method, kTurned);
+  ASSERT_EQ(step.joints.size(), 1U);
+  EXPECT_NEAR(step.joints.front().turns, kEngaged / kPitch, 1e-9);
+  EXPECT_EQ(step.joints.front().clamped, std::vector<std::string>{"cover"});
+  EXPECT_NEAR(turnsOf(step.path), kEngaged / kPitch, 1e-9);
+  EXPECT_EQ(plan.steps.back().after, std::vector<std::size_t>{1});
+  EXPECT_TRUE(judgePlan(plan, product, std::nullopt, {}).valid()) << "the independent check proves the turn";
+}
+
+TEST(JointPlan, WithoutJointsTheScrewIsPulled) {
+  const AssembledProduct product = screwedCover();
+  const AssemblyPlan plan = planOf(product, {screwIn(2, {0}, {1})}, "base", JointUse::Off);
+  ASSERT_EQ(plan.steps.size(), 2U);
+  for (const AssemblyStep& step : plan.steps) EXPECT_EQ(step.method, "straight");
+  EXPECT_TRUE(plan.steps.front().joints.empty());
+}
+
+TEST(JointPlan, WhatIsInTheWayOfATurnIsNamedAndNothingIsPulled) {
+  AssembledProduct product = screwedCover();
+  RigidBody wall = boxBody("wall", {0.001, 0.01, 0.01}, Pose::translation({0.0043, 0.0, 0.0055}));
+  product.bodies.push_back(aboutTheirMiddles({wall}).front());
+  product.deflections.push_back(0.0);
+  Joints joints{screwIn(2, {0}, {1})};
+  test::QuietHost host;
+  SequenceRequest request{{true, false, false, true}};
+  request.joints = &joints;
+  const auto plan = planSequence(product, test::fitsOf(product), request, host);
+  ASSERT_TRUE(plan.ok());
+  EXPECT_TRUE(plan->steps.empty());
+  ASSERT_EQ(plan->stuck.size(), 2U);
+  const auto stuck = [&](const std::string& id) {
+    return *std::find_if(plan->stuck.begin(), plan->stuck.end(),
+                         [&](const StuckBody& each) { return each.body == id; });
+  };
+  EXPECT_EQ(stuck("screw").blockedBy, std::vector<std::string>{"wall"});
+  EXPECT_EQ(stuck("cover").reason, "held by 1 screw of 5 mm: remove these first");
+  EXPECT_EQ(stuck("cover").blockedBy, std::vector<std::string>{"screw"});
+}
+
+TEST(JointPlan, AnInsertLeavesWithItsHostAndIsCounted) {
+  AssembledProduct product = screwedCover();
+  const AssemblyPlan plan = planOf(product, {jointOf(JointKind::Insert, 2, {1})}, "base");
+  ASSERT_EQ(plan.steps.size(), 1U);
+  EXPECT_EQ(plan.steps.front().bodies(), (std::vector<std::string>{"cover", "screw"}));
+  EXPECT_EQ(plan.removed(), 2U);
+  const AssemblyPlan pressedIntoTheBase = planOf(product, {jointOf(JointKind::Insert, 2, {0})}, "base");
+  EXPECT_EQ(pressedIntoTheBase.staying, (std::vector<std::string>{"base", "screw"}));
+  EXPECT_EQ(pressedIntoTheBase.parts(), 1U);
+}
+
+TEST(JointPlan, AFlexibleBodyLeavesWithoutAProofBeforeWhatItGoesAround) {
+  const AssembledProduct product = test::chain();
+  Joint belt = jointOf(JointKind::Flexible, 0, {1});
+  const AssemblyPlan held = planOf(product, {}, "block");
+  EXPECT_TRUE(held.end == PlanEnd::Stuck || held.steps.size() == 1U) << "the links hold each other";
+  const AssemblyPlan plan = planOf(product, {belt}, "block");
+  ASSERT_EQ(test::orderOf(plan), (std::vector<std::string>{"one", "other"}));
+  EXPECT_FALSE(plan.steps.front().certified);
+  EXPECT_EQ(plan.steps.front().method, kFlexible);
+  EXPECT_TRUE(plan.steps.back().certified) << "nothing else loses its proof";
+  EXPECT_EQ(plan.steps.back().after, std::vector<std::size_t>{1});
+  EXPECT_EQ(plan.removedWithoutProof(), 1U);
+  EXPECT_EQ(plan.end, PlanEnd::Complete);
+}
+
+TEST(JointPlan, StepsOfOneTaskFollowEachOther) {
+  std::vector<RigidBody> bodies{partOf("base", test::makeRing(0.001, 0.2, 0.02, 48), {0.0, 0.0, -0.02})};
+  Joints joints;
+  // Posts that stand free, of growing size; the first, third and fifth are one task.
+  for (std::size_t i = 0; i < 6; ++i) {
+    const double angle = std::numbers::pi * static_cast<double>(i) / 3.0;
+    bodies.push_back(boxBody("post" + std::to_string(i), {0.01, 0.01, 0.02 + 0.001 * static_cast<double>(i)},
+                             Pose::translation({0.1 * std::cos(angle), 0.1 * std::sin(angle), 0.01})));
+    joints.push_back(screwIn(i + 1, {0}, {7}));
+    joints.back().point = bodies.back().X_WB.position;
+    joints.back().designation = i % 2 == 0 ? "M3x8" : "M4x8";
+  }
+  bodies.push_back(boxBody("far", {0.01, 0.01, 0.01}, Pose::translation({0.15, 0.15, 0.01})));
+  const AssemblyPlan plan = planOf(test::productOf(std::move(bodies)), joints, "base");
+  ASSERT_EQ(plan.steps.size(), 7U);
+  std::vector<std::size_t> tasks;
+  for (const AssemblyStep& step : plan.steps) tasks.push_back(step.task);
+  EXPECT_EQ(tasks, (std::vector<std::size_t>{1, 1, 1, 2, 2, 2, 0}));
+}
+
+}  // namespace
+}  // namespace glissade
