@@ -49,6 +49,7 @@ struct JointThread {
   double pitch = 0.0;          ///< metres a turn; below 0: left-handed
   bool isPitchStated = false;  ///< modelled, or said by a person; else the coarse pitch of ISO 261 for the diameter
   double engaged = 0.0;        ///< metres of the thread that are in the other one
+  double travel = 0.0;  ///< metres along the axis until the thread is free: a nut passes the end of its shaft, too
 
   /// Until the thread is free; above 0 whatever the hand.
   double turns() const;
@@ -70,7 +71,9 @@ struct Joint {
   Vector3 direction = Vector3::UnitZ();  ///< unit, world frame: the way in which the body leaves
   std::optional<JointThread> thread{};   ///< of a screw or a nut
   DriveKind drive = DriveKind::None;
-  double driveSize = 0.0;               ///< metres, across the flats of a hexagon or the width of a slot; 0: not known
+  /// Metres, across the flats of a hexagon, the width of a slot, the width of a cross or of six lobes from tip to tip;
+  /// 0: not known.
+  double driveSize = 0.0;
   double bend = 0.0;                    ///< metres that the hook of a snap has to bend
   std::string designation{};            ///< as a name states it, "ISO 4762 M3x8"; empty: none
   bool isDoubtful = false;              ///< shape and name disagree; shape wins

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+
+#include "engine/product/axial_slabs.h"
+#include "engine/product/joint.h"
+
+namespace glissade {
+
+struct DriveShape {
+  DriveKind kind = DriveKind::None;
+  double size = 0.0;  ///< as Joint::driveSize, metres
+};
+
+/// The width across the flats of a regular prism of so many sides whose surface is at these distances from its axis,
+/// one of each direction; nothing where it is no such prism. Corners may be cut or round.
+std::optional<double> acrossFlats(const std::vector<double>& radii, int sides);
+
+/// What a recess is that has its surface at these distances from the axis. `head`: radius of the screw's head, metres.
+DriveShape recessShape(const std::vector<double>& radii, double head);
+
+}  // namespace glissade

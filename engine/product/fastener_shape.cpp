@@ -1,0 +1,332 @@
+#include "engine/product/fastener_shape.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "engine/product/surface_regions.h"
+
+namespace glissade {
+namespace {
+
+/// Least by largest radius of a section: a box of two to one has less.
+constexpr double kLeastRound = 0.42;
+constexpr double kLeastRoundShaft = 0.7;
+/// Share of the length in which sections have to be round.
+constexpr double kRoundLength = 0.8;
+/// Radii within this share are one.
+constexpr double kOneRadius = 0.06;
+constexpr double kLeastHeadRadius = 1.22;
+constexpr double kMostHeadRadius = 4.0;
+constexpr double kMostHeadLength = 0.8;
+constexpr double kMostNutHeight = 1.6;  ///< by its outer diameter
+constexpr double kMostRingRadius = 6.0;
+/// Length by radius of a screw without a head.
+constexpr double kLeastSetScrew = 0.8;
+/// A prism is this long at least, as a share of the nut or the head.
+constexpr double kPrismShare = 0.25;
+/// Axes of cylinders that may be the main axis: sine of the angle, share of the radius.
+constexpr double kNearAxisSine = 0.1;
+constexpr double kNearAxisShare = 0.3;
+
+struct MainAxes {
+  Vector3 centre = Vector3::Zero();
+  std::array<Vector3, 3> directions{};  ///< the one that is most unlike the others first
+};
+
+/// Of the surface: where a body has symmetry about an axis, that is one of them.
+MainAxes mainAxesOf(const TriangleTree& tree) {
+  const Vector3 about = tree.box().center();
+  double area = 0.0;
+  Vector3 first = Vector3::Zero();
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+  for (const auto& [a, b, c] : tree.triangles()) {
+    const Vector3 sum = a + b + c - 3.0 * about;
+    const double part = 0.5 * (b - a).cross(c - a).norm();
+    area += part;
+    first += part * sum / 3.0;
+    Eigen::Matrix3d outer = sum * sum.transpose();
+    for (const Vector3& p : {a, b, c}) outer += (p - about) * (p - about).transpose();
+    second += part / 12.0 * outer;
+  }
+  MainAxes axes;
+  if (!(area > 0.0)) return axes;
+  const Vector3 middle = first / area;
+  axes.centre = about + middle;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(second / area - middle * middle.transpose());
+  const Vector3 values = solver.eigenvalues();  // ascending
+  const bool lowFirst = values[1] - values[0] > values[2] - values[1];
+  const std::array<int, 3> order = lowFirst ? std::array<int, 3>{0, 2, 1} : std::array<int, 3>{2, 0, 1};
+  for (std::size_t i = 0; i < 3; ++i) axes.directions[i] = solver.eigenvectors().col(order[i]);
+  return axes;
+}
+
+struct Extent {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  double radius = 0.0;
+};
+
+Extent extentAbout(const TriangleMesh& mesh, const AxisLine& axis) {
+  Extent extent;
+  for (const Vector3& vertex : mesh.vertices) {
+    const double height = axis.heightOf(vertex);
+    extent.low = std::min(extent.low, height);
+    extent.high = std::max(extent.high, height);
+    extent.radius = std::max(extent.radius, axis.distanceOf(vertex));
+  }
+  return extent;
+}
+
+bool isRoundEnough(const std::vector<AxialSlab>& slabs) {
+  double round = 0.0;
+  double all = 0.0;
+  for (const AxialSlab& slab : slabs) {
+    all += slab.length();
+    if (slab.outerLeast() >= kLeastRound * slab.outerMost()) round += slab.length();
+  }
+  return round >= kRoundLength * all;
+}
+
+/// The axis of the longest cylinder that is nearly the main one; else that.
+AxisLine exactAxis(const TriangleMesh& mesh, const AxisLine& rough, double radius) {
+  const SurfaceRegions regions = findSurfaceRegions(welded(mesh));
+  const CylinderRegion* longest = nullptr;
+  for (const CylinderRegion& cylinder : regions.cylinders) {
+    const Vector3 middle = cylinder.point + 0.5 * (cylinder.low + cylinder.high) * cylinder.direction;
+    const bool isNear = cylinder.direction.cross(rough.direction).norm() < kNearAxisSine &&
+                        rough.distanceOf(middle) < kNearAxisShare * std::min(radius, cylinder.radius);
+    if (!isNear) continue;
+    if (longest == nullptr || cylinder.high - cylinder.low > longest->high - longest->low) longest = &cylinder;
+  }
+  if (longest == nullptr) return rough;
+  const double sense = longest->direction.dot(rough.direction) < 0.0 ? -1.0 : 1.0;
+  const AxisLine exact{longest->point, sense * longest->direction};
+  return {exact.point + exact.heightOf(rough.point) * exact.direction, exact.direction};
+}
+
+TurnedShape mirrored(TurnedShape shape) {
+  shape.axis.direction = -shape.axis.direction;
+  std::swap(shape.low, shape.high);
+  shape.low = -shape.low;
+  shape.high = -shape.high;
+  std::reverse(shape.slabs.begin(), shape.slabs.end());
+  for (AxialSlab& slab : shape.slabs) {
+    std::swap(slab.low, slab.high);
+    slab.low = -slab.low;
+    slab.high = -slab.high;
+  }
+  return shape;
+}
+
+/// Of each radius, how much of the length has it; the longest first.
+std::vector<double> shaftRadii(const std::vector<AxialSlab>& slabs) {
+  std::vector<std::pair<double, double>> lengths;  // length and radius
+  for (const AxialSlab& slab : slabs) {
+    const double radius = slab.outerMost();
+    if (!slab.isSolid || slab.outerLeast() < kLeastRoundShaft * radius) continue;
+    double length = 0.0;
+    double widest = radius;
+    for (const AxialSlab& other : slabs) {
+      if (std::abs(other.outerMost() - radius) > kOneRadius * radius) continue;
+      length += other.length();
+      widest = std::max(widest, other.outerMost());
+    }
+    lengths.emplace_back(length, widest);
+  }
+  std::stable_sort(lengths.begin(), lengths.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<double> radii;
+  for (const auto& [length, radius] : lengths) {
+    const auto isKnown = [r = radius](double other) { return std::abs(other - r) <= kOneRadius * r; };
+    if (std::none_of(radii.begin(), radii.end(), isKnown)) radii.push_back(radius);
+  }
+  return radii;
+}
+
+/// A prism of six sides, or of four, for long enough; of a nut from the side, of a head likewise.
+int sidesOf(const std::vector<AxialSlab>& slabs, double from, double across, double* size) {
+  for (const int sides : {6, 4}) {
+    double length = 0.0;
+    for (const AxialSlab& slab : slabs) {
+      if (slab.low < from) continue;
+      const auto flats = acrossFlats(slab.farthest, sides);
+      if (!flats) continue;
+      length += slab.length();
+      *size = *flats;
+    }
+    if (length >= kPrismShare * across) return sides;
+  }
+  *size = 0.0;
+  return 0;
+}
+
+/// A box: two pairs of flats, each equally far.
+bool isRectangle(const AxialSlab& slab) {
+  double least = std::numeric_limits<double>::infinity();
+  std::size_t flat = 0;
+  for (const double radius : slab.farthest) least = std::min(least, radius);
+  const double most = slab.outerMost();
+  for (std::size_t turn = 0; turn < slab.farthest.size(); ++turn) {
+    if (slab.farthest[turn] > least) continue;
+    flat = turn;
+    break;
+  }
+  const std::size_t quarter = slab.farthest.size() / 4;
+  double other = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < 3; ++k) {
+    other = std::min(other, slab.farthest[(flat + quarter - 1 + k) % slab.farthest.size()]);
+  }
+  return std::abs(std::hypot(least, other) - most) <= 0.04 * most && most > 1.25 * least;
+}
+
+/// The recess at the upper end: open from there on.
+void noteRecess(TurnedShape& shape, double head) {
+  std::vector<DriveShape> seen;
+  for (auto slab = shape.slabs.rbegin(); slab != shape.slabs.rend() && !slab->isSolid; ++slab) {
+    shape.recess = shape.high - slab->low;
+    seen.push_back(recessShape(slab->nearest, head));
+  }
+  const auto known =
+      std::find_if(seen.begin(), seen.end(), [](const DriveShape& one) { return one.kind != DriveKind::None; });
+  if (known != seen.end()) shape.drive = *known;
+}
+
+/// With its head at the upper end.
+std::optional<TurnedShape> screwOf(TurnedShape shape, double shaft) {
+  shape.shaft = shaft;
+  const double border = (1.0 + 2.0 * kOneRadius) * shaft;
+  auto head = shape.slabs.rbegin();
+  double widest = 0.0;
+  while (head != shape.slabs.rend() && head->outerMost() > border) {
+    widest = std::max(widest, head->outerMost());
+    ++head;
+  }
+  if (head == shape.slabs.rbegin() || head == shape.slabs.rend()) return std::nullopt;
+  shape.headLow = head->high;
+  double shaftLength = 0.0;
+  double solidLength = 0.0;
+  for (; head != shape.slabs.rend(); ++head) {
+    if (head->outerMost() > border) return std::nullopt;
+    if (head->outerMost() > (1.0 - kOneRadius) * shaft) shaftLength += head->length();
+    if (head->isSolid) solidLength += head->length();
+  }
+  const bool isHead = widest >= kLeastHeadRadius * shaft && widest <= kMostHeadRadius * shaft &&
+                      shape.high - shape.headLow <= kMostHeadLength * shape.length();
+  const double below = shape.headLow - shape.low;
+  if (!isHead || shaftLength < 0.3 * below || solidLength < 0.5 * below) return std::nullopt;
+  shape.kind = TurnedKind::Screw;
+  shape.outer = widest;
+  noteRecess(shape, widest);
+  double size = 0.0;
+  shape.sides = sidesOf(shape.slabs, shape.headLow - 1e-9, shape.high - shape.headLow, &size);
+  if (shape.sides == 6 && shape.drive.kind == DriveKind::None) shape.drive = {DriveKind::HexOutside, size};
+  return shape;
+}
+
+std::optional<TurnedShape> rodOf(TurnedShape shape) {
+  double shaft = 0.0;
+  double solid = 0.0;
+  for (const AxialSlab& slab : shape.slabs) {
+    if (slab.outerLeast() < kLeastRoundShaft * slab.outerMost()) return std::nullopt;
+    shaft = std::max(shaft, slab.outerMost());
+    if (slab.isSolid) solid += slab.length();
+  }
+  double wide = 0.0;
+  for (const AxialSlab& slab : shape.slabs)
+    wide += slab.outerMost() > (1.0 - 2.0 * kOneRadius) * shaft ? slab.length() : 0.0;
+  if (wide < 0.6 * shape.length() || solid < 0.25 * shape.length()) return std::nullopt;
+  shape.shaft = shape.outer = shaft;
+  shape.headLow = shape.high;
+  noteRecess(shape, shaft);
+  if (shape.drive.kind == DriveKind::None) {
+    TurnedShape other = mirrored(shape);
+    other.headLow = other.high;
+    other.recess = 0.0;
+    noteRecess(other, shaft);
+    if (other.drive.kind != DriveKind::None) shape = other;
+  }
+  const bool isSetScrew = shape.drive.kind != DriveKind::None && shape.length() >= kLeastSetScrew * shaft;
+  if (!isSetScrew && solid < 0.9 * shape.length()) return std::nullopt;
+  shape.kind = isSetScrew ? TurnedKind::SetScrew : TurnedKind::Rod;
+  return shape;
+}
+
+/// Narrowest hole, over so large a part of the length that a chamfer and a lip do not count.
+double holeOf(const std::vector<AxialSlab>& slabs, double length) {
+  std::vector<std::pair<double, double>> holes;  // radius and length
+  for (const AxialSlab& slab : slabs) {
+    if (!slab.isSolid && slab.surroundedShare() > 0.9) holes.emplace_back(slab.nearestAt(0.9), slab.length());
+  }
+  std::sort(holes.begin(), holes.end());
+  double sum = 0.0;
+  for (const auto& [radius, part] : holes) {
+    sum += part;
+    if (sum >= 0.15 * length) return radius;
+  }
+  return 0.0;
+}
+
+std::optional<TurnedShape> ringOf(TurnedShape shape) {
+  double open = 0.0;
+  for (const AxialSlab& slab : shape.slabs) {
+    if (!slab.isSolid && slab.surroundedShare() > 0.7) open += slab.length();
+    shape.outer = std::max(shape.outer, slab.outerMost());
+  }
+  const bool isThrough = open >= 0.97 * shape.length();
+  if (open < 0.5 * shape.length()) return std::nullopt;
+  shape.hole = holeOf(shape.slabs, shape.length());
+  if (shape.hole <= 0.0 || shape.outer > kMostRingRadius * shape.hole) return std::nullopt;
+  shape.headLow = shape.high;
+  double size = 0.0;
+  shape.sides = sidesOf(shape.slabs, shape.low - 1e-9, shape.length(), &size);
+  if (shape.sides == 0 && std::all_of(shape.slabs.begin(), shape.slabs.end(), isRectangle)) shape.sides = 4;
+  const bool isFlat = shape.length() <= kMostNutHeight * 2.0 * shape.outer;
+  if (shape.sides != 0 && isFlat && shape.outer > 1.2 * shape.hole) {
+    shape.kind = TurnedKind::Nut;
+    shape.drive = {shape.sides == 6 ? DriveKind::HexOutside : DriveKind::None, shape.sides == 6 ? size : 0.0};
+    return shape;
+  }
+  if (!isThrough) return std::nullopt;
+  shape.kind = TurnedKind::Ring;
+  return shape;
+}
+
+std::optional<TurnedShape> classified(const TurnedShape& shape) {
+  const std::vector<double> radii = shaftRadii(shape.slabs);
+  for (std::size_t i = 0; i < std::min<std::size_t>(3, radii.size()); ++i) {
+    if (auto screw = screwOf(shape, radii[i])) return screw;
+    if (auto screw = screwOf(mirrored(shape), radii[i])) return screw;
+  }
+  if (auto ring = ringOf(shape)) return ring;
+  return rodOf(shape);
+}
+
+TurnedShape lookedAt(const TriangleMesh& mesh, const AxialMesh& axial, const AxisLine& axis) {
+  const Extent extent = extentAbout(mesh, axis);
+  TurnedShape shape;
+  shape.axis = axis;
+  shape.low = extent.low;
+  shape.high = extent.high;
+  shape.slabs = axial.slabsAbout(axis, {extent.low, extent.high, 1.001 * extent.radius});
+  return shape;
+}
+
+}  // namespace
+
+std::optional<TurnedShape> turnedShapeOf(const TriangleMesh& mesh, const AxialMesh& axial) {
+  const MainAxes axes = mainAxesOf(axial.tree());
+  for (const Vector3& direction : axes.directions) {
+    const AxisLine rough{axes.centre, direction};
+    TurnedShape shape = lookedAt(mesh, axial, rough);
+    if (!isRoundEnough(shape.slabs)) continue;
+    double radius = 0.0;
+    for (const AxialSlab& slab : shape.slabs) radius = std::max(radius, slab.outerMost());
+    shape = lookedAt(mesh, axial, exactAxis(mesh, rough, radius));
+    if (auto known = classified(shape)) return known;
+  }
+  return std::nullopt;
+}
+
+}  // namespace glissade

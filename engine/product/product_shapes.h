@@ -1,0 +1,48 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "engine/product/around_shaft.h"
+#include "engine/product/assembled_product.h"
+
+namespace glissade {
+
+/// The shapes of a product's bodies, each looked at once and when it is asked for. Of one thread.
+class ProductShapes {
+ public:
+  explicit ProductShapes(const AssembledProduct& product);
+
+  const AssembledProduct& product() const { return product_; }
+  std::size_t size() const { return product_.bodies.size(); }
+  const RigidBody& body(std::size_t index) const { return product_.bodies[index]; }
+  const Box3& box(std::size_t index) const { return boxes_[index]; }
+  const AxialMesh& axial(std::size_t index) const;
+  /// Null where the body is not turned.
+  const TurnedShape* turned(std::size_t index) const;
+  /// The axis of turned() in the world.
+  AxisLine axisOf(std::size_t index) const;
+  /// An axis of the world in the body's frame.
+  AxisLine seenFrom(std::size_t index, const AxisLine& axis_W) const;
+  /// Bodies but this one whose boxes meet the one around a part of an axis of the world; ascending.
+  std::vector<std::size_t> near(const AxisLine& axis_W, const AxialReach& reach, std::size_t but) const;
+
+ private:
+  struct Shape {
+    std::unique_ptr<const AxialMesh> axial;
+    std::optional<std::optional<TurnedShape>> turned;
+  };
+  Shape& shapeOf(std::size_t index) const;
+
+  const AssembledProduct& product_;
+  std::vector<Box3> boxes_;
+  mutable std::map<MeshPtr, Shape> shapes_;
+};
+
+/// Both axes are one: the angle between them is small, and the second passes the middle of the body's axis within so
+/// many metres.
+bool isSameAxis(const AxisLine& one, const AxisLine& other, double apart);
+
+}  // namespace glissade
