@@ -14,6 +14,7 @@
 #include "app/cli/convert_command.h"
 #include "app/cli/fits_command.h"
 #include "app/cli/info_command.h"
+#include "app/cli/joints_command.h"
 #include "app/cli/length_text.h"
 #include "app/cli/new_command.h"
 #include "app/cli/plan_command.h"
@@ -206,6 +207,22 @@ CLI::App* addFits(CLI::App& app, FitsOptions& options) {
   return fits;
 }
 
+CLI::App* addJoints(CLI::App& app, JointsOptions& options) {
+  CLI::App* joints = app.add_subcommand("joints", "List how the bodies of a product are joined: screws, nuts, inserts");
+  joints->add_option("FILE", options.file, "Scenario, STEP file, or an assembly in one (product.step:pump)")
+      ->required();
+  joints
+      ->add_option_function<std::string>(
+          "--joints", [&options](const std::string& mode) { options.confirmsSuggested = mode == "suggested"; },
+          "suggested: joints that are suggested count as if a person had confirmed them; recognised: they do not "
+          "(default)")
+      ->check(CLI::IsMember({"recognised", "suggested"}));
+  addPartDeflection(*joints, options.deflection);
+  addWithout(*joints, options.without);
+  addFormat(*joints, options.format);
+  return joints;
+}
+
 CLI::App* addSequence(CLI::App& app, SequenceOptions& options) {
   CLI::App* sequence =
       app.add_subcommand("sequence", "Find in which order the parts of a product leave, with a certified motion each");
@@ -366,6 +383,7 @@ int run(int argc, char** argv) {
   ReplayOptions replay;
   InfoOptions info;
   FitsOptions fits;
+  JointsOptions joints;
   SequenceOptions sequence;
   TimesOptions times;
   ConvertOptions convert;
@@ -381,6 +399,7 @@ int run(int argc, char** argv) {
   const CLI::App* sweepCommand = addSweep(app, sweep);
   const CLI::App* infoCommand = addInfo(app, info);
   const CLI::App* fitsCommand = addFits(app, fits);
+  const CLI::App* jointsCommand = addJoints(app, joints);
   const CLI::App* sequenceCommand = addSequence(app, sequence);
   const CLI::App* timesCommand = addTimes(app, times);
   const CLI::App* studyCommand = addStudy(app, study);
@@ -401,6 +420,7 @@ int run(int argc, char** argv) {
   if (sweepCommand->parsed()) return runSweep(sweep);
   if (infoCommand->parsed()) return runInfo(info);
   if (fitsCommand->parsed()) return runFits(fits);
+  if (jointsCommand->parsed()) return runJoints(joints);
   if (sequenceCommand->parsed()) return runSequence(sequence);
   if (timesCommand->parsed()) return runTimes(times);
   if (studyCommand->parsed()) return runStudyCommand(study);

@@ -121,26 +121,49 @@ TurnedShape mirrored(TurnedShape shape) {
   return shape;
 }
 
-/// Of each radius, how much of the length has it; the longest first.
+/// What has a radius, and how much of the length.
+struct RadiusLength {
+  double radius = 0.0;
+  double length = 0.0;
+};
+
+/// The one that half of the length has, or less.
+double middleRadius(std::vector<RadiusLength> parts) {
+  std::sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.radius < b.radius; });
+  double all = 0.0;
+  for (const RadiusLength& part : parts) all += part.length;
+  double sum = 0.0;
+  for (const RadiusLength& part : parts) {
+    sum += part.length;
+    if (sum >= 0.5 * all) return part.radius;
+  }
+  return 0.0;
+}
+
+/// The slabs that are about as wide as this one.
+RadiusLength alikeOf(const std::vector<AxialSlab>& slabs, double radius) {
+  std::vector<RadiusLength> alike;
+  double length = 0.0;
+  for (const AxialSlab& slab : slabs) {
+    if (std::abs(slab.outerMost() - radius) > kOneRadius * radius) continue;
+    alike.push_back({slab.outerMost(), slab.length()});
+    length += slab.length();
+  }
+  return {middleRadius(std::move(alike)), length};
+}
+
+/// The radii that a shaft may have; the one of the longest part first.
 std::vector<double> shaftRadii(const std::vector<AxialSlab>& slabs) {
-  std::vector<std::pair<double, double>> lengths;  // length and radius
+  std::vector<RadiusLength> lengths;
   for (const AxialSlab& slab : slabs) {
     const double radius = slab.outerMost();
-    if (!slab.isSolid || slab.outerLeast() < kLeastRoundShaft * radius) continue;
-    double length = 0.0;
-    double widest = radius;
-    for (const AxialSlab& other : slabs) {
-      if (std::abs(other.outerMost() - radius) > kOneRadius * radius) continue;
-      length += other.length();
-      widest = std::max(widest, other.outerMost());
-    }
-    lengths.emplace_back(length, widest);
+    if (slab.isSolid && slab.outerLeast() >= kLeastRoundShaft * radius) lengths.push_back(alikeOf(slabs, radius));
   }
-  std::stable_sort(lengths.begin(), lengths.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::stable_sort(lengths.begin(), lengths.end(), [](const auto& a, const auto& b) { return a.length > b.length; });
   std::vector<double> radii;
-  for (const auto& [length, radius] : lengths) {
-    const auto isKnown = [r = radius](double other) { return std::abs(other - r) <= kOneRadius * r; };
-    if (std::none_of(radii.begin(), radii.end(), isKnown)) radii.push_back(radius);
+  for (const RadiusLength& one : lengths) {
+    const auto isKnown = [&](double other) { return std::abs(other - one.radius) <= kOneRadius * one.radius; };
+    if (std::none_of(radii.begin(), radii.end(), isKnown)) radii.push_back(one.radius);
   }
   return radii;
 }

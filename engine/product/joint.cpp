@@ -56,7 +56,10 @@ std::optional<DriveKind> driveByName(const std::string& name) { return enumByNam
 double JointThread::turns() const { return pitch == 0.0 ? 0.0 : std::max(engaged, travel) / std::abs(pitch); }
 
 bool JointEdit::operator==(const JointEdit& other) const {
-  if (!(key == other.key) || word != other.word || made.has_value() != other.made.has_value()) return false;
+  if (!(key == other.key) || word != other.word || made.has_value() != other.made.has_value() ||
+      clamped != other.clamped) {
+    return false;
+  }
   return !made || saysTheSame(*made, *other.made);
 }
 

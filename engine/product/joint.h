@@ -100,6 +100,7 @@ struct JointEdit {
   JointKey key;
   Word word = Word::Confirmed;
   std::optional<Joint> made{};  ///< of a joint that a person has made or changed; its bodies' indices do not count
+  std::vector<std::string> clamped{};  ///< ids of what such a screw or nut clamps, the nearest to the head first
 
   bool operator==(const JointEdit&) const;
 };

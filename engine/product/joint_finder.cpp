@@ -1,15 +1,73 @@
 #include "engine/product/joint_finder.h"
 
 #include <algorithm>
+#include <set>
 
+#include "engine/product/named_joints.h"
+#include "engine/product/pressed_joints.h"
+#include "engine/product/rolling_bearings.h"
+#include "engine/product/suggested_joints.h"
 #include "engine/product/threaded_joints.h"
 
 namespace glissade {
+namespace {
 
-Joints findJoints(const AssembledProduct& product, const StopToken& stop) {
+/// A host is around the screw of its insert, but the screw does not clamp it.
+void releaseHosts(const Joints& pressed, Joints& threaded) {
+  for (Joint& screw : threaded) {
+    std::set<std::size_t> hosts;
+    for (const Joint& insert : pressed) {
+      const bool isIn = insert.kind == JointKind::Insert &&
+                        std::find(screw.others.begin(), screw.others.end(), insert.body) != screw.others.end();
+      if (isIn) hosts.insert(insert.others.begin(), insert.others.end());
+    }
+    const auto isHost = [&](std::size_t body) { return hosts.count(body) != 0; };
+    screw.clamped.erase(std::remove_if(screw.clamped.begin(), screw.clamped.end(), isHost), screw.clamped.end());
+  }
+}
+
+/// Bodies of a bearing are joined by being its unit.
+void leaveOutInside(const Joints& units, Joints& joints) {
+  std::set<std::size_t> inside;
+  for (const Joint& unit : units) {
+    inside.insert(unit.body);
+    inside.insert(unit.others.begin(), unit.others.end());
+  }
+  const auto isInside = [&](const Joint& joint) {
+    return inside.count(joint.body) != 0 &&
+           std::all_of(joint.others.begin(), joint.others.end(), [&](std::size_t b) { return inside.count(b) != 0; });
+  };
+  joints.erase(std::remove_if(joints.begin(), joints.end(), isInside), joints.end());
+}
+
+void append(Joints more, Joints& joints) {
+  for (Joint& joint : more) joints.push_back(std::move(joint));
+}
+
+}  // namespace
+
+Joints findJoints(const AssembledProduct& product, const StopToken& stop, const std::vector<std::string>& classes) {
   const ProductShapes shapes(product);
-  Joints joints = findThreadedJoints(shapes, stop);
-  std::stable_sort(joints.begin(), joints.end(), [](const Joint& a, const Joint& b) { return a.body < b.body; });
+  const auto said = designationsOf(product);
+  std::vector<bool> isInsertByName;
+  for (const auto& one : said) {
+    isInsertByName.push_back(one && (one->part == StandardPart::Insert || one->part == StandardPart::Bearing));
+  }
+  Joints threaded = findThreadedJoints(shapes, stop);
+  Joints pressed = findPressedJoints(shapes, threaded, isInsertByName, stop);
+  Joints units = findRollingBearings(shapes, stop);
+  releaseHosts(pressed, threaded);
+  leaveOutInside(units, pressed);
+  Joints joints = std::move(threaded);
+  append(std::move(pressed), joints);
+  append(std::move(units), joints);
+  for (Joint& joint : joints) {
+    if (said[joint.body]) addDesignation(*said[joint.body], joint);
+    if (const TurnedShape* shape = shapes.turned(joint.body)) addUsualDrive(*shape, joint);
+  }
+  append(findSuggestedJoints(shapes, classes, joints, stop), joints);
+  std::stable_sort(joints.begin(), joints.end(),
+                   [](const Joint& a, const Joint& b) { return a.body != b.body ? a.body < b.body : a.kind < b.kind; });
   return joints;
 }
 

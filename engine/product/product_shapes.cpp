@@ -1,6 +1,9 @@
 #include "engine/product/product_shapes.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "engine/geometry/triangle_pair.h"
 
 namespace glissade {
 namespace {
@@ -29,8 +32,39 @@ const TurnedShape* ProductShapes::turned(std::size_t index) const {
 
 AxisLine ProductShapes::axisOf(std::size_t index) const { return transformed(turned(index)->axis, body(index).X_WB); }
 
+std::vector<CylinderRegion> ProductShapes::cylindersOf(std::size_t index) const {
+  Shape& shape = shapeOf(index);
+  if (!shape.cylinders) shape.cylinders = findSurfaceRegions(welded(*body(index).mesh)).cylinders;
+  std::vector<CylinderRegion> placed = *shape.cylinders;
+  for (CylinderRegion& cylinder : placed) {
+    const AxisLine axis = transformed(AxisLine{cylinder.point, cylinder.direction}, body(index).X_WB);
+    cylinder.point = axis.point;
+    cylinder.direction = axis.direction;
+  }
+  return placed;
+}
+
 AxisLine ProductShapes::seenFrom(std::size_t index, const AxisLine& axis_W) const {
   return transformed(axis_W, inverse(body(index).X_WB));
+}
+
+double ProductShapes::apart(std::size_t a, std::size_t b, double limit) const {
+  double least = 2.0 * limit + 1e-9;
+  if (boxes_[a].exteriorDistance(boxes_[b]) > limit) return least;
+  const Pose X_AB = inverse(body(a).X_WB) * body(b).X_WB;
+  const Vector3 margin = Vector3::Constant(limit);
+  for (const Triangle& triangle : axial(b).tree().triangles()) {
+    const Triangle moved{X_AB * triangle[0], X_AB * triangle[1], X_AB * triangle[2]};
+    Box3 box(Vector3(moved[0].cwiseMin(moved[1]).cwiseMin(moved[2]) - margin),
+             Vector3(moved[0].cwiseMax(moved[1]).cwiseMax(moved[2]) + margin));
+    axial(a).tree().visit(box, [&](std::uint32_t t) {
+      const Triangle& other = axial(a).tree().triangles()[t];
+      least = trianglesMeet(other, moved) ? 0.0 : std::min(least, std::sqrt(triangleDistance(other, moved).squared));
+      return least > 0.0;
+    });
+    if (least <= 0.0) return least;
+  }
+  return least;
 }
 
 std::vector<std::size_t> ProductShapes::near(const AxisLine& axis_W, const AxialReach& reach, std::size_t but) const {

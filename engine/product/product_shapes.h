@@ -7,6 +7,7 @@
 
 #include "engine/product/around_shaft.h"
 #include "engine/product/assembled_product.h"
+#include "engine/product/surface_regions.h"
 
 namespace glissade {
 
@@ -24,8 +25,12 @@ class ProductShapes {
   const TurnedShape* turned(std::size_t index) const;
   /// The axis of turned() in the world.
   AxisLine axisOf(std::size_t index) const;
+  /// The cylinders of the body in the world, as findSurfaceRegions() finds them.
+  std::vector<CylinderRegion> cylindersOf(std::size_t index) const;
   /// An axis of the world in the body's frame.
   AxisLine seenFrom(std::size_t index, const AxisLine& axis_W) const;
+  /// Metres between the meshes of two bodies; more than `limit` where they are farther apart.
+  double apart(std::size_t a, std::size_t b, double limit) const;
   /// Bodies but this one whose boxes meet the one around a part of an axis of the world; ascending.
   std::vector<std::size_t> near(const AxisLine& axis_W, const AxialReach& reach, std::size_t but) const;
 
@@ -33,6 +38,7 @@ class ProductShapes {
   struct Shape {
     std::unique_ptr<const AxialMesh> axial;
     std::optional<std::optional<TurnedShape>> turned;
+    std::optional<std::vector<CylinderRegion>> cylinders;
   };
   Shape& shapeOf(std::size_t index) const;
 

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <set>
-#include <sstream>
 
+#include "engine/product/length_words.h"
 #include "engine/product/loose_nut.h"
 #include "engine/product/thread_pitch.h"
 
@@ -24,12 +23,6 @@ constexpr double kSameAxisShare = 0.15;
 constexpr double kLeastEngaged = 0.15;
 /// A nut lies on its shaft in this share of its height.
 constexpr double kOnShaft = 0.5;
-
-std::string millimetres(double metres) {
-  std::ostringstream text;
-  text << std::setprecision(3) << 1e3 * metres << " mm";
-  return text.str();
-}
 
 /// What lies along the shaft of a screw, and which of it has the thread.
 struct ScrewStack {
@@ -164,7 +157,7 @@ class ThreadedJointFinder {
     joint.thread = threadOf(stack, shape);
     joint.drive = shape.drive.kind;
     joint.driveSize = shape.drive.size;
-    joint.evidence.push_back("a shaft of " + millimetres(2.0 * shape.shaft) +
+    joint.evidence.push_back("a shaft of " + inMillimetres(2.0 * shape.shaft) +
                              (shape.kind == TurnedKind::Screw ? " with a head" : " with a recess"));
     joint.evidence.push_back(stack.reason);
     for (const AroundShaft& host : stack.hosts) {
@@ -240,7 +233,7 @@ class ThreadedJointFinder {
     joint.thread = thread;
     joint.drive = shape.drive.kind;
     joint.driveSize = shape.drive.size;
-    joint.evidence = {"a nut with a hole of " + millimetres(2.0 * shape.hole), "a shaft is in the hole"};
+    joint.evidence = {"a nut with a hole of " + inMillimetres(2.0 * shape.hole), "a shaft is in the hole"};
     return joint;
   }
 

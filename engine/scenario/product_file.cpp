@@ -50,6 +50,8 @@ Result<ProductFile> productOfScenario(const std::string& file, const StopToken& 
     return why;
   }
   loaded.demands = std::move(*demands);
+  loaded.joints = scenario->scenario.joints;
+  loaded.classes = classesOf(semanticEditsOf(scenario->scenario), loaded.product.bodies);
   loaded.warnings = std::move(scenario->warnings);
   return loaded;
 }
@@ -88,12 +90,17 @@ Outcome leaveOut(const std::vector<std::string>& names, ProductFile& loaded) {
   const auto meant = bodiesMeant(ids, names, "--without");
   if (!meant) return meant.error();
   AssembledProduct rest;
+  std::vector<std::string> classes;
   rest.fits = product.fits;
   const auto isLeftOut = [&](const std::string& id) {
     const auto index = product.indexOf(id);
     return index && (*meant)[*index];
   };
   std::erase_if(rest.fits.pairs, [&](const FitEdit& edit) { return isLeftOut(edit.a) || isLeftOut(edit.b); });
+  std::erase_if(loaded.joints, [&](const JointEdit& edit) {
+    return isLeftOut(edit.key.body) || std::any_of(edit.key.others.begin(), edit.key.others.end(), isLeftOut);
+  });
+  for (JointEdit& edit : loaded.joints) std::erase_if(edit.clamped, isLeftOut);
   for (std::size_t i = 0; i < ids.size(); ++i) {
     if ((*meant)[i]) {
       loaded.warnings.push_back({ErrorKind::MalformedInput, "", "'" + product.bodies[i].shown() + "'", "is left out",
@@ -103,9 +110,11 @@ Outcome leaveOut(const std::vector<std::string>& names, ProductFile& loaded) {
     rest.bodies.push_back(product.bodies[i]);
     rest.deflections.push_back(product.deflections[i]);
     if (!product.spacings.empty()) rest.spacings.push_back(product.spacings[i]);
+    if (!loaded.classes.empty()) classes.push_back(loaded.classes[i]);
   }
   labelBodies(rest.bodies);
   product = std::move(rest);
+  loaded.classes = std::move(classes);
   return Done{};
 }
 

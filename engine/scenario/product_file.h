@@ -13,8 +13,10 @@ namespace glissade {
 /// A product as it is loaded.
 struct ProductFile {
   AssembledProduct product;
-  double deviation = 0.0;   ///< metres that two surfaces may be off their triangles, together
-  SequenceDemands demands;  ///< of a scenario, with what is known of its bodies
+  double deviation = 0.0;              ///< metres that two surfaces may be off their triangles, together
+  SequenceDemands demands;             ///< of a scenario, with what is known of its bodies
+  std::vector<JointEdit> joints{};     ///< of a scenario: what a person says of joints
+  std::vector<std::string> classes{};  ///< of a scenario: the class of each body; empty where it has none
   Warnings warnings;
 };
 

@@ -14,6 +14,7 @@
 #include "engine/import/asset.h"
 #include "engine/planning/coarse/strategy_rules.h"
 #include "engine/planning/problem.h"
+#include "engine/product/joint.h"
 #include "engine/product/object_fits.h"
 #include "engine/scenario/kept_path.h"
 #include "engine/sequence/assembly_plan.h"
@@ -74,6 +75,7 @@ struct Scenario {
   ForbiddenPlaces forbiddenRegions;
   std::optional<StrategyRules> rules;  ///< of strategy "own"
   FitSettings fits;
+  std::vector<JointEdit> joints;  ///< what a person says of joints
   SequenceDemands sequence;
   std::uint64_t seed = 1;
   KeptPaths paths;                           ///< results that are kept, by name

@@ -5,6 +5,7 @@
 #include "engine/import/json_checksum.h"
 #include "engine/import/json_reader.h"
 #include "engine/scenario/fits_json.h"
+#include "engine/scenario/joints_json.h"
 #include "engine/scenario/kept_path_json.h"
 #include "engine/scenario/plan_json.h"
 #include "engine/scenario/scenario_file.h"
@@ -172,7 +173,7 @@ Scenario readScenario(const JsonCursor& root) {
   root.allowOnly({"format",     "version", "name",       "description",       "assets",  "bodies",     "object",
                   "start",      "goal",    "workspace",  "way_points",        "planner", "parameters", "environment",
                   "attributes", "places",  "milestones", "forbidden_regions", "rules",   "fits",       "sequence",
-                  "seed",       "paths",   "plan",       "left_out"});
+                  "seed",       "paths",   "plan",       "left_out",          "joints"});
   Scenario scenario;
   if (const auto name = root.find("name")) scenario.name = name->text();
   if (const auto description = root.find("description")) scenario.description = description->text();
@@ -199,6 +200,7 @@ Scenario readScenario(const JsonCursor& root) {
   if (const auto sequence = root.find("sequence")) scenario.sequence = readSequence(*sequence);
   readSemantics(root, scenario);
   if (const auto fits = root.find("fits")) scenario.fits = readFits(*fits);
+  if (const auto joints = root.find("joints")) scenario.joints = readJointEdits(*joints);
   if (const auto seed = root.find("seed")) scenario.seed = seed->wholeNumber();
   if (const auto paths = root.find("paths")) scenario.paths = readKeptPaths(*paths);
   if (const auto plan = root.find("plan")) scenario.plan = std::make_shared<const AssemblyPlan>(readPlanJson(*plan));

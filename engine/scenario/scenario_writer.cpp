@@ -2,6 +2,7 @@
 #include "engine/import/json_checksum.h"
 #include "engine/import/json_reader.h"
 #include "engine/scenario/fits_json.h"
+#include "engine/scenario/joints_json.h"
 #include "engine/scenario/kept_path_json.h"
 #include "engine/scenario/plan_file.h"
 #include "engine/scenario/scenario_file.h"
@@ -118,6 +119,7 @@ Json scenarioJson(const Scenario& scenario) {
   for (const auto& [id, value] : scenario.parameters) json["parameters"][std::string(specOf(id).key)] = value;
   addSemantics(scenario, json);
   addFits(scenario.fits, json);
+  addJointEdits(scenario.joints, json);
   addSequence(scenario.sequence, json);
   json["seed"] = scenario.seed;
   addKeptPaths(scenario.paths, json);

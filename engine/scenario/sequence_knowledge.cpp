@@ -121,4 +121,12 @@ Result<SequenceDemands> knownDemands(const Scenario& scenario, const std::vector
   return demands;
 }
 
+std::vector<std::string> classesOf(const SemanticEdits& edits, const std::vector<RigidBody>& bodies) {
+  std::vector<std::string> classes;
+  for (const RigidBody& body : bodies) {
+    classes.push_back(valueIn<std::string>(attributesOf(body.id, edits), "class").value_or(""));
+  }
+  return classes;
+}
+
 }  // namespace glissade

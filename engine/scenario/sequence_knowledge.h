@@ -10,4 +10,7 @@ namespace glissade {
 /// MalformedInput: a class that there is not, classes whose parents are wrong.
 Result<SequenceDemands> knownDemands(const Scenario& scenario, const std::vector<RigidBody>& bodies);
 
+/// The class of each of these bodies, as their attributes state it; empty where they state none.
+std::vector<std::string> classesOf(const SemanticEdits& edits, const std::vector<RigidBody>& bodies);
+
 }  // namespace glissade

@@ -1,0 +1,385 @@
+#include "engine/product/designation.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <regex>
+#include <sstream>
+#include <string_view>
+#include <vector>
+
+#include "engine/product/thread_pitch.h"
+
+namespace glissade {
+namespace {
+
+/// What the keys of hexagon sockets depend on, beside the diameter.
+enum class KeyTable { None, Cap, Button, Set, Wrench };
+
+struct StandardRow {
+  std::string_view number;  ///< after "ISO" or "DIN"
+  bool isIso;
+  StandardPart part;
+  DriveKind drive;
+  KeyTable keys;
+};
+
+constexpr bool kIso = true;
+constexpr bool kDin = false;
+using enum StandardPart;
+constexpr auto kSocketDrive = DriveKind::HexSocket;
+constexpr auto kHexDrive = DriveKind::HexOutside;
+
+/// Of the standards' titles.
+constexpr std::array kStandards{StandardRow{"4762", kIso, Screw, kSocketDrive, KeyTable::Cap},
+                                StandardRow{"912", kDin, Screw, kSocketDrive, KeyTable::Cap},
+                                StandardRow{"7984", kDin, Screw, kSocketDrive, KeyTable::Button},
+                                StandardRow{"6912", kDin, Screw, kSocketDrive, KeyTable::Cap},
+                                StandardRow{"7380", kIso, Screw, kSocketDrive, KeyTable::Button},
+                                StandardRow{"10642", kIso, Screw, kSocketDrive, KeyTable::Button},
+                                StandardRow{"7991", kDin, Screw, kSocketDrive, KeyTable::Button},
+                                StandardRow{"4014", kIso, Screw, kHexDrive, KeyTable::Wrench},
+                                StandardRow{"4016", kIso, Screw, kHexDrive, KeyTable::Wrench},
+                                StandardRow{"4017", kIso, Screw, kHexDrive, KeyTable::Wrench},
+                                StandardRow{"4018", kIso, Screw, kHexDrive, KeyTable::Wrench},
+                                StandardRow{"931", kDin, Screw, kHexDrive, KeyTable::Wrench},
+                                StandardRow{"933", kDin, Screw, kHexDrive, KeyTable::Wrench},
+                                StandardRow{"6921", kDin, Screw, kHexDrive, KeyTable::Wrench},
+                                StandardRow{"7045", kIso, Screw, DriveKind::Cross, KeyTable::None},
+                                StandardRow{"7046", kIso, Screw, DriveKind::Cross, KeyTable::None},
+                                StandardRow{"7047", kIso, Screw, DriveKind::Cross, KeyTable::None},
+                                StandardRow{"7048", kIso, Screw, DriveKind::Cross, KeyTable::None},
+                                StandardRow{"7049", kIso, Screw, DriveKind::Cross, KeyTable::None},
+                                StandardRow{"7050", kIso, Screw, DriveKind::Cross, KeyTable::None},
+                                StandardRow{"965", kDin, Screw, DriveKind::Cross, KeyTable::None},
+                                StandardRow{"966", kDin, Screw, DriveKind::Cross, KeyTable::None},
+                                StandardRow{"7981", kDin, Screw, DriveKind::Cross, KeyTable::None},
+                                StandardRow{"7982", kDin, Screw, DriveKind::Cross, KeyTable::None},
+                                StandardRow{"7985", kDin, Screw, DriveKind::Cross, KeyTable::None},
+                                StandardRow{"1207", kIso, Screw, DriveKind::Slot, KeyTable::None},
+                                StandardRow{"1580", kIso, Screw, DriveKind::Slot, KeyTable::None},
+                                StandardRow{"2009", kIso, Screw, DriveKind::Slot, KeyTable::None},
+                                StandardRow{"84", kDin, Screw, DriveKind::Slot, KeyTable::None},
+                                StandardRow{"85", kDin, Screw, DriveKind::Slot, KeyTable::None},
+                                StandardRow{"963", kDin, Screw, DriveKind::Slot, KeyTable::None},
+                                StandardRow{"14579", kIso, Screw, DriveKind::SixLobe, KeyTable::None},
+                                StandardRow{"14580", kIso, Screw, DriveKind::SixLobe, KeyTable::None},
+                                StandardRow{"14581", kIso, Screw, DriveKind::SixLobe, KeyTable::None},
+                                StandardRow{"14583", kIso, Screw, DriveKind::SixLobe, KeyTable::None},
+                                StandardRow{"14585", kIso, Screw, DriveKind::SixLobe, KeyTable::None},
+                                StandardRow{"4026", kIso, SetScrew, kSocketDrive, KeyTable::Set},
+                                StandardRow{"4027", kIso, SetScrew, kSocketDrive, KeyTable::Set},
+                                StandardRow{"4028", kIso, SetScrew, kSocketDrive, KeyTable::Set},
+                                StandardRow{"4029", kIso, SetScrew, kSocketDrive, KeyTable::Set},
+                                StandardRow{"913", kDin, SetScrew, kSocketDrive, KeyTable::Set},
+                                StandardRow{"914", kDin, SetScrew, kSocketDrive, KeyTable::Set},
+                                StandardRow{"915", kDin, SetScrew, kSocketDrive, KeyTable::Set},
+                                StandardRow{"916", kDin, SetScrew, kSocketDrive, KeyTable::Set},
+                                StandardRow{"551", kDin, SetScrew, DriveKind::Slot, KeyTable::None},
+                                StandardRow{"553", kDin, SetScrew, DriveKind::Slot, KeyTable::None},
+                                StandardRow{"4032", kIso, Nut, kHexDrive, KeyTable::Wrench},
+                                StandardRow{"4033", kIso, Nut, kHexDrive, KeyTable::Wrench},
+                                StandardRow{"4034", kIso, Nut, kHexDrive, KeyTable::Wrench},
+                                StandardRow{"4035", kIso, Nut, kHexDrive, KeyTable::Wrench},
+                                StandardRow{"4161", kIso, Nut, kHexDrive, KeyTable::Wrench},
+                                StandardRow{"7040", kIso, Nut, kHexDrive, KeyTable::Wrench},
+                                StandardRow{"10511", kIso, Nut, kHexDrive, KeyTable::Wrench},
+                                StandardRow{"934", kDin, Nut, kHexDrive, KeyTable::Wrench},
+                                StandardRow{"936", kDin, Nut, kHexDrive, KeyTable::Wrench},
+                                StandardRow{"439", kDin, Nut, kHexDrive, KeyTable::Wrench},
+                                StandardRow{"982", kDin, Nut, kHexDrive, KeyTable::Wrench},
+                                StandardRow{"985", kDin, Nut, kHexDrive, KeyTable::Wrench},
+                                StandardRow{"1587", kDin, Nut, kHexDrive, KeyTable::Wrench},
+                                StandardRow{"6923", kDin, Nut, kHexDrive, KeyTable::Wrench},
+                                StandardRow{"557", kDin, Nut, DriveKind::None, KeyTable::None},
+                                StandardRow{"562", kDin, Nut, DriveKind::None, KeyTable::None},
+                                StandardRow{"7089", kIso, Washer, DriveKind::None, KeyTable::None},
+                                StandardRow{"7090", kIso, Washer, DriveKind::None, KeyTable::None},
+                                StandardRow{"7091", kIso, Washer, DriveKind::None, KeyTable::None},
+                                StandardRow{"7092", kIso, Washer, DriveKind::None, KeyTable::None},
+                                StandardRow{"7093", kIso, Washer, DriveKind::None, KeyTable::None},
+                                StandardRow{"125", kDin, Washer, DriveKind::None, KeyTable::None},
+                                StandardRow{"127", kDin, Washer, DriveKind::None, KeyTable::None},
+                                StandardRow{"433", kDin, Washer, DriveKind::None, KeyTable::None},
+                                StandardRow{"6796", kDin, Washer, DriveKind::None, KeyTable::None},
+                                StandardRow{"9021", kDin, Washer, DriveKind::None, KeyTable::None},
+                                StandardRow{"2338", kIso, Pin, DriveKind::None, KeyTable::None},
+                                StandardRow{"2339", kIso, Pin, DriveKind::None, KeyTable::None},
+                                StandardRow{"2341", kIso, Pin, DriveKind::None, KeyTable::None},
+                                StandardRow{"8734", kIso, Pin, DriveKind::None, KeyTable::None},
+                                StandardRow{"8752", kIso, Pin, DriveKind::None, KeyTable::None},
+                                StandardRow{"7", kDin, Pin, DriveKind::None, KeyTable::None},
+                                StandardRow{"1481", kDin, Pin, DriveKind::None, KeyTable::None},
+                                StandardRow{"6325", kDin, Pin, DriveKind::None, KeyTable::None},
+                                StandardRow{"15", kIso, Bearing, DriveKind::None, KeyTable::None},
+                                StandardRow{"625", kDin, Bearing, DriveKind::None, KeyTable::None},
+                                StandardRow{"471", kDin, Ring, DriveKind::None, KeyTable::None},
+                                StandardRow{"472", kDin, Ring, DriveKind::None, KeyTable::None},
+                                StandardRow{"6799", kDin, Ring, DriveKind::None, KeyTable::None},
+                                StandardRow{"3601", kIso, Seal, DriveKind::None, KeyTable::None},
+                                StandardRow{"3760", kDin, Seal, DriveKind::None, KeyTable::None},
+                                StandardRow{"3771", kDin, Seal, DriveKind::None, KeyTable::None}};
+
+/// Words of names, in lower case without spaces, hyphens and underscores.
+struct WordRow {
+  std::string_view word;
+  StandardPart part;
+  DriveKind drive;
+  KeyTable keys;
+};
+
+/// The first that is in the name counts.
+constexpr std::array kWords{WordRow{"heatset", Insert, DriveKind::None, KeyTable::None},
+                            WordRow{"heatinsert", Insert, DriveKind::None, KeyTable::None},
+                            WordRow{"threadedinsert", Insert, DriveKind::None, KeyTable::None},
+                            WordRow{"brassinsert", Insert, DriveKind::None, KeyTable::None},
+                            WordRow{"insertnut", Insert, DriveKind::None, KeyTable::None},
+                            WordRow{"rivnut", Insert, DriveKind::None, KeyTable::None},
+                            WordRow{"rivetnut", Insert, DriveKind::None, KeyTable::None},
+                            WordRow{"helicoil", Insert, DriveKind::None, KeyTable::None},
+                            WordRow{"setscrew", SetScrew, kSocketDrive, KeyTable::Set},
+                            WordRow{"grubscrew", SetScrew, kSocketDrive, KeyTable::Set},
+                            WordRow{"shcs", Screw, kSocketDrive, KeyTable::Cap},
+                            WordRow{"bhcs", Screw, kSocketDrive, KeyTable::Button},
+                            WordRow{"fhcs", Screw, kSocketDrive, KeyTable::Button},
+                            WordRow{"sockethead", Screw, kSocketDrive, KeyTable::Cap},
+                            WordRow{"socketcap", Screw, kSocketDrive, KeyTable::Cap},
+                            WordRow{"buttonhead", Screw, kSocketDrive, KeyTable::Button},
+                            WordRow{"lowprofilescrew", Screw, kSocketDrive, KeyTable::Button},
+                            WordRow{"phillips", Screw, DriveKind::Cross, KeyTable::None},
+                            WordRow{"torx", Screw, DriveKind::SixLobe, KeyTable::None},
+                            WordRow{"slottedscrew", Screw, DriveKind::Slot, KeyTable::None},
+                            WordRow{"hexbolt", Screw, kHexDrive, KeyTable::Wrench},
+                            WordRow{"hexheadbolt", Screw, kHexDrive, KeyTable::Wrench},
+                            WordRow{"hexheadscrew", Screw, kHexDrive, KeyTable::Wrench},
+                            WordRow{"capscrew", Screw, DriveKind::None, KeyTable::None},
+                            WordRow{"machinescrew", Screw, DriveKind::None, KeyTable::None},
+                            WordRow{"locknut", Nut, kHexDrive, KeyTable::Wrench},
+                            WordRow{"nylocnut", Nut, kHexDrive, KeyTable::Wrench},
+                            WordRow{"hexnut", Nut, kHexDrive, KeyTable::Wrench},
+                            WordRow{"squarenut", Nut, DriveKind::None, KeyTable::None},
+                            WordRow{"tnut", Nut, DriveKind::None, KeyTable::None},
+                            WordRow{"washer", Washer, DriveKind::None, KeyTable::None},
+                            WordRow{"shim", Washer, DriveKind::None, KeyTable::None},
+                            WordRow{"dowel", Pin, DriveKind::None, KeyTable::None},
+                            WordRow{"ballbearing", Bearing, DriveKind::None, KeyTable::None},
+                            WordRow{"bearing", Bearing, DriveKind::None, KeyTable::None},
+                            WordRow{"bushing", Insert, DriveKind::None, KeyTable::None},
+                            WordRow{"oring", Seal, DriveKind::None, KeyTable::None},
+                            WordRow{"circlip", Ring, DriveKind::None, KeyTable::None},
+                            WordRow{"retainingring", Ring, DriveKind::None, KeyTable::None},
+                            WordRow{"screw", Screw, DriveKind::None, KeyTable::None},
+                            WordRow{"bolt", Screw, DriveKind::None, KeyTable::None},
+                            WordRow{"schraube", Screw, DriveKind::None, KeyTable::None},
+                            WordRow{"mutter", Nut, DriveKind::None, KeyTable::None},
+                            WordRow{"scheibe", Washer, DriveKind::None, KeyTable::None},
+                            WordRow{"ecrou", Nut, DriveKind::None, KeyTable::None},
+                            WordRow{"rondelle", Washer, DriveKind::None, KeyTable::None},
+                            WordRow{"nut", Nut, DriveKind::None, KeyTable::None}};
+
+/// Millimetres across the flats: ISO 4762, ISO 7380, ISO 4026, ISO 4017 (DIN 933 differs at M10, M12 and M14).
+struct KeyRow {
+  double diameter;
+  double cap;
+  double button;
+  double set;
+  double wrench;
+};
+constexpr std::array<KeyRow, 15> kKeys{{{1.6, 1.5, 0.9, 0.7, 3.2},
+                                        {2.0, 1.5, 1.3, 0.9, 4.0},
+                                        {2.5, 2.0, 1.5, 1.3, 5.0},
+                                        {3.0, 2.5, 2.0, 1.5, 5.5},
+                                        {3.5, 0.0, 0.0, 0.0, 6.0},
+                                        {4.0, 3.0, 2.5, 2.0, 7.0},
+                                        {5.0, 4.0, 3.0, 2.5, 8.0},
+                                        {6.0, 5.0, 4.0, 3.0, 10.0},
+                                        {8.0, 6.0, 5.0, 4.0, 13.0},
+                                        {10.0, 8.0, 6.0, 5.0, 16.0},
+                                        {12.0, 10.0, 8.0, 6.0, 18.0},
+                                        {14.0, 12.0, 10.0, 6.0, 21.0},
+                                        {16.0, 14.0, 10.0, 8.0, 24.0},
+                                        {20.0, 17.0, 12.0, 10.0, 30.0},
+                                        {24.0, 19.0, 14.0, 12.0, 36.0}}};
+
+double keyFor(KeyTable table, double diameter) {
+  const auto row = std::find_if(kKeys.begin(), kKeys.end(), [&](const KeyRow& one) {
+    return std::abs(1e-3 * one.diameter - diameter) < 0.03 * diameter;
+  });
+  if (row == kKeys.end()) return 0.0;
+  switch (table) {
+    case KeyTable::Cap: return 1e-3 * row->cap;
+    case KeyTable::Button: return 1e-3 * row->button;
+    case KeyTable::Set: return 1e-3 * row->set;
+    case KeyTable::Wrench: return 1e-3 * row->wrench;
+    case KeyTable::None: break;
+  }
+  return 0.0;
+}
+
+/// Characters of a name that are looked at: patterns take memory by the length.
+constexpr std::size_t kLongestName = 200;
+
+double numberIn(const std::string& text) {
+  std::string plain = text;
+  std::replace(plain.begin(), plain.end(), ',', '.');
+  std::istringstream stream(plain);
+  stream.imbue(std::locale::classic());
+  double value = 0.0;
+  stream >> value;
+  return value;
+}
+
+/// What a size in a name says, and how it is written.
+struct SizeText {
+  std::string text{};
+  double diameter = 0.0;
+  double length = 0.0;
+  double pitch = 0.0;
+};
+
+/// "M3x8", "M8 x 1.25 x 30", "M3".
+std::optional<SizeText> metricSize(const std::string& name) {
+  static const std::regex pattern(
+      R"((?:^|[^A-Za-z0-9])[Mm](\d{1,2}(?:[.,]\d{1,2})?)(?:\s*[xX*]\s*(\d{1,3}(?:[.,]\d{1,2})?))?(?:\s*[xX*]\s*(\d{1,3}(?:[.,]\d{1,2})?))?(?![0-9]))");
+  std::smatch match;
+  if (!std::regex_search(name, match, pattern)) return std::nullopt;
+  SizeText size;
+  size.diameter = 1e-3 * numberIn(match[1]);
+  if (!(size.diameter >= 1e-3 && size.diameter <= 64e-3)) return std::nullopt;
+  size.text = "M" + match[1].str();
+  const double second = match[2].matched ? 1e-3 * numberIn(match[2]) : 0.0;
+  const double third = match[3].matched ? 1e-3 * numberIn(match[3]) : 0.0;
+  const bool isPitch = third > 0.0 && second > 0.0 && second <= 0.3 * size.diameter;
+  size.pitch = isPitch ? second : 0.0;
+  size.length = isPitch ? third : second;
+  if (match[2].matched) size.text += "x" + match[2].str();
+  if (match[3].matched) size.text += "x" + match[3].str();
+  return size;
+}
+
+/// "#10-32", "1/4-20": unified threads.
+std::optional<SizeText> unifiedSize(const std::string& name) {
+  static const std::regex pattern(R"re((?:#(\d{1,2})|(?:^|[^0-9/_])(\d{1,2})[/_](\d{1,2})"?)-(\d{2})(?![0-9]))re");
+  std::smatch match;
+  if (!std::regex_search(name, match, pattern)) return std::nullopt;
+  constexpr double kInch = 25.4e-3;
+  SizeText size;
+  size.diameter = match[1].matched ? (0.06 + 0.013 * numberIn(match[1])) * kInch
+                                   : numberIn(match[2]) / std::max(1.0, numberIn(match[3])) * kInch;
+  size.pitch = kInch / numberIn(match[4]);
+  size.text = match[1].matched ? "#" + match[1].str() + "-" + match[4].str()
+                               : match[2].str() + "/" + match[3].str() + "-" + match[4].str();
+  return size;
+}
+
+const StandardRow* standardIn(const std::string& name, std::string* text, bool* isUnknown) {
+  static const std::regex pattern(
+      R"((?:^|[^A-Za-z])(?:(DIN)[ _-]?(?:EN[ _-]?)?(ISO[ _-]?)?|(?:EN[ _-]?)?(ISO)[ _-]?)(\d{1,5}))",
+      std::regex::icase);
+  for (std::sregex_iterator match(name.begin(), name.end(), pattern), end; match != end; ++match) {
+    const bool isIso = (*match)[2].matched || (*match)[3].matched;
+    const std::string number = (*match)[4];
+    const auto row = std::find_if(kStandards.begin(), kStandards.end(),
+                                  [&](const StandardRow& one) { return one.isIso == isIso && one.number == number; });
+    *text = std::string(isIso ? "ISO " : "DIN ") + number;
+    if (row != kStandards.end()) return &*row;
+    *isUnknown = true;
+  }
+  return nullptr;
+}
+
+std::string plainWord(const std::string& name) {
+  std::string plain;
+  for (const char c : name) {
+    if (std::isalpha(static_cast<unsigned char>(c)) != 0) {
+      plain += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    } else if (c != ' ' && c != '-' && c != '_') {
+      plain += ' ';
+    }
+  }
+  return plain;
+}
+
+/// 608, 623ZZ, F688, MR105, 6005-2RS.
+std::optional<Designation> bearingIn(const std::string& name) {
+  static const std::regex pattern(
+      R"((?:^|[^A-Za-z0-9.])(?:F|FAG|SKF)?((?:6[0-9]{2,3}|MR[0-9]{2,4})[ _-]?(?:ZZ|2RSR?|RS|2Z|DD|LLU)|6(?:0[0-9]|2[0-9]|8[0-9]|9[0-9])(?:0[0-9])?|MR[0-9]{2,4})(?![A-Za-z0-9.]))");
+  std::smatch match;
+  if (!std::regex_search(name, match, pattern)) return std::nullopt;
+  Designation found;
+  found.part = StandardPart::Bearing;
+  found.text = match[1];
+  return found;
+}
+
+Designation complete(StandardPart part, DriveKind drive, KeyTable keys, const std::string& text,
+                     const std::optional<SizeText>& size) {
+  Designation found{part, text};
+  found.drive = drive;
+  if (!size) return found;
+  found.text += (text.empty() ? "" : " ") + size->text;
+  found.diameter = size->diameter;
+  found.length = size->length;
+  found.pitch = size->pitch;
+  found.driveSize = keyFor(keys, size->diameter);
+  return found;
+}
+
+std::optional<Designation> readDesignation(const std::string& name, bool* isUnknown) {
+  auto size = metricSize(name);
+  if (!size) size = unifiedSize(name);
+  std::string text;
+  if (const StandardRow* row = standardIn(name, &text, isUnknown)) {
+    return complete(row->part, row->drive, row->keys, text, size);
+  }
+  const std::string plain = plainWord(name);
+  for (const WordRow& row : kWords) {
+    if (plain.find(row.word) == std::string::npos) continue;
+    // A bare word is a hint where a size stands beside it, or where nothing else is meant by it.
+    const bool isCommon = row.word == "nut" || row.word == "bolt" || row.word == "shim";
+    if (isCommon && !size) continue;
+    if (row.part == StandardPart::Bearing) {
+      if (auto bearing = bearingIn(name)) return bearing;
+    }
+    return complete(row.part, row.drive, row.keys, std::string(row.word), size);
+  }
+  if (auto bearing = bearingIn(name)) return bearing;
+  if (size && size->length > 0.0) {
+    // M3x5x4: diameter, length and outer diameter of an insert.
+    static const std::regex insert(R"([Mm]\d+(?:[.,]\d+)?\s*[xX]\s*\d+(?:[.,]\d+)?\s*[xX]\s*\d+(?:[.,]\d+)?)");
+    const bool isInsert = size->pitch == 0.0 && std::regex_search(name, insert);
+    return complete(isInsert ? StandardPart::Insert : StandardPart::Screw, DriveKind::None, KeyTable::None, "", size);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+const char* standardPartName(StandardPart part) {
+  constexpr std::array<const char*, 10> kNames{"screw",   "set screw",      "nut",  "washer", "insert", "pin",
+                                               "bearing", "retaining ring", "belt", "seal"};
+  return kNames[static_cast<std::size_t>(part)];
+}
+
+std::optional<Designation> designationIn(const std::string& name) {
+  bool isUnknown = false;
+  return readDesignation(name.substr(0, kLongestName), &isUnknown);
+}
+
+Result<Designation> designationOf(const std::string& text) {
+  bool isUnknown = false;
+  const auto found = readDesignation(text.substr(0, kLongestName), &isUnknown);
+  if (found && !isUnknown) return *found;
+  const std::string reason = isUnknown ? "'" + text + "' names a standard that is not known"
+                                       : "'" + text + "' is no designation of a standard part that is known";
+  return Diagnostic{ErrorKind::Usage, "", "", reason, "Give one as 'ISO 4762 M3x8', 'DIN 934 M5' or 'M3x8 SHCS'."};
+}
+
+double usualDriveSize(DriveKind drive, double diameter) {
+  if (drive == DriveKind::HexSocket) return keyFor(KeyTable::Cap, diameter);
+  if (drive == DriveKind::HexOutside) return keyFor(KeyTable::Wrench, diameter);
+  return 0.0;
+}
+
+}  // namespace glissade

@@ -1,0 +1,223 @@
+#include "engine/product/joint_edits.h"
+
+#include <algorithm>
+#include <set>
+
+#include "engine/product/designation.h"
+#include "engine/product/joint_order.h"
+#include "engine/product/length_words.h"
+#include "engine/product/product_shapes.h"
+
+namespace glissade {
+namespace {
+
+/// Bodies of a joint that a person makes are no farther apart than this share of the smaller one's diagonal.
+constexpr double kFarShare = 0.1;
+constexpr double kNearEnough = 5e-4;  ///< metres: always near
+/// A hook bends by no more than this share of its diagonal, and no more than this in metres.
+constexpr double kMostBendShare = 0.25;
+constexpr double kMostBend = 0.01;
+
+Diagnostic refusal(const JointKey& key, const std::string& reason, const std::string& advice) {
+  return {ErrorKind::Usage, "", inWords(key), reason, advice};
+}
+
+double diagonalOf(const ProductShapes& shapes, std::size_t body) { return shapes.box(body).diagonal().norm(); }
+
+class JointEditor {
+ public:
+  JointEditor(Joints joints, const AssembledProduct& product)
+      : joints_(std::move(joints)), product_(product), shapes_(product) {}
+
+  Outcome take(const JointEdit& edit) {
+    if (const Outcome known = knowBodies(edit); !known) return known;
+    switch (edit.word) {
+      case JointEdit::Word::Confirmed: return edit.made ? make(edit) : confirm(edit);
+      case JointEdit::Word::Dissolved: return dissolve(edit, "dissolved");
+      case JointEdit::Word::PressedOut: return pressOut(edit);
+      case JointEdit::Word::Opened: return open(edit);
+    }
+    return Done{};
+  }
+
+  Joints& joints() { return joints_; }
+
+ private:
+  Outcome knowBodies(const JointEdit& edit) const {
+    std::vector<std::string> ids = edit.key.others;
+    ids.push_back(edit.key.body);
+    ids.insert(ids.end(), edit.clamped.begin(), edit.clamped.end());
+    for (const std::string& id : ids) {
+      if (product_.indexOf(id)) continue;
+      return refusal(edit.key, "there is no body '" + id + "'", "Name bodies by the ids that 'joints --json' prints.");
+    }
+    const std::set<std::string> distinct(ids.begin(), ids.end());
+    if (distinct.size() == ids.size()) return Done{};
+    return refusal(edit.key, "it names a body twice", "Name each body of a joint once.");
+  }
+
+  Joints::iterator find(const JointKey& key) {
+    return std::find_if(joints_.begin(), joints_.end(),
+                        [&](const Joint& joint) { return isMeant(keyOf(joint, product_), key); });
+  }
+
+  /// The order of the others makes no difference.
+  static bool isMeant(JointKey one, JointKey other) {
+    std::sort(one.others.begin(), one.others.end());
+    std::sort(other.others.begin(), other.others.end());
+    return one == other;
+  }
+
+  static Outcome isMissing(const JointKey& key, const std::string& word) {
+    return refusal(key, "there is no such joint that could be " + word,
+                   "'glissade-cli joints' lists those that are found; 'made' makes one.");
+  }
+
+  Outcome confirm(const JointEdit& edit) {
+    const auto joint = find(edit.key);
+    if (joint == joints_.end()) return isMissing(edit.key, "confirmed");
+    joint->state = JointState::Confirmed;
+    return Done{};
+  }
+
+  Outcome dissolve(const JointEdit& edit, const std::string& word) {
+    const auto joint = find(edit.key);
+    if (joint == joints_.end()) return isMissing(edit.key, word);
+    joints_.erase(joint);
+    return Done{};
+  }
+
+  Outcome pressOut(const JointEdit& edit) {
+    if (edit.key.kind != JointKind::Insert) {
+      return refusal(edit.key, "only an insert is pressed out", "Dissolve the joint, or say 'opened' of a unit.");
+    }
+    const auto joint = find(edit.key);
+    if (joint == joints_.end()) return isMissing(edit.key, "pressed out");
+    joint->kind = JointKind::Pin;
+    joint->state = JointState::Confirmed;
+    joint->evidence.emplace_back("a person says that it is pressed out");
+    return Done{};
+  }
+
+  Outcome open(const JointEdit& edit) {
+    if (edit.key.kind != JointKind::Unit) return refusal(edit.key, "only a unit is opened", "Dissolve the joint.");
+    return dissolve(edit, "opened");
+  }
+
+  Outcome make(const JointEdit& edit) {
+    Joint made = *edit.made;
+    made.kind = edit.key.kind;
+    made.state = JointState::Confirmed;
+    made.body = *product_.indexOf(edit.key.body);
+    made.others = indicesOf(edit.key.others);
+    made.clamped = indicesOf(edit.clamped);
+    if (made.others.empty() && made.kind != JointKind::Flexible) {
+      return refusal(edit.key, "it has one body only", "Name what it is joined with in 'others'.");
+    }
+    if (const Outcome near = checkNear(made, edit.key); !near) return near;
+    if (const Outcome sound = checkBend(made, edit.key); !sound) return sound;
+    if (!made.designation.empty()) {
+      const auto said = designationOf(made.designation);
+      if (!said) return refusal(edit.key, said.error().reason, said.error().advice);
+    }
+    const bool turns = made.kind == JointKind::Screw || made.kind == JointKind::Nut;
+    if (turns && (!made.thread || made.thread->pitch == 0.0)) {
+      return refusal(edit.key, "its thread is not stated", "Give 'thread' with diameter, pitch and engaged length.");
+    }
+    made.evidence = {"a person says so"};
+    const auto before = find(edit.key);
+    if (before == joints_.end()) {
+      joints_.push_back(std::move(made));
+    } else {
+      *before = std::move(made);
+    }
+    return Done{};
+  }
+
+  std::vector<std::size_t> indicesOf(const std::vector<std::string>& ids) const {
+    std::vector<std::size_t> indices;
+    for (const std::string& id : ids) indices.push_back(*product_.indexOf(id));
+    return indices;
+  }
+
+  /// Each of the others is near the body, or near one that is.
+  Outcome checkNear(const Joint& joint, const JointKey& key) const {
+    std::vector<std::size_t> reached{joint.body};
+    std::vector<std::size_t> open = joint.others;
+    for (std::size_t i = 0; i < reached.size(); ++i) {
+      for (std::size_t k = 0; k < open.size();) {
+        const double limit =
+            std::max(kNearEnough, kFarShare * std::min(diagonalOf(shapes_, reached[i]), diagonalOf(shapes_, open[k])));
+        if (shapes_.apart(reached[i], open[k], limit) > limit) {
+          ++k;
+          continue;
+        }
+        reached.push_back(open[k]);
+        open.erase(open.begin() + static_cast<std::ptrdiff_t>(k));
+      }
+    }
+    if (open.empty()) return Done{};
+    const std::string far = product_.bodies[open.front()].id;
+    return refusal(key, "'" + far + "' is far from '" + product_.bodies[joint.body].id + "'",
+                   "Join bodies that touch, or nearly do.");
+  }
+
+  Outcome checkBend(const Joint& joint, const JointKey& key) const {
+    if (joint.kind != JointKind::Snap) {
+      if (joint.bend == 0.0) return Done{};
+      return refusal(key, "only a snap bends", "Remove 'bend_m'.");
+    }
+    const double most = std::min(kMostBend, kMostBendShare * diagonalOf(shapes_, joint.body));
+    if (joint.bend >= 0.0 && joint.bend <= most) return Done{};
+    return refusal(key, "a hook does not bend by " + inMillimetres(joint.bend),
+                   "Give 0 to " + inMillimetres(most) + " for this body.");
+  }
+
+  Joints joints_;
+  const AssembledProduct& product_;
+  ProductShapes shapes_;
+};
+
+std::string joinedIds(const std::vector<std::size_t>& bodies, const AssembledProduct& product) {
+  std::string text;
+  for (const std::size_t body : bodies) text += (text.empty() ? "'" : " -> '") + product.bodies[body].id + "'";
+  return text;
+}
+
+}  // namespace
+
+JointKey keyOf(const Joint& joint, const AssembledProduct& product) {
+  JointKey key{joint.kind, product.bodies[joint.body].id, {}};
+  for (const std::size_t other : joint.others) key.others.push_back(product.bodies[other].id);
+  return key;
+}
+
+std::string inWords(const JointKey& key) { return std::string(jointName(key.kind)) + " of " + key.body; }
+
+Result<Joints> applied(Joints joints, const std::vector<JointEdit>& edits, const AssembledProduct& product) {
+  if (edits.empty()) return joints;
+  JointEditor editor(std::move(joints), product);
+  for (const JointEdit& edit : edits) {
+    if (const Outcome taken = editor.take(edit); !taken) return taken.error();
+  }
+  for (const JointEdit& edit : edits) {
+    if (!edit.made) continue;
+    const auto circle = circleThrough(*product.indexOf(edit.key.body), editor.joints(), product.bodies.size());
+    if (circle.empty()) continue;
+    return refusal(edit.key, "joints hold each other in a circle: " + joinedIds(circle, product),
+                   "Dissolve or change one of them.");
+  }
+  std::stable_sort(editor.joints().begin(), editor.joints().end(),
+                   [](const Joint& a, const Joint& b) { return a.body != b.body ? a.body < b.body : a.kind < b.kind; });
+  return std::move(editor.joints());
+}
+
+std::vector<JointEdit> confirmationsOf(const Joints& joints, const AssembledProduct& product) {
+  std::vector<JointEdit> edits;
+  for (const Joint& joint : joints) {
+    if (joint.state == JointState::Suggested) edits.push_back({keyOf(joint, product), JointEdit::Word::Confirmed});
+  }
+  return edits;
+}
+
+}  // namespace glissade

@@ -1,0 +1,118 @@
+#include "engine/product/named_joints.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/assembly/body_path.h"
+#include "engine/product/length_words.h"
+#include "engine/product/thread_pitch.h"
+
+namespace glissade {
+namespace {
+
+/// Diameters that differ by less are one, as shares of the stated one; a core is thinner.
+constexpr double kSameDiameter = 0.06;
+constexpr double kThinnestCore = 0.75;
+constexpr double kSameDriveSize = 0.1;
+/// Heads of ISO 4762: height and radius by the diameter of the thread.
+constexpr double kLeastSocketHead = 0.88;
+constexpr double kMostSocketHead = 1.12;
+constexpr double kLeastSocketRadius = 0.7;
+constexpr double kMostSocketRadius = 1.0;
+
+bool agrees(StandardPart part, JointKind kind) {
+  switch (kind) {
+    case JointKind::Screw: return part == StandardPart::Screw || part == StandardPart::SetScrew;
+    case JointKind::Nut: return part == StandardPart::Nut;
+    case JointKind::Insert:
+      return part == StandardPart::Insert || part == StandardPart::Bearing || part == StandardPart::Pin ||
+             part == StandardPart::Nut || part == StandardPart::Seal || part == StandardPart::Ring;
+    case JointKind::Pin: return part == StandardPart::Pin || part == StandardPart::Screw;
+    case JointKind::Unit: return part == StandardPart::Bearing;
+    case JointKind::Flexible: return part == StandardPart::Belt || part == StandardPart::Seal;
+    case JointKind::Snap: return part == StandardPart::Ring;
+    case JointKind::Permanent: break;
+  }
+  return false;
+}
+
+void doubt(Joint& joint, const std::string& why) {
+  joint.isDoubtful = true;
+  joint.evidence.push_back(why);
+}
+
+void addThread(const Designation& said, Joint& joint) {
+  JointThread& thread = *joint.thread;
+  if (said.diameter <= 0.0) return;
+  const double share = thread.diameter / said.diameter;
+  if (share < kThinnestCore || share > 1.0 + kSameDiameter) {
+    doubt(joint, "the name says a thread of " + inMillimetres(said.diameter) + ", the shape is " +
+                     inMillimetres(thread.diameter));
+    return;
+  }
+  thread.diameter = said.diameter;
+  if (thread.isPitchStated) return;
+  thread.pitch = said.pitch > 0.0 ? said.pitch : isoCoarsePitch(0.5 * said.diameter).pitch;
+}
+
+void addDrive(const Designation& said, Joint& joint) {
+  if (said.drive == DriveKind::None) return;
+  if (joint.drive == DriveKind::None) {
+    joint.drive = said.drive;
+    joint.driveSize = said.driveSize;
+    joint.evidence.emplace_back("the drive is that of the name");
+    return;
+  }
+  if (joint.drive != said.drive) {
+    doubt(joint, std::string("the name says the drive '") + driveName(said.drive) + "', the shape is '" +
+                     driveName(joint.drive) + "'");
+  } else if (said.driveSize > 0.0 && joint.driveSize > 0.0 &&
+             std::abs(joint.driveSize - said.driveSize) > kSameDriveSize * said.driveSize) {
+    doubt(joint, "the name says a drive of " + inMillimetres(said.driveSize) + ", the shape has " +
+                     inMillimetres(joint.driveSize));
+  }
+}
+
+}  // namespace
+
+std::vector<std::optional<Designation>> designationsOf(const AssembledProduct& product) {
+  std::vector<std::optional<Designation>> said;
+  for (const RigidBody& body : product.bodies) {
+    auto own = designationIn(lastStepOf(body.name));
+    const std::vector<std::string> above = assembliesAbove(body.name);
+    if (!own && !above.empty()) {
+      const auto inIt = std::count_if(product.bodies.begin(), product.bodies.end(),
+                                      [&](const RigidBody& other) { return isWithin(other.name, above.back()); });
+      if (inIt == 1) own = designationIn(lastStepOf(above.back()));
+    }
+    said.push_back(std::move(own));
+  }
+  return said;
+}
+
+void addDesignation(const Designation& said, Joint& joint) {
+  if (!agrees(said.part, joint.kind)) {
+    doubt(joint, std::string("the name says '") + standardPartName(said.part) + "'");
+    return;
+  }
+  joint.designation = said.text;
+  joint.evidence.push_back("the name says '" + said.text + "'");
+  if (joint.thread) addThread(said, joint);
+  addDrive(said, joint);
+}
+
+void addUsualDrive(const TurnedShape& shape, Joint& joint) {
+  if (joint.kind != JointKind::Screw || joint.drive != DriveKind::None || !joint.thread) return;
+  if (shape.kind != TurnedKind::Screw || shape.recess > 0.0 || shape.sides != 0) return;
+  const double diameter = joint.thread->diameter;
+  const double height = (shape.high - shape.headLow) / diameter;
+  const double radius = shape.outer / diameter;
+  const bool isCapHead = height >= kLeastSocketHead && height <= kMostSocketHead && radius >= kLeastSocketRadius &&
+                         radius <= kMostSocketRadius;
+  if (!isCapHead) return;
+  joint.drive = DriveKind::HexSocket;
+  joint.driveSize = usualDriveSize(DriveKind::HexSocket, diameter);
+  joint.evidence.emplace_back("the head has the proportions of ISO 4762");
+}
+
+}  // namespace glissade

@@ -1,0 +1,230 @@
+#include "engine/product/pressed_joints.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "engine/product/length_words.h"
+
+namespace glissade {
+namespace {
+
+/// Holes are compared with what is in them up to this share of the radius; what is nearer is decided by the cylinders.
+constexpr double kClearPress = 0.02;
+/// Cylinders that are nearer than this fit exactly, metres: as contacts of a product.
+constexpr double kExactFit = 3e-6;
+constexpr double kPinClearance = 1.06;
+/// Share of the guest's length that is in its host.
+constexpr double kPressedShare = 0.2;
+constexpr double kFittedShare = 0.4;
+constexpr double kHostReach = 1.6;
+constexpr double kLeastHostAround = 0.6;
+/// Length by radius of a pin.
+constexpr double kShortestPin = 1.5;
+constexpr double kLongestPin = 20.0;
+constexpr double kCoaxialShare = 0.05;
+
+/// How a guest is in a hole of another body.
+struct HostFit {
+  std::size_t host = 0;
+  double over = 0.0;    ///< metres of the axis in which the guest is thicker than the hole
+  double equal = 0.0;   ///< in which it is as thick
+  double excess = 0.0;  ///< metres by which it is thicker, radially, at most
+  double low = 0.0;     ///< along the axis of the guest
+  double high = 0.0;
+};
+
+double outerAt(const TurnedShape& shape, double height) {
+  for (const AxialSlab& slab : shape.slabs) {
+    if (height >= slab.low && height <= slab.high) return slab.outerMost();
+  }
+  return 0.0;
+}
+
+class PressedJointFinder {
+ public:
+  PressedJointFinder(const ProductShapes& shapes, const Joints& threaded, const std::vector<bool>& isInsertByName,
+                     const StopToken& stop)
+      : shapes_(shapes), isInsertByName_(isInsertByName), stop_(stop) {
+    for (const Joint& joint : threaded) {
+      threaded_.insert(joint.body);
+      for (const std::size_t other : joint.others) {
+        if (joint.kind == JointKind::Screw) hasThread_.insert(other);
+        if (joint.kind == JointKind::Nut) threaded_.insert(other);
+      }
+    }
+  }
+
+  Joints find() {
+    Joints joints;
+    for (std::size_t body = 0; body < shapes_.size() && !stop_.stopRequested(); ++body) {
+      const TurnedShape* shape = shapes_.turned(body);
+      if (shape == nullptr || threaded_.count(body) != 0) continue;
+      const bool isRing = shape->kind == TurnedKind::Ring || (shape->kind == TurnedKind::Nut && isInsertByName_[body]);
+      if (isRing) addRing(body, *shape, joints);
+      if (shape->kind == TurnedKind::Rod || shape->kind == TurnedKind::Screw) addPin(body, *shape, joints);
+    }
+    return joints;
+  }
+
+ private:
+  std::vector<HostFit> hostsOf(std::size_t guest, const TurnedShape& shape) const {
+    const AxisLine axis = shapes_.axisOf(guest);
+    std::vector<HostFit> hosts;
+    for (const std::size_t body : shapes_.near(axis, {shape.low, shape.high, shape.outer}, guest)) {
+      if (isSolidFastener(body)) continue;
+      auto fit = fitIn(body, guest, shape, axis);
+      if (fit.over + fit.equal > 0.0) hosts.push_back(fit);
+    }
+    return hosts;
+  }
+
+  /// Screws, rods and nuts have no guests that are pressed in.
+  bool isSolidFastener(std::size_t body) const {
+    const TurnedShape* shape = shapes_.turned(body);
+    return shape != nullptr && shape->kind != TurnedKind::Ring;
+  }
+
+  HostFit fitIn(std::size_t host, std::size_t guest, const TurnedShape& shape, const AxisLine& axis) const {
+    HostFit fit{host};
+    fit.low = shape.high;
+    fit.high = shape.low;
+    const AxisLine seen = shapes_.seenFrom(host, axis);
+    double unsure = 0.0;
+    for (const AxialSlab& slab :
+         shapes_.axial(host).slabsAbout(seen, {shape.low, shape.high, kHostReach * shape.outer})) {
+      const double outer = outerAt(shape, 0.5 * (slab.low + slab.high));
+      if (slab.surroundedShare() < kLeastHostAround && !(slab.isSolid && slab.surroundedShare() == 0.0)) continue;
+      const bool isIn = slab.isSolid && (slab.surroundedShare() == 0.0 || slab.nearestAt(0.3) > outer);
+      const double hole = slab.isSolid ? (isIn ? 0.0 : kHostReach * shape.outer) : slab.nearestAt(0.9);
+      if (hole > (1.0 + kClearPress) * outer) continue;
+      fit.low = std::min(fit.low, slab.low);
+      fit.high = std::max(fit.high, slab.high);
+      if (hole >= (1.0 - kClearPress) * outer) {
+        unsure += slab.length();
+        continue;
+      }
+      fit.over += slab.length();
+      fit.excess = std::max(fit.excess, outer - hole);
+    }
+    if (unsure > 0.0) compareCylinders(host, guest, unsure, fit);
+    return fit;
+  }
+
+  /// Exactly, by the cylinders of both that are coaxial and beside each other.
+  void compareCylinders(std::size_t host, std::size_t guest, double length, HostFit& fit) const {
+    double least = kClearPress * shapes_.turned(guest)->outer;
+    for (const CylinderRegion& shaft : shapes_.cylindersOf(guest)) {
+      if (!shaft.shaft) continue;
+      const AxisLine axis{shaft.point, shaft.direction};
+      for (const CylinderRegion& hole : shapes_.cylindersOf(host)) {
+        if (hole.shaft || !isSameAxis(axis, {hole.point, hole.direction}, kCoaxialShare * shaft.radius)) continue;
+        const double middle = axis.heightOf(hole.point + 0.5 * (hole.low + hole.high) * hole.direction);
+        const double half = 0.5 * (hole.high - hole.low);
+        if (middle + half <= shaft.low || middle - half >= shaft.high) continue;
+        if (std::abs(hole.radius - shaft.radius) <= std::abs(least)) least = hole.radius - shaft.radius;
+      }
+    }
+    if (least < -kExactFit) {
+      fit.over += length;
+      fit.excess = std::max(fit.excess, -least);
+    } else if (least <= kExactFit) {
+      fit.equal += length;
+    }
+  }
+
+  void addRing(std::size_t body, const TurnedShape& shape, Joints& joints) const {
+    const std::vector<HostFit> hosts = hostsOf(body, shape);
+    const HostFit* best = nullptr;
+    for (const HostFit& fit : hosts) {
+      const bool isPressed = fit.over >= kPressedShare * shape.length();
+      const bool isFitted = fit.over + fit.equal >= kFittedShare * shape.length() &&
+                            (isInsertByName_[body] || hasThread_.count(body) != 0);
+      if (!isPressed && !isFitted) continue;
+      if (best == nullptr || fit.over > best->over || (fit.over == best->over && fit.equal > best->equal)) best = &fit;
+    }
+    if (best == nullptr) return;
+    Joint joint = jointOf(JointKind::Insert, body, {*best}, shapes_.axisOf(body));
+    joint.evidence.push_back("a ring in a hole");
+    joint.evidence.push_back(fitWords(*best));
+    if (hasThread_.count(body) != 0) joint.evidence.emplace_back("a thread is in it");
+    joints.push_back(std::move(joint));
+  }
+
+  void addPin(std::size_t body, const TurnedShape& shape, Joints& joints) const {
+    const double below = shape.headLow - shape.low;
+    if (below < kShortestPin * shape.shaft || below > kLongestPin * shape.shaft) return;
+    TurnedShape shaft = shape;
+    shaft.high = shape.headLow;
+    shaft.outer = shape.shaft;
+    const AxisLine axis = shapes_.axisOf(body);
+    std::vector<HostFit> pressed;
+    std::vector<HostFit> loose;
+    for (const std::size_t other : shapes_.near(axis, {shape.low, shape.headLow, shape.shaft}, body)) {
+      if (isSolidFastener(other)) continue;
+      const auto around = aroundShaft(shapes_.axial(other), shapes_.seenFrom(other, axis), shaft);
+      if (!around || around->hole > kPinClearance * shape.shaft) continue;
+      HostFit fit = fitIn(other, body, shaft, axis);
+      fit.low = around->low;
+      fit.high = around->high;
+      const bool isPressed = fit.over >= std::min(kPressedShare * below, 0.5 * shape.shaft);
+      (isPressed ? pressed : loose).push_back(fit);
+    }
+    if (!pressed.empty()) {
+      const auto deepest = std::max_element(pressed.begin(), pressed.end(),
+                                            [](const auto& a, const auto& b) { return a.over < b.over; });
+      Joint joint = jointOf(JointKind::Insert, body, {*deepest}, axis);
+      joint.evidence = {"a pin in a hole", fitWords(*deepest)};
+      joints.push_back(std::move(joint));
+      return;
+    }
+    if (loose.empty()) return;
+    Joint joint = jointOf(JointKind::Pin, body, loose, axis);
+    joint.direction = wayOut(shape, loose, axis);
+    joint.evidence = {"a shaft of " + inMillimetres(2.0 * shape.shaft) + " in a hole"};
+    joints.push_back(std::move(joint));
+  }
+
+  /// Towards the head; else to the side on which it is out of the holes sooner.
+  static Vector3 wayOut(const TurnedShape& shape, const std::vector<HostFit>& hosts, const AxisLine& axis) {
+    if (shape.kind == TurnedKind::Screw) return axis.direction;
+    double low = hosts.front().low;
+    double high = hosts.front().high;
+    for (const HostFit& host : hosts) {
+      low = std::min(low, host.low);
+      high = std::max(high, host.high);
+    }
+    const bool isUp = high - shape.low <= shape.high - low;
+    return isUp ? axis.direction : Vector3(-axis.direction);
+  }
+
+  static Joint jointOf(JointKind kind, std::size_t body, const std::vector<HostFit>& hosts, const AxisLine& axis) {
+    Joint joint;
+    joint.kind = kind;
+    joint.body = body;
+    for (const HostFit& host : hosts) joint.others.push_back(host.host);
+    joint.point = axis.point;
+    joint.direction = axis.direction;
+    return joint;
+  }
+
+  static std::string fitWords(const HostFit& fit) {
+    if (fit.excess > 0.0) return "it is " + inMillimetres(fit.excess) + " thicker than its hole";
+    return "it is as wide as its hole";
+  }
+
+  const ProductShapes& shapes_;
+  const std::vector<bool>& isInsertByName_;
+  const StopToken& stop_;
+  std::set<std::size_t> threaded_;   ///< screws, nuts and what nuts are on
+  std::set<std::size_t> hasThread_;  ///< what screws are in
+};
+
+}  // namespace
+
+Joints findPressedJoints(const ProductShapes& shapes, const Joints& threaded, const std::vector<bool>& isInsertByName,
+                         const StopToken& stop) {
+  return PressedJointFinder(shapes, threaded, isInsertByName, stop).find();
+}
+
+}  // namespace glissade

@@ -1,0 +1,246 @@
+#include "engine/product/suggested_joints.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string_view>
+
+#include "engine/assembly/body_path.h"
+
+namespace glissade {
+namespace {
+
+struct HintWord {
+  std::string_view word;
+  JointKind kind;
+};
+
+/// The last word of an English or German name, or its end, says what a thing is.
+constexpr std::array kLastWords{HintWord{"belt", JointKind::Flexible},
+                                HintWord{"cable", JointKind::Flexible},
+                                HintWord{"hose", JointKind::Flexible},
+                                HintWord{"wire", JointKind::Flexible},
+                                HintWord{"wires", JointKind::Flexible},
+                                HintWord{"wiring", JointKind::Flexible},
+                                HintWord{"harness", JointKind::Flexible},
+                                HintWord{"spring", JointKind::Flexible},
+                                HintWord{"seal", JointKind::Flexible},
+                                HintWord{"gasket", JointKind::Flexible},
+                                HintWord{"oring", JointKind::Flexible},
+                                HintWord{"label", JointKind::Flexible},
+                                HintWord{"sticker", JointKind::Flexible},
+                                HintWord{"strap", JointKind::Flexible},
+                                HintWord{"cord", JointKind::Flexible},
+                                HintWord{"riemen", JointKind::Flexible},
+                                HintWord{"kabel", JointKind::Flexible},
+                                HintWord{"schlauch", JointKind::Flexible},
+                                HintWord{"feder", JointKind::Flexible},
+                                HintWord{"dichtung", JointKind::Flexible},
+                                HintWord{"dichtring", JointKind::Flexible},
+                                HintWord{"etikett", JointKind::Flexible},
+                                HintWord{"clip", JointKind::Snap},
+                                HintWord{"snap", JointKind::Snap},
+                                HintWord{"latch", JointKind::Snap},
+                                HintWord{"weld", JointKind::Permanent},
+                                HintWord{"solder", JointKind::Permanent},
+                                HintWord{"glue", JointKind::Permanent},
+                                HintWord{"adhesive", JointKind::Permanent},
+                                HintWord{"epoxy", JointKind::Permanent},
+                                HintWord{"schweissnaht", JointKind::Permanent}};
+
+/// The first word of a French name does.
+constexpr std::array kFirstWords{HintWord{"courroie", JointKind::Flexible}, HintWord{"cable", JointKind::Flexible},
+                                 HintWord{"tuyau", JointKind::Flexible},    HintWord{"ressort", JointKind::Flexible},
+                                 HintWord{"joint", JointKind::Flexible},    HintWord{"etiquette", JointKind::Flexible},
+                                 HintWord{"flexible", JointKind::Flexible}, HintWord{"soudure", JointKind::Permanent},
+                                 HintWord{"colle", JointKind::Permanent},   HintWord{"loquet", JointKind::Snap}};
+
+/// Words of assemblies that are bought, wherever they stand.
+constexpr std::array<std::string_view, 29> kUnitWords{
+    "motor",     "servo",   "stepper",         "nema",    "bearing",      "lager",
+    "roulement", "moteur",  "gearmotor",       "fan",     "pcb",          "board",
+    "sensor",    "switch",  "relay",           "camera",  "battery",      "display",
+    "actuator",  "arduino", "raspberry",       "encoder", "pump",         "solenoid",
+    "bldc",      "speaker", "microcontroller", "vesc",    "potentiometer"};
+
+/// Words that are no name of a thing.
+constexpr std::array<std::string_view, 14> kUnits{"mm",  "cm",   "in",     "od",       "id",      "long",  "wide",
+                                                  "rev", "copy", "mirror", "mirrored", "default", "solid", "body"};
+
+bool endsWith(const std::string& text, std::string_view end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+/// Compounds are written as one word in German: from five letters on an end is enough.
+bool isLastWord(const std::string& word, std::string_view hint) {
+  return word == hint || (hint.size() >= 5 && endsWith(word, hint));
+}
+
+std::optional<JointKind> hintOf(const std::vector<std::string>& words) {
+  if (words.empty()) return std::nullopt;
+  for (const HintWord& hint : kLastWords) {
+    if (isLastWord(words.back(), hint.word)) return hint.kind;
+  }
+  for (const HintWord& hint : kFirstWords) {
+    if (words.front() == hint.word) return hint.kind;
+  }
+  return std::nullopt;
+}
+
+bool isOneOf(const std::string& word, const std::vector<std::string>& words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// The class says it by its words, too.
+std::optional<JointKind> hintOfClass(const std::string& name) {
+  const std::vector<std::string> words = wordsOfName(name);
+  if (isOneOf("flexible", words)) return JointKind::Flexible;
+  return hintOf(words);
+}
+
+bool isUnitName(const std::string& name) {
+  const std::vector<std::string> words = wordsOfName(name);
+  return std::any_of(words.begin(), words.end(), [](const std::string& word) {
+    return std::any_of(kUnitWords.begin(), kUnitWords.end(), [&](std::string_view unit) { return word == unit; });
+  });
+}
+
+/// Every face is a piece of one torus: a ring of round section.
+bool isTorus(const TriangleMesh& mesh) {
+  return !mesh.faces.empty() && std::all_of(mesh.faces.begin(), mesh.faces.end(), [](const SurfaceFace& face) {
+    return face.kind == SurfaceFace::Kind::Torus;
+  });
+}
+
+class SuggestedJointFinder {
+ public:
+  SuggestedJointFinder(const ProductShapes& shapes, const std::vector<std::string>& classes, const Joints& found,
+                       const StopToken& stop)
+      : shapes_(shapes), classes_(classes), stop_(stop), isTaken_(shapes.size(), false) {
+    for (const Joint& joint : found) {
+      isTaken_[joint.body] = true;
+      if (joint.kind != JointKind::Unit) continue;
+      for (const std::size_t other : joint.others) isTaken_[other] = true;
+    }
+  }
+
+  Joints find() {
+    Joints joints;
+    addUnits(joints);
+    for (std::size_t body = 0; body < shapes_.size() && !stop_.stopRequested(); ++body) {
+      if (!isTaken_[body]) addByBody(body, joints);
+    }
+    std::stable_sort(joints.begin(), joints.end(), [](const Joint& a, const Joint& b) { return a.body < b.body; });
+    return joints;
+  }
+
+ private:
+  /// The outermost assemblies with such a name, but not the whole product.
+  void addUnits(Joints& joints) {
+    std::map<std::string, std::vector<std::size_t>> units;
+    for (std::size_t body = 0; body < shapes_.size(); ++body) {
+      for (const std::string& node : assembliesAbove(shapes_.body(body).id)) {
+        if (!isUnitName(lastStepOf(node))) continue;
+        units[node].push_back(body);
+        break;
+      }
+    }
+    for (const auto& [node, bodies] : units) {
+      if (bodies.size() < 2 || bodies.size() == shapes_.size()) continue;
+      Joint joint;
+      joint.kind = JointKind::Unit;
+      joint.state = JointState::Suggested;
+      joint.body = bodies.front();
+      joint.others.assign(bodies.begin() + 1, bodies.end());
+      joint.point = shapes_.box(joint.body).center();
+      joint.evidence = {"the assembly is called '" + lastStepOf(node) + "'"};
+      for (const std::size_t body : bodies) isTaken_[body] = true;
+      joints.push_back(std::move(joint));
+    }
+  }
+
+  void addByBody(std::size_t body, Joints& joints) const {
+    std::string reason;
+    const auto kind = kindOf(body, &reason);
+    if (!kind) return;
+    Joint joint;
+    joint.kind = *kind;
+    joint.state = JointState::Suggested;
+    joint.body = body;
+    joint.others = touching(body);
+    joint.point = shapes_.box(body).center();
+    joint.evidence = {reason};
+    if (joint.others.empty() && *kind != JointKind::Flexible) return;
+    if (*kind == JointKind::Snap) joint.direction = wayOut(joint);
+    joints.push_back(std::move(joint));
+  }
+
+  std::optional<JointKind> kindOf(std::size_t body, std::string* reason) const {
+    const RigidBody& rigid = shapes_.body(body);
+    if (body < classes_.size() && !classes_[body].empty()) {
+      *reason = "its class is '" + classes_[body] + "'";
+      if (const auto hint = hintOfClass(classes_[body])) return hint;
+    }
+    *reason = "the name says '" + lastStepOf(rigid.name) + "'";
+    if (const auto hint = hintOf(wordsOfName(lastStepOf(rigid.name)))) return hint;
+    *reason = "it is a ring of round section";
+    if (isTorus(*rigid.mesh)) return JointKind::Flexible;
+    return std::nullopt;
+  }
+
+  /// Away from the middle of what it is on.
+  Vector3 wayOut(const Joint& joint) const {
+    Box3 box;
+    for (const std::size_t other : joint.others) box.extend(shapes_.box(other));
+    const Vector3 way = shapes_.box(joint.body).center() - box.center();
+    Eigen::Index axis = 0;
+    if (!(way.cwiseAbs().maxCoeff(&axis) > 0.0)) return Vector3::UnitZ();
+    return std::copysign(1.0, way[axis]) * Vector3::Unit(axis);
+  }
+
+  /// Bodies within reach of tessellation.
+  std::vector<std::size_t> touching(std::size_t body) const {
+    std::vector<std::size_t> found;
+    for (std::size_t other = 0; other < shapes_.size() && !stop_.stopRequested(); ++other) {
+      if (other != body && shapes_.apart(body, other, kTouchReach) <= kTouchReach) found.push_back(other);
+    }
+    return found;
+  }
+
+  static constexpr double kTouchReach = 5e-5;
+
+  const ProductShapes& shapes_;
+  const std::vector<std::string>& classes_;
+  const StopToken& stop_;
+  std::vector<bool> isTaken_;
+};
+
+}  // namespace
+
+std::vector<std::string> wordsOfName(const std::string& name) {
+  std::vector<std::string> words(1);
+  bool wasLower = false;
+  for (const char c : name) {
+    const auto u = static_cast<unsigned char>(c);
+    const bool isLetter = std::isalpha(u) != 0 || u >= 0x80U;
+    const bool isUpper = std::isupper(u) != 0;
+    if ((!isLetter || (isUpper && wasLower)) && !words.back().empty()) words.emplace_back();
+    if (isLetter) words.back() += static_cast<char>(std::tolower(u));
+    wasLower = std::islower(u) != 0;
+  }
+  const auto isNothing = [](const std::string& word) {
+    return word.size() < 2 || std::find(kUnits.begin(), kUnits.end(), word) != kUnits.end();
+  };
+  words.erase(std::remove_if(words.begin(), words.end(), isNothing), words.end());
+  return words;
+}
+
+Joints findSuggestedJoints(const ProductShapes& shapes, const std::vector<std::string>& classes, const Joints& found,
+                           const StopToken& stop) {
+  return SuggestedJointFinder(shapes, classes, found, stop).find();
+}
+
+}  // namespace glissade
