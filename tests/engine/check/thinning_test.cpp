@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/check/face_regions.h"
+#include "engine/geometry/triangle_pair.h"
 #include "tests/engine/check/check_bodies.h"
 
 namespace glissade::check {

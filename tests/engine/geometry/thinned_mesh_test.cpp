@@ -206,7 +206,7 @@ TEST(ThinnedMesh, AnOpenBodyIsNeverLargerThanTheWholeOne) {
   RandomStream random(5, "open");
   int thinnedOnes = 0;
   int refused = 0;
-  for (int round = 0; round < 40; ++round) {
+  for (int round = 0; round < 12; ++round) {
     for (const TriangleMesh& whole : bodies(random)) {
       TriangleMesh open = whole;
       const std::size_t lost = 1 + static_cast<std::size_t>(3.0 * random.uniform());
@@ -237,8 +237,8 @@ TEST(ThinnedMesh, AnOpenBodyIsNeverLargerThanTheWholeOne) {
       }
     }
   }
-  EXPECT_GT(thinnedOnes, 100);
-  EXPECT_GT(refused, 20);
+  EXPECT_GT(thinnedOnes, 30);
+  EXPECT_GT(refused, 5);
 }
 
 TEST(ThinnedMesh, TrianglesMayRunEitherWay) {
