@@ -48,6 +48,7 @@ Json toJson(const PairFit& row) {
                     {"direction", coordinates(contact.axis->direction)},
                     {"radius_a", contact.axis->radiusA},
                     {"radius_b", contact.axis->radiusB}};
+    if (contact.axis->conical) json["axis"]["conical"] = true;
   }
   return json;
 }

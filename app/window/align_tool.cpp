@@ -19,6 +19,9 @@ QString kindText(const MeasureFeature& feature) {
     case FeatureKind::Vertex: return AlignTool::tr("vertex");
     case FeatureKind::Edge: return AlignTool::tr("edge");
     case FeatureKind::Cylinder: return AlignTool::tr("cylinder");
+    case FeatureKind::Cone: return AlignTool::tr("cone");
+    case FeatureKind::Sphere: return AlignTool::tr("sphere");
+    case FeatureKind::Torus: return AlignTool::tr("torus");
     case FeatureKind::Face: return AlignTool::tr("plane");
     case FeatureKind::FreeFace: break;
   }
@@ -28,15 +31,18 @@ QString kindText(const MeasureFeature& feature) {
 /// How the two lie to each other afterwards; alignment() has the table.
 QString relationText(const MeasureFeature& a, const MeasureFeature& b) {
   const auto either = [&](FeatureKind kind) { return a.kind == kind || b.kind == kind; };
+  const auto isPoint = [](const MeasureFeature& feature) {
+    return feature.kind == FeatureKind::Vertex || feature.kind == FeatureKind::Sphere;
+  };
   const bool planes = a.kind == FeatureKind::Face && b.kind == FeatureKind::Face;
-  const bool vertices = a.kind == FeatureKind::Vertex && b.kind == FeatureKind::Vertex;
   if (planes) return AlignTool::tr("in one plane");
-  if (vertices) return AlignTool::tr("in one point");
+  if (isPoint(a) && isPoint(b)) return AlignTool::tr("in one point");
   if (either(FeatureKind::Face)) {
-    return either(FeatureKind::Cylinder) ? AlignTool::tr("tangent") : AlignTool::tr("in the plane");
+    const bool tangent = either(FeatureKind::Cylinder) || either(FeatureKind::Sphere);
+    return tangent ? AlignTool::tr("tangent") : AlignTool::tr("in the plane");
   }
-  if (either(FeatureKind::Vertex)) {
-    return either(FeatureKind::Cylinder) ? AlignTool::tr("on the axis") : AlignTool::tr("on the edge");
+  if (isPoint(a) || isPoint(b)) {
+    return a.isTurned() || b.isTurned() ? AlignTool::tr("on the axis") : AlignTool::tr("on the edge");
   }
   return AlignTool::tr("on one line");
 }
@@ -46,7 +52,8 @@ void addTo(MeasurePicture& picture, const MeasureFeature& feature, const std::ve
   if (feature.kind == FeatureKind::Edge) {
     picture.segments.insert(picture.segments.end(), {feature.from, feature.to});
   }
-  if (feature.kind == FeatureKind::Cylinder) {
+  if (feature.kind == FeatureKind::Sphere) picture.points.push_back(feature.axisPoint);
+  if (feature.isTurned()) {
     const Vector3 half = feature.radius * feature.direction;
     picture.segments.insert(picture.segments.end(), {feature.axisPoint - half, feature.axisPoint + half});
   }
@@ -140,7 +147,7 @@ AlignTool::Pointed AlignTool::pointedAt(const Target& target, const MeasurableMe
   const Vector3 p_B = inverse(target.body.X_WB) * target.p_W;
   const MeasureFeature feature = mesh.alignableAt(target.triangle, p_B, target.snap);
   Pointed pointed{target.item, placed(feature, target.body.X_WB)};
-  if (feature.kind == FeatureKind::Face || feature.kind == FeatureKind::Cylinder) {
+  if (feature.kind != FeatureKind::Vertex && feature.kind != FeatureKind::Edge) {
     pointed.outline = mesh.outlineAt(target.triangle);
     for (Vector3& p : pointed.outline) p = target.body.X_WB * p;
   }

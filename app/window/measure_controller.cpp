@@ -32,13 +32,25 @@ QString degreesText(double radians) {
   return QLocale().toString(radians * 180.0 / std::numbers::pi, 'f', 2) + QStringLiteral("°");
 }
 
+/// What there is to say of a round face.
+QString radiusText(const MeasureFeature& feature) {
+  const QString radius = lengthText(feature.radius);
+  if (feature.kind == MeasureFeature::Kind::Torus) {
+    return MeasureController::tr("Torus: radius of the circle %1, of the tube %2")
+        .arg(radius, lengthText(feature.tubeRadius));
+  }
+  const QString text = MeasureController::tr("Radius %1, diameter %2").arg(radius, lengthText(2.0 * feature.radius));
+  if (feature.kind != MeasureFeature::Kind::Cone) return text;
+  return text + MeasureController::tr(" there; half angle of the cone %1").arg(degreesText(feature.halfAngle));
+}
+
 /// Of the vertex, the edge or the face that was clicked.
 void addTo(MeasurePicture& picture, const MeasureFeature& feature) {
   picture.points.push_back(feature.picked);
   if (feature.kind == MeasureFeature::Kind::Edge) {
     picture.segments.insert(picture.segments.end(), {feature.from, feature.to});
   }
-  if (feature.kind == MeasureFeature::Kind::Cylinder) {
+  if (feature.isTurned() || feature.kind == MeasureFeature::Kind::Sphere) {
     picture.segments.insert(picture.segments.end(), {feature.picked, feature.axisPoint});
   }
 }
@@ -193,7 +205,7 @@ void MeasureController::takeFeature(const Picked& picked) {
 void MeasureController::takeFrame(const Picked& picked, const MeasurableMesh& mesh) {
   const auto frame = mesh.frameAt(picked.hit.triangle);
   if (!frame) {
-    show(tr("This is neither a plane nor a cylinder."), {});
+    show(tr("This is neither a plane nor a round face with an axis or a centre."), {});
     return;
   }
   setKind(Kind::None);
@@ -219,16 +231,17 @@ void MeasureController::measureFeatures() {
   MeasurePicture picture;
   for (const MeasureFeature& clicked : features_) addTo(picture, clicked);
   if (kind_ == Kind::Radius) {
-    if (a.kind != MeasureFeature::Kind::Cylinder) {
-      show(tr("This is no cylindrical face."), picture);
+    if (!a.isTurned() && a.kind != MeasureFeature::Kind::Sphere) {
+      show(tr("This is no face of a cylinder, a cone, a sphere or a torus."), picture);
       return;
     }
     picture.labels.push_back(lengthLabel(0.5 * (a.picked + a.axisPoint), a.radius, true));
-    show(tr("Radius %1, diameter %2").arg(lengthText(a.radius), lengthText(2.0 * a.radius)), picture);
+    show(radiusText(a), picture);
   } else if (kind_ == Kind::Angle) {
     const auto angle = angleBetweenFeatures(a, b);
     if (!angle) {
-      show(tr("A vertex or a free surface has no direction: click edges, planes or cylinders."), picture);
+      show(tr("A vertex, a sphere or a free surface has no direction: click edges, planes or faces with an axis."),
+           picture);
       return;
     }
     const QString text = degreesText(*angle);

@@ -87,11 +87,11 @@ void SectionController::addAcross(int axis) {
   bench_.actions["panel.section"]->trigger();
 }
 
-/// Along a plane, or through the axis of a cylinder, across the line of sight.
+/// Along a plane, or through an axis, across the line of sight.
 void SectionController::addAlong(const MeasureFeature& face) {
   Vector3 direction = face.direction;
   Vector3 through = face.picked;
-  if (face.kind == MeasureFeature::Kind::Cylinder) {
+  if (face.isTurned()) {
     const CameraController& camera = bench_.scene.view().camera();
     const Vector3 sight = camera.eye() - face.axisPoint;
     direction = sight - sight.dot(face.direction) * face.direction;

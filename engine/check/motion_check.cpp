@@ -170,7 +170,7 @@ MotionVerdict MotionCheck::judgeHelix(const Geometry& geometry, const std::vecto
   for (std::size_t i = 0; i <= count; i += step) {
     if (stop.stopRequested()) return result;
     ++result.distances;
-    const Nearest nearest = geometry.nearest(placed(path[helix.first + i]), all);
+    const Nearest nearest = geometry.nearest(placed(path[helix.first + i]), result.minClearance, all);
     if (nearest.distance >= result.minClearance) continue;
     result.minClearance = nearest.distance;
     result.nearest = nearest;
@@ -227,7 +227,7 @@ MotionCheck::Proofs MotionCheck::turnProofs(const std::vector<Pose>& path, const
     TurnProof met;
     for (std::size_t i = 0; i <= count; i += std::max<std::size_t>(1, count / kDistancesOfHelix)) {
       if (stop.stopRequested()) return proofs;
-      const Nearest nearest = geometry_->nearest(placed(path[first + i]), all);
+      const Nearest nearest = geometry_->nearest(placed(path[first + i]), met.minClearance, all);
       if (nearest.distance >= met.minClearance) continue;
       met.minClearance = nearest.distance;
       met.nearest = nearest;
@@ -293,7 +293,7 @@ std::string MotionCheck::whyUndecided(const Pose& from, const Pose& to, double r
 
 /// In the scaled geometry. An interval of time is proved by the distance at its middle less what any vertex can move
 /// until its ends; what is not proved is halved, the earlier half first. Bodies that fit leave gaps of micrometres:
-/// there a straight way is proved by what the object sweeps, too.
+/// there a straight way is proved by what the object sweeps, where that is enough.
 MotionVerdict MotionCheck::checkEdge(const Geometry& geometry, const Pose& from, const Pose& to, double required,
                                      const TurnProof* turned, const StopToken& stop) {
   const Course course(from, to);
@@ -322,8 +322,8 @@ MotionVerdict MotionCheck::checkEdge(const Geometry& geometry, const Pose& from,
       return result;
     }
   }
-  const auto meet = [&](double t) {
-    const Nearest nearest = geometry.nearest(course.at(t), asked);
+  const auto meet = [&](double t, double enough) {
+    const Nearest nearest = geometry.nearest(course.at(t), enough, asked);
     if (nearest.distance < result.minClearance) {
       result.minClearance = nearest.distance;
       result.at = t;
@@ -332,9 +332,20 @@ MotionVerdict MotionCheck::checkEdge(const Geometry& geometry, const Pose& from,
     if (nearest.distance < required) result.status = Status::Violated;
     return nearest.distance;
   };
+  // What is swept comes as near as the object does on its way, but for its turn.
+  const auto sweptProof = [&](const Span& span) {
+    const double enough = std::max(2.0 * required, result.minClearance);
+    const Vector3 way = (span.end - span.begin) * course.way();
+    const double swept = geometry.sweptDistance(course.at(span.begin), way, enough, asked);
+    if (swept - turn >= required && swept < result.minClearance) {
+      result.minClearance = swept;
+      result.at = 0.5 * (span.begin + span.end);
+    }
+    return swept - turn;
+  };
   if (sweeps) {
-    meet(0.0);
-    meet(1.0);
+    meet(0.0, std::numeric_limits<double>::infinity());
+    meet(1.0, result.minClearance);
     if (result.status == Status::Violated) return result;
   }
   std::vector<Span> open{{0.0, 1.0, 0}};
@@ -342,22 +353,14 @@ MotionVerdict MotionCheck::checkEdge(const Geometry& geometry, const Pose& from,
     const Span span = open.back();
     open.pop_back();
     if (stop.stopRequested() || ++result.distances > kMostDistances) return result;
+    double proved = sweeps ? sweptProof(span) : 0.0;
+    bool closely = sweeps && proved >= required;
     const double middle = 0.5 * (span.begin + span.end);
-    const double distance = meet(middle);
-    if (result.status == Status::Violated) return result;
-    const double length = span.end - span.begin;
-    double proved = distance - 0.5 * speed * length;
-    bool closely = proved >= std::max(required, kCloseShare * result.minClearance);
-    if (!closely && sweeps) {
-      // What is swept comes as near as the object does on its way, but for its turn.
-      const double enough = std::max(2.0 * required, result.minClearance);
-      const double swept = geometry.sweptDistance(course.at(span.begin), length * course.way(), enough, asked);
-      proved = swept - turn;
-      closely = proved >= required;
-      if (closely && swept < result.minClearance) {
-        result.minClearance = swept;
-        result.at = middle;
-      }
+    if (!closely) {
+      const double distance = meet(middle, std::numeric_limits<double>::infinity());
+      if (result.status == Status::Violated) return result;
+      proved = distance - 0.5 * speed * (span.end - span.begin);
+      closely = proved >= std::max(required, kCloseShare * result.minClearance);
     }
     if (closely) {
       result.provedClearance = std::min(result.provedClearance, proved);

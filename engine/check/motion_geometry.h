@@ -268,13 +268,13 @@ struct MotionCheck::Geometry {
     return std::max(errorAt(from.position), errorAt(to.position)) <= distances::kErrorShare * clearance;
   }
 
-  /// Of those of the groups that are asked.
-  Nearest nearest(const fcl::Transform3d& X_WB, const std::vector<bool>& asked) const {
+  /// Of those of the groups that are asked, and that are nearer than `enough`; infinity where there is none.
+  Nearest nearest(const fcl::Transform3d& X_WB, double enough, const std::vector<bool>& asked) const {
     Nearest nearest;
     nearest.distance = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < groups.size(); ++i) {
       if (!asked[i]) continue;
-      const Nearest found = groups[i]->nearest(X_WB, nearest.distance);
+      const Nearest found = groups[i]->nearest(X_WB, std::min(enough, nearest.distance));
       if (found.distance < nearest.distance) nearest = found;
     }
     return nearest;

@@ -11,6 +11,7 @@
 #include <tuple>
 #include <vector>
 
+#include "engine/check/open_surface.h"
 #include "engine/check/ray_containment.h"
 #include "engine/geometry/triangle_crossing.h"
 
@@ -122,19 +123,11 @@ class ThinBody {
     }
   }
 
-  bool isClosed() const {
-    std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
-    for (const TriangleIndices& t : triangles_) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        ++uses[{t[i], t[(i + 1) % 3]}];
-        --uses[{t[(i + 1) % 3], t[i]}];
-      }
-    }
-    return std::all_of(uses.begin(), uses.end(), [](const auto& edge) { return edge.second == 0; });
-  }
-
-  /// The body thinned; the body where it has no place for that.
+  /// The body thinned; the body where it has no place for that, or is open too near.
   TriangleMesh thinned() {
+    const auto openEdges = openEdgesOf(points_, triangles_);
+    isOpen_ = !openEdges.empty();
+    if (isOpen_ && !areFar(openEdges, faces_, allowances_)) return {points_, triangles_};
     findNormals();
     findRooms();
     findPieces();
@@ -143,7 +136,10 @@ class ThinBody {
       TriangleMesh result{points_, triangles_};
       for (std::size_t i = 0; i < moves.size(); ++i) result.vertices[i] += moves[i];
       const std::set<std::uint32_t> bad = crossingCorners(result);
-      if (bad.empty()) return isWithin(result) ? result : TriangleMesh{points_, triangles_};
+      if (bad.empty()) {
+        const bool within = isOpen_ ? isWithinLocally(result) : isWithin(result);
+        return within ? result : TriangleMesh{points_, triangles_};
+      }
       for (const std::uint32_t i : bad) moves[i] /= 2.0;
     }
     return {points_, triangles_};
@@ -342,6 +338,12 @@ class ThinBody {
                        [&](const auto& each) { return each.second.first <= 0.0 || body.contains(each.second.second); });
   }
 
+  bool isWithinLocally(const TriangleMesh& thin) const {
+    std::vector<Corners> after;
+    for (const TriangleIndices& t : triangles_) after.push_back(cornersOf(t, thin.vertices));
+    return isBehind({triangles_, faces_, after, normals_});
+  }
+
   std::vector<Vector3> points_;
   std::vector<TriangleIndices> triangles_;
   std::vector<double> allowances_;  ///< of each triangle
@@ -350,6 +352,7 @@ class ThinBody {
   Box3 box_;
   std::vector<Vector3> normals_;  ///< outwards; zero of a face with next to no area
   std::vector<double> rooms_;
+  bool isOpen_ = false;               ///< the surface has open edges
   std::vector<std::uint32_t> piece_;  ///< of each vertex: the vertices of a connected surface have the same
 };
 
@@ -358,8 +361,7 @@ class ThinBody {
 TriangleMesh thinned(const TriangleMesh& mesh, const std::vector<double>& allowances) {
   const bool nothing = std::none_of(allowances.begin(), allowances.end(), [](double each) { return each > 0.0; });
   if (nothing) return mesh;
-  ThinBody body(mesh, allowances);
-  return body.isClosed() ? body.thinned() : mesh;
+  return ThinBody(mesh, allowances).thinned();
 }
 
 }  // namespace glissade::check

@@ -15,7 +15,10 @@ namespace glissade::check {
 /// vertex or its fifth, and the vertex by no more than two of these allowances; where a face moves outwards still, it
 /// stays.
 ///
-/// `allowances`: of each triangle, metres, >= 0. The mesh itself where the body cannot be thinned so.
+/// Where the surface is open, it has an inside far from its open edges only (open_surface.h).
+///
+/// `allowances`: of each triangle, metres, >= 0. The mesh itself where the body cannot be thinned so, or is open too
+/// near to a face with an allowance.
 TriangleMesh thinned(const TriangleMesh& mesh, const std::vector<double>& allowances);
 
 }  // namespace glissade::check

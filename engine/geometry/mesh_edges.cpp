@@ -37,12 +37,12 @@ struct EdgeUses {
   }
 };
 
-}  // namespace
-
-EdgeFacts edgeFactsOf(const TriangleMesh& mesh) {
+/// Calls `take` with each edge's lower and higher vertex, how often it is used, and how often from the lower to the
+/// higher.
+template <class Take>
+void visitEdges(const TriangleMesh& mesh, const Take& take) {
   EdgeUses edges(mesh);
-  EdgeFacts facts;
-  for (std::size_t vertex = 0; vertex < mesh.vertices.size(); ++vertex) {
+  for (std::uint32_t vertex = 0; vertex < mesh.vertices.size(); ++vertex) {
     auto first = edges.uses.begin() + static_cast<std::ptrdiff_t>(edges.begins[vertex]);
     const auto end = edges.uses.begin() + static_cast<std::ptrdiff_t>(edges.begins[vertex + 1]);
     std::sort(first, end);
@@ -54,11 +54,28 @@ EdgeFacts edgeFactsOf(const TriangleMesh& mesh) {
         ++count;
         forward += *first % 2;
       }
-      if (count % 2 != 0) ++facts.open;
-      if (2 * forward != count) facts.consistentlyOriented = false;
+      take(vertex, static_cast<std::uint32_t>(higher), count, forward);
     }
   }
+}
+
+}  // namespace
+
+EdgeFacts edgeFactsOf(const TriangleMesh& mesh) {
+  EdgeFacts facts;
+  visitEdges(mesh, [&](std::uint32_t, std::uint32_t, std::size_t count, std::size_t forward) {
+    if (count % 2 != 0) ++facts.open;
+    if (2 * forward != count) facts.consistentlyOriented = false;
+  });
   return facts;
+}
+
+std::vector<std::pair<std::uint32_t, std::uint32_t>> unpairedEdgesOf(const TriangleMesh& mesh) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> unpaired;
+  visitEdges(mesh, [&](std::uint32_t lower, std::uint32_t higher, std::size_t count, std::size_t forward) {
+    if (2 * forward != count) unpaired.emplace_back(lower, higher);
+  });
+  return unpaired;
 }
 
 }  // namespace glissade

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "engine/geometry/triangle_mesh.h"
 
@@ -13,5 +16,9 @@ struct EdgeFacts {
 };
 
 EdgeFacts edgeFactsOf(const TriangleMesh& mesh);
+
+/// The edges that are not used as often in one direction as in the other, by their vertices: open ones, and those
+/// between triangles that do not agree on an outside.
+std::vector<std::pair<std::uint32_t, std::uint32_t>> unpairedEdgesOf(const TriangleMesh& mesh);
 
 }  // namespace glissade

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "engine/base/in_threads.h"
+#include "engine/geometry/mesh_audit.h"
 #include "engine/geometry/mesh_edges.h"
 #include "engine/geometry/mesh_volume.h"
 #include "engine/geometry/triangle_crossing.h"
@@ -28,6 +29,8 @@ constexpr double kStays = 0.01;
 constexpr double kLowest = 2e-6;
 /// Corners of moved triangles that meet the true surface go half as far, this often.
 constexpr int kMostHalvings = 8;
+/// Winding number of a point inside an open body at least: of a single sheet it is a half on either side.
+constexpr double kInside = 0.75;
 /// Faces that a thread takes at once.
 constexpr std::size_t kAtOnce = 2048;
 
@@ -105,7 +108,7 @@ std::vector<std::uint32_t> keptTriangles(const TriangleMesh& mesh) {
 
 std::optional<ThinnableMesh> ThinnableMesh::of(const TriangleMesh& mesh) {
   TriangleMesh joined = welded(mesh);
-  if (joined.empty() || !edgeFactsOf(joined).consistentlyOriented) return std::nullopt;
+  if (joined.empty()) return std::nullopt;
   const double volume = signedVolume(joined);
   if (!(std::abs(volume) > 0.0)) return std::nullopt;
   std::vector<std::uint32_t> sources = keptTriangles(mesh);
@@ -117,9 +120,11 @@ ThinnableMesh::ThinnableMesh(TriangleMesh mesh, std::vector<std::uint32_t> sourc
     : mesh_(std::move(mesh)),
       sources_(std::move(sources)),
       surface_(mesh_),
-      interior_(mesh_, true),
+      openEdges_(unpairedEdgesOf(mesh_)),
+      sense_(sense),
       corners_(mesh_.vertices.size()),
       shells_(shellsOf(mesh_)) {
+  if (openEdges_.empty()) interior_.emplace(mesh_, true);
   const std::vector<Triangle>& triangles = surface_.triangles();
   const double diagonal = boundingBox(mesh_).diagonal().norm();
   std::vector<double> thicknesses(triangles.size(), 0.0);
@@ -242,8 +247,72 @@ bool ThinnableMesh::isInside(const TriangleMesh& thinned) const {
     Deepest& ofShell = deepest[shells_[f]];
     if (way > ofShell.way) ofShell = {way, middle};
   }
-  return std::all_of(deepest.begin(), deepest.end(),
-                     [&](const auto& shell) { return shell.second.way <= 0.0 || interior_.contains(shell.second.at); });
+  return std::all_of(deepest.begin(), deepest.end(), [&](const auto& shell) {
+    return shell.second.way <= 0.0 || interior_->contains(shell.second.at);
+  });
+}
+
+/// The way of a face's middle does not meet the true surface once it has left the face.
+bool ThinnableMesh::isBehind(std::size_t face, const TriangleMesh& thinned) const {
+  const auto middleOf = [](const Triangle& t) -> Vector3 { return (t[0] + t[1] + t[2]) / 3.0; };
+  const Vector3 before = middleOf(surface_.triangles()[face]);
+  const Vector3 way = middleOf(cornersOf(thinned, thinned.triangles[face])) - before;
+  const double rounding = kSameSurface * surface_.box().diagonal().norm();
+  if (-faces_[face].normal.dot(way) <= rounding) return true;  // it slides along itself
+  return surface_.firstHit(before, way, rounding / way.norm()) > 1.0;
+}
+
+/// Where the surface is open: the way of each face that moves inwards is free, and the face that moves farthest decides
+/// for its connected piece.
+bool ThinnableMesh::isInsideLocally(const TriangleMesh& thinned) const {
+  TriangleMesh moved{mesh_.vertices, {}};
+  std::vector<std::uint32_t> faces;
+  for (std::uint32_t f = 0; f < thinned.triangles.size(); ++f) {
+    const TriangleIndices& triangle = thinned.triangles[f];
+    const bool moves = std::any_of(triangle.begin(), triangle.end(),
+                                   [&](std::uint32_t v) { return thinned.vertices[v] != mesh_.vertices[v]; });
+    if (!moves || faces_[f].normal.isZero(0.0)) continue;
+    if (!isBehind(f, thinned)) return false;
+    moved.triangles.push_back(triangle);
+    faces.push_back(f);
+  }
+  const std::vector<std::uint32_t> pieces = shellsOf(moved);
+  std::map<std::uint32_t, std::pair<double, Vector3>> deepest;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const auto& [a, b, c] = surface_.triangles()[faces[i]];
+    const auto& [d, e, f] = cornersOf(thinned, thinned.triangles[faces[i]]);
+    const Vector3 middle = (d + e + f) / 3.0;
+    auto& [most, at] = deepest[pieces[i]];
+    const double way = faces_[faces[i]].normal.dot((a + b + c) / 3.0 - middle);
+    if (way <= most) continue;
+    most = way;
+    at = middle;
+  }
+  return std::all_of(deepest.begin(), deepest.end(), [&](const auto& piece) {
+    return piece.second.first <= 0.0 || sense_ * windingNumber(mesh_, piece.second.second) >= kInside;
+  });
+}
+
+std::optional<double> ThinnableMesh::openBeside(const std::vector<double>& allowances) const {
+  return openBesideFaces(ofFaces(allowances));
+}
+
+std::optional<double> ThinnableMesh::openBesideFaces(const std::vector<double>& allowances) const {
+  if (openEdges_.empty()) return std::nullopt;
+  std::vector<Triangle> moving;
+  double largest = 0.0;
+  for (std::size_t f = 0; f < allowances.size(); ++f) {
+    if (allowances[f] > 0.0) moving.push_back(surface_.triangles()[f]);
+    largest = std::max(largest, allowances[f]);
+  }
+  if (moving.empty()) return std::nullopt;
+  const TriangleTree tree(std::move(moving));
+  const double far = kFarFromOpening * largest;
+  double nearest = far;
+  for (const auto& [a, b] : openEdges_) {
+    nearest = std::min(nearest, tree.distanceToSegment(mesh_.vertices[a], mesh_.vertices[b], nearest));
+  }
+  return nearest < far ? std::optional(nearest) : std::nullopt;
 }
 
 std::optional<TriangleMesh> ThinnableMesh::thinned(double allowance) const {
@@ -251,12 +320,17 @@ std::optional<TriangleMesh> ThinnableMesh::thinned(double allowance) const {
 }
 
 std::optional<TriangleMesh> ThinnableMesh::thinned(const std::vector<double>& allowances) const {
-  std::vector<double> ofFaces;
-  for (const std::uint32_t source : sources_) ofFaces.push_back(allowances[source]);
-  return thinnedFaces(ofFaces);
+  return thinnedFaces(ofFaces(allowances));
+}
+
+std::vector<double> ThinnableMesh::ofFaces(const std::vector<double>& allowances) const {
+  std::vector<double> faces;
+  for (const std::uint32_t source : sources_) faces.push_back(allowances[source]);
+  return faces;
 }
 
 std::optional<TriangleMesh> ThinnableMesh::thinnedFaces(const std::vector<double>& allowances) const {
+  if (openBesideFaces(allowances)) return std::nullopt;
   std::vector<Vector3> moves;
   for (std::size_t vertex = 0; vertex < mesh_.vertices.size(); ++vertex) moves.push_back(moveOf(vertex, allowances));
   std::vector<std::uint32_t> unsure(mesh_.triangles.size());
@@ -265,7 +339,10 @@ std::optional<TriangleMesh> ThinnableMesh::thinnedFaces(const std::vector<double
     TriangleMesh thinned = mesh_;
     for (std::size_t vertex = 0; vertex < moves.size(); ++vertex) thinned.vertices[vertex] += moves[vertex];
     const std::vector<std::uint32_t> outside = verticesOutside(thinned, unsure);
-    if (outside.empty()) return isInside(thinned) ? std::optional(std::move(thinned)) : std::nullopt;
+    if (outside.empty()) {
+      const bool inside = interior_ ? isInside(thinned) : isInsideLocally(thinned);
+      return inside ? std::optional(std::move(thinned)) : std::nullopt;
+    }
     for (const std::uint32_t vertex : outside) moves[vertex] *= 0.5;
     unsure = trianglesAt(outside);  // the others have not changed
   }

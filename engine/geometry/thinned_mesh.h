@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "engine/geometry/solid_interior.h"
@@ -13,8 +15,12 @@ namespace glissade {
 inline constexpr double kMostThinning = 0.2;
 /// A corner moves by at most this many allowances.
 inline constexpr double kLongestThinning = 2.0;
+/// Where a surface is open, its edges are farther from faces that move than this many allowances: twice as far as a
+/// face looks below itself for its thickness.
+inline constexpr double kFarFromOpening = 10.0;
 
-/// A closed body that can be taken thinner.
+/// A body that can be taken thinner where its surface has an inside: everywhere where it is closed, else far enough
+/// from its open edges.
 ///
 /// Definition. A face may move inwards by its room: its allowance, or a fifth of the thickness below the face where
 /// that is less. A vertex moves to where the planes of its faces, each moved by its room, meet: the least squares'
@@ -26,10 +32,16 @@ inline constexpr double kLongestThinning = 2.0;
 /// still, the vertex stays. So the thinned body is inside the true one, to a hundred thousandth of the allowance, and
 /// holds every point of it that is deeper than two allowances.
 ///
+/// Open edges are those with one triangle, and those between triangles that do not agree on an outside. A face moves
+/// where no such edge is nearer than kFarFromOpening of the largest allowance. Then a moved face is on the inner side
+/// of the true surface where it crosses none of it, the way between the two crosses none, and most of all directions
+/// from one point of each connected piece that has moved meet the surface from within: its winding number is three
+/// quarters or more.
+///
 /// Immutable, shared by threads.
 class ThinnableMesh {
  public:
-  /// Nothing where the mesh is not closed, or its triangles do not agree on an outside.
+  /// Nothing where the mesh is empty or encloses nothing.
   static std::optional<ThinnableMesh> of(const TriangleMesh& mesh);
 
   /// The mesh thinned by an allowance (metres, > 0). Where a moved triangle would meet the true surface, its corners
@@ -38,6 +50,10 @@ class ThinnableMesh {
   /// Each triangle of the mesh that this was made of has an allowance of its own, metres, >= 0. Faces without one stay
   /// whole, except where they share a vertex with one that has.
   std::optional<TriangleMesh> thinned(const std::vector<double>& allowances) const;
+
+  /// Metres from the faces that have an allowance to the nearest open edge, where it is so near that what is inside the
+  /// body there is not known; nothing where it is farther. Allowances as of thinned().
+  std::optional<double> openBeside(const std::vector<double>& allowances) const;
 
   /// The largest thickness below a face, metres: an allowance above a fifth of it is nowhere taken in full.
   double thickness() const { return thickness_; }
@@ -54,6 +70,8 @@ class ThinnableMesh {
 
   /// `sense`: 1 where triangles run counter-clockwise seen from outside, else -1.
   ThinnableMesh(TriangleMesh mesh, std::vector<std::uint32_t> sources, double sense);
+  std::vector<double> ofFaces(const std::vector<double>& allowances) const;
+  std::optional<double> openBesideFaces(const std::vector<double>& allowances) const;
   std::optional<TriangleMesh> thinnedFaces(const std::vector<double>& allowances) const;
   Vector3 moveOf(std::size_t vertex, const std::vector<double>& allowances) const;
   /// `largest`: of the allowances of the faces at the vertex.
@@ -63,11 +81,15 @@ class ThinnableMesh {
                                              const std::vector<std::uint32_t>& among) const;
   std::vector<std::uint32_t> trianglesAt(const std::vector<std::uint32_t>& vertices) const;
   bool isInside(const TriangleMesh& thinned) const;
+  bool isInsideLocally(const TriangleMesh& thinned) const;
+  bool isBehind(std::size_t face, const TriangleMesh& thinned) const;
 
   TriangleMesh mesh_;
   std::vector<std::uint32_t> sources_;  ///< number of each triangle in the mesh that this was made of
   TriangleTree surface_;
-  SolidInterior interior_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> openEdges_;
+  std::optional<SolidInterior> interior_;  ///< nothing where there are open edges
+  double sense_;                           ///< 1 where triangles run counter-clockwise seen from outside, else -1
   std::vector<Face> faces_;
   std::vector<std::vector<Corner>> corners_;  ///< at each vertex
   std::vector<std::uint32_t> shells_;         ///< number of the connected surface, of each triangle

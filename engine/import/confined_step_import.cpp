@@ -18,6 +18,7 @@
 #include "engine/import/step_shape_notes.h"
 #include "engine/import/step_tessellation.h"
 #include "engine/import/step_text_check.h"
+#include "engine/import/step_validation_notes.h"
 
 namespace glissade {
 namespace {
@@ -41,6 +42,7 @@ class Message {
     for (const std::string& loss : assembly.losses) notes_ += protocol::kLossLine + ("\t" + loss) + "\n";
     total_.kind = protocol::kAssembly;
     for (const StepSolid& solid : assembly.solids) add(solid, assembly.faceEntities);
+    addNotes(validationNotes(assembly.measures, [this](const TopoDS_Shape& shape) { return validated(shape); }));
     if (healings_ > kMostHealings) {
       const std::string more =
           std::to_string(healings_ - kMostHealings) + " more faces were triangulated from their boundaries";
@@ -111,9 +113,17 @@ class Message {
     return known->second;
   }
 
+  /// A solid as the file has it, at its own origin; null where it was not met, or mirrored or scaled only.
+  const ValidatedSolid* validated(const TopoDS_Shape& shape) const {
+    if (!numberOf_.IsBound(shape)) return nullptr;
+    const auto known = indexOf_.find(Key{numberOf_.Find(shape), 1.0, false});
+    return known == indexOf_.end() ? nullptr : &solids_[known->second];
+  }
+
   void addShape(const StepSolid& solid, const FaceEntities& entities) {
     shapes_.push_back(tessellate(solid.shape, deflection_, solid.placement.scale, solid.placement.mirrored));
     const std::string& part = solid.path.empty() ? rootName_ : solid.path;
+    solids_.push_back({part, measuresOf(shapes_.back())});
     addNotes(healingNotes(shapes_.back(), entities, part));
     // Where faces are lost, the lines about the losses say why the part is open.
     if (solid.losses == 0) addNotes(shapeNotes(solid.shape, shapes_.back(), part));
@@ -144,6 +154,7 @@ class Message {
   protocol::Header total_;
   std::uint32_t faces_ = 0;
   std::vector<StepTriangles> shapes_;
+  std::vector<ValidatedSolid> solids_;  ///< of the shapes
   TopTools_DataMapOfShapeInteger numberOf_;
   /// Number of the shape, scale, mirrored.
   using Key = std::tuple<int, double, bool>;

@@ -277,6 +277,7 @@ StepAssembly readStepAssembly(std::istream& content, bool solidNames) {
   if (!losses.empty()) assign(losses, assembly.solids);
   assembly.losses = inLines(losses);
   assembly.faceEntities = FaceEntities(reader);
+  assembly.measures = statedMeasuresOf(reader);
   return assembly;
 }
 

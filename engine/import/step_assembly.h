@@ -11,6 +11,7 @@
 
 #include "engine/import/step_face_entities.h"
 #include "engine/import/step_mirrors.h"
+#include "engine/import/step_validation.h"
 
 namespace glissade {
 
@@ -38,6 +39,7 @@ struct StepAssembly {
   std::vector<std::string> curves;  ///< notes: of products with curves that lie on no face
   std::vector<std::string> losses;  ///< "entity, tab, what is missing", as "#45<tab>its face #12 could not be made"
   FaceEntities faceEntities;
+  std::vector<StatedMeasures> measures;  ///< that the file states of its products
 };
 
 /// Reads a STEP file. Without `solidNames` the solids of a product that has several are numbered only. Throws

@@ -14,6 +14,7 @@
 
 #include "engine/import/step_deflection.h"
 #include "engine/import/step_faces.h"
+#include "engine/import/step_measures.h"
 
 namespace glissade {
 namespace {
@@ -69,32 +70,17 @@ void addFace(const TopoDS_Face& face, StepTriangles& triangles) {
   triangles.faces.push_back(recordOf(measuredFace(face, mesh, placement), mesh->NbTriangles()));
 }
 
-gp_XYZ vertexOf(const StepTriangles& triangles, std::uint32_t index) {
-  const double* at = &triangles.vertices[std::size_t{3} * index];
-  return {at[0], at[1], at[2]};
-}
-
 /// Slow, and needed for parts with healed faces only.
 void compareVolumes(const TopoDS_Shape& shape, StepTriangles& triangles) {
   constexpr double kAccuracy = 1e-4;
   if (triangles.healed.empty() || shape.ShapeType() != TopAbs_SOLID) return;
-  double deflection = 0.0;
-  for (const protocol::Face& face : triangles.faces) deflection = std::max(deflection, face.deflection);
-  double volume = 0.0;
-  double area = 0.0;
-  for (std::size_t i = 0; i < triangles.indices.size(); i += 3) {
-    const gp_XYZ a = vertexOf(triangles, triangles.indices[i]) - vertexOf(triangles, 0);
-    const gp_XYZ b = vertexOf(triangles, triangles.indices[i + 1]) - vertexOf(triangles, 0);
-    const gp_XYZ c = vertexOf(triangles, triangles.indices[i + 2]) - vertexOf(triangles, 0);
-    volume += a.Dot(b.Crossed(c)) / 6.0;
-    area += (b - a).Crossed(c - a).Modulus() / 2.0;
-  }
+  const TriangleMeasures measures = measuresOf(triangles);
   GProp_GProps exact;
   BRepGProp::VolumeProperties(shape, exact, kAccuracy);
-  triangles.volume = volume;
+  triangles.volume = measures.volume;
   triangles.exactVolume = exact.Mass();
   triangles.volumeDiffers =
-      !(std::abs(volume - exact.Mass()) <= deflection * area + 2.0 * kAccuracy * std::abs(exact.Mass()));
+      !(std::abs(measures.volume - exact.Mass()) <= measures.uncertainty() + 2.0 * kAccuracy * std::abs(exact.Mass()));
 }
 
 void resize(protocol::Face& face, double scale, bool mirrored) {

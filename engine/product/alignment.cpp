@@ -13,14 +13,16 @@ Form formOf(const MeasureFeature& feature) {
   switch (feature.kind) {
     case FeatureKind::Face: return Form::Plane;
     case FeatureKind::Edge:
-    case FeatureKind::Cylinder: return Form::Line;
+    case FeatureKind::Cylinder:
+    case FeatureKind::Cone:
+    case FeatureKind::Torus: return Form::Line;
     default: return Form::Point;
   }
 }
 
 /// The point that stays while the body turns.
 const Vector3& pivotOf(const MeasureFeature& feature) {
-  return feature.kind == FeatureKind::Cylinder ? feature.axisPoint : feature.picked;
+  return feature.isTurned() || feature.kind == FeatureKind::Sphere ? feature.axisPoint : feature.picked;
 }
 
 /// `by` about a point that stays where it is.
@@ -51,8 +53,10 @@ Vector3 nearestAlong(const MeasureFeature& moving, const MeasureFeature& fixed, 
 }
 
 bool isTangency(const MeasureFeature& moving, const MeasureFeature& fixed) {
-  return (moving.kind == FeatureKind::Cylinder) != (fixed.kind == FeatureKind::Cylinder) &&
-         (formOf(moving) == Form::Plane) != (formOf(fixed) == Form::Plane);
+  const auto rolls = [](const MeasureFeature& feature) {
+    return feature.kind == FeatureKind::Cylinder || feature.kind == FeatureKind::Sphere;
+  };
+  return rolls(moving) != rolls(fixed) && (formOf(moving) == Form::Plane) != (formOf(fixed) == Form::Plane);
 }
 
 /// How the body turns.
@@ -66,9 +70,9 @@ Quaternion turnOf(const MeasureFeature& moving, const MeasureFeature& fixed, boo
   return Quaternion(Eigen::AngleAxisd(std::numbers::pi, edge)) * turn;
 }
 
-/// Height of the cylinder's axis over the plane.
-double tangentHeight(const MeasureFeature& cylinder, bool flipped) {
-  return cylinder.isHole != flipped ? -cylinder.radius : cylinder.radius;
+/// Height of a cylinder's axis or of a sphere's centre over the plane.
+double tangentHeight(const MeasureFeature& round, bool flipped) {
+  return round.isHole != flipped ? -round.radius : round.radius;
 }
 
 /// How far the body moves after it has turned. `apart`: from the moving pivot

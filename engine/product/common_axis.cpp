@@ -28,7 +28,7 @@ std::optional<ContactAxis> commonAxisOf(const ContactBody& a, const ContactBody&
           compareRegions(regionsA, {SurfaceRegions::Kind::Cylinder, i}, regionsB, {SurfaceRegions::Kind::Cylinder, k});
       if (!pair || pair->kind != RegionPair::Kind::Coaxial) continue;
       const double difference = std::abs(pair->gap);
-      const double most = kMostDifference * std::max(pair->axis.radiusA, pair->axis.radiusB);
+      const double most = kMostDifference * std::max(pair->axis->radiusA, pair->axis->radiusB);
       if (difference > most || difference >= least) continue;
       least = difference;
       axis = pair->axis;

@@ -44,6 +44,23 @@ class PairExaminer {
     return (static_cast<std::uint64_t>(label.kind) << 32U) | label.index;
   }
 
+  /// What nested cones, balls and tori have to do with each other.
+  struct Nested {
+    bool touches = false;
+    double overlap = 0.0;  ///< the largest
+    double radius = 0.0;   ///< of the inner one, there
+    std::optional<ContactAxis> axis{};
+
+    void take(const RegionPair& exact) {
+      touches = touches || std::abs(exact.gap) <= kTouching;
+      if (exact.gap > kTouching || (axis && -exact.gap <= overlap)) return;
+      axis = exact.axis;
+      if (-exact.gap <= std::max(kTouching, overlap)) return;
+      overlap = -exact.gap;
+      radius = exact.radius;
+    }
+  };
+
   struct Near {
     std::optional<RegionPair> exact;
     Label labelA;
@@ -86,18 +103,22 @@ class PairExaminer {
   void conclude() {
     summarize();
     findThreads();
+    findNestedOverlaps();
     measureDepth();
     if (deepest_ > 0.0) {
       setOverlap(ContactKind::Overlap, deepest_, unsure_);
+    } else if (nested_.overlap > std::max(kTouching, thickest_)) {
+      thickness_ = 2.0 * nested_.radius;
+      setOverlap(ContactKind::Overlap, nested_.overlap, 0.0);
     } else if (thickest_ > kTouching) {
       const double shaft = std::max(axis_->radiusA, axis_->radiusB);
       thickness_ = 2.0 * shaft;
       setOverlap(thickest_ > kThreadShare * shaft ? ContactKind::Thread : ContactKind::Press, thickest_, 0.0);
     } else if (coaxialTouch_ || planarTouch_) {
       set(coaxialTouch_ ? ContactKind::Cylindrical : ContactKind::Planar, 0.0, 0.0);
-    } else if (tangentTouch_ || meetsExactly_ ||
+    } else if (tangentTouch_ || nested_.touches || meetsExactly_ ||
                (freeGap_ <= freeUnsure_ + kTouching && !(exactGap_ > kTouching && fromExact_))) {
-      set(ContactKind::Contact, 0.0, tangentTouch_ ? 0.0 : freeUnsure_);
+      set(ContactKind::Contact, 0.0, tangentTouch_ || nested_.touches ? 0.0 : freeUnsure_);
     } else {
       // Where the same gap was found both ways, the exact one counts.
       const bool same = fromExact_ && std::abs(exactGap_ - freeGap_) <= unsure_;
@@ -111,8 +132,12 @@ class PairExaminer {
       meet_ = meet_ || near.meet;
       meetsExactly_ = meetsExactly_ || (near.meet && near.deviation == 0.0);
       unsure_ = std::max(unsure_, near.deviation);
-      if (!near.exact || !near.beside || isEmptyBetween(*near.exact)) continue;
+      if (!near.exact || !near.beside || isEmptyBetween(near)) continue;
       takeExact(*near.exact);
+      if (near.exact->gap > kTouching) {
+        apartA_.insert(numberOf(near.labelA));
+        apartB_.insert(numberOf(near.labelB));
+      }
       if (std::abs(near.exact->gap) > kTouching) continue;
       coincidentA_.insert(numberOf(near.labelA));
       coincidentB_.insert(numberOf(near.labelB));
@@ -124,14 +149,27 @@ class PairExaminer {
       if (gap - near.deviation >= freeGap_ - freeUnsure_) continue;
       freeGap_ = gap;
       freeUnsure_ = near.deviation;
-      fromExact_ = near.labelA.kind != LabelKind::Free && near.labelB.kind != LabelKind::Free;
+      fromExact_ = isExplained(near);
     }
   }
 
+  /// The least gap of these triangles may be that of surfaces that were compared exactly: a rim of a plane or a
+  /// cylinder, or of a round surface that the exact gap is of.
+  bool isExplained(const Near& near) const {
+    const auto isKnown = [](const Label& label) {
+      return label.kind == LabelKind::Plane || label.kind == LabelKind::Cylinder;
+    };
+    if (near.labelA.kind == LabelKind::Free || near.labelB.kind == LabelKind::Free) return false;
+    return (isKnown(near.labelA) && isKnown(near.labelB)) || apartA_.count(numberOf(near.labelA)) > 0 ||
+           apartB_.count(numberOf(near.labelB)) > 0;
+  }
+
   /// A shaft thicker than its hole where no body is between the two radii: a surface that is inside out has no hole.
-  bool isEmptyBetween(const RegionPair& exact) const {
-    if (exact.kind != RegionPair::Kind::Coaxial || exact.gap >= -kTouching) return false;
-    return a_.depth() != nullptr && b_.depth() != nullptr && !isFilledByBoth(exact.axis);
+  bool isEmptyBetween(const Near& near) const {
+    const RegionPair& exact = *near.exact;
+    if (exact.gap >= -kTouching || a_.depth() == nullptr || b_.depth() == nullptr) return false;
+    if (exact.kind == RegionPair::Kind::Nested) return !isFilledByBoth(near.labelA, near.labelB, exact.gap);
+    return exact.kind == RegionPair::Kind::Coaxial && !isFilledByBoth(*exact.axis);
   }
 
   /// Shafts thicker than their coaxial holes: their triangles need not be near each other.
@@ -143,11 +181,50 @@ class PairExaminer {
         const Label labelB{LabelKind::Cylinder, k};
         const auto exact = compareRegions(a_.regions, labelA, b_.regions, labelB);
         if (!exact || exact->kind != RegionPair::Kind::Coaxial || exact->gap > -kTouching) continue;
-        if (-exact->gap <= thickest_ || !isFilledByBoth(exact->axis)) continue;
+        if (-exact->gap <= thickest_ || !isFilledByBoth(*exact->axis)) continue;
         takeExact(*exact);
         unsure_ = std::max(unsure_, a_.deviationOf(labelA) + b_.deviationOf(labelB));
       }
     }
+  }
+
+  /// Cones, balls and tori thicker than what they lie in: their triangles need not be near each other.
+  void findNestedOverlaps() {
+    if (!meet_ || a_.depth() == nullptr || b_.depth() == nullptr) return;
+    for (std::uint32_t i = 0; i < a_.regions.rounds.size(); ++i) {
+      for (std::uint32_t k = 0; k < b_.regions.rounds.size(); ++k) {
+        const Label labelA{LabelKind::Round, i};
+        const Label labelB{LabelKind::Round, k};
+        const auto exact = compareRegions(a_.regions, labelA, b_.regions, labelB);
+        if (!exact || exact->gap > -kTouching || -exact->gap <= nested_.overlap) continue;
+        if (!isFilledByBoth(labelA, labelB, exact->gap)) continue;
+        takeExact(*exact);
+        unsure_ = std::max(unsure_, a_.deviationOf(labelA) + b_.deviationOf(labelB));
+      }
+    }
+  }
+
+  /// Some point between the two nested surfaces is inside both bodies: below the inner one's triangles, near a corner,
+  /// by half the overlap.
+  bool isFilledByBoth(const Label& labelA, const Label& labelB, double gap) const {
+    constexpr double kTowardsMiddle = 0.1;
+    const bool innerIsA = a_.regions.rounds[labelA.index].shaft;
+    const PreparedBody& inner = innerIsA ? a_ : b_;
+    const Label& label = innerIsA ? labelA : labelB;
+    for (std::size_t t = 0; t < inner.regions.labels.size(); ++t) {
+      if (inner.regions.labels[t] != label) continue;
+      const Triangle& triangle = inner.tree.triangles()[t];
+      const Vector3 middle = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
+      const Vector3 inwards =
+          0.5 * gap * (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]).stableNormalized();
+      for (const Vector3& corner : triangle) {
+        const Vector3 on = corner + kTowardsMiddle * (middle - corner);
+        for (const Vector3& p : {Vector3(on + inwards), Vector3(on - inwards)}) {
+          if (a_.depth()->contains(p) && b_.depth()->contains(p)) return true;
+        }
+      }
+    }
+    return false;
   }
 
   /// Some point between the two radii is inside both bodies.
@@ -176,6 +253,7 @@ class PairExaminer {
           thickest_ = -exact.gap;
         }
         break;
+      case RegionPair::Kind::Nested: nested_.take(exact); break;
     }
   }
 
@@ -186,7 +264,7 @@ class PairExaminer {
     const SolidDepth* solidA = a_.depth();
     const SolidDepth* solidB = b_.depth();
     if (solidA == nullptr || solidB == nullptr) return;
-    const double floor = unsure_ + std::max(0.0, thickest_) + kTouching;
+    const double floor = unsure_ + std::max({0.0, thickest_, nested_.overlap}) + kTouching;
     const auto inA = depthInside(b_.tree, a_.tree, *solidA, floor, [&](std::uint32_t t) {
       return coincidentB_.count(numberOf(b_.regions.labels[t])) > 0;
     });
@@ -217,7 +295,11 @@ class PairExaminer {
     contact_->uncertainty = uncertainty;
     contact_->deviation = unsure_;
     const bool coaxial = kind == ContactKind::Cylindrical || kind == ContactKind::Thread || kind == ContactKind::Press;
-    if (coaxial || (kind == ContactKind::Clash && thickest_ > kTouching)) contact_->axis = axis_;
+    if (coaxial || (kind == ContactKind::Clash && thickest_ > kTouching)) {
+      contact_->axis = axis_;
+    } else if (nested_.touches || nested_.overlap > kTouching) {
+      contact_->axis = nested_.axis;
+    }
   }
 
   const PreparedBody& a_;
@@ -237,6 +319,9 @@ class PairExaminer {
   double freeGap_ = kInfinity;
   double freeUnsure_ = 0.0;
   double unsure_ = 0.0;
+  std::set<std::uint64_t> apartA_;  ///< labels of surfaces that have an exact gap
+  std::set<std::uint64_t> apartB_;
+  Nested nested_;
   double thickest_ = -kInfinity;  ///< largest coaxial overlap; negative: gap
   std::optional<ContactAxis> axis_;
   double deepest_ = 0.0;
@@ -252,6 +337,7 @@ PreparedBody::PreparedBody(TriangleMesh mesh_W, SurfaceRegions regions_W, double
                                    [](const Label& label) { return label.kind == LabelKind::Free; });
   if (hasFree) deviation = deflection;
   for (const CylinderRegion& cylinder : regions.cylinders) deviation = std::max(deviation, cylinder.sagitta);
+  for (const RoundRegion& round : regions.rounds) deviation = std::max(deviation, round.sagitta);
 }
 
 const SolidDepth* PreparedBody::depth() const {
@@ -260,8 +346,13 @@ const SolidDepth* PreparedBody::depth() const {
 }
 
 double PreparedBody::deviationOf(const Label& label) const {
-  if (label.kind == LabelKind::Free) return deflection;
-  return label.kind == LabelKind::Plane ? 0.0 : regions.cylinders[label.index].sagitta;
+  switch (label.kind) {
+    case LabelKind::Plane: return 0.0;
+    case LabelKind::Cylinder: return regions.cylinders[label.index].sagitta;
+    case LabelKind::Round: return regions.rounds[label.index].sagitta;
+    case LabelKind::Free: break;
+  }
+  return deflection;
 }
 
 std::optional<Contact> contactOf(const PreparedBody& a, const PreparedBody& b, const ContactLimits& limits) {

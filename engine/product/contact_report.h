@@ -18,13 +18,14 @@ struct ContactBody {
   double deflection = 0.0;  ///< metres that the mesh may be off the surface that it stands for; 0: not known
 };
 
-/// Common axis of a shaft and its hole, world frame.
+/// Common axis of a shaft and its hole, or of a cone and what it lies in, world frame.
 struct ContactAxis {
   Vector3 point = Vector3::Zero();
   Vector3 direction = Vector3::UnitZ();
   double radiusA = 0.0;
   double radiusB = 0.0;
   bool shaftIsA = true;  ///< `a` is the shaft, `b` the hole
+  bool conical = false;  ///< of cones: their radii in the middle of what they share
 };
 
 /// Two bodies that are near in the assembled configuration.
@@ -52,9 +53,9 @@ struct ContactLimits {
   std::optional<std::size_t> only{};  ///< pairs with this body
 };
 
-/// Every pair of bodies that touch, overlap or are nearer than the clearance asked for, from their meshes: planes and
-/// cylinders are fitted (findSurfaceRegions()) and compared exactly, what else is near is measured on the triangles.
-/// Overlaps are found between closed meshes only. After a stop the report is incomplete.
+/// Every pair of bodies that touch, overlap or are nearer than the clearance asked for, from their meshes: surfaces
+/// that are stated or fitted (findSurfaceRegions()) are compared exactly, what else is near is measured on the
+/// triangles. Overlaps are found between closed meshes only. After a stop the report is incomplete.
 ContactReport findContacts(const std::vector<ContactBody>& bodies, const ContactLimits& limits = {},
                            const StopToken& stop = {});
 

@@ -39,7 +39,10 @@ MeasuredLine lineOf(const MeasureFeature& feature) {
   constexpr double kEndless = std::numeric_limits<double>::infinity();
   switch (feature.kind) {
     case MeasureFeature::Kind::Edge: return {feature.from, feature.direction, 0.0, (feature.to - feature.from).norm()};
-    case MeasureFeature::Kind::Cylinder: return {feature.axisPoint, feature.direction, -kEndless, kEndless};
+    case MeasureFeature::Kind::Cylinder:
+    case MeasureFeature::Kind::Cone:
+    case MeasureFeature::Kind::Torus: return {feature.axisPoint, feature.direction, -kEndless, kEndless};
+    case MeasureFeature::Kind::Sphere: return {feature.axisPoint, Vector3::UnitX(), 0.0, 0.0};
     default: return {feature.picked, Vector3::UnitX(), 0.0, 0.0};
   }
 }
@@ -120,32 +123,60 @@ bool MeasurableMesh::isFeatureEdge(const EdgeSides& sides) const {
   const std::uint32_t right = sides.first[1].triangle;
   const SurfaceRegions::Label& one = regions_.labels[left];
   const SurfaceRegions::Label& other = regions_.labels[right];
-  if (one.kind != other.kind || one.index != other.index) return true;
+  if (one != other) return true;
   if (one.kind != SurfaceRegions::Kind::Free) return false;
   return faceNormal(*mesh_, mesh_->triangles[left]).dot(faceNormal(*mesh_, mesh_->triangles[right])) < kSmoothSurface;
 }
 
-std::optional<std::size_t> MeasurableMesh::rimOf(std::uint32_t a, std::uint32_t b) const {
+std::optional<Vector3> MeasurableMesh::axisOf(const SurfaceRegions::Label& label) const {
+  if (label.kind == SurfaceRegions::Kind::Cylinder) return regions_.cylinders[label.index].direction;
+  if (label.kind != SurfaceRegions::Kind::Round) return std::nullopt;
+  const SurfaceFace& surface = regions_.rounds[label.index].surface;
+  return surface.kind == SurfaceFace::Kind::Sphere ? std::nullopt : std::optional(surface.axis);
+}
+
+std::optional<SurfaceRegions::Label> MeasurableMesh::rimOf(std::uint32_t a, std::uint32_t b) const {
   const EdgeSides sides = sidesOf(a, b);
   if (!isFeatureEdge(sides)) return std::nullopt;
   const Vector3 along = (mesh_->vertices[b] - mesh_->vertices[a]).stableNormalized();
   for (const EdgeSide* side = sides.first; side != sides.last; ++side) {
     const SurfaceRegions::Label& label = regions_.labels[side->triangle];
-    if (label.kind != SurfaceRegions::Kind::Cylinder) continue;
-    if (std::abs(along.dot(regions_.cylinders[label.index].direction)) < kRoundCosine) return label.index;
+    const auto axis = axisOf(label);
+    if (axis && std::abs(along.dot(*axis)) < kRoundCosine) return label;
   }
   return std::nullopt;
 }
 
-MeasureFeature MeasurableMesh::cylinderAt(std::size_t cylinder, const Vector3& p) const {
-  const CylinderRegion& region = regions_.cylinders[cylinder];
+MeasureFeature MeasurableMesh::roundAt(const SurfaceRegions::Label& label, const Vector3& p) const {
   MeasureFeature feature;
-  feature.kind = MeasureFeature::Kind::Cylinder;
   feature.picked = p;
-  feature.direction = region.direction;
-  feature.axisPoint = region.point + (p - region.point).dot(region.direction) * region.direction;
-  feature.radius = region.radius;
+  if (label.kind == SurfaceRegions::Kind::Cylinder) {
+    const CylinderRegion& region = regions_.cylinders[label.index];
+    feature.kind = MeasureFeature::Kind::Cylinder;
+    feature.direction = region.direction;
+    feature.axisPoint = region.point + (p - region.point).dot(region.direction) * region.direction;
+    feature.radius = region.radius;
+    feature.isHole = !region.shaft;
+    return feature;
+  }
+  const RoundRegion& region = regions_.rounds[label.index];
+  const SurfaceFace& surface = region.surface;
+  feature.direction = surface.axis;
+  feature.axisPoint = surface.point;
+  feature.radius = surface.radius;
   feature.isHole = !region.shaft;
+  if (surface.kind == SurfaceFace::Kind::Cone) {
+    const double height = (p - surface.point).dot(surface.axis);
+    feature.kind = MeasureFeature::Kind::Cone;
+    feature.axisPoint = surface.point + height * surface.axis;
+    feature.radius = coneRadiusAt(surface, height);
+    feature.halfAngle = surface.second;
+  } else if (surface.kind == SurfaceFace::Kind::Torus) {
+    feature.kind = MeasureFeature::Kind::Torus;
+    feature.tubeRadius = surface.second;
+  } else {
+    feature.kind = MeasureFeature::Kind::Sphere;
+  }
   return feature;
 }
 
@@ -157,7 +188,7 @@ MeasureFeature MeasurableMesh::alignableAt(std::size_t triangle, const Vector3& 
     const Vector3& from = mesh_->vertices[a];
     const Vector3& to = mesh_->vertices[b];
     if ((from + shareOnSegment(p, from, to) * (to - from) - p).norm() > snap) continue;
-    if (const auto cylinder = rimOf(a, b)) return cylinderAt(*cylinder, p);
+    if (const auto round = rimOf(a, b)) return roundAt(*round, p);
   }
   return featureAt(triangle, p, snap);
 }
@@ -166,10 +197,7 @@ std::vector<Vector3> MeasurableMesh::outlineAt(std::size_t triangle) const {
   const SurfaceRegions::Label& region = regions_.labels[triangle];
   std::vector<Vector3> segments;
   if (region.kind == SurfaceRegions::Kind::Free) return segments;
-  const auto isOfRegion = [&](const EdgeSide& side) {
-    const SurfaceRegions::Label& label = regions_.labels[side.triangle];
-    return label.kind == region.kind && label.index == region.index;
-  };
+  const auto isOfRegion = [&](const EdgeSide& side) { return regions_.labels[side.triangle] == region; };
   const EdgeSide* end = sides_.data() + sides_.size();
   for (const EdgeSide* first = sides_.data(); first != end;) {
     const EdgeSides sides{first, std::find_if(first, end, [first](const EdgeSide& side) {
@@ -218,8 +246,8 @@ MeasureFeature MeasurableMesh::featureAt(std::size_t triangle, const Vector3& p,
   if (label.kind == SurfaceRegions::Kind::Plane) {
     feature.kind = MeasureFeature::Kind::Face;
     feature.direction = regions_.planes[label.index].normal;
-  } else if (label.kind == SurfaceRegions::Kind::Cylinder) {
-    return cylinderAt(label.index, p);
+  } else if (label.kind != SurfaceRegions::Kind::Free) {
+    return roundAt(label, p);
   }
   return feature;
 }
@@ -235,6 +263,12 @@ Pose frameAlong(const Vector3& origin, const Vector3& z) {
   return {origin, Quaternion(axes).normalized()};
 }
 
+Pose frameOnAxis(const Vector3& origin, const Vector3& direction) {
+  Eigen::Index largest = 0;
+  direction.cwiseAbs().maxCoeff(&largest);
+  return frameAlong(origin, direction[largest] < 0.0 ? Vector3(-direction) : direction);
+}
+
 }  // namespace
 
 std::optional<Pose> MeasurableMesh::frameAt(std::size_t triangle) const {
@@ -242,15 +276,18 @@ std::optional<Pose> MeasurableMesh::frameAt(std::size_t triangle) const {
   if (label.kind == SurfaceRegions::Kind::Free) return std::nullopt;
   if (label.kind == SurfaceRegions::Kind::Cylinder) {
     const CylinderRegion& cylinder = regions_.cylinders[label.index];
-    Eigen::Index largest = 0;
-    cylinder.direction.cwiseAbs().maxCoeff(&largest);
-    const Vector3 axis = cylinder.direction[largest] < 0.0 ? Vector3(-cylinder.direction) : cylinder.direction;
-    return frameAlong(cylinder.point + 0.5 * (cylinder.low + cylinder.high) * cylinder.direction, axis);
+    return frameOnAxis(cylinder.point + 0.5 * (cylinder.low + cylinder.high) * cylinder.direction, cylinder.direction);
+  }
+  if (label.kind == SurfaceRegions::Kind::Round) {
+    const RoundRegion& round = regions_.rounds[label.index];
+    const bool isCone = round.surface.kind == SurfaceFace::Kind::Cone;
+    const double middle = isCone ? 0.5 * (round.low + round.high) : 0.0;
+    return frameOnAxis(round.surface.point + middle * round.surface.axis, round.surface.axis);
   }
   const Pose plane = frameAlong(Vector3::Zero(), regions_.planes[label.index].normal);
   Box3 box;
   for (std::size_t i = 0; i < mesh_->triangles.size(); ++i) {
-    if (regions_.labels[i].kind != label.kind || regions_.labels[i].index != label.index) continue;
+    if (regions_.labels[i] != label) continue;
     for (const std::uint32_t corner : mesh_->triangles[i]) box.extend(inverse(plane) * mesh_->vertices[corner]);
   }
   return Pose{plane * Vector3(box.center()), plane.orientation};
@@ -268,7 +305,7 @@ MeasuredDistance distanceBetween(const MeasureFeature& a, const MeasureFeature& 
 
 std::optional<double> angleBetweenFeatures(const MeasureFeature& a, const MeasureFeature& b) {
   const auto hasDirection = [](const MeasureFeature& feature) {
-    return feature.kind != MeasureFeature::Kind::Vertex && feature.kind != MeasureFeature::Kind::FreeFace;
+    return feature.kind == MeasureFeature::Kind::Edge || isPlane(feature) || feature.isTurned();
   };
   if (!hasDirection(a) || !hasDirection(b)) return std::nullopt;
   const double cosine = std::abs(a.direction.dot(b.direction));

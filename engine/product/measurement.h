@@ -10,15 +10,20 @@ namespace glissade {
 
 /// What a person points at on a body.
 struct MeasureFeature {
-  enum class Kind { Vertex, Edge, Face, Cylinder, FreeFace };
+  enum class Kind { Vertex, Edge, Face, Cylinder, Cone, Sphere, Torus, FreeFace };
   Kind kind = Kind::FreeFace;
   Vector3 picked = Vector3::Zero();  ///< on the feature: of a vertex itself
   Vector3 from = Vector3::Zero();    ///< of an edge
   Vector3 to = Vector3::Zero();
-  Vector3 direction = Vector3::UnitZ();  ///< unit: of an edge, of a cylinder's axis; of a face its normal
-  Vector3 axisPoint = Vector3::Zero();   ///< of a cylinder
-  double radius = 0.0;                   ///< of a cylinder, metres
-  bool isHole = false;                   ///< of a cylinder: the material is outside
+  Vector3 direction = Vector3::UnitZ();  ///< unit: of an edge, of an axis; of a face its normal
+  Vector3 axisPoint = Vector3::Zero();  ///< of a cylinder or a cone, beside `picked`; of a sphere or a torus the centre
+  double radius = 0.0;      ///< metres: of a cylinder, of a cone beside `picked`, of a sphere, of a torus's circle
+  double halfAngle = 0.0;   ///< of a cone, between its axis and its lines, radians
+  double tubeRadius = 0.0;  ///< of a torus, metres
+  bool isHole = false;      ///< of a cylinder and of what follows it: the material is outside
+
+  /// It has an axis: a cylinder, a cone or a torus.
+  bool isTurned() const { return kind == Kind::Cylinder || kind == Kind::Cone || kind == Kind::Torus; }
 };
 
 /// The feature of a body at X_WB in the world.
@@ -34,16 +39,18 @@ class MeasurableMesh {
   /// else the surface. In the mesh's frame.
   MeasureFeature featureAt(std::size_t triangle, const Vector3& p, double snap) const;
 
-  /// What is meant where a body is aligned: as featureAt(), but the circular edge of a cylinder means the cylinder.
+  /// What is meant where a body is aligned: as featureAt(), but the circular edge of a cylinder, a cone or a torus
+  /// means that.
   MeasureFeature alignableAt(std::size_t triangle, const Vector3& p, double snap) const;
 
-  /// The border of the plane or the cylinder that the triangle is of: two points for each segment, in the mesh's frame.
-  /// Empty on free surfaces.
+  /// The border of the plane or the round surface that the triangle is of: two points for each segment, in the mesh's
+  /// frame. Empty on free surfaces.
   std::vector<Vector3> outlineAt(std::size_t triangle) const;
 
-  /// A frame for placing the body by the plane or the cylinder that the triangle is of, in the mesh's frame. Origin:
-  /// the middle of the face, or of the part of the axis beside it. z: the outward normal, or the axis, towards its
-  /// largest coordinate. x: as near as can be to x, or to y where z is near x. Nothing on free surfaces.
+  /// A frame for placing the body by the plane or the round surface that the triangle is of, in the mesh's frame.
+  /// Origin: the middle of the face, or of the part of the axis beside it; the centre of a sphere or a torus. z: the
+  /// outward normal, or the axis, towards its largest coordinate. x: as near as can be to x, or to y where z is near x.
+  /// Nothing on free surfaces.
   std::optional<Pose> frameAt(std::size_t triangle) const;
 
   const TriangleMesh& mesh() const { return *mesh_; }
@@ -64,9 +71,12 @@ class MeasurableMesh {
   EdgeSides sidesOf(std::uint32_t a, std::uint32_t b) const;
   bool isFeatureEdge(const EdgeSides& sides) const;
   bool isFeatureEdge(std::uint32_t a, std::uint32_t b) const { return isFeatureEdge(sidesOf(a, b)); }
-  /// The cylinder whose circular edge this is, by its index; nothing where it is none.
-  std::optional<std::size_t> rimOf(std::uint32_t a, std::uint32_t b) const;
-  MeasureFeature cylinderAt(std::size_t cylinder, const Vector3& p) const;
+  /// The cylinder, cone or torus whose circular edge this is; nothing where it is none.
+  std::optional<SurfaceRegions::Label> rimOf(std::uint32_t a, std::uint32_t b) const;
+  /// The direction of the axis; nothing where there is none.
+  std::optional<Vector3> axisOf(const SurfaceRegions::Label& label) const;
+  /// Of a round surface.
+  MeasureFeature roundAt(const SurfaceRegions::Label& label, const Vector3& p) const;
 
   MeshPtr mesh_;
   SurfaceRegions regions_;
@@ -80,8 +90,9 @@ struct MeasuredDistance {
   Vector3 to = Vector3::Zero();
 };
 
-/// Vertices and edges as they are, faces as endless planes, cylinders as their axes, points of free surfaces as points.
-/// Faces that are not parallel, and what crosses a plane, have the distance 0. World frame or any other.
+/// Vertices and edges as they are, faces as endless planes, cylinders, cones and tori as their axes, spheres as their
+/// centres, points of free surfaces as points. Faces that are not parallel, and what crosses a plane, have the distance
+/// 0. World frame or any other.
 MeasuredDistance distanceBetween(const MeasureFeature& a, const MeasureFeature& b);
 
 /// Radians from 0 to pi / 2: between edges and axes, between the planes of faces, between an edge and a face. Nothing

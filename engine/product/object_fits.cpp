@@ -48,6 +48,9 @@ Contact exchanged(Contact contact) {
   return contact;
 }
 
+/// A cylinder of the one is in a cylinder of the other.
+bool hasShaft(const Contact& contact) { return contact.axis && !contact.axis->conical; }
+
 double measured(const Contact& contact) { return contact.overlap + contact.deviation; }
 
 /// The object's place in the coaxial pair; it is `b`.
@@ -189,9 +192,10 @@ class FitFinder {
       if (edit.kind != ContactKind::Thread || (edit.a != object_.id && edit.b != object_.id)) continue;
       const std::size_t obstacle = *question_.product.indexOf(edit.a == object_.id ? edit.b : edit.a);
       const auto known = contacts_.find(obstacle);
-      if (known != contacts_.end() && known->second.contact.axis) continue;
+      if (known != contacts_.end() && hasShaft(known->second.contact)) continue;
       FoundContact found{Contact{obstacle, question_.object, ContactKind::Clearance, 0, 0, 0, 0, 0, {}}, {}, {}};
       if (known != contacts_.end()) found = known->second;
+      found.contact.axis.reset();  // that of a cone is no thread's
       for (const Pose& end : ends_) {
         const RigidBody& other = body(obstacle);
         const auto axis = commonAxisOf(contactBody(other, other.X_WB), contactBody(object_, end));
@@ -335,8 +339,12 @@ class FitFinder {
       }
     }
     if (takeBothThinner(fit, bounds, ends)) return;
-    if (tools_.thinnable.of(object_.mesh) == nullptr && tools_.thinnable.of(other.mesh) == nullptr) {
-      refuse(fit, "touch, and neither can be taken thinner because the surfaces of both are not closed",
+    const auto ownOpening = openBeside(object_, bounds.one);
+    const auto othersOpening = openBeside(other, bounds.other);
+    if (ownOpening && othersOpening) {
+      refuse(fit,
+             "touch where neither can be taken thinner: the surfaces are open " + inMillimetres(*ownOpening) + " and " +
+                 inMillimetres(*othersOpening) + " from the contact, so that what is inside them there is not known",
              "Close the surface of one of them.");
       return;
     }
@@ -346,8 +354,22 @@ class FitFinder {
     wanted.allowance = fromOther ? bounds.other.most : bounds.one.most;
     refuse(wanted,
            "fit so that one of them would have to be taken " + inMillimetres(wanted.allowance) +
-               " thinner, which the local thickness or the shape of neither gives: it counts as a clash",
+               " thinner, which the local thickness or the shape of neither gives" +
+               openingInWords(ownOpening ? ownOpening : othersOpening) + ": it counts as a clash",
            "Mend the parts.");
+  }
+
+  /// Metres from the contact to where the surface of the body is open, where that is so near that what is inside it is
+  /// not known.
+  std::optional<double> openBeside(const RigidBody& body, const check::AllowanceBound& bound) const {
+    const ThinnableMesh* thinnable = bound.most > 0.0 ? tools_.thinnable.of(body.mesh) : nullptr;
+    return thinnable != nullptr ? thinnable->openBeside(bound.atMost) : std::nullopt;
+  }
+
+  static std::string openingInWords(const std::optional<double>& opening) {
+    if (!opening) return {};
+    return ", and the surface of one is open " + inMillimetres(*opening) +
+           " from the contact, so that what is inside it there is not known";
   }
 
   /// One of the two bodies is taken thinner by what the evidence gives, or by less where it has no place for that: the

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/geometry/triangle_pair.h"
 
@@ -21,7 +22,7 @@ bool areParallel(const Vector3& a, const Vector3& b) { return a.cross(b).squared
 
 std::optional<RegionPair> comparePlanes(const PlaneRegion& a, const PlaneRegion& b) {
   if (!areParallel(a.normal, b.normal) || a.normal.dot(b.normal) > 0.0) return std::nullopt;
-  return RegionPair{RegionPair::Kind::Planes, -b.offset - a.offset, {}};
+  return RegionPair{RegionPair::Kind::Planes, -b.offset - a.offset};
 }
 
 /// Point of the axis in the middle of the cylinder.
@@ -39,20 +40,89 @@ std::optional<RegionPair> compareCylinders(const CylinderRegion& a, const Cylind
   if (!areParallel(a.direction, b.direction) || !besideEachOther(a, b)) return std::nullopt;
   const double apart = std::max(distanceFromAxis(a, middleOf(b)), distanceFromAxis(b, middleOf(a)));
   if (a.shaft != b.shaft && apart < kSameAxis) {
-    RegionPair pair{RegionPair::Kind::Coaxial, a.shaft ? b.radius - a.radius : a.radius - b.radius, {}};
+    RegionPair pair{RegionPair::Kind::Coaxial, a.shaft ? b.radius - a.radius : a.radius - b.radius};
     const double from = std::max(a.low, (middleOf(b) - a.point).dot(a.direction) - 0.5 * (b.high - b.low));
     const double to = std::min(a.high, (middleOf(b) - a.point).dot(a.direction) + 0.5 * (b.high - b.low));
-    pair.axis = {a.point + 0.5 * (from + to) * a.direction, a.direction, a.radius, b.radius, a.shaft};
+    pair.axis = ContactAxis{a.point + 0.5 * (from + to) * a.direction, a.direction, a.radius, b.radius, a.shaft};
     return pair;
   }
-  if (a.shaft && b.shaft) return RegionPair{RegionPair::Kind::Tangent, apart - a.radius - b.radius, {}};
+  if (a.shaft && b.shaft) return RegionPair{RegionPair::Kind::Tangent, apart - a.radius - b.radius};
   return std::nullopt;
 }
 
 std::optional<RegionPair> compareMixed(const CylinderRegion& cylinder, const PlaneRegion& plane) {
   if (!cylinder.shaft || std::abs(cylinder.direction.dot(plane.normal)) > kParallel) return std::nullopt;
   const double height = plane.normal.dot(middleOf(cylinder)) - plane.offset;
-  return RegionPair{RegionPair::Kind::Tangent, height - cylinder.radius, {}};
+  return RegionPair{RegionPair::Kind::Tangent, height - cylinder.radius};
+}
+
+/// Cones of one angle on one axis, beside each other. Angles may differ by what changes the gap by a micrometre.
+std::optional<RegionPair> compareCones(const RoundRegion& inner, const RoundRegion& outer) {
+  constexpr double kSameGap = 1e-6;
+  const SurfaceFace& shaft = inner.surface;
+  const SurfaceFace& hole = outer.surface;
+  if (!areParallel(shaft.axis, hole.axis) || shaft.axis.dot(hole.axis) < 0.0) return std::nullopt;
+  const double shift = (hole.point - shaft.point).dot(shaft.axis);
+  const double from = std::max(inner.low, outer.low + shift);
+  const double to = std::min(inner.high, outer.high + shift);
+  if (to - from < kLeastLength) return std::nullopt;
+  const double cosine = std::cos(shaft.second);
+  if (std::abs(shaft.second - hole.second) * (to - from) > kSameGap * cosine) return std::nullopt;
+  const double middle = 0.5 * (from + to);
+  const Vector3 point = shaft.point + middle * shaft.axis;
+  if ((point - hole.point).cross(hole.axis).norm() > kSameAxis) return std::nullopt;
+  const double radius = coneRadiusAt(shaft, middle);
+  const double radiusOfHole = coneRadiusAt(hole, middle - shift);
+  RegionPair pair{RegionPair::Kind::Nested, cosine * (radiusOfHole - radius)};
+  pair.axis = ContactAxis{point, shaft.axis, radius, radiusOfHole, true, true};
+  pair.radius = radius;
+  return pair;
+}
+
+/// Distance of a point from the circle in the middle of a torus.
+double distanceFromCircle(const SurfaceFace& torus, const Vector3& p) {
+  const Vector3 from = p - torus.point;
+  const double height = from.dot(torus.axis);
+  return std::hypot((from - height * torus.axis).norm() - torus.radius, height);
+}
+
+bool areOneCircle(const SurfaceFace& a, const SurfaceFace& b) {
+  return areParallel(a.axis, b.axis) && (a.point - b.point).norm() < kSameAxis &&
+         std::abs(a.radius - b.radius) < kSameAxis;
+}
+
+std::optional<RegionPair> compareRounds(const RoundRegion& inner, const RoundRegion& outer) {
+  using Surface = SurfaceFace::Kind;
+  const SurfaceFace& shaft = inner.surface;
+  const SurfaceFace& hole = outer.surface;
+  const auto nested = [](double radius, double radiusOfHole) {
+    RegionPair pair{RegionPair::Kind::Nested, radiusOfHole - radius};
+    pair.radius = radius;
+    return pair;
+  };
+  if (shaft.kind == Surface::Cone && hole.kind == Surface::Cone) return compareCones(inner, outer);
+  if (shaft.kind == Surface::Sphere && hole.kind == Surface::Sphere && (shaft.point - hole.point).norm() < kSameAxis) {
+    return nested(shaft.radius, hole.radius);
+  }
+  if (shaft.kind == Surface::Torus && hole.kind == Surface::Torus && areOneCircle(shaft, hole)) {
+    return nested(shaft.second, hole.second);
+  }
+  if (shaft.kind == Surface::Sphere && hole.kind == Surface::Torus &&
+      distanceFromCircle(hole, shaft.point) < kSameAxis) {
+    return nested(shaft.radius, hole.second);
+  }
+  return std::nullopt;
+}
+
+/// Of `a` and `b`, whichever is the inner one.
+std::optional<RegionPair> compareNested(const RoundRegion& a, const RoundRegion& b) {
+  if (a.shaft == b.shaft) return std::nullopt;
+  auto pair = a.shaft ? compareRounds(a, b) : compareRounds(b, a);
+  if (pair && pair->axis && !a.shaft) {
+    std::swap(pair->axis->radiusA, pair->axis->radiusB);
+    pair->axis->shaftIsA = false;
+  }
+  return pair;
 }
 
 }  // namespace
@@ -60,6 +130,9 @@ std::optional<RegionPair> compareMixed(const CylinderRegion& cylinder, const Pla
 std::optional<RegionPair> compareRegions(const SurfaceRegions& a, const SurfaceRegions::Label& labelA,
                                          const SurfaceRegions& b, const SurfaceRegions::Label& labelB) {
   if (labelA.kind == Kind::Free || labelB.kind == Kind::Free) return std::nullopt;
+  if (labelA.kind == Kind::Round || labelB.kind == Kind::Round) {
+    return labelA.kind == labelB.kind ? compareNested(a.rounds[labelA.index], b.rounds[labelB.index]) : std::nullopt;
+  }
   if (labelA.kind == Kind::Plane && labelB.kind == Kind::Plane) {
     return comparePlanes(a.planes[labelA.index], b.planes[labelB.index]);
   }

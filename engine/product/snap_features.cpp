@@ -49,7 +49,7 @@ bool isOneAxis(const SnapFeature& a, const SnapFeature& b) {
          (b.point - a.point).cross(a.direction).norm() < kOneAxis;
 }
 
-/// Of cylinders with one axis the first gives its direction; the middle is that of all of them.
+/// Of surfaces with one axis the first gives its direction; the middle is that of all of them.
 void addAxis(const SnapFeature& axis, std::vector<SizedFeature>& axes) {
   const auto same =
       std::find_if(axes.begin(), axes.end(), [&](const SizedFeature& one) { return isOneAxis(one.feature, axis); });
@@ -63,24 +63,49 @@ void addAxis(const SnapFeature& axis, std::vector<SizedFeature>& axes) {
   same->size = merged.box.diagonal().norm();
 }
 
+/// From `low` to `high` along the direction from the point.
+SnapFeature axisFeature(const Vector3& point, const Vector3& direction, double low, double high) {
+  SnapFeature axis;
+  axis.kind = SnapFeature::Kind::Axis;
+  axis.point = point + 0.5 * (low + high) * direction;
+  axis.direction = direction;
+  axis.box.extend(Vector3(point + low * direction));
+  axis.box.extend(Vector3(point + high * direction));
+  return axis;
+}
+
+/// The last triangle with each of these labels.
+std::vector<std::size_t> triangleOfEach(const SurfaceRegions& regions, SurfaceRegions::Kind kind, std::size_t count) {
+  std::vector<std::size_t> triangles(count);
+  for (std::size_t i = 0; i < regions.labels.size(); ++i) {
+    if (regions.labels[i].kind == kind) triangles[regions.labels[i].index] = i;
+  }
+  return triangles;
+}
+
+void addAxesOf(const SurfaceRegions& regions, SurfaceFace::Kind kind, std::vector<SizedFeature>& axes) {
+  const auto triangles = triangleOfEach(regions, SurfaceRegions::Kind::Round, regions.rounds.size());
+  for (std::size_t i = 0; i < regions.rounds.size(); ++i) {
+    const RoundRegion& round = regions.rounds[i];
+    if (round.surface.kind != kind) continue;
+    SnapFeature axis = axisFeature(round.surface.point, round.surface.axis, round.low, round.high);
+    axis.triangle = triangles[i];
+    addAxis(axis, axes);
+  }
+}
+
 std::vector<SizedFeature> axesOf(const MeasurableMesh& mesh) {
   const SurfaceRegions& regions = mesh.regions();
-  std::vector<std::size_t> triangleOf(regions.cylinders.size());
-  for (std::size_t i = 0; i < regions.labels.size(); ++i) {
-    if (regions.labels[i].kind == SurfaceRegions::Kind::Cylinder) triangleOf[regions.labels[i].index] = i;
-  }
+  const auto triangles = triangleOfEach(regions, SurfaceRegions::Kind::Cylinder, regions.cylinders.size());
   std::vector<SizedFeature> axes;
   for (std::size_t i = 0; i < regions.cylinders.size(); ++i) {
     const CylinderRegion& region = regions.cylinders[i];
-    SnapFeature axis;
-    axis.kind = SnapFeature::Kind::Axis;
-    axis.point = region.point + 0.5 * (region.low + region.high) * region.direction;
-    axis.direction = region.direction;
-    axis.box.extend(Vector3(region.point + region.low * region.direction));
-    axis.box.extend(Vector3(region.point + region.high * region.direction));
-    axis.triangle = triangleOf[i];
+    SnapFeature axis = axisFeature(region.point, region.direction, region.low, region.high);
+    axis.triangle = triangles[i];
     addAxis(axis, axes);
   }
+  addAxesOf(regions, SurfaceFace::Kind::Cone, axes);
+  if (axes.empty()) addAxesOf(regions, SurfaceFace::Kind::Torus, axes);
   return axes;
 }
 

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "engine/geometry/mesh_volume.h"
+#include "engine/geometry/surface_deviation.h"
 #include "engine/product/cylinder_fit.h"
 
 namespace glissade {
@@ -34,6 +35,15 @@ constexpr double kFlatCosine = 0.9;
 constexpr double kSmoothBorder = 0.6;
 constexpr double kFacetSize = 3.0;
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+/// From the axis of a cone across it, from a sphere's centre, from the nearest point of a torus's circle.
+Vector3 outwardsAt(const SurfaceFace& surface, const Vector3& p) {
+  const Vector3 from = p - surface.point;
+  if (surface.kind == SurfaceFace::Kind::Sphere) return from;
+  const Vector3 across = (from - from.dot(surface.axis) * surface.axis).stableNormalized();
+  if (surface.kind == SurfaceFace::Kind::Torus) return from - surface.radius * across;
+  return std::cos(surface.second) * across - std::sin(surface.second) * surface.axis;
+}
 
 class RegionFinder {
  public:
@@ -124,16 +134,70 @@ class RegionFinder {
 
   void takeStatedFaces() {
     if (mesh_.faces.empty()) return;
-    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-      using Stated = SurfaceFace::Kind;
-      const Stated kind = faceOf(t).kind;
-      curved_[t] = kind == Stated::Cone || kind == Stated::Sphere || kind == Stated::Torus;
+    for (std::uint32_t seed = 0; seed < mesh_.triangles.size(); ++seed) {
+      if (isFree(seed) && areas_[seed] > 0.0 && isStatedRound(seed)) addStatedRound(seed);
     }
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) curved_[t] = isFree(t) && isStatedRound(t);
     for (std::uint32_t seed = 0; seed < mesh_.triangles.size(); ++seed) {
       if (!isFree(seed) || areas_[seed] <= 0.0) continue;
       if (faceOf(seed).kind == SurfaceFace::Kind::Plane) addStatedPlane(seed);
       if (faceOf(seed).kind == SurfaceFace::Kind::Cylinder) addStatedCylinder(seed);
     }
+  }
+
+  bool isStatedRound(std::uint32_t t) const {
+    using Stated = SurfaceFace::Kind;
+    const Stated kind = faceOf(t).kind;
+    return kind == Stated::Cone || kind == Stated::Sphere || kind == Stated::Torus;
+  }
+
+  /// With the faces beside it that are of the same surface.
+  void addStatedRound(std::uint32_t seed) {
+    const SurfaceFace& surface = faceOf(seed);
+    if (!isOnStated(seed)) return;
+    const bool shaft = isOutside(surface, seed);
+    const auto region = grow(seed, mesh_.triangles.size(), [&](std::uint32_t, std::uint32_t t) {
+      return isSameSurface(surface, t) && isOnStated(t) && isOutside(surface, t) == shaft;
+    });
+    RoundRegion round{surface, shaft, std::numeric_limits<double>::infinity()};
+    round.high = -round.low;
+    for (const std::uint32_t t : region) {
+      for (int i = 0; i < 3; ++i) {
+        const double height = (vertex(t, i) - surface.point).dot(surface.axis);
+        round.low = std::min(round.low, height);
+        round.high = std::max(round.high, height);
+      }
+      round.sagitta = std::max(round.sagitta, faceOf(t).deflection);
+      result_.labels[t] = {Kind::Round, static_cast<std::uint32_t>(result_.rounds.size())};
+    }
+    result_.rounds.push_back(round);
+  }
+
+  /// The vertices lie on what the file states of the triangle's face.
+  bool isOnStated(std::uint32_t t) const {
+    const SurfaceFace& surface = faceOf(t);
+    const double off = offStated(surface);
+    for (int i = 0; i < 3; ++i) {
+      if (std::abs(signedDistance(surface, vertex(t, i))) > off) return false;
+    }
+    return true;
+  }
+
+  /// The triangle's face is stated to be of the surface, or of one that does not differ from it there.
+  bool isSameSurface(const SurfaceFace& surface, std::uint32_t t) const {
+    const SurfaceFace& other = faceOf(t);
+    if (&other == &surface) return true;
+    if (other.kind != surface.kind) return false;
+    for (int i = 0; i < 3; ++i) {
+      const double difference = signedDistance(surface, vertex(t, i)) - signedDistance(other, vertex(t, i));
+      if (std::abs(difference) > tolerance_) return false;
+    }
+    return true;
+  }
+
+  /// The material of the triangle is on the surface's inner side.
+  bool isOutside(const SurfaceFace& surface, std::uint32_t t) const {
+    return normals_[t].dot(outwardsAt(surface, (vertex(t, 0) + vertex(t, 1) + vertex(t, 2)) / 3.0)) > 0.0;
   }
 
   /// Metres that the vertices of a face may be off what the file states of it.
@@ -307,7 +371,7 @@ class RegionFinder {
   std::vector<double> areas_;
   std::vector<Vector3> normals_;
   std::vector<std::array<std::uint32_t, 3>> neighbours_;
-  std::vector<bool> curved_;  ///< of each triangle: of a face that the file states to be neither plane nor cylinder
+  std::vector<bool> curved_;  ///< of each triangle: of a round face that it contradicts
   bool closed_ = true;        ///< every edge has two triangles
   std::vector<std::uint32_t> visited_;
   std::uint32_t visit_ = 0;
@@ -317,6 +381,8 @@ class RegionFinder {
 }  // namespace
 
 SurfaceRegions findSurfaceRegions(const TriangleMesh& mesh) { return RegionFinder(mesh).find(); }
+
+double coneRadiusAt(const SurfaceFace& cone, double height) { return cone.radius + std::tan(cone.second) * height; }
 
 SurfaceRegions transformed(SurfaceRegions regions, const Pose& X_WB) {
   const auto rotated = [&](const Vector3& v) -> Vector3 { return X_WB.orientation * v; };
@@ -328,6 +394,7 @@ SurfaceRegions transformed(SurfaceRegions regions, const Pose& X_WB) {
     cylinder.point = X_WB * cylinder.point;
     cylinder.direction = rotated(cylinder.direction);
   }
+  for (RoundRegion& round : regions.rounds) round.surface = transformed(round.surface, X_WB);
   return regions;
 }
 

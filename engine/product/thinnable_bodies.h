@@ -15,9 +15,9 @@ namespace glissade {
 /// that have the same mesh and fit others alike share the thinned one.
 class ThinnableBodies {
  public:
-  /// Null where the mesh is not closed. Lives as long as this.
+  /// Null where the mesh encloses nothing. Lives as long as this.
   const ThinnableMesh* of(const MeshPtr& mesh);
-  /// With an allowance for each triangle, metres. Null where the mesh is not closed or has no place for that.
+  /// With an allowance for each triangle, metres. Null where the mesh has no inside there, or no place for that.
   MeshPtr thinned(const MeshPtr& mesh, const std::vector<double>& allowances);
 
  private:

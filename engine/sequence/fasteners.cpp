@@ -50,6 +50,17 @@ struct TurnedShape {
   int socketSides = 0;  ///< of a hole that is a prism about the axis
 };
 
+/// A range along an axis.
+struct Range {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  void take(double at) {
+    low = std::min(low, at);
+    high = std::max(high, at);
+  }
+};
+
 double offAxis(const Vector3& point, const CylinderRegion& axis) {
   const Vector3 way = point - axis.point;
   return (way - axis.direction * axis.direction.dot(way)).norm();
@@ -79,6 +90,21 @@ int sidesAbout(const SurfaceRegions& regions, const CylinderRegion& axis, double
   return equal || rectangle ? static_cast<int>(distances.size()) : 0;
 }
 
+/// The head of a countersunk screw begins where its cone leaves the shaft, although only its rim is wider there.
+void takeCountersunkHeads(const SurfaceRegions& regions, const CylinderRegion& axis, double shaft, Range& head) {
+  for (const RoundRegion& round : regions.rounds) {
+    const SurfaceFace& cone = round.surface;
+    if (cone.kind != SurfaceFace::Kind::Cone || !round.shaft) continue;
+    if (std::abs(cone.axis.dot(axis.direction)) < kParallel || offAxis(cone.point, axis) > kSameLength * axis.radius) {
+      continue;
+    }
+    if (coneRadiusAt(cone, round.high) < kLeastHead * shaft) continue;
+    for (const double height : {round.low, round.high}) {
+      head.take(axis.direction.dot(cone.point + height * cone.axis - axis.point));
+    }
+  }
+}
+
 TurnedShape shapeAbout(const TriangleMesh& mesh, const SurfaceRegions& regions, const CylinderRegion& axis) {
   TurnedShape shape;
   double low = std::numeric_limits<double>::infinity();
@@ -102,21 +128,20 @@ TurnedShape shapeAbout(const TriangleMesh& mesh, const SurfaceRegions& regions, 
       shape.through = cylinder.radius;
     }
   }
-  double headLow = high;
-  double headHigh = low;
+  Range head;
   for (const Vector3& vertex : mesh.vertices) {
     if (shape.shaft == 0.0 || offAxis(vertex, axis) < 0.5 * (1.0 + kLeastHead) * shape.shaft) continue;
-    const double at = axis.direction.dot(vertex - axis.point);
-    headLow = std::min(headLow, at);
-    headHigh = std::max(headHigh, at);
+    head.take(axis.direction.dot(vertex - axis.point));
   }
-  shape.headLength = std::max(0.0, headHigh - headLow);
+  if (shape.shaft > 0.0) takeCountersunkHeads(regions, axis, shape.shaft, head);
+  if (head.low > head.high) head = {high, low};
+  shape.headLength = std::max(0.0, head.high - head.low);
   const double slack = kSameLength * shape.height;
-  shape.headAtEnd = headLow - low < slack || high - headHigh < slack;
+  shape.headAtEnd = head.low - low < slack || high - head.high < slack;
   shape.low = low;
   shape.high = high;
-  shape.headLow = headLow;
-  shape.headHigh = headHigh;
+  shape.headLow = head.low;
+  shape.headHigh = head.high;
   shape.sides = sidesAbout(regions, axis, 1.0);
   shape.socketSides = sidesAbout(regions, axis, -1.0);
   return shape;
@@ -247,7 +272,7 @@ std::optional<FastenerHead> headOf(const TriangleMesh& mesh, FastenerKind kind) 
 std::vector<OrderRule> fastenerRules(const std::vector<FastenerKind>& kinds, const std::vector<Contact>& contacts) {
   std::vector<OrderRule> rules;
   for (const Contact& contact : contacts) {
-    if (!contact.axis) continue;
+    if (!contact.axis || contact.axis->conical) continue;
     const std::size_t shaft = contact.axis->shaftIsA ? contact.a : contact.b;
     const std::size_t hole = contact.axis->shaftIsA ? contact.b : contact.a;
     if (kinds[hole] == FastenerKind::Nut) rules.push_back({hole, shaft, false});

@@ -18,7 +18,7 @@ constexpr double kTouching = 2e-5;
 bool isBonded(const Contact& contact, const std::vector<FastenerKind>& fasteners) {
   if (contact.kind == ContactKind::Thread || contact.kind == ContactKind::Press) return true;
   if (contact.kind == ContactKind::Overlap || contact.kind == ContactKind::Clash) return true;
-  if (!contact.axis) return false;
+  if (!contact.axis || contact.axis->conical) return false;
   return fasteners[contact.axis->shaftIsA ? contact.b : contact.a] == FastenerKind::Nut;
 }
 

@@ -4419,10 +4419,6 @@
         <translation>Acceptez-la (--accept-clashes %1), ou corrigez les pièces.</translation>
     </message>
     <message>
-        <source>touch, and neither can be taken thinner because the surfaces of both are not closed</source>
-        <translation>se touchent, et aucun des deux ne peut être aminci car leurs surfaces ne sont pas fermées</translation>
-    </message>
-    <message>
         <source>Close the surface of one of them.</source>
         <translation>Fermez la surface de l&apos;un des deux.</translation>
     </message>
@@ -5665,6 +5661,26 @@
     <message>
         <source>is not beside &apos;centre_on_vertex_mean&apos;</source>
         <translation>ne se met pas à côté de &apos;centre_on_vertex_mean&apos;</translation>
+    </message>
+    <message>
+        <source>its triangles enclose %1 cubic millimetres, and the file states %2: they differ by more than the deviation of the triangles explains</source>
+        <translation>ses triangles enferment %1 millimètres cubes, et le fichier indique %2&#xa0;: la différence dépasse ce que l&apos;écart des triangles explique</translation>
+    </message>
+    <message>
+        <source>its triangles have %1 square millimetres, and the file states %2: they differ by more than the deviation of the triangles explains</source>
+        <translation>ses triangles couvrent %1 millimètres carrés, et le fichier indique %2&#xa0;: la différence dépasse ce que l&apos;écart des triangles explique</translation>
+    </message>
+    <message>
+        <source>the centroid of its triangles is %1 mm from the one that the file states: more than the deviation of the triangles explains</source>
+        <translation>le centre de gravité de ses triangles est à %1&#xa0;mm de celui que le fichier indique&#xa0;: plus que ce que l&apos;écart des triangles explique</translation>
+    </message>
+    <message>
+        <source>touch where neither can be taken thinner: the surfaces are open %1 and %2 from the contact, so that what is inside them there is not known</source>
+        <translation>se touchent là où aucun des deux ne peut être aminci&#xa0;: leurs surfaces sont ouvertes à %1 et %2 du contact, et l&apos;intérieur n&apos;y est donc pas connu</translation>
+    </message>
+    <message>
+        <source>fit so that one of them would have to be taken %1 thinner, which the local thickness or the shape of neither gives, and the surface of one is open %2 from the contact, so that what is inside it there is not known: it counts as a clash</source>
+        <translation>s&apos;ajustent de telle sorte que l&apos;un des deux devrait être aminci de %1, ce que ni leur épaisseur locale ni leur forme ne permettent, et la surface de l&apos;un est ouverte à %2 du contact, de sorte que son intérieur n&apos;y est pas connu&#xa0;: c&apos;est une collision</translation>
     </message>
 </context>
 <context>
@@ -7156,6 +7172,18 @@
     <message>
         <source>Click a vertex, an edge or a face of what moves. Esc ends this.</source>
         <translation>Cliquer un sommet, une arête ou une face de ce qui bouge. Échap termine.</translation>
+    </message>
+    <message>
+        <source>cone</source>
+        <translation>cône</translation>
+    </message>
+    <message>
+        <source>sphere</source>
+        <translation>sphère</translation>
+    </message>
+    <message>
+        <source>torus</source>
+        <translation>tore</translation>
     </message>
 </context>
 <context>
@@ -8730,16 +8758,8 @@
         <translation>Recherche des arêtes et des faces du corps…</translation>
     </message>
     <message>
-        <source>This is no cylindrical face.</source>
-        <translation>Cette face n&apos;est pas cylindrique.</translation>
-    </message>
-    <message>
         <source>Radius %1, diameter %2</source>
         <translation>Rayon %1, diamètre %2</translation>
-    </message>
-    <message>
-        <source>A vertex or a free surface has no direction: click edges, planes or cylinders.</source>
-        <translation>Un sommet ou une surface libre n&apos;a pas de direction&#xa0;: cliquez des arêtes, des plans ou des cylindres.</translation>
     </message>
     <message>
         <source>Angle %1</source>
@@ -8772,10 +8792,6 @@
     <message>
         <source>Click a cylindrical face. Esc ends measuring.</source>
         <translation>Cliquez une face cylindrique. Échap termine la mesure.</translation>
-    </message>
-    <message>
-        <source>This is neither a plane nor a cylinder.</source>
-        <translation>Ce n&apos;est ni un plan ni un cylindre.</translation>
     </message>
     <message>
         <source>Click a plane or a cylinder of what is placed. Esc ends this.</source>
@@ -8812,6 +8828,26 @@
     <message>
         <source>%1 copies this. Esc removes it.</source>
         <translation>%1 copie ceci. Échap l&apos;enlève.</translation>
+    </message>
+    <message>
+        <source>Torus: radius of the circle %1, of the tube %2</source>
+        <translation>Tore&#xa0;: rayon du cercle %1, du tube %2</translation>
+    </message>
+    <message>
+        <source> there; half angle of the cone %1</source>
+        <translation> à cet endroit&#xa0;; demi-angle du cône %1</translation>
+    </message>
+    <message>
+        <source>This is neither a plane nor a round face with an axis or a centre.</source>
+        <translation>Ce n&apos;est ni un plan ni une face ronde qui a un axe ou un centre.</translation>
+    </message>
+    <message>
+        <source>This is no face of a cylinder, a cone, a sphere or a torus.</source>
+        <translation>Cette face n&apos;est ni celle d&apos;un cylindre ni celle d&apos;un cône, d&apos;une sphère ou d&apos;un tore.</translation>
+    </message>
+    <message>
+        <source>A vertex, a sphere or a free surface has no direction: click edges, planes or faces with an axis.</source>
+        <translation>Un sommet, une sphère ou une surface libre n&apos;a pas de direction&#xa0;: cliquez des arêtes, des plans ou des faces qui ont un axe.</translation>
     </message>
 </context>
 <context>

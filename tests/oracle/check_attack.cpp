@@ -12,8 +12,9 @@ namespace {
 
 int run(int argc, char** argv) {
   const std::string command = argc > 1 ? argv[1] : "";
-  if (command == "trapped" && (argc == 6 || argc == 7)) {
+  if ((command == "trapped" || command == "open") && (argc == 6 || argc == 7)) {
     TrappedOptions options{argv[2], argv[3], std::stoull(argv[4]), std::stoull(argv[5])};
+    options.open = command == "open";
     if (argc == 7) options.planEvery = std::stoull(argv[6]);
     return runTrapped(options);
   }
@@ -21,6 +22,7 @@ int run(int argc, char** argv) {
     return runMutations({argv[2], argv[3], std::stoull(argv[4]), std::stoull(argv[5])});
   }
   std::cerr << "usage: check_attack trapped GLISSADE_CLI FOLDER SEED PAIRS [PLAN_EVERY]\n"
+               "       check_attack open GLISSADE_CLI FOLDER SEED PAIRS [PLAN_EVERY]\n"
                "       check_attack mutants GLISSADE_CLI FOLDER SEED MUTANTS\n";
   return 2;
 }

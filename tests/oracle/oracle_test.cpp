@@ -118,6 +118,12 @@ TEST(Oracle, NoTrappedPartLeaves) {
   EXPECT_EQ(end.exitCode, 0) << end.errors << end.output;
 }
 
+TEST(Oracle, NoTrappedPartWithAnOpenSurfaceLeaves) {
+  const test::TemporaryFolder folder;
+  const ChildEnd end = attack("open", folder.path(), "11", "6");
+  EXPECT_EQ(end.exitCode, 0) << end.errors << end.output;
+}
+
 /// Ten thousand are tried by packaging/reliability.sh.
 TEST(Oracle, NoFalsePathOrPlanIsValid) {
   const test::TemporaryFolder folder;

@@ -5,10 +5,12 @@
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <random>
 
 #include "tests/oracle/campaign_row.h"
 #include "tests/oracle/child_run.h"
 #include "tests/oracle/mesh_writer.h"
+#include "tests/oracle/ring_solid.h"
 #include "tests/oracle/step_writer.h"
 #include "tests/oracle/text_file.h"
 #include "tests/oracle/trapped_pair.h"
@@ -45,6 +47,7 @@ class Trapped {
     print("trapped parts, planned", "planned");
     print("trapped parts, exact common volumes", "volumes");
     print("free parts beside them", "free");
+    if (options_.open) std::cout << "free open parts that leave: " << left_ << " of " << tried_["free"] << "\n";
     std::uint64_t defects = 0;
     for (const auto& [name, count] : defects_) defects += count;
     return defects == 0 ? 0 : 1;
@@ -52,7 +55,7 @@ class Trapped {
 
  private:
   void tryPair(std::uint64_t number) {
-    const bool step = number % 2 == 0;
+    const bool step = isStep(number);
     TrappedPair pair = trappedPair(options_.seed, number, kLeastLip);
     if (step && pair.round) pair = trappedPair(options_.seed, number, kLeastLip + 2.0 * kDeflection);
     if (!step) pair.round = false;
@@ -63,7 +66,7 @@ class Trapped {
     if (!writeScenario(pair, number)) return;
     tryPaths(pair);
     if (pair.isTrapped() && number % options_.planEvery == 0) plan();
-    if (number % kVolumeEvery == 0) checkVolume(pair);
+    if (number % kVolumeEvery == 0 && !options_.open) checkVolume(pair);
     if (found_ == before) fs::remove_all(folder_);
   }
 
@@ -81,7 +84,7 @@ class Trapped {
   bool writeScenario(const TrappedPair& pair, std::uint64_t number) {
     constexpr MeshFormat kFormats[] = {MeshFormat::TextStl, MeshFormat::BinaryStl, MeshFormat::Obj, MeshFormat::Glb};
     const MeshFormat format = kFormats[number / 2 % 4];
-    const bool step = number % 2 == 0;
+    const bool step = isStep(number);
     const std::string ending = step ? ".step" : endingOf(format);
     const std::string object = folder_ + "/object" + ending;
     const std::string block = folder_ + "/block" + ending;
@@ -89,8 +92,10 @@ class Trapped {
       writeStep(object, pair.object, pair.round);
       writeStep(block, pair.block, pair.round);
     } else {
-      writeText(object, meshFile(trianglesOf(ringSolid(pair.object)), format));
-      writeText(block, meshFile(trianglesOf(ringSolid(pair.block)), format));
+      std::seed_seq words{options_.seed, number, std::uint64_t{0x09e7}};
+      std::mt19937_64 random(words);
+      writeText(object, meshFile(trianglesOf(facesOf(pair.object, random)), format));
+      writeText(block, meshFile(trianglesOf(facesOf(pair.block, random)), format));
     }
     std::vector<std::string> arguments{"new",      scenario(), "--moves",      object,
                                        "--static", block,      "--deflection", "0.01mm"};
@@ -98,6 +103,20 @@ class Trapped {
     const ChildEnd made = runCli(arguments);
     if (made.exitCode != 0) find("free", "no scenario: " + made.errors);
     return made.exitCode == 0;
+  }
+
+  bool isStep(std::uint64_t number) const { return number % 2 == 0 && !options_.open; }
+
+  /// All of them, or without up to three. At least one body of two is open.
+  std::vector<Polygon> facesOf(const std::vector<Ring>& rings, std::mt19937_64& random) {
+    std::vector<Polygon> faces = ringSolid(rings);
+    if (!options_.open) return faces;
+    const std::uint64_t lost = isSecond_ ? random() % 4 : 1 + random() % 3;
+    for (std::uint64_t i = 0; i < lost; ++i) {
+      faces.erase(faces.begin() + static_cast<std::ptrdiff_t>(random() % faces.size()));
+    }
+    isSecond_ = !isSecond_;
+    return faces;
   }
 
   std::string scenario() const { return folder_ + "/scenario.json"; }
@@ -149,7 +168,8 @@ class Trapped {
     if (own.exitCode != 0 && own.exitCode != 1)
       find(kind, "exit code " + std::to_string(own.exitCode) + " " + own.errors);
     if (!pair.isTrapped()) {
-      if (own.exitCode != 0) find(kind, "is refused: " + own.output.substr(0, 600) + own.errors);
+      if (own.exitCode == 0) ++left_;
+      if (own.exitCode != 0 && !options_.open) find(kind, "is refused: " + own.output.substr(0, 600) + own.errors);
       return;
     }
     if (own.exitCode == 0) find(kind, "leaves with what the judge allows");
@@ -190,6 +210,8 @@ class Trapped {
   std::map<std::string, std::uint64_t> tried_;
   std::map<std::string, std::uint64_t> defects_;
   std::uint64_t found_ = 0;
+  std::uint64_t left_ = 0;  ///< free parts
+  bool isSecond_ = false;   ///< the next body is the second one of its pair
 };
 
 }  // namespace

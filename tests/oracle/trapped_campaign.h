@@ -11,6 +11,9 @@ struct TrappedOptions {
   std::uint64_t seed = 1;
   std::uint64_t pairs = 40;
   std::uint64_t planEvery = 10;  ///< the automatic planner tries each of so many pairs
+  /// Both bodies lose up to three faces, near the fit or far from it: what is left of a lip still stops the other body.
+  /// Mesh files only. Free bodies may be refused then.
+  bool open = false;
 };
 
 /// Writes pairs as STEP, STL, OBJ and GLB. Gives `check` straight paths through the lip, with allowances of several

@@ -6,12 +6,14 @@
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeSolid.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
+#include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Builder.hxx>
+#include <GProp_GProps.hxx>
 #include <Interface_Static.hxx>
 #include <Quantity_Color.hxx>
 #include <STEPCAFControl_Controller.hxx>
@@ -22,9 +24,12 @@
 #include <TopLoc_Location.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
+#include <XCAFDoc_Area.hxx>
+#include <XCAFDoc_Centroid.hxx>
 #include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
+#include <XCAFDoc_Volume.hxx>
 #include <cmath>
 #include <fstream>
 #include <gp_Ax2.hxx>
@@ -138,6 +143,7 @@ class Product {
     STEPCAFControl_Writer writer;
     writer.SetColorMode(true);
     writer.SetNameMode(true);
+    writer.SetPropsMode(true);
     if (!writer.Transfer(document_, STEPControl_AsIs, partFiles) || writer.Write(file.c_str()) != IFSelect_RetDone) {
       throw std::string("cannot write " + file);
     }
@@ -221,6 +227,61 @@ void writeFits(const std::string& file) {
   product.write(file);
 }
 
+/// A screw along z whose head is a cone of 90 degrees, with its end at this height.
+TopoDS_Shape countersunkScrew(double x, double top) {
+  const TopoDS_Shape head = BRepPrimAPI_MakeCone(gp_Ax2(gp_Pnt(x, 0, top - 2), gp_Dir(0, 0, 1)), 2.0, 4.0, 2.0);
+  return BRepAlgoAPI_Fuse(shaft(x, 0, top - 14, 2, 12), head);
+}
+
+TopoDS_Shape ballAt(double x, double radius) {
+  return BRepPrimAPI_MakeSphere(gp_Ax2(gp_Pnt(x, 0, 60), gp_Dir(0, 0, 1)), radius);
+}
+
+/// What fits by round surfaces: three screws in countersinks of a plate that their shafts do not touch, one seated, one
+/// 0.1 mm too deep, one 0.05 mm too high; above them balls in a groove that is a torus, of its radius and 0.05 mm less.
+void writeRoundFits(const std::string& file) {
+  TopoDS_Shape plate = blockAt(0, 0, 0, 80, 30, 6);
+  for (const double x : {-25.0, 0.0, 25.0}) {
+    plate = BRepAlgoAPI_Cut(plate, shaft(x, 0, -5, 2.5, 20));
+    plate = BRepAlgoAPI_Cut(plate, BRepPrimAPI_MakeCone(gp_Ax2(gp_Pnt(x, 0, 4), gp_Dir(0, 0, 1)), 2.0, 4.0, 2.0));
+  }
+  const TopoDS_Shape race = BRepAlgoAPI_Cut(
+      blockAt(0, 0, 54, 40, 40, 6), BRepPrimAPI_MakeTorus(gp_Ax2(gp_Pnt(0, 0, 60), gp_Dir(0, 0, 1)), 10.0, 3.0));
+  Product product;
+  const TDF_Label unit = product.assembly("round");
+  const auto add = [&](const char* name, const TopoDS_Shape& shape) {
+    product.put(product.part(name, shape), unit, at(0, 0, 0));
+  };
+  add("plate", plate);
+  add("seated", countersunkScrew(-25, 6.0));
+  add("deep", countersunkScrew(0, 5.9));
+  add("high", countersunkScrew(25, 6.05));
+  add("race", race);
+  add("ball", ballAt(10, 3.0));
+  add("small", ballAt(-10, 2.95));
+  product.write(file);
+}
+
+/// A plate and a unit of two of them, with the validation properties that OpenCASCADE measures; the volume of the plate
+/// is stated as `share` of the true one, and its centroid is `aside` mm off.
+void writeValidated(const std::string& file, double share, double aside) {
+  const TopoDS_Shape shape = BRepAlgoAPI_Cut(blockAt(5, 0, 0, 40, 30, 10), shaft(0, 5, -5, 6, 20));
+  GProp_GProps volume;
+  GProp_GProps area;
+  BRepGProp::VolumeProperties(shape, volume);
+  BRepGProp::SurfaceProperties(shape, area);
+  Product product;
+  const TDF_Label plate = product.part("plate", shape);
+  XCAFDoc_Volume::Set(plate, share * volume.Mass());
+  XCAFDoc_Area::Set(plate, area.Mass());
+  XCAFDoc_Centroid::Set(plate, volume.CentreOfMass().Translated(gp_Vec(aside, 0, 0)));
+  const TDF_Label both = product.assembly("both");
+  product.put(plate, both, at(0, 0, 0));
+  product.put(plate, both, turnedAt(100, 0, 0));
+  XCAFDoc_Volume::Set(both, 2.0 * volume.Mass());
+  product.write(file);
+}
+
 /// A plate, two pins, and a pump of two parts, each in a file of its own beside the product's.
 void writeSplit(const std::string& folder) {
   Product product;
@@ -290,6 +351,9 @@ void writeAll(const std::string& folder) {
   writeCountersunkRing(folder + "/box.step", folder + "/countersunk-ring.step");
   writeAssembly(folder + "/unit.step");
   writeFits(folder + "/fits.step");
+  writeRoundFits(folder + "/round-fits.step");
+  writeValidated(folder + "/validated.step", 1.0, 0.0);
+  writeValidated(folder + "/validated-wrong.step", 1.05, 1.0);
   writeOddShapes(folder + "/odd-shapes.step");
   writeSplit(folder);
 }

@@ -81,6 +81,16 @@ inline constexpr const char* kImportSentences[] = {
         "Diagnostics",
         "%1, because its boundaries cross; it was triangulated between their points, within %2 mm of its surface"),
     QT_TRANSLATE_NOOP("Diagnostics", "%1, and its boundaries cannot be triangulated"),
+    QT_TRANSLATE_NOOP(
+        "Diagnostics",
+        "its triangles enclose %1 cubic millimetres, and the file states %2: they differ by more than the "
+        "deviation of the triangles explains"),
+    QT_TRANSLATE_NOOP("Diagnostics",
+                      "its triangles have %1 square millimetres, and the file states %2: they differ by more than the "
+                      "deviation of the triangles explains"),
+    QT_TRANSLATE_NOOP("Diagnostics",
+                      "the centroid of its triangles is %1 mm from the one that the file states: more than the "
+                      "deviation of the triangles explains"),
     QT_TRANSLATE_NOOP("Diagnostics",
                       "its triangles enclose %1 cubic millimetres, and its faces %2: they differ by more than the "
                       "deviation of the triangles explains"),

@@ -119,11 +119,16 @@ inline constexpr const char* kPlanningSentences[] = {
     QT_TRANSLATE_NOOP("Diagnostics", "overlap by %1, which is a clash"),
     QT_TRANSLATE_NOOP("Diagnostics", "Accept it (--accept-clashes %1), or mend the parts."),
     QT_TRANSLATE_NOOP("Diagnostics",
-                      "touch, and neither can be taken thinner because the surfaces of both are not closed"),
+                      "touch where neither can be taken thinner: the surfaces are open %1 and %2 from the contact, so "
+                      "that what is inside them there is not known"),
     QT_TRANSLATE_NOOP("Diagnostics", "Close the surface of one of them."),
     QT_TRANSLATE_NOOP("Diagnostics",
                       "fit so that one of them would have to be taken %1 thinner, which the local thickness or the "
                       "shape of neither gives: it counts as a clash"),
+    QT_TRANSLATE_NOOP("Diagnostics",
+                      "fit so that one of them would have to be taken %1 thinner, which the local thickness or the "
+                      "shape of neither gives, and the surface of one is open %2 from the contact, so that what is "
+                      "inside it there is not known: it counts as a clash"),
     QT_TRANSLATE_NOOP("Diagnostics", "Mend the parts."),
     QT_TRANSLATE_NOOP("Diagnostics", "is left out"),
     QT_TRANSLATE_NOOP("Diagnostics", "Proofs are about the product without it."),

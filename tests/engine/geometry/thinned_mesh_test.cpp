@@ -108,31 +108,137 @@ TEST(ThinnedMesh, NoWallLosesMoreThanTwoFifths) {
   }
 }
 
+void expectAlike(const TriangleMesh& judged, const TriangleMesh& thinned) {
+  ASSERT_EQ(judged.triangles.size(), thinned.triangles.size());
+  for (std::size_t f = 0; f < judged.triangles.size(); ++f) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vector3& own = judged.vertices[judged.triangles[f][i]];
+      ASSERT_NEAR((own - thinned.vertices[thinned.triangles[f][i]]).norm(), 0.0, 1e-10);
+    }
+  }
+}
+
 TEST(ThinnedMesh, TheJudgeThinsAlike) {
   RandomStream random(2, "judge");
   for (const TriangleMesh& mesh : bodies(random)) {
     const double allowance = 0.0005 * random.uniform();
     const auto thinned = ThinnableMesh::of(mesh)->thinned(allowance);
     ASSERT_TRUE(thinned);
-    const TriangleMesh judged = check::thinned(mesh, std::vector<double>(mesh.triangles.size(), allowance));
-    ASSERT_EQ(judged.triangles.size(), thinned->triangles.size());
-    for (std::size_t f = 0; f < judged.triangles.size(); ++f) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        const Vector3& own = judged.vertices[judged.triangles[f][i]];
-        EXPECT_NEAR((own - thinned->vertices[thinned->triangles[f][i]]).norm(), 0.0, 1e-10);
-      }
-    }
+    expectAlike(check::thinned(mesh, std::vector<double>(mesh.triangles.size(), allowance)), *thinned);
   }
 }
 
 TEST(ThinnedMesh, WhatHasNoInsideCannotBeThinned) {
+  EXPECT_FALSE(ThinnableMesh::of({}));
   TriangleMesh open = makeBox({1.0, 1.0, 1.0});
   open.triangles.pop_back();
-  EXPECT_FALSE(ThinnableMesh::of(open));
-  EXPECT_FALSE(ThinnableMesh::of({}));
+  EXPECT_FALSE(ThinnableMesh::of(open)->thinned(0.001)) << "beside the opening, too";
   TriangleMesh turned = makeBox({1.0, 1.0, 1.0});
   std::swap(turned.triangles[0][0], turned.triangles[0][1]);
-  EXPECT_FALSE(ThinnableMesh::of(turned));
+  EXPECT_FALSE(ThinnableMesh::of(turned)->thinned(0.001));
+}
+
+/// Allowances of the faces that look along z.
+std::vector<double> ofTop(const TriangleMesh& mesh, double allowance) {
+  std::vector<double> allowances;
+  for (const TriangleIndices& t : mesh.triangles) allowances.push_back(faceNormal(mesh, t).z() > 0.5 ? allowance : 0.0);
+  return allowances;
+}
+
+/// A box of 20 x 30 x 40 mm without its bottom.
+TriangleMesh openBox() {
+  TriangleMesh box = makeBox({0.02, 0.03, 0.04});
+  std::vector<TriangleIndices> kept;
+  for (const TriangleIndices& t : box.triangles) {
+    if (faceNormal(box, t).z() > -0.5) kept.push_back(t);
+  }
+  box.triangles = kept;
+  return box;
+}
+
+TEST(ThinnedMesh, AnOpenBodyIsThinnedFarFromItsOpening) {
+  const TriangleMesh box = openBox();
+  const auto body = ThinnableMesh::of(box);
+  ASSERT_TRUE(body);
+  EXPECT_FALSE(body->openBeside(ofTop(box, 0.001)));
+  const auto thinned = body->thinned(ofTop(box, 0.001));
+  ASSERT_TRUE(thinned);
+  EXPECT_NEAR(boundingBox(*thinned).max().z(), 0.019, 1e-8);
+  EXPECT_EQ(boundingBox(*thinned).min().z(), -0.02);
+}
+
+TEST(ThinnedMesh, NearTheOpeningItSaysHowNear) {
+  const TriangleMesh box = openBox();
+  const auto body = ThinnableMesh::of(box);
+  EXPECT_FALSE(body->thinned(0.001)) << "the sides, too, which end at the opening";
+  ASSERT_TRUE(body->openBeside(std::vector<double>(box.triangles.size(), 0.001)));
+  EXPECT_EQ(*body->openBeside(std::vector<double>(box.triangles.size(), 0.001)), 0.0);
+  EXPECT_NEAR(*body->openBeside(ofTop(box, 0.0041)), 0.04, 1e-12) << "ten allowances are 41 mm";
+}
+
+TEST(ThinnedMesh, ASheetHasNoInside) {
+  TriangleMesh sheet = makeBox({1.0, 1.0, 0.1});
+  std::vector<TriangleIndices> top;
+  for (const TriangleIndices& t : sheet.triangles) {
+    if (faceNormal(sheet, t).z() > 0.5) top.push_back(t);
+  }
+  // Its middle, between sixteen times as many triangles, is far from its edges.
+  TriangleMesh fine;
+  for (int i = -2; i < 2; ++i) {
+    for (int k = -2; k < 2; ++k) {
+      TriangleMesh part{sheet.vertices, top};
+      append(fine, transformed(part, Pose::translation({1.0 * i, 1.0 * k, 0.0})));
+    }
+  }
+  fine = welded(fine);
+  std::vector<double> allowances;
+  for (const auto& [a, b, c] : fine.triangles) {
+    const Vector3 middle = (fine.vertices[a] + fine.vertices[b] + fine.vertices[c]) / 3.0;
+    allowances.push_back(middle.head<2>().cwiseAbs().maxCoeff() < 0.9 ? 0.01 : 0.0);
+  }
+  const auto body = ThinnableMesh::of(fine);
+  EXPECT_FALSE(body && body->thinned(allowances));
+}
+
+/// Random bodies lose triangles; the rest is thinned or not. Where it is, what is left of the body is behind the true
+/// surface, as the whole body decides.
+TEST(ThinnedMesh, AnOpenBodyIsNeverLargerThanTheWholeOne) {
+  RandomStream random(5, "open");
+  int thinnedOnes = 0;
+  int refused = 0;
+  for (int round = 0; round < 12; ++round) {
+    for (const TriangleMesh& whole : bodies(random)) {
+      TriangleMesh open = whole;
+      const std::size_t lost = 1 + static_cast<std::size_t>(3.0 * random.uniform());
+      for (std::size_t i = 0; i < lost; ++i) {
+        const auto at = static_cast<std::size_t>(random.uniform() * static_cast<double>(open.triangles.size()));
+        open.triangles.erase(open.triangles.begin() + static_cast<std::ptrdiff_t>(at));
+      }
+      const auto body = ThinnableMesh::of(open);
+      ASSERT_TRUE(body);
+      const double allowance = 0.0004 * random.uniform();
+      std::vector<double> allowances(open.triangles.size(), 0.0);
+      allowances[static_cast<std::size_t>(random.uniform() * static_cast<double>(allowances.size()))] = allowance;
+      const auto thinned = body->thinned(allowances);
+      ++(thinned ? thinnedOnes : refused);
+      if (!thinned) continue;
+      expectAlike(check::thinned(open, allowances), *thinned);
+      const double rounding = 1e-9 + 0.01 * allowance;
+      const TriangleTree surface(whole);
+      for (const TriangleIndices& t : thinned->triangles) {
+        for (int i = 0; i < 20; ++i) {
+          const double a = random.uniform();
+          const double b = (1.0 - a) * random.uniform();
+          const Vector3 p =
+              a * thinned->vertices[t[0]] + b * thinned->vertices[t[1]] + (1.0 - a - b) * thinned->vertices[t[2]];
+          ASSERT_TRUE(containsPoint(whole, p) || surface.nearest(p, 1.0).distance <= rounding)
+              << "larger than the body";
+        }
+      }
+    }
+  }
+  EXPECT_GT(thinnedOnes, 30);
+  EXPECT_GT(refused, 5);
 }
 
 TEST(ThinnedMesh, TrianglesMayRunEitherWay) {

@@ -101,5 +101,19 @@ TEST(StepHealing, SaysTheSameTwice) {
   }
 }
 
+/// The sample holds a plate and a unit of two, with volume, area and centroid.
+TEST(StepValidation, WhatTheFileStatesAgreesWithTheTriangles) {
+  EXPECT_TRUE(readSample("validated.step").warnings.empty());
+  EXPECT_TRUE(readSample("validated.step", 1e-4).warnings.empty()) << "coarse triangles are less exact, and say so";
+}
+
+TEST(StepValidation, AWrongVolumeAndCentroidAreNamedWithThePart) {
+  const StepProduct product = readSample("validated-wrong.step");
+  ASSERT_EQ(product.warnings.size(), 2U);
+  EXPECT_THAT(product.warnings[0].location, HasSubstr("part 'plate'"));
+  EXPECT_THAT(product.warnings[0].reason, HasSubstr("cubic millimetres, and the file states"));
+  EXPECT_THAT(product.warnings[1].reason, HasSubstr("the centroid of its triangles is 1"));
+}
+
 }  // namespace
 }  // namespace glissade

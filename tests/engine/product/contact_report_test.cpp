@@ -159,11 +159,61 @@ TEST(ContactReport, NamesEveryKindOnce) {
   EXPECT_FALSE(kindByName("glue"));
 }
 
-TEST(ContactReport, KnowsTheFitsOfAStepProduct) {
-  const auto product = importStep(test::stepFile("fits.step"), 0.0);
-  ASSERT_TRUE(product);
+std::vector<ContactBody> stepBodies(const std::string& name) {
+  const auto product = importStep(test::stepFile(name), 0.0);
+  EXPECT_TRUE(product);
   std::vector<ContactBody> bodies;
+  if (!product) return bodies;
   for (const Occurrence& part : product->parts) bodies.push_back({part.path, part.mesh, part.X_FP, part.deflection});
+  return bodies;
+}
+
+/// Of a product's only pair with the body of this name.
+Contact contactWith(const std::string& name, const std::vector<ContactBody>& bodies, const ContactReport& report) {
+  std::vector<Contact> found;
+  for (const Contact& contact : report.contacts) {
+    for (const std::size_t i : {contact.a, contact.b}) {
+      if (bodies[i].id.substr(bodies[i].id.rfind('/') + 1) == name) found.push_back(contact);
+    }
+  }
+  EXPECT_EQ(found.size(), 1U) << name;
+  return found.empty() ? Contact() : found.front();
+}
+
+/// Cones, balls and grooves as the file states them: no tessellation enters, although its triangles are 0.1 mm off.
+TEST(ContactReport, ComparesStatedRoundSurfacesExactly) {
+  const std::vector<ContactBody> bodies = stepBodies("round-fits.step");
+  ContactLimits limits;
+  limits.clearanceUpTo = 1e-4;
+  const ContactReport report = findContacts(bodies, limits);
+  const double share = std::sqrt(0.5);  // of a way along the axis, across a cone of 90 degrees
+  const Contact seated = contactWith("seated", bodies, report);
+  EXPECT_EQ(seated.kind, ContactKind::Contact);
+  EXPECT_EQ(seated.uncertainty, 0.0);
+  ASSERT_TRUE(seated.axis);
+  EXPECT_TRUE(seated.axis->conical);
+  EXPECT_FALSE(seated.axis->shaftIsA) << "the plate is the first body";
+  EXPECT_NEAR(seated.axis->direction.z(), 1.0, 1e-9);
+  EXPECT_NEAR(seated.axis->radiusA, 3.25e-3, 1e-8);
+  EXPECT_NEAR(seated.axis->radiusB, 3.25e-3, 1e-8);
+  const Contact deep = contactWith("deep", bodies, report);
+  EXPECT_EQ(deep.kind, ContactKind::Overlap);
+  EXPECT_NEAR(deep.overlap, 1e-4 * share, 1e-9);
+  EXPECT_EQ(deep.uncertainty, 0.0);
+  const Contact high = contactWith("high", bodies, report);
+  EXPECT_EQ(high.kind, ContactKind::Clearance);
+  EXPECT_NEAR(high.gap, 5e-5 * share, 1e-9);
+  EXPECT_EQ(high.uncertainty, 0.0);
+  const Contact ball = contactWith("ball", bodies, report);
+  EXPECT_EQ(ball.kind, ContactKind::Contact);
+  EXPECT_EQ(ball.uncertainty, 0.0);
+  const Contact small = contactWith("small", bodies, report);
+  EXPECT_EQ(small.kind, ContactKind::Clearance);
+  EXPECT_NEAR(small.gap, 5e-5, 1e-9);
+}
+
+TEST(ContactReport, KnowsTheFitsOfAStepProduct) {
+  const std::vector<ContactBody> bodies = stepBodies("fits.step");
   std::map<std::string, std::string> kinds;
   for (const Contact& contact : findContacts(bodies).contacts) {
     const auto nameOf = [&](std::size_t i) { return bodies[i].id.substr(bodies[i].id.rfind('/') + 1); };

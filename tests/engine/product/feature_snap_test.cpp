@@ -3,10 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 
 #include "engine/geometry/primitives.h"
+#include "engine/import/step_import.h"
 #include "tests/engine/product/ring.h"
 #include "tests/engine/support/random_pose.h"
+#include "tests/engine/support/step_files.h"
 
 namespace glissade {
 namespace {
@@ -25,6 +28,20 @@ double gapOf(const FeatureSnapper& snapper, const FeatureSnap::Pair& pair, const
   const SnapFeature& fixed = snapper.fixed()[pair.fixed];
   const Vector3 apart = snapper.moving()[pair.moving].point + shift - fixed.point;
   return fixed.kind == SnapKind::Plane ? std::abs(apart.dot(fixed.direction)) : apart.cross(fixed.direction).norm();
+}
+
+TEST(SnapFeatures, ATurnedPartOfConesAndToriHasItsAxis) {
+  const auto file = importStep(test::stepFile("round-fits.step"), 0.0);
+  ASSERT_TRUE(file);
+  std::map<std::string, std::size_t> axes;
+  for (const Occurrence& part : file->parts) {
+    for (const SnapFeature& feature : featuresOf(*part.mesh, part.X_FP))
+      axes[part.path] += feature.kind == SnapKind::Axis;
+  }
+  EXPECT_EQ(axes["seated"], 1U) << "cone and shaft have one";
+  EXPECT_EQ(axes["plate"], 3U);
+  EXPECT_EQ(axes["race"], 1U) << "of the torus";
+  EXPECT_EQ(axes["ball"], 0U);
 }
 
 TEST(SnapFeatures, OfABoxAreItsFacesAndOfARingItsEndsAndItsAxis) {

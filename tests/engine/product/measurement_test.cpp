@@ -7,8 +7,10 @@
 
 #include "engine/geometry/primitives.h"
 #include "engine/geometry/triangle_tree.h"
+#include "engine/import/step_import.h"
 #include "tests/engine/product/ring.h"
 #include "tests/engine/support/random_pose.h"
+#include "tests/engine/support/step_files.h"
 
 namespace glissade {
 namespace {
@@ -125,6 +127,44 @@ TEST(Measurement, AnglesAreBetweenEdgesAxesAndPlanes) {
   EXPECT_NEAR(*angleBetweenFeatures(along(Kind::Face, Vector3::UnitX()), along(Kind::Face, tilted)), sixty, 1e-12);
   EXPECT_NEAR(*angleBetweenFeatures(along(Kind::Face, Vector3::UnitZ()), along(Kind::Cylinder, tilted)), sixty, 1e-12);
   EXPECT_FALSE(angleBetweenFeatures(along(Kind::Vertex, tilted), along(Kind::Edge, tilted)));
+}
+
+/// What is meant by the point of a part of round-fits.step, millimetres in the file.
+MeasureFeature roundFeature(const std::string& name, const Vector3& p_F) {
+  const auto file = importStep(test::stepFile("round-fits.step"), 0.0);
+  EXPECT_TRUE(file);
+  if (!file) return {};
+  for (const Occurrence& part : file->parts) {
+    if (part.path == name)
+      return placed(featureNear(part.mesh, inverse(part.X_FP) * Vector3(1e-3 * p_F), 0.0), part.X_FP);
+  }
+  ADD_FAILURE() << "no part " << name;
+  return {};
+}
+
+TEST(Measurement, ReadsConesSpheresAndToriAsTheFileStatesThem) {
+  const MeasureFeature cone = roundFeature("seated", {-25.0, -3.0, 5.0});
+  ASSERT_EQ(cone.kind, Kind::Cone);
+  EXPECT_NEAR(cone.halfAngle, std::numbers::pi / 4.0, 1e-12);
+  EXPECT_NEAR(cone.radius, 3e-3, 1e-9) << "beside the point";
+  EXPECT_NEAR((cone.axisPoint - Vector3(-25e-3, 0.0, 5e-3)).norm(), 0.0, 1e-9);
+  EXPECT_FALSE(cone.isHole);
+  const MeasureFeature countersink = roundFeature("plate", {0.0, 3.0, 5.0});
+  ASSERT_EQ(countersink.kind, Kind::Cone);
+  EXPECT_TRUE(countersink.isHole);
+  const MeasureFeature ball = roundFeature("ball", {10.0, 0.0, 63.0});
+  ASSERT_EQ(ball.kind, Kind::Sphere);
+  EXPECT_NEAR(ball.radius, 3e-3, 1e-12);
+  EXPECT_NEAR((ball.axisPoint - Vector3(10e-3, 0.0, 60e-3)).norm(), 0.0, 1e-12);
+  const MeasureFeature groove = roundFeature("race", {0.0, 10.0, 57.0});
+  ASSERT_EQ(groove.kind, Kind::Torus);
+  EXPECT_NEAR(groove.radius, 10e-3, 1e-12);
+  EXPECT_NEAR(groove.tubeRadius, 3e-3, 1e-12);
+  EXPECT_TRUE(groove.isHole);
+  EXPECT_NEAR(distanceBetween(cone, groove).metres, 25e-3, 1e-9) << "between axes";
+  EXPECT_NEAR(distanceBetween(ball, groove).metres, 10e-3, 1e-9) << "of the centre from the axis";
+  EXPECT_NEAR(*angleBetweenFeatures(cone, groove), 0.0, 1e-9);
+  EXPECT_FALSE(angleBetweenFeatures(ball, groove)) << "a sphere has no direction";
 }
 
 }  // namespace

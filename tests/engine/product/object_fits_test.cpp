@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "engine/geometry/primitives.h"
 #include "engine/geometry/thinned_mesh.h"
 #include "tests/engine/product/screwed_parts.h"
@@ -149,26 +151,46 @@ TEST(ObjectFits, BadSettingsGetOneClearMessage) {
   EXPECT_NE(reasonOf({"screw", "block", {}, 0.0001, false}).find("do not touch"), std::string::npos);
 }
 
-TriangleMesh opened(const TriangleMesh& mesh) {
-  TriangleMesh open = mesh;
-  open.triangles.pop_back();
-  return open;
+/// A ring about z without the first of its triangles that looks along z, or across it: away from the axis or to it.
+enum class Looking { Along, Outwards, ToTheAxis };
+MeshPtr opened(const MeshPtr& ring, Looking looking) {
+  TriangleMesh open = *ring;
+  const auto isMeant = [&](const TriangleIndices& t) {
+    const Vector3 normal = faceNormal(open, t);
+    if (looking == Looking::Along || std::abs(normal.z()) > 0.5) return looking == Looking::Along && normal.z() > 0.5;
+    return (normal.dot(open.vertices[t[0]]) > 0.0) == (looking == Looking::Outwards);
+  };
+  open.triangles.erase(std::find_if(open.triangles.begin(), open.triangles.end(), isMeant));
+  return std::make_shared<const TriangleMesh>(std::move(open));
 }
 
-TEST(ObjectFits, TheOtherBodyGivesWayForAnOpenSurfaceAndWhereBothAreOpenThatIsSaid) {
+/// A screw that is open at its end is thinned as a closed one.
+TEST(ObjectFits, AnOpenBodyGivesWayFarFromItsOpening) {
   RandomStream random(6, "open");
   Screwed screwed(0.0021, random);
-  screwed.object.mesh = std::make_shared<const TriangleMesh>(opened(*screwed.object.mesh));
+  screwed.object.mesh = opened(screwed.object.mesh, Looking::Along);
+  const auto fits = screwed.find(switchedOn());
+  ASSERT_TRUE(fits);
+  ASSERT_EQ(fits->allowed.size(), 1U);
+  EXPECT_FALSE(fits->allowed.front().yields);
+}
+
+TEST(ObjectFits, TheOtherBodyGivesWayForAnOpeningAtTheContactAndWhereBothAreOpenThatIsSaid) {
+  RandomStream random(6, "open");
+  Screwed screwed(0.0021, random);
+  screwed.object.mesh = opened(screwed.object.mesh, Looking::Outwards);
   const auto one = screwed.find(switchedOn());
   ASSERT_TRUE(one);
   ASSERT_EQ(one->allowed.size(), 1U);
   EXPECT_TRUE(one->allowed.front().yields);
-  screwed.obstacles[0].mesh = std::make_shared<const TriangleMesh>(opened(*screwed.obstacles[0].mesh));
+  screwed.obstacles[0].mesh = opened(screwed.obstacles[0].mesh, Looking::ToTheAxis);
   const auto both = screwed.find(switchedOn());
   ASSERT_TRUE(both);
   EXPECT_TRUE(both->allowed.empty());
   ASSERT_EQ(both->warnings.size(), 1U);
-  EXPECT_NE(both->warnings.front().reason.find("not closed"), std::string::npos);
+  EXPECT_NE(both->warnings.front().reason.find("the surfaces are open 0 mm and 0 mm from the contact"),
+            std::string::npos)
+      << both->warnings.front().reason;
 }
 
 /// The plate moves off its screw: the screw is taken thinner all the same, and the world holds it so.

@@ -90,9 +90,11 @@ TEST(SurfaceRegions, AreThoseThatTheFileStates) {
     for (const CylinderRegion& cylinder : findSurfaceRegions(withFaces(ring, planes, cylinders)).cylinders) {
       EXPECT_NEAR(cylinder.radius, cylinder.shaft ? outer : inner, 1e-7);
     }
-    // A cone is no cylinder, however much its triangles look like one.
+    // A cone is no cylinder, however much its triangles look like one; where they contradict it, it is nothing.
     for (SurfaceFace& cylinder : cylinders) cylinder.kind = SurfaceFace::Kind::Cone;
-    EXPECT_TRUE(findSurfaceRegions(withFaces(ring, planes, cylinders)).cylinders.empty());
+    const SurfaceRegions cones = findSurfaceRegions(withFaces(ring, planes, cylinders));
+    EXPECT_TRUE(cones.cylinders.empty());
+    EXPECT_TRUE(cones.rounds.empty()) << "their radii are those of no vertex";
   }
 }
 

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "engine/base/random_stream.h"
+#include "engine/import/step_import.h"
 #include "tests/engine/product/ring.h"
 #include "tests/engine/sequence/products.h"
+#include "tests/engine/support/step_files.h"
 
 namespace glissade {
 namespace {
@@ -111,6 +113,29 @@ TEST(Fasteners, ANutMayBeARectangle) {
 TEST(Fasteners, ShapeAloneIsNotEnough) {
   const auto kinds = fastenersOf(fastened(Pose::identity()), {});
   EXPECT_EQ(std::count(kinds.begin(), kinds.end(), FastenerKind::None), static_cast<std::ptrdiff_t>(kinds.size()));
+}
+
+/// The shaft of the screw touches nothing: its cone does.
+TEST(Fasteners, ACountersunkScrewIsOneByItsCone) {
+  const auto file = importStep(test::stepFile("round-fits.step"), 0.0);
+  ASSERT_TRUE(file);
+  std::vector<RigidBody> bodies;
+  std::vector<ContactBody> asBodies;
+  for (const Occurrence& part : file->parts) {
+    bodies.push_back(placed(part.path, *part.mesh, part.X_FP));
+    asBodies.push_back({part.path, part.mesh, part.X_FP, part.deflection});
+  }
+  const AssembledProduct product = test::productOf(std::move(bodies), true);
+  const auto kinds = fastenersOf(product, findContacts(asBodies).contacts);
+  ASSERT_EQ(product.bodies[1].id, "seated");
+  EXPECT_EQ(kinds[1], FastenerKind::Screw);
+  const auto head = headOf(*product.bodies[1].mesh, FastenerKind::Screw);
+  ASSERT_TRUE(head);
+  EXPECT_NEAR(head->height, 2e-3, 1e-6) << "all of the cone";
+  EXPECT_NEAR(head->shaft, 2e-3, 1e-9);
+  EXPECT_NEAR(head->radius, 4e-3, 1e-6);
+  EXPECT_GT(head->outwards.z(), 0.999);
+  EXPECT_NEAR((product.bodies[1].X_WB * head->end).z(), 6e-3, 1e-6);
 }
 
 TEST(Fasteners, HaveNames) {
