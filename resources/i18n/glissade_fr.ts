@@ -5666,6 +5666,30 @@
         <source>is not beside &apos;centre_on_vertex_mean&apos;</source>
         <translation>ne se met pas à côté de &apos;centre_on_vertex_mean&apos;</translation>
     </message>
+    <message>
+        <source>Say all of a node at one place.</source>
+        <translation>Dites tout d'un nœud au même endroit.</translation>
+    </message>
+    <message>
+        <source>is neither a body nor an assembly of this product</source>
+        <translation>n'est ni un corps ni un assemblage de ce produit</translation>
+    </message>
+    <message>
+        <source>is about a body, which has its attributes itself</source>
+        <translation>concerne un corps, qui porte lui-même ses attributs</translation>
+    </message>
+    <message>
+        <source>Write them there.</source>
+        <translation>Écrivez-les là.</translation>
+    </message>
+    <message>
+        <source>is no assembly that the node can be in</source>
+        <translation>n'est pas un assemblage qui puisse contenir le nœud</translation>
+    </message>
+    <message>
+        <source>Name an assembly that is not below it.</source>
+        <translation>Nommez un assemblage qui n'en dépend pas.</translation>
+    </message>
 </context>
 <context>
     <name>FilmWriter</name>
@@ -7422,6 +7446,10 @@
     <message>
         <source>Remove the edit and use the computed value</source>
         <translation>Annuler la modification et reprendre la valeur calculée</translation>
+    </message>
+    <message>
+        <source>of its assembly</source>
+        <translation>de son assemblage</translation>
     </message>
 </context>
 <context>
@@ -10232,6 +10260,10 @@
     <message>
         <source>Mobility</source>
         <translation>Mobilité</translation>
+    </message>
+    <message>
+        <source>Assemblies (%1)</source>
+        <translation>Assemblages (%1)</translation>
     </message>
 </context>
 <context>
