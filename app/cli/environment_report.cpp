@@ -16,6 +16,7 @@ const char* name(Provenance provenance) {
   switch (provenance) {
     case Provenance::Initial: return "default";
     case Provenance::Computed: return "computed";
+    case Provenance::Inherited: return "inherited";
     case Provenance::Edited: return "edited";
   }
   return "";

@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <utility>
 
 #include "app/cli/environment_report.h"
 #include "app/cli/interrupt.h"
@@ -13,7 +14,9 @@
 #include "engine/scenario/forbidden_places_of.h"
 #include "engine/scenario/part_files.h"
 #include "engine/scenario/product_file.h"
+#include "engine/scenario/scenario_bodies.h"
 #include "engine/scenario/scenario_io.h"
+#include "engine/scenario/semantics_json.h"
 
 namespace glissade::cli {
 namespace {
@@ -114,18 +117,73 @@ void printBody(const RigidBody& body, const Uncertainty& uncertainty, const char
   std::cout << "\n";
 }
 
+/// The number of bodies that are there, of those below each node.
+std::vector<std::size_t> bodyCounts(const Product& tree, const std::vector<RigidBody>& bodies) {
+  std::vector<std::size_t> counts(tree.nodes().size(), 0);
+  for (const RigidBody& body : bodies) {
+    for (auto node = tree.find(body.id); node; node = tree.nodes()[*node].parent) ++counts[*node];
+  }
+  return counts;
+}
+
+std::string attributesText(const Attributes& attributes) {
+  std::string text;
+  for (const auto& [name, value] : attributes) text += "  " + name + " " + toText(value);
+  return text;
+}
+
+/// The assemblies, each below the one that it is in; nothing where there are none.
+void printTree(const Product& tree, const std::vector<RigidBody>& bodies) {
+  const std::vector<std::size_t> counts = bodyCounts(tree, bodies);
+  const std::vector<std::string> names = tree.shownNames();
+  std::vector<std::size_t> levels;
+  std::vector<std::size_t> open;
+  for (std::size_t i = 0; i < tree.nodes().size(); ++i) {
+    const Product::Node& node = tree.nodes()[i];
+    levels.push_back(node.parent ? levels[*node.parent] + 1 : 0);
+    if (!node.parent) open.insert(open.begin(), i);
+  }
+  const char* title = "\nassemblies\n";
+  while (!open.empty()) {
+    const std::size_t i = open.back();
+    open.pop_back();
+    const Product::Node& node = tree.nodes()[i];
+    open.insert(open.end(), node.children.rbegin(), node.children.rend());
+    if (node.children.empty()) continue;
+    std::cout << std::exchange(title, "") << std::string(2 * levels[i] + 2, ' ') << names[i] << "  " << counts[i]
+              << (counts[i] == 1 ? " body" : " bodies") << attributesText(node.attributes) << "\n";
+  }
+}
+
+Json toJson(const Product& tree, const std::vector<RigidBody>& bodies) {
+  const std::vector<std::size_t> counts = bodyCounts(tree, bodies);
+  Json list = Json::array();
+  for (std::size_t i = 0; i < tree.nodes().size(); ++i) {
+    const Product::Node& node = tree.nodes()[i];
+    if (node.children.empty()) continue;
+    Json json{{"id", node.id}, {"name", node.name}, {"bodies", counts[i]}};
+    if (node.parent) json["in"] = tree.nodes()[*node.parent].id;
+    if (!node.attributes.empty()) json["attributes"] = attributesToJson(node.attributes);
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
 void printText(const LoadedScenario& loaded) {
   const Scenario& scenario = loaded.scenario;
   std::cout << scenario.name << "\n";
   if (!scenario.description.empty()) std::cout << scenario.description << "\n";
   std::cout << "\nbodies\n";
   MeshAudits audits;
-  const int width = nameWidth(loaded.obstacles);
+  const int width = nameWidth(rigidBodiesOf(loaded));
   for (const RigidBody& body : loaded.obstacles) {
     const char* role = body.mobility == Mobility::Static ? "static" : "mobile";
     printBody(body, uncertaintyOf(body, loaded), role, width, audits);
   }
-  printBody(loaded.object, uncertaintyOf(loaded.object, loaded), "object", width, audits);
+  for (const RigidBody& body : loaded.objectBodies) {
+    printBody(body, uncertaintyOf(body, loaded), "object", width, audits);
+  }
+  printTree(loaded.product, rigidBodiesOf(loaded));
   const auto& min = loaded.problem.bounds.min();
   const auto& max = loaded.problem.bounds.max();
   std::cout << "\nworkspace  x " << min.x() << " ... " << max.x() << ", y " << min.y() << " ... " << max.y() << ", z "
@@ -147,6 +205,7 @@ void printProduct(const std::string& file, const AssembledProduct& product) {
   for (std::size_t i = 0; i < product.bodies.size(); ++i) {
     printBody(product.bodies[i], {product.deflections[i], 0.0}, "", width, audits);
   }
+  printTree(product.tree, product.bodies);
 }
 
 Json toJson(const std::string& file, const AssembledProduct& product) {
@@ -158,6 +217,7 @@ Json toJson(const std::string& file, const AssembledProduct& product) {
   for (std::size_t i = 0; i < product.bodies.size(); ++i) {
     report["bodies"].push_back(toJson(product.bodies[i], {product.deflections[i], 0.0}, audits));
   }
+  report["assemblies"] = toJson(product.tree, product.bodies);
   return report;
 }
 
@@ -222,6 +282,12 @@ int runInfo(const InfoOptions& options) {
   for (const RigidBody& body : loaded->obstacles)
     report["bodies"].push_back(toJson(body, uncertaintyOf(body, *loaded), audits));
   report["object"] = toJson(loaded->object, uncertaintyOf(loaded->object, *loaded), audits);
+  if (scenario.object.isGroup()) {
+    for (const RigidBody& body : loaded->objectBodies) {
+      report["object"]["with"].push_back(toJson(body, uncertaintyOf(body, *loaded), audits));
+    }
+  }
+  report["assemblies"] = toJson(loaded->product, rigidBodiesOf(*loaded));
   report["object"]["radius_m"] = loaded->problem.world->objectRadius();
   report["workspace"] = boxJson(loaded->problem.bounds);
   report["start"] = poseJson(loaded->problem.start);

@@ -7,9 +7,11 @@
 #include "engine/planning/automatic/move_to_clearance.h"
 #include "engine/scenario/assembly_edits.h"
 #include "engine/scenario/asset_path.h"
+#include "engine/scenario/product_file.h"
 #include "engine/scenario/scenario_bodies.h"
 #include "engine/scenario/scenario_file.h"
 #include "engine/scenario/scenario_fits.h"
+#include "engine/scenario/scenario_product.h"
 #include "engine/scenario/unit_guess.h"
 
 namespace glissade::cli {
@@ -43,16 +45,12 @@ Result<double> clearStart(const LoadedScenario& loaded, Scenario& scenario) {
   return 1000.0 * (clear->position - start.position).norm();
 }
 
-/// The scenario keeps them, as left out; the part that moves stays.
+/// The scenario keeps them, as left out, and a warning says which; the part that moves stays.
 Outcome leaveOut(const std::vector<std::string>& names, Scenario& scenario) {
   if (names.empty()) return Done{};
   std::vector<std::string> ids;
-  std::vector<std::string> named;
-  for (const BodyDescription* body : presentBodiesOf(scenario)) {
-    ids.push_back(body->id);
-    named.push_back(body->name);
-  }
-  const auto meant = bodiesMeant(named, names, "--without");
+  for (const BodyDescription* body : presentBodiesOf(scenario)) ids.push_back(body->id);
+  const auto meant = bodiesMeant(ids, names, "--without", treeOf(scenario));
   if (!meant) return meant.error();
   const std::size_t others = scenario.bodies.size();
   for (std::size_t i = 0; i < ids.size(); ++i) {
@@ -61,6 +59,7 @@ Outcome leaveOut(const std::vector<std::string>& names, Scenario& scenario) {
       return Diagnostic{ErrorKind::Usage, "", "--without", "names the part that moves", "Name another body."};
     }
     if (const Outcome left = glissade::leaveOut(ids[i], scenario); !left) return left;
+    reportWarnings({isLeftOut(scenario.leftOut.back().name)});
   }
   return Done{};
 }

@@ -130,7 +130,7 @@ void AssemblyController::editScenario(const QString& text, const std::function<O
 /// Ids of the scenario's bodies, those of the object among them.
 std::set<std::string> AssemblyController::selectedOfAll() const {
   std::set<std::string> ids;
-  for (const QString& id : document_.semantics().selection().bodies) ids.insert(bodyIdOf(id.toStdString()));
+  for (const QString& id : document_.semantics().selectedBodies()) ids.insert(bodyIdOf(id.toStdString()));
   return ids;
 }
 
@@ -231,7 +231,7 @@ void AssemblyController::takeSelection() {
   const std::set<std::string> ids = selectedBodies();
   const std::vector<RigidBody>& moving = document_.scenario()->objectBodies;
   const bool object = std::any_of(moving.begin(), moving.end(), [this](const RigidBody& body) {
-    return document_.semantics().selection().bodies.contains(QString::fromStdString(body.id));
+    return document_.semantics().selectedBodies().contains(QString::fromStdString(body.id));
   });
   const bool endChosen = chosen_ && chosen_->kind != AssemblyItem::Kind::Body;
   if (ids.size() == 1 && !object) {
@@ -241,7 +241,7 @@ void AssemblyController::takeSelection() {
   } else if (!ids.empty() || !endChosen) {
     chosen_.reset();
   }
-  scenePanel_->showSelection(document_.semantics().selection().bodies, chosen_);
+  scenePanel_->showSelection(document_.semantics().selectedBodies(), chosen_);
   showPlacement();
   enableActions();
 }

@@ -47,7 +47,7 @@ bool BodyVisibility::setVisible(const std::string& bodyId, bool visible) {
 
 std::set<std::string> BodyVisibility::selected() const {
   std::set<std::string> ids;
-  for (const QString& id : bench_.document.semantics().selection().bodies) {
+  for (const QString& id : bench_.document.semantics().selectedBodies()) {
     if (bodies_.count(id.toStdString()) != 0) ids.insert(id.toStdString());
   }
   return ids;

@@ -122,7 +122,7 @@ void ContextMenus::select(const SceneTarget& target) {
   if (target.body) selection.bodies.insert(*target.body);
   if (target.place != kNoPlace) selection.places.insert(target.place);
   const SemanticSelection& present = semantics.selection();
-  if (!present.bodies.contains(selection.bodies) || !present.places.contains(selection.places) ||
+  if (!semantics.selectedBodies().contains(selection.bodies) || !present.places.contains(selection.places) ||
       selection == SemanticSelection{}) {
     semantics.select(selection);
   }

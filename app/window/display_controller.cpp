@@ -53,7 +53,7 @@ void DisplayController::setMode(DisplayMode mode) {
 
 void DisplayController::setModeOfSelected(std::optional<DisplayMode> mode) {
   std::map<std::string, DisplayMode> modes = bench_.scene.view().bodyDisplayModes();
-  for (const QString& id : bench_.document.semantics().selection().bodies) {
+  for (const QString& id : bench_.document.semantics().selectedBodies()) {
     modes.erase(id.toStdString());
     if (mode) modes.emplace(id.toStdString(), *mode);
   }

@@ -165,7 +165,7 @@ void EnvironmentController::showEnvironment() {
   }
   const SemanticSelection& selection = document_.selection();
   picture.selectedPlaces.insert(selection.places.begin(), selection.places.end());
-  for (const QString& body : selection.bodies) picture.selectedBodies.insert(body.toStdString());
+  for (const QString& body : document_.selectedBodies()) picture.selectedBodies.insert(body.toStdString());
   bench_.scene.view().setEnvironment(picture);
   bench_.scene.refresh();
 }

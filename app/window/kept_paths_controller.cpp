@@ -118,7 +118,7 @@ void KeptPathsController::proveNext() {
 }
 
 void KeptPathsController::startProof(const KeptPathPtr& path) {
-  const auto edits = std::make_shared<const SemanticEdits>(bench_.document.semantics().edits());
+  const auto edits = std::make_shared<const SemanticEdits>(bench_.document.semantics().heldEdits());
   const auto prove = [this, path, edits,
                       scenario = bench_.document.scenario()](const WorkWatch& watch) -> BackgroundTask::Delivery {
     LoadedScenario edited = *scenario;

@@ -117,7 +117,7 @@ void SequenceController::plan(bool resume, std::optional<std::size_t> mostSteps)
   const bool goesOn = resume && shown().plan && shown().product;
   SequenceJob job;
   job.product = goesOn ? shown().product : presentProduct();
-  const auto demands = knownDemands(bench_.document.current(), job.product->bodies);
+  const auto demands = knownDemands(bench_.document.current(), *job.product);
   if (!demands) {
     bench_.messages.showError(tr("The sequence cannot be planned"), demands.error());
     return;
@@ -259,13 +259,13 @@ void SequenceController::followDemands() {
 bool SequenceController::knowsOtherDemands() {
   const ScenarioPtr& scenario = bench_.document.scenario();
   if (!scenario || !shown().product) return false;
-  const auto demands = knownDemands(bench_.document.current(), shown().product->bodies);
+  const auto demands = knownDemands(bench_.document.current(), *shown().product);
   const std::optional<SequenceDemands> now = demands ? std::make_optional(*demands) : std::nullopt;
   return std::exchange(knownDemands_, now) != now;
 }
 
 void SequenceController::adoptDemands(const AssemblyPlan& plan) {
-  const auto known = knownDemands(bench_.document.current(), shown().product->bodies);
+  const auto known = knownDemands(bench_.document.current(), *shown().product);
   if (!known) return;
   SequenceDemands demands = bench_.document.demands();
   demands.places = plan.demands.places;
@@ -290,7 +290,7 @@ ProductPtr SequenceController::presentProduct() const {
 }
 
 std::optional<ShownPlan> SequenceController::rememberedPlan(const ProductPtr& product) const {
-  const auto demands = knownDemands(bench_.document.current(), product->bodies);
+  const auto demands = knownDemands(bench_.document.current(), *product);
   if (!demands) return std::nullopt;
   for (auto known = memory_.rbegin(); known != memory_.rend(); ++known) {
     if (known->product == product && known->plan->demands == *demands) return *known;

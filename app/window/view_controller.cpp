@@ -71,7 +71,7 @@ void ViewController::showCamera() {
 /// The bodies that are selected; everything where none is.
 void ViewController::zoomToSelection() {
   std::set<std::string> ids;
-  for (const QString& id : bench_.document.semantics().selection().bodies) ids.insert(id.toStdString());
+  for (const QString& id : bench_.document.semantics().selectedBodies()) ids.insert(id.toStdString());
   const Box3 box = bench_.scene.view().extentOf(ids);
   if (box.isEmpty()) {
     bench_.scene.view().fit();

@@ -6,17 +6,28 @@
 
 namespace glissade {
 
+std::vector<std::size_t> bodiesMeant(const std::vector<std::string>& ids, const std::string& name,
+                                     const Product& product) {
+  std::vector<std::size_t> bodies;
+  if (name.empty()) return bodies;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    if (isMeantBy(name, ids[i])) bodies.push_back(i);
+  }
+  if (!bodies.empty()) return bodies;
+  const std::vector<std::string> meant = bodiesMeant(product, name);
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    if (std::binary_search(meant.begin(), meant.end(), ids[i])) bodies.push_back(i);
+  }
+  return bodies;
+}
+
 Result<std::vector<bool>> bodiesMeant(const std::vector<std::string>& ids, const std::vector<std::string>& names,
-                                      const std::string& option) {
+                                      const std::string& option, const Product& product) {
   std::vector<bool> meant(ids.size(), false);
   for (const std::string& name : names) {
-    bool any = false;
-    for (std::size_t i = 0; i < ids.size(); ++i) {
-      if (name.empty() || !isMeantBy(name, ids[i])) continue;
-      meant[i] = true;
-      any = true;
-    }
-    if (any) continue;
+    const std::vector<std::size_t> bodies = bodiesMeant(ids, name, product);
+    for (const std::size_t body : bodies) meant[body] = true;
+    if (!bodies.empty()) continue;
     return Diagnostic{ErrorKind::Usage, "", option, "names '" + name + "', which is not a body of the product",
                       "See 'glissade-cli fits' for the names."};
   }
@@ -24,6 +35,11 @@ Result<std::vector<bool>> bodiesMeant(const std::vector<std::string>& ids, const
     return Diagnostic{ErrorKind::Usage, "", option, "leaves no body", "Name fewer bodies."};
   }
   return meant;
+}
+
+Result<std::vector<bool>> bodiesMeant(const std::vector<std::string>& ids, const std::vector<std::string>& names,
+                                      const std::string& option) {
+  return bodiesMeant(ids, names, option, Product());
 }
 
 }  // namespace glissade

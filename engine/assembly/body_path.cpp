@@ -34,6 +34,18 @@ std::string firstStepOf(const std::string& path) { return path.substr(0, path.fi
 
 std::string lastStepOf(const std::string& path) { return path.substr(beginsOfEnds(path).front()); }
 
+std::string pathOf(const std::vector<std::string>& steps) {
+  std::string path;
+  for (const std::string& step : steps) path = joinedPath(path, step);
+  return path;
+}
+
+bool isNumbered(const std::string& step, const std::string& name) {
+  const std::string numbered = name + "#";
+  return step.size() > numbered.size() && step.compare(0, numbered.size(), numbered) == 0 &&
+         step.find_first_not_of("0123456789", numbered.size()) == std::string::npos;
+}
+
 std::string joinedPath(const std::string& path, const std::string& rest) {
   return path.empty() || rest.empty() ? path + rest : path + kSeparator + rest;
 }

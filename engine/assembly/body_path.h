@@ -17,6 +17,12 @@ std::string firstStepOf(const std::string& path);
 /// "nut" of "pump/rotor/nut".
 std::string lastStepOf(const std::string& path);
 
+/// "pump/rotor" of its steps.
+std::string pathOf(const std::vector<std::string>& steps);
+
+/// The step is the name with a number, as importers give it to the second of two siblings: "pin#2" of "pin".
+bool isNumbered(const std::string& step, const std::string& name);
+
 /// Both, one after the other; one of them where the other is empty.
 std::string joinedPath(const std::string& path, const std::string& rest);
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "engine/geometry/triangle_mesh.h"
 
@@ -21,6 +22,9 @@ struct Occurrence {
   std::size_t facesWithoutMesh = 0;  ///< of STEP: faces and boundaries that could not be made are missing
   bool isClosed = false;             ///< known to be a closed surface; else it is to be found out
   double coordinateSpacing = 0.0;    ///< metres that the mesh may be off the file: want of digits, closed T-junctions
+  /// The names of the steps of `path` as the file has them: empty ones, some with "/", several of one name. None at all
+  /// where they are the steps themselves.
+  std::vector<std::string> names{};
 };
 
 }  // namespace glissade

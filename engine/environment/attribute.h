@@ -4,17 +4,13 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
+#include "engine/assembly/attributes.h"
 #include "engine/base/result.h"
 #include "engine/geometry/pose.h"
 
 namespace glissade {
-
-/// A semantic attribute's value; integers are whole numbers, choices one of the texts allowed.
-using AttributeValue = std::variant<bool, double, std::string>;
-using Attributes = std::map<std::string, AttributeValue>;
 
 enum class AttributeType { Bool, Integer, Number, Text, Choice };
 /// What an attribute describes.
@@ -89,7 +85,7 @@ struct MilestoneEdit {
 struct SemanticEdits {
   std::vector<AttributeDefinition> definitions;  ///< the user's own attributes
   std::vector<PlaceEdit> places;
-  std::map<std::string, Attributes> bodies;  ///< by body id; the object's, too
+  std::map<std::string, Attributes> bodies;  ///< by id of a body, the object's, too, or of an assembly
   std::vector<MilestoneEdit> milestones;
 
   friend bool operator==(const SemanticEdits&, const SemanticEdits&) = default;

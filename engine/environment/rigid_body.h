@@ -22,7 +22,7 @@ inline constexpr double kObstacleOpacity = 0.38;
 /// A named rigid body placed in the world.
 struct RigidBody {
   std::string id;    ///< stable, unique in the scenario
-  std::string name;  ///< as the file has it, with the assemblies that it is in (base/body_path.h)
+  std::string name;  ///< its path in the product (assembly/body_path.h)
   Mobility mobility = Mobility::Static;
   MeshPtr mesh;  ///< in the body's frame B
   Pose X_WB;
@@ -32,9 +32,8 @@ struct RigidBody {
   const std::string& shown() const { return label.empty() ? name : label; }
 };
 
-/// Gives each body what people see of its name among these (shownNames()). `more`: a body that is shown with them, or
-/// null.
-void labelBodies(std::vector<RigidBody>& bodies, RigidBody* more = nullptr);
+/// Gives each body what people see of its name among these (shownNames()).
+void labelBodies(std::vector<RigidBody>& bodies);
 
 /// Id of the scenario's body that a rigid body belongs to: the links "<body>/<link>" of a URDF file are one.
 inline std::string bodyIdOf(const std::string& rigidBodyId) { return firstStepOf(rigidBodyId); }

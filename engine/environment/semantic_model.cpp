@@ -1,6 +1,6 @@
 #include "engine/environment/semantic_model.h"
 
-#include <algorithm>
+#include <set>
 
 #include "engine/environment/edit_binding.h"
 
@@ -82,7 +82,7 @@ Outcome checkAttributes(const AttributeTable& table, AttributeOwner owner, const
 
 }  // namespace
 
-Outcome checkEdits(const SemanticEdits& edits, const std::vector<std::string>& bodyIds) {
+Outcome checkEdits(const SemanticEdits& edits, const std::vector<std::string>& ids) {
   const auto table = attributeTableOf(edits);
   if (!table) {
     Diagnostic why = table.error();
@@ -94,9 +94,10 @@ Outcome checkEdits(const SemanticEdits& edits, const std::vector<std::string>& b
                                           "/places/" + std::to_string(i) + "/attributes");
     if (!sound) return sound;
   }
+  const std::set<std::string> known(ids.begin(), ids.end());
   for (const auto& [id, attributes] : edits.bodies) {
     // A part "stand/bar" of a body has attributes of its own.
-    if (std::find(bodyIds.begin(), bodyIds.end(), bodyIdOf(id)) == bodyIds.end()) {
+    if (known.count(id) == 0 && known.count(bodyIdOf(id)) == 0) {
       return Diagnostic{ErrorKind::MalformedInput, "", "/bodies/" + id, "is not a body of this scenario",
                         "Correct the id."};
     }

@@ -5,8 +5,8 @@
 
 namespace glissade {
 
-/// Where a value comes from.
-enum class Provenance { Initial, Computed, Edited };
+/// Where a value comes from; inherited ones are said of an assembly that the body is in.
+enum class Provenance { Initial, Computed, Inherited, Edited };
 
 struct ProvenValue {
   AttributeValue value;
@@ -47,7 +47,7 @@ class SemanticModel {
 };
 
 /// Refuses edits with values of the wrong type or out of range, unknown attributes, and unknown
-/// bodies; the diagnostic's place is a JSON pointer into a scenario.
-Outcome checkEdits(const SemanticEdits& edits, const std::vector<std::string>& bodyIds);
+/// bodies; the diagnostic's place is a JSON pointer into a scenario. `ids`: of its bodies and assemblies.
+Outcome checkEdits(const SemanticEdits& edits, const std::vector<std::string>& ids);
 
 }  // namespace glissade

@@ -12,6 +12,7 @@
 #include <streambuf>
 #include <tuple>
 
+#include "engine/assembly/body_path.h"
 #include "engine/import/confinement.h"
 #include "engine/import/step_assembly.h"
 #include "engine/import/step_healing_notes.h"
@@ -67,6 +68,7 @@ class Message {
     for (std::size_t i = 0; i < parts_.size(); ++i) {
       output.write(&parts_[i], sizeof parts_[i]);
       output.write(paths_[i].data(), paths_[i].size());
+      output.write(names_[i].data(), names_[i].size());
     }
     for (const StepExternalPart& part : externalParts_) write(part, output);
     output.write(notes_.data(), notes_.size());
@@ -80,8 +82,18 @@ class Message {
     part.hasColour = solid.colour ? 1 : 0;
     if (solid.colour) std::copy(solid.colour->begin(), solid.colour->end(), part.colour);
     part.pathBytes = static_cast<std::uint32_t>(solid.path.size());
+    names_.push_back(namesText(solid.path, solid.names));
+    part.namesBytes = static_cast<std::uint32_t>(names_.back().size());
     parts_.push_back(part);
     paths_.push_back(solid.path);
+  }
+
+  /// A line each; empty where they are the steps of the path.
+  static std::string namesText(const std::string& path, const std::vector<std::string>& names) {
+    std::string text;
+    if (names == stepsOf(path)) return text;
+    for (const std::string& name : names) text += name + "\n";
+    return text;
   }
 
   template <class Placed>
@@ -99,9 +111,12 @@ class Message {
     protocol::ExternalPart record;
     place(part.placement, record);
     record.pathBytes = static_cast<std::uint32_t>(part.path.size());
-    record.nameBytes = static_cast<std::uint32_t>(part.file.size());
+    const std::string names = namesText(part.path, part.names);
+    record.namesBytes = static_cast<std::uint32_t>(names.size());
+    record.fileBytes = static_cast<std::uint32_t>(part.file.size());
     output.write(&record, sizeof record);
     output.write(part.path.data(), part.path.size());
+    output.write(names.data(), names.size());
     output.write(part.file.data(), part.file.size());
   }
 
@@ -161,6 +176,7 @@ class Message {
   std::map<Key, std::uint32_t> indexOf_;
   std::vector<protocol::Part> parts_;
   std::vector<std::string> paths_;
+  std::vector<std::string> names_;  ///< as of namesText(), of each part
   std::vector<StepExternalPart> externalParts_;
   std::string notes_;
   std::size_t healings_ = 0;

@@ -234,7 +234,10 @@ Result<LoadedGeometry> GeometryLoader::readStep(const Asset& asset) {
   geometry.warnings = product->warnings;
   geometry.sha256 = hashes_[asset.id];
   geometry.parts = product->parts;
-  if (geometry.parts.size() == 1) geometry.parts.front().path.clear();
+  if (geometry.parts.size() == 1) {
+    geometry.parts.front().path.clear();
+    geometry.parts.front().names.clear();
+  }
   return geometry;
 }
 
@@ -248,7 +251,10 @@ Result<LoadedGeometry> GeometryLoader::partOf(const StepGeometry& step) {
   for (const Occurrence& part : (*whole)->parts) {
     if (!isWithin(part.path, step.part)) continue;
     geometry.parts.push_back(part);
-    geometry.parts.back().path = pathWithin(part.path, step.part);
+    Occurrence& below = geometry.parts.back();
+    below.path = pathWithin(part.path, step.part);
+    const auto above = static_cast<std::ptrdiff_t>(std::min(stepsOf(step.part).size(), below.names.size()));
+    below.names.erase(below.names.begin(), below.names.begin() + above);
   }
   if (!geometry.parts.empty()) return geometry;
   return noSuchPart(assetFile(assetById(step.asset, assets_), folder_), step.part, namesOf(**whole));

@@ -10,8 +10,9 @@ namespace glissade::import_protocol {
 // for kMesh a MeshFacts, `vertices` x 3 doubles, `triangles` x 3 indices, the bytes of its warnings (a line each);
 // for kAssembly an AssemblyCounts; the bytes of the root's name; every shape as a Shape, its vertices x 3 doubles
 // (millimetres), its triangles x 3 indices, its faces as a Face each; every part as a Part, the bytes of its path below
-// the root (UTF-8); every use of another file as an ExternalPart, the bytes of its path, the bytes of the file's name;
-// the bytes of its notes (a line each: kind, tab, where, tab, what; kinds below); for kError (the file cannot be
+// the root (UTF-8), the bytes of the names of its steps as the file has them, each with a line feed (none where they
+// are the steps); every use of another file as an ExternalPart, the bytes of its path, of its names, of the file's
+// name; the bytes of its notes (a line each: kind, tab, where, tab, what; kinds below); for kError (the file cannot be
 // read) and kNotConfined (the process cannot give up its rights, and has read nothing) `vertices` bytes of text: the
 // location in the file (may be empty), a line feed, the reason.
 inline constexpr std::uint32_t kMagic = 0x474c494d;
@@ -78,7 +79,7 @@ struct Part {
   double orientation[4] = {0.0, 0.0, 0.0, 1.0};  ///< x y z w
   double colour[3] = {0.0, 0.0, 0.0};            ///< sRGB
   std::uint32_t pathBytes = 0;
-  std::uint32_t unused = 0;
+  std::uint32_t namesBytes = 0;
 };
 
 /// A product that the file places and another file has.
@@ -86,7 +87,9 @@ struct ExternalPart {
   double position[3] = {0.0, 0.0, 0.0};          ///< millimetres
   double orientation[4] = {0.0, 0.0, 0.0, 1.0};  ///< x y z w
   std::uint32_t pathBytes = 0;
-  std::uint32_t nameBytes = 0;
+  std::uint32_t namesBytes = 0;
+  std::uint32_t fileBytes = 0;
+  std::uint32_t unused = 0;
 };
 
 /// What an importing process may use, and the largest file that it is given.

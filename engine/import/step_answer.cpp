@@ -5,6 +5,7 @@
 #include <set>
 #include <sstream>
 
+#include "engine/assembly/body_path.h"
 #include "engine/base/printable_text.h"
 
 namespace glissade {
@@ -13,6 +14,9 @@ namespace {
 namespace protocol = import_protocol;
 
 using Kind = SurfaceFace::Kind;
+
+/// Bytes of a name, or of those on the way to a part.
+constexpr std::uint32_t kLongestName = 1U << 16;
 
 bool isLength(double value) { return value >= 0.0 && value <= protocol::kLargestFace; }
 
@@ -156,10 +160,21 @@ class StepDecoder {
   }
 
   bool takeName(std::uint32_t bytes, std::string& name) {
-    constexpr std::uint32_t kLongest = 1U << 16;
-    if (bytes > kLongest) return false;
+    if (bytes > kLongestName) return false;
     name.resize(bytes);
     return answer_.message.take(name.data(), name.size()) && name == printableLine(name);
+  }
+
+  /// A line each, as many as the path has steps; or none.
+  bool takeNames(std::uint32_t bytes, const std::string& path, std::vector<std::string>& names) {
+    if (bytes > kLongestName) return false;
+    std::string text(bytes, ' ');
+    if (!answer_.message.take(text.data(), text.size())) return false;
+    std::istringstream lines(text);
+    for (std::string name; std::getline(lines, name);) names.push_back(name);
+    const bool printable =
+        std::all_of(names.begin(), names.end(), [](const std::string& name) { return name == printableLine(name); });
+    return printable && (bytes == 0 || (text.back() == '\n' && names.size() == stepsOf(path).size()));
   }
 
   /// Each path is there once.
@@ -179,7 +194,8 @@ class StepDecoder {
     protocol::ExternalPart record;
     StepExternal external;
     if (!answer_.message.take(&record, 1) || !takePath(record.pathBytes, external.path) ||
-        !takeName(record.nameBytes, external.file) || external.file.empty()) {
+        !takeNames(record.namesBytes, external.path, external.names) || !takeName(record.fileBytes, external.file) ||
+        external.file.empty()) {
       return broken();
     }
     const auto place = placeOf(record);
@@ -193,7 +209,7 @@ class StepDecoder {
     if (!answer_.message.take(&record, 1) || record.shape >= shapes_.size()) return broken();
     const Shape& shape = shapes_[record.shape];
     Occurrence part{"", shape.mesh, {}, {}, shape.deflection, shape.facesWithoutMesh};
-    if (!takePath(record.pathBytes, part.path)) return broken();
+    if (!takePath(record.pathBytes, part.path) || !takeNames(record.namesBytes, part.path, part.names)) return broken();
     const auto place = placeOf(record);
     if (!place) return place.error();
     part.X_FP = *place;

@@ -57,13 +57,24 @@ std::string asStep(std::string name) {
 class UniqueNames {
  public:
   std::string take(const std::string& name) {
-    std::string unique = name;
-    for (int number = 2; !taken_.insert(unique).second; ++number) unique = name + "#" + std::to_string(number);
+    if (taken_.insert(name).second) return name;
+    int& number = numbers_.try_emplace(name, 1).first->second;
+    std::string unique;
+    do {
+      unique = name + "#" + std::to_string(++number);
+    } while (!taken_.insert(unique).second);
     return unique;
   }
 
  private:
   std::set<std::string> taken_;
+  std::map<std::string, int> numbers_;  ///< the last one of each name that was given several times
+};
+
+/// The names of a product and of its use, where one of them is said.
+struct StepName {
+  std::string step;  ///< never empty
+  std::string name;  ///< as the file has it, on one line
 };
 
 /// Solids, and what lies beside them: loose shells and faces as one.
@@ -91,11 +102,14 @@ class AssemblyWalk {
     shapes_->GetFreeShapes(roots);
     if (roots.Length() == 1) {
       const TDF_Label& root = roots.First();
-      if (!XCAFDoc_ShapeTool::IsAssembly(root)) assembly_.rootName = stepOf(root, root);
-      visit(root, {"", TopLoc_Location(), colourOf(root), 0});
+      if (!XCAFDoc_ShapeTool::IsAssembly(root)) assembly_.rootName = stepOf(root, root).step;
+      visit(root, {"", {}, TopLoc_Location(), colourOf(root), 0});
     } else {
       UniqueNames names;
-      for (const TDF_Label& root : roots) visit(root, {names.take(stepOf(root, root)), {}, colourOf(root), 0});
+      for (const TDF_Label& root : roots) {
+        const StepName step = stepOf(root, root);
+        visit(root, {names.take(step.step), {step.name}, {}, colourOf(root), 0});
+      }
     }
     return std::move(assembly_);
   }
@@ -106,6 +120,7 @@ class AssemblyWalk {
   /// What a product inherits from the assemblies that it is in.
   struct Place {
     std::string path;
+    std::vector<std::string> names;  ///< of its steps
     TopLoc_Location location;
     OptionalColour colour;
     int depth = 0;
@@ -131,7 +146,8 @@ class AssemblyWalk {
       OptionalColour colour = place.colour;
       if (!colour) colour = colourOf(component);
       if (!colour) colour = colourOf(part);
-      visit(part, {joinedPath(place.path, names.take(stepOf(part, component))),
+      const StepName step = stepOf(part, component);
+      visit(part, {joinedPath(place.path, names.take(step.step)), with(place.names, step.name),
                    place.location * XCAFDoc_ShapeTool::GetLocation(component), colour, place.depth + 1});
     }
   }
@@ -150,9 +166,11 @@ class AssemblyWalk {
       }
       OptionalColour colour = place.colour;
       if (!colour) colour = colourOf(shape);
-      const std::string path =
-          shapes.size() == 1 ? place.path : joinedPath(place.path, names.take(solidName(product, shape)));
-      assembly_.solids.push_back({path, shape.Located(TopLoc_Location()),
+      const bool alone = shapes.size() == 1;
+      const StepName step = alone ? StepName{} : solidName(product, shape);
+      const std::string path = alone ? place.path : joinedPath(place.path, names.take(step.step));
+      assembly_.solids.push_back({path, alone ? place.names : with(place.names, step.name),
+                                  shape.Located(TopLoc_Location()),
                                   mirrored_.placementOf(place.location * shape.Location(), path), colour});
     }
   }
@@ -162,7 +180,7 @@ class AssemblyWalk {
     const auto file = externalFiles_.find(shape.TShape().get());
     if (file == externalFiles_.end()) return;
     const TopLoc_Location location = place.location * shape.Location();
-    assembly_.externalParts.push_back({place.path, rigidPlacement(location, place.path), file->second});
+    assembly_.externalParts.push_back({place.path, place.names, rigidPlacement(location, place.path), file->second});
   }
 
   gp_Trsf rigidPlacement(const TopLoc_Location& location, const std::string& path) {
@@ -174,17 +192,25 @@ class AssemblyWalk {
   }
 
   /// The product's name, which people know; that of its use is often only a number.
-  static std::string stepOf(const TDF_Label& product, const TDF_Label& component) {
-    std::string name = asStep(nameOf(product));
-    if (name.empty()) name = asStep(nameOf(component));
-    return name.empty() ? "part" : name;
+  static StepName stepOf(const TDF_Label& product, const TDF_Label& component) {
+    StepName name = stepNamed(nameOf(product));
+    if (name.step.empty()) name = stepNamed(nameOf(component));
+    if (name.step.empty()) name.step = "part";
+    return name;
   }
 
-  std::string solidName(const TDF_Label& product, const TopoDS_Shape& shape) const {
-    if (shape.ShapeType() != TopAbs_SOLID) return "surfaces";
+  static StepName stepNamed(const std::string& name) { return {asStep(name), printableLine(name)}; }
+
+  static std::vector<std::string> with(std::vector<std::string> names, const std::string& name) {
+    names.push_back(name);
+    return names;
+  }
+
+  StepName solidName(const TDF_Label& product, const TopoDS_Shape& shape) const {
+    if (shape.ShapeType() != TopAbs_SOLID) return {"surfaces", "surfaces"};
     TDF_Label label;
-    const std::string name = shapes_->FindSubShape(product, shape, label) ? asStep(nameOf(label)) : "";
-    return name.empty() ? "solid" : name;
+    const StepName name = shapes_->FindSubShape(product, shape, label) ? stepNamed(nameOf(label)) : StepName{};
+    return name.step.empty() ? StepName{"solid", "solid"} : name;
   }
 
   template <class Thing>

@@ -19,6 +19,7 @@ namespace glissade {
 struct StepSolid {
   /// Names on the way to it below the root, each once among its sisters: "pump/rotor", "pin#2". UTF-8. Empty: the root.
   std::string path;
+  std::vector<std::string> names;               ///< of its steps, as the file has them
   TopoDS_Shape shape;                           ///< at its own origin; instances of one solid share it
   StepPlacement placement;                      ///< millimetres
   std::optional<std::array<double, 3>> colour;  ///< sRGB
@@ -27,7 +28,8 @@ struct StepSolid {
 
 /// A product that the file places and another file has.
 struct StepExternalPart {
-  std::string path;  ///< as of StepSolid
+  std::string path;                ///< as of StepSolid
+  std::vector<std::string> names;  ///< as of StepSolid
   gp_Trsf placement;
   std::string file;  ///< as the STEP file names it; UTF-8
 };

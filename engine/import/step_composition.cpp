@@ -54,12 +54,23 @@ class Composition {
     std::string path;
     Pose X_FP;
     int depth = 0;
+    std::vector<std::string> names{};  ///< as of Occurrence
   };
   struct Missing {
     std::string name;
     std::string whyNot;
     std::vector<std::string> paths;  ///< of its parts
   };
+
+  /// As of Occurrence, of a path below the place.
+  static std::vector<std::string> joinedNames(const Place& place, const std::string& path,
+                                              const std::vector<std::string>& names) {
+    if (place.names.empty() && names.empty()) return {};
+    std::vector<std::string> all = place.names.empty() ? stepsOf(place.path) : place.names;
+    const std::vector<std::string> below = names.empty() ? stepsOf(path) : names;
+    all.insert(all.end(), below.begin(), below.end());
+    return all;
+  }
 
   Outcome add(const File& file, const Place& place) {
     chain_.push_back(&file);
@@ -69,6 +80,7 @@ class Composition {
       }
       product_.parts.push_back(part);
       product_.parts.back().path = joinedPath(place.path, part.path);
+      product_.parts.back().names = joinedNames(place, part.path, part.names);
       if (place.depth > 0) product_.parts.back().X_FP = place.X_FP * part.X_FP;
     }
     for (const StepExternal& external : file.answer.externals) {
@@ -95,7 +107,8 @@ class Composition {
     if (std::find(chain_.begin(), chain_.end(), *file) != chain_.end()) {
       return refusal(in.file, "names '" + found.name + "' for a part, which holds this file itself");
     }
-    return add(**file, {path, place.X_FP * external.X_FP, place.depth + 1});
+    return add(**file,
+               {path, place.X_FP * external.X_FP, place.depth + 1, joinedNames(place, external.path, external.names)});
   }
 
   /// The file, which is read where it was not yet.

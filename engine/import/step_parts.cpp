@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <set>
 
-#include "engine/assembly/product_tree.h"
-
 namespace glissade {
 namespace {
 
@@ -17,6 +15,14 @@ std::string nameList(const std::vector<std::string>& names) {
   return text;
 }
 
+std::vector<std::string> bodiesOf(const Product& tree) {
+  std::vector<std::string> paths;
+  for (const Product::Node& node : tree.nodes()) {
+    if (!node.isAssembly) paths.push_back(node.path);
+  }
+  return paths;
+}
+
 }  // namespace
 
 std::vector<std::string> namesOf(const LoadedGeometry& wholeFile) {
@@ -25,13 +31,18 @@ std::vector<std::string> namesOf(const LoadedGeometry& wholeFile) {
   return names;
 }
 
-Result<std::string> nodeNamed(const std::string& name, const std::vector<std::string>& parts, const std::string& file) {
+Product treeOf(const LoadedGeometry& wholeFile) {
+  std::vector<ProductBody> bodies;
+  for (const Occurrence& part : wholeFile.parts) bodies.push_back({part.path, {part.path, part.names}});
+  return Product(bodies);
+}
+
+Result<std::string> nodeNamed(const std::string& name, const Product& tree, const std::string& file) {
   if (name.empty()) return name;
-  const ProductTree tree(parts);
   std::set<std::string> found;
   for (const std::size_t node : tree.named(name)) found.insert(tree.nodes()[node].path);
   if (found.count(name) > 0) return name;
-  if (found.empty()) return noSuchPart(file, name, parts);
+  if (found.empty()) return noSuchPart(file, name, bodiesOf(tree));
   if (found.size() == 1) return *found.begin();
   return Diagnostic{ErrorKind::MalformedInput, file, "part '" + name + "'", "is the name of several parts",
                     "Give the whole name: " + nameList({found.begin(), found.end()}) + "."};

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/assembly/product.h"
 #include "engine/product/contact_report.h"
 
 namespace glissade {
@@ -15,6 +16,7 @@ struct AssembledProduct {
   std::vector<double> deflections;  ///< as of ContactBody, of each body
   FitSettings fits;
   std::vector<double> spacings{};  ///< of the coordinates, metres, of each body; empty: not known
+  Product tree{};                  ///< that the bodies are in; it may have others, too
 
   /// Nothing where no body has this id.
   std::optional<std::size_t> indexOf(const std::string& id) const;

@@ -6,6 +6,7 @@
 #include "engine/scenario/object_geometry.h"
 #include "engine/scenario/part_files.h"
 #include "engine/scenario/scenario_bodies.h"
+#include "engine/scenario/scenario_product.h"
 
 namespace glissade {
 namespace {
@@ -111,6 +112,7 @@ Outcome place(const AssemblyItem& item, const Pose& X_WB, Scenario& scenario) {
 Outcome removeBody(const std::string& bodyId, Scenario& scenario) {
   if (!taken(bodyId, scenario.bodies)) return noSuchBody(bodyId);
   dropFitsOf(bodyId, scenario);
+  dropUnknownNodes(scenario);
   dropUnusedAssets(scenario);
   return Done{};
 }
@@ -187,6 +189,7 @@ void takeAssembly(const Scenario& from, Scenario& to) {
   to.bodies = from.bodies;
   to.object = from.object;
   to.leftOut = from.leftOut;
+  to.nodes = from.nodes;
   to.start = from.start;
   to.goal = from.goal;
   to.workspace = from.workspace;

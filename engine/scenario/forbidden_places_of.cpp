@@ -1,5 +1,6 @@
 #include "engine/scenario/forbidden_places_of.h"
 
+#include "engine/environment/held_edits.h"
 #include "engine/planning/coarse/prohibitions.h"
 
 namespace glissade {
@@ -8,7 +9,7 @@ Result<ForbiddenPlaces> forbiddenPlacesOf(const LoadedScenario& loaded, const Sc
                                           const StopToken& stop) {
   Problem problem = loaded.problem;
   problem.scene.environment = content.environment;
-  problem.scene.edits = std::make_shared<const SemanticEdits>(semanticEditsOf(content));
+  problem.scene.edits = std::make_shared<const SemanticEdits>(heldEdits(semanticEditsOf(content), loaded.product));
   problem.scene.knowledge = nullptr;
   const auto regions = Prohibitions().of(problem, stop);
   if (!regions) return regions.error();

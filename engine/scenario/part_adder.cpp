@@ -9,6 +9,7 @@
 #include "engine/import/asset_path.h"
 #include "engine/import/step_import.h"
 #include "engine/scenario/scenario_bodies.h"
+#include "engine/scenario/scenario_product.h"
 
 namespace glissade {
 namespace {
@@ -25,6 +26,13 @@ std::string idOf(const PartFile& part) {
   return id;
 }
 
+/// Of the last of these first steps of a part's path; a number that only tells siblings apart is left to the step.
+std::string nameInFile(const PartFile& part, const std::vector<std::string>& steps) {
+  if (part.names.size() < steps.size()) return steps.back();
+  const std::string& name = part.names[steps.size() - 1];
+  return isNumbered(steps.back(), name) ? steps.back() : name;
+}
+
 std::string uniqueId(const std::string& stem, const std::set<std::string>& taken) {
   std::string id = stem;
   for (int number = 2; taken.count(id) > 0; ++number) id = stem + "-" + std::to_string(number);
@@ -37,23 +45,88 @@ std::set<std::string> assetIds(const Scenario& scenario) {
   return ids;
 }
 
-std::set<std::string> bodyIds(const Scenario& scenario) {
-  std::set<std::string> ids;
-  for (const BodyDescription* body : allBodiesOf(scenario)) ids.insert(body->id);
-  return ids;
-}
-
 }  // namespace
 
 PartAdder::PartAdder(Scenario& scenario, const std::string& file)
-    : scenario_(scenario), folder_(folderOf(file)), saved_(!file.empty()) {}
+    : scenario_(scenario), folder_(folderOf(file)), saved_(!file.empty()) {
+  noteNodes();
+}
+
+/// Of the bodies that are there: the node above a part is the assembly of its last step but one, and so on.
+void PartAdder::noteNodes() {
+  const Product product = treeOf(scenario_);
+  for (const Product::Node& node : product.nodes()) {
+    if (node.isAssembly) assemblyIds_.insert(node.id);
+  }
+  for (const NodeDescription& node : scenario_.nodes) ids_.insert(node.id);
+  for (const BodyDescription* body : allBodiesOf(scenario_)) {
+    ids_.insert(body->id);
+    const auto* step = std::get_if<StepGeometry>(&body->geometry);
+    if (step == nullptr) continue;
+    std::vector<std::string> steps = stepsOf(step->part);
+    auto node = product.nodes()[*product.find(body->id)].parent;
+    while (steps.size() > 1 && node) {
+      steps.pop_back();
+      assemblies_.emplace(std::pair(step->asset, pathOf(steps)), product.nodes()[*node].id);
+      node = product.nodes()[*node].parent;
+    }
+  }
+}
+
+std::string PartAdder::freeAssemblyId(const std::string& id) const {
+  std::string free = id;
+  for (int number = 2; ids_.count(free) + assemblyIds_.count(free) > 0; ++number) {
+    free = id + "#" + std::to_string(number);
+  }
+  return free;
+}
+
+/// The id of the assembly of the first steps of a part's path. It is said where the path does not lead to it, or does
+/// not tell its name.
+std::string PartAdder::assemblyOf(const PartFile& part, const std::string& asset, std::size_t steps) {
+  if (steps == 0) return {};
+  std::vector<std::string> path = stepsOf(part.part);
+  path.resize(steps);
+  const auto key = std::pair(asset, pathOf(path));
+  if (const auto known = assemblies_.find(key); known != assemblies_.end()) return known->second;
+  const std::string above = assemblyOf(part, asset, steps - 1);
+  NodeDescription node{freeAssemblyId(joinedPath(above, path.back()))};
+  const std::string name = nameInFile(part, path);
+  const bool byPath = node.id == key.second;
+  if (!byPath) node.in = above;
+  if (!byPath || name != path.back()) node.name = name;
+  assemblies_.emplace(key, node.id);
+  assemblyIds_.insert(node.id);
+  if (node.name) addNode(node);
+  return node.id;
+}
+
+/// Says where the body is and what its file calls it, as far as its path does not.
+void PartAdder::notePlace(const PartFile& part, const BodyDescription& body) {
+  const auto* step = std::get_if<StepGeometry>(&body.geometry);
+  const std::vector<std::string> path = stepsOf(part.part);
+  if (step == nullptr || path.empty()) return;
+  NodeDescription node{body.id};
+  const std::string assembly = assemblyOf(part, step->asset, path.size() - 1);
+  if (assembly != pathOf({path.begin(), path.end() - 1})) node.in = assembly;
+  const std::string name = nameInFile(part, path);
+  if (name != path.back()) node.name = name;
+  if (node.in || node.name) addNode(node);
+}
+
+void PartAdder::addNode(const NodeDescription& node) {
+  ids_.insert(node.id);
+  scenario_.nodes.push_back(node);
+}
 
 BodyDescription PartAdder::bodyOf(const PartFile& part) {
   BodyDescription body;
-  body.id = uniqueId(idOf(part), bodyIds(scenario_));
+  body.id = uniqueId(idOf(part), ids_);
   body.name = part.part.empty() ? body.id : part.part;
   body.mobility = part.role == PartRole::Mobile ? Mobility::Mobile : Mobility::Static;
   body.geometry = geometryOf(part);
+  ids_.insert(body.id);
+  notePlace(part, body);
   return body;
 }
 
@@ -66,7 +139,10 @@ void PartAdder::addToObject(const PartFile& part) {
     return;
   }
   hasObject_ = true;
+  for (const BodyDescription& before : bodies) ids_.erase(before.id);
   bodies.assign(1, {idOf(part), nameOf(part), Mobility::Static, geometryOf(part)});
+  ids_.insert(bodies.front().id);
+  notePlace(part, bodies.front());
 }
 
 Geometry PartAdder::geometryOf(const PartFile& part) {

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <map>
+#include <set>
 #include <string>
+#include <utility>
 
 #include "engine/scenario/part_files.h"
 
@@ -19,11 +22,20 @@ class PartAdder {
   BodyDescription bodyOf(const PartFile& part);
   Geometry geometryOf(const PartFile& part);
   std::string assetOf(const PartFile& part);
+  void noteNodes();
+  void notePlace(const PartFile& part, const BodyDescription& body);
+  std::string assemblyOf(const PartFile& part, const std::string& asset, std::size_t steps);
+  void addNode(const NodeDescription& node);
+  std::string freeAssemblyId(const std::string& id) const;
 
   Scenario& scenario_;
   std::string folder_;
   bool saved_;
   bool hasObject_ = false;
+  std::set<std::string> ids_;          ///< of bodies, and of nodes of which something is said
+  std::set<std::string> assemblyIds_;  ///< of all assemblies
+  /// The same, by asset and path: files may have assemblies of one name.
+  std::map<std::pair<std::string, std::string>, std::string> assemblies_;
 };
 
 }  // namespace glissade

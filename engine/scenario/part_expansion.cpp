@@ -45,13 +45,27 @@ bool isTaken(const std::string& name, const PartFile& by, const std::vector<Clai
   });
 }
 
+std::vector<TreePlace> placesOf(const LoadedGeometry& wholeFile) {
+  std::vector<TreePlace> places;
+  for (const Occurrence& part : wholeFile.parts) places.push_back({part.path, part.names});
+  return places;
+}
+
+/// As of Occurrence, of the steps of a node.
+std::vector<std::string> namesAt(const std::string& node, const std::vector<TreePlace>& places) {
+  const auto below =
+      std::find_if(places.begin(), places.end(), [&](const TreePlace& place) { return isWithin(place.path, node); });
+  if (below == places.end() || below->names.empty()) return {};
+  return {below->names.begin(), below->names.begin() + static_cast<std::ptrdiff_t>(stepsOf(node).size())};
+}
+
 }  // namespace
 
 Result<std::vector<PartFile>> oneEntryEach(const std::vector<PartFile>& parts, const Scenario& scenario,
                                            const std::string& scenarioFile, GeometryCache& read,
                                            const StopToken& stop) {
   std::vector<PartFile> named = parts;
-  std::vector<std::vector<std::string>> names(parts.size());
+  std::vector<std::vector<TreePlace>> places(parts.size());
   std::vector<Claim> claims = claimsOf(scenario, scenarioFile);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (!isStepFile(parts[i].path)) continue;
@@ -59,22 +73,24 @@ Result<std::vector<PartFile>> oneEntryEach(const std::vector<PartFile>& parts, c
     whole.part.clear();
     const auto geometry = readPart(whole, read, stop);
     if (!geometry) return geometry.error();
-    names[i] = namesOf(**geometry);
-    auto node = nodeNamed(parts[i].part, names[i], parts[i].path);
+    places[i] = placesOf(**geometry);
+    auto node = nodeNamed(parts[i].part, treeOf(**geometry), parts[i].path);
     if (!node) return node.error();
     named[i].part = *node;
+    named[i].names = namesAt(*node, places[i]);
     claims.push_back({parts[i].path, *node});
   }
   std::vector<PartFile> entries;
   for (std::size_t i = 0; i < named.size(); ++i) {
-    if (names[i].size() < 2 || named[i].role == PartRole::Moves) {
+    if (places[i].size() < 2 || named[i].role == PartRole::Moves) {
       entries.push_back(named[i]);
       continue;
     }
-    for (const std::string& name : names[i]) {
-      if (!isWithin(name, named[i].part) || isTaken(name, named[i], claims)) continue;
+    for (const TreePlace& place : places[i]) {
+      if (!isWithin(place.path, named[i].part) || isTaken(place.path, named[i], claims)) continue;
       entries.push_back(named[i]);
-      entries.back().part = name;
+      entries.back().part = place.path;
+      entries.back().names = place.names;
     }
   }
   return entries;

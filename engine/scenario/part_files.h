@@ -16,11 +16,12 @@ enum class PartRole { Moves, Static, Mobile };
 struct PartFile {
   std::string path;
   PartRole role = PartRole::Static;
-  double unit = 0.001;      ///< metres per unit of the file; 1 where saysItsUnit()
-  UpAxis up = UpAxis::Z;    ///< Z where saysItsUnit()
-  std::string part{};       ///< of a STEP file, or an assembly in it, as "pump/rotor"; empty: all of the file
-  double deflection = 0.0;  ///< as of Asset
-  bool closeHoles = false;  ///< as of Asset
+  double unit = 0.001;               ///< metres per unit of the file; 1 where saysItsUnit()
+  UpAxis up = UpAxis::Z;             ///< Z where saysItsUnit()
+  std::string part{};                ///< of a STEP file, or an assembly in it, as "pump/rotor"; empty: all of the file
+  double deflection = 0.0;           ///< as of Asset
+  bool closeHoles = false;           ///< as of Asset
+  std::vector<std::string> names{};  ///< of the steps of `part`, as of Occurrence; filled in where the file is read
 };
 
 /// A static part, taken as files of its kind usually are: Collada and glTF in metres and y up, URDF and STEP

@@ -26,14 +26,17 @@ Result<ProductFile> productOfParts(const std::string& file, const StopToken& sto
   const auto geometry = readPart(guessed.front(), read, stop, &loaded.warnings);
   if (!geometry) return geometry.error();
   warnOfMissingFaces(**geometry, "", file, loaded.warnings);
+  std::vector<ProductBody> bodies;
   for (const Occurrence& solid : (*geometry)->parts) {
     const std::string name = solid.path.empty() ? file : solid.path;
+    bodies.push_back({name, {solid.path.empty() ? lastStepOf(file) : solid.path, solid.names}});
     loaded.product.bodies.push_back({name, name, Mobility::Mobile, solid.mesh, solid.X_FP});
     if (solid.colour) loaded.product.bodies.back().colour = *solid.colour;
     loaded.product.deflections.push_back(solid.deflection);
     loaded.product.spacings.push_back(solid.coordinateSpacing);
   }
   labelBodies(loaded.product.bodies);
+  loaded.product.tree = Product(bodies);
   loaded.product.fits.on = true;
   return loaded;
 }
@@ -43,7 +46,7 @@ Result<ProductFile> productOfScenario(const std::string& file, const StopToken& 
   if (!scenario) return scenario.error();
   ProductFile loaded;
   loaded.product = bodiesOf(*scenario);
-  auto demands = knownDemands(scenario->scenario, loaded.product.bodies);
+  auto demands = knownDemands(scenario->scenario, loaded.product);
   if (!demands) {
     Diagnostic why = demands.error();
     why.file = file;
@@ -82,29 +85,33 @@ Result<ProductFile> readProduct(const std::string& file, const StopToken& stop, 
   return loaded;
 }
 
+Diagnostic isLeftOut(const std::string& name) {
+  return {ErrorKind::MalformedInput, "", "'" + name + "'", "is left out", "Proofs are about the product without it."};
+}
+
 Outcome leaveOut(const std::vector<std::string>& names, ProductFile& loaded) {
   if (names.empty()) return Done{};
   AssembledProduct& product = loaded.product;
   std::vector<std::string> ids;
   for (const RigidBody& body : product.bodies) ids.push_back(body.id);
-  const auto meant = bodiesMeant(ids, names, "--without");
+  const auto meant = bodiesMeant(ids, names, "--without", product.tree);
   if (!meant) return meant.error();
   AssembledProduct rest;
   std::vector<std::string> classes;
   rest.fits = product.fits;
-  const auto isLeftOut = [&](const std::string& id) {
+  rest.tree = product.tree;
+  const auto goes = [&](const std::string& id) {
     const auto index = product.indexOf(id);
     return index && (*meant)[*index];
   };
-  std::erase_if(rest.fits.pairs, [&](const FitEdit& edit) { return isLeftOut(edit.a) || isLeftOut(edit.b); });
+  std::erase_if(rest.fits.pairs, [&](const FitEdit& edit) { return goes(edit.a) || goes(edit.b); });
   std::erase_if(loaded.joints, [&](const JointEdit& edit) {
-    return isLeftOut(edit.key.body) || std::any_of(edit.key.others.begin(), edit.key.others.end(), isLeftOut);
+    return goes(edit.key.body) || std::any_of(edit.key.others.begin(), edit.key.others.end(), goes);
   });
-  for (JointEdit& edit : loaded.joints) std::erase_if(edit.clamped, isLeftOut);
+  for (JointEdit& edit : loaded.joints) std::erase_if(edit.clamped, goes);
   for (std::size_t i = 0; i < ids.size(); ++i) {
     if ((*meant)[i]) {
-      loaded.warnings.push_back({ErrorKind::MalformedInput, "", "'" + product.bodies[i].shown() + "'", "is left out",
-                                 "Proofs are about the product without it."});
+      loaded.warnings.push_back(isLeftOut(product.bodies[i].shown()));
       continue;
     }
     rest.bodies.push_back(product.bodies[i]);

@@ -29,6 +29,9 @@ AssembledProduct productOf(const LoadedScenario& scenario);
 /// of each part. Errors: those of the importers, Interrupted, and Usage where a deflection is given for a scenario.
 Result<ProductFile> readProduct(const std::string& file, const StopToken& stop = {}, double deflection = 0.0);
 
+/// The warning that a body is left out.
+Diagnostic isLeftOut(const std::string& name);
+
 /// Takes away the bodies that a person means by the names (bodiesMeant()), and what is said of their fits; the option
 /// --without. A warning says which.
 Outcome leaveOut(const std::vector<std::string>& names, ProductFile& loaded);

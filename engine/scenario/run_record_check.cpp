@@ -42,7 +42,7 @@ Outcome checkParameters(const RunRecord& record, ParameterValues& initial) {
 }
 
 Outcome checkSemantics(const RunLog& log, const LoadedScenario& scenario) {
-  const std::vector<std::string> ids = presentIdsOf(scenario.scenario);
+  const std::vector<std::string> ids = nodeIdsOf(scenario.scenario);
   const auto check = [&](const std::shared_ptr<const SemanticEdits>& edits) {
     return edits ? checkEdits(*edits, ids) : Outcome(Done{});
   };

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "engine/assembly/product.h"
 #include "engine/base/parameters.h"
 #include "engine/environment/forbidden_places.h"
 #include "engine/environment/rigid_body.h"
@@ -60,7 +61,8 @@ struct Scenario {
   std::vector<BodyDescription> bodies;  ///< those that do not move
   ObjectDescription object;
   std::vector<BodyDescription>
-      leftOut;  ///< of the product, and not there: nothing is about them until they are put back
+      leftOut;                         ///< of the product, and not there: nothing is about them until they are put back
+  std::vector<NodeDescription> nodes;  ///< of its tree, where the names of the bodies do not say it all
   Pose start;
   Goal goal;
   Box3 workspace;
@@ -94,6 +96,7 @@ struct LoadedScenario {
   RigidBody object;                  ///< X_WB is the start; its id is that of the object's first body
   /// The bodies that the object is made of, as bodies of the product, where they start. One is the object itself.
   std::vector<RigidBody> objectBodies;
+  Product product;         ///< the tree of all bodies, those that are left out among them
   GeometryCache geometry;  ///< what the bodies and the object are made of
   /// Metres that meshes are off the surfaces they stand for, about: of STEP parts, by rigid body's id.
   std::map<std::string, double> deflections;

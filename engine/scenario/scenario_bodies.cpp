@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/scenario/scenario_product.h"
+
 namespace glissade {
 namespace {
 
@@ -24,9 +26,10 @@ std::vector<const BodyDescription*> allBodiesOf(const Scenario& scenario) {
   return all;
 }
 
-std::vector<std::string> presentIdsOf(const Scenario& scenario) {
+std::vector<std::string> nodeIdsOf(const Scenario& scenario) {
+  const Product product = treeOf(scenario);
   std::vector<std::string> ids;
-  for (const BodyDescription* body : presentBodiesOf(scenario)) ids.push_back(body->id);
+  for (const Product::Node& node : product.nodes()) ids.push_back(node.id);
   return ids;
 }
 

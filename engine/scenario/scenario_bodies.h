@@ -13,8 +13,8 @@ std::vector<const BodyDescription*> allBodiesOf(const Scenario& scenario);
 /// The same without those that are left out.
 std::vector<const BodyDescription*> presentBodiesOf(const Scenario& scenario);
 
-/// Ids of presentBodiesOf().
-std::vector<std::string> presentIdsOf(const Scenario& scenario);
+/// Ids of all bodies and assemblies: what attributes can be said of.
+std::vector<std::string> nodeIdsOf(const Scenario& scenario);
 
 /// What the object is called in files about it: the ids of its bodies, joined by "+".
 std::string idOf(const ObjectDescription& object);

@@ -62,6 +62,7 @@ AssembledProduct bodiesOf(const LoadedScenario& scenario) {
     product.spacings.push_back(valueOf(scenario.coordinateSpacings, body.id));
   }
   product.fits = scenario.scenario.fits;
+  product.tree = scenario.product;
   return product;
 }
 

@@ -5,6 +5,7 @@
 #include "engine/base/file_versions.h"
 #include "engine/base/limits.h"
 #include "engine/base/utf8.h"
+#include "engine/environment/held_edits.h"
 #include "engine/geometry/mesh_audit.h"
 #include "engine/import/asset_path.h"
 #include "engine/import/file_content.h"
@@ -19,6 +20,7 @@
 #include "engine/scenario/scenario_bodies.h"
 #include "engine/scenario/scenario_file.h"
 #include "engine/scenario/scenario_fits.h"
+#include "engine/scenario/scenario_product.h"
 
 namespace glissade {
 namespace {
@@ -56,10 +58,12 @@ bool isSameMesh(const TriangleMesh& a, const TriangleMesh& b) {
   return a.vertices == b.vertices && a.triangles == b.triangles;
 }
 
-/// What an edit of the attribute says goes before the body's own.
-Mobility mobilityOf(const BodyDescription& description) {
-  const auto edited = description.attributes.find("mobility");
-  if (edited == description.attributes.end()) return description.mobility;
+/// What an edit of the attribute says, of the body or of an assembly that it is in, goes before the body's own.
+Mobility mobilityOf(const BodyDescription& description, const SemanticEdits& held) {
+  const auto body = held.bodies.find(description.id);
+  if (body == held.bodies.end()) return description.mobility;
+  const auto edited = body->second.find("mobility");
+  if (edited == body->second.end()) return description.mobility;
   return edited->second == AttributeValue(std::string("mobile")) ? Mobility::Mobile : Mobility::Static;
 }
 
@@ -90,13 +94,13 @@ double largestOfBoth(const std::map<std::string, double>& values, const LoadedSc
   return object + obstacle;
 }
 
-std::vector<RigidBody> toBodies(const BodyDescription& description, const LoadedGeometry& geometry) {
+std::vector<RigidBody> toBodies(const BodyDescription& description, Mobility mobility, const LoadedGeometry& geometry) {
   std::vector<RigidBody> bodies;
   for (const Occurrence& part : geometry.parts) {
     RigidBody body;
     body.id = partId(description.id, part);
     body.name = part.path.empty() ? description.name : part.path;
-    body.mobility = mobilityOf(description);
+    body.mobility = mobility;
     body.mesh = part.mesh;
     body.X_WB = normalized(description.pose) * part.X_FP;
     const Colour usual = body.mobility == Mobility::Static ? defaultColour(body.name) : kMobileColour;
@@ -126,14 +130,13 @@ std::vector<RigidBody> bodiesOfGroup(const Scenario& scenario, const ObjectGeome
   for (std::size_t i = 0; i < object.bodies.size(); ++i) {
     BodyDescription placed = object.bodies[i];
     placed.pose = X_WG * poseInObject(object, i);
-    for (RigidBody& body : toBodies(placed, *geometry[i])) bodies.push_back(std::move(body));
+    for (RigidBody& body : toBodies(placed, Mobility::Mobile, *geometry[i])) bodies.push_back(std::move(body));
   }
-  for (RigidBody& body : bodies) body.mobility = Mobility::Mobile;
   return bodies;
 }
 
 Outcome loadObject(const Scenario& scenario, const LoadedScenario* before, GeometryLoader& loader,
-                   LoadedScenario& loaded) {
+                   BodyGeometry& several, LoadedScenario& loaded) {
   const auto geometry = loadGeometryOf(scenario.object, loader);
   if (!geometry) return geometry.error();
   const bool group = scenario.object.isGroup();
@@ -147,6 +150,7 @@ Outcome loadObject(const Scenario& scenario, const LoadedScenario* before, Geome
     warnOfMissingFaces(each, scenario.object.bodies[i].id, loaded.file, loader.warnings());
     noteUncertainties(each, scenario.object.bodies[i].id, !group, loaded);
     if (group) noteClosed(each, loaded);
+    if (group) several.emplace(scenario.object.bodies[i].id, (*geometry)[i]);
     closed = closed && allAreClosed(each);
   }
   if (closed || group) loaded.closed.emplace(loaded.object.mesh, closed);
@@ -188,11 +192,11 @@ Outcome applyParameters(const Scenario& scenario, const std::string& file, Param
   return Done{};
 }
 
-SceneDescription describeScene(const Scenario& scenario) {
+SceneDescription describeScene(const Scenario& scenario, const Product& product) {
   SceneDescription scene;
   scene.objectId = scenario.object.first().id;
   scene.environment = scenario.environment;
-  scene.edits = std::make_shared<const SemanticEdits>(semanticEditsOf(scenario));
+  scene.edits = std::make_shared<const SemanticEdits>(heldEdits(semanticEditsOf(scenario), product));
   if (scenario.rules) scene.rules = std::make_shared<const StrategyRules>(*scenario.rules);
   return scene;
 }
@@ -287,16 +291,22 @@ Result<LoadedScenario> loadGeometry(Scenario scenario, const std::string& folder
   LoadedScenario loaded;
   loaded.file = file;
   GeometryLoader loader(scenario.assets, folder, file, known, stop);
+  const SemanticEdits held = heldEdits(semanticEditsOf(scenario), treeOf(scenario));
+  BodyGeometry several;  // of the bodies that may be several rigid bodies
   for (const BodyDescription& body : scenario.bodies) {
     const auto geometry = loader.load(body.geometry);
     if (!geometry) return geometry.error();
     warnOfMissingFaces(**geometry, body.id, file, loader.warnings());
     noteUncertainties(**geometry, body.id, false, loaded);
     noteClosed(**geometry, loaded);
-    for (RigidBody& rigid : toBodies(body, **geometry)) loaded.obstacles.push_back(std::move(rigid));
+    several.emplace(body.id, *geometry);
+    for (RigidBody& rigid : toBodies(body, mobilityOf(body, held), **geometry)) {
+      loaded.obstacles.push_back(std::move(rigid));
+    }
     if (const Outcome few = checkNumberOfBodies(loaded, file); !few) return few.error();
   }
-  if (const Outcome object = loadObject(scenario, before, loader, loaded); !object) return object.error();
+  if (const Outcome object = loadObject(scenario, before, loader, several, loaded); !object) return object.error();
+  loaded.product = treeOf(scenario, several);
   loader.noteHashes(scenario.assets);
   loaded.geometry = std::move(loader.loaded());
   loaded.warnings = std::move(loader.warnings());
@@ -311,7 +321,7 @@ Result<LoadedScenario> loadGeometry(Scenario scenario, const std::string& folder
   loaded.problem.goal = scenario.goal;
   if (Pose* goal = std::get_if<Pose>(&loaded.problem.goal)) *goal = normalized(*goal);
   loaded.problem.bounds = scenario.workspace;
-  loaded.problem.scene = describeScene(scenario);
+  loaded.problem.scene = describeScene(scenario, loaded.product);
   loaded.parameters = ParameterValues(loaded.problem.world->objectRadius());
   const Outcome parameters = applyParameters(scenario, file, loaded.parameters);
   if (!parameters) return parameters.error();

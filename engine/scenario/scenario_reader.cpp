@@ -169,11 +169,27 @@ std::vector<BodyDescription> readBodies(const JsonCursor& list, const std::set<s
   return bodies;
 }
 
+NodeDescription readNode(const JsonCursor& at) {
+  at.allowOnly({"id", "name", "in", "attributes"});
+  NodeDescription node;
+  node.id = at.at("id").nonEmptyText();
+  if (const auto name = at.find("name")) node.name = name->text();
+  if (const auto in = at.find("in")) node.in = in->text();
+  node.attributes = readAttributes(at.find("attributes"));
+  return node;
+}
+
+std::vector<NodeDescription> readNodes(const JsonCursor& list) {
+  std::vector<NodeDescription> nodes;
+  for (std::size_t i = 0; i < list.sizeUpTo(limits::kMostBodies); ++i) nodes.push_back(readNode(list.element(i)));
+  return nodes;
+}
+
 Scenario readScenario(const JsonCursor& root) {
   root.allowOnly({"format",     "version", "name",       "description",       "assets",  "bodies",     "object",
                   "start",      "goal",    "workspace",  "way_points",        "planner", "parameters", "environment",
                   "attributes", "places",  "milestones", "forbidden_regions", "rules",   "fits",       "sequence",
-                  "seed",       "paths",   "plan",       "left_out",          "joints"});
+                   "seed",       "paths",   "plan",       "left_out",          "joints",  "product"});
   Scenario scenario;
   if (const auto name = root.find("name")) scenario.name = name->text();
   if (const auto description = root.find("description")) scenario.description = description->text();
@@ -188,6 +204,7 @@ Scenario readScenario(const JsonCursor& root) {
   scenario.object = readObject(root.at("object"), assets);
   checkIds(bodies, scenario.object, root.at("object"));
   if (const auto leftOut = root.find("left_out")) scenario.leftOut = readBodies(*leftOut, assets, bodies);
+  if (const auto product = root.find("product")) scenario.nodes = readNodes(*product);
   scenario.start = root.at("start").pose();
   scenario.goal = readGoal(root.at("goal"));
   scenario.workspace = readWorkspace(root.at("workspace"));

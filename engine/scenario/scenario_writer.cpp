@@ -51,17 +51,9 @@ Json toJson(const Geometry& geometry) {
                     geometry);
 }
 
-Json toJson(const Attributes& attributes) {
-  Json json = Json::object();
-  for (const auto& [key, value] : attributes) {
-    std::visit([&, name = key](const auto& typed) { json[name] = typed; }, value);
-  }
-  return json;
-}
-
 void addAppearance(Json& json, const std::optional<Colour>& colour, const Attributes& attributes) {
   if (colour) json["colour"] = *colour;
-  if (!attributes.empty()) json["attributes"] = toJson(attributes);
+  if (!attributes.empty()) json["attributes"] = attributesToJson(attributes);
 }
 
 Json toJson(const BodyDescription& body) {
@@ -72,6 +64,14 @@ Json toJson(const BodyDescription& body) {
   json["geometry"] = toJson(body.geometry);
   json["pose"] = glissade::toJson(body.pose);
   addAppearance(json, body.colour, body.attributes);
+  return json;
+}
+
+Json toJson(const NodeDescription& node) {
+  Json json{{"id", node.id}};
+  if (node.name) json["name"] = *node.name;
+  if (node.in) json["in"] = *node.in;
+  if (!node.attributes.empty()) json["attributes"] = attributesToJson(node.attributes);
   return json;
 }
 
@@ -108,6 +108,7 @@ Json scenarioJson(const Scenario& scenario) {
   json["bodies"] = itemList(scenario.bodies);
   json["object"] = toJson(scenario.object);
   if (!scenario.leftOut.empty()) json["left_out"] = itemList(scenario.leftOut);
+  if (!scenario.nodes.empty()) json["product"] = itemList(scenario.nodes);
   json["start"] = glissade::toJson(scenario.start);
   const Pose* goal = std::get_if<Pose>(&scenario.goal);
   json["goal"] = goal != nullptr ? glissade::toJson(*goal) : Json("out");

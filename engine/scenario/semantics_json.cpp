@@ -4,6 +4,7 @@
 #include "engine/planning/planner.h"
 #include "engine/scenario/forbidden_regions_json.h"
 #include "engine/scenario/scenario_bodies.h"
+#include "engine/scenario/scenario_product.h"
 
 namespace glissade {
 
@@ -124,7 +125,8 @@ void checkSemantics(const Scenario& scenario, const JsonCursor& root) {
     why.file = root.file();
     throw JsonError{std::move(why)};
   };
-  const Outcome sound = checkEdits(edits, presentIdsOf(scenario));
+  if (const Outcome sound = checkNodes(scenario); !sound) refuse(sound.error());
+  const Outcome sound = checkEdits(edits, nodeIdsOf(scenario));
   if (!sound) {
     Diagnostic why = sound.error();
     // In the file a body is known by its number.
@@ -139,6 +141,11 @@ void checkSemantics(const Scenario& scenario, const JsonCursor& root) {
       if (why.location.rfind(byPart, 0) != 0) continue;
       why.location = "/sequence/attributes/" + bodyIdOf(id) + "~1" + pathWithin(id, bodyIdOf(id)) + "/" +
                      why.location.substr(byPart.size());
+    }
+    for (std::size_t i = 0; i < scenario.nodes.size(); ++i) {
+      const std::string byNode = "/bodies/" + scenario.nodes[i].id + "/attributes/";
+      if (why.location.rfind(byNode, 0) != 0) continue;
+      why.location = "/product/" + std::to_string(i) + "/attributes/" + why.location.substr(byNode.size());
     }
     for (std::size_t i = 0; i < scenario.object.bodies.size(); ++i) {
       const std::string byId = "/bodies/" + scenario.object.bodies[i].id + "/attributes/";
@@ -239,6 +246,15 @@ Json toJson(const StrategyRules& rules) {
   return {{"node", rules.node}, {"edge", rules.edge}, {"fine", fine}, {"loop", rules.loop}, {"fitted", rules.fitted}};
 }
 
+/// Made where there is none yet.
+NodeDescription& descriptionOf(const std::string& id, Scenario& scenario) {
+  for (NodeDescription& node : scenario.nodes) {
+    if (node.id == id) return node;
+  }
+  scenario.nodes.push_back({id});
+  return scenario.nodes.back();
+}
+
 /// The id is that of a part of a body. What is known of parts is kept in the section about the sequence.
 bool isPart(const std::string& id) { return bodyIdOf(id) != id; }
 
@@ -274,6 +290,9 @@ SemanticEdits semanticEditsOf(const Scenario& scenario) {
   for (const BodyDescription* body : presentBodiesOf(scenario)) {
     if (!body->attributes.empty()) edits.bodies[body->id] = body->attributes;
   }
+  for (const NodeDescription& node : scenario.nodes) {
+    if (!node.attributes.empty()) edits.bodies[node.id] = node.attributes;
+  }
   for (const auto& [id, attributes] : scenario.sequence.attributes) {
     if (isPart(id)) edits.bodies[id] = attributes;
   }
@@ -290,11 +309,20 @@ void setSemanticEdits(const SemanticEdits& edits, Scenario& scenario) {
   };
   for (BodyDescription& body : scenario.bodies) body.attributes = attributesOf(body.id);
   for (BodyDescription& body : scenario.object.bodies) body.attributes = attributesOf(body.id);
+  for (NodeDescription& node : scenario.nodes) node.attributes.clear();
+  const Product product = treeOf(scenario);
   auto& ofParts = scenario.sequence.attributes;
   std::erase_if(ofParts, [](const auto& each) { return isPart(each.first); });
   for (const auto& [id, attributes] : edits.bodies) {
-    if (isPart(id) && !attributes.empty()) ofParts[id] = attributes;
+    if (attributes.empty()) continue;
+    const auto node = product.find(id);
+    if (node && product.nodes()[*node].isAssembly) {
+      descriptionOf(id, scenario).attributes = attributes;
+    } else if (isPart(id)) {
+      ofParts[id] = attributes;
+    }
   }
+  std::erase_if(scenario.nodes, [](const NodeDescription& node) { return node == NodeDescription{node.id}; });
 }
 
 }  // namespace glissade

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "engine/environment/held_edits.h"
 #include "engine/scenario/body_classes_json.h"
 
 namespace glissade {
@@ -93,7 +94,7 @@ Diagnostic unknownClass(const std::string& id, const std::string& name, const Bo
 
 }  // namespace
 
-Result<SequenceDemands> knownDemands(const Scenario& scenario, const std::vector<RigidBody>& bodies) {
+Result<SequenceDemands> knownDemands(const Scenario& scenario, const AssembledProduct& product) {
   std::vector<BodyClass> all = usualBodyClasses();
   all.insert(all.end(), scenario.sequence.classes.begin(), scenario.sequence.classes.end());
   const auto classes = BodyClasses::of(all);
@@ -103,8 +104,8 @@ Result<SequenceDemands> knownDemands(const Scenario& scenario, const std::vector
     return why;
   }
   SequenceDemands demands = scenario.sequence;
-  const SemanticEdits edits = semanticEditsOf(scenario);
-  for (const RigidBody& body : bodies) {
+  const SemanticEdits edits = heldEdits(semanticEditsOf(scenario), product.tree);
+  for (const RigidBody& body : product.bodies) {
     Attributes attributes = attributesOf(body.id, edits);
     const std::string name = valueIn<std::string>(attributes, "class").value_or("");
     if (!name.empty()) {

@@ -5,7 +5,6 @@
 #include <optional>
 #include <set>
 
-#include "engine/assembly/product_tree.h"
 #include "engine/sequence/plan_steps.h"
 #include "engine/sequence/step_precedence.h"
 
@@ -27,7 +26,6 @@ class GreedySearch {
   GreedySearch(const SequenceQuestion& question, SequenceHost& host)
       : question_(question),
         host_(host),
-        tree_(pathsOf(question.product)),
         present_(question.initial()),
         placed_(question.product.bodies.size(), false) {
     plan_.seed = question.seed;
@@ -57,15 +55,6 @@ class GreedySearch {
 
   const std::string& idOf(std::size_t body) const { return question_.product.bodies[body].id; }
   bool stopped() const { return host_.stopToken().stopRequested(); }
-
-  /// In the tree of the product's file: ids say which bodies are parts of one body of a scenario, names the rest.
-  static std::vector<std::string> pathsOf(const AssembledProduct& product) {
-    std::vector<std::string> paths;
-    for (const RigidBody& body : product.bodies) {
-      paths.push_back(assembliesAbove(body.id).empty() ? body.name : body.id);
-    }
-    return paths;
-  }
 
   std::vector<std::string> idsOf(const BodyGroup& bodies) const { return glissade::idsOf(bodies, question_.product); }
 
@@ -308,13 +297,19 @@ class GreedySearch {
 
   /// What is still there of them.
   std::vector<BodyGroup> assembliesOfTheFile() const {
+    const Product& tree = question_.product.tree;
+    std::map<std::string, std::size_t> numbers;
+    for (std::size_t body = 0; body < present_.size(); ++body) {
+      if (present_[body]) numbers.emplace(idOf(body), body);
+    }
     std::map<std::string, BodyGroup> assemblies;
-    for (std::size_t node = 0; node < tree_.nodes().size(); ++node) {
-      if (tree_.nodes()[node].body) continue;
-      BodyGroup& bodies = assemblies[tree_.nodes()[node].path];
-      for (const std::size_t body : tree_.bodiesOf(node)) {
-        if (present_[body]) bodies.push_back(body);
+    for (std::size_t node = 0; node < tree.nodes().size(); ++node) {
+      if (tree.nodes()[node].children.empty()) continue;
+      BodyGroup& bodies = assemblies[tree.nodes()[node].id];
+      for (const std::string& id : tree.bodiesBelow(node)) {
+        if (const auto there = numbers.find(id); there != numbers.end()) bodies.push_back(there->second);
       }
+      std::sort(bodies.begin(), bodies.end());
     }
     std::vector<BodyGroup> groups;
     for (const auto& assembly : assemblies) {
@@ -530,7 +525,6 @@ class GreedySearch {
 
   const SequenceQuestion& question_;
   SequenceHost& host_;
-  ProductTree tree_;
   BodySet present_;
   BodySet placed_;                                        ///< bodies that a person wants at a place
   std::map<BodyGroup, Refusal> notAtPlace_;               ///< steps that were refused at their place

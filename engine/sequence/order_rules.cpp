@@ -4,7 +4,7 @@
 #include <array>
 #include <set>
 
-#include "engine/assembly/body_path.h"
+#include "engine/assembly/body_choice.h"
 #include "engine/sequence/step_motion.h"
 
 namespace glissade {
@@ -161,11 +161,9 @@ std::size_t OrderRules::placeOf(const BodyGroup& group) const {
 }
 
 BodyGroup bodiesNamed(const AssembledProduct& product, const std::string& name) {
-  BodyGroup bodies;
-  for (std::size_t body = 0; body < product.bodies.size(); ++body) {
-    if (isMeantBy(name, product.bodies[body].id)) bodies.push_back(body);
-  }
-  return bodies;
+  std::vector<std::string> ids;
+  for (const RigidBody& body : product.bodies) ids.push_back(body.id);
+  return bodiesMeant(ids, name, product.tree);
 }
 
 Result<BodySet> stayingBodies(const AssembledProduct& product, const std::vector<std::string>& names) {

@@ -5682,6 +5682,30 @@
         <source>fit so that one of them would have to be taken %1 thinner, which the local thickness or the shape of neither gives, and the surface of one is open %2 from the contact, so that what is inside it there is not known: it counts as a clash</source>
         <translation>s&apos;ajustent de telle sorte que l&apos;un des deux devrait être aminci de %1, ce que ni leur épaisseur locale ni leur forme ne permettent, et la surface de l&apos;un est ouverte à %2 du contact, de sorte que son intérieur n&apos;y est pas connu&#xa0;: c&apos;est une collision</translation>
     </message>
+    <message>
+        <source>Say all of a node at one place.</source>
+        <translation>Dites tout d'un nœud au même endroit.</translation>
+    </message>
+    <message>
+        <source>is neither a body nor an assembly of this product</source>
+        <translation>n'est ni un corps ni un assemblage de ce produit</translation>
+    </message>
+    <message>
+        <source>is about a body, which has its attributes itself</source>
+        <translation>concerne un corps, qui porte lui-même ses attributs</translation>
+    </message>
+    <message>
+        <source>Write them there.</source>
+        <translation>Écrivez-les là.</translation>
+    </message>
+    <message>
+        <source>is no assembly that the node can be in</source>
+        <translation>n'est pas un assemblage qui puisse contenir le nœud</translation>
+    </message>
+    <message>
+        <source>Name an assembly that is not below it.</source>
+        <translation>Nommez un assemblage qui n'en dépend pas.</translation>
+    </message>
 </context>
 <context>
     <name>FilmWriter</name>
@@ -7450,6 +7474,10 @@
     <message>
         <source>Remove the edit and use the computed value</source>
         <translation>Annuler la modification et reprendre la valeur calculée</translation>
+    </message>
+    <message>
+        <source>of its assembly</source>
+        <translation>de son assemblage</translation>
     </message>
 </context>
 <context>
@@ -10268,6 +10296,10 @@
     <message>
         <source>Mobility</source>
         <translation>Mobilité</translation>
+    </message>
+    <message>
+        <source>Assemblies (%1)</source>
+        <translation>Assemblages (%1)</translation>
     </message>
 </context>
 <context>

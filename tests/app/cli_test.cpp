@@ -457,6 +457,36 @@ TEST_F(Cli, InfoTellsWhatIsThere) {
   EXPECT_NEAR(report["object"]["radius_m"].get<double>(), 1.536, 0.001);
 }
 
+/// Assemblies with their numbers of bodies, what is said of them, and the bodies of a group.
+TEST_F(Cli, InfoListsTheAssembliesAndTheBodiesOfAGroup) {
+  const std::string product = glissade::test::stepFile("unit.step");
+  const Finished file = run("info " + product);
+  ASSERT_EQ(file.exitCode, 0) << file.err;
+  EXPECT_NE(file.out.find("\nassemblies\n  pump  2 bodies\n"), std::string::npos) << file.out;
+  const std::string made = (folder / "group.json").string();
+  ASSERT_EQ(
+      run("new " + made + " --moves " + product + ":pin --moves " + product + ":pin#2 --static " + product).exitCode,
+      0);
+  Json json = Json::parse(read(made));
+  json.erase("checksum");
+  json["product"] = {{{"id", "pump"}, {"name", "Pump / 1"}, {"attributes", {{"fragile", true}}}}};
+  std::ofstream(made) << json;
+  const Finished text = run("info " + made);
+  ASSERT_EQ(text.exitCode, 0) << text.err;
+  EXPECT_NE(text.out.find("  Pump / 1  2 bodies  fragile yes\n"), std::string::npos) << text.out;
+  const Json report = Json::parse(run("info " + made + " --json").out);
+  EXPECT_EQ(report["assemblies"].size(), 1U);
+  EXPECT_EQ(report["assemblies"][0]["bodies"], 2);
+  EXPECT_EQ(report["assemblies"][0]["attributes"]["fragile"], true);
+  ASSERT_EQ(report["object"]["with"].size(), 2U);
+  EXPECT_EQ(report["object"]["with"][1]["id"], "pin#2");
+  json["product"][0]["id"] = "pumpe";
+  std::ofstream(made) << json;
+  const Finished wrong = run("info " + made);
+  EXPECT_EQ(wrong.exitCode, 3);
+  EXPECT_NE(wrong.err.find("/product/0/id"), std::string::npos) << wrong.err;
+}
+
 TEST_F(Cli, AnEditOfNoPlaceIsWarnedOfAndChangesNothingElse) {
   const std::string edited = scenario([](Json& json) {
     json["places"] = {{{"at", {5, 5, 5}}, {"attributes", {{"preference", 2.0}}}}};
@@ -658,7 +688,10 @@ TEST_F(Cli, WhatAPersonLeavesOutIsNotThere) {
   const Json fits = Json::parse(run("fits " + product + " --without block --json").out);
   EXPECT_EQ(fits["counts"].count("clash"), 0U) << fits["counts"];
   const std::string made = (folder / "screw.json").string();
-  ASSERT_EQ(run("new " + made + " --moves " + product + ":screw --static " + product + " --without block").exitCode, 0);
+  const Finished without =
+      run("new " + made + " --moves " + product + ":screw --static " + product + " --without block");
+  ASSERT_EQ(without.exitCode, 0) << without.err;
+  EXPECT_NE(without.err.find("'block': is left out"), std::string::npos) << without.err;
   EXPECT_EQ(Json::parse(read(made))["bodies"].size(), 6U);
   const Finished unknown = run("fits " + product + " --without blok");
   EXPECT_EQ(unknown.exitCode, 2);

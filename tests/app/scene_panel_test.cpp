@@ -18,6 +18,9 @@ class ScenePanelTest : public ::testing::Test {
     for (const char* name : {"pump/cover/screw", "pump/cover/screw#2", "pump/housing", "plate"}) {
       scenario.obstacles.push_back(boxBody(name, {0.1, 0.1, 0.1}, Pose::identity()));
     }
+    std::vector<ProductBody> bodies;
+    for (const RigidBody& body : scenario.obstacles) bodies.push_back({body.id, {body.name}});
+    scenario.product = Product(bodies);
     panel.setScenario(scenario);
   }
 
@@ -60,6 +63,28 @@ TEST_F(ScenePanelTest, AnAssemblyIsSelectedWhereAllOfItsBodiesAre) {
   panel.showSelection({QStringLiteral("pump/cover/screw"), QStringLiteral("pump/cover/screw#2")}, std::nullopt);
   EXPECT_TRUE(item(QStringLiteral("cover"))->isSelected());
   EXPECT_FALSE(item(QStringLiteral("pump"))->isSelected());
+}
+
+TEST_F(ScenePanelTest, WhatIsLeftOutHasAShortNameAndItsPathAsToolTip) {
+  BodyDescription body;
+  body.id = "motor.cover.cap";
+  body.name = "motor/cover/cap";
+  scenario.scenario.leftOut = {body};
+  panel.setScenario(scenario);
+  ASSERT_NE(item(QStringLiteral("cap")), nullptr);
+  EXPECT_TRUE(item(QStringLiteral("cap"))->toolTip(0).contains(QStringLiteral("motor/cover/cap")));
+}
+
+TEST_F(ScenePanelTest, NamesAreThoseOfTheFileUnlessASiblingHasTheSame) {
+  scenario.product = Product({{"pump/cover/screw", {"pump/cover/screw", {"Pump / 1", "", "M3"}}},
+                              {"pump/cover/screw#2", {"pump/cover/screw#2", {"Pump / 1", "", "M3"}}},
+                              {"pump/housing", {"pump/housing", {"Pump / 1", "H/7"}}}});
+  panel.setScenario(scenario);
+  EXPECT_NE(item(QStringLiteral("Pump / 1")), nullptr);
+  EXPECT_NE(item(QStringLiteral("H/7")), nullptr);
+  EXPECT_NE(item(QStringLiteral("cover")), nullptr) << "its name is empty";
+  EXPECT_NE(item(QStringLiteral("screw#2")), nullptr);
+  EXPECT_NE(item(QStringLiteral("plate")), nullptr) << "no node of the product";
 }
 
 TEST_F(ScenePanelTest, TheFilterLeavesWhatMatchesWithItsAssemblies) {

@@ -44,6 +44,32 @@ TEST_F(SemanticDocumentTest, AnEditOfSeveralPlacesIsOneStepBack) {
   EXPECT_EQ(complexity(1), 7.0);
 }
 
+/// What is said of an assembly holds for its bodies, until one says otherwise.
+TEST_F(SemanticDocumentTest, AnAssemblysAttributesAreThoseOfItsBodies) {
+  LoadedScenario loaded = *scenario;
+  ASSERT_GE(loaded.obstacles.size(), 2U);
+  const QString one = QString::fromStdString(loaded.obstacles[0].id);
+  const QString two = QString::fromStdString(loaded.obstacles[1].id);
+  loaded.product = Product({{one.toStdString(), {"unit/a"}}, {two.toStdString(), {"unit/b"}}});
+  document.open(loaded);
+  SemanticSelection unit;
+  unit.bodies.insert(QStringLiteral("unit"));
+  document.select(unit);
+  EXPECT_EQ(document.selectedBodies(), (QSet<QString>{one, two}));
+  ASSERT_TRUE(document.setAttribute(unit, "fragile", AttributeValue(true)).ok());
+  EXPECT_EQ(document.bodyValue(one, "fragile").value, AttributeValue(true));
+  EXPECT_EQ(document.bodyValue(one, "fragile").provenance, Provenance::Inherited);
+  EXPECT_EQ(document.bodyValue(QStringLiteral("unit"), "fragile").provenance, Provenance::Edited);
+  SemanticSelection body;
+  body.bodies.insert(two);
+  ASSERT_TRUE(document.setAttribute(body, "fragile", AttributeValue(false)).ok());
+  EXPECT_EQ(document.bodyValue(two, "fragile").value, AttributeValue(false));
+  EXPECT_EQ(document.heldEdits().bodies.at(one.toStdString()), (Attributes{{"fragile", true}}));
+  EXPECT_EQ(document.heldEdits().bodies.count("unit"), 0U);
+  undo.undo();
+  EXPECT_EQ(document.bodyValue(two, "fragile").provenance, Provenance::Inherited);
+}
+
 TEST_F(SemanticDocumentTest, ADragOfOneEditorIsOneStepAndBackToTheStartIsNone) {
   for (const double value : {5.0, 6.0, 7.0}) {
     ASSERT_TRUE(document.setAttribute(places({2}), "complexity", AttributeValue(value)).ok());

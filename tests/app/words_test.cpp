@@ -10,6 +10,7 @@
 
 #include "engine/base/random_stream.h"
 #include "engine/scenario/hand_run.h"
+#include "engine/scenario/product_file.h"
 #include "engine/scenario/scenario_io.h"
 #include "engine/scenario/sequence_knowledge.h"
 #include "engine/sequence/demand_edits.h"
@@ -351,7 +352,7 @@ void WordInSituation::look(Situation situation) {
       break;
     }
     case Situation::SequenceStrategies: {
-      const auto demands = knownDemands(document.current(), document.scenario()->obstacles);
+      const auto demands = knownDemands(document.current(), productOf(*document.scenario()));
       ASSERT_TRUE(demands.ok()) << toString(demands.error());
       EXPECT_TRUE(word.reachesSequences(*demands));
       break;

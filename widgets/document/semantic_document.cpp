@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/environment/edit_binding.h"
+#include "engine/environment/held_edits.h"
 #include "engine/planning/planner.h"
 #include "engine/scenario/scenario_bodies.h"
 #include "widgets/document/value_command.h"
@@ -28,6 +29,7 @@ void SemanticDocument::open(const LoadedScenario& scenario) {
 void SemanticDocument::takeScenario(const LoadedScenario& scenario) {
   bodies_ = rigidBodiesOf(scenario);
   obstacles_ = scenario.obstacles.size();
+  product_ = scenario.product;
   rules_ = scenario.scenario.rules;
 }
 
@@ -35,9 +37,11 @@ void SemanticDocument::rearrange(const LoadedScenario& scenario) {
   takeScenario(scenario);
   SemanticSelection selection;
   selection.places = selection_.places;
-  for (const RigidBody& body : bodies_) {
-    const QString id = QString::fromStdString(body.id);
-    if (selection_.bodies.contains(id)) selection.bodies.insert(id);
+  for (const QString& id : selection_.bodies) {
+    const std::string known = id.toStdString();
+    const bool isThere = product_.find(known) || std::any_of(bodies_.begin(), bodies_.end(),
+                                                             [&](const RigidBody& body) { return body.id == known; });
+    if (isThere) selection.bodies.insert(id);
   }
   apply(semanticEditsOf(scenario.scenario));
   select(selection);
@@ -50,6 +54,7 @@ void SemanticDocument::setKnowledge(const SceneKnowledgePtr& knowledge) {
 
 void SemanticDocument::apply(const SemanticEdits& edits) {
   edits_ = edits;
+  held_ = glissade::heldEdits(edits, product_);
   if (auto table = attributeTableOf(edits_)) table_ = std::move(*table);
   semantics_.reset();
   warnings_.clear();
@@ -57,7 +62,7 @@ void SemanticDocument::apply(const SemanticEdits& edits) {
     warnings_ = editWarnings(knowledge_->environment->map, edits_);
     const auto object = bodies_.begin() + static_cast<std::ptrdiff_t>(obstacles_);
     const std::vector<RigidBody> obstacles(bodies_.begin(), object);
-    semantics_.emplace(knowledge_->environment, obstacles, object->id, edits_, knowledge_->compatibility());
+    semantics_.emplace(knowledge_->environment, obstacles, object->id, held_, knowledge_->compatibility());
   }
   emit changed();
 }
@@ -68,12 +73,20 @@ void SemanticDocument::push(const QString& text, const SemanticEdits& after, con
   undo_.push(new ValueCommand<SemanticEdits>(text, edits_, after, take, mergeKey));
 }
 
+/// Null where nothing is said.
+const AttributeValue* SemanticDocument::said(const std::string& id, const std::string& attribute) const {
+  const auto edited = edits_.bodies.find(id);
+  if (edited == edits_.bodies.end()) return nullptr;
+  const auto value = edited->second.find(attribute);
+  return value == edited->second.end() ? nullptr : &value->second;
+}
+
 ProvenValue SemanticDocument::bodyValue(const QString& bodyId, const std::string& attribute) const {
   const std::string id = bodyId.toStdString();
-  const auto edited = edits_.bodies.find(id);
-  if (edited != edits_.bodies.end()) {
-    const auto value = edited->second.find(attribute);
-    if (value != edited->second.end()) return {value->second, Provenance::Edited};
+  if (const AttributeValue* own = said(id, attribute)) return {*own, Provenance::Edited};
+  for (auto node = product_.find(id); node; node = product_.nodes()[*node].parent) {
+    const AttributeValue* value = said(product_.nodes()[*node].id, attribute);
+    if (value != nullptr) return {*value, Provenance::Inherited};
   }
   const auto body = std::find_if(bodies_.begin(), bodies_.end(), [&](const RigidBody& b) { return b.id == id; });
   if (attribute == "mobility" && body != bodies_.end()) {
@@ -248,6 +261,19 @@ void SemanticDocument::setMilestone(int border, const std::optional<Pose>& q) {
                          after.milestones.end());
   if (q) after.milestones.push_back({map.grid.centre(where.cells[where.cells.size() / 2]), *q});
   push(q ? tr("Move milestone") : tr("Reset milestone"), after);
+}
+
+QSet<QString> SemanticDocument::selectedBodies() const {
+  QSet<QString> bodies;
+  for (const QString& id : selection_.bodies) {
+    const auto node = product_.find(id.toStdString());
+    if (!node || !product_.nodes()[*node].isAssembly) {
+      bodies.insert(id);
+      continue;
+    }
+    for (const std::string& body : product_.bodiesBelow(*node)) bodies.insert(QString::fromStdString(body));
+  }
+  return bodies;
 }
 
 void SemanticDocument::select(const SemanticSelection& selection) {

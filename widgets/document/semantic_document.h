@@ -13,7 +13,7 @@ namespace glissade {
 /// What is selected, in the tree and in the scene alike.
 struct SemanticSelection {
   QSet<int> places;      ///< numbers of places
-  QSet<QString> bodies;  ///< ids
+  QSet<QString> bodies;  ///< ids; of assemblies, too, where their attributes are edited
 
   /// Whose attributes are shown and edited: the places', where there are any.
   AttributeOwner owner() const {
@@ -53,6 +53,10 @@ class SemanticDocument final : public QObject {
 
   const SceneKnowledgePtr& knowledge() const { return knowledge_; }
   const SemanticEdits& edits() const { return edits_; }
+  /// The edits as they count: those of assemblies are said of their bodies (heldEdits()).
+  const SemanticEdits& heldEdits() const { return held_; }
+  /// The tree of the bodies.
+  const Product& product() const { return product_; }
   /// Null until the environment model is there.
   const SemanticModel* semantics() const { return semantics_ ? &*semantics_ : nullptr; }
   /// Which edits count nowhere, or not as they are meant; empty until the environment model is there.
@@ -62,7 +66,8 @@ class SemanticDocument final : public QObject {
   bool isMoved(std::size_t body) const { return body >= obstacles_; }
   /// The attributes that there are, also before the environment model is there.
   const AttributeTable& table() const { return table_; }
-  ProvenValue bodyValue(const QString& bodyId, const std::string& attribute) const;
+  /// Of a body or an assembly. What neither says is what the assemblies that it is in say.
+  ProvenValue bodyValue(const QString& id, const std::string& attribute) const;
 
   /// Sets an attribute on several places and bodies at once; nothing: resets it to what is computed.
   /// Refuses a value of the wrong type or out of range. `text` names the command.
@@ -82,6 +87,8 @@ class SemanticDocument final : public QObject {
   void setMilestone(int border, const std::optional<Pose>& q);
 
   const SemanticSelection& selection() const { return selection_; }
+  /// Ids of the bodies that are selected, those below selected assemblies among them.
+  QSet<QString> selectedBodies() const;
   void select(const SemanticSelection& selection);
 
  signals:
@@ -92,6 +99,7 @@ class SemanticDocument final : public QObject {
   void push(const QString& text, const SemanticEdits& after, const QString& mergeKey = {});
   void apply(const SemanticEdits& edits);
   void takeScenario(const LoadedScenario& scenario);
+  const AttributeValue* said(const std::string& id, const std::string& attribute) const;
   PlaceEdit& editOf(SemanticEdits& edits, int place) const;
   Outcome checkDefinitions(const SemanticEdits& edits, const std::string& attribute) const;
 
@@ -100,7 +108,9 @@ class SemanticDocument final : public QObject {
   std::size_t obstacles_ = 0;      ///< how many obstacles there are
   std::optional<StrategyRules> rules_;
   SceneKnowledgePtr knowledge_;
+  Product product_;
   SemanticEdits edits_;
+  SemanticEdits held_;
   AttributeTable table_;
   std::optional<SemanticModel> semantics_;
   Warnings warnings_;

@@ -67,8 +67,8 @@ WorkbenchDocument::WorkbenchDocument(QObject* parent)
     announce(Change::Paths);
   });
   connect(&semantics_, &SemanticDocument::changed, this, [this] {
-    if (semantics_.edits() == *edits_) return;
-    edits_ = std::make_shared<const SemanticEdits>(semantics_.edits());
+    if (semantics_.heldEdits() == *edits_) return;
+    edits_ = std::make_shared<const SemanticEdits>(semantics_.heldEdits());
     announce(Change::Semantics);
   });
 }

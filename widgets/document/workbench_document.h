@@ -56,7 +56,7 @@ class WorkbenchDocument final : public QObject {
   Scenario current() const;
   SemanticDocument& semantics() { return semantics_; }
   const SemanticDocument& semantics() const { return semantics_; }
-  /// The semantic edits, shared with the session.
+  /// The semantic edits as they count, shared with the session.
   const SemanticEditsPtr& edits() const { return edits_; }
   const SceneKnowledgePtr& knowledge() const { return semantics_.knowledge(); }
   const EnvironmentOptions& options() const { return options_; }

@@ -17,6 +17,7 @@ QString sourceText(Provenance provenance) {
   switch (provenance) {
     case Provenance::Initial: return AttributeView::tr("default");
     case Provenance::Computed: return AttributeView::tr("computed");
+    case Provenance::Inherited: return AttributeView::tr("of its assembly");
     case Provenance::Edited: return AttributeView::tr("edited");
   }
   return {};

@@ -4,6 +4,7 @@
 #include <QHeaderView>
 #include <QLocale>
 
+#include "engine/assembly/body_path.h"
 #include "widgets/commands/colour_swatch.h"
 #include "widgets/commands/length_text.h"
 #include "widgets/document/complexity_colour.h"
@@ -58,7 +59,11 @@ void cut(QTreeWidgetItem& group, int count) {
 }  // namespace
 
 SemanticsTree::SemanticsTree(SemanticDocument& document, QWidget* parent)
-    : QTreeWidget(parent), document_(document), places_(makeGroup(this)), bodies_(makeGroup(this)) {
+    : QTreeWidget(parent),
+      document_(document),
+      places_(makeGroup(this)),
+      assemblies_(makeGroup(this)),
+      bodies_(makeGroup(this)) {
   setObjectName(QStringLiteral("semantics-tree"));
   setColumnCount(3);
   setHeaderLabels({tr("Name"), tr("Complexity"), tr("Width")});
@@ -86,6 +91,7 @@ void SemanticsTree::changeEvent(QEvent* event) {
 void SemanticsTree::refresh() {
   updating_ = true;
   showPlaces();
+  showAssemblies();
   showBodies();
   updating_ = false;
   hideUnwanted();
@@ -135,19 +141,47 @@ void SemanticsTree::showBodies() {
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     QTreeWidgetItem* item = child(*bodies_, static_cast<int>(i));
     const QString id = QString::fromStdString(bodies[i].id);
-    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
     item->setText(0, QString::fromStdString(bodies[i].shown()));
     item->setIcon(0, swatch(bodies[i].colour));
     item->setText(1, document_.isMoved(i) ? tr("moved")
                                           : QString::fromStdString(toText(document_.bodyValue(id, "mobility").value)));
-    item->setData(0, kKeyRole, id);
-    QString search = item->text(0) + QLatin1Char(' ') + item->text(1);
-    for (const AttributeDefinition& definition : document_.table().definitions()) {
-      if (definition.owner != AttributeOwner::Body) continue;
-      search +=
-          QString::fromStdString(" " + definition.name + " " + toText(document_.bodyValue(id, definition.name).value));
-    }
-    item->setData(0, kSearchRole, search);
+    describe(*item, id);
+  }
+}
+
+/// Takes the id, and what the filter looks at.
+void SemanticsTree::describe(QTreeWidgetItem& item, const QString& id) {
+  item.setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
+  item.setData(0, kKeyRole, id);
+  QString search = item.text(0) + QLatin1Char(' ') + item.text(1);
+  for (const AttributeDefinition& definition : document_.table().definitions()) {
+    if (definition.owner != AttributeOwner::Body) continue;
+    search +=
+        QString::fromStdString(" " + definition.name + " " + toText(document_.bodyValue(id, definition.name).value));
+  }
+  item.setData(0, kSearchRole, search);
+}
+
+/// What is said of an assembly holds for its bodies.
+void SemanticsTree::showAssemblies() {
+  std::vector<const Product::Node*> nodes;
+  std::vector<std::string> ids;
+  std::vector<std::string> paths;
+  for (const Product::Node& node : document_.product().nodes()) {
+    if (!node.isAssembly) continue;
+    nodes.push_back(&node);
+    ids.push_back(node.id);
+    paths.push_back(node.path);
+  }
+  const std::vector<std::string> shown = glissade::shownNames(ids, paths);
+  assemblies_->setText(0, tr("Assemblies (%1)").arg(nodes.size()));
+  assemblies_->setHidden(nodes.empty());
+  cut(*assemblies_, static_cast<int>(nodes.size()));
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    QTreeWidgetItem* item = child(*assemblies_, static_cast<int>(i));
+    item->setText(0, QString::fromStdString(shown[i]));
+    item->setToolTip(0, QString::fromStdString(paths[i]));
+    describe(*item, QString::fromStdString(ids[i]));
   }
 }
 
@@ -159,7 +193,7 @@ void SemanticsTree::setFilter(const QString& text) {
 }
 
 void SemanticsTree::hideUnwanted() {
-  for (QTreeWidgetItem* group : {places_, bodies_}) {
+  for (QTreeWidgetItem* group : {places_, assemblies_, bodies_}) {
     for (int i = 0; i < group->childCount(); ++i) {
       const QString search = group->child(i)->data(0, kSearchRole).toString();
       group->child(i)->setHidden(!search.contains(filter_, Qt::CaseInsensitive));
@@ -173,7 +207,8 @@ void SemanticsTree::takeSelection() {
   for (const QTreeWidgetItem* item : selectedItems()) {
     if (item->isHidden()) continue;
     if (item->parent() == places_) selection.places.insert(item->data(0, kKeyRole).toInt());
-    if (item->parent() == bodies_) selection.bodies.insert(item->data(0, kKeyRole).toString());
+    if (item->parent() == assemblies_ || item->parent() == bodies_)
+      selection.bodies.insert(item->data(0, kKeyRole).toString());
   }
   document_.select(selection);
 }
@@ -186,10 +221,12 @@ void SemanticsTree::showSelection() {
     places_->child(i)->setSelected(selection.places.contains(i));
     if (first == nullptr && places_->child(i)->isSelected()) first = places_->child(i);
   }
-  for (int i = 0; i < bodies_->childCount(); ++i) {
-    QTreeWidgetItem* item = bodies_->child(i);
-    item->setSelected(selection.bodies.contains(item->data(0, kKeyRole).toString()));
-    if (first == nullptr && item->isSelected()) first = item;
+  for (const QTreeWidgetItem* group : {assemblies_, bodies_}) {
+    for (int i = 0; i < group->childCount(); ++i) {
+      QTreeWidgetItem* item = group->child(i);
+      item->setSelected(selection.bodies.contains(item->data(0, kKeyRole).toString()));
+      if (first == nullptr && item->isSelected()) first = item;
+    }
   }
   if (first != nullptr) scrollToItem(first);
   updating_ = false;

@@ -7,7 +7,7 @@
 
 namespace glissade {
 
-/// Places and bodies; what is selected here is selected in the scene, and the other way round. Places
+/// Places, assemblies and bodies; what is selected here is selected in the scene, and the other way round. Places
 /// can be renamed in place (F2).
 class SemanticsTree final : public QTreeWidget {
   Q_OBJECT
@@ -28,13 +28,16 @@ class SemanticsTree final : public QTreeWidget {
   void refresh();
   void hideUnwanted();
   void showPlaces();
+  void showAssemblies();
   void showBodies();
+  void describe(QTreeWidgetItem& item, const QString& id);
   void takeSelection();
   void showSelection();
   void rename(QTreeWidgetItem* item);
 
   SemanticDocument& document_;
   QTreeWidgetItem* places_;
+  QTreeWidgetItem* assemblies_;  ///< hidden where there are none
   QTreeWidgetItem* bodies_;
   QString filter_;
   bool updating_ = false;

@@ -4,7 +4,7 @@
 #include <QLocale>
 #include <QSignalBlocker>
 
-#include "engine/assembly/product_tree.h"
+#include "engine/scenario/scenario_bodies.h"
 #include "widgets/commands/colour_swatch.h"
 #include "widgets/commands/length_text.h"
 
@@ -100,18 +100,26 @@ void ScenePanel::setScenario(const LoadedScenario& scenario) {
   addEnd(*object, tr("start  %1").arg(place(scenario.problem.start)), AssemblyItem::Kind::Start);
   addEnd(*object, tr("goal  %1").arg(goal != nullptr ? place(*goal) : tr("out")), AssemblyItem::Kind::Goal);
   obstacles_ = addGroup(tr("Obstacles"));
-  addObstacles(scenario.obstacles);
-  addLeftOut(scenario.scenario.leftOut);
+  addObstacles(scenario);
+  addLeftOut(scenario.scenario);
   showDeflections(scenario);
 }
 
-void ScenePanel::addLeftOut(const std::vector<BodyDescription>& bodies) {
-  if (bodies.empty()) return;
+void ScenePanel::addLeftOut(const Scenario& scenario) {
+  if (scenario.leftOut.empty()) return;
   QTreeWidgetItem* group = addGroup(tr("Left out"));
-  for (const BodyDescription& body : bodies) {
-    auto* item = new QTreeWidgetItem(group, {QString::fromStdString(body.name), tr("left out")});
-    item->setToolTip(0, tr("%1: part of the product's file, and not of this product").arg(item->text(0)));
-    item->setData(0, kLeftOutRole, QString::fromStdString(body.id));
+  std::vector<std::string> ids;
+  std::vector<std::string> paths;
+  for (const BodyDescription* body : allBodiesOf(scenario)) {
+    ids.push_back(body->id);
+    paths.push_back(body->name);
+  }
+  const std::vector<std::string> shown = shownNames(ids, paths);
+  for (std::size_t i = ids.size() - scenario.leftOut.size(); i < ids.size(); ++i) {
+    auto* item = new QTreeWidgetItem(group, {QString::fromStdString(shown[i]), tr("left out")});
+    item->setToolTip(
+        0, tr("%1: part of the product's file, and not of this product").arg(QString::fromStdString(paths[i])));
+    item->setData(0, kLeftOutRole, QString::fromStdString(ids[i]));
   }
 }
 
@@ -134,15 +142,27 @@ std::vector<std::string> ScenePanel::chosenLeftOut() const {
   return ids;
 }
 
-void ScenePanel::addObstacles(const std::vector<RigidBody>& bodies) {
-  std::vector<std::string> paths;
-  for (const RigidBody& body : bodies) paths.push_back(body.name);
-  const ProductTree tree(paths);
-  std::vector<QTreeWidgetItem*> items;  // of the nodes; parents come before their children
-  for (const ProductTree::Node& node : tree.nodes()) {
-    QTreeWidgetItem& parent = node.parent ? *items[*node.parent] : *obstacles_;
-    const QString name = QString::fromStdString(node.name);
-    items.push_back(node.body ? addObstacle(parent, bodies[*node.body], name) : addAssembly(parent, name));
+/// Under the nodes of the product that have an obstacle below them. A body that is no node is at the top.
+void ScenePanel::addObstacles(const LoadedScenario& scenario) {
+  const std::vector<Product::Node>& nodes = scenario.product.nodes();
+  const std::vector<std::string> names = scenario.product.shownNames();
+  std::vector<const RigidBody*> bodies(nodes.size(), nullptr);
+  std::vector<bool> shown(nodes.size(), false);
+  for (const RigidBody& body : scenario.obstacles) {
+    auto node = scenario.product.find(body.id);
+    if (node) bodies[*node] = &body;
+    for (; node && !shown[*node]; node = nodes[*node].parent) shown[*node] = true;
+  }
+  std::vector<QTreeWidgetItem*> items(nodes.size(), nullptr);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (!shown[i]) continue;
+    QTreeWidgetItem& parent = nodes[i].parent ? *items[*nodes[i].parent] : *obstacles_;
+    const QString name = QString::fromStdString(names[i]);
+    items[i] = bodies[i] != nullptr ? addObstacle(parent, *bodies[i], name)
+                                    : addAssembly(parent, name, QString::fromStdString(nodes[i].path));
+  }
+  for (const RigidBody& body : scenario.obstacles) {
+    if (!scenario.product.find(body.id)) addObstacle(*obstacles_, body, {});
   }
 }
 
@@ -155,10 +175,10 @@ QTreeWidgetItem* ScenePanel::addObstacle(QTreeWidgetItem& parent, const RigidBod
   return item;
 }
 
-QTreeWidgetItem* ScenePanel::addAssembly(QTreeWidgetItem& parent, const QString& name) {
+QTreeWidgetItem* ScenePanel::addAssembly(QTreeWidgetItem& parent, const QString& name, const QString& path) {
   auto* assembly = new QTreeWidgetItem(&parent, {name});
   assembly->setFlags(assembly->flags() | Qt::ItemIsAutoTristate | Qt::ItemIsUserCheckable);
-  assembly->setToolTip(0, name);
+  assembly->setToolTip(0, path);
   assembly->setExpanded(true);
   return assembly;
 }

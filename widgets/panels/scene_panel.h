@@ -12,8 +12,8 @@
 namespace glissade {
 
 /// What is in the scene: the object's bodies, its ends, the obstacles with their colour, mobility and triangles, and
-/// what is left out. Obstacles stand under the assemblies of their file: a name as in "pump/cover/screw" is a part of
-/// "pump/cover". To select, hide or show an assembly is to do so with all of its bodies.
+/// what is left out. Obstacles stand under the assemblies of the product. To select, hide or show an assembly is to do
+/// so with all of its bodies.
 class ScenePanel final : public QTreeWidget {
   Q_OBJECT
 
@@ -43,11 +43,11 @@ class ScenePanel final : public QTreeWidget {
   QTreeWidgetItem* addGroup(const QString& title);
   static QTreeWidgetItem* addBody(QTreeWidgetItem& group, const RigidBody& body, const QString& kind);
 
-  void addObstacles(const std::vector<RigidBody>& bodies);
+  void addObstacles(const LoadedScenario& scenario);
   static QTreeWidgetItem* addObstacle(QTreeWidgetItem& parent, const RigidBody& body, const QString& name);
-  static QTreeWidgetItem* addAssembly(QTreeWidgetItem& parent, const QString& name);
+  static QTreeWidgetItem* addAssembly(QTreeWidgetItem& parent, const QString& name, const QString& path);
   QTreeWidgetItem* addEnd(QTreeWidgetItem& group, const QString& text, AssemblyItem::Kind end);
-  void addLeftOut(const std::vector<BodyDescription>& bodies);
+  void addLeftOut(const Scenario& scenario);
   void showDeflections(const LoadedScenario& scenario);
   void takeSelection();
 

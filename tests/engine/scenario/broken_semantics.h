@@ -53,6 +53,16 @@ inline const std::vector<BrokenScenario>& brokenSemantics() {
       {R"([{"op": "replace", "path": "/milestones/0/pose/orientation/0", "value": 2}])",
        "/milestones/0/pose/orientation", "unit quaternion"},
       {R"([{"op": "remove", "path": "/milestones/0/at"}])", "/milestones/0/at", "missing"},
+      // nodes of the product
+      {R"([{"op": "replace", "path": "/product/0/id", "value": "pumpe"}])", "/product/0/id",
+       "neither a body nor an assembly", false},
+      {R"([{"op": "replace", "path": "/product/1/id", "value": "pump"}])", "/product/1/id", "a second time", false},
+      {R"([{"op": "add", "path": "/product/2/attributes", "value": {"weight": 1}}])", "/product/2/attributes",
+       "about a body", false},
+      {R"([{"op": "replace", "path": "/product/2/in", "value": "pin"}])", "/product/2/in", "no assembly", false},
+      {R"([{"op": "replace", "path": "/product/0/attributes/weight", "value": "heavy"}])",
+       "/product/0/attributes/weight", "not a number", false},
+      {R"([{"op": "add", "path": "/product/0/body", "value": "pump"}])", "/product/0/body", "unknown key"},
       // rules
       {R"([{"op": "replace", "path": "/rules/edge", "value": "distance * place.speed"}])", "/rules/edge, column 12",
        "'place.speed' is unknown", false},

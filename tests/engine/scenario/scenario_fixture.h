@@ -94,6 +94,7 @@ inline Scenario fullScenario() {
   BodyDescription variant = mesh;
   variant.id = "variant";
   scenario.leftOut = {variant};
+  scenario.nodes = {{"pump", "Pump / 1", std::nullopt, {{"weight", 0.25}}}, {"unit", "", ""}, {"pin", "M3/6", "unit"}};
   scenario.goal = GoalOut{};
   scenario.wayPoints = {scenario.start, Pose::translation({0, 4, 0})};
   scenario.planner = "own";

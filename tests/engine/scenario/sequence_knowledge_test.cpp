@@ -17,17 +17,17 @@ struct KnownScenario {
     scenario.bodies[0].id = "rail";
     scenario.bodies[1].id = "screws";
     for (const char* id : {"rail", "screws/one", "screws/two"}) {
-      bodies.emplace_back();
-      bodies.back().id = id;
+      product.bodies.emplace_back();
+      product.bodies.back().id = id;
     }
   }
   SequenceDemands demands() const {
-    const auto known = knownDemands(scenario, bodies);
+    const auto known = knownDemands(scenario, product);
     EXPECT_TRUE(known.ok());
     return known ? *known : SequenceDemands();
   }
   Scenario scenario;
-  std::vector<RigidBody> bodies;
+  AssembledProduct product;
 };
 
 TEST(SequenceKnowledge, AttributesBecomeDemands) {
@@ -89,7 +89,7 @@ TEST(SequenceKnowledge, ClassesOfTheScenarioAreAdded) {
   known.scenario.bodies[0].attributes = {{"class", std::string("glass")}};
   EXPECT_EQ(known.demands().stay, std::vector<std::string>{"rail"}) << "a fixture is a base part";
   known.scenario.sequence.classes = {{"glass", "fixtur"}};
-  const auto wrong = knownDemands(known.scenario, known.bodies);
+  const auto wrong = knownDemands(known.scenario, known.product);
   ASSERT_FALSE(wrong.ok());
   EXPECT_EQ(wrong.error().location, "/sequence/classes");
 }
@@ -97,7 +97,7 @@ TEST(SequenceKnowledge, ClassesOfTheScenarioAreAdded) {
 TEST(SequenceKnowledge, RefusesAnUnknownClassAndNamesThoseThereAre) {
   KnownScenario known;
   known.scenario.bodies[0].attributes = {{"class", std::string("scrw")}};
-  const auto wrong = knownDemands(known.scenario, known.bodies);
+  const auto wrong = knownDemands(known.scenario, known.product);
   ASSERT_FALSE(wrong.ok());
   EXPECT_NE(wrong.error().reason.find("'scrw'"), std::string::npos);
   EXPECT_NE(wrong.error().advice.find("socket_head_screw"), std::string::npos);

@@ -164,12 +164,12 @@ TEST(StepParts, ANameThatIsNotThereListsThoseThatAre) {
 }
 
 TEST(StepParts, LastNamesDoWhereTheyAreOne) {
-  const std::vector<std::string> parts{"a/pin", "a/nut", "b/pin", "b/c/ring"};
-  EXPECT_EQ(nodeNamed("a/pin", parts, "f").value(), "a/pin");
-  EXPECT_EQ(nodeNamed("b", parts, "f").value(), "b");
-  EXPECT_EQ(nodeNamed("c", parts, "f").value(), "b/c");
-  EXPECT_EQ(nodeNamed("nut", parts, "f").value(), "a/nut");
-  EXPECT_THAT(toString(nodeNamed("pin", parts, "f").error()), HasSubstr("a/pin, b/pin"));
+  const Product tree({{"1", {"a/pin"}}, {"2", {"a/nut"}}, {"3", {"b/pin"}}, {"4", {"b/c/ring"}}});
+  EXPECT_EQ(nodeNamed("a/pin", tree, "f").value(), "a/pin");
+  EXPECT_EQ(nodeNamed("b", tree, "f").value(), "b");
+  EXPECT_EQ(nodeNamed("c", tree, "f").value(), "b/c");
+  EXPECT_EQ(nodeNamed("nut", tree, "f").value(), "a/nut");
+  EXPECT_THAT(toString(nodeNamed("pin", tree, "f").error()), HasSubstr("a/pin, b/pin"));
   EXPECT_TRUE(isWithin("b/c/ring", "b/c") && isWithin("b/c/ring", "") && !isWithin("bc/ring", "b"));
   EXPECT_EQ(pathWithin("b/c/ring", "b"), "c/ring");
 }

@@ -11,6 +11,9 @@ inline AssembledProduct productOf(std::vector<RigidBody> bodies, bool fits = fal
   product.deflections.assign(bodies.size(), 0.0);
   product.bodies = aboutTheirMiddles(std::move(bodies));
   product.fits.on = fits;
+  std::vector<ProductBody> tree;
+  for (const RigidBody& body : product.bodies) tree.push_back({body.id, {body.name}});
+  product.tree = Product(tree);
   return product;
 }
 

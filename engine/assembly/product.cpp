@@ -1,0 +1,177 @@
+#include "engine/assembly/product.h"
+
+#include <algorithm>
+#include <set>
+
+#include "engine/assembly/body_path.h"
+
+namespace glissade {
+
+/// Makes the nodes of a product.
+class ProductMaker {
+ public:
+  ProductMaker(const std::vector<ProductBody>& bodies, const std::vector<NodeDescription>& said, Product& product)
+      : bodies_(bodies), product_(product) {
+    for (const NodeDescription& node : said) said_.emplace(node.id, &node);
+    for (const ProductBody& body : bodies) {
+      taken_.insert(body.id);
+      for (const TreePlace& part : body.parts) taken_.insert(joinedPath(body.id, part.path));
+    }
+  }
+
+  void make() {
+    for (const ProductBody& body : bodies_) add(body);
+  }
+
+ private:
+  using Node = Product::Node;
+  using Parent = std::optional<std::size_t>;
+  using Steps = std::vector<std::string>;
+
+  const NodeDescription* saidOf(const std::string& id) const {
+    const auto found = said_.find(id);
+    return found == said_.end() ? nullptr : found->second;
+  }
+
+  void add(const ProductBody& body) {
+    const NodeDescription* said = saidOf(body.id);
+    const Parent parent = said != nullptr && said->in ? assemblyWithId(*said->in) : assemblyAbove({}, body.place);
+    const std::size_t node = append({body.id, body.place.path, nameAt(body.place), parent}, said);
+    for (const TreePlace& part : body.parts) {
+      if (part.path.empty()) continue;
+      append({joinedPath(body.id, part.path), joinedPath(body.place.path, part.path), nameAt(part),
+              assemblyAbove(node, part)},
+             nullptr);
+    }
+  }
+
+  std::size_t append(Node node, const NodeDescription* said) {
+    if (said != nullptr && said->name) node.name = *said->name;
+    if (said != nullptr && node.isAssembly) node.attributes = said->attributes;
+    const std::size_t index = product_.nodes_.size();
+    if (node.parent) product_.nodes_[*node.parent].children.push_back(index);
+    product_.byId_.emplace(node.id, index);
+    product_.nodes_.push_back(std::move(node));
+    return index;
+  }
+
+  static std::string nameAt(const TreePlace& place) {
+    return place.names.empty() ? lastStepOf(place.path) : place.names.back();
+  }
+
+  /// The assembly that the last step of the place is in, below `top`.
+  Parent assemblyAbove(Parent top, const TreePlace& place) {
+    const Steps steps = stepsOf(place.path);
+    Parent parent = top;
+    for (std::size_t level = 0; level + 1 < steps.size(); ++level) {
+      const bool named = place.names.size() == steps.size();
+      parent = assemblyAt(parent, steps[level], named ? place.names[level] : steps[level]);
+    }
+    return parent;
+  }
+
+  std::string idBelow(Parent parent, const std::string& step) const {
+    const std::string id = parent ? joinedPath(product_.nodes_[*parent].id, step) : step;
+    std::string free = id;
+    for (int number = 2; taken_.count(free) > 0; ++number) free = id + "#" + std::to_string(number);
+    return free;
+  }
+
+  std::size_t assemblyAt(Parent parent, const std::string& step, const std::string& name) {
+    const auto known = assemblies_.find({parent, step});
+    if (known != assemblies_.end()) return known->second;
+    const std::string id = idBelow(parent, step);
+    const auto same = product_.byId_.find(id);
+    const std::size_t node = same != product_.byId_.end() ? same->second : addAssembly(id, parent, step, name);
+    assemblies_.emplace(std::pair(parent, step), node);
+    return node;
+  }
+
+  std::size_t addAssembly(const std::string& id, Parent parent, const std::string& step, const std::string& name) {
+    const NodeDescription* said = saidOf(id);
+    if (said != nullptr && said->in && making_.insert(id).second) parent = assemblyWithId(*said->in);
+    if (const auto made = product_.byId_.find(id); made != product_.byId_.end()) return made->second;
+    Node node{id, parent ? joinedPath(product_.nodes_[*parent].path, step) : step, name, parent};
+    node.isAssembly = true;
+    return append(std::move(node), said);
+  }
+
+  /// One that a description names.
+  Parent assemblyWithId(const std::string& id) {
+    if (id.empty()) return std::nullopt;
+    const auto known = product_.byId_.find(id);
+    if (known != product_.byId_.end()) return known->second;
+    const NodeDescription* said = saidOf(id);
+    if (said != nullptr && said->in) return addAssembly(id, std::nullopt, lastStepOf(id), lastStepOf(id));
+    const TreePlace below{joinedPath(id, "body")};
+    return assemblyAbove({}, below);
+  }
+
+  const std::vector<ProductBody>& bodies_;
+  Product& product_;
+  std::map<std::string, const NodeDescription*> said_;
+  std::set<std::string> taken_;                                       ///< ids of bodies
+  std::map<std::pair<Parent, std::string>, std::size_t> assemblies_;  ///< by the one above and the step
+  std::set<std::string> making_;  ///< assemblies whose place was looked for: none is looked for twice
+};
+
+Product::Product(const std::vector<ProductBody>& bodies, const std::vector<NodeDescription>& said) {
+  ProductMaker(bodies, said, *this).make();
+}
+
+std::optional<std::size_t> Product::find(const std::string& id) const {
+  const auto found = byId_.find(id);
+  return found == byId_.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::vector<std::string> Product::bodiesBelow(std::size_t node) const {
+  std::vector<std::size_t> bodies;
+  std::vector<std::size_t> open{node};
+  while (!open.empty()) {
+    const std::size_t next = open.back();
+    open.pop_back();
+    const std::vector<std::size_t>& children = nodes_[next].children;
+    if (children.empty() && !nodes_[next].isAssembly) bodies.push_back(next);
+    open.insert(open.end(), children.begin(), children.end());
+  }
+  std::sort(bodies.begin(), bodies.end());
+  std::vector<std::string> ids;
+  for (const std::size_t body : bodies) ids.push_back(nodes_[body].id);
+  return ids;
+}
+
+std::vector<std::size_t> Product::named(const std::string& name) const {
+  std::vector<std::size_t> byPath;
+  std::vector<std::size_t> byNames;
+  if (name.empty()) return byPath;
+  std::vector<std::string> names;  // in the file, on the way to each node
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const Node& node = nodes_[i];
+    const std::string own = node.name.empty() ? lastStepOf(node.path) : node.name;
+    names.push_back(node.parent ? joinedPath(names[*node.parent], own) : own);
+    if (node.id == name || endsInPath(node.path, name)) byPath.push_back(i);
+    if (endsInPath(names.back(), name)) byNames.push_back(i);
+  }
+  return byPath.empty() ? byNames : byPath;
+}
+
+std::vector<std::string> Product::shownNames() const {
+  std::map<std::pair<std::optional<std::size_t>, std::string>, int> siblings;
+  for (const Node& node : nodes_) ++siblings[{node.parent, node.name}];
+  std::vector<std::string> shown;
+  for (const Node& node : nodes_) {
+    const bool own = !node.name.empty() && siblings[{node.parent, node.name}] == 1;
+    shown.push_back(own ? node.name : lastStepOf(node.path));
+  }
+  return shown;
+}
+
+std::vector<std::string> bodiesMeant(const Product& product, const std::string& name) {
+  std::set<std::string> ids;
+  for (const std::size_t node : product.named(name)) {
+    for (std::string& id : product.bodiesBelow(node)) ids.insert(std::move(id));
+  }
+  return {ids.begin(), ids.end()};
+}
+
+}  // namespace glissade
