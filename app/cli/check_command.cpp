@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -109,10 +110,14 @@ int checkPlan(const CheckOptions& options, const Interrupt& interrupt, const Sto
   } else {
     std::cout << check::reportText(verdict, *product);
   }
-  bool refused = !verdict.refusals.empty();
-  for (const check::StepVerdict& step : verdict.steps) {
-    refused = refused || step.motion.verdict.status == check::Status::Violated || !step.refusals.empty();
+  const auto isRefused = [](const check::StepVerdict& step) {
+    return step.motion.verdict.status == check::Status::Violated || !step.refusals.empty();
+  };
+  bool refused = !verdict.refusals.empty() || std::any_of(verdict.steps.begin(), verdict.steps.end(), isRefused);
+  for (const check::LineVerdict& line : verdict.lines) {
+    refused = refused || !line.refusals.empty() || std::any_of(line.steps.begin(), line.steps.end(), isRefused);
   }
+  if (verdict.valid() && verdict.stepsWithoutProof() > 0) return kExitWithoutProof;
   return exitCodeOf(verdict.valid(), refused, interrupt, stop);
 }
 

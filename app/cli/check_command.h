@@ -20,7 +20,7 @@ struct CheckOptions {
 };
 
 /// glissade-cli check: judges a path or an assembly plan (engine/check). Exit code 0 valid, 1 invalid, 5 where the time
-/// limit left it undecided, 130 interrupted.
+/// limit left it undecided, 6 valid but for flexible bodies, of whose motions nothing is proved, 130 interrupted.
 int runCheck(const CheckOptions& options);
 
 }  // namespace glissade::cli

@@ -13,6 +13,9 @@ namespace glissade::cli {
 /// How a command speaks: for people, or one JSON object on stdout and nothing else.
 enum class Format { Text, Json };
 
+/// Exit code of a plan that is complete or valid, and whose flexible bodies leave without a proof.
+inline constexpr int kExitWithoutProof = 6;
+
 /// Prints one JSON document to stdout.
 void printJson(const nlohmann::ordered_json& json);
 

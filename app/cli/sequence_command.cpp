@@ -25,9 +25,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Complete, and flexible bodies leave without a proof.
-constexpr int kExitWithoutProof = 6;
-
 double secondsSince(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
 /// A line on standard error for each wave, and for each search.

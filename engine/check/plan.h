@@ -23,6 +23,16 @@ struct Step {
   std::vector<StatedAllowance> allowances;
   std::vector<StatedViolation> violates;
   bool certified = true;  ///< what the step says of itself
+  bool flexible = false;  ///< it says so of its one body, of whose motion nothing is proved
+};
+
+/// A group that has left, taken apart in a frame of its own: nothing but its bodies is there.
+struct Line {
+  std::size_t step = 0;              ///< by which it has left, from 1, of the plan or of the line above it
+  std::vector<std::string> bodies;   ///< ids
+  std::vector<std::string> staying;  ///< ids
+  std::vector<Step> steps;
+  std::vector<Line> lines;  ///< of its groups
 };
 
 /// An assembly plan as its file states it. Nothing is taken for true.
@@ -36,6 +46,7 @@ struct Plan {
   std::optional<std::uint64_t> parts{};
   std::optional<std::uint64_t> removed{};
   std::optional<bool> certified{};
+  std::vector<Line> lines{};
 };
 
 }  // namespace glissade::check

@@ -32,6 +32,15 @@ void compareNumber(const char* what, const std::optional<std::uint64_t>& claimed
                   std::to_string(found));
 }
 
+bool areCertified(const std::vector<Step>& steps) {
+  return std::all_of(steps.begin(), steps.end(), [](const Step& step) { return step.certified; });
+}
+
+bool areCertified(const std::vector<Line>& lines) {
+  return std::all_of(lines.begin(), lines.end(),
+                     [](const Line& line) { return areCertified(line.steps) && areCertified(line.lines); });
+}
+
 }  // namespace
 
 std::vector<std::string> wrongClaims(const Product& product, const Plan& plan) {
@@ -42,7 +51,11 @@ std::vector<std::string> wrongClaims(const Product& product, const Plan& plan) {
   for (const Step& step : plan.steps) removed += step.bodies.size();
   compareNumber("parts", plan.parts, parts, wrong);
   compareNumber("removed", plan.removed, removed, wrong);
-  if (plan.certified && !*plan.certified) wrong.emplace_back("the plan states that it is not certified");
+  const bool proved = areCertified(plan.steps) && areCertified(plan.lines);
+  if (plan.certified && !*plan.certified && proved) wrong.emplace_back("the plan states that it is not certified");
+  if (plan.certified && *plan.certified && !proved) {
+    wrong.emplace_back("the plan states that it is certified, and a step says that it is not");
+  }
   if (plan.end == "complete" && parts == 0) {
     wrong.emplace_back("the plan is called complete, and all of its bodies stay: nothing is taken apart");
   } else if (plan.end == "complete" && removed < parts) {

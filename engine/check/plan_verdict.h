@@ -18,9 +18,19 @@ struct StepVerdict {
   std::string againstDemand{};      ///< what a person demands and it does not keep; empty: nothing
   std::vector<AppliedAllowance> allowances{};
   std::vector<std::string> refusals{};  ///< of what it states, for people
+  bool isFlexible = false;              ///< of a flexible body: nothing is said of its motion
 
   bool certified() const { return motion.verdict.status == Status::Certified; }
-  bool valid() const { return certified() && endsOutside && againstDemand.empty() && refusals.empty(); }
+  bool valid() const { return (certified() || isFlexible) && endsOutside && againstDemand.empty() && refusals.empty(); }
+};
+
+/// What is said of a group that has left and is taken apart.
+struct LineVerdict {
+  std::vector<std::size_t> line{};  ///< numbers of the steps that lead to it, from 1: of the plan, of the line above…
+  std::vector<StepVerdict> steps{};
+  std::vector<std::string> refusals{};  ///< of what the line states of itself, for people
+
+  bool valid() const;
 };
 
 /// What is said of a plan: it is valid only where nothing is wrong with any step, nor with what it states of itself.
@@ -30,15 +40,17 @@ struct PlanVerdict {
   std::size_t parts = 0;                ///< bodies that are to leave
   std::size_t remaining = 0;            ///< of them without a step
   double deviation = 0.0;               ///< metres that two surfaces may be nearer than their triangles
+  std::vector<LineVerdict> lines{};     ///< those above before those below
 
-  std::size_t validSteps() const;
-  bool valid() const { return refusals.empty() && validSteps() == steps.size(); }
+  std::size_t validSteps() const;         ///< of the plan's own
+  std::size_t stepsWithoutProof() const;  ///< of flexible bodies, those of lines too
+  bool valid() const;
 };
 
-/// Judges every step, each of its bodies along the common motion: against all bodies but those of steps that have to be
-/// carried out before, so that every order that keeps Step::after is judged. Steps are judged by all cores. Bodies have
-/// their frames in the middle of their boxes. `required`: clearance, metres; nothing: the usual one for the size of
-/// each body. After a stop, steps are undecided.
+/// Judges every step, those of lines too, each of its bodies along the common motion: against all bodies but those of
+/// steps that have to be carried out before, so that every order that keeps Step::after is judged. Steps are judged by
+/// all cores. Bodies have their frames in the middle of their boxes. `required`: clearance, metres; nothing: the usual
+/// one for the size of each body. After a stop, steps are undecided.
 PlanVerdict judgePlan(const Product& product, const Plan& plan, std::optional<double> required,
                       const WorkWatch& watch = {});
 

@@ -18,12 +18,24 @@ std::vector<std::string> textsOf(const JsonCursor& at) {
   return texts;
 }
 
+/// The step is of one body, and takes a joint of it apart that is flexible.
+bool saysFlexible(const JsonCursor& at, const std::vector<std::string>& bodies) {
+  const auto joints = at.find("joints");
+  for (std::size_t i = 0; joints && i < joints->sizeUpTo(limits::kMostBodies); ++i) {
+    const JsonCursor joint = joints->element(i);
+    const bool isFlexible = joint.at("kind").text() == "flexible";
+    if (isFlexible && bodies.size() == 1 && joint.at("body").text() == bodies.front()) return true;
+  }
+  return false;
+}
+
 Step readStep(const JsonCursor& at, std::size_t earlier) {
   Step step;
   step.bodies = textsOf(at.at("bodies"));
   step.path = readPoints(at.at("path"));
   step.allowances = readAllowances(at.at("allowances"));
   step.certified = at.at("certificate").at("status").text() == "certified";
+  step.flexible = saysFlexible(at, step.bodies);
   const auto after = at.find("after");
   for (std::size_t number = 1; !after && number <= earlier; ++number) step.after.push_back(number);
   for (std::size_t i = 0; after && i < after->sizeUpTo(limits::kMostBodies); ++i) {
@@ -35,6 +47,24 @@ Step readStep(const JsonCursor& at, std::size_t earlier) {
     step.violates.push_back({each.at("rule").text(), textsOf(each.at("bodies"))});
   }
   return step;
+}
+
+std::vector<Step> readSteps(const JsonCursor& at) {
+  std::vector<Step> steps;
+  for (std::size_t i = 0; i < at.sizeUpTo(limits::kMostBodies); ++i) steps.push_back(readStep(at.element(i), i));
+  return steps;
+}
+
+/// Files are not nested deeper than 32 values.
+std::vector<Line> linesIn(const JsonCursor& at) {
+  std::vector<Line> lines;
+  const auto list = at.find("lines");
+  for (std::size_t i = 0; list && i < list->sizeUpTo(limits::kMostBodies); ++i) {
+    const JsonCursor line = list->element(i);
+    lines.push_back({static_cast<std::size_t>(line.at("step").wholeNumber()), textsOf(line.at("bodies")),
+                     textsOf(line.at("staying")), readSteps(line.at("steps")), linesIn(line)});
+  }
+  return lines;
 }
 
 Plan planIn(const JsonCursor& at) {
@@ -56,10 +86,8 @@ Plan planIn(const JsonCursor& at) {
   if (const auto parts = at.find("parts")) plan.parts = parts->wholeNumber();
   if (const auto removed = at.find("removed")) plan.removed = removed->wholeNumber();
   if (const auto certified = at.find("certified")) plan.certified = certified->boolean();
-  const JsonCursor steps = at.at("steps");
-  for (std::size_t i = 0; i < steps.sizeUpTo(limits::kMostBodies); ++i) {
-    plan.steps.push_back(readStep(steps.element(i), i));
-  }
+  plan.steps = readSteps(at.at("steps"));
+  plan.lines = linesIn(at);
   return plan;
 }
 

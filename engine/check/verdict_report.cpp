@@ -202,7 +202,7 @@ std::string whyInvalid(const StepVerdict& step, const Product& product) {
   if (step.valid()) return {};
   std::ostringstream text;
   const MotionVerdict& motion = step.motion.verdict;
-  if (!step.certified()) {
+  if (!step.certified() && !step.isFlexible) {
     const std::string body = bodyName(motion.nearest, product);
     text << " its motion is " << nameOf(motion.status) << " on edge " << motion.edge;
     if (motion.againstThread) text << ", because it is no turn in the thread it has with";
@@ -215,19 +215,42 @@ std::string whyInvalid(const StepVerdict& step, const Product& product) {
   return text.str();
 }
 
+/// `name`: of the step, as "step 3".
+void addStep(const StepVerdict& step, const std::string& name, const Product& product, std::ostream& text) {
+  const std::string body = step.bodies.empty() ? "" : step.bodies.front();
+  for (const AppliedAllowance& each : step.allowances) text << name << ": allowance: " << inWords(each) << "\n";
+  if (step.isFlexible) text << name << " (" << body << "): nothing is proved of its motion, it is flexible\n";
+  if (!step.valid()) text << name << " (" << body << ") is invalid:" << whyInvalid(step, product) << "\n";
+}
+
+/// "step 3, then step 1": steps of lines follow the step by which their group has left.
+std::string nameOf(const std::vector<std::size_t>& line) {
+  std::string name;
+  for (const std::size_t step : line) name += "step " + std::to_string(step) + ", then ";
+  return name;
+}
+
 std::string reportText(const PlanVerdict& verdict, const Product& product) {
   std::ostringstream text;
   for (std::size_t i = 0; i < verdict.steps.size(); ++i) {
-    const StepVerdict& step = verdict.steps[i];
-    const std::string body = step.bodies.empty() ? "" : step.bodies.front();
-    for (const AppliedAllowance& each : step.allowances) {
-      text << "step " << i + 1 << ": allowance: " << inWords(each) << "\n";
+    addStep(verdict.steps[i], "step " + std::to_string(i + 1), product, text);
+  }
+  for (const LineVerdict& line : verdict.lines) {
+    const std::string name = nameOf(line.line);
+    for (std::size_t i = 0; i < line.steps.size(); ++i) {
+      addStep(line.steps[i], name + "step " + std::to_string(i + 1), product, text);
     }
-    if (!step.valid()) text << "step " << i + 1 << " (" << body << ") is invalid:" << whyInvalid(step, product) << "\n";
+    for (const std::string& refusal : line.refusals) {
+      text << "refused: the line of " << name.substr(0, name.rfind(',')) << ": " << refusal << "\n";
+    }
   }
   for (const std::string& refusal : verdict.refusals) text << "refused: " << refusal << "\n";
   text << (verdict.valid() ? "valid: " : "invalid: ") << verdict.validSteps() << " of " << verdict.steps.size()
-       << " steps are certified, " << verdict.remaining << " of " << verdict.parts << " parts have no step\n";
+       << " steps are " << (verdict.stepsWithoutProof() == 0 ? "certified" : "as stated") << ", " << verdict.remaining
+       << " of " << verdict.parts << " parts have no step\n";
+  if (verdict.stepsWithoutProof() > 0) {
+    text << verdict.stepsWithoutProof() << " steps of flexible bodies have no proof\n";
+  }
   if (verdict.deviation > 0.0) {
     text << "the certificates are about triangles: surfaces may be " << verdict.deviation * 1e3
          << " mm nearer than they are\n";
@@ -235,14 +258,12 @@ std::string reportText(const PlanVerdict& verdict, const Product& product) {
   return text.str();
 }
 
-Report reportJson(const PlanVerdict& verdict, const Product& product) {
-  Report report{{"valid", verdict.valid()},     {"complete", verdict.remaining == 0 && verdict.parts > 0},
-                {"parts", verdict.parts},       {"steps_valid", verdict.validSteps()},
-                {"refusals", verdict.refusals}, {"steps", Report::array()}};
-  for (const StepVerdict& step : verdict.steps) {
+Report stepsJson(const std::vector<StepVerdict>& steps, const Product& product) {
+  Report report = Report::array();
+  for (const StepVerdict& step : steps) {
     const MotionVerdict& motion = step.motion.verdict;
     const int nearest = motion.nearest.body;
-    report["steps"].push_back(
+    report.push_back(
         {{"body", step.bodies.empty() ? "" : step.bodies.front()},
          {"valid", step.valid()},
          {"certified", step.certified()},
@@ -254,6 +275,24 @@ Report reportJson(const PlanVerdict& verdict, const Product& product) {
          {"proved_clearance_m", finite(motion.provedClearance)},
          {"nearest", nearest < 0 ? Report(nullptr) : Report(product.bodies[static_cast<std::size_t>(nearest)].id)},
          {"allowances", allowancesJson(step.allowances)}});
+    if (step.isFlexible) report.back()["flexible"] = true;
+  }
+  return report;
+}
+
+Report reportJson(const PlanVerdict& verdict, const Product& product) {
+  Report report{{"valid", verdict.valid()},
+                {"complete", verdict.remaining == 0 && verdict.parts > 0},
+                {"parts", verdict.parts},
+                {"steps_valid", verdict.validSteps()},
+                {"steps_without_proof", verdict.stepsWithoutProof()},
+                {"refusals", verdict.refusals},
+                {"steps", stepsJson(verdict.steps, product)}};
+  for (const LineVerdict& line : verdict.lines) {
+    report["lines"].push_back({{"line", line.line},
+                               {"valid", line.valid()},
+                               {"refusals", line.refusals},
+                               {"steps", stepsJson(line.steps, product)}});
   }
   report["surface_deviation_m"] = verdict.deviation;
   return report;

@@ -1,5 +1,7 @@
 #include "engine/scenario/judged_product.h"
 
+#include <algorithm>
+
 #include "engine/product/fit_words.h"
 #include "engine/scenario/scenario_fits.h"
 
@@ -41,6 +43,16 @@ check::Step judgedStep(const AssemblyStep& step) {
     judged.allowances.push_back(std::move(allowance));
   }
   for (const StepViolation& each : step.violates) judged.violates.push_back({nameOf(each.rule), each.bodies});
+  judged.flexible = step.with.empty() && std::any_of(step.joints.begin(), step.joints.end(), [&](const auto& joint) {
+                      return joint.kind == JointKind::Flexible && joint.body == step.body;
+                    });
+  return judged;
+}
+
+check::Line judgedLine(const SubassemblyLine& line) {
+  check::Line judged{line.step, line.bodies, line.staying, {}, {}};
+  for (const AssemblyStep& step : line.steps) judged.steps.push_back(judgedStep(step));
+  for (const SubassemblyLine& below : line.lines) judged.lines.push_back(judgedLine(below));
   return judged;
 }
 
@@ -78,6 +90,7 @@ check::Plan judgedPlan(const AssemblyPlan& plan) {
   judged.end = nameOf(plan.end);
   judged.demands = judgedDemands(plan.demands);
   judged.deflection = plan.deflection;
+  for (const SubassemblyLine& line : plan.lines) judged.lines.push_back(judgedLine(line));
   return judged;
 }
 

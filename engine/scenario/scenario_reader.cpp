@@ -189,7 +189,7 @@ Scenario readScenario(const JsonCursor& root) {
   root.allowOnly({"format",     "version", "name",       "description",       "assets",  "bodies",     "object",
                   "start",      "goal",    "workspace",  "way_points",        "planner", "parameters", "environment",
                   "attributes", "places",  "milestones", "forbidden_regions", "rules",   "fits",       "sequence",
-                   "seed",       "paths",   "plan",       "left_out",          "joints",  "product"});
+                  "seed",       "paths",   "plan",       "left_out",          "joints",  "product"});
   Scenario scenario;
   if (const auto name = root.find("name")) scenario.name = name->text();
   if (const auto description = root.find("description")) scenario.description = description->text();

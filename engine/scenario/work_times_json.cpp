@@ -11,8 +11,8 @@
 namespace glissade {
 namespace {
 
-constexpr const char* kFormat = "glissade-work-times";
-constexpr int kVersion = 1;
+constexpr const char* kTableFormat = "glissade-work-times";
+constexpr int kTableVersion = 1;
 
 bool isRow(const std::string& name) {
   const auto& rows = workTimeRows();
@@ -21,8 +21,8 @@ bool isRow(const std::string& name) {
 
 WorkTimes timesIn(const JsonCursor& at) {
   at.allowOnly({"format", "version", "description", "times"});
-  if (at.at("format").text() != kFormat) at.at("format").fail(std::string("is not ") + kFormat);
-  if (at.at("version").number() != kVersion) at.at("version").fail("is not " + std::to_string(kVersion));
+  if (at.at("format").text() != kTableFormat) at.at("format").fail(std::string("is not ") + kTableFormat);
+  if (at.at("version").number() != kTableVersion) at.at("version").fail("is not " + std::to_string(kTableVersion));
   const JsonCursor rows = at.at("times");
   rows.expectObject();
   for (const auto& [name, value] : rows.json().items()) {
@@ -42,7 +42,7 @@ WorkTimes timesIn(const JsonCursor& at) {
 }  // namespace
 
 nlohmann::ordered_json toJson(const WorkTimes& times) {
-  nlohmann::ordered_json json{{"format", kFormat}, {"version", kVersion}};
+  nlohmann::ordered_json json{{"format", kTableFormat}, {"version", kTableVersion}};
   json["description"] =
       "Seconds of manual work and the limits between its cases. The defaults are estimates of the size of the tables "
       "for manual assembly in Boothroyd, Dewhurst and Knight, Product Design for Manufacture and Assembly (2011).";

@@ -24,10 +24,7 @@ constexpr int kGroupEffort = 2;
 class GreedySearch {
  public:
   GreedySearch(const SequenceQuestion& question, SequenceHost& host)
-      : question_(question),
-        host_(host),
-        present_(question.initial()),
-        placed_(question.product.bodies.size(), false) {
+      : question_(question), host_(host), present_(question.initial()), placed_(question.product.bodies.size(), false) {
     plan_.seed = question.seed;
     for (std::size_t body = 0; body < present_.size(); ++body) {
       if (present_[body]) plan_.bodies.push_back(idOf(body));

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "engine/sequence/assembly_plan.h"
-#include "engine/sequence/sequence_run.h"
 #include "engine/sequence/body_group.h"
 #include "engine/sequence/order_rules.h"
 #include "engine/sequence/product_fits.h"
+#include "engine/sequence/sequence_run.h"
 #include "widgets/bridge/background_task.h"
 
 namespace glissade {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/check/verdict_report.h"
+#include "engine/planning/screw_motion.h"
 #include "engine/scenario/judged_product.h"
 #include "tests/engine/product/screwed_parts.h"
 #include "tests/engine/sequence/products.h"
@@ -132,6 +133,91 @@ TEST(PlanVerdict, AGroupWithANutLeavesTheBoltByTurningOnly) {
   const check::PlanVerdict verdict = judgePlan(pulling, product, std::nullopt);
   EXPECT_FALSE(verdict.steps[0].valid());
   EXPECT_TRUE(verdict.steps[0].motion.verdict.againstThread);
+}
+
+/// A drawer with a pin on it, which leave the cabinet as one, and are then taken apart.
+struct PlanOfLines : ::testing::Test {
+  AssembledProduct product =
+      test::productOf({test::partAt("cabinet", makeBox({0.2, 0.2, 0.02}), Pose::identity()),
+                       test::partAt("drawer", makeBox({0.1, 0.1, 0.02}), Pose::translation({0.0, 0.0, 0.0201})),
+                       test::partAt("pin", makeBox({0.01, 0.01, 0.02}), Pose::translation({0.0, 0.0, 0.0402}))},
+                      false);
+  AssemblyPlan plan;
+
+  PlanOfLines() {
+    plan.bodies = {"cabinet", "drawer", "pin"};
+    plan.staying = {"cabinet"};
+    plan.steps = {straight({"drawer", "pin"}, {0.0, 0.0, 0.3})};
+    plan.lines = {{1, {"drawer", "pin"}, {"drawer"}, {straight({"pin"}, {0.0, 0.0, 0.2})}, {}, {}}};
+  }
+
+  static AssemblyStep straight(const std::vector<std::string>& bodies, const Vector3& way) {
+    AssemblyStep step;
+    step.body = bodies.front();
+    step.with.assign(bodies.begin() + 1, bodies.end());
+    step.path = computedPoints({Pose::identity(), Pose::translation(way)});
+    return step;
+  }
+  check::PlanVerdict verdict() const { return judgePlan(plan, product, std::nullopt); }
+};
+
+TEST_F(PlanOfLines, IsJudgedAmongTheBodiesOfTheGroup) {
+  const check::PlanVerdict judged = verdict();
+  EXPECT_TRUE(judged.valid()) << whyNot(judged, product);
+  ASSERT_EQ(judged.lines.size(), 1U);
+  EXPECT_EQ(judged.lines[0].line, std::vector<std::size_t>{1});
+  EXPECT_EQ(judged.lines[0].steps.size(), 1U);
+
+  plan.lines[0].steps[0] = straight({"pin"}, {0.0, 0.0, -0.3});
+  EXPECT_FALSE(verdict().valid()) << "through the drawer";
+  plan.lines[0].steps[0] = straight({"cabinet"}, {0.0, 0.0, -0.3});
+  EXPECT_FALSE(verdict().valid()) << "it is not in the group";
+}
+
+TEST_F(PlanOfLines, RefusesALineThatIsNotThatOfItsStep) {
+  const SubassemblyLine line = plan.lines[0];
+  plan.lines[0].step = 2;
+  EXPECT_FALSE(verdict().valid());
+  plan.lines = {line, line};
+  EXPECT_FALSE(verdict().valid()) << "two lines of one step";
+  plan.lines = {line};
+  plan.lines[0].bodies.push_back("cabinet");
+  EXPECT_FALSE(verdict().valid());
+  plan.lines[0] = line;
+  plan.lines[0].staying = {"cabinet"};
+  EXPECT_FALSE(verdict().valid());
+  plan.lines[0] = line;
+  plan.lines[0].staying.push_back("pin");
+  EXPECT_FALSE(verdict().valid()) << "the pin stays";
+}
+
+/// What a person forbids holds in lines, too.
+TEST_F(PlanOfLines, KeepsForbiddenDirections) {
+  plan.demands.forbidden = {{"pin", Vector3::UnitZ()}};
+  plan.steps[0] = straight({"drawer", "pin"}, {0.3, 0.0, 0.0});
+  const check::PlanVerdict judged = verdict();
+  EXPECT_TRUE(judged.steps[0].valid()) << whyNot(judged, product);
+  EXPECT_FALSE(judged.lines[0].steps[0].againstDemand.empty());
+}
+
+TEST_F(PlanOfLines, CountsFlexibleBodiesWithoutAProof) {
+  AssemblyStep& belt = plan.lines[0].steps[0];
+  belt.certified = false;
+  EXPECT_FALSE(verdict().valid()) << "its body is not flexible";
+  belt.joints.emplace_back().kind = JointKind::Flexible;
+  belt.joints[0].body = "pin";
+  const check::PlanVerdict judged = verdict();
+  EXPECT_TRUE(judged.valid()) << whyNot(judged, product);
+  EXPECT_EQ(judged.stepsWithoutProof(), 1U);
+  EXPECT_EQ(judged.validSteps(), 1U);
+  EXPECT_NE(whyNot(judged, product).find("step 1, then step 1 (pin): nothing is proved"), std::string::npos);
+
+  belt.certified = true;
+  EXPECT_FALSE(verdict().valid()) << "a flexible body cannot be certified";
+  belt.certified = false;
+  plan.steps[0].certified = false;
+  plan.steps[0].joints = belt.joints;
+  EXPECT_FALSE(verdict().valid()) << "a flexible body takes nothing with it";
 }
 
 }  // namespace

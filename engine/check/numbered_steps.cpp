@@ -1,0 +1,75 @@
+#include "engine/check/numbered_steps.h"
+
+#include <algorithm>
+#include <set>
+
+namespace glissade::check {
+namespace {
+
+void takeAway(const Group& group, Present& present) {
+  for (const std::size_t body : group) present[body] = false;
+}
+
+/// Numbers of the steps that are carried out before, in whatever order.
+std::set<std::size_t> predecessorsOf(std::size_t number, const std::vector<std::set<std::size_t>>& earlier,
+                                     NumberedStep& numbered) {
+  std::set<std::size_t> before;
+  for (const std::size_t each : numbered.step->after) {
+    if (each == 0 || each >= number) {
+      numbered.wrong.push_back("it is after step " + std::to_string(each) + ", which is not an earlier one");
+      continue;
+    }
+    before.insert(each);
+    before.insert(earlier[each - 1].begin(), earlier[each - 1].end());
+  }
+  return before;
+}
+
+/// A flexible body leaves alone, and says that nothing is proved. Every other step is proved.
+void checkProof(NumberedStep& numbered) {
+  const Step& step = *numbered.step;
+  if (step.certified == !step.flexible) return;
+  numbered.wrong.emplace_back(step.certified ? "it is of a flexible body, and says that it is certified"
+                                             : "it says that it is not certified, and its body is not flexible");
+}
+
+void numberBodies(const Product& product, const StepList& list, Present& left, NumberedStep& numbered) {
+  for (const std::string& id : numbered.step->bodies) {
+    const auto body =
+        std::find_if(product.bodies.begin(), product.bodies.end(), [&](const Body& each) { return each.id == id; });
+    const bool stays = std::find(list.staying.begin(), list.staying.end(), id) != list.staying.end();
+    if (body == product.bodies.end()) {
+      numbered.wrong.push_back("it moves '" + id + "', which is not a body of the product");
+      continue;
+    }
+    const auto index = static_cast<std::size_t>(body - product.bodies.begin());
+    if (stays) numbered.wrong.push_back("it moves '" + id + "', which is said to stay");
+    if (left[index]) numbered.wrong.push_back("it moves '" + id + "', which has left before");
+    if (!list.there[index]) numbered.wrong.push_back("it moves '" + id + "', which is not in the group");
+    left[index] = true;
+    numbered.group.push_back(index);
+  }
+  if (numbered.step->bodies.empty()) numbered.wrong.emplace_back("it moves no body");
+  checkProof(numbered);
+  std::sort(numbered.group.begin(), numbered.group.end());
+}
+
+}  // namespace
+
+std::vector<NumberedStep> numberedSteps(const Product& product, const StepList& list) {
+  std::vector<NumberedStep> steps;
+  std::vector<std::set<std::size_t>> before;
+  Present there = list.there;
+  Present left(product.bodies.size(), false);
+  for (const Step& step : list.steps) {
+    NumberedStep numbered{&step, {}, there, list.there, {}};
+    numberBodies(product, list, left, numbered);
+    before.push_back(predecessorsOf(steps.size() + 1, before, numbered));
+    for (const std::size_t each : before.back()) takeAway(steps[each - 1].group, numbered.mayBeThere);
+    takeAway(numbered.group, there);
+    steps.push_back(std::move(numbered));
+  }
+  return steps;
+}
+
+}  // namespace glissade::check

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+
+#include "engine/check/motion_bodies.h"
+#include "engine/check/numbered_steps.h"
+#include "engine/check/placed_bodies.h"
+#include "engine/check/plan_verdict.h"
+
+namespace glissade::check {
+
+/// What the steps of a plan are judged with. Refers to all; shared by threads.
+struct StepTools {
+  const Product& product;
+  std::optional<double> required;  ///< clearance, metres; nothing: the usual one for the size of each body
+  PlacedBodies& placed;
+  MotionBodies& prepared;
+  const WorkWatch& watch;
+};
+
+/// The verdict on one step: each of its bodies along the common motion, against all bodies that may be there. Nothing
+/// is judged of the motion of a flexible body.
+StepVerdict judgeStep(const NumberedStep& numbered, const StepTools& tools);
+
+}  // namespace glissade::check
