@@ -107,7 +107,7 @@ std::vector<std::string> violationsOfProduct(const std::string& product, const s
   std::filesystem::create_directories(folder);
   const std::string plan = folder / "plan.json";
   const std::string joints = folder / "joints.json";
-  const std::string program = programDirectory() + "/glissade-cli";
+  const std::string program = test::programDirectory() + "/glissade-cli";
   const std::string use = suggested ? "suggested" : "recognised";
   const ChildEnd planned = runChild({program, "sequence", product, "--out", plan, "--joints", use}, {200.0, 4096});
   EXPECT_TRUE(planned.exitCode == 0 || planned.exitCode == 1 || planned.exitCode == 6) << planned.errors;
@@ -122,7 +122,7 @@ std::vector<std::string> violationsOfProduct(const std::string& product, const s
 }
 
 TEST(JointOracle, AcceptsThePlanOfAProductWithScrewsAndNuts) {
-  const std::string product = stepFileDirectory() + "/fits.step";
+  const std::string product = test::stepFileDirectory() + "/fits.step";
   EXPECT_EQ(violationsOfProduct(product, "fits", false), std::vector<std::string>());
   EXPECT_EQ(violationsOfProduct(product, "suggested", true), std::vector<std::string>());
 }
@@ -130,7 +130,7 @@ TEST(JointOracle, AcceptsThePlanOfAProductWithScrewsAndNuts) {
 /// Its parts are meshes without stated faces: nothing is allowed for other angles than the assembled one, unless a
 /// person calls the pairs threads. So threads may be pulled, and everything else holds.
 TEST(JointOracle, AcceptsTheOrderOfASampleOfMeshes) {
-  const std::string product = sourceDirectory() + "/samples/bolted-brackets/scenario.json";
+  const std::string product = test::sourceDirectory() + "/samples/bolted-brackets/scenario.json";
   for (const std::string& each : violationsOfProduct(product, "brackets", false)) {
     EXPECT_NE(each.find("the thread of"), std::string::npos) << each;
   }
