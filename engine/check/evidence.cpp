@@ -30,9 +30,16 @@ void touch(MeasuredSide& side, std::uint32_t region, double own, double others) 
   side.others[region] = std::max(side.others[region], others);
 }
 
+/// Metres: a face that the other surface is below faces it over so much.
+double depthBelow(const MeasuredSide& side, std::uint32_t region) {
+  return std::min(kClashOverlap, std::max(0.0, side.overlap.depths[region]));
+}
+
 void findTouching(const PlacedBody& one, const PlacedBody& other, MeasuredPair& measured, const StopToken& stop) {
   const double off = one.spacing + other.spacing + kTouchingSurfaces;
-  one.tree.visitPairs(other.tree, touchingReach(one, other), [&](std::uint32_t i, std::uint32_t k) {
+  const double deepest =
+      std::min(kClashOverlap, std::max({0.0, measured.one.overlap.deepest, measured.other.overlap.deepest}));
+  one.tree.visitPairs(other.tree, touchingReach(one, other) + deepest, [&](std::uint32_t i, std::uint32_t k) {
     if (one.normals[i].dot(other.normals[k]) > kFacing) return !stop.stopRequested();
     const double ofOne = one.deflections[i];
     const double ofOther = other.deflections[k];
@@ -44,10 +51,9 @@ void findTouching(const PlacedBody& one, const PlacedBody& other, MeasuredPair& 
     const double near = ofOne + ofOther + off;
     const Triangle& a = one.tree.triangles()[i];
     const Triangle& b = other.tree.triangles()[k];
-    if (triangleDistance(a, b).squared <= near * near || trianglesMeet(a, b)) {
-      touch(measured.one, regionOfOne, ofOne, ofOther);
-      touch(measured.other, regionOfOther, ofOther, ofOne);
-    }
+    const double apart = trianglesMeet(a, b) ? 0.0 : std::sqrt(triangleDistance(a, b).squared);
+    if (apart <= near + depthBelow(measured.one, regionOfOne)) touch(measured.one, regionOfOne, ofOne, ofOther);
+    if (apart <= near + depthBelow(measured.other, regionOfOther)) touch(measured.other, regionOfOther, ofOther, ofOne);
     return !stop.stopRequested();
   });
 }
