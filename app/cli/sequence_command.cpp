@@ -11,6 +11,8 @@
 #include "app/cli/interrupt.h"
 #include "engine/base/number_text.h"
 #include "engine/product/alternatives.h"
+#include "engine/product/joint_edits.h"
+#include "engine/product/joint_finder.h"
 #include "engine/scenario/plan_file.h"
 #include "engine/scenario/product_file.h"
 #include "engine/sequence/fasteners.h"
@@ -255,7 +257,7 @@ void printSteps(const std::vector<AssemblyStep>& steps, const std::string& befor
     }
     std::cout << "\n";
     for (const std::string& text : words.joints(step, host.product(), PlanOrder::Removal)) {
-      std::cout << "      " << text << "\n";
+      std::cout << before << "      " << text << "\n";
     }
     if (step.tool.kind != ToolKind::None) std::cout << "      tool: " << toolText(step.tool, host) << "\n";
     for (const std::string& text : words.violations(step, host.product())) {
@@ -392,6 +394,7 @@ int runSequence(const SequenceOptions& options) {
     }
   }
   const bool hasDemands = earlier && earlier->demands != SequenceDemands();
+  if (!hasDemands) loaded->demands.joints = loaded->joints;
   const auto demands = demandsOf(options, hasDemands ? earlier->demands : loaded->demands);
   if (!demands) return reportError(demands.error(), options.format);
   const auto staying = stayingBodies(product, earlier ? earlier->staying : stayingNames(options, *demands));
@@ -413,7 +416,12 @@ int runSequence(const SequenceOptions& options) {
   like.strategy = earlier ? earlier->strategy : usual;
   like.demands = *demands;
   like.deflection = deflection;
-  const SequenceRequest request{*staying, like.strategy, seed, *demands, earlier ? &*earlier : nullptr};
+  auto joints = demands->jointUse == JointUse::Off || outOfTime
+                    ? Result<Joints>(Joints())
+                    : applied(findJoints(product, stop, loaded->classes), demands->joints, product);
+  if (!joints) return reportError(joints.error(), options.format);
+  SequenceRequest request{*staying, like.strategy, seed, *demands, earlier ? &*earlier : nullptr};
+  request.joints = &*joints;
   if (outOfTime) {
     reportWarnings({{ErrorKind::LimitReached, options.file, "--time-limit", "was reached while fits were searched",
                      "Give more time."}});

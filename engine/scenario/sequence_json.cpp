@@ -3,6 +3,7 @@
 #include "engine/base/limits.h"
 #include "engine/scenario/author_names.h"
 #include "engine/scenario/body_classes_json.h"
+#include "engine/scenario/joints_json.h"
 #include "engine/scenario/semantics_json.h"
 #include "engine/sequence/fastener_kind.h"
 
@@ -144,7 +145,7 @@ SequenceJson motionJson(const std::vector<PathPoint>& path) {
 
 SequenceDemands readSequence(const JsonCursor& at) {
   at.allowOnly({"together", "before", "gravity", "densities", "stay", "masses", "fragile", "tools", "fasteners", "cost",
-                "attributes", "classes", "places", "motions", "forbidden", "joint_use"});
+                "attributes", "classes", "places", "motions", "forbidden", "joint_use", "joints"});
   SequenceDemands demands;
   const auto together = at.find("together");
   for (std::size_t i = 0; together && i < together->sizeUpTo(limits::kMostBodies); ++i) {
@@ -168,6 +169,7 @@ SequenceDemands readSequence(const JsonCursor& at) {
     if (!known) use->fail("is not off, recognised or suggested");
     demands.jointUse = *known;
   }
+  if (const auto joints = at.find("joints")) demands.joints = readJointEdits(*joints);
   readKnowledge(at, demands);
   readSteps(at, demands);
   return demands;
@@ -185,6 +187,7 @@ void addSequence(const SequenceDemands& demands, SequenceJson& json) {
     section["densities"].push_back({{"body", body}, {"density", density}});
   }
   if (demands.jointUse != SequenceDemands().jointUse) section["joint_use"] = jointUseName(demands.jointUse);
+  addJointEdits(demands.joints, section);
   addKnowledge(demands, section);
   addSteps(demands, section);
   json["sequence"] = std::move(section);

@@ -104,6 +104,7 @@ Result<SequenceDemands> knownDemands(const Scenario& scenario, const AssembledPr
     return why;
   }
   SequenceDemands demands = scenario.sequence;
+  demands.joints = scenario.joints;
   const SemanticEdits edits = heldEdits(semanticEditsOf(scenario), product.tree);
   for (const RigidBody& body : product.bodies) {
     Attributes attributes = attributesOf(body.id, edits);

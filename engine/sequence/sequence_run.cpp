@@ -1,5 +1,6 @@
 #include "engine/sequence/sequence_run.h"
 
+#include "engine/product/joint_edits.h"
 #include "engine/product/joint_finder.h"
 #include "engine/sequence/demanding_trial.h"
 #include "engine/sequence/fasteners.h"
@@ -47,11 +48,14 @@ Outcome checkPlaces(const AssembledProduct& product, const OrderRules& rules, co
   return Done{};
 }
 
-/// Those that count: as they are given, else as they are found.
-Joints jointsOf(const AssembledProduct& product, const SequenceRequest& request, const StopToken& stop) {
+/// Those that count: as they are given, else as they are found and a person says of them.
+Result<Joints> jointsOf(const AssembledProduct& product, const SequenceRequest& request, const StopToken& stop) {
   const JointUse use = request.demands.jointUse;
-  if (use == JointUse::Off) return {};
-  return countingJoints(request.joints != nullptr ? *request.joints : findJoints(product, stop), use);
+  if (use == JointUse::Off) return Joints();
+  if (request.joints != nullptr) return countingJoints(*request.joints, use);
+  auto joints = applied(findJoints(product, stop), request.demands.joints, product);
+  if (!joints) return joints;
+  return countingJoints(*joints, use);
 }
 
 }  // namespace
@@ -67,7 +71,9 @@ Result<AssemblyPlan> planSequence(const AssembledProduct& product, const Product
   auto rules = resolved(request.demands, product);
   if (!rules) return rules.error();
   const std::vector<FastenerKind> fasteners = fastenersKnown(product, fits.contacts(), request.demands);
-  const JointRules joints(jointsOf(product, request, host.stopToken()), product, fasteners);
+  auto found = jointsOf(product, request, host.stopToken());
+  if (!found) return found.error();
+  const JointRules joints(std::move(*found), product, fasteners);
   const BodySet staying = withJoined(request.staying, joints.bonded());
   joinUnits(joints.bonded(), product, *rules);
   const Outcome places = checkPlaces(product, *rules, staying);

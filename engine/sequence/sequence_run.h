@@ -29,7 +29,7 @@ struct SequenceRequest {
 
 /// Plans with all that is known of the product: its fits, its joints, its fasteners, what stands, and the demands. What
 /// is one body with one that stays, stays too. Errors: an
-/// unknown strategy, demands that name no body or contradict each other.
+/// unknown strategy, demands that name no body or contradict each other, words about joints that are not there.
 Result<AssemblyPlan> planSequence(const AssembledProduct& product, const ProductFits& fits,
                                   const SequenceRequest& request, SequenceHost& host);
 
