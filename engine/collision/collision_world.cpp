@@ -2,6 +2,7 @@
 #include <limits>
 #include <map>
 
+#include "engine/base/tolerances.h"
 #include "engine/collision/collision_query.h"
 #include "engine/collision/coordinate_rounding.h"
 #include "engine/collision/forbidding_query.h"
@@ -31,6 +32,10 @@ struct CollisionWorld::Impl {
 };
 
 namespace {
+
+/// Of the clearance that a path usually keeps, and of what its chords are off a screw motion: so much of it is shown of
+/// a screw motion without effort.
+constexpr double kWantedClearances = 2.0;
 
 /// Surfaces by one of the backends, containment by our own test of solids.
 class SolidQuery final : public CollisionQuery {
@@ -89,7 +94,7 @@ class SolidQuery final : public CollisionQuery {
   }
 
   /// What touches nothing is inside of nothing all the way if it is so at the beginning.
-  double screwClearance(const Pose& from, const ScrewAxis& screw, double advance, double enough, double) override {
+  double screwClearance(const Pose& from, const ScrewAxis& screw, double advance, double enough, double off) override {
     ++counts_.motion;
     if (solids_->containment(from)) return 0.0;
     std::vector<Triangle> moving;
@@ -100,7 +105,8 @@ class SolidQuery final : public CollisionQuery {
       if (swept.exteriorDistance(boundingBox(*body.mesh, body.X_WB)) > enough) continue;
       addTriangles(*body.mesh, body.X_WB, fixed);
     }
-    return screwDistance(moving, fixed, screw, advance, enough);
+    const double wanted = kWantedClearances * (tolerance::kRequiredClearance * motionBound_->objectRadius() + off);
+    return screwDistance(moving, fixed, screw, advance, enough, wanted);
   }
 
   const MotionBound& motionBound() const override { return *motionBound_; }

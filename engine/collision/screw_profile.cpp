@@ -391,7 +391,7 @@ struct PlacedBody {
 }  // namespace
 
 double screwDistance(const std::vector<Triangle>& moving, const std::vector<Triangle>& fixed, const ScrewAxis& screw,
-                     double advance, double enough) {
+                     double advance, double enough, double wanted) {
   if (moving.empty() || fixed.empty()) return enough;
   const ProfileFrame axes(screw, 0.0);
   const PlacedBody one(moving, axes);
@@ -404,7 +404,7 @@ double screwDistance(const std::vector<Triangle>& moving, const std::vector<Tria
     return ProfileDistance(profile, others, frame, advance).least(limit);
   };
   double least = shown(0);
-  if (least < kShownAtOnce * limit) least = shown(kMostDivisions);
+  if (least < std::min(wanted, kShownAtOnce * limit)) least = shown(kMostDivisions);
   const double rounding = kCoordinateRounding * (one.coordinates + other.coordinates + screw.point_W.norm());
   return std::max(0.0, least * (1.0 - kRoundingShare) - rounding);
 }

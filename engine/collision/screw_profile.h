@@ -14,8 +14,8 @@ namespace glissade {
 /// A screw motion does not change two numbers of a point: its distance r from the axis, and s = z - pitch * angle / 2
 /// pi. s and s + pitch are the same helix. Threads that are apart in (r, s) are apart after any number of turns.
 /// Triangles that are not apart in (r, s) may be apart by their distance from the axis, or by their height during the
-/// motion.
+/// motion. Triangles are divided where less than `wanted` is shown without that.
 double screwDistance(const std::vector<Triangle>& moving, const std::vector<Triangle>& fixed, const ScrewAxis& screw,
-                     double advance, double enough);
+                     double advance, double enough, double wanted);
 
 }  // namespace glissade

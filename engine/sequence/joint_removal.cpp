@@ -16,6 +16,8 @@ constexpr double kLeastTurns = 1.25;
 /// Configurations of a turn.
 constexpr int kFewest = 4;
 constexpr int kMost = 64;
+/// Configurations of a turn at which it is asked first what is in its way. A prime number: they are at many angles.
+constexpr int kSamples = 13;
 /// Of the clearance that a motion has to keep: what the chords of a turn may be off it.
 constexpr double kOffShare = 0.2;
 /// Joints open together whose axes and pitches are as near as this: sine, metres, share.
@@ -101,9 +103,13 @@ RemovalAnswer JointRemoval::tryRemoval(const BodyGroup& group, const BodySet& pr
   return refused;
 }
 
-/// Whatever its angle. The chords of the path are off the turn by a share of the clearance.
+/// Whatever its angle. The chords of the path are off the turn by a share of the clearance. What is hit at one of some
+/// angles is not asked closely.
 bool JointRemoval::turnIsFree(CollisionQuery& query, const Turn& turn, const MovingObject& object) {
   const double off = kOffShare * object.required;
+  for (int i = 0; i <= kSamples; ++i) {
+    if (!query.clearAbove(screwed(turn.screw, object.X_WB, turn.advance * i / kSamples), object.required)) return false;
+  }
   const double apart = query.distanceUpTo(object.X_WB, object.radius);
   if (apart < object.required + off) return false;
   return query.screwClearance(object.X_WB, turn.screw, turn.advance, apart, off) >= object.required + off;

@@ -4483,6 +4483,14 @@
         <translation>aucun mouvement n&apos;a été trouvé, ni seule ni avec d&apos;autres</translation>
     </message>
     <message>
+        <source>held by %1: remove these first</source>
+        <translation>tenue par %1&#xa0;: retirez-les d&apos;abord</translation>
+    </message>
+    <message>
+        <source>held by %1: remove these first; &apos;%2&apos; is captive: &apos;%3&apos; is in its way</source>
+        <translation>tenue par %1&#xa0;: retirez-les d&apos;abord&#xa0;; «&#xa0;%2&#xa0;» est imperdable&#xa0;: «&#xa0;%3&#xa0;» est sur son chemin</translation>
+    </message>
+    <message>
         <source>a demand names &apos;%1&apos;, which is not a body of the product</source>
         <translation>une exigence nomme «&#xa0;%1&#xa0;», qui n&apos;est pas un corps du produit</translation>
     </message>
@@ -4601,6 +4609,14 @@
     <message>
         <source>Short motions</source>
         <translation>Mouvements courts</translation>
+    </message>
+    <message>
+        <source>As a fitter would</source>
+        <translation>Comme un monteur</translation>
+    </message>
+    <message>
+        <source>As found</source>
+        <translation>Comme trouvé</translation>
     </message>
     <message>
         <source>Fragile parts leave first</source>
@@ -10542,12 +10558,8 @@
         <translation>Coût d&apos;une étape</translation>
     </message>
     <message>
-        <source>The order that costs least is chosen. An expression, as 5 * tool_change + length, or one of the list; &quot;as found&quot;: the order in which the parts were found to leave</source>
-        <translation>L&apos;ordre le moins coûteux est choisi. Saisissez une expression, comme 5 * tool_change + length, ou choisissez dans la liste&#xa0;; «&#xa0;tel que trouvé&#xa0;»&#xa0;: l&apos;ordre dans lequel les sorties ont été trouvées</translation>
-    </message>
-    <message>
-        <source>as found</source>
-        <translation>tel que trouvé</translation>
+        <source>The order that costs least is chosen. An expression, as 5 * tool_change + length, or one of the list; as-found: the order in which the parts were found to leave</source>
+        <translation>L&apos;ordre le moins coûteux est choisi. Saisissez une expression, comme 5 * tool_change + length, ou choisissez dans la liste&#xa0;; as-found&#xa0;: l&apos;ordre dans lequel les sorties ont été trouvées</translation>
     </message>
     <message>
         <source>%1 forced.</source>

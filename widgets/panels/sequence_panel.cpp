@@ -136,11 +136,10 @@ QLayout* SequencePanel::makeExplodingRow() {
   cost_->setAccessibleName(tr("What a step costs"));
   cost_->setToolTip(
       tr("The order that costs least is chosen. An expression, as 5 * tool_change + length, or one of the "
-         "list; \"as found\": the order in which the parts were found to leave"));
-  cost_->addItem(tr("as found"), QString());
+         "list; as-found: the order in which the parts were found to leave"));
   for (const StepCostPreset& preset : stepCostPresets()) {
     const QString id = QString::fromStdString(preset.id);
-    cost_->addItem(id, id);
+    cost_->addItem(id, cost_->count() == 0 ? QString() : id);  // the first one is the usual one
     cost_->setItemData(cost_->count() - 1, QString::fromStdString(preset.expression), Qt::ToolTipRole);
   }
   cost_->setMinimumContentsLength(10);

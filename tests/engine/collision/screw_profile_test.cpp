@@ -69,7 +69,7 @@ TEST(ScrewProfile, BoundsAreBelowTheDistancesOfRandomTriangles) {
     const RigidBody fixed = bodyOf(randomTriangles(random, place(), 0.15));
     const auto query = CollisionWorld::build({fixed}, std::make_shared<const TriangleMesh>(moving))->makeQuery();
     double least = query->nearestObstacle(Pose::identity()).distance;
-    const double bound = screwDistance(trianglesOf(moving), trianglesOf(*fixed.mesh), screw, advance, least);
+    const double bound = screwDistance(trianglesOf(moving), trianglesOf(*fixed.mesh), screw, advance, least, least);
     const double judged = check::helixDistance(trianglesOf(moving), trianglesOf(*fixed.mesh), helixOf(screw, advance),
                                                0.5 * bound, least, {});
     for (int i = 0; i <= 400; ++i) {
