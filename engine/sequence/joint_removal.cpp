@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "engine/planning/path_certificate.h"
 #include "engine/planning/screw_motion.h"
@@ -140,7 +141,11 @@ std::vector<std::size_t> JointRemoval::blockersOf(const BodyGroup& group, const 
                             CertificateStatus::Certified;
     if (!isFree) blocking.push_back(other);
   }
-  return blocking;
+  if (!blocking.empty()) return blocking;
+  // Each of them allows for the motion, but it could not be proved of them together.
+  std::set<std::size_t> near;
+  for (const BodyFit& fit : fits_.fitsOf(group, present)) near.insert(fit.fit.obstacle);
+  return {near.begin(), near.end()};
 }
 
 }  // namespace glissade

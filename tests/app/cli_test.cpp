@@ -829,7 +829,7 @@ TEST_F(Cli, DemandsAboutASequenceAreKeptAndCheapestOrdersAreCertified) {
   EXPECT_LT(place("screw"), place("dowel"));
   EXPECT_LT(place("nut"), place("bolt")) << "nuts before bolts";
   EXPECT_EQ(demanded["steps"][static_cast<std::size_t>(place("nut"))]["fastener"], "nut");
-  const Json together = Json::parse(run(command + " --together screw,dowel").out);
+  const Json together = Json::parse(run(command + " --together rod,dowel").out);
   bool asOne = false;
   for (const Json& step : together["steps"]) asOne = asOne || step["bodies"].size() == 2;
   EXPECT_TRUE(asOne);
@@ -846,6 +846,34 @@ TEST_F(Cli, DemandsAboutASequenceAreKeptAndCheapestOrdersAreCertified) {
   EXPECT_EQ(run(command + " --before rod,lid").exitCode, 2);
   EXPECT_EQ(run(command + " --before rod,screw --before screw,rod").exitCode, 2);
   EXPECT_EQ(run(command + " --gravity 0 0 0").exitCode, 2);
+}
+
+TEST_F(Cli, ScrewsTurnOutOfTheirThreadsUnlessJointsAreOff) {
+  const std::string product = glissade::test::stepFile("fits.step");
+  const std::string plan = (folder / "plan.json").string();
+  const auto methodOf = [&](const Json& report, const std::string& id) {
+    for (const Json& step : report["steps"]) {
+      if (step["bodies"][0] == id) return step["method"].get<std::string>();
+    }
+    return std::string("it does not leave");
+  };
+  const Json turned = Json::parse(run("sequence " + product + " --json --out " + plan).out);
+  EXPECT_EQ(methodOf(turned, "screw"), "turned");
+  EXPECT_EQ(methodOf(turned, "nut"), "turned");
+  EXPECT_EQ(methodOf(turned, "bolt"), "straight") << "its nut has left";
+  for (const Json& step : turned["steps"]) {
+    if (step["bodies"][0] != "screw") continue;
+    EXPECT_EQ(step["joints"][0]["kind"], "screw");
+    EXPECT_EQ(step["joints"][0]["pitch_m"], 0.0008) << "the coarse pitch of M5";
+    EXPECT_GT(step["joints"][0]["turns"].get<double>(), 5.0);
+  }
+  EXPECT_EQ(run("check " + product + " " + plan).exitCode, 0) << "the judge proves the turns";
+  const Finished text = run("sequence " + product);
+  EXPECT_NE(text.out.find("turn out screw"), std::string::npos) << text.out;
+  const Json pulled = Json::parse(run("sequence " + product + " --json --joints off").out);
+  EXPECT_EQ(methodOf(pulled, "screw"), "straight");
+  EXPECT_EQ(pulled["sequence"]["joint_use"], "off");
+  EXPECT_EQ(run("sequence " + product + " --joints all").exitCode, 2);
 }
 
 TEST_F(Cli, WrongUseOfASequenceIsNamed) {
