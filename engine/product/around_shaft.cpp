@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace glissade {
 namespace {
@@ -16,6 +17,49 @@ constexpr double kLeastAround = 0.55;
 constexpr double kThickerThan = 1.15;
 /// A contact of this length counts, by the shaft's radius.
 constexpr double kLeastContact = 0.1;
+
+/// Where the middle of a hole is from the axis in one section, and how wide the hole is.
+struct HoleMiddle {
+  Eigen::Vector2d offset = Eigen::Vector2d::Zero();
+  double radius = 0.0;
+};
+
+HoleMiddle middleIn(const AxialSlab& slab) {
+  HoleMiddle middle;
+  int count = 0;
+  for (std::size_t i = 0; i < slab.nearest.size(); ++i) {
+    if (!std::isfinite(slab.nearest[i])) continue;
+    const double angle = 2.0 * std::numbers::pi * static_cast<double>(i) / kAxialAngles;
+    middle.offset += 2.0 * slab.nearest[i] * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    middle.radius += slab.nearest[i];
+    ++count;
+  }
+  if (count == 0) return {};
+  middle.offset /= count;
+  middle.radius /= count;
+  return middle;
+}
+
+/// A hole that is beside the axis, by the same in all sections: a helix has its middle on another side in each. Its
+/// radius; nothing where it is no such hole.
+std::optional<double> misplacedHole(const std::vector<AxialSlab>& slabs, double shaft) {
+  Eigen::Vector2d offset = Eigen::Vector2d::Zero();
+  double apart = 0.0;
+  double radius = 0.0;
+  int count = 0;
+  for (const AxialSlab& slab : slabs) {
+    if (slab.isSolid || slab.surroundedShare() < 0.9) continue;
+    const HoleMiddle middle = middleIn(slab);
+    offset += middle.offset;
+    apart += middle.offset.norm();
+    radius = count == 0 ? middle.radius : std::min(radius, middle.radius);
+    ++count;
+  }
+  constexpr double kOneSide = 0.9;
+  constexpr double kLeastApart = 0.03;
+  if (count < 3 || apart < kLeastApart * shaft * count || offset.norm() < kOneSide * apart) return std::nullopt;
+  return radius;
+}
 
 /// The radius of a hole in a section: of a round one all that tessellation leaves, of a helix its crest.
 double radiusIn(const AxialSlab& slab) {
@@ -36,11 +80,14 @@ std::optional<AroundShaft> aroundShaft(const AxialMesh& body, const AxisLine& ax
   around.tightLow = reach.high;
   around.tightHigh = reach.low;
   bool isBeyond = false;
-  for (const AxialSlab& slab : body.slabsAbout(axis, reach)) {
+  const std::vector<AxialSlab> slabs = body.slabsAbout(axis, reach);
+  const auto misplaced = misplacedHole(slabs, radius);
+  for (const AxialSlab& slab : slabs) {
     const bool isAround = slab.isSolid ? slab.surroundedShare() == 0.0 || slab.nearestAt(0.5) > kThickerThan * radius
                                        : slab.surroundedShare() >= kLeastAround;
     if (!isAround) continue;
-    const double hole = slab.isSolid ? 0.0 : radiusIn(slab);
+    const double round = misplaced ? *misplaced : radiusIn(slab);
+    const double hole = slab.isSolid ? 0.0 : round;
     if (slab.high <= shaft.low + 0.02 * radius) {
       isBeyond = isBeyond || hole < (1.0 - kEqualShare) * radius;
       continue;

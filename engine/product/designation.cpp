@@ -121,7 +121,7 @@ constexpr std::array kStandards{StandardRow{"4762", kIso, Screw, kSocketDrive, K
                                 StandardRow{"3760", kDin, Seal, DriveKind::None, KeyTable::None},
                                 StandardRow{"3771", kDin, Seal, DriveKind::None, KeyTable::None}};
 
-/// Words of names, in lower case without spaces, hyphens and underscores.
+/// Words of names; capitals, spaces, hyphens and underscores make no difference.
 struct WordRow {
   std::string_view word;
   StandardPart part;
@@ -130,45 +130,45 @@ struct WordRow {
 };
 
 /// The first that is in the name counts.
-constexpr std::array kWords{WordRow{"heatset", Insert, DriveKind::None, KeyTable::None},
-                            WordRow{"heatinsert", Insert, DriveKind::None, KeyTable::None},
-                            WordRow{"threadedinsert", Insert, DriveKind::None, KeyTable::None},
-                            WordRow{"brassinsert", Insert, DriveKind::None, KeyTable::None},
-                            WordRow{"insertnut", Insert, DriveKind::None, KeyTable::None},
+constexpr std::array kWords{WordRow{"heat-set", Insert, DriveKind::None, KeyTable::None},
+                            WordRow{"heat insert", Insert, DriveKind::None, KeyTable::None},
+                            WordRow{"threaded insert", Insert, DriveKind::None, KeyTable::None},
+                            WordRow{"brass insert", Insert, DriveKind::None, KeyTable::None},
+                            WordRow{"insert nut", Insert, DriveKind::None, KeyTable::None},
                             WordRow{"rivnut", Insert, DriveKind::None, KeyTable::None},
-                            WordRow{"rivetnut", Insert, DriveKind::None, KeyTable::None},
+                            WordRow{"rivet nut", Insert, DriveKind::None, KeyTable::None},
                             WordRow{"helicoil", Insert, DriveKind::None, KeyTable::None},
-                            WordRow{"setscrew", SetScrew, kSocketDrive, KeyTable::Set},
-                            WordRow{"grubscrew", SetScrew, kSocketDrive, KeyTable::Set},
-                            WordRow{"shcs", Screw, kSocketDrive, KeyTable::Cap},
-                            WordRow{"bhcs", Screw, kSocketDrive, KeyTable::Button},
-                            WordRow{"fhcs", Screw, kSocketDrive, KeyTable::Button},
-                            WordRow{"sockethead", Screw, kSocketDrive, KeyTable::Cap},
-                            WordRow{"socketcap", Screw, kSocketDrive, KeyTable::Cap},
-                            WordRow{"buttonhead", Screw, kSocketDrive, KeyTable::Button},
-                            WordRow{"lowprofilescrew", Screw, kSocketDrive, KeyTable::Button},
+                            WordRow{"set screw", SetScrew, kSocketDrive, KeyTable::Set},
+                            WordRow{"grub screw", SetScrew, kSocketDrive, KeyTable::Set},
+                            WordRow{"SHCS", Screw, kSocketDrive, KeyTable::Cap},
+                            WordRow{"BHCS", Screw, kSocketDrive, KeyTable::Button},
+                            WordRow{"FHCS", Screw, kSocketDrive, KeyTable::Button},
+                            WordRow{"socket head", Screw, kSocketDrive, KeyTable::Cap},
+                            WordRow{"socket cap", Screw, kSocketDrive, KeyTable::Cap},
+                            WordRow{"button head", Screw, kSocketDrive, KeyTable::Button},
+                            WordRow{"low profile screw", Screw, kSocketDrive, KeyTable::Button},
                             WordRow{"phillips", Screw, DriveKind::Cross, KeyTable::None},
                             WordRow{"torx", Screw, DriveKind::SixLobe, KeyTable::None},
-                            WordRow{"slottedscrew", Screw, DriveKind::Slot, KeyTable::None},
-                            WordRow{"hexbolt", Screw, kHexDrive, KeyTable::Wrench},
-                            WordRow{"hexheadbolt", Screw, kHexDrive, KeyTable::Wrench},
-                            WordRow{"hexheadscrew", Screw, kHexDrive, KeyTable::Wrench},
-                            WordRow{"capscrew", Screw, DriveKind::None, KeyTable::None},
-                            WordRow{"machinescrew", Screw, DriveKind::None, KeyTable::None},
-                            WordRow{"locknut", Nut, kHexDrive, KeyTable::Wrench},
-                            WordRow{"nylocnut", Nut, kHexDrive, KeyTable::Wrench},
-                            WordRow{"hexnut", Nut, kHexDrive, KeyTable::Wrench},
-                            WordRow{"squarenut", Nut, DriveKind::None, KeyTable::None},
-                            WordRow{"tnut", Nut, DriveKind::None, KeyTable::None},
+                            WordRow{"slotted screw", Screw, DriveKind::Slot, KeyTable::None},
+                            WordRow{"hex bolt", Screw, kHexDrive, KeyTable::Wrench},
+                            WordRow{"hex head bolt", Screw, kHexDrive, KeyTable::Wrench},
+                            WordRow{"hex head screw", Screw, kHexDrive, KeyTable::Wrench},
+                            WordRow{"cap screw", Screw, DriveKind::None, KeyTable::None},
+                            WordRow{"machine screw", Screw, DriveKind::None, KeyTable::None},
+                            WordRow{"lock nut", Nut, kHexDrive, KeyTable::Wrench},
+                            WordRow{"nyloc nut", Nut, kHexDrive, KeyTable::Wrench},
+                            WordRow{"hex nut", Nut, kHexDrive, KeyTable::Wrench},
+                            WordRow{"square nut", Nut, DriveKind::None, KeyTable::None},
+                            WordRow{"T-nut", Nut, DriveKind::None, KeyTable::None},
                             WordRow{"washer", Washer, DriveKind::None, KeyTable::None},
                             WordRow{"shim", Washer, DriveKind::None, KeyTable::None},
                             WordRow{"dowel", Pin, DriveKind::None, KeyTable::None},
-                            WordRow{"ballbearing", Bearing, DriveKind::None, KeyTable::None},
+                            WordRow{"ball bearing", Bearing, DriveKind::None, KeyTable::None},
                             WordRow{"bearing", Bearing, DriveKind::None, KeyTable::None},
                             WordRow{"bushing", Insert, DriveKind::None, KeyTable::None},
-                            WordRow{"oring", Seal, DriveKind::None, KeyTable::None},
+                            WordRow{"O-ring", Seal, DriveKind::None, KeyTable::None},
                             WordRow{"circlip", Ring, DriveKind::None, KeyTable::None},
-                            WordRow{"retainingring", Ring, DriveKind::None, KeyTable::None},
+                            WordRow{"retaining ring", Ring, DriveKind::None, KeyTable::None},
                             WordRow{"screw", Screw, DriveKind::None, KeyTable::None},
                             WordRow{"bolt", Screw, DriveKind::None, KeyTable::None},
                             WordRow{"schraube", Screw, DriveKind::None, KeyTable::None},
@@ -241,9 +241,14 @@ struct SizeText {
 /// "M3x8", "M8 x 1.25 x 30", "M3".
 std::optional<SizeText> metricSize(const std::string& name) {
   static const std::regex pattern(
-      R"((?:^|[^A-Za-z0-9])[Mm](\d{1,2}(?:[.,]\d{1,2})?)(?:\s*[xX*]\s*(\d{1,3}(?:[.,]\d{1,2})?))?(?:\s*[xX*]\s*(\d{1,3}(?:[.,]\d{1,2})?))?(?![0-9]))");
+      R"((?:^|[^A-Za-z0-9])[Mm] ?(\d{1,2}(?:[.,]\d{1,2})?)(?:\s*[xX*]\s*(\d{1,3}(?:[.,]\d{1,2})?))?(?:\s*[xX*]\s*(\d{1,3}(?:[.,]\d{1,2})?))?(?![0-9]))");
   std::smatch match;
-  if (!std::regex_search(name, match, pattern)) return std::nullopt;
+  for (std::sregex_iterator each(name.begin(), name.end(), pattern), end; each != end; ++each) {
+    // "M5_M5 x 20": the one that says most.
+    const bool saysMore = match.empty() || (!match[2].matched && (*each)[2].matched);
+    if (saysMore) match = *each;
+  }
+  if (match.empty()) return std::nullopt;
   SizeText size;
   size.diameter = 1e-3 * numberIn(match[1]);
   if (!(size.diameter >= 1e-3 && size.diameter <= 64e-3)) return std::nullopt;
@@ -335,7 +340,7 @@ std::optional<Designation> readDesignation(const std::string& name, bool* isUnkn
   }
   const std::string plain = plainWord(name);
   for (const WordRow& row : kWords) {
-    if (plain.find(row.word) == std::string::npos) continue;
+    if (plain.find(plainWord(std::string(row.word))) == std::string::npos) continue;
     // A bare word is a hint where a size stands beside it, or where nothing else is meant by it.
     const bool isCommon = row.word == "nut" || row.word == "bolt" || row.word == "shim";
     if (isCommon && !size) continue;

@@ -27,12 +27,16 @@ constexpr double kMostRingRadius = 6.0;
 constexpr double kLeastSetScrew = 0.8;
 /// A prism is this long at least, as a share of the nut or the head.
 constexpr double kPrismShare = 0.25;
+/// Where the spreads of a surface are about equal, they have no direction.
+constexpr double kCompactShare = 0.4;
+constexpr std::size_t kMostDirections = 6;
 /// Axes of cylinders that may be the main axis: sine of the angle, share of the radius.
 constexpr double kNearAxisSine = 0.1;
 constexpr double kNearAxisShare = 0.3;
 
 struct MainAxes {
   Vector3 centre = Vector3::Zero();
+  double share = 1.0;                   ///< of the largest of the three spreads that the least one has
   std::array<Vector3, 3> directions{};  ///< the one that is most unlike the others first
 };
 
@@ -57,6 +61,7 @@ MainAxes mainAxesOf(const TriangleTree& tree) {
   axes.centre = about + middle;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(second / area - middle * middle.transpose());
   const Vector3 values = solver.eigenvalues();  // ascending
+  axes.share = values[0] / values[2];
   const bool lowFirst = values[1] - values[0] > values[2] - values[1];
   const std::array<int, 3> order = lowFirst ? std::array<int, 3>{0, 2, 1} : std::array<int, 3>{2, 0, 1};
   for (std::size_t i = 0; i < 3; ++i) axes.directions[i] = solver.eigenvectors().col(order[i]);
@@ -336,18 +341,39 @@ TurnedShape lookedAt(const TriangleMesh& mesh, const AxialMesh& axial, const Axi
   return shape;
 }
 
+std::optional<TurnedShape> shapeAlong(const TriangleMesh& mesh, const AxialMesh& axial, const AxisLine& rough) {
+  const TurnedShape first = lookedAt(mesh, axial, rough);
+  if (!isRoundEnough(first.slabs)) return std::nullopt;
+  double radius = 0.0;
+  for (const AxialSlab& slab : first.slabs) radius = std::max(radius, slab.outerMost());
+  return classified(lookedAt(mesh, axial, exactAxis(mesh, rough, radius)));
+}
+
+/// Of the cylinders of a mesh, those of the longest first.
+std::vector<Vector3> cylinderDirections(const TriangleMesh& mesh) {
+  SurfaceRegions regions = findSurfaceRegions(welded(mesh));
+  std::stable_sort(regions.cylinders.begin(), regions.cylinders.end(),
+                   [](const auto& a, const auto& b) { return a.high - a.low > b.high - b.low; });
+  std::vector<Vector3> directions;
+  for (const CylinderRegion& cylinder : regions.cylinders) {
+    const auto isAlong = [&](const Vector3& one) { return one.cross(cylinder.direction).norm() < kNearAxisSine; };
+    if (directions.size() < kMostDirections && std::none_of(directions.begin(), directions.end(), isAlong)) {
+      directions.push_back(cylinder.direction);
+    }
+  }
+  return directions;
+}
+
 }  // namespace
 
 std::optional<TurnedShape> turnedShapeOf(const TriangleMesh& mesh, const AxialMesh& axial) {
   const MainAxes axes = mainAxesOf(axial.tree());
   for (const Vector3& direction : axes.directions) {
-    const AxisLine rough{axes.centre, direction};
-    TurnedShape shape = lookedAt(mesh, axial, rough);
-    if (!isRoundEnough(shape.slabs)) continue;
-    double radius = 0.0;
-    for (const AxialSlab& slab : shape.slabs) radius = std::max(radius, slab.outerMost());
-    shape = lookedAt(mesh, axial, exactAxis(mesh, rough, radius));
-    if (auto known = classified(shape)) return known;
+    if (auto known = shapeAlong(mesh, axial, {axes.centre, direction})) return known;
+  }
+  if (axes.share < kCompactShare) return std::nullopt;
+  for (const Vector3& direction : cylinderDirections(mesh)) {
+    if (auto known = shapeAlong(mesh, axial, {axes.centre, direction})) return known;
   }
   return std::nullopt;
 }

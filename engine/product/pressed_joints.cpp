@@ -18,6 +18,8 @@ constexpr double kPinClearance = 1.06;
 constexpr double kPressedShare = 0.2;
 constexpr double kFittedShare = 0.4;
 constexpr double kHostReach = 1.6;
+/// A host is thicker than its guest, by its radius.
+constexpr double kThickerHost = 1.02;
 constexpr double kLeastHostAround = 0.6;
 /// Length by radius of a pin.
 constexpr double kShortestPin = 1.5;
@@ -39,6 +41,16 @@ double outerAt(const TurnedShape& shape, double height) {
     if (height >= slab.low && height <= slab.high) return slab.outerMost();
   }
   return 0.0;
+}
+
+/// Share of the directions in which what surrounds the axis goes on beyond this radius.
+double shareBeyond(const AxialSlab& slab, double radius) {
+  std::size_t beyond = 0;
+  for (std::size_t i = 0; i < slab.nearest.size(); ++i) {
+    const bool isOpen = slab.farthest[i] > 0.0 && slab.farthest[i] <= slab.nearest[i];
+    beyond += isOpen || slab.farthest[i] > radius ? 1U : 0U;
+  }
+  return static_cast<double>(beyond) / static_cast<double>(slab.nearest.size());
 }
 
 class PressedJointFinder {
@@ -97,7 +109,8 @@ class PressedJointFinder {
       if (slab.surroundedShare() < kLeastHostAround && !(slab.isSolid && slab.surroundedShare() == 0.0)) continue;
       const bool isIn = slab.isSolid && (slab.surroundedShare() == 0.0 || slab.nearestAt(0.3) > outer);
       const double hole = slab.isSolid ? (isIn ? 0.0 : kHostReach * shape.outer) : slab.nearestAt(0.9);
-      if (hole > (1.0 + kClearPress) * outer) continue;
+      const bool isAround = slab.isSolid || shareBeyond(slab, kThickerHost * outer) >= kLeastHostAround;
+      if (!isAround || hole > (1.0 + kClearPress) * outer) continue;
       fit.low = std::min(fit.low, slab.low);
       fit.high = std::max(fit.high, slab.high);
       if (hole >= (1.0 - kClearPress) * outer) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace glissade {
 namespace {
@@ -28,16 +27,15 @@ std::optional<Vector3> ballMiddle(const RigidBody& body) {
 
 struct RollingElement {
   std::size_t body = 0;
-  Vector3 middle;
+  Vector3 middle = Vector3::Zero();
   bool isBall = false;
+  double radius = 0.0;
 };
 
 class RollingBearingFinder {
  public:
   RollingBearingFinder(const ProductShapes& shapes, const StopToken& stop) : shapes_(shapes), stop_(stop) {
-    std::map<MeshPtr, std::size_t> counts;
-    for (std::size_t i = 0; i < shapes.size(); ++i) ++counts[shapes.body(i).mesh];
-    for (std::size_t i = 0; i < shapes.size() && !stop_.stopRequested(); ++i) addPart(i, counts[shapes.body(i).mesh]);
+    for (std::size_t i = 0; i < shapes.size() && !stop_.stopRequested(); ++i) addPart(i);
   }
 
   Joints find() const {
@@ -57,19 +55,15 @@ class RollingBearingFinder {
   }
 
  private:
-  void addPart(std::size_t body, std::size_t count) {
-    if (count >= kFewestBalls) {
-      if (const auto middle = ballMiddle(shapes_.body(body))) {
-        rolling_.push_back({body, *middle, true});
-        return;
-      }
+  void addPart(std::size_t body) {
+    if (const auto middle = ballMiddle(shapes_.body(body))) {
+      rolling_.push_back({body, *middle, true, 0.5 * shapes_.box(body).sizes().maxCoeff()});
+      return;
     }
     const TurnedShape* shape = shapes_.turned(body);
     if (shape == nullptr) return;
     if (shape->kind == TurnedKind::Ring) rings_.push_back(body);
-    if (shape->kind == TurnedKind::Rod && count >= kFewestRollers) {
-      rolling_.push_back({body, middleOf(body), false});
-    }
+    if (shape->kind == TurnedKind::Rod) rolling_.push_back({body, middleOf(body), false, shape->shaft});
   }
 
   Vector3 middleOf(std::size_t body) const {

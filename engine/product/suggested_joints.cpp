@@ -19,44 +19,29 @@ struct HintWord {
 };
 
 /// The last word of an English or German name, or its end, says what a thing is.
-constexpr std::array kLastWords{HintWord{"belt", JointKind::Flexible},
-                                HintWord{"cable", JointKind::Flexible},
-                                HintWord{"hose", JointKind::Flexible},
-                                HintWord{"wire", JointKind::Flexible},
-                                HintWord{"wires", JointKind::Flexible},
-                                HintWord{"wiring", JointKind::Flexible},
-                                HintWord{"harness", JointKind::Flexible},
-                                HintWord{"spring", JointKind::Flexible},
-                                HintWord{"seal", JointKind::Flexible},
-                                HintWord{"gasket", JointKind::Flexible},
-                                HintWord{"oring", JointKind::Flexible},
-                                HintWord{"label", JointKind::Flexible},
-                                HintWord{"sticker", JointKind::Flexible},
-                                HintWord{"strap", JointKind::Flexible},
-                                HintWord{"cord", JointKind::Flexible},
-                                HintWord{"riemen", JointKind::Flexible},
-                                HintWord{"kabel", JointKind::Flexible},
-                                HintWord{"schlauch", JointKind::Flexible},
-                                HintWord{"feder", JointKind::Flexible},
-                                HintWord{"dichtung", JointKind::Flexible},
-                                HintWord{"dichtring", JointKind::Flexible},
-                                HintWord{"etikett", JointKind::Flexible},
-                                HintWord{"clip", JointKind::Snap},
-                                HintWord{"snap", JointKind::Snap},
-                                HintWord{"latch", JointKind::Snap},
-                                HintWord{"weld", JointKind::Permanent},
-                                HintWord{"solder", JointKind::Permanent},
-                                HintWord{"glue", JointKind::Permanent},
-                                HintWord{"adhesive", JointKind::Permanent},
-                                HintWord{"epoxy", JointKind::Permanent},
-                                HintWord{"schweissnaht", JointKind::Permanent}};
+constexpr std::array kLastWords{
+    HintWord{"belt", JointKind::Flexible},      HintWord{"cable", JointKind::Flexible},
+    HintWord{"hose", JointKind::Flexible},      HintWord{"wire", JointKind::Flexible},
+    HintWord{"wires", JointKind::Flexible},     HintWord{"wiring", JointKind::Flexible},
+    HintWord{"harness", JointKind::Flexible},   HintWord{"spring", JointKind::Flexible},
+    HintWord{"seal", JointKind::Flexible},      HintWord{"gasket", JointKind::Flexible},
+    HintWord{"oring", JointKind::Flexible},     HintWord{"label", JointKind::Flexible},
+    HintWord{"sticker", JointKind::Flexible},   HintWord{"strap", JointKind::Flexible},
+    HintWord{"cord", JointKind::Flexible},      HintWord{"riemen", JointKind::Flexible},
+    HintWord{"kabel", JointKind::Flexible},     HintWord{"schlauch", JointKind::Flexible},
+    HintWord{"feder", JointKind::Flexible},     HintWord{"dichtung", JointKind::Flexible},
+    HintWord{"dichtring", JointKind::Flexible}, HintWord{"etikett", JointKind::Flexible},
+    HintWord{"torique", JointKind::Flexible},   HintWord{"clip", JointKind::Snap},
+    HintWord{"snap", JointKind::Snap},          HintWord{"latch", JointKind::Snap},
+    HintWord{"weld", JointKind::Permanent},     HintWord{"solder", JointKind::Permanent},
+    HintWord{"glue", JointKind::Permanent},     HintWord{"adhesive", JointKind::Permanent},
+    HintWord{"epoxy", JointKind::Permanent},    HintWord{"schweissnaht", JointKind::Permanent}};
 
 /// The first word of a French name does.
-constexpr std::array kFirstWords{HintWord{"courroie", JointKind::Flexible}, HintWord{"cable", JointKind::Flexible},
+constexpr std::array kFirstWords{HintWord{"courroie", JointKind::Flexible}, HintWord{"c\u00e2ble", JointKind::Flexible},
                                  HintWord{"tuyau", JointKind::Flexible},    HintWord{"ressort", JointKind::Flexible},
-                                 HintWord{"joint", JointKind::Flexible},    HintWord{"etiquette", JointKind::Flexible},
-                                 HintWord{"flexible", JointKind::Flexible}, HintWord{"soudure", JointKind::Permanent},
-                                 HintWord{"colle", JointKind::Permanent},   HintWord{"loquet", JointKind::Snap}};
+                                 HintWord{"soudure", JointKind::Permanent}, HintWord{"colle", JointKind::Permanent},
+                                 HintWord{"loquet", JointKind::Snap}};
 
 /// Words of assemblies that are bought, wherever they stand.
 constexpr std::array<std::string_view, 29> kUnitWords{
@@ -101,8 +86,16 @@ std::optional<JointKind> hintOfClass(const std::string& name) {
   return hintOf(words);
 }
 
+/// What holds or covers a unit, or goes with it.
+constexpr std::array<std::string_view, 20> kNoUnitWords{
+    "mount", "bracket", "holder", "housing", "tube",  "plate", "cover",   "case",     "box",    "block",
+    "cap",   "support", "shaft",  "gear",    "wheel", "frame", "coupler", "coupling", "spacer", "pulley"};
+
 bool isUnitName(const std::string& name) {
   const std::vector<std::string> words = wordsOfName(name);
+  if (words.empty() || std::find(kNoUnitWords.begin(), kNoUnitWords.end(), words.back()) != kNoUnitWords.end()) {
+    return false;
+  }
   return std::any_of(words.begin(), words.end(), [](const std::string& word) {
     return std::any_of(kUnitWords.begin(), kUnitWords.end(), [&](std::string_view unit) { return word == unit; });
   });

@@ -6,6 +6,7 @@
 
 #include "engine/product/length_words.h"
 #include "engine/product/loose_nut.h"
+#include "engine/product/shaft_helix.h"
 #include "engine/product/thread_pitch.h"
 
 namespace glissade {
@@ -129,10 +130,14 @@ class ThreadedJointFinder {
     }
   }
 
-  JointThread threadOf(const ScrewStack& stack, const TurnedShape& shape) const {
+  JointThread threadOf(const ScrewStack& stack, std::size_t body, const TurnedShape& shape) const {
     JointThread thread;
     thread.diameter = 2.0 * shape.shaft;
     thread.pitch = isoCoarsePitch(shape.shaft).pitch;
+    if (const auto pitch = modelledPitch(shapes_.axial(body), shape)) {
+      thread.pitch = *pitch;
+      thread.isPitchStated = true;
+    }
     double top = shape.low;
     for (const AroundShaft& host : stack.hosts) {
       const bool isFitted = host.tight + host.equal > 0.0;
@@ -140,6 +145,7 @@ class ThreadedJointFinder {
       top = std::max(top, isFitted ? host.tightHigh : host.high);
     }
     thread.travel = std::clamp(top - shape.low, 0.0, shape.headLow - shape.low);
+    thread.engaged = std::min(thread.engaged, thread.travel);
     return thread;
   }
 
@@ -154,7 +160,7 @@ class ThreadedJointFinder {
     for (const AroundShaft& around : stack.clamped) joint.clamped.push_back(around.body);
     joint.point = axis.point + shape.headLow * axis.direction;
     joint.direction = axis.direction;
-    joint.thread = threadOf(stack, shape);
+    joint.thread = threadOf(stack, body, shape);
     joint.drive = shape.drive.kind;
     joint.driveSize = shape.drive.size;
     joint.evidence.push_back("a shaft of " + inMillimetres(2.0 * shape.shaft) +

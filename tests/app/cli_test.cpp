@@ -724,6 +724,46 @@ TEST_F(Cli, FitsSayWhichBodyGivesWayAndWhyAPairIsRefused) {
   EXPECT_NE(run("fits " + product + " --csv").out.find("status,thinner,refused"), std::string::npos);
 }
 
+/// The product of fits.step has a screw in a tapped hole.
+TEST_F(Cli, JointsOfAProductAreListed) {
+  const std::string product = glissade::test::stepFile("fits.step");
+  const Finished listed = run("joints " + product + " --json");
+  ASSERT_EQ(listed.exitCode, 0) << listed.err;
+  const Json joints = Json::parse(listed.out);
+  EXPECT_EQ(joints["format"], "glissade-joints");
+  int sum = 0;
+  for (const auto& count : joints["counts"].items()) sum += count.value().get<int>();
+  EXPECT_EQ(sum, static_cast<int>(joints["joints"].size()));
+  const std::string table = run("joints " + product).out;
+  EXPECT_NE(table.find("evidence"), std::string::npos) << table;
+  EXPECT_NE(table.find(std::to_string(sum) + " joints of "), std::string::npos) << table;
+  EXPECT_EQ(run("joints " + product + " --joints suggested").exitCode, 0);
+  EXPECT_EQ(run("joints " + product + " --joints all").exitCode, 2);
+  EXPECT_EQ(run("joints " + (folder / "absent.step").string()).exitCode, 3);
+  EXPECT_EQ(run("joints").exitCode, 2);
+}
+
+TEST_F(Cli, AWordAboutAJointThatCannotBeIsOneMessage) {
+  const std::string made = (folder / "joints.json").string();
+  const std::string product = glissade::test::stepFile("fits.step");
+  ASSERT_EQ(run("new " + made + " --moves " + product + ":screw --static " + product).exitCode, 0);
+  Json scenario = Json::parse(glissade::test::readWhole(made));
+  const auto refused = [&](const Json& word) {
+    scenario["joints"] = Json::array({word});
+    std::ofstream(made) << scenario.dump();
+    const Finished finished = run("joints " + made);
+    EXPECT_EQ(std::count(finished.err.begin(), finished.err.end(), '\n'), 1) << finished.err;
+    EXPECT_TRUE(finished.exitCode == 2 || finished.exitCode == 3) << finished.exitCode;
+    return finished.err;
+  };
+  EXPECT_NE(refused({{"kind", "pin"}, {"body", "nobody"}, {"word", "dissolved"}}).find("there is no body 'nobody'"),
+            std::string::npos);
+  EXPECT_NE(refused({{"kind", "rivet"}, {"body", "screw"}, {"word", "dissolved"}}).find("not a kind of joint"),
+            std::string::npos);
+  EXPECT_NE(refused({{"kind", "unit"}, {"body", "screw"}, {"word", "opened"}}).find("no such joint"),
+            std::string::npos);
+}
+
 TEST_F(Cli, AProductIsTakenApartAndTheCheckAgrees) {
   const std::string product = glissade::test::stepFile("fits.step");
   const std::string plan = (folder / "plan.json").string();

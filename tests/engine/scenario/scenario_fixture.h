@@ -125,6 +125,18 @@ inline Scenario fullScenario() {
   scenario.sequence.classes = {{"glass", "flexible_part", "Glass", "none", {{"fragile", true}}}};
   scenario.fits = {
       true, 0.0015, {{"object", "wall", ContactKind::Thread, 1.0 / 3e4, true}, {"product/pin", "wall", {}, {}, false}}};
+  Joint made;
+  made.kind = JointKind::Screw;
+  made.state = JointState::Confirmed;
+  made.point = {1.0 / 3.0, 0.0, 0.0};
+  made.direction = {0.0, 0.0, -1.0};
+  made.thread = JointThread{0.003, -0.0005, true, 0.004, 0.005};
+  made.drive = DriveKind::HexSocket;
+  made.driveSize = 0.0025;
+  made.designation = "ISO 4762 M3x8";
+  scenario.joints = {{{JointKind::Screw, "product/pin", {"wall"}}, JointEdit::Word::Confirmed, made, {"part"}},
+                     {{JointKind::Unit, "object", {"part"}}, JointEdit::Word::Opened},
+                     {{JointKind::Insert, "part", {"wall"}}, JointEdit::Word::PressedOut}};
   scenario.seed = 9223372036854775807U;
   KeptPath kept;
   kept.name = "Weg \"1\"";

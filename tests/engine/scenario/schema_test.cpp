@@ -6,6 +6,7 @@
 #include <valijson/schema_parser.hpp>
 #include <valijson/validator.hpp>
 
+#include "engine/scenario/joints_json.h"
 #include "engine/scenario/plan_file.h"
 #include "engine/scenario/run_record.h"
 #include "tests/engine/scenario/broken_semantics.h"
@@ -79,6 +80,25 @@ TEST(PlanSchema, AcceptsWhatIsWritten) {
   ASSERT_TRUE(savePlan(test::somePlan(), "product.step", folder / "plan.json").ok());
   EXPECT_EQ(schema.complaint(test::readWhole(folder / "plan.json")), "");
   EXPECT_NE(schema.complaint(R"({"format": "glissade-plan", "version": 1})"), "");
+}
+
+TEST(JointsSchema, AcceptsWhatIsWritten) {
+  Schema schema("joints-1");
+  AssembledProduct product;
+  product.bodies = {boxBody("block", {1.0, 1.0, 1.0}, {}), boxBody("screw", {1.0, 1.0, 1.0}, {})};
+  Joint joint;
+  joint.body = 1;
+  joint.others = {0};
+  joint.thread = JointThread{0.003, 0.0005, false, 0.004, 0.005};
+  joint.drive = DriveKind::HexSocket;
+  joint.driveSize = 0.0025;
+  joint.designation = "ISO 4762 M3x8";
+  joint.evidence = {"a shaft with a head"};
+  nlohmann::ordered_json json{{"format", "glissade-joints"}, {"version", 1}, {"counts", {{"screw", 1}}}};
+  json["joints"] = {toJson(joint, product), toJson(Joint{}, product)};
+  EXPECT_EQ(schema.complaint(json.dump()), "");
+  json["joints"][0]["kind"] = "rivet";
+  EXPECT_NE(schema.complaint(json.dump()), "");
 }
 
 TEST(RunSchema, AcceptsWhatIsWritten) {
