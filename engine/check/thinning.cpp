@@ -26,7 +26,9 @@ constexpr double kSameFace = 1e-9;
 /// Share of the allowance: a face without one that moves outwards by less stays where it is. A round face that stays is
 /// not met exactly by corners that slide along it.
 constexpr double kStays = 0.01;
-constexpr int kRounds = 9;
+/// Corners of triangles that cross the true surface go half as far in the first rounds, and stay in the others.
+constexpr int kHalvings = 8;
+constexpr int kRounds = 2 * kHalvings + 1;
 
 using Corners = Triangle;
 
@@ -140,7 +142,7 @@ class ThinBody {
         const bool within = isOpen_ ? isWithinLocally(result) : isWithin(result);
         return within ? result : TriangleMesh{points_, triangles_};
       }
-      for (const std::uint32_t i : bad) moves[i] /= 2.0;
+      for (const std::uint32_t i : bad) moves[i] *= round < kHalvings ? 0.5 : 0.0;
     }
     return {points_, triangles_};
   }

@@ -27,7 +27,7 @@ constexpr double kStill = 1e-6;
 constexpr double kStays = 0.01;
 /// In diagonals of the body's box: the normal of a lower triangle is made of rounding.
 constexpr double kLowest = 2e-6;
-/// Corners of moved triangles that meet the true surface go half as far, this often.
+/// Corners of moved triangles that meet the true surface go half as far, this often; then they stay.
 constexpr int kMostHalvings = 8;
 /// Winding number of a point inside an open body at least: of a single sheet it is a half on either side.
 constexpr double kInside = 0.75;
@@ -198,6 +198,11 @@ std::vector<std::uint32_t> ThinnableMesh::verticesOutside(const TriangleMesh& th
   const auto isOutside = [&](std::uint32_t vertex) {
     return std::atomic_ref(outside[vertex]).load(std::memory_order_relaxed) != 0;
   };
+  // What has not moved is the true surface, which may cross itself.
+  const auto isStill = [&](const TriangleIndices& triangle) {
+    return std::all_of(triangle.begin(), triangle.end(),
+                       [&](std::uint32_t vertex) { return thinned.vertices[vertex] == mesh_.vertices[vertex]; });
+  };
   const auto shareStillVertex = [&](const TriangleIndices& one, const TriangleIndices& other) {
     return std::any_of(one.begin(), one.end(), [&](std::uint32_t vertex) {
       return thinned.vertices[vertex] == mesh_.vertices[vertex] &&
@@ -206,6 +211,7 @@ std::vector<std::uint32_t> ThinnableMesh::verticesOutside(const TriangleMesh& th
   };
   after.visitAllPairs(surface_, 0.0, [&](std::uint32_t i, std::uint32_t k) {
     const TriangleIndices& moved = thinned.triangles[among[i]];
+    if (isStill(moved)) return;
     if (shells_[among[i]] != shells_[k] || shareStillVertex(moved, mesh_.triangles[k])) return;
     if (std::all_of(moved.begin(), moved.end(), isOutside)) return;
     double way = 0.0;
@@ -335,7 +341,7 @@ std::optional<TriangleMesh> ThinnableMesh::thinnedFaces(const std::vector<double
   for (std::size_t vertex = 0; vertex < mesh_.vertices.size(); ++vertex) moves.push_back(moveOf(vertex, allowances));
   std::vector<std::uint32_t> unsure(mesh_.triangles.size());
   std::iota(unsure.begin(), unsure.end(), 0U);
-  for (int round = 0; round <= kMostHalvings; ++round) {
+  for (int round = 0; round <= 2 * kMostHalvings; ++round) {
     TriangleMesh thinned = mesh_;
     for (std::size_t vertex = 0; vertex < moves.size(); ++vertex) thinned.vertices[vertex] += moves[vertex];
     const std::vector<std::uint32_t> outside = verticesOutside(thinned, unsure);
@@ -343,7 +349,8 @@ std::optional<TriangleMesh> ThinnableMesh::thinnedFaces(const std::vector<double
       const bool inside = interior_ ? isInside(thinned) : isInsideLocally(thinned);
       return inside ? std::optional(std::move(thinned)) : std::nullopt;
     }
-    for (const std::uint32_t vertex : outside) moves[vertex] *= 0.5;
+    const double share = round < kMostHalvings ? 0.5 : 0.0;
+    for (const std::uint32_t vertex : outside) moves[vertex] *= share;
     unsure = trianglesAt(outside);  // the others have not changed
   }
   return std::nullopt;

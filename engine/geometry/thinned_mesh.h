@@ -45,7 +45,7 @@ class ThinnableMesh {
   static std::optional<ThinnableMesh> of(const TriangleMesh& mesh);
 
   /// The mesh thinned by an allowance (metres, > 0). Where a moved triangle would meet the true surface, its corners
-  /// move less. Nothing where that does not help: the body has no place for it.
+  /// move less, and stay in the end, because a surface may cross itself. Nothing where that does not help.
   std::optional<TriangleMesh> thinned(double allowance) const;
   /// Each triangle of the mesh that this was made of has an allowance of its own, metres, >= 0. Faces without one stay
   /// whole, except where they share a vertex with one that has.
