@@ -60,7 +60,7 @@ struct Part {
   double volume = 0.0;
   double area = 0.0;
   double deflection = 0.0;
-  Vector3 centroid;
+  Vector3 centroid = Vector3::Zero();
   bool taken = false;
 
   double uncertainty() const { return deflection * area + 2.0 * kAccuracy * volume; }
