@@ -14,7 +14,7 @@ namespace glissade::check {
 namespace {
 
 /// Deeper than groups of groups come.
-constexpr std::size_t kMostLines = 32;
+constexpr std::size_t kMostDepth = 32;
 
 /// The two largest, together.
 double largestTwo(const Product& product) {
@@ -67,7 +67,7 @@ void addLines(const std::vector<Line>& lines, const std::vector<Step>& above, co
                     {numbers, {}, wrongLine(line, above)}};
     if (!known.insert(line.step).second) list.verdict.refusals.emplace_back("its step has another line");
     lists.push_back(std::move(list));
-    if (numbers.size() < kMostLines) addLines(line.lines, line.steps, numbers, product, lists);
+    if (numbers.size() < kMostDepth) addLines(line.lines, line.steps, numbers, product, lists);
   }
 }
 
