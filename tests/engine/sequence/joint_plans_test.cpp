@@ -72,7 +72,7 @@ AssemblyPlan planOf(const AssembledProduct& product, const Joints& joints, const
   return std::move(*plan);
 }
 
-AssembledProduct boxes(std::size_t count) {
+AssembledProduct boxesInARow(std::size_t count) {
   std::vector<RigidBody> bodies;
   for (std::size_t i = 0; i < count; ++i) {
     bodies.push_back(boxBody("b" + std::to_string(i), {0.5, 0.5, 0.5}, Pose::translation({double(i), 0.0, 0.0})));
@@ -81,7 +81,7 @@ AssembledProduct boxes(std::size_t count) {
 }
 
 JointRules rulesOf(const Joints& joints, std::size_t bodies) {
-  return {joints, boxes(bodies), std::vector<FastenerKind>(bodies, FastenerKind::None)};
+  return {joints, boxesInARow(bodies), std::vector<FastenerKind>(bodies, FastenerKind::None)};
 }
 
 TEST(JointRules, AScrewHoldsWhatItClampsAndWhatItIsScrewedInto) {
@@ -99,7 +99,7 @@ TEST(JointRules, AScrewHoldsWhatItClampsAndWhatItIsScrewedInto) {
 
 TEST(JointRules, ANutOpensTheJointAndTheScrewStillLeavesBeforeWhatItClampsWhereItCan) {
   Joints joints{screwIn(2, {3}, {0, 1})};
-  const JointRules rules(joints, boxes(4),
+  const JointRules rules(joints, boxesInARow(4),
                          {FastenerKind::None, FastenerKind::None, FastenerKind::Screw, FastenerKind::Nut});
   const BodySet all(4, true);
   EXPECT_TRUE(rules.holding({3}, all, true).empty()) << "a nut is turned off";
@@ -117,7 +117,7 @@ TEST(JointRules, WhatIsOneBodyIsOneGroup) {
   OrderRules order;
   order.together = {{2, 5}};
   order.placed = {{{0}, 1}};
-  joinUnits(rules.bonded(), boxes(6), order);
+  joinUnits(rules.bonded(), boxesInARow(6), order);
   std::sort(order.together.begin(), order.together.end());
   EXPECT_EQ(order.together, (std::vector<BodyGroup>{{0, 1, 2, 5}, {3, 4}}));
   EXPECT_EQ(order.placed.front().group, (BodyGroup{0, 1, 2, 5}));
