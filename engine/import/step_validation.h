@@ -18,8 +18,8 @@ struct StatedMeasures {
   std::optional<gp_Pnt> centroid{};  ///< millimetres, in the frame of the shape
 };
 
-/// Those of products; those of uses of products in assemblies are left out, and those in units that are not understood.
-/// Ask after the transfer. Runs in the importing process only.
+/// Those of products; those of uses of products in assemblies are left out. Ask after the transfer. Runs in the
+/// importing process only.
 std::vector<StatedMeasures> statedMeasuresOf(const STEPCAFControl_Reader& reader);
 
 }  // namespace glissade
