@@ -29,8 +29,8 @@ constexpr double kMillimetre = 1e-3;
 constexpr double kAccuracy = 1e-5;
 
 struct Solid {
-  double volume = 0.0;  ///< cubic metres
-  Vector3 centroid;     ///< metres, in the file's frame
+  double volume = 0.0;                 ///< cubic metres
+  Vector3 centroid = Vector3::Zero();  ///< metres, in the file's frame
 };
 
 std::vector<Solid> exactSolids(const std::string& file) {
