@@ -134,6 +134,8 @@ campaign "certified paths" "$release/path_oracle" \
   "$release/path_oracle" campaign "$release/path_maker" "$work/paths" "$seed" "$paths"
 campaign "trapped parts" "$release/check_attack" \
   "$release/check_attack" trapped "$release/glissade-cli" "$work/trapped" "$seed" "$trapped"
+campaign "trapped parts that have lost faces" "$release/check_attack" \
+  "$release/check_attack" open "$release/glissade-cli" "$work/open" "$seed" "$((trapped / 4))"
 campaign "mutated paths and plans" "$release/check_attack" \
   "$release/check_attack" mutants "$release/glissade-cli" "$work/mutants" "$seed" "$mutants"
 campaign "system calls of importers" "$release/confinement_test" \
