@@ -14,7 +14,6 @@ namespace {
 
 /// Share of a stated figure that rounding in the file and the integration of another system explain.
 constexpr double kStatedShare = 1e-4;
-constexpr const char* kMore = "more than the deviation of the triangles explains";
 
 /// All solids of a product together, in its frame.
 struct ProductMeasures {
@@ -72,11 +71,12 @@ class Comparison {
     if (stated_.volume && !(std::abs(own_.volume - *stated_.volume) <= uncertainty())) {
       notes.push_back(line("its triangles enclose " + inDigits(own_.volume) +
                            " cubic millimetres, and the file states " + inDigits(*stated_.volume) +
-                           ": they differ by " + kMore));
+                           ": they differ by more than the deviation of the triangles explains"));
     }
     if (stated_.area && !(std::abs(own_.area - *stated_.area) <= areaUncertainty())) {
       notes.push_back(line("its triangles have " + inDigits(own_.area) + " square millimetres, and the file states " +
-                           inDigits(*stated_.area) + ": they differ by " + kMore));
+                           inDigits(*stated_.area) +
+                           ": they differ by more than the deviation of the triangles explains"));
     }
     if (stated_.centroid && own_.volume != 0.0) compareCentroid(notes);
   }
@@ -94,7 +94,7 @@ class Comparison {
     const double explained = (own_.uncertainty / std::abs(own_.volume) + kStatedShare) * own_.size;
     if (apart <= explained) return;
     notes.push_back(line("the centroid of its triangles is " + inDigits(apart) +
-                         " mm from the one that the file states: " + kMore));
+                         " mm from the one that the file states: more than the deviation of the triangles explains"));
   }
 
   std::string line(const std::string& what) const {

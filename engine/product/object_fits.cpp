@@ -352,11 +352,20 @@ class FitFinder {
     const bool fromOther = bounds.one.most <= 0.0 || (bounds.other.most > 0.0 && bounds.other.most < bounds.one.most);
     Fit wanted = fit;
     wanted.allowance = fromOther ? bounds.other.most : bounds.one.most;
-    refuse(wanted,
-           "fit so that one of them would have to be taken " + inMillimetres(wanted.allowance) +
-               " thinner, which the local thickness or the shape of neither gives" +
-               openingInWords(ownOpening ? ownOpening : othersOpening) + ": it counts as a clash",
-           "Mend the parts.");
+    const auto opening = ownOpening ? ownOpening : othersOpening;
+    refuse(wanted, opening ? noRoomBeside(wanted.allowance, *opening) : noRoom(wanted.allowance), "Mend the parts.");
+  }
+
+  static std::string noRoom(double allowance) {
+    return "fit so that one of them would have to be taken " + inMillimetres(allowance) +
+           " thinner, which the local thickness or the shape of neither gives: it counts as a clash";
+  }
+
+  static std::string noRoomBeside(double allowance, double opening) {
+    return "fit so that one of them would have to be taken " + inMillimetres(allowance) +
+           " thinner, which the local thickness or the shape of neither gives, and the surface of one is open " +
+           inMillimetres(opening) +
+           " from the contact, so that what is inside it there is not known: it counts as a clash";
   }
 
   /// Metres from the contact to where the surface of the body is open, where that is so near that what is inside it is
@@ -364,12 +373,6 @@ class FitFinder {
   std::optional<double> openBeside(const RigidBody& body, const check::AllowanceBound& bound) const {
     const ThinnableMesh* thinnable = bound.most > 0.0 ? tools_.thinnable.of(body.mesh) : nullptr;
     return thinnable != nullptr ? thinnable->openBeside(bound.atMost) : std::nullopt;
-  }
-
-  static std::string openingInWords(const std::optional<double>& opening) {
-    if (!opening) return {};
-    return ", and the surface of one is open " + inMillimetres(*opening) +
-           " from the contact, so that what is inside it there is not known";
   }
 
   /// One of the two bodies is taken thinner by what the evidence gives, or by less where it has no place for that: the

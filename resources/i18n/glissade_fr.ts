@@ -5679,6 +5679,10 @@
         <translation>ne se met pas à côté de &apos;centre_on_vertex_mean&apos;</translation>
     </message>
     <message>
+        <source>validation property %1</source>
+        <translation>propriété de validation %1</translation>
+    </message>
+    <message>
         <source>its triangles enclose %1 cubic millimetres, and the file states %2: they differ by more than the deviation of the triangles explains</source>
         <translation>ses triangles enferment %1 millimètres cubes, et le fichier indique %2&#xa0;: la différence dépasse ce que l&apos;écart des triangles explique</translation>
     </message>

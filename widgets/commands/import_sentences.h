@@ -81,6 +81,7 @@ inline constexpr const char* kImportSentences[] = {
         "Diagnostics",
         "%1, because its boundaries cross; it was triangulated between their points, within %2 mm of its surface"),
     QT_TRANSLATE_NOOP("Diagnostics", "%1, and its boundaries cannot be triangulated"),
+    QT_TRANSLATE_NOOP("Diagnostics", "validation property %1"),
     QT_TRANSLATE_NOOP(
         "Diagnostics",
         "its triangles enclose %1 cubic millimetres, and the file states %2: they differ by more than the "
