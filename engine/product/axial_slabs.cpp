@@ -205,4 +205,17 @@ bool AxialMesh::contains(const Vector3& p) const {
   return inside;
 }
 
+double AxialMesh::filledShare(const AxisLine& axis, double height, double radius) const {
+  constexpr int kDirections = 8;
+  const Vector3 u = axis.direction.unitOrthogonal();
+  const Vector3 v = axis.direction.cross(u);
+  int filled = 0;
+  for (int i = 0; i < kDirections; ++i) {
+    const double angle = 2.0 * std::numbers::pi * (i + kHeightShare) / kDirections;
+    filled +=
+        contains(axis.point + height * axis.direction + radius * (std::cos(angle) * u + std::sin(angle) * v)) ? 1 : 0;
+  }
+  return static_cast<double>(filled) / kDirections;
+}
+
 }  // namespace glissade

@@ -56,10 +56,12 @@ class AxialMesh {
   /// About an axis in the body's frame, from low to high without gaps. Ends of slabs are where the mesh has corners; of
   /// many, evenly spaced.
   std::vector<AxialSlab> slabsAbout(const AxisLine& axis, const AxialReach& reach) const;
+  /// By the parity of a ray.
+  bool contains(const Vector3& p) const;
+  /// Share of directions in which a point at this height and distance from the axis is in the body.
+  double filledShare(const AxisLine& axis, double height, double radius) const;
 
  private:
-  bool contains(const Vector3& p) const;
-
   TriangleTree tree_;
   double sense_;
 };

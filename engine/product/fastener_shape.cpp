@@ -21,6 +21,7 @@ constexpr double kOneRadius = 0.06;
 constexpr double kLeastHeadRadius = 1.22;
 constexpr double kMostHeadRadius = 4.0;
 constexpr double kMostHeadLength = 0.8;
+constexpr double kMostDome = 0.15;      ///< of the length
 constexpr double kMostNutHeight = 1.6;  ///< by its outer diameter
 constexpr double kMostRingRadius = 6.0;
 /// Length by radius of a screw without a head.
@@ -30,6 +31,8 @@ constexpr double kPrismShare = 0.25;
 /// Where the spreads of a surface are about equal, they have no direction.
 constexpr double kCompactShare = 0.4;
 constexpr std::size_t kMostDirections = 6;
+/// Bodies of more are no small fasteners, and finding their cylinders takes long.
+constexpr std::size_t kMostTriangles = 5000;
 /// Axes of cylinders that may be the main axis: sine of the angle, share of the radius.
 constexpr double kNearAxisSine = 0.1;
 constexpr double kNearAxisShare = 0.3;
@@ -225,13 +228,13 @@ void noteRecess(TurnedShape& shape, double head) {
 std::optional<TurnedShape> screwOf(TurnedShape shape, double shaft) {
   shape.shaft = shaft;
   const double border = (1.0 + 2.0 * kOneRadius) * shaft;
-  auto head = shape.slabs.rbegin();
+  const auto isWide = [border](const AxialSlab& slab) { return slab.outerMost() > border; };
+  auto head = std::find_if(shape.slabs.rbegin(), shape.slabs.rend(), isWide);
+  // The dome of a button head ends narrow.
+  if (head == shape.slabs.rend() || shape.high - head->high > kMostDome * shape.length()) return std::nullopt;
   double widest = 0.0;
-  while (head != shape.slabs.rend() && head->outerMost() > border) {
-    widest = std::max(widest, head->outerMost());
-    ++head;
-  }
-  if (head == shape.slabs.rbegin() || head == shape.slabs.rend()) return std::nullopt;
+  for (; head != shape.slabs.rend() && isWide(*head); ++head) widest = std::max(widest, head->outerMost());
+  if (head == shape.slabs.rend()) return std::nullopt;
   shape.headLow = head->high;
   double shaftLength = 0.0;
   double solidLength = 0.0;
@@ -371,7 +374,7 @@ std::optional<TurnedShape> turnedShapeOf(const TriangleMesh& mesh, const AxialMe
   for (const Vector3& direction : axes.directions) {
     if (auto known = shapeAlong(mesh, axial, {axes.centre, direction})) return known;
   }
-  if (axes.share < kCompactShare) return std::nullopt;
+  if (axes.share < kCompactShare || mesh.triangles.size() > kMostTriangles) return std::nullopt;
   for (const Vector3& direction : cylinderDirections(mesh)) {
     if (auto known = shapeAlong(mesh, axial, {axes.centre, direction})) return known;
   }

@@ -111,9 +111,11 @@ class PressedJointFinder {
       const double hole = slab.isSolid ? (isIn ? 0.0 : kHostReach * shape.outer) : slab.nearestAt(0.9);
       const bool isAround = slab.isSolid || shareBeyond(slab, kThickerHost * outer) >= kLeastHostAround;
       if (!isAround || hole > (1.0 + kClearPress) * outer) continue;
+      const bool isOver = hole < (1.0 - kClearPress) * outer;
+      if (isOver && !isFilled(host, seen, slab, 0.5 * (std::max(hole, shape.hole) + outer))) continue;
       fit.low = std::min(fit.low, slab.low);
       fit.high = std::max(fit.high, slab.high);
-      if (hole >= (1.0 - kClearPress) * outer) {
+      if (!isOver) {
         unsure += slab.length();
         continue;
       }
@@ -122,6 +124,12 @@ class PressedJointFinder {
     }
     if (unsure > 0.0) compareCylinders(host, guest, unsure, fit);
     return fit;
+  }
+
+  /// The host is where the guest is, not only within its hole or about it.
+  bool isFilled(std::size_t host, const AxisLine& seen, const AxialSlab& slab, double radius) const {
+    constexpr double kFilledShare = 0.5;
+    return shapes_.axial(host).filledShare(seen, 0.5 * (slab.low + slab.high), radius) >= kFilledShare;
   }
 
   /// Exactly, by the cylinders of both that are coaxial and beside each other.

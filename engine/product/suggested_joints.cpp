@@ -112,11 +112,16 @@ class SuggestedJointFinder {
  public:
   SuggestedJointFinder(const ProductShapes& shapes, const std::vector<std::string>& classes, const Joints& found,
                        const StopToken& stop)
-      : shapes_(shapes), classes_(classes), stop_(stop), isTaken_(shapes.size(), false) {
+      : shapes_(shapes),
+        classes_(classes),
+        stop_(stop),
+        isTaken_(shapes.size(), false),
+        isInUnit_(shapes.size(), false) {
     for (const Joint& joint : found) {
       isTaken_[joint.body] = true;
       if (joint.kind != JointKind::Unit) continue;
-      for (const std::size_t other : joint.others) isTaken_[other] = true;
+      isInUnit_[joint.body] = true;
+      for (const std::size_t other : joint.others) isTaken_[other] = isInUnit_[other] = true;
     }
   }
 
@@ -142,7 +147,8 @@ class SuggestedJointFinder {
       }
     }
     for (const auto& [node, bodies] : units) {
-      if (bodies.size() < 2 || bodies.size() == shapes_.size()) continue;
+      const bool isKnown = std::all_of(bodies.begin(), bodies.end(), [&](std::size_t body) { return isInUnit_[body]; });
+      if (bodies.size() < 2 || bodies.size() == shapes_.size() || isKnown) continue;
       Joint joint;
       joint.kind = JointKind::Unit;
       joint.state = JointState::Suggested;
@@ -209,6 +215,7 @@ class SuggestedJointFinder {
   const std::vector<std::string>& classes_;
   const StopToken& stop_;
   std::vector<bool> isTaken_;
+  std::vector<bool> isInUnit_;  ///< of a bearing that was recognised
 };
 
 }  // namespace

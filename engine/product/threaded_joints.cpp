@@ -110,9 +110,13 @@ class ThreadedJointFinder {
     }
     const AroundShaft& last = all.back();
     if (last.hole > kMostFreeGap * shape.shaft) return;
-    const bool isNarrowest = all.size() > 1 && std::all_of(all.begin(), all.end() - 1, [&](const AroundShaft& other) {
-                               return other.hole > kClearerHole * last.hole;
-                             });
+    // Washers and spacers are around the shaft, however wide.
+    const auto isWiderOrRing = [&](const AroundShaft& other) {
+      const TurnedShape* turned = shapes_.turned(other.body);
+      const bool isRing = turned != nullptr && turned->kind == TurnedKind::Ring;
+      return isRing || other.hole > kClearerHole * last.hole;
+    };
+    const bool isNarrowest = all.size() > 1 && std::all_of(all.begin(), all.end() - 1, isWiderOrRing);
     if (!isNarrowest && !last.isBlind) return;
     stack.hosts.push_back(last);
     stack.reason = "the hole is the narrowest, and the farthest from the head";
