@@ -20,6 +20,15 @@ constexpr double kSameWay = 0.98;
 /// Where it is asked what stands, a linear program for each step of each state may be solved.
 constexpr std::size_t kExpansionsWithStanding = 200;
 constexpr std::size_t kMostOrderExpansions = 2000;
+/// Of these numbers for plans of so many steps.
+constexpr double kFewSteps = 30.0;
+
+/// Fewer of them where there are many steps: each of them asks all steps that may follow.
+std::size_t expansionsFor(std::size_t steps, bool withStanding) {
+  const auto most = static_cast<double>(withStanding ? kExpansionsWithStanding : kMostOrderExpansions);
+  const double share = kFewSteps / std::max(kFewSteps, static_cast<double>(steps));
+  return static_cast<std::size_t>(most * share * share);
+}
 
 double massOf(const BodyGroup& group, const SequenceQuestion& question) {
   double mass = 0.0;
@@ -94,7 +103,7 @@ class Reordering {
     if (!question_.rules.placed.empty()) {
       for (const BodyGroup& group : groups_) question.fixed.push_back(question_.rules.placeOf(group) != 0);
     }
-    question.mostExpansions = question_.standing != nullptr ? kExpansionsWithStanding : kMostOrderExpansions;
+    question.mostExpansions = expansionsFor(groups_.size(), question_.standing != nullptr);
     return cheapestOrder(question, stop_);
   }
 
