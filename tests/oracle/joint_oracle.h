@@ -12,7 +12,7 @@ struct StatedJoint {
   std::string kind;
   std::string body;
   std::vector<std::string> others;
-  std::vector<std::string> clamped;
+  std::vector<std::string> clamped{};
   Point point{0.0, 0.0, 0.0};
   Point direction{0.0, 0.0, 1.0};
   double pitch = 0.0;   ///< a turn; below 0: left-handed; 0: no thread
