@@ -72,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(Drawings, DrawnThread,
                                          Drawing{"plastic that the screw cuts", 0.75, true},
                                          Drawing{"wider than a core that is drawn", 1.06, true},
                                          Drawing{"no hole at all", 1e-3, true}),
-                         [](const auto& info) { return "Drawing" + std::to_string(info.index); });
+                         [](const auto& drawing) { return "Drawing" + std::to_string(drawing.index); });
 
 TEST(JointFinder, ANutThatIsFreeIsTurnedAndAHeldOneIsNot) {
   for (const bool isHeld : {false, true}) {
@@ -140,7 +140,9 @@ TEST(JointFinder, ADowelIsPressedInWhereItIsThickerThanItsHoleAndAPinWhereItIsNo
     EXPECT_EQ(joints[0].kind, isPressed ? JointKind::Insert : JointKind::Pin);
     EXPECT_EQ(joints[0].body, 1U);
     EXPECT_THAT(joints[0].others, ElementsAre(0U));
-    if (!isPressed) EXPECT_GT(joints[0].direction.z(), 0.999) << "the hole is blind";
+    if (!isPressed) {
+      EXPECT_GT(joints[0].direction.z(), 0.999) << "the hole is blind";
+    }
   }
 }
 
