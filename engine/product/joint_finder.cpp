@@ -40,6 +40,12 @@ void leaveOutInside(const Joints& units, Joints& joints) {
   joints.erase(std::remove_if(joints.begin(), joints.end(), isInside), joints.end());
 }
 
+/// What a name calls a screw is no pin, whatever its head.
+void leaveOutScrews(const std::vector<bool>& isScrewByName, Joints& pressed) {
+  const auto isScrew = [&](const Joint& joint) { return joint.kind == JointKind::Pin && isScrewByName[joint.body]; };
+  pressed.erase(std::remove_if(pressed.begin(), pressed.end(), isScrew), pressed.end());
+}
+
 void append(Joints more, Joints& joints) {
   for (Joint& joint : more) joints.push_back(std::move(joint));
 }
@@ -50,14 +56,17 @@ Joints findJoints(const AssembledProduct& product, const StopToken& stop, const 
   const ProductShapes shapes(product);
   const auto said = designationsOf(product);
   std::vector<bool> isInsertByName;
+  std::vector<bool> isScrewByName;
   for (const auto& one : said) {
+    isScrewByName.push_back(one && (one->part == StandardPart::Screw || one->part == StandardPart::SetScrew));
     isInsertByName.push_back(one && (one->part == StandardPart::Insert || one->part == StandardPart::Bearing));
   }
-  Joints threaded = findThreadedJoints(shapes, stop);
+  Joints threaded = findThreadedJoints(shapes, isScrewByName, stop);
   Joints pressed = findPressedJoints(shapes, threaded, isInsertByName, stop);
   Joints units = findRollingBearings(shapes, stop);
   releaseHosts(pressed, threaded);
   leaveOutInside(units, pressed);
+  leaveOutScrews(isScrewByName, pressed);
   Joints joints = std::move(threaded);
   append(std::move(pressed), joints);
   append(std::move(units), joints);

@@ -20,7 +20,12 @@ constexpr double kFittedShare = 0.4;
 constexpr double kHostReach = 1.6;
 /// A host is thicker than its guest, by its radius.
 constexpr double kThickerHost = 1.02;
+/// The hole of a host is no narrower than that of its guest, by the radius.
+constexpr double kLeastOfBore = 0.9;
 constexpr double kLeastHostAround = 0.6;
+/// Of a guest whose name says that it is an insert, less is enough: it may stand at an edge, or be placed badly.
+constexpr double kLeastNamedAround = 0.35;
+constexpr double kNamedShare = 0.1;
 /// Length by radius of a pin.
 constexpr double kShortestPin = 1.5;
 constexpr double kLongestPin = 20.0;
@@ -102,16 +107,19 @@ class PressedJointFinder {
     fit.low = shape.high;
     fit.high = shape.low;
     const AxisLine seen = shapes_.seenFrom(host, axis);
+    const double leastAround = isInsertByName_[guest] ? kLeastNamedAround : kLeastHostAround;
     double unsure = 0.0;
     for (const AxialSlab& slab :
          shapes_.axial(host).slabsAbout(seen, {shape.low, shape.high, kHostReach * shape.outer})) {
       const double outer = outerAt(shape, 0.5 * (slab.low + slab.high));
-      if (slab.surroundedShare() < kLeastHostAround && !(slab.isSolid && slab.surroundedShare() == 0.0)) continue;
+      if (slab.surroundedShare() < leastAround && !(slab.isSolid && slab.surroundedShare() == 0.0)) continue;
       const bool isIn = slab.isSolid && (slab.surroundedShare() == 0.0 || slab.nearestAt(0.3) > outer);
       const double hole = slab.isSolid ? (isIn ? 0.0 : kHostReach * shape.outer) : slab.nearestAt(0.9);
-      const bool isAround = slab.isSolid || shareBeyond(slab, kThickerHost * outer) >= kLeastHostAround;
+      const bool isAround = slab.isSolid || shareBeyond(slab, kThickerHost * outer) >= leastAround;
       if (!isAround || hole > (1.0 + kClearPress) * outer) continue;
       const bool isOver = hole < (1.0 - kClearPress) * outer;
+      // What is in the hole of the guest as well is no host around it; a name may say that no hole is drawn.
+      if (isOver && hole < kLeastOfBore * shape.hole && !isInsertByName_[guest]) continue;
       if (isOver && !isFilled(host, seen, slab, 0.5 * (std::max(hole, shape.hole) + outer))) continue;
       fit.low = std::min(fit.low, slab.low);
       fit.high = std::max(fit.high, slab.high);
@@ -128,7 +136,7 @@ class PressedJointFinder {
 
   /// The host is where the guest is, not only within its hole or about it.
   bool isFilled(std::size_t host, const AxisLine& seen, const AxialSlab& slab, double radius) const {
-    constexpr double kFilledShare = 0.5;
+    constexpr double kFilledShare = 0.3;
     return shapes_.axial(host).filledShare(seen, 0.5 * (slab.low + slab.high), radius) >= kFilledShare;
   }
 
@@ -158,7 +166,8 @@ class PressedJointFinder {
     const std::vector<HostFit> hosts = hostsOf(body, shape);
     const HostFit* best = nullptr;
     for (const HostFit& fit : hosts) {
-      const bool isPressed = fit.over >= kPressedShare * shape.length();
+      const double share = isInsertByName_[body] ? kNamedShare : kPressedShare;
+      const bool isPressed = fit.over >= share * shape.length();
       const bool isFitted = fit.over + fit.equal >= kFittedShare * shape.length() &&
                             (isInsertByName_[body] || hasThread_.count(body) != 0);
       if (!isPressed && !isFitted) continue;
@@ -173,6 +182,8 @@ class PressedJointFinder {
   }
 
   void addPin(std::size_t body, const TurnedShape& shape, Joints& joints) const {
+    // A screw in a hole that it only passes is no pin.
+    if (shape.kind == TurnedKind::Screw && shape.drive.kind != DriveKind::None) return;
     const double below = shape.headLow - shape.low;
     if (below < kShortestPin * shape.shaft || below > kLongestPin * shape.shaft) return;
     TurnedShape shaft = shape;

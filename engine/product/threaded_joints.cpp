@@ -34,7 +34,8 @@ struct ScrewStack {
 
 class ThreadedJointFinder {
  public:
-  ThreadedJointFinder(const ProductShapes& shapes, const StopToken& stop) : shapes_(shapes), stop_(stop) {}
+  ThreadedJointFinder(const ProductShapes& shapes, const std::vector<bool>& isScrewByName, const StopToken& stop)
+      : shapes_(shapes), isScrewByName_(isScrewByName), stop_(stop) {}
 
   Joints find() {
     Joints joints;
@@ -80,7 +81,8 @@ class ThreadedJointFinder {
     return all;
   }
 
-  ScrewStack stackOf(const std::vector<AroundShaft>& all, const TurnedShape& shape, const AxisLine& axis) const {
+  ScrewStack stackOf(const std::vector<AroundShaft>& all, std::size_t body, const TurnedShape& shape) const {
+    const AxisLine axis = shapes_.axisOf(body);
     ScrewStack stack;
     const double least = kLeastEngaged * shape.shaft;
     for (const AroundShaft& around : all) {
@@ -93,14 +95,15 @@ class ThreadedJointFinder {
       }
       if (!stack.hosts.empty()) stack.reason = "a nut is on the shaft";
     }
-    if (stack.hosts.empty()) takeDeepestHole(all, shape, stack);
+    const bool isScrew = shape.drive.kind != DriveKind::None || isScrewByName_[body];
+    if (stack.hosts.empty() && isScrew) takeDeepestHole(all, shape, stack);
     if (!stack.hosts.empty()) takeClamped(all, shape, stack);
     return stack;
   }
 
   /// Holes that are drawn as wide as the shaft, or wider: the farthest one from the head.
   void takeDeepestHole(const std::vector<AroundShaft>& all, const TurnedShape& shape, ScrewStack& stack) const {
-    if (all.empty() || shape.drive.kind == DriveKind::None) return;
+    if (all.empty()) return;
     const double least = kLeastEngaged * shape.shaft;
     for (auto around = all.rbegin(); around != all.rend(); ++around) {
       if (around->equal < least) continue;
@@ -155,7 +158,7 @@ class ThreadedJointFinder {
 
   void addScrew(std::size_t body, const TurnedShape& shape, Joints& joints) {
     const AxisLine axis = shapes_.axisOf(body);
-    const ScrewStack stack = stackOf(allAround(body, shape), shape, axis);
+    const ScrewStack stack = stackOf(allAround(body, shape), body, shape);
     if (stack.hosts.empty()) return;
     Joint joint;
     joint.kind = JointKind::Screw;
@@ -248,14 +251,15 @@ class ThreadedJointFinder {
   }
 
   const ProductShapes& shapes_;
+  const std::vector<bool>& isScrewByName_;
   const StopToken& stop_;
   std::set<std::size_t> nutsTaken_;
 };
 
 }  // namespace
 
-Joints findThreadedJoints(const ProductShapes& shapes, const StopToken& stop) {
-  return ThreadedJointFinder(shapes, stop).find();
+Joints findThreadedJoints(const ProductShapes& shapes, const std::vector<bool>& isScrewByName, const StopToken& stop) {
+  return ThreadedJointFinder(shapes, isScrewByName, stop).find();
 }
 
 }  // namespace glissade
