@@ -29,6 +29,8 @@ constexpr double kNamedShare = 0.1;
 /// Length by radius of a pin.
 constexpr double kShortestPin = 1.5;
 constexpr double kLongestPin = 20.0;
+/// Smallest radius by largest of a pin: an octagon is round, a square bar in a square hole is no pin.
+constexpr double kRoundPin = 0.9;
 constexpr double kCoaxialShare = 0.05;
 
 /// How a guest is in a hole of another body.
@@ -46,6 +48,13 @@ double outerAt(const TurnedShape& shape, double height) {
     if (height >= slab.low && height <= slab.high) return slab.outerMost();
   }
   return 0.0;
+}
+
+/// Below its head.
+bool isRound(const TurnedShape& shape) {
+  return std::all_of(shape.slabs.begin(), shape.slabs.end(), [&](const AxialSlab& slab) {
+    return slab.high > shape.headLow || slab.outerLeast() >= kRoundPin * slab.outerMost();
+  });
 }
 
 /// Share of the directions in which what surrounds the axis goes on beyond this radius.
@@ -185,6 +194,7 @@ class PressedJointFinder {
     // A screw in a hole that it only passes is no pin.
     if (shape.kind == TurnedKind::Screw && shape.drive.kind != DriveKind::None) return;
     const double below = shape.headLow - shape.low;
+    if (!isRound(shape)) return;
     if (below < kShortestPin * shape.shaft || below > kLongestPin * shape.shaft) return;
     TurnedShape shaft = shape;
     shaft.high = shape.headLow;

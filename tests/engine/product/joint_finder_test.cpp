@@ -146,6 +146,15 @@ TEST(JointFinder, ADowelIsPressedInWhereItIsThickerThanItsHoleAndAPinWhereItIsNo
   }
 }
 
+/// Its edges are farther from the axis than the faces of the hole are.
+TEST(JointFinder, ASquareBarInASquareHoleIsNoPin) {
+  ProductOfParts parts;
+  const Contour side = prism(0.0098, 4);
+  parts.add("block", tubeMesh(prism(0.01, 4), prism(0.04, 4), -0.02, 0.0))
+      .add("bar", turnedMesh({{-0.02, circle(0.0)}, {-0.02, side}, {0.01, side}, {0.01, circle(0.0)}}, false));
+  EXPECT_TRUE(findJoints(parts.product()).empty());
+}
+
 TEST(JointFinder, ABallBearingIsAUnit) {
   RandomStream random(3, "joints");
   ProductOfParts parts(randomPose(random, 0.2));
