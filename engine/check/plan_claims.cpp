@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <set>
 
+#include "engine/check/plan_demands.h"
 #include "engine/check/plan_verdict.h"
 
 namespace glissade::check {
@@ -32,6 +33,21 @@ void compareNumber(const char* what, const std::optional<std::uint64_t>& claimed
                   std::to_string(found));
 }
 
+/// A demand about nothing would not be checked.
+void findNamesOfNothing(const Product& product, const Demands& demands, std::vector<std::string>& wrong) {
+  std::vector<std::string> names;
+  const auto add = [&](const std::vector<std::string>& some) { names.insert(names.end(), some.begin(), some.end()); };
+  for (const auto& together : demands.together) add(together);
+  for (const auto& [first, then] : demands.before) add({first, then});
+  for (const Demands::Place& place : demands.places) add(place.bodies);
+  for (const Demands::Motion& motion : demands.motions) add(motion.bodies);
+  for (const auto& [body, direction] : demands.forbidden) add({body});
+  for (const std::string& name : std::set<std::string>(names.begin(), names.end())) {
+    if (!bodiesNamed(product, name).empty()) continue;
+    wrong.push_back("a demand is about '" + name + "', which the ids of the bodies do not name: it is not judged");
+  }
+}
+
 bool areCertified(const std::vector<Step>& steps) {
   return std::all_of(steps.begin(), steps.end(), [](const Step& step) { return step.certified; });
 }
@@ -46,6 +62,8 @@ bool areCertified(const std::vector<Line>& lines) {
 std::vector<std::string> wrongClaims(const Product& product, const Plan& plan) {
   std::vector<std::string> wrong;
   compareBodies(product, plan, wrong);
+  findNamesOfNothing(product, plan.demands, wrong);
+  findNamesOfNothing(product, product.demands, wrong);
   const std::size_t parts = plan.bodies.size() - std::min(plan.bodies.size(), plan.staying.size());
   std::size_t removed = 0;
   for (const Step& step : plan.steps) removed += step.bodies.size();

@@ -71,6 +71,19 @@ TEST(PlanVerdict, RefusesAnAllowanceAgainstWhatHasLeft) {
   EXPECT_NE(verdict.steps[2].refusals[0].find("'drawer' 1 mm thinner against 'cap'"), std::string::npos);
 }
 
+/// A demand that the judge cannot read is not passed over.
+TEST(PlanVerdict, RefusesADemandAboutNothing) {
+  const AssembledProduct product = test::lockedDrawer();
+  AssemblyPlan plan = test::planOf(product, "cabinet");
+  plan.demands.before = {{"cap", "pin"}};
+  EXPECT_TRUE(judgePlan(plan, product, std::nullopt).valid());
+  plan.demands.before.emplace_back("ca", "pin");
+  const check::PlanVerdict verdict = judgePlan(plan, product, std::nullopt);
+  EXPECT_FALSE(verdict.valid());
+  ASSERT_EQ(verdict.refusals.size(), 1U);
+  EXPECT_NE(verdict.refusals[0].find("'ca'"), std::string::npos);
+}
+
 /// A plate on a bolt with a nut on either side of it, both pairs marked as threads.
 AssembledProduct boltedPlate() {
   AssembledProduct product =
