@@ -58,7 +58,7 @@ void MotionBodies::forgetOldest() {
   const auto oldest = std::min_element(obstacles_.begin(), obstacles_.end(), [](const auto& a, const auto& b) {
     return a.second.askedAt < b.second.askedAt;
   });
-  triangles_ -= oldest->first.mesh->triangles.size();
+  triangles_ -= oldest->first.first->triangles.size();
   obstacles_.erase(oldest);
 }
 

@@ -29,11 +29,7 @@ class MotionBodies {
     MotionCheck::ObstaclePtr obstacle;
     std::uint64_t askedAt = 0;
   };
-  struct Place {
-    MeshPtr mesh;
-    std::vector<double> numbers;  ///< of pose and scale
-    auto operator<=>(const Place&) const = default;
-  };
+  using Place = std::pair<MeshPtr, std::vector<double>>;  ///< a mesh, and the numbers of its pose and scale
   void forgetOldest();
 
   double scale_;
