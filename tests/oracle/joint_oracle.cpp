@@ -218,7 +218,8 @@ std::vector<std::string> violationsOf(const StatedLine& plan, const std::vector<
 
 std::vector<StatedJoint> readStatedJoints(const std::string& file, bool suggested) {
   std::vector<StatedJoint> joints;
-  for (const Json& each : parsed(file).at("joints")) {
+  const Json json = parsed(file);
+  for (const Json& each : json.at("joints")) {
     if (!suggested && each.at("state") == "suggested") continue;
     StatedJoint joint{each.at("kind"), each.at("body"), idsIn(each, "others"), idsIn(each, "clamped")};
     joint.point = each.at("point").get<Point>();

@@ -140,12 +140,14 @@ AssembledProduct looseBoxes() {
                           box("two", 0.0), box("three", 0.5)});
 }
 
-AssemblyPlan planned(const AssembledProduct& product, const std::string& staying, const SequenceDemands& demands,
+/// Without joints: the tests are about demands.
+AssemblyPlan planned(const AssembledProduct& product, const std::string& staying, SequenceDemands demands,
                      const std::string& strategy = "greedy", const AssemblyPlan* known = nullptr) {
   const ProductFits fits = test::fitsOf(product);
   test::QuietHost host;
   BodySet stay(product.bodies.size(), false);
   stay[*product.indexOf(staying)] = true;
+  demands.jointUse = JointUse::Off;
   auto plan = planSequence(product, fits, {stay, strategy, 1, demands, nullptr, known}, host);
   EXPECT_TRUE(plan.ok()) << toString(plan.error());
   return *plan;
