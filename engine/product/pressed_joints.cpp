@@ -29,8 +29,6 @@ constexpr double kNamedShare = 0.1;
 /// Length by radius of a pin.
 constexpr double kShortestPin = 1.5;
 constexpr double kLongestPin = 20.0;
-/// Smallest radius by largest of a pin: an octagon is round, a square bar in a square hole is no pin.
-constexpr double kRoundPin = 0.9;
 constexpr double kCoaxialShare = 0.05;
 
 /// How a guest is in a hole of another body.
@@ -50,11 +48,15 @@ double outerAt(const TurnedShape& shape, double height) {
   return 0.0;
 }
 
-/// Below its head.
-bool isRound(const TurnedShape& shape) {
-  return std::all_of(shape.slabs.begin(), shape.slabs.end(), [&](const AxialSlab& slab) {
-    return slab.high > shape.headLow || slab.outerLeast() >= kRoundPin * slab.outerMost();
-  });
+/// A shaft that turns in a round hole, not a square body.
+bool hasRoundShaft(const TurnedShape& shape) {
+  constexpr double kLeastRoundPin = 0.9;
+  constexpr double kRoundShare = 0.8;
+  double round = 0.0;
+  for (const AxialSlab& slab : shape.slabs) {
+    if (slab.high <= shape.headLow && slab.outerLeast() >= kLeastRoundPin * slab.outerMost()) round += slab.length();
+  }
+  return round >= kRoundShare * (shape.headLow - shape.low);
 }
 
 /// Share of the directions in which what surrounds the axis goes on beyond this radius.
@@ -193,8 +195,8 @@ class PressedJointFinder {
   void addPin(std::size_t body, const TurnedShape& shape, Joints& joints) const {
     // A screw in a hole that it only passes is no pin.
     if (shape.kind == TurnedKind::Screw && shape.drive.kind != DriveKind::None) return;
+    if (!hasRoundShaft(shape)) return;
     const double below = shape.headLow - shape.low;
-    if (!isRound(shape)) return;
     if (below < kShortestPin * shape.shaft || below > kLongestPin * shape.shaft) return;
     TurnedShape shaft = shape;
     shaft.high = shape.headLow;

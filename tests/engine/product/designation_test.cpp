@@ -22,6 +22,7 @@ TEST(Designation, StandardsAndAbbreviationsAreReadFromNames) {
       {"DIN_EN_ISO_4017-M8x30", Screw, "ISO 4017 M8x30", 8.0, DriveKind::HexOutside, 13.0},
       {"DIN 7985 M3 x 10", Screw, "DIN 7985 M3x10", 3.0, DriveKind::Cross, 0.0},
       {"M3x25 SHCS", Screw, "SHCS M3x25", 3.0, DriveKind::HexSocket, 2.5},
+      {"Button Head Socket Cap Screw M3_M3 x 12", Screw, "button head M3x12", 3.0, DriveKind::HexSocket, 2.0},
       {"M3x6 BHCS", Screw, "BHCS M3x6", 3.0, DriveKind::HexSocket, 2.0},
       {"Low Profile Screw M5_M5 x 20", Screw, "low profile screw M5x20", 5.0, DriveKind::HexSocket, 3.0},
       {"#10-32 x 0.375\" L BHCS (Steel, Black Oxide)", Screw, "BHCS #10-32", 4.826, DriveKind::HexSocket, 0.0},
