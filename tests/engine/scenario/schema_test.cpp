@@ -15,6 +15,7 @@
 #include "tests/engine/study/broken_studies.h"
 #include "tests/engine/support/directories.h"
 #include "tests/engine/support/temporary_folder.h"
+#include "tests/engine/support/test_worlds.h"
 
 namespace glissade {
 namespace {
