@@ -63,7 +63,7 @@ MainAxes mainAxesOf(const TriangleTree& tree) {
   const Vector3 middle = first / area;
   axes.centre = about + middle;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(second / area - middle * middle.transpose());
-  const Vector3 values = solver.eigenvalues();  // ascending
+  const Vector3& values = solver.eigenvalues();  // ascending
   axes.share = values[0] / values[2];
   const bool lowFirst = values[1] - values[0] > values[2] - values[1];
   const std::array<int, 3> order = lowFirst ? std::array<int, 3>{0, 2, 1} : std::array<int, 3>{2, 0, 1};
