@@ -172,6 +172,17 @@ bool isStillProved(const AssemblyStep& step, const BodySet& proved, const BodySe
   return step.proof.nearest.empty() || present[*product.indexOf(step.proof.nearest)];
 }
 
+/// All bodies of the step end outside of the box of those that are there.
+bool endsOutside(const AssemblyStep& step, const BodyGroup& group, const BodySet& present,
+                 const AssembledProduct& product) {
+  const Box3 others = boxOf(product, without(present, group));
+  const Pose moved = step.path.back().q * inverse(step.path.front().q);
+  return others.isEmpty() || std::none_of(group.begin(), group.end(), [&](std::size_t body) {
+           const RigidBody& own = product.bodies[body];
+           return others.intersects(boundingBox(*own.mesh, moved * own.X_WB));
+         });
+}
+
 /// The steps in another order, each certified against the bodies that are there then; nothing where that fails.
 std::optional<std::vector<AssemblyStep>> reordered(const AssemblyPlan& plan, const std::vector<std::size_t>& order,
                                                    const SequenceQuestion& question, const StopToken& stop) {
@@ -188,6 +199,7 @@ std::optional<std::vector<AssemblyStep>> reordered(const AssemblyPlan& plan, con
       if (!removed) return std::nullopt;
       next.proof = makeStep(group, *removed, question, steps.size()).proof;
     }
+    if (next.certified && !endsOutside(next, group, present, question.product)) return std::nullopt;
     next.proof.afterSteps = steps.size();
     next.wave = steps.size() + 1;
     next.after.clear();

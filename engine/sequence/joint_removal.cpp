@@ -80,12 +80,14 @@ RemovalAnswer JointRemoval::tryRemoval(const BodyGroup& group, const BodySet& pr
   const MovingObject& object = worlds_.object(group);
   const MotionWorld motion = worlds_.world(group, present);
   const auto query = motion.world->makeQuery();
+  // Whoever has left: the motion may be carried out before.
+  const Box3 others = boxOf(product_, without(BodySet(product_.bodies.size(), true), group));
   const std::vector<Pose> turned = turnedAlong(turn->screw, object.X_WB, turn->advance, kOffShare * object.required);
   if (turnIsFree(*query, *turn, object)) {
     std::vector<Vector3> directions{turn->screw.axis_W};
     for (const Vector3& direction : removalDirections(product_, fits_, group.front())) directions.push_back(direction);
     for (const Vector3& direction : directions) {
-      Path path{computedPoints(wayOn(turned, direction, object, motion.world->obstaclesBox())), {}};
+      Path path{computedPoints(wayOn(turned, direction, object, others)), {}};
       const Pose& last = path.points.back().q;
       const auto free = query->checkMotion(turned.back(), last, object.required, SeekViolation::Any, stop);
       if (stop.stopRequested()) return Refused{{}, true};
@@ -96,7 +98,7 @@ RemovalAnswer JointRemoval::tryRemoval(const BodyGroup& group, const BodySet& pr
       return Removed{std::move(path), kTurned, fits_.fitsOf(group, present)};
     }
   }
-  const Pose end = wayOn(turned, turn->screw.axis_W, object, motion.world->obstaclesBox()).back();
+  const Pose end = wayOn(turned, turn->screw.axis_W, object, others).back();
   Refused refused{blockersOf(group, present, *turn, {turned.back(), end}, stop), stop.stopRequested()};
   if (refused.stopped || refused.blockedBy.empty()) return refused;
   const std::lock_guard lock(mutex_);

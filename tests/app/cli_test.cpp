@@ -861,20 +861,21 @@ TEST_F(Cli, DemandsAboutASequenceAreKeptAndCheapestOrdersAreCertified) {
   const std::string product = glissade::test::stepFile("fits.step");
   const std::string plan = (folder / "plan.json").string();
   const std::string command = "sequence " + product + " --json --out " + plan;
-  const Json demanded = Json::parse(run(command + " --before rod,screw --before screw,dowel").out);
+  const Json demanded = Json::parse(run(command + " --before rod,screw --before screw,bracket").out);
   std::vector<std::string> order;
   for (const Json& step : demanded["steps"]) order.push_back(step["bodies"][0]);
   const auto place = [&](const std::string& id) { return std::find(order.begin(), order.end(), id) - order.begin(); };
   EXPECT_LT(place("rod"), place("screw"));
-  EXPECT_LT(place("screw"), place("dowel"));
+  EXPECT_LT(place("screw"), place("bracket"));
   EXPECT_LT(place("nut"), place("bolt")) << "nuts before bolts";
   EXPECT_EQ(demanded["steps"][static_cast<std::size_t>(place("nut"))]["fastener"], "nut");
-  const Json together = Json::parse(run(command + " --together rod,dowel").out);
+  const Json together = Json::parse(run(command + " --together rod,bracket").out);
   bool asOne = false;
   for (const Json& step : together["steps"]) asOne = asOne || step["bodies"].size() == 2;
   EXPECT_TRUE(asOne);
   EXPECT_EQ(run("check " + product + " " + plan).exitCode, 0);
-  EXPECT_EQ(Json::parse(run(command + " --strategy best-first").out)["removed"], 6);
+  EXPECT_EQ(Json::parse(run(command + " --strategy best-first").out)["removed"], 5)
+      << "the dowel is pressed in, and stays with the plate";
   EXPECT_EQ(run("check " + product + " " + plan).exitCode, 0);
   const Finished costly = run(command + " --strategy best-first --cost lenght");
   EXPECT_EQ(costly.exitCode, 2);
@@ -900,7 +901,6 @@ TEST_F(Cli, ScrewsTurnOutOfTheirThreadsUnlessJointsAreOff) {
   const Json turned = Json::parse(run("sequence " + product + " --json --out " + plan).out);
   EXPECT_EQ(methodOf(turned, "screw"), "turned");
   EXPECT_EQ(methodOf(turned, "nut"), "turned");
-  EXPECT_EQ(methodOf(turned, "bolt"), "straight") << "its nut has left";
   for (const Json& step : turned["steps"]) {
     if (step["bodies"][0] != "screw") continue;
     EXPECT_EQ(step["joints"][0]["kind"], "screw");
