@@ -1,6 +1,7 @@
 #include "engine/sequence/joint_rules.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
@@ -25,7 +26,7 @@ bool isBonded(const Joint& joint) {
 std::string sizeInWords(const Joint& joint) {
   if (!joint.designation.empty()) return joint.designation;
   if (!joint.thread || joint.thread->diameter <= 0.0) return {};
-  const auto tenths = static_cast<long>(1e4 * joint.thread->diameter + 0.5);
+  const long tenths = std::lround(1e4 * joint.thread->diameter);
   std::string text = "of " + std::to_string(tenths / 10);
   if (tenths % 10 != 0) text += "." + std::to_string(tenths % 10);
   return text + " mm";
