@@ -95,7 +95,9 @@ void addDesignation(const Designation& said, Joint& joint) {
     doubt(joint, std::string("the name says '") + standardPartName(said.part) + "'");
     return;
   }
-  joint.designation = said.text;
+  // A word such as "screw" is evidence, and no designation.
+  const bool statesSize = std::any_of(said.text.begin(), said.text.end(), [](char c) { return c >= '0' && c <= '9'; });
+  if (statesSize) joint.designation = said.text;
   joint.evidence.push_back("the name says '" + said.text + "'");
   if (joint.thread) addThread(said, joint);
   addDrive(said, joint);

@@ -77,13 +77,13 @@ TEST_F(SequenceWindow, WhatStaysIsUndoneAndKeptByTheScenario) {
 TEST_F(SequenceWindow, APersonMovesLocksAndForbidsStepsAndTakesItBack) {
   expectGood(runOnStand(
       QStringLiteral(
-          "plan-sequence all\nmove-step 6 2\nexpect-row 2 bar\nexpect-row 2 placed\nexpect-sequence steps 10\n"
+          "plan-sequence all\nmove-step 7 2\nexpect-row 2 bar\nexpect-row 2 placed\nexpect-sequence steps 10\n"
           "show-step 8\naction sequence.lock\nexpect-row 8 locked\naction sequence.step-down\n"
           "expect-row 9 cap_left\nexpect-sequence steps 10\nexport-sequence %1\naction edit.undo\n"
-          "expect-row 8 locked\naction edit.undo\naction edit.undo\nexpect-row 6 bar\n"
+          "expect-row 8 locked\naction edit.undo\naction edit.undo\nexpect-row 7 bar\n"
           "expect-sequence end complete\naction edit.redo\nexpect-row 2 bar\naction edit.undo\n"
-          // What cannot be proved at its place is stuck.
-          "move-step 7 1\nexpect-sequence end stuck\nexpect-sequence stuck 2\naction edit.undo\n"
+          // What cannot be proved at its place is stuck: its screws hold the cap.
+          "move-step 3 1\nexpect-sequence end stuck\nexpect-sequence stuck 1\naction edit.undo\n"
           "show-step 10\nexpect-row 10 up\nforbid-direction +z\nexpect-sequence end complete\n"
           "select-steps 1 2\naction sequence.keep-order\nexpect-sequence steps 10\nset-cost few-tools\n"
           "expect-sequence steps 10\nsave %2\nopen-sequence %1\nexpect-sequence proved 10\nexpect-row 2 placed\n")
