@@ -92,7 +92,7 @@ TEST_F(DailyWindow, MeasuresWhatIsClicked) {
                                                          "action measure.angle\nclick 217 470\nclick 388 470\n"
                                                          "expect-measure 0.00\n"
                                                          "action measure.radius\nclick 217 470\n"
-                                                         "expect-measure cylindrical\n")));
+                                                         "expect-measure cylinder\n")));
 }
 
 TEST_F(DailyWindow, ABodyIsPlacedByAFaceThatIsClicked) {
