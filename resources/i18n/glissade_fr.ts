@@ -5087,10 +5087,6 @@
         <translation>reste, ou est déjà sorti</translation>
     </message>
     <message>
-        <source>is not before, fastener, standing or place</source>
-        <translation>n&apos;est pas before, fastener, standing ou place</translation>
-    </message>
-    <message>
         <source>is not hex_key, socket, screwdriver, open_wrench or none</source>
         <translation>n&apos;est pas hex_key, socket, screwdriver, open_wrench ou none</translation>
     </message>
@@ -5704,11 +5700,11 @@
     </message>
     <message>
         <source>Say all of a node at one place.</source>
-        <translation>Dites tout d'un nœud au même endroit.</translation>
+        <translation>Dites tout d&apos;un nœud au même endroit.</translation>
     </message>
     <message>
         <source>is neither a body nor an assembly of this product</source>
-        <translation>n'est ni un corps ni un assemblage de ce produit</translation>
+        <translation>n&apos;est ni un corps ni un assemblage de ce produit</translation>
     </message>
     <message>
         <source>is about a body, which has its attributes itself</source>
@@ -5720,11 +5716,79 @@
     </message>
     <message>
         <source>is no assembly that the node can be in</source>
-        <translation>n'est pas un assemblage qui puisse contenir le nœud</translation>
+        <translation>n&apos;est pas un assemblage qui puisse contenir le nœud</translation>
     </message>
     <message>
         <source>Name an assembly that is not below it.</source>
-        <translation>Nommez un assemblage qui n'en dépend pas.</translation>
+        <translation>Nommez un assemblage qui n&apos;en dépend pas.</translation>
+    </message>
+    <message>
+        <source>is not off, recognised or suggested</source>
+        <translation>n&apos;est pas off, recognised ou suggested</translation>
+    </message>
+    <message>
+        <source>is not before, fastener, standing, place or joint</source>
+        <translation>n&apos;est pas before, fastener, standing, place ou joint</translation>
+    </message>
+    <message>
+        <source>is not certified or not_certified</source>
+        <translation>n&apos;est pas certified ou not_certified</translation>
+    </message>
+    <message>
+        <source>is not a kind of joint</source>
+        <translation>n&apos;est pas un type de liaison</translation>
+    </message>
+    <message>
+        <source>is not a kind of drive</source>
+        <translation>n&apos;est pas un type d&apos;empreinte</translation>
+    </message>
+    <message>
+        <source>is deeper than %1 lines</source>
+        <translation>est plus profond que %1 lignes</translation>
+    </message>
+    <message>
+        <source>is not a step before it</source>
+        <translation>n&apos;est pas une étape qui le précède</translation>
+    </message>
+    <message>
+        <source>is no word about a joint</source>
+        <translation>n&apos;est pas une parole sur une liaison</translation>
+    </message>
+    <message>
+        <source>Give confirmed, dissolved, pressed_out or opened.</source>
+        <translation>Donnez confirmed, dissolved, pressed_out ou opened.</translation>
+    </message>
+    <message>
+        <source>Give screw, nut, insert, pin, snap, flexible, permanent or unit.</source>
+        <translation>Donnez screw, nut, insert, pin, snap, flexible, permanent ou unit.</translation>
+    </message>
+    <message>
+        <source>has no length</source>
+        <translation>n&apos;a pas de longueur</translation>
+    </message>
+    <message>
+        <source>Give a direction, as [0, 0, 1].</source>
+        <translation>Donnez une direction, par exemple [0, 0, 1].</translation>
+    </message>
+    <message>
+        <source>is not a drive</source>
+        <translation>n&apos;est pas une empreinte</translation>
+    </message>
+    <message>
+        <source>Give hex, hex_socket, cross, slot, six_lobe or none.</source>
+        <translation>Donnez hex, hex_socket, cross, slot, six_lobe ou none.</translation>
+    </message>
+    <message>
+        <source>has no effect, because the joint is not confirmed</source>
+        <translation>n&apos;a pas d&apos;effet, car la liaison n&apos;est pas confirmée</translation>
+    </message>
+    <message>
+        <source>Remove it, or say &quot;confirmed&quot;.</source>
+        <translation>Supprimez-le, ou dites &quot;confirmed&quot;.</translation>
+    </message>
+    <message>
+        <source>is about a joint that was there before</source>
+        <translation>concerne une liaison déjà donnée</translation>
     </message>
 </context>
 <context>

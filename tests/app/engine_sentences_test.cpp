@@ -24,17 +24,25 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Reports and plots of studies are translated by study_french.cpp; benchmarks are for developers. The command line
-/// prints the verdicts of the judge; the window shows only whether a path or a step is valid.
+/// prints the verdicts of the judge; the window shows only whether a path or a step is valid. It also prints work times
+/// and the evidence of joints, which the window does not show.
 constexpr const char* kOtherwiseTranslated[] = {"engine/check/",
                                                 "engine/study/study_french.cpp",
                                                 "engine/study/report_html.cpp",
                                                 "engine/study/svg_plot.cpp",
                                                 "engine/study/plan_graph.cpp",
-                                                "engine/study/benchmarks/"};
+                                                "engine/study/benchmarks/",
+                                                "engine/sequence/work_times.cpp",
+                                                "engine/sequence/line_balance.cpp",
+                                                "engine/scenario/work_times_json.cpp",
+                                                "engine/product/designation.cpp",
+                                                "engine/product/suggested_joints.cpp"};
 
 /// Not for people to read in the window: names of random streams, keys of caches, rules and commands as they are typed,
 /// what files say of their writer, and texts of the command line.
 constexpr const char* kNotForTheWindow[] = {
+    "of %1",
+    "held by ",
     "simulated operator",
     "random shooter",
     "goal bias",
