@@ -7,6 +7,7 @@
 
 #include "engine/sequence/plan_steps.h"
 #include "engine/sequence/step_precedence.h"
+#include "engine/sequence/stuck_reasons.h"
 
 namespace glissade {
 namespace {
@@ -45,11 +46,6 @@ class GreedySearch {
   }
 
  private:
-  struct Refusal {
-    std::vector<std::size_t> blockedBy;
-    std::size_t afterSteps = 0;
-  };
-
   const std::string& idOf(std::size_t body) const { return question_.product.bodies[body].id; }
   bool stopped() const { return host_.stopToken().stopRequested(); }
 
@@ -277,12 +273,7 @@ class GreedySearch {
     return askAll(std::move(open), effort);
   }
 
-  BodyGroup unitOf(std::size_t body) const {
-    for (const BodyGroup& group : question_.rules.together) {
-      if (std::binary_search(group.begin(), group.end(), body)) return group;
-    }
-    return {body};
-  }
+  BodyGroup unitOf(std::size_t body) const { return glissade::unitOf(body, question_.rules); }
 
   void addGroup(std::set<BodyGroup>& groups, const BodyGroup& one, const BodyGroup& other) const {
     if (!present_[other.front()] || one == other) return;
@@ -469,65 +460,18 @@ class GreedySearch {
         }
       }
     }
-    const std::string joints = jointReason(unit);
-    plan_.stuck.push_back({idOf(body), idsOf({blocking.begin(), blocking.end()}),
-                           joints.empty() ? reasonOf(body, holding, blocking) : joints});
-  }
-
-  /// "held by 4 screws M3x8: remove these first", and why these do not leave; empty where no joint holds the unit.
-  std::string jointReason(const BodyGroup& unit) const {
-    if (question_.joints == nullptr) return {};
-    const std::vector<std::size_t> joints = question_.joints->holding(unit, present_, false);
-    if (joints.empty()) return {};
-    std::string reason = question_.joints->inWords(joints) + ": remove these first";
-    for (const std::size_t body : question_.joints->holders(joints, unit, present_)) {
-      if (!isBlockedBy(unitOf(body), unit)) continue;
-      const auto name = [&](std::size_t each) { return "'" + question_.product.bodies[each].shown() + "'"; };
-      return reason + "; " + name(body) + " is captive: " + name(unit.front()) + " is in its way";
-    }
-    return reason;
-  }
-
-  bool isBlockedBy(const BodyGroup& unit, const BodyGroup& others) const {
-    const auto refused = refusals_.find(unit);
-    if (refused == refusals_.end()) return false;
-    return std::any_of(refused->second.begin(), refused->second.end(), [&](const auto& each) {
-      const std::vector<std::size_t>& blocking = each.second.blockedBy;
-      return std::any_of(blocking.begin(), blocking.end(),
-                         [&](std::size_t body) { return std::binary_search(others.begin(), others.end(), body); });
-    });
-  }
-
-  std::string reasonOf(std::size_t body, const std::vector<std::size_t>& holding,
-                       const std::set<std::size_t>& blocking) const {
-    const auto name = [&](std::size_t each) { return "'" + question_.product.bodies[each].shown() + "'"; };
-    if (!holding.empty()) return "it is demanded that " + name(holding.front()) + " leaves before";
-    for (const std::size_t other : blocking) {
-      if (question_.staying[other]) continue;
-      const auto back = refusals_.find(unitOf(other));
-      if (back == refusals_.end()) continue;
-      for (const auto& [effort, refusal] : back->second) {
-        if (std::find(refusal.blockedBy.begin(), refusal.blockedBy.end(), body) == refusal.blockedBy.end()) continue;
-        return "it and " + name(other) +
-               " hold each other: neither was found to leave alone, nor both as one; motions of several bodies at the "
-               "same time are not searched";
-      }
-    }
-    if (question_.rules.motionOf(unitOf(body)) != nullptr) return "the motion that a person gave it is not free";
-    if (!question_.rules.forbiddenTo(unitOf(body)).empty()) {
-      return "no motion was found in a direction that is not forbidden";
-    }
-    return "no motion was found, alone or with others";
+    const StuckReasons reasons(question_, present_, refusals_);
+    plan_.stuck.push_back({idOf(body), idsOf({blocking.begin(), blocking.end()}), reasons.of(body, holding, blocking)});
   }
 
   const SequenceQuestion& question_;
   SequenceHost& host_;
   BodySet present_;
-  BodySet placed_;                                        ///< bodies that a person wants at a place
-  std::map<BodyGroup, Refusal> notAtPlace_;               ///< steps that were refused at their place
-  std::vector<double> volumes_;                           ///< of the boxes of bodies
-  std::map<BodyGroup, std::map<int, Refusal>> refusals_;  ///< by effort
-  std::map<BodyGroup, AssemblyStep> waiting_;             ///< motions that are known and not carried out
+  BodySet placed_;                           ///< bodies that a person wants at a place
+  std::map<BodyGroup, Refusal> notAtPlace_;  ///< steps that were refused at their place
+  std::vector<double> volumes_;              ///< of the boxes of bodies
+  Refusals refusals_;
+  std::map<BodyGroup, AssemblyStep> waiting_;  ///< motions that are known and not carried out
   std::size_t wave_ = 0;
   AssemblyPlan plan_;
 };

@@ -53,7 +53,7 @@ inline const std::vector<BrokenScenario>& brokenScenarios() {
       {R"([{"op": "replace", "path": "/fits/pairs/1", "value": {"a": "wall", "b": "object"}}])", "/fits/pairs/1",
        "was there before", false},
       {R"([{"op": "add", "path": "/fits/depth", "value": 1}])", "/fits/depth", "unknown key"},
-      {R"([{"op": "replace", "path": "/joints", "value": {}}])", "/joints", "not an array"},
+      {R"([{"op": "replace", "path": "/joints", "value": {}}])", "/joints", "not a list"},
       {R"([{"op": "replace", "path": "/joints/0/kind", "value": "rivet"}])", "/joints/0/kind", "not a kind of joint"},
       {R"([{"op": "replace", "path": "/joints/0/word", "value": "loosened"}])", "/joints/0/word", "no word"},
       {R"([{"op": "remove", "path": "/joints/0/word"}])", "/joints/0/word", "missing"},

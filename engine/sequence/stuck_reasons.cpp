@@ -1,0 +1,58 @@
+#include "engine/sequence/stuck_reasons.h"
+
+#include <algorithm>
+
+namespace glissade {
+
+BodyGroup unitOf(std::size_t body, const OrderRules& rules) {
+  for (const BodyGroup& group : rules.together) {
+    if (std::binary_search(group.begin(), group.end(), body)) return group;
+  }
+  return {body};
+}
+
+std::string StuckReasons::of(std::size_t body, const std::vector<std::size_t>& holding,
+                             const std::set<std::size_t>& blocking) const {
+  const BodyGroup unit = unitOf(body, question_.rules);
+  if (std::string joints = ofJoints(unit); !joints.empty()) return joints;
+  if (!holding.empty()) return "it is demanded that " + name(holding.front()) + " leaves before";
+  for (const std::size_t other : blocking) {
+    if (question_.staying[other] || !holdEachOther(body, other)) continue;
+    return "it and " + name(other) +
+           " hold each other: neither was found to leave alone, nor both as one; motions of several bodies at the "
+           "same time are not searched";
+  }
+  if (question_.rules.motionOf(unit) != nullptr) return "the motion that a person gave it is not free";
+  if (!question_.rules.forbiddenTo(unit).empty()) return "no motion was found in a direction that is not forbidden";
+  return "no motion was found, alone or with others";
+}
+
+/// "held by 4 screws M3x8: remove these first", and why these do not leave; empty where no joint holds the unit.
+std::string StuckReasons::ofJoints(const BodyGroup& unit) const {
+  if (question_.joints == nullptr) return {};
+  const std::vector<std::size_t> joints = question_.joints->holding(unit, present_, false);
+  if (joints.empty()) return {};
+  const std::string reason = question_.joints->inWords(joints) + ": remove these first";
+  for (const std::size_t body : question_.joints->holders(joints, unit, present_)) {
+    if (!isBlockedBy(unitOf(body, question_.rules), unit)) continue;
+    return reason + "; " + name(body) + " is captive: " + name(unit.front()) + " is in its way";
+  }
+  return reason;
+}
+
+bool StuckReasons::isBlockedBy(const BodyGroup& unit, const BodyGroup& others) const {
+  const auto refused = refusals_.find(unit);
+  if (refused == refusals_.end()) return false;
+  return std::any_of(refused->second.begin(), refused->second.end(), [&](const auto& each) {
+    const std::vector<std::size_t>& blocking = each.second.blockedBy;
+    return std::any_of(blocking.begin(), blocking.end(),
+                       [&](std::size_t body) { return std::binary_search(others.begin(), others.end(), body); });
+  });
+}
+
+/// The other one, which is in the way of the body, was refused by the body.
+bool StuckReasons::holdEachOther(std::size_t body, std::size_t other) const {
+  return isBlockedBy(unitOf(other, question_.rules), {body});
+}
+
+}  // namespace glissade

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "engine/sequence/sequence_strategy.h"
+
+namespace glissade {
+
+/// A group that was asked, and did not leave.
+struct Refusal {
+  std::vector<std::size_t> blockedBy;
+  std::size_t afterSteps = 0;  ///< asked when these had been carried out
+};
+using Refusals = std::map<BodyGroup, std::map<int, Refusal>>;  ///< by effort
+
+/// The bodies that leave with this one because a person or a joint says so; itself where nobody does.
+BodyGroup unitOf(std::size_t body, const OrderRules& rules);
+
+/// Why bodies stay where a search has ended, for people. Refers to all.
+class StuckReasons {
+ public:
+  StuckReasons(const SequenceQuestion& question, const BodySet& present, const Refusals& refusals)
+      : question_(question), present_(present), refusals_(refusals) {}
+
+  /// `holding`: bodies that are demanded to leave before it; `blocking`: those that are in its way.
+  std::string of(std::size_t body, const std::vector<std::size_t>& holding,
+                 const std::set<std::size_t>& blocking) const;
+
+ private:
+  std::string name(std::size_t body) const { return "'" + question_.product.bodies[body].shown() + "'"; }
+  std::string ofJoints(const BodyGroup& unit) const;
+  bool isBlockedBy(const BodyGroup& unit, const BodyGroup& others) const;
+  bool holdEachOther(std::size_t body, std::size_t other) const;
+
+  const SequenceQuestion& question_;
+  const BodySet& present_;
+  const Refusals& refusals_;
+};
+
+}  // namespace glissade
