@@ -284,11 +284,25 @@ std::optional<TurnedShape> rodOf(TurnedShape shape) {
   return shape;
 }
 
+/// A thread that is modelled makes a hole that much narrower in some directions; a square hole is narrower.
+bool isRoundHole(const AxialSlab& slab) {
+  constexpr double kLeastRoundHole = 0.78;
+  double least = std::numeric_limits<double>::infinity();
+  double most = 0.0;
+  for (const double distance : slab.nearest) {
+    if (!std::isfinite(distance)) continue;
+    least = std::min(least, distance);
+    most = std::max(most, distance);
+  }
+  return least >= kLeastRoundHole * most;
+}
+
 /// Narrowest hole, over so large a part of the length that a chamfer and a lip do not count.
 double holeOf(const std::vector<AxialSlab>& slabs, double length) {
   std::vector<std::pair<double, double>> holes;  // radius and length
   for (const AxialSlab& slab : slabs) {
-    if (!slab.isSolid && slab.surroundedShare() > 0.9) holes.emplace_back(slab.nearestAt(0.9), slab.length());
+    if (slab.isSolid || slab.surroundedShare() <= 0.9 || !isRoundHole(slab)) continue;
+    holes.emplace_back(slab.nearestAt(0.9), slab.length());
   }
   std::sort(holes.begin(), holes.end());
   double sum = 0.0;
