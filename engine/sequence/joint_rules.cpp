@@ -32,6 +32,17 @@ std::string sizeInWords(const Joint& joint) {
   return text + " mm";
 }
 
+/// Of thread and drive, to ten micrometres.
+std::vector<long> sizesOf(const Joint& joint) {
+  constexpr double kPerMetre = 1e5;
+  std::vector<long> sizes{static_cast<long>(joint.drive), std::lround(kPerMetre * joint.driveSize)};
+  if (!joint.thread) return sizes;
+  for (const double length : {joint.thread->diameter, joint.thread->pitch, joint.thread->engaged}) {
+    sizes.push_back(std::lround(kPerMetre * length));
+  }
+  return sizes;
+}
+
 }  // namespace
 
 Joints countingJoints(const Joints& joints, JointUse use) {
@@ -83,17 +94,17 @@ void JointRules::bond(const AssembledProduct& product) {
   }
 }
 
-/// By designation; by geometry where no name says.
+/// By designation; by thread and drive where no name says.
 void JointRules::findTasks(const AssembledProduct& product) {
-  using Key = std::tuple<JointKind, std::string, const TriangleMesh*, std::vector<std::size_t>>;
+  using Key = std::tuple<JointKind, std::string, std::vector<long>, std::vector<std::size_t>>;
   std::map<Key, std::vector<std::size_t>> alike;
   std::vector<Key> order;
   for (const Joint& joint : joints_) {
     if (!isScrewed(joint) || joint.clamped.empty()) continue;
     std::vector<std::size_t> clamped = joint.clamped;
     std::sort(clamped.begin(), clamped.end());
-    const TriangleMesh* shape = joint.designation.empty() ? product.bodies[joint.body].mesh.get() : nullptr;
-    Key key{joint.kind, joint.designation, shape, std::move(clamped)};
+    Key key{joint.kind, joint.designation, joint.designation.empty() ? sizesOf(joint) : std::vector<long>(),
+            std::move(clamped)};
     const auto [at, isNew] = alike.try_emplace(key);
     if (isNew) order.push_back(std::move(key));
     at->second.push_back(joint.body);

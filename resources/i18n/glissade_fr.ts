@@ -5790,6 +5790,90 @@
         <source>is about a joint that was there before</source>
         <translation>concerne une liaison déjà donnée</translation>
     </message>
+    <message>
+        <source>there is no body &apos;%1&apos;</source>
+        <translation>il n&apos;y a pas de corps &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>Name bodies by the ids that &apos;joints --json&apos; prints.</source>
+        <translation>Nommez les corps par les identifiants que &apos;joints --json&apos; affiche.</translation>
+    </message>
+    <message>
+        <source>it names a body twice</source>
+        <translation>elle nomme deux fois un corps</translation>
+    </message>
+    <message>
+        <source>Name each body of a joint once.</source>
+        <translation>Nommez une seule fois chaque corps d&apos;une liaison.</translation>
+    </message>
+    <message>
+        <source>there is no such joint that could be %1</source>
+        <translation>il n&apos;y a pas de telle liaison qui puisse être %1</translation>
+    </message>
+    <message>
+        <source>only an insert is pressed out</source>
+        <translation>seul un insert se chasse</translation>
+    </message>
+    <message>
+        <source>Dissolve the joint, or say &apos;opened&apos; of a unit.</source>
+        <translation>Supprimez la liaison, ou dites &apos;opened&apos; d&apos;une unité.</translation>
+    </message>
+    <message>
+        <source>pressed out</source>
+        <translation>chassée</translation>
+    </message>
+    <message>
+        <source>only a unit is opened</source>
+        <translation>seule une unité s&apos;ouvre</translation>
+    </message>
+    <message>
+        <source>Dissolve the joint.</source>
+        <translation>Supprimez la liaison.</translation>
+    </message>
+    <message>
+        <source>it has one body only</source>
+        <translation>elle n&apos;a qu&apos;un corps</translation>
+    </message>
+    <message>
+        <source>Name what it is joined with in &apos;others&apos;.</source>
+        <translation>Nommez dans &apos;others&apos; ce à quoi il est lié.</translation>
+    </message>
+    <message>
+        <source>its thread is not stated</source>
+        <translation>son filet n&apos;est pas indiqué</translation>
+    </message>
+    <message>
+        <source>Give &apos;thread&apos; with diameter, pitch and engaged length.</source>
+        <translation>Donnez &apos;thread&apos; avec le diamètre, le pas et la longueur engagée.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is far from &apos;%2&apos;</source>
+        <translation>&apos;%1&apos; est loin de &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>Join bodies that touch, or nearly do.</source>
+        <translation>Liez des corps qui se touchent, ou presque.</translation>
+    </message>
+    <message>
+        <source>only a snap bends</source>
+        <translation>seul un clip fléchit</translation>
+    </message>
+    <message>
+        <source>Remove &apos;bend_m&apos;.</source>
+        <translation>Supprimez &apos;bend_m&apos;.</translation>
+    </message>
+    <message>
+        <source>a hook does not bend by %1</source>
+        <translation>un crochet ne fléchit pas de %1</translation>
+    </message>
+    <message>
+        <source>Give 0 to %1 for this body.</source>
+        <translation>Donnez de 0 à %1 pour ce corps.</translation>
+    </message>
+    <message>
+        <source>Dissolve or change one of them.</source>
+        <translation>Supprimez ou changez l&apos;une d&apos;elles.</translation>
+    </message>
 </context>
 <context>
     <name>FilmWriter</name>

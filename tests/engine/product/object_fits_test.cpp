@@ -164,19 +164,6 @@ MeshPtr opened(const MeshPtr& ring, Looking looking) {
   return std::make_shared<const TriangleMesh>(std::move(open));
 }
 
-/// The screw is open at the contact. The plate is open at its rim, and thinned as a closed one.
-TEST(ObjectFits, AnOpenBodyGivesWayFarFromItsOpening) {
-  RandomStream random(6, "open");
-  Screwed screwed(0.0021, random);
-  screwed.object.mesh = opened(screwed.object.mesh, Looking::Outwards);
-  screwed.obstacles[0].mesh = opened(screwed.obstacles[0].mesh, Looking::Outwards);
-  const auto fits = screwed.find(switchedOn());
-  ASSERT_TRUE(fits);
-  ASSERT_EQ(fits->allowed.size(), 1U);
-  EXPECT_TRUE(fits->allowed.front().yields);
-  EXPECT_TRUE(fits->warnings.empty());
-}
-
 TEST(ObjectFits, TheOtherBodyGivesWayForAnOpeningAtTheContactAndWhereBothAreOpenThatIsSaid) {
   RandomStream random(6, "open");
   Screwed screwed(0.0021, random);
