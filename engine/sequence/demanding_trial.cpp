@@ -10,7 +10,7 @@ namespace glissade {
 
 DemandingTrial::DemandingTrial(RemovalTrial& inner, const OrderRules& rules, const AssembledProduct& product,
                                const AssemblyPlan* known, const JointRules* joints)
-    : inner_(inner), rules_(rules), product_(product), joints_(joints) {
+    : ForwardingTrial(inner), rules_(rules), product_(product), joints_(joints) {
   if (known == nullptr) return;
   for (const auto* steps : {&known->steps, &known->waiting}) {
     for (const AssemblyStep& step : *steps) {
@@ -28,17 +28,17 @@ RemovalAnswer DemandingTrial::tryRemoval(const BodyGroup& group, const BodySet& 
   const auto known = known_.find(group);
   if (effort > 0 && known != known_.end() && known->second.method != kByHand && !isOfJoint(group, present)) {
     if (besideTheEnd(known->second, without(present, group)).empty()) {
-      auto removed = inner_.certified(group, known->second.path, known->second.method, present, stop);
+      auto removed = inner().certified(group, known->second.path, known->second.method, present, stop);
       if (removed) return std::move(*removed);
     }
     if (stop.stopRequested()) return Refused{{}, true};
   }
-  return inner_.tryRemoval(group, present, effort, stop);
+  return inner().tryRemoval(group, present, effort, stop);
 }
 
 std::vector<BodyGroup> DemandingTrial::groupsAlongLines(const GroupQuestion& question, ThreadTeam& team,
                                                         const StopToken& stop) {
-  return inner_.groupsAlongLines(question, team, stop);
+  return inner().groupsAlongLines(question, team, stop);
 }
 
 /// The motion has to end outside of all others, as every removal does.
@@ -49,11 +49,11 @@ RemovalAnswer DemandingTrial::byMotion(const OrderRules::GivenMotion& motion, co
   const std::vector<std::size_t> beside = besideTheEnd(motion, others);
   std::set<std::size_t> blocking(beside.begin(), beside.end());
   if (blocking.empty()) {
-    auto removed = inner_.certified(motion.group, motion.path, motion.method, present, stop);
+    auto removed = inner().certified(motion.group, motion.path, motion.method, present, stop);
     if (removed) return std::move(*removed);
   }
   if (stop.stopRequested()) return Refused{{}, true};
-  for (const std::size_t body : inner_.inTheWay(motion.group, motion.path, bodiesIn(others), stop)) {
+  for (const std::size_t body : inner().inTheWay(motion.group, motion.path, bodiesIn(others), stop)) {
     blocking.insert(body);
   }
   return Refused{{blocking.begin(), blocking.end()}, stop.stopRequested()};

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/sequence/best_first_strategy.h"
+#include "engine/sequence/forwarding_trial.h"
 #include "engine/sequence/plan_steps.h"
 #include "engine/sequence/step_joints.h"
 #include "engine/sequence/step_tools.h"
@@ -14,37 +15,10 @@ namespace {
 constexpr int kLineEfforts = 2;
 
 /// The same answers without the longer searches.
-class ShortTrial final : public RemovalTrial {
+class ShortTrial final : public ForwardingTrial {
  public:
-  explicit ShortTrial(RemovalTrial& inner) : inner_(inner) {}
-
-  int efforts() const override { return std::min(kLineEfforts, inner_.efforts()); }
-  RemovalAnswer tryRemoval(const BodyGroup& group, const BodySet& present, int effort, const StopToken& stop) override {
-    return inner_.tryRemoval(group, present, effort, stop);
-  }
-  std::vector<BodyGroup> groupsAlongLines(const GroupQuestion& question, ThreadTeam& team,
-                                          const StopToken& stop) override {
-    return inner_.groupsAlongLines(question, team, stop);
-  }
-  std::vector<std::size_t> inTheWay(const BodyGroup& group, const std::vector<PathPoint>& path,
-                                    const std::vector<std::size_t>& left, const StopToken& stop) override {
-    return inner_.inTheWay(group, path, left, stop);
-  }
-  std::vector<BodyFit> fitsWith(const BodyGroup& group, const BodySet& others) const override {
-    return inner_.fitsWith(group, others);
-  }
-  std::optional<Removed> certified(const BodyGroup& group, const std::vector<PathPoint>& path,
-                                   const std::string& method, const BodySet& present, const StopToken& stop) override {
-    return inner_.certified(group, path, method, present, stop);
-  }
-  std::vector<std::size_t> inTheWayOfTool(const MeshPtr& tool, const std::pair<Pose, Pose>& motion,
-                                          const std::vector<std::size_t>& others, const StopToken& stop) override {
-    return inner_.inTheWayOfTool(tool, motion, others, stop);
-  }
-  void learn(const BodyGroup& group, const std::vector<PathPoint>& path) override { inner_.learn(group, path); }
-
- private:
-  RemovalTrial& inner_;
+  using ForwardingTrial::ForwardingTrial;
+  int efforts() const override { return std::min(kLineEfforts, ForwardingTrial::efforts()); }
 };
 
 /// Passes on but the plan so far: a line is no plan that can be resumed.
