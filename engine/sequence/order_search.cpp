@@ -58,13 +58,96 @@ std::vector<std::size_t> completed(std::vector<std::size_t> order, CarriedOut do
 struct Node {
   double estimate;
   std::size_t number;  ///< of equal ones the first
-  double cost;
+  double cost;         ///< without that of the last step where it is not known yet
+  bool isCostKnown;
   std::vector<std::size_t> order;
   CarriedOut done;
 
   bool operator<(const Node& other) const {
     return std::pair(other.estimate, other.number) < std::pair(estimate, number);
   }
+};
+
+/// The search of cheapestOrder(). What a step costs is asked only where its state comes to be expanded.
+class OrderSearch {
+ public:
+  OrderSearch(const OrderQuestion& question, const StopToken& stop)
+      : question_(question), stop_(stop), steps_(question.after.size()) {
+    best_ = completed({}, CarriedOut(steps_, false), question);
+    if (best_.size() < steps_) {
+      best_.resize(steps_);
+      std::iota(best_.begin(), best_.end(), std::size_t{0});
+    }
+    least_ = costOf(best_, question);
+    mean_ = steps_ == 0 ? 0.0 : least_ / static_cast<double>(steps_);
+    open_.push({least_, number_++, 0.0, true, {}, CarriedOut(steps_, false)});
+  }
+
+  std::vector<std::size_t> run() {
+    for (std::size_t expansions = 0; expansions < question_.mostExpansions && !open_.empty();) {
+      if (stop_.stopRequested()) break;
+      Node node = open_.top();
+      open_.pop();
+      if (!node.isCostKnown) {
+        addCost(std::move(node));
+        continue;
+      }
+      ++expansions;
+      if (node.cost >= least_) continue;
+      if (node.order.size() == steps_) {
+        best_ = std::move(node.order);
+        least_ = node.cost;
+      } else {
+        expand(node);
+      }
+    }
+    return std::move(best_);
+  }
+
+ private:
+  double estimateOf(double cost, std::size_t carriedOut) const {
+    return cost + mean_ * static_cast<double>(steps_ - carriedOut);
+  }
+
+  void expand(const Node& node) {
+    for (std::size_t step = 0; step < steps_; ++step) {
+      if (!mayFollow(step, node.done, question_)) continue;
+      const double atLeast = question_.atLeast ? question_.atLeast(step, lastOf(node.order), node.done) : 0.0;
+      if (node.cost + atLeast >= least_) continue;
+      Node next{0.0, number_++, node.cost, false, node.order, node.done};
+      next.order.push_back(step);
+      next.done[step] = true;
+      next.estimate = estimateOf(node.cost + atLeast, next.order.size());
+      open_.push(std::move(next));
+    }
+  }
+
+  /// Of the last step. A state that was reached at less or the same cost is dropped.
+  void addCost(Node node) {
+    const std::size_t step = node.order.back();
+    node.order.pop_back();
+    node.done[step] = false;
+    node.cost += question_.cost(step, lastOf(node.order), node.done);
+    node.order.push_back(step);
+    node.done[step] = true;
+    if (node.cost >= least_) return;
+    const auto [at, isNew] = known_.try_emplace({node.done, step}, node.cost);
+    if (!isNew && at->second <= node.cost) return;
+    at->second = node.cost;
+    node.isCostKnown = true;
+    node.estimate = estimateOf(node.cost, node.order.size());
+    open_.push(std::move(node));
+  }
+
+  const OrderQuestion& question_;
+  const StopToken& stop_;
+  std::size_t steps_;
+  std::vector<std::size_t> best_;
+  double least_ = 0.0;  ///< cost of the best order
+  double mean_ = 0.0;   ///< of a step
+  std::priority_queue<Node> open_;
+  std::map<std::pair<CarriedOut, std::size_t>, double> known_;  ///< cost of states
+  std::size_t number_ = 0;
 };
 
 }  // namespace
@@ -82,43 +165,7 @@ double costOf(const std::vector<std::size_t>& order, const OrderQuestion& questi
 }
 
 std::vector<std::size_t> cheapestOrder(const OrderQuestion& question, const StopToken& stop) {
-  const std::size_t steps = question.after.size();
-  std::vector<std::size_t> best = completed({}, CarriedOut(steps, false), question);
-  if (best.size() < steps) {
-    best.resize(steps);
-    std::iota(best.begin(), best.end(), std::size_t{0});
-  }
-  double least = costOf(best, question);
-  const double mean = steps == 0 ? 0.0 : least / static_cast<double>(steps);
-  std::priority_queue<Node> open;
-  std::map<std::pair<CarriedOut, std::size_t>, double> known;
-  std::size_t number = 0;
-  open.push({least, number++, 0.0, {}, CarriedOut(steps, false)});
-  for (std::size_t expansions = 0; expansions < question.mostExpansions && !open.empty(); ++expansions) {
-    if (stop.stopRequested()) break;
-    const Node node = open.top();
-    open.pop();
-    if (node.cost >= least) continue;
-    if (node.order.size() == steps) {
-      best = node.order;
-      least = node.cost;
-      continue;
-    }
-    for (std::size_t step = 0; step < steps; ++step) {
-      if (!mayFollow(step, node.done, question)) continue;
-      Node next{0.0, number, node.cost + question.cost(step, lastOf(node.order), node.done), node.order, node.done};
-      next.order.push_back(step);
-      next.done[step] = true;
-      if (next.cost >= least) continue;
-      const auto [at, isNew] = known.try_emplace({next.done, step}, next.cost);
-      if (!isNew && at->second <= next.cost) continue;
-      at->second = next.cost;
-      next.estimate = next.cost + mean * static_cast<double>(steps - next.order.size());
-      ++number;
-      open.push(std::move(next));
-    }
-  }
-  return best;
+  return OrderSearch(question, stop).run();
 }
 
 }  // namespace glissade
