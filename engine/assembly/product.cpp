@@ -140,6 +140,15 @@ std::vector<std::string> Product::bodiesBelow(std::size_t node) const {
   return ids;
 }
 
+std::vector<std::size_t> Product::assembliesAbove(std::size_t node) const {
+  std::vector<std::size_t> above;
+  for (auto parent = nodes_[node].parent; parent; parent = nodes_[*parent].parent) {
+    if (nodes_[*parent].isAssembly) above.push_back(*parent);
+  }
+  std::reverse(above.begin(), above.end());
+  return above;
+}
+
 std::vector<std::size_t> Product::named(const std::string& name) const {
   std::vector<std::size_t> byPath;
   std::vector<std::size_t> byNames;

@@ -58,6 +58,8 @@ class Product {
   std::optional<std::size_t> find(const std::string& id) const;
   /// Ids of the rigid bodies that are the node or below it, in the order of the nodes.
   std::vector<std::string> bodiesBelow(std::size_t node) const;
+  /// The assemblies that a node is in, the outermost first.
+  std::vector<std::size_t> assembliesAbove(std::size_t node) const;
   /// The nodes that a person means by a name: those that have it as id or whose path ends in it; where there are none,
   /// those whose names in the file end in it.
   std::vector<std::size_t> named(const std::string& name) const;

@@ -12,6 +12,11 @@ std::optional<std::size_t> AssembledProduct::indexOf(const std::string& id) cons
   return static_cast<std::size_t>(found - bodies.begin());
 }
 
+const std::string& AssembledProduct::nameInFile(std::size_t body) const {
+  const auto node = tree.find(bodies[body].id);
+  return node ? tree.nodes()[*node].name : bodies[body].name;
+}
+
 namespace {
 
 bool areSameFits(const FitSettings& a, const FitSettings& b) {

@@ -20,6 +20,8 @@ struct AssembledProduct {
 
   /// Nothing where no body has this id.
   std::optional<std::size_t> indexOf(const std::string& id) const;
+  /// What the file calls a body: its name in the tree, or its own where the tree does not hold it.
+  const std::string& nameInFile(std::size_t body) const;
   double spacingOf(std::size_t body) const { return spacings.empty() ? 0.0 : spacings[body]; }
 };
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/assembly/body_path.h"
 #include "engine/product/length_words.h"
 #include "engine/product/thread_pitch.h"
 
@@ -76,15 +75,13 @@ void addDrive(const Designation& said, Joint& joint) {
 }  // namespace
 
 std::vector<std::optional<Designation>> designationsOf(const AssembledProduct& product) {
+  const Product& tree = product.tree;
   std::vector<std::optional<Designation>> said;
-  for (const RigidBody& body : product.bodies) {
-    auto own = designationIn(lastStepOf(body.name));
-    const std::vector<std::string> above = assembliesAbove(body.name);
-    if (!own && !above.empty()) {
-      const auto inIt = std::count_if(product.bodies.begin(), product.bodies.end(),
-                                      [&](const RigidBody& other) { return isWithin(other.name, above.back()); });
-      if (inIt == 1) own = designationIn(lastStepOf(above.back()));
-    }
+  for (std::size_t body = 0; body < product.bodies.size(); ++body) {
+    const auto node = tree.find(product.bodies[body].id);
+    auto own = designationIn(product.nameInFile(body));
+    const auto above = node ? tree.nodes()[*node].parent : std::nullopt;
+    if (!own && above && tree.bodiesBelow(*above).size() == 1) own = designationIn(tree.nodes()[*above].name);
     said.push_back(std::move(own));
   }
   return said;

@@ -8,8 +8,6 @@
 #include <set>
 #include <string_view>
 
-#include "engine/assembly/body_path.h"
-
 namespace glissade {
 namespace {
 
@@ -138,13 +136,15 @@ class SuggestedJointFinder {
  private:
   /// The outermost assemblies with such a name, but not the whole product.
   void addUnits(Joints& joints) {
-    std::map<std::string, std::vector<std::size_t>> units;
+    const Product& tree = shapes_.product().tree;
+    std::map<std::size_t, std::vector<std::size_t>> units;
     for (std::size_t body = 0; body < shapes_.size(); ++body) {
-      for (const std::string& node : assembliesAbove(shapes_.body(body).id)) {
-        if (!isUnitName(lastStepOf(node))) continue;
-        units[node].push_back(body);
-        break;
-      }
+      const auto own = tree.find(shapes_.body(body).id);
+      if (!own) continue;
+      const std::vector<std::size_t> above = tree.assembliesAbove(*own);
+      const auto unit = std::find_if(above.begin(), above.end(),
+                                     [&](std::size_t node) { return isUnitName(tree.nodes()[node].name); });
+      if (unit != above.end()) units[*unit].push_back(body);
     }
     for (const auto& [node, bodies] : units) {
       const bool isKnown = std::all_of(bodies.begin(), bodies.end(), [&](std::size_t body) { return isInUnit_[body]; });
@@ -155,7 +155,7 @@ class SuggestedJointFinder {
       joint.body = bodies.front();
       joint.others.assign(bodies.begin() + 1, bodies.end());
       joint.point = shapes_.box(joint.body).center();
-      joint.evidence = {"the assembly is called '" + lastStepOf(node) + "'"};
+      joint.evidence = {"the assembly is called '" + tree.nodes()[node].name + "'"};
       for (const std::size_t body : bodies) isTaken_[body] = true;
       joints.push_back(std::move(joint));
     }
@@ -183,8 +183,9 @@ class SuggestedJointFinder {
       *reason = "its class is '" + classes_[body] + "'";
       if (const auto hint = hintOfClass(classes_[body])) return hint;
     }
-    *reason = "the name says '" + lastStepOf(rigid.name) + "'";
-    if (const auto hint = hintOf(wordsOfName(lastStepOf(rigid.name)))) return hint;
+    const std::string& name = shapes_.product().nameInFile(body);
+    *reason = "the name says '" + name + "'";
+    if (const auto hint = hintOf(wordsOfName(name))) return hint;
     *reason = "it is a ring of round section";
     if (isTorus(*rigid.mesh)) return JointKind::Flexible;
     return std::nullopt;

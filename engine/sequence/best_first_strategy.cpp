@@ -5,7 +5,6 @@
 #include <numbers>
 #include <optional>
 
-#include "engine/assembly/body_path.h"
 #include "engine/sequence/greedy_strategy.h"
 #include "engine/sequence/order_search.h"
 #include "engine/sequence/plan_steps.h"
@@ -20,13 +19,14 @@ constexpr double kSameWay = 0.98;
 /// Where it is asked what stands, a linear program for each step of each state may be solved.
 constexpr std::size_t kExpansionsWithStanding = 200;
 constexpr std::size_t kMostOrderExpansions = 2000;
-/// Of these numbers for plans of so many steps.
-constexpr double kFewSteps = 30.0;
+/// Of these numbers for products of so many bodies.
+constexpr double kSmallProduct = 30.0;
 
-/// Fewer of them where there are many steps: each of them asks all steps that may follow.
-std::size_t expansionsFor(std::size_t steps, bool withStanding) {
+/// Fewer of them where there are many bodies: each of them asks all steps that may follow, and a linear program has all
+/// bodies that touch.
+std::size_t expansionsFor(std::size_t bodies, bool withStanding) {
   const auto most = static_cast<double>(withStanding ? kExpansionsWithStanding : kMostOrderExpansions);
-  const double share = kFewSteps / std::max(kFewSteps, static_cast<double>(steps));
+  const double share = kSmallProduct / std::max(kSmallProduct, static_cast<double>(bodies));
   return static_cast<std::size_t>(most * share * share);
 }
 
@@ -36,14 +36,8 @@ double massOf(const BodyGroup& group, const SequenceQuestion& question) {
   return mass;
 }
 
-/// The assemblies of the file that a body is in, the outermost first.
-std::vector<std::string> assembliesOf(const RigidBody& body) {
-  const std::string& path = assembliesAbove(body.id).empty() ? body.name : body.id;
-  return assembliesAbove(path);
-}
-
 /// Levels that one of the two is in, and the other one is not, as a share.
-double assemblyChangeOf(const std::vector<std::string>& one, const std::vector<std::string>& other) {
+double assemblyChangeOf(const std::vector<std::size_t>& one, const std::vector<std::size_t>& other) {
   const std::size_t most = std::max(one.size(), other.size());
   if (most == 0) return 0.0;
   const auto [end, unused] = std::mismatch(
@@ -82,7 +76,9 @@ class Reordering {
       BodySet own(all.size(), false);
       for (const std::size_t body : group) own[body] = true;
       places_.push_back(boxOf(question.product, own).center() / (size > 0.0 ? size : 1.0));
-      assemblies_.push_back(assembliesOf(question.product.bodies[group.front()]));
+      const Product& tree = question.product.tree;
+      const auto node = tree.find(question.product.bodies[group.front()].id);
+      assemblies_.push_back(node ? tree.assembliesAbove(*node) : std::vector<std::size_t>());
       const bool single = question.joints != nullptr && group.size() == 1;
       tasks_.push_back(single ? question.joints->taskOf(group.front()) : 0);
     }
@@ -103,7 +99,7 @@ class Reordering {
     if (!question_.rules.placed.empty()) {
       for (const BodyGroup& group : groups_) question.fixed.push_back(question_.rules.placeOf(group) != 0);
     }
-    question.mostExpansions = expansionsFor(groups_.size(), question_.standing != nullptr);
+    question.mostExpansions = expansionsFor(question_.product.bodies.size(), question_.standing != nullptr);
     return cheapestOrder(question, stop_);
   }
 
@@ -149,7 +145,7 @@ class Reordering {
   std::vector<StepFigures> figures_;                  ///< what does not depend on the order
   std::vector<Vector3> ways_;                         ///< at the end, unit; zero where it only turns
   std::vector<Vector3> places_;                       ///< middles, by the diagonal of the product's box
-  std::vector<std::vector<std::string>> assemblies_;  ///< of the file, of the first body
+  std::vector<std::vector<std::size_t>> assemblies_;  ///< of the product, of the first body
   std::vector<std::size_t> tasks_;
   std::optional<ToolFacts> tools_;  ///< where the cost asks
 };

@@ -142,7 +142,13 @@ class ProductOfParts {
     return *this;
   }
 
-  AssembledProduct product() const { return product_; }
+  AssembledProduct product() const {
+    AssembledProduct product = product_;
+    std::vector<ProductBody> bodies;
+    for (const RigidBody& body : product.bodies) bodies.push_back({body.id, {body.id}});
+    product.tree = Product(bodies);
+    return product;
+  }
   Vector3 direction(const Vector3& direction_F) const { return X_WF_.orientation * direction_F; }
 
  private:
