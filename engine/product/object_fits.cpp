@@ -1,6 +1,7 @@
 #include "engine/product/object_fits.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -15,6 +16,10 @@
 
 namespace glissade {
 namespace {
+
+/// Of the assembled gap: the clearance that paths keep.
+constexpr double kPathShare = 0.25;
+constexpr std::array<double, 2> kBothWays{1.0, -1.0};
 
 /// A contact of the object, which is `b`, with an obstacle, and at which of the ends.
 struct FoundContact {
@@ -257,7 +262,7 @@ class FitFinder {
     } else if (found.contact.kind == ContactKind::Clearance || (bounds.one.most <= 0.0 && bounds.other.most <= 0.0)) {
       if (fit.thread) fits_.allowed.push_back(fit);
     } else if (decision.given || !isClearInThread(fit, found)) {
-      takeThinner(fit, bounds, found.at);
+      takeThinner(fit, bounds, found);
     }
   }
 
@@ -329,16 +334,22 @@ class FitFinder {
     fits_.clashes.push_back(std::move(fit));
   }
 
-  void takeThinner(const Fit& fit, const check::PairBounds& bounds, const std::vector<Pose>& ends) {
+  /// One body alone gives way where that frees the pair. Of a shaft in a hole it has to free the way along the axis,
+  /// too: corners between faces that move and faces that stay move less, and a shaft that is taken thinner may be
+  /// thicker at its end. Else both give way.
+  void takeThinner(const Fit& fit, const check::PairBounds& bounds, const FoundContact& found) {
     const RigidBody& other = body(fit.obstacle);
     const bool otherFirst = givesWayFirst(other, object_);
+    std::vector<Fit> alone;
     for (const bool yields : {otherFirst, !otherFirst}) {
-      if (const auto taken = takenAlone(fit, yields, bounds, ends)) {
-        fits_.allowed.push_back(*taken);
-        return;
-      }
+      if (alone.empty()) alone = takenAlone(fit, yields, bounds, found.at);
     }
-    if (takeBothThinner(fit, bounds, ends)) return;
+    const bool isEnough = !alone.empty() && (!hasShaft(found.contact) || slides(alone, fit.obstacle, found));
+    const std::vector<Fit> both = isEnough ? std::vector<Fit>() : bothThinner(fit, bounds, found.at);
+    const bool takesBoth = !both.empty() && (alone.empty() || slides(both, fit.obstacle, found));
+    const std::vector<Fit>& taken = takesBoth ? both : alone;
+    fits_.allowed.insert(fits_.allowed.end(), taken.begin(), taken.end());
+    if (!taken.empty()) return;
     const auto ownOpening = openBeside(object_, bounds.one);
     const auto othersOpening = openBeside(other, bounds.other);
     if (ownOpening && othersOpening) {
@@ -377,8 +388,8 @@ class FitFinder {
 
   /// One of the two bodies is taken thinner by what the evidence gives, or by less where it has no place for that: the
   /// deviation of free surfaces is an estimate. Down to the overlap as measured and the gap.
-  std::optional<Fit> takenAlone(const Fit& fit, bool yields, const check::PairBounds& bounds,
-                                const std::vector<Pose>& ends) {
+  std::vector<Fit> takenAlone(const Fit& fit, bool yields, const check::PairBounds& bounds,
+                              const std::vector<Pose>& ends) {
     constexpr double kShare = 0.25;
     const check::AllowanceBound& bound = yields ? bounds.other : bounds.one;
     const double least = std::min(bound.most, bound.largest.overlap + gap_);
@@ -386,20 +397,37 @@ class FitFinder {
       if (const auto taken = thinned(fit, yields, bound, allowance)) {
         const MeshPtr& object = yields ? object_.mesh : taken->thinned;
         const MeshPtr& other = yields ? taken->thinned : body(fit.obstacle).mesh;
-        if (isFree(object, fit.obstacle, other, ends)) return taken;
+        if (isFree(object, fit.obstacle, other, ends)) return {*taken};
       }
-      if (allowance <= least) return std::nullopt;
+      if (allowance <= least) return {};
     }
   }
 
-  bool takeBothThinner(const Fit& fit, const check::PairBounds& bounds, const std::vector<Pose>& ends) {
+  /// Empty where one of them has no place for it, or where it does not free the pair.
+  std::vector<Fit> bothThinner(const Fit& fit, const check::PairBounds& bounds, const std::vector<Pose>& ends) {
     const auto own = thinned(fit, false, bounds.one, bounds.one.most);
     const auto others = thinned(fit, true, bounds.other, bounds.other.most);
-    if (!own || !others) return false;
-    if (!isFree(own->thinned, fit.obstacle, others->thinned, ends)) return false;
-    fits_.allowed.push_back(*own);
-    fits_.allowed.push_back(*others);
-    return true;
+    if (!own || !others || !isFree(own->thinned, fit.obstacle, others->thinned, ends)) return {};
+    return {*own, *others};
+  }
+
+  /// Taken so, the object moves along the axis of the pair, the one way or the other, until it is past the obstacle.
+  bool slides(const std::vector<Fit>& taken, std::size_t obstacle, const FoundContact& found) {
+    MeshPtr object = object_.mesh;
+    MeshPtr other = body(obstacle).mesh;
+    for (const Fit& fit : taken) (fit.yields ? other : object) = fit.thinned;
+    const auto query = pairOf(object, obstacle, other)->makeQuery();
+    const Pose& from = found.measuredAt;
+    const Vector3 axis = found.contact.axis->direction.normalized();
+    const double way =
+        (boundingBox(*object_.mesh, from).sizes() + boundingBox(*body(obstacle).mesh, body(obstacle).X_WB).sizes())
+            .norm();
+    const double required = kPathShare * gap_;
+    return std::any_of(kBothWays.begin(), kBothWays.end(), [&](double sense) {
+      Pose to = from;
+      to.position += sense * way * axis;
+      return query->checkMotion(from, to, required, SeekViolation::Any, stop_).status == CertificateStatus::Certified;
+    });
   }
 
   /// Nothing where the body has no place for the allowance.

@@ -7,6 +7,7 @@
 #include "engine/geometry/primitives.h"
 #include "engine/geometry/thinned_mesh.h"
 #include "tests/engine/product/screwed_parts.h"
+#include "tests/engine/product/turned_parts.h"
 #include "tests/engine/support/random_pose.h"
 
 namespace glissade {
@@ -180,6 +181,40 @@ TEST(ObjectFits, TheOtherBodyGivesWayForAnOpeningAtTheContactAndWhereBothAreOpen
   EXPECT_NE(both->warnings.front().reason.find("the surfaces are open 0 mm and 0 mm from the contact"),
             std::string::npos)
       << both->warnings.front().reason;
+}
+
+/// The chamfers at the ends have corners between their edges. They stay where the shaft is taken thinner, outside the
+/// bore. What is free where it is assembled has to be free along the axis, too.
+TEST(ObjectFits, AShaftThatIsTakenThinnerComesOutOfItsHole) {
+  RandomStream random(8, "tips");
+  for (int round = 0; round < 10; ++round) {
+    const double radius = random.uniform(0.00234, 0.0024);
+    const double height = random.uniform(0.00015, 0.0003);
+    Screwed screwed(radius, random);
+    std::vector<test::Station> stations{{-0.015, test::circle(0.0)},
+                                        {-0.015, test::circle(0.85 * radius)},
+                                        {-0.015 + 0.6 * height, test::circle(0.94 * radius)},
+                                        {-0.015 + height, test::circle(radius)}};
+    for (std::size_t i = stations.size(); i > 0; --i) {
+      stations.push_back({-stations[i - 1].height, stations[i - 1].contour});
+    }
+    screwed.object.mesh = std::make_shared<const TriangleMesh>(test::turnedMesh(stations, false, 37 + round));
+    const auto fits = screwed.find(switchedOn());
+    ASSERT_TRUE(fits);
+    ASSERT_FALSE(fits->allowed.empty()) << round;
+    MeshPtr object = screwed.object.mesh;
+    RigidBody plate = screwed.obstacles[0];
+    for (const Fit& fit : fits->allowed) (fit.yields ? plate.mesh : object) = fit.thinned;
+    const auto query = CollisionWorld::build({plate}, object)->makeQuery();
+    const Pose& from = screwed.object.X_WB;
+    int ways = 0;
+    for (const double sense : {1.0, -1.0}) {
+      Pose to = from;
+      to.position += from.orientation * Vector3(0.0, 0.0, sense * 0.06);
+      ways += query->checkMotion(from, to, 1e-7, SeekViolation::Any, {}).status == CertificateStatus::Certified;
+    }
+    EXPECT_GE(ways, 1) << round;
+  }
 }
 
 /// The plate moves off its screw: the screw is taken thinner all the same, and the world holds it so.
