@@ -34,17 +34,23 @@ bool isStated(const AssemblyStep& step, const BodyFit& fit, const AssembledProdu
   });
 }
 
-/// Against bodies that leave earlier in the plan, and may leave later in another order.
-void addAllowancesOfOtherOrders(AssemblyPlan& plan, const std::vector<BodyGroup>& groups,
+/// Allowances against bodies that leave earlier in the plan, and may leave later in another order, are added; those
+/// against bodies that have left in any order go.
+void stateAllowancesOfAllOrders(AssemblyPlan& plan, const std::vector<BodyGroup>& groups,
                                 const SequenceQuestion& question) {
   const AssembledProduct& product = question.product;
   const std::vector<std::set<std::size_t>> before = allBefore(plan);
   for (std::size_t step = 0; step < plan.steps.size(); ++step) {
     BodySet others(product.bodies.size(), false);
+    std::set<std::string> left;
     for (std::size_t earlier = 0; earlier < step; ++earlier) {
-      if (before[step].count(earlier + 1) != 0) continue;
-      for (const std::size_t body : groups[earlier]) others[body] = true;
+      const bool isBefore = before[step].count(earlier + 1) != 0;
+      for (const std::size_t body : groups[earlier]) {
+        others[body] = !isBefore;
+        if (isBefore) left.insert(product.bodies[body].id);
+      }
     }
+    std::erase_if(plan.steps[step].allowances, [&](const StepAllowance& each) { return left.count(each.body) != 0; });
     if (!plan.steps[step].certified) continue;
     std::vector<BodyFit> fits = question.trial.fitsWith(groups[step], others);
     std::erase_if(fits, [&](const BodyFit& fit) { return isStated(plan.steps[step], fit, product); });
@@ -121,7 +127,7 @@ void addPrecedence(AssemblyPlan& plan, const SequenceQuestion& question, Sequenc
     plan.steps[step].after.assign(after.begin(), after.end());
     if (host.stopToken().stopRequested()) demandAllEarlier(plan.steps[step], step);
   });
-  addAllowancesOfOtherOrders(plan, groups, question);
+  stateAllowancesOfAllOrders(plan, groups, question);
 }
 
 void demandAllEarlier(AssemblyPlan& plan) {
