@@ -3,6 +3,16 @@
 #include "engine/base/file.h"
 
 namespace glissade {
+namespace {
+
+/// As aboutTheirMiddles() has it for the bodies of a product, so that both see the same radius.
+Vector3 middleOf(const ObjectDescription& object, const ObjectGeometry& geometry) {
+  const std::vector<Occurrence>& parts = geometry.front()->parts;
+  if (object.isGroup() || parts.size() != 1) return boxOf(object, geometry).center();
+  return parts.front().X_FP * Vector3(boundingBox(*parts.front().mesh).center());
+}
+
+}  // namespace
 
 Result<ObjectGeometry> loadGeometryOf(const ObjectDescription& object, GeometryLoader& loader) {
   ObjectGeometry geometry;
@@ -44,7 +54,7 @@ void chooseReferencePoint(ObjectDescription& object, const ObjectGeometry& geome
   const Geometry& first = object.first().geometry;
   object.centreOnVertexMean = !object.isGroup() && std::holds_alternative<MeshGeometry>(first);
   const bool middle = object.isGroup() || std::holds_alternative<StepGeometry>(first);
-  object.referencePoint = middle ? boxOf(object, geometry).center() : Vector3(Vector3::Zero());
+  object.referencePoint = middle ? middleOf(object, geometry) : Vector3(Vector3::Zero());
 }
 
 Vector3 referencePointOf(const ObjectDescription& object, const ObjectGeometry& geometry) {

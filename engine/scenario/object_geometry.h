@@ -22,7 +22,8 @@ Pose poseInObject(const ObjectDescription& object, std::size_t body);
 Box3 boxOf(const ObjectDescription& object, const ObjectGeometry& geometry);
 
 /// Puts the reference point of an object where it turns best: a mesh file's into the mean of its vertices, a STEP
-/// part's and a group's into the middle of the box; elsewhere it is the origin.
+/// part's into the middle of the box in the part's own frame, a group's into the middle of the box; elsewhere it is the
+/// origin.
 void chooseReferencePoint(ObjectDescription& object, const ObjectGeometry& geometry);
 /// In the object's frame G.
 Vector3 referencePointOf(const ObjectDescription& object, const ObjectGeometry& geometry);
