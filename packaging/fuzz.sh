@@ -19,12 +19,12 @@ while [ $# -gt 0 ]; do
     *) targets+=("$1"); shift ;;
   esac
 done
-[ "${#targets[@]}" -gt 0 ] || mapfile -t targets < <(ls tests/fuzz/corpus)
-
 if [ -n "$build" ]; then
   packaging/setup.sh build test || exit 1
   packaging/build.sh fuzz fuzz_readers -- -DGLISSADE_PRECOMPILE=OFF || exit 1
 fi
+corpus=build/fuzz/tests/fuzz/corpus
+[ "${#targets[@]}" -gt 0 ] || mapfile -t targets < <(find "$corpus" -mindepth 1 -maxdepth 1 -type d -printf '%f\n' | sort)
 [ -x build/fuzz/bin/fuzz_readers ] || { echo "build/fuzz/bin/fuzz_readers is missing" >&2; exit 1; }
 
 defective=0
@@ -41,7 +41,7 @@ for target in "${targets[@]}"; do
   while left=$((seconds - ($(date +%s) - began))) && [ "$left" -gt 0 ]; do
     GLISSADE_FUZZ_TARGET=$target ASAN_OPTIONS=detect_leaks=0 build/fuzz/bin/fuzz_readers \
       -seed="$seed" -max_total_time="$left" -max_len=65536 -timeout=10 -rss_limit_mb=2048 \
-      -artifact_prefix="$defects/" -print_final_stats=1 "$found" "tests/fuzz/corpus/$target" >"$log" 2>&1 && ended=1 || ended=0
+      -artifact_prefix="$defects/" -print_final_stats=1 "$found" "$corpus/$target" >"$log" 2>&1 && ended=1 || ended=0
     tried=$((tried + $(sed -n 's/^stat::number_of_executed_units: *//p' "$log" | tail -n 1 || echo 0)))
     rss=$(sed -n 's/^stat::peak_rss_mb: *//p' "$log" | tail -n 1)
     [ "${rss:-0}" -le "$peak" ] || peak=$rss

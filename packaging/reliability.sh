@@ -49,7 +49,8 @@ export LC_ALL=C.UTF-8
 release=build/release/bin
 formats="stl-text stl-binary obj ply ply-binary dae glb gltf urdf step-box step-plate step-split scenario semantics
   product cfg study path-csv path-json path-path assembly-plan record journal"
-targets=$(ls tests/fuzz/corpus)
+# The messages of the STEP importer are written by the build.
+targets="$(ls tests/fuzz/corpus) step-protocol"
 
 no_build=''
 [ -n "$build" ] || no_build=--no-build
@@ -121,11 +122,11 @@ for format in $formats; do
 done
 for target in $targets; do
   campaign "every truncation in memory $target" build/asan/bin/mutate_readers \
-    build/asan/bin/mutate_readers tests/fuzz/corpus --target "$target" --inputs truncations
+    build/asan/bin/mutate_readers build/asan/tests/fuzz/corpus --target "$target" --inputs truncations
 done
 for target in $targets; do
   campaign "mutations in memory $target" build/asan/bin/mutate_readers \
-    build/asan/bin/mutate_readers tests/fuzz/corpus --target "$target" --mutations "$mutations" --seed "$seed"
+    build/asan/bin/mutate_readers build/asan/tests/fuzz/corpus --target "$target" --mutations "$mutations" --seed "$seed"
 done
 for target in $targets; do
   campaign "libFuzzer $target" - packaging/fuzz.sh $no_build --seconds "$fuzz_seconds" --seed "$seed" "$target"
