@@ -293,7 +293,8 @@ std::string MotionCheck::whyUndecided(const Pose& from, const Pose& to, double r
 
 /// In the scaled geometry. An interval of time is proved by the distance at its middle less what any vertex can move
 /// until its ends; what is not proved is halved, the earlier half first. Bodies that fit leave gaps of micrometres:
-/// there a straight way is proved by what the object sweeps, where that is enough.
+/// there a way that is straight, or has become nearly so by halving, is proved by what the object sweeps, where that is
+/// enough.
 MotionVerdict MotionCheck::checkEdge(const Geometry& geometry, const Pose& from, const Pose& to, double required,
                                      const TurnProof* turned, const StopToken& stop) {
   const Course course(from, to);
@@ -308,7 +309,9 @@ MotionVerdict MotionCheck::checkEdge(const Geometry& geometry, const Pose& from,
     return result;
   }
   const double turn = course.turn(geometry.object);
-  const bool sweeps = geometry.hasFits && turn <= distances::kErrorShare * required;
+  const auto sweeps = [&](const Span& span) {
+    return geometry.hasFits && turn * (span.end - span.begin) <= distances::kErrorShare * required;
+  };
   if (course.isHalfACircle() || !geometry.resolves(from, to, required)) return result;
   std::vector<bool> asked(geometry.groups.size(), true);
   if (turned != nullptr) {
@@ -332,29 +335,31 @@ MotionVerdict MotionCheck::checkEdge(const Geometry& geometry, const Pose& from,
     if (nearest.distance < required) result.status = Status::Violated;
     return nearest.distance;
   };
-  // What is swept comes as near as the object does on its way, but for its turn.
+  // What is swept comes as near as the object does on its way, but for its turn, which is even.
   const auto sweptProof = [&](const Span& span) {
     const double enough = std::max(2.0 * required, result.minClearance);
     const Vector3 way = (span.end - span.begin) * course.way();
     const double swept = geometry.sweptDistance(course.at(span.begin), way, enough, asked);
-    if (swept - turn >= required && swept < result.minClearance) {
+    const double proved = swept - turn * (span.end - span.begin);
+    if (proved >= required && swept < result.minClearance) {
       result.minClearance = swept;
       result.at = 0.5 * (span.begin + span.end);
     }
-    return swept - turn;
+    return proved;
   };
-  if (sweeps) {
+  const Span whole{0.0, 1.0, 0};
+  if (sweeps(whole)) {
     meet(0.0, std::numeric_limits<double>::infinity());
     meet(1.0, result.minClearance);
     if (result.status == Status::Violated) return result;
   }
-  std::vector<Span> open{{0.0, 1.0, 0}};
+  std::vector<Span> open{whole};
   while (!open.empty()) {
     const Span span = open.back();
     open.pop_back();
     if (stop.stopRequested() || ++result.distances > kMostDistances) return result;
-    double proved = sweeps ? sweptProof(span) : 0.0;
-    bool closely = sweeps && proved >= required;
+    double proved = sweeps(span) ? sweptProof(span) : -std::numeric_limits<double>::infinity();
+    bool closely = proved >= required;
     const double middle = 0.5 * (span.begin + span.end);
     if (!closely) {
       const double distance = meet(middle, std::numeric_limits<double>::infinity());
