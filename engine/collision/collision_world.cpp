@@ -219,8 +219,8 @@ CollisionWorldPtr CollisionWorld::compose(double scale, const PreparedObject& ob
     const auto number = static_cast<int>(bodies.size());
     impl->geometry.obstaclesBox.extend(composed.box_W);
     if (composed.object->mesh != object.mesh) addTo(impl->variants, composed.object->mesh, number);
-    std::vector<int>& group = numbers[composed.object];
-    if (group.empty()) objects.push_back(composed.object);
+    std::vector<int>& group = numbers[composed.object.get()];
+    if (group.empty()) objects.push_back(composed.object.get());
     group.push_back(number);
     bodies.push_back(std::move(composed.body));
   }

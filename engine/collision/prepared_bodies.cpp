@@ -17,32 +17,40 @@ CollisionWorldPtr PreparedBodies::world(const MeshPtr& whole, const std::vector<
   for (const Against& against : obstacles) {
     RigidBody body = bodies_[against.body];
     if (against.obstacle) body.mesh = against.obstacle;
-    const PreparedObstacle& prepared = obstacle(body.mesh);
-    composed.push_back({std::move(body), boxes_[against.body], &prepared, &object(against.object)});
+    ObstaclePtr prepared = obstacle(body.mesh);
+    composed.push_back({std::move(body), boxes_[against.body], std::move(prepared), object(against.object)});
   }
-  return CollisionWorld::compose(scale_, object(whole), std::move(composed));
+  return CollisionWorld::compose(scale_, *object(whole), std::move(composed));
+}
+
+void PreparedBodies::forget(const MeshPtr& mesh) {
+  const std::lock_guard lock(mutex_);
+  obstacles_.erase(mesh);
+  objects_.erase(mesh);
 }
 
 /// Two threads that need the same one may both prepare it; the first is kept.
-const PreparedObstacle& PreparedBodies::obstacle(const MeshPtr& mesh) {
+PreparedBodies::ObstaclePtr PreparedBodies::obstacle(const MeshPtr& mesh) {
   {
     const std::lock_guard lock(mutex_);
     const auto known = obstacles_.find(mesh);
     if (known != obstacles_.end()) return known->second;
   }
-  PreparedObstacle prepared{kernelObstacle(*mesh, scale_), Solids::prepare(*mesh)};
+  auto prepared =
+      std::make_shared<const PreparedObstacle>(PreparedObstacle{kernelObstacle(*mesh, scale_), Solids::prepare(*mesh)});
   const std::lock_guard lock(mutex_);
   return obstacles_.try_emplace(mesh, std::move(prepared)).first->second;
 }
 
-const PreparedObject& PreparedBodies::object(const MeshPtr& mesh) {
+PreparedBodies::ObjectPtr PreparedBodies::object(const MeshPtr& mesh) {
   {
     const std::lock_guard lock(mutex_);
     const auto known = objects_.find(mesh);
     if (known != objects_.end()) return known->second;
   }
-  PreparedObject prepared{mesh, radiusAboutOrigin(*mesh), std::make_shared<const MotionBound>(*mesh),
-                          kernelObject(*mesh, scale_), Solids::prepare(*mesh)};
+  auto prepared = std::make_shared<const PreparedObject>(
+      PreparedObject{mesh, radiusAboutOrigin(*mesh), std::make_shared<const MotionBound>(*mesh),
+                     kernelObject(*mesh, scale_), Solids::prepare(*mesh)});
   const std::lock_guard lock(mutex_);
   return objects_.try_emplace(mesh, std::move(prepared)).first->second;
 }

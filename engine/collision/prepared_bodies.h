@@ -28,8 +28,8 @@ struct PreparedObject {
 struct ComposedObstacle {
   RigidBody body;
   Box3 box_W;
-  const PreparedObstacle* obstacle;
-  const PreparedObject* object;
+  std::shared_ptr<const PreparedObstacle> obstacle;
+  std::shared_ptr<const PreparedObject> object;
 };
 
 /// Bodies of a product, for worlds of any choice of them: each mesh is prepared once, when it is first needed, as an
@@ -48,19 +48,24 @@ class PreparedBodies {
   /// The world's obstacles are numbered as they are listed here. The meshes are in one frame, inside `object`.
   CollisionWorldPtr world(const MeshPtr& object, const std::vector<Against>& obstacles);
 
+  /// A mesh that no later world needs: what was prepared of it lives as long as the worlds that have it.
+  void forget(const MeshPtr& mesh);
+
   const std::vector<RigidBody>& bodies() const { return bodies_; }
   const Box3& boxOf(std::size_t body) const { return boxes_[body]; }
 
  private:
-  const PreparedObstacle& obstacle(const MeshPtr& mesh);
-  const PreparedObject& object(const MeshPtr& mesh);
+  using ObstaclePtr = std::shared_ptr<const PreparedObstacle>;
+  using ObjectPtr = std::shared_ptr<const PreparedObject>;
+  ObstaclePtr obstacle(const MeshPtr& mesh);
+  ObjectPtr object(const MeshPtr& mesh);
 
   std::vector<RigidBody> bodies_;
   std::vector<Box3> boxes_;
   double scale_;
   std::mutex mutex_;  ///< of what follows
-  std::map<MeshPtr, PreparedObstacle> obstacles_;
-  std::map<MeshPtr, PreparedObject> objects_;
+  std::map<MeshPtr, ObstaclePtr> obstacles_;
+  std::map<MeshPtr, ObjectPtr> objects_;
 };
 
 }  // namespace glissade

@@ -348,6 +348,7 @@ class FitFinder {
     const std::vector<Fit> both = isEnough ? std::vector<Fit>() : bothThinner(fit, bounds, found.at);
     const bool takesBoth = !both.empty() && (alone.empty() || slides(both, fit.obstacle, found));
     const std::vector<Fit>& taken = takesBoth ? both : alone;
+    for (const Fit& unused : takesBoth ? alone : both) forget(unused.thinned);
     fits_.allowed.insert(fits_.allowed.end(), taken.begin(), taken.end());
     if (!taken.empty()) return;
     const auto ownOpening = openBeside(object_, bounds.one);
@@ -398,6 +399,7 @@ class FitFinder {
         const MeshPtr& object = yields ? object_.mesh : taken->thinned;
         const MeshPtr& other = yields ? taken->thinned : body(fit.obstacle).mesh;
         if (isFree(object, fit.obstacle, other, ends)) return {*taken};
+        forget(taken->thinned);
       }
       if (allowance <= least) return {};
     }
@@ -407,8 +409,16 @@ class FitFinder {
   std::vector<Fit> bothThinner(const Fit& fit, const check::PairBounds& bounds, const std::vector<Pose>& ends) {
     const auto own = thinned(fit, false, bounds.one, bounds.one.most);
     const auto others = thinned(fit, true, bounds.other, bounds.other.most);
-    if (!own || !others || !isFree(own->thinned, fit.obstacle, others->thinned, ends)) return {};
-    return {*own, *others};
+    if (!own || !others) return {};
+    if (isFree(own->thinned, fit.obstacle, others->thinned, ends)) return {*own, *others};
+    forget(own->thinned);
+    forget(others->thinned);
+    return {};
+  }
+
+  /// What was prepared of a body that is not taken so takes more memory than all that is kept.
+  void forget(const MeshPtr& thinned) {
+    if (tools_.prepared) tools_.prepared->forget(thinned);
   }
 
   /// Taken so, the object moves along the axis of the pair, the one way or the other, until it is past the obstacle.
