@@ -23,6 +23,32 @@ std::vector<ToolKind> toolsByShape(const TriangleMesh& mesh, FastenerKind kind) 
   return {ToolKind::Screwdriver};
 }
 
+/// Empty where the drive is not known.
+std::vector<ToolKind> toolsByDrive(DriveKind drive) {
+  switch (drive) {
+    case DriveKind::HexOutside: return {ToolKind::Socket, ToolKind::OpenWrench};
+    case DriveKind::HexSocket: return {ToolKind::HexKey};
+    case DriveKind::Cross:
+    case DriveKind::Slot:
+    case DriveKind::SixLobe: return {ToolKind::Screwdriver};
+    case DriveKind::None: break;
+  }
+  return {};
+}
+
+/// A bolt in a nut leaves when the nut has been turned off: nothing turns the bolt.
+void addJointTools(const Joints& joints, ToolChoices& choices) {
+  for (const Joint& joint : joints) {
+    if (joint.kind != JointKind::Nut) continue;
+    for (const std::size_t bolt : joint.others) choices[bolt].clear();
+  }
+  for (const Joint& joint : joints) {
+    if (joint.kind != JointKind::Screw && joint.kind != JointKind::Nut) continue;
+    const std::vector<ToolKind> tools = toolsByDrive(joint.drive);
+    if (!tools.empty()) choices[joint.body] = tools;
+  }
+}
+
 }  // namespace
 
 const char* toolName(ToolKind kind) { return kToolNames[static_cast<std::size_t>(kind)]; }
@@ -34,7 +60,7 @@ std::optional<ToolKind> toolByName(const std::string& name) {
 }
 
 Result<ToolChoices> chooseTools(const AssembledProduct& product, const std::vector<FastenerKind>& kinds,
-                                const SequenceDemands& demands) {
+                                const Joints& joints, const SequenceDemands& demands) {
   ToolChoices choices(product.bodies.size());
   std::map<std::pair<MeshPtr, FastenerKind>, std::vector<ToolKind>> known;  // of twins
   for (std::size_t body = 0; body < choices.size(); ++body) {
@@ -43,6 +69,7 @@ Result<ToolChoices> chooseTools(const AssembledProduct& product, const std::vect
     if (isNew) at->second = toolsByShape(*mesh, kinds[body]);
     choices[body] = at->second;
   }
+  addJointTools(joints, choices);
   for (const auto& [name, tool] : demands.tools) {
     const auto kind = toolByName(tool);
     if (!kind) {

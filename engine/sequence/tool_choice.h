@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "engine/product/joint.h"
 #include "engine/sequence/body_group.h"
 #include "engine/sequence/fastener_kind.h"
 #include "engine/sequence/order_rules.h"
@@ -12,12 +13,12 @@ namespace glissade {
 /// Of each body of a product: the tools that turn it, the preferred one first; none where it needs none.
 using ToolChoices = std::vector<std::vector<ToolKind>>;
 
-/// What is demanded, and else by shape:
+/// What is demanded; else the drive of the body's joint, and no tool for a bolt whose nut is turned; else by shape:
 /// - a screw with a head of six or four sides, a nut: socket, open wrench
 /// - a screw with a recess of six sides, or with a round head that is as high as a socket head: hex key
 /// - another screw: screwdriver
-/// Errors, Usage: a tool that there is not.
+/// `joints`: those that count. Errors, Usage: a tool that there is not.
 Result<ToolChoices> chooseTools(const AssembledProduct& product, const std::vector<FastenerKind>& kinds,
-                                const SequenceDemands& demands);
+                                const Joints& joints, const SequenceDemands& demands);
 
 }  // namespace glissade

@@ -1,0 +1,61 @@
+#include "engine/sequence/tool_choice.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/engine/sequence/products.h"
+
+namespace glissade {
+namespace {
+
+using Tools = std::vector<ToolKind>;
+
+const std::vector<FastenerKind> kKinds{FastenerKind::None, FastenerKind::Screw, FastenerKind::Nut};
+
+AssembledProduct plateBoltAndNut() {
+  return test::productOf({boxBody("plate", {1.0, 1.0, 0.1}, Pose::identity()),
+                          boxBody("bolt", {0.1, 0.1, 0.5}, Pose::translation({2.0, 0.0, 0.0})),
+                          boxBody("nut", {0.2, 0.2, 0.1}, Pose::translation({4.0, 0.0, 0.0}))});
+}
+
+Joint fastener(JointKind kind, std::size_t body, std::vector<std::size_t> others, DriveKind drive) {
+  Joint joint;
+  joint.kind = kind;
+  joint.body = body;
+  joint.others = std::move(others);
+  joint.drive = drive;
+  return joint;
+}
+
+ToolChoices toolsOf(const Joints& joints, const SequenceDemands& demands = {}) {
+  auto tools = chooseTools(plateBoltAndNut(), kKinds, joints, demands);
+  EXPECT_TRUE(tools.ok());
+  return std::move(*tools);
+}
+
+TEST(ToolChoice, NothingTurnsABoltWhoseNutIsTurned) {
+  EXPECT_FALSE(toolsOf({})[1].empty()) << "without joints its shape counts";
+  const ToolChoices tools = toolsOf({fastener(JointKind::Nut, 2, {1}, DriveKind::None)});
+  EXPECT_TRUE(tools[1].empty());
+  EXPECT_EQ(tools[2], (Tools{ToolKind::Socket, ToolKind::OpenWrench})) << "its shape";
+}
+
+TEST(ToolChoice, TheDriveOfAJointCountsBeforeTheShape) {
+  for (const auto& [drive, tool] :
+       {std::pair{DriveKind::HexOutside, ToolKind::Socket}, std::pair{DriveKind::HexSocket, ToolKind::HexKey},
+        std::pair{DriveKind::Cross, ToolKind::Screwdriver}, std::pair{DriveKind::Slot, ToolKind::Screwdriver},
+        std::pair{DriveKind::SixLobe, ToolKind::Screwdriver}}) {
+    const ToolChoices tools = toolsOf({fastener(JointKind::Screw, 1, {0}, drive)});
+    ASSERT_FALSE(tools[1].empty());
+    EXPECT_EQ(tools[1].front(), tool) << driveName(drive);
+  }
+  EXPECT_EQ(toolsOf({fastener(JointKind::Screw, 1, {0}, DriveKind::None)}), toolsOf({})) << "no drive is known";
+}
+
+TEST(ToolChoice, APersonsWordCountsFirst) {
+  SequenceDemands demands;
+  demands.tools = {{"bolt", "hex_key"}};
+  EXPECT_EQ(toolsOf({fastener(JointKind::Nut, 2, {1}, DriveKind::HexOutside)}, demands)[1], Tools{ToolKind::HexKey});
+}
+
+}  // namespace
+}  // namespace glissade
