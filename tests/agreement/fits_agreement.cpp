@@ -1,6 +1,6 @@
 // Compares what the three ways of asking for the fits of a product say of each of its pairs: the table that `fits`
 // shows, a scenario of one moving body as `new` and `plan` load it, and what `sequence` makes its motions of. Kind,
-// status, which body is taken thinner and by how much have to be the same.
+// status, which body is taken thinner and by how much have to be the same, to a thousandth of the allowance.
 //
 // usage: fits_agreement FILE [MOST]
 //
@@ -37,12 +37,15 @@ struct Said {
   }
 };
 
-/// Meshes about another reference point are rounded in another way.
+/// Share of the allowance. `plan` has the object in the frame of the file: where a point of an overlap is equally near
+/// to two faces, rounding decides for which of them its depth counts.
+constexpr double kTies = 1e-3;
 constexpr double kRounding = 1e-9;
 
+bool areSame(double a, double b) { return std::abs(a - b) <= kRounding + kTies * std::max(a, b); }
+
 bool areSame(const Said& a, const Said& b) {
-  return a.kind == b.kind && a.clash == b.clash && std::abs(a.ofMoving - b.ofMoving) <= kRounding &&
-         std::abs(a.ofOther - b.ofOther) <= kRounding;
+  return a.kind == b.kind && a.clash == b.clash && areSame(a.ofMoving, b.ofMoving) && areSame(a.ofOther, b.ofOther);
 }
 
 /// By the other body.
