@@ -224,18 +224,6 @@ Diagnostic ofOptions(Diagnostic why, const SequenceOptions& options) {
   return why;
 }
 
-/// "hex key", "socket: blocked by plate".
-std::string toolText(const StepTool& tool, const ProgressHost& host) {
-  std::string text = toolName(tool.kind);
-  std::replace(text.begin(), text.end(), '_', ' ');
-  const char* separator = ", blocked by ";
-  for (const std::string& id : tool.blockedBy) {
-    text += separator + host.nameOf(id);
-    separator = ", ";
-  }
-  return text;
-}
-
 /// "every motion certified", but for flexible bodies.
 std::string certifiedText(const AssemblyPlan& plan) {
   const std::size_t open = plan.removedWithoutProof();
@@ -259,7 +247,9 @@ void printSteps(const std::vector<AssemblyStep>& steps, const std::string& befor
     for (const std::string& text : words.joints(step, host.product(), PlanOrder::Removal)) {
       std::cout << before << "      " << text << "\n";
     }
-    if (step.tool.kind != ToolKind::None) std::cout << "      tool: " << toolText(step.tool, host) << "\n";
+    if (step.tool.kind != ToolKind::None) {
+      std::cout << before << "      tool: " << words.tool(step, host.product()) << "\n";
+    }
     for (const std::string& text : words.violations(step, host.product())) {
       std::cout << "      forced, although: " << text << "\n";
     }
@@ -293,6 +283,10 @@ void printLines(const std::vector<SubassemblyLine>& lines, const std::string& be
 }
 
 void printPlan(const AssemblyPlan& plan, const ProgressHost& host, double seconds) {
+  if (!plan.staying.empty()) {
+    const PlanWords words(Language::English, lengthInMillimetres);
+    std::cout << "base: " << words.base(plan, host.product()) << "\n";
+  }
   printSteps(plan.steps, "", host);
   printLines(plan.lines, "  ", host);
   printStuck(plan.stuck, "", host);

@@ -34,6 +34,7 @@
 #include "app/window/study_controller.h"
 #include "app/window/sweep_controller.h"
 #include "app/window/theme.h"
+#include "app/window/times_controller.h"
 #include "app/window/tour_controller.h"
 #include "app/window/variants_controller.h"
 #include "app/window/view_controller.h"
@@ -117,6 +118,7 @@ void MainWindow::addParts() {
   auto* kept = new KeptPathsController(bench_);
   auto* log = new LogController(bench_);
   auto* sequence = new SequenceController(bench_);
+  new TimesController(bench_, *sequence);
   new ManualController(bench_);
 
   docks_.add({tr("Interaction"), "interaction", run->interactionPanel(), DockPlace::Left});

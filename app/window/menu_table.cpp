@@ -94,7 +94,7 @@ const std::vector<MenuSpec>& menuTable() {
       {"menu.sequence",
        QT_TRANSLATE_NOOP("Menus", "S&equence"),
        {"sequence.stays", "", "sequence.play", "sequence.assembly-order", "sequence.aside", "sequence.show-product",
-        "sequence.graph", "", "sequence.open", "sequence.export"}},
+        "sequence.graph", "sequence.times", "", "sequence.open", "sequence.export"}},
       {"menu.step",
        QT_TRANSLATE_NOOP("Menus", "&Step of the sequence"),
        {"sequence.step-up", "sequence.step-down", "sequence.lock", "", "sequence.forbid-way", "sequence.keep-order",

@@ -189,6 +189,7 @@ void SequenceController::setPlan(const ShownPlan& shown) {
   panel_->setPlan(shown);
   updateGraph();
   enableActions();
+  emit planShown();
 }
 
 void SequenceController::showGraph() {
@@ -200,12 +201,8 @@ void SequenceController::showGraph() {
 
 void SequenceController::updateGraph() {
   if (graph_ == nullptr || !graph_->isVisible() || !shown().plan || shown().plan->bodies.empty()) return;
-  const QPalette palette = bench_.window.palette();
-  GraphColours colours;
-  colours.ink = palette.color(QPalette::WindowText).name().toStdString();
-  colours.box = palette.color(QPalette::AlternateBase).name().toStdString();
-  colours.ground = palette.color(QPalette::Window).name().toStdString();
-  graph_->setPicture(planGraphSvg(*shown().plan, *shown().product, StudyWords(windowLanguage()), colours));
+  graph_->setPicture(planGraphSvg(*shown().plan, *shown().product, StudyWords(windowLanguage()),
+                                  graphColours(bench_.window.palette())));
 }
 
 void SequenceController::followDocument(Changes what) {

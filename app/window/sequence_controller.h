@@ -52,6 +52,10 @@ class SequenceController final : public QObject {
   /// The scene at so many steps of removal, parts moved apart by a share of the exploded view.
   void showScene(double time, double exploded);
 
+ signals:
+  /// Another plan, or none.
+  void planShown();
+
  private:
   void connectActions();
   void followDocument(Changes what);

@@ -24,6 +24,18 @@ std::string decimals(double value, int digits) {
 
 std::string degrees(double radians) { return decimals(radians * 180.0 / std::acos(-1.0), 0) + "°"; }
 
+/// Across the flats of the hexagon that the tool turns, in millimetres: " 2.5"; empty where it is not known.
+std::string sizeOfTool(const AssemblyStep& step) {
+  constexpr double kTenths = 1e4;  // of a millimetre, in metres
+  for (const StepJoint& joint : step.joints) {
+    const bool isHexagon = joint.drive == DriveKind::HexSocket || joint.drive == DriveKind::HexOutside;
+    if (joint.body != step.body || !isHexagon || joint.driveSize <= 0.0) continue;
+    const double tenths = std::round(kTenths * joint.driveSize);
+    return " " + decimals(0.1 * tenths, std::fmod(tenths, 10.0) == 0.0 ? 0 : 1);
+  }
+  return {};
+}
+
 }  // namespace
 
 std::string PlanWords::direction(const Vector3& direction) const {
@@ -48,7 +60,7 @@ std::string PlanWords::someOf(const std::vector<std::string>& ids, const Assembl
 std::string PlanWords::tool(const AssemblyStep& step, const AssembledProduct& product) const {
   static constexpr std::array<const char*, 5> kTools{"", "hex key", "socket", "screwdriver", "open wrench"};
   if (step.tool.kind == ToolKind::None) return {};
-  const std::string name = words_(kTools[static_cast<std::size_t>(step.tool.kind)]);
+  const std::string name = words_(kTools[static_cast<std::size_t>(step.tool.kind)]) + sizeOfTool(step);
   if (step.tool.access != ToolAccess::Blocked) return name;
   return words_("%1, blocked by %2", {name, someOf(step.tool.blockedBy, product)});
 }
@@ -81,6 +93,19 @@ std::vector<std::string> PlanWords::joints(const AssemblyStep& step, const Assem
     if (isNew && !text.empty()) texts.push_back(std::move(text));
   }
   return texts;
+}
+
+std::string PlanWords::base(const AssemblyPlan& plan, const AssembledProduct& product) const {
+  const std::string& largest = product.bodies[largestBody(product)].id;
+  const bool isLargest = std::find(plan.staying.begin(), plan.staying.end(), largest) != plan.staying.end();
+  return words_("%1 (%2)",
+                {someOf(plan.staying, product), words_(isLargest ? "the largest part" : "as a person says")});
+}
+
+std::string PlanWords::work(const AssemblyStep& step, const AssembledProduct& product, PlanOrder order) const {
+  std::string text;
+  for (const std::string& each : joints(step, product, order)) text += (text.empty() ? "" : "; ") + each;
+  return text.empty() ? motion(step, order) : text;
 }
 
 /// Of a shaft that turns out of a nut, the nut is named.

@@ -25,11 +25,15 @@ class PlanWords {
   std::string length(double metres) const { return length_(metres); }
   /// "up (+Z)", "(0.50, 0.00, 0.87)".
   std::string direction(const Vector3& direction) const;
+  /// What the others are taken off, and why: "plate (the largest part)", "foot (as a person says)".
+  std::string base(const AssemblyPlan& plan, const AssembledProduct& product) const;
   /// The motion of a step: "up (+Z), 62.0 mm". The words of assembly are those of the reverse.
   std::string motion(const AssemblyStep& step, PlanOrder order) const;
   /// What is done to the joints of a step: "turn out screw ISO 4762 M3x8, 9.5 turns", an entry each.
   std::vector<std::string> joints(const AssemblyStep& step, const AssembledProduct& product, PlanOrder order) const;
-  /// "hex key"; "socket, blocked by plate"; empty where the step needs none.
+  /// What a fitter does in a step, in one line: joints(), or the motion where nothing is joined.
+  std::string work(const AssemblyStep& step, const AssembledProduct& product, PlanOrder order) const;
+  /// "hex key 2.5"; "socket 13, blocked by plate"; empty where the step needs none.
   std::string tool(const AssemblyStep& step, const AssembledProduct& product) const;
   /// "hold rod, bolt and 3 more"; empty where nothing falls.
   std::string standing(const AssemblyStep& step, const AssembledProduct& product) const;

@@ -3,10 +3,11 @@
 #include <glissade/version.h>
 
 #include <algorithm>
-#include <cmath>
-#include <iomanip>
-#include <map>
-#include <sstream>
+#include <functional>
+#include <set>
+
+#include "engine/study/parts_list.h"
+#include "engine/study/times_section.h"
 
 namespace glissade {
 namespace {
@@ -22,8 +23,13 @@ class Composer {
     report_.title = say("Work instruction: %1", {content_.name});
     addCover();
     addPartsList();
-    for (std::size_t i = 0; i < content_.plan.steps.size(); ++i) addStep(i);
-    addTimes();
+    for (std::size_t place = 0; place < content_.plan.steps.size();) {
+      addSubassemblies(content_.plan.lines, content_.plan.steps.size() - place, std::to_string(place + 1));
+      const std::size_t count = tasksFrom(place);
+      addPage(place, count);
+      place += count;
+    }
+    if (content_.timing) addTimesSection(*content_.timing, plain_.words(), report_);
     addStuck();
     if (!content_.graphPicture.empty()) {
       report_.blocks.emplace_back(ReportHeading{say("Order of the steps"), 2, true});
@@ -46,18 +52,14 @@ class Composer {
   void picture(const std::string& file, const std::string& caption) {
     if (!file.empty()) report_.blocks.emplace_back(ReportPicture{file, caption, 1.0});
   }
-  /// In the order of assembly, from 1.
-  std::size_t numberOf(std::size_t step) const { return content_.plan.steps.size() - step; }
 
   void addCover() {
     const AssemblyPlan& plan = content_.plan;
-    std::string base;
-    for (const std::string& id : plan.staying) base += (base.empty() ? "" : ", ") + nameOf(id);
     report_.blocks.emplace_back(facts({{say("Product"), content_.name},
                                        {say("Parts to assemble"), std::to_string(plan.parts())},
                                        {say("Assembly steps"), std::to_string(plan.steps.size())},
                                        {say("Parts without a step"), std::to_string(plan.parts() - plan.removed())},
-                                       {say("Base"), base},
+                                       {say("Base"), plain_.base(plan, content_.product)},
                                        {say("Seed"), std::to_string(plan.seed)},
                                        {say("Program"), std::string("Glissade ") + kVersion}}));
     report_.blocks.emplace_back(ReportText{say(
@@ -76,129 +78,166 @@ class Composer {
     picture(content_.explodedPicture, say("The product, exploded"));
   }
 
-  /// Parts of one geometry are one row.
   void addPartsList() {
-    struct Row {
-      std::string name;
-      std::size_t count = 0;
-      std::string steps;
-    };
-    std::vector<Row> rows;
-    std::map<std::pair<MeshPtr, std::string>, std::size_t> known;
-    std::map<std::string, std::size_t> stepOf;
-    for (std::size_t i = 0; i < content_.plan.steps.size(); ++i) {
-      for (const std::string& id : content_.plan.steps[i].bodies()) stepOf[id] = numberOf(i);
-    }
-    for (const RigidBody& body : content_.product.bodies) {
-      const std::string kind = kindOfPart(body.name);
-      const auto [entry, isNew] = known.emplace(std::pair(body.mesh, kind), rows.size());
-      if (isNew) rows.push_back({kind, 0, ""});
-      Row& row = rows[entry->second];
-      ++row.count;
-      const auto& staying = content_.plan.staying;
-      const bool isBase = std::find(staying.begin(), staying.end(), body.id) != staying.end();
-      const auto step = stepOf.find(body.id);
-      const std::string when = isBase ? say("base") : step == stepOf.end() ? kDash : std::to_string(step->second);
-      row.steps += (row.steps.empty() ? "" : ", ") + when;
-    }
     ReportTable table{"",
                       {{say("Part"), ReportColumn::Kind::Text},
+                       {say("Designation"), ReportColumn::Kind::Text},
                        {say("Count"), ReportColumn::Kind::Number},
                        {say("Steps"), ReportColumn::Kind::Prose}},
                       {}};
-    for (const Row& row : rows) table.rows.push_back({row.name, std::to_string(row.count), row.steps});
+    for (const PartsListRow& row : partsList(content_.plan, content_.product)) {
+      std::string steps = row.hasBase ? say("base") : std::string();
+      const auto add = [&](const std::string& text) { steps += (steps.empty() ? "" : ", ") + text; };
+      for (const std::size_t step : row.steps) add(std::to_string(step));
+      if (row.withoutStep > 0) add(kDash);
+      table.rows.push_back(
+          {row.name, row.designation.empty() ? kDash : row.designation, std::to_string(row.count), steps});
+    }
     report_.blocks.emplace_back(ReportHeading{say("Parts list"), 2, true});
     report_.blocks.emplace_back(std::move(table));
   }
 
-  void addStep(std::size_t place) {
-    const std::size_t i = content_.plan.steps.size() - 1 - place;
-    const AssemblyStep& step = content_.plan.steps[i];
-    const std::string name = nameOfStep(step, content_.product);
-    std::string fullNames;
-    for (const std::string& id : step.bodies()) fullNames += (fullNames.empty() ? "" : ", ") + nameOf(id);
-    report_.blocks.emplace_back(ReportHeading{
-        say("Step %1 of %2: %3", {std::to_string(place + 1), std::to_string(content_.plan.steps.size()), name}), 2,
-        true});
-    if (i < content_.pictures.size()) picture(content_.pictures[i], say("%1 on its way", {name}));
-    std::vector<std::vector<std::string>> rows{{say("Full name"), fullNames},
-                                               {say("Motion"), plain_.motion(step, PlanOrder::Assembly)},
-                                               {say("Clearance"), clearanceText(step)}};
-    if (const auto tool = plain_.tool(step, content_.product); !tool.empty()) rows.push_back({say("Tool"), tool});
-    if (const auto held = plain_.standing(step, content_.product); !held.empty()) {
-      rows.push_back({say("To be held"), held});
+  std::string namesOf(const std::vector<std::string>& ids) const {
+    std::string names;
+    for (const std::string& id : ids) names += (names.empty() ? "" : ", ") + nameOf(id);
+    return names;
+  }
+
+  /// A page for each group that a step brings: it is put together before, and so are the groups in it. `number`: of the
+  /// step, "12" or "12.3" of a step in a group.
+  void addSubassemblies(const std::vector<SubassemblyLine>& lines, std::size_t step, const std::string& number) {
+    for (const SubassemblyLine& line : lines) {
+      if (line.step != step) continue;
+      for (std::size_t i = line.steps.size(); i > 0; --i) {
+        addSubassemblies(line.lines, i, number + "." + std::to_string(line.steps.size() - i + 1));
+      }
+      addSubassembly(line, number);
     }
-    std::string forced;
-    for (const std::string& text : plain_.violations(step, content_.product)) {
-      forced += (forced.empty() ? "" : "; ") + text;
-    }
-    if (!forced.empty()) rows.push_back({say("Forced, although"), forced});
-    const auto allowances = plain_.allowances(step, content_.product);
-    if (allowances.empty()) rows.push_back({say("Allowance"), say("none")});
-    for (const std::string& text : allowances) rows.push_back({say("Allowance"), text});
-    if (content_.timing) rows.push_back({say("Time"), seconds(content_.timing->times[place].total())});
-    rows.push_back({say("Found by"), step.method});
-    rows.push_back({say("Check"), checkText(i < content_.checks.size() ? content_.checks[i] : StepCheck::NotAsked)});
-    report_.blocks.emplace_back(facts(std::move(rows)));
   }
 
-  std::string seconds(double value) const {
-    std::ostringstream text;
-    text << std::fixed << std::setprecision(1) << value;
-    return say("%1 s", {text.str()});
-  }
-
-  void addTimes() {
-    if (!content_.timing) return;
-    const PlanTiming& timing = *content_.timing;
-    report_.blocks.emplace_back(ReportHeading{say("Times"), 2, true});
-    report_.blocks.emplace_back(ReportText{
-        say("The times are estimates of the size of tables for manual assembly (Boothroyd, Dewhurst and Knight 2011). "
-            "They were not measured.")});
-    report_.blocks.emplace_back(facts({{say("One person"), seconds(timing.sum())},
-                                       {say("Longest chain"), seconds(timing.chainSeconds())},
-                                       {say("Steps of the longest chain"), numbersText(timing.chain)}}));
-    if (timing.line) addLine(timing);
-  }
-
-  void addLine(const PlanTiming& timing) {
-    const LineBalance& line = *timing.line;
-    report_.blocks.emplace_back(ReportHeading{say("Line of %1 stations", {std::to_string(line.load.size())}), 3});
-    report_.blocks.emplace_back(ReportText{say("A product leaves the line every %1. No division is faster than %2.",
-                                               {seconds(line.cycle), seconds(line.least)})});
+  void addSubassembly(const SubassemblyLine& line, const std::string& number) {
+    report_.blocks.emplace_back(ReportHeading{say("Subassembly for step %1", {number}), 2, true});
+    report_.blocks.emplace_back(facts({{say("Parts"), namesOf(line.bodies)}, {say("Base"), namesOf(line.staying)}}));
     ReportTable table{"",
-                      {{say("Station"), ReportColumn::Kind::Number},
-                       {say("Time"), ReportColumn::Kind::Number},
-                       {say("Steps"), ReportColumn::Kind::Prose}},
+                      {{say("Step"), ReportColumn::Kind::Text},
+                       {say("Part"), ReportColumn::Kind::Prose},
+                       {say("Work"), ReportColumn::Kind::Prose},
+                       {say("Tool"), ReportColumn::Kind::Prose}},
                       {}};
-    for (std::size_t s = 0; s < line.load.size(); ++s) {
-      table.rows.push_back({std::to_string(s + 1), seconds(line.load[s]), numbersText(timing.stepsAt(s))});
+    for (std::size_t i = line.steps.size(); i > 0; --i) {
+      const AssemblyStep& step = line.steps[i - 1];
+      const std::string tool = plain_.tool(step, content_.product);
+      table.rows.push_back({number + "." + std::to_string(line.steps.size() - i + 1),
+                            nameOfStep(step, content_.product),
+                            plain_.work(step, content_.product, PlanOrder::Assembly), tool.empty() ? kDash : tool});
     }
     report_.blocks.emplace_back(std::move(table));
-    report_.blocks.emplace_back(loadPlot(line));
+    for (const StuckBody& stuck : line.stuck) {
+      report_.blocks.emplace_back(ReportText{say("%1 is not put on alone.", {nameOf(stuck.body)})});
+    }
   }
 
-  /// A bar for each station.
-  Plot loadPlot(const LineBalance& line) const {
-    constexpr double kBarShare = 0.6;
-    Plot plot;
-    plot.name = "station_load";
-    plot.title = say("Work of each station");
-    plot.kind = PlotKind::Bars;
-    std::vector<std::string> names;
-    for (std::size_t s = 0; s < line.load.size(); ++s) names.push_back(std::to_string(s + 1));
-    plot.x = PlotScale::categories(say("Station"), names);
-    std::vector<double> values = line.load;
-    values.push_back(0.0);
-    plot.y = PlotScale::linear(say("seconds"), values);
-    plot.barWidth = kBarShare / static_cast<double>(line.load.size());
-    PlotSeries series;
-    for (std::size_t s = 0; s < line.load.size(); ++s) {
-      const double load = line.load[s];
-      series.points.push_back({static_cast<double>(s), load, load, load, "", seconds(load), std::nullopt});
+  using Texts = std::vector<std::string>;
+  using Steps = std::vector<const AssemblyStep*>;
+  using Rows = std::vector<Texts>;
+
+  /// Places in the order of assembly, from 0.
+  const AssemblyStep& stepAt(std::size_t place) const {
+    return content_.plan.steps[content_.plan.steps.size() - 1 - place];
+  }
+
+  /// So many steps from this place on are one task, and nothing is put together between them.
+  std::size_t tasksFrom(std::size_t place) const {
+    const std::size_t task = stepAt(place).task;
+    std::size_t count = 1;
+    const auto bringsGroup = [&](std::size_t at) { return stepAt(at).bodies().size() > 1; };
+    if (task == 0 || bringsGroup(place)) return count;
+    while (place + count < content_.plan.steps.size() && stepAt(place + count).task == task &&
+           !bringsGroup(place + count)) {
+      ++count;
     }
-    plot.series.push_back(std::move(series));
-    return plot;
+    return count;
+  }
+
+  /// What is said of each step, once.
+  static void addRows(const std::string& label, const Steps& steps,
+                      const std::function<Texts(const AssemblyStep&)>& textsOf, Rows& rows) {
+    std::set<std::string> said;
+    for (const AssemblyStep* step : steps) {
+      for (const std::string& text : textsOf(*step)) {
+        if (!text.empty() && said.insert(text).second) rows.push_back({label, text});
+      }
+    }
+  }
+
+  /// A page for a step, or for the steps of a task.
+  void addPage(std::size_t place, std::size_t count) {
+    const std::size_t all = content_.plan.steps.size();
+    Steps steps;
+    std::vector<std::string> bodies;
+    for (std::size_t at = place; at < place + count; ++at) {
+      steps.push_back(&stepAt(at));
+      for (const std::string& id : steps.back()->bodies()) bodies.push_back(id);
+    }
+    const std::string name = nameOfStep(*steps.front(), content_.product);
+    const std::string first = std::to_string(place + 1);
+    const std::string title =
+        count == 1 ? say("Step %1 of %2: %3", {first, std::to_string(all), name})
+                   : say("Steps %1 to %2 of %3: %4", {first, std::to_string(place + count), std::to_string(all),
+                                                      std::to_string(count) + " × " + kindOfPart(name)});
+    report_.blocks.emplace_back(ReportHeading{title, 2, true});
+    const std::size_t number = all - 1 - place;
+    if (number < content_.pictures.size()) picture(content_.pictures[number], say("%1 on its way", {name}));
+    report_.blocks.emplace_back(facts(factsOf(steps, bodies, place)));
+  }
+
+  Rows factsOf(const Steps& steps, const std::vector<std::string>& bodies, std::size_t place) const {
+    const AssembledProduct& product = content_.product;
+    Rows rows{{say("Full name"), namesOf(bodies)}};
+    const auto motionOf = [&](const AssemblyStep& step) { return Texts{plain_.motion(step, PlanOrder::Assembly)}; };
+    addRows(
+        say("Work"), steps, [&](const AssemblyStep& step) { return workOf(step, steps.size()); }, rows);
+    addRows(say("Motion"), steps, motionOf, rows);
+    addRows(
+        say("Clearance"), steps, [&](const AssemblyStep& step) { return Texts{clearanceText(step)}; }, rows);
+    addRows(
+        say("Tool"), steps, [&](const AssemblyStep& step) { return Texts{plain_.tool(step, product)}; }, rows);
+    addRows(
+        say("To be held"), steps, [&](const AssemblyStep& step) { return Texts{plain_.standing(step, product)}; },
+        rows);
+    addRows(
+        say("Forced, although"), steps, [&](const AssemblyStep& step) { return plain_.violations(step, product); },
+        rows);
+    addRows(
+        say("Allowance"), steps, [&](const AssemblyStep& step) { return allowancesOf(step); }, rows);
+    if (content_.timing) {
+      double sum = 0.0;
+      for (std::size_t at = place; at < place + steps.size(); ++at) sum += content_.timing->times[at].total();
+      rows.push_back({say("Time"), secondsText(sum, plain_.words())});
+    }
+    addRows(
+        say("Found by"), steps, [](const AssemblyStep& step) { return Texts{step.method}; }, rows);
+    for (std::size_t at = place; at < place + steps.size(); ++at) {
+      const std::string text = checkTextAt(content_.plan.steps.size() - 1 - at);
+      if (rows.back().back() != text) rows.push_back({say("Check"), text});
+    }
+    return rows;
+  }
+
+  /// "4 times: screw in M3x8, 9.5 turns"; nothing where the motion says it.
+  Texts workOf(const AssemblyStep& step, std::size_t count) const {
+    const std::string work = plain_.work(step, content_.product, PlanOrder::Assembly);
+    if (work == plain_.motion(step, PlanOrder::Assembly)) return {};
+    return {count == 1 ? work : say("%1 times: %2", {std::to_string(count), work})};
+  }
+
+  Texts allowancesOf(const AssemblyStep& step) const {
+    const Texts allowances = plain_.allowances(step, content_.product);
+    return allowances.empty() ? Texts{say("none")} : allowances;
+  }
+
+  std::string checkTextAt(std::size_t step) const {
+    return checkText(step < content_.checks.size() ? content_.checks[step] : StepCheck::NotAsked);
   }
 
   std::string checkText(StepCheck check) const {

@@ -1750,6 +1750,14 @@
         <source>The selected bodies become the object, as one, from their present pose to &quot;out&quot;; what was the object and is not selected stays at its start</source>
         <translation>Les corps sélectionnés deviennent l&apos;objet, ensemble, de leur position actuelle à «&#xa0;dehors&#xa0;»&#xa0;; ce qui était l&apos;objet et n&apos;est pas sélectionné reste à son départ</translation>
     </message>
+    <message>
+        <source>&amp;Times of the assembly</source>
+        <translation>&amp;Temps de l&apos;assemblage</translation>
+    </message>
+    <message>
+        <source>Show how long the steps take, the longest chain, and how stations of a line divide them</source>
+        <translation>Montrer la durée des étapes, la chaîne la plus longue et leur répartition sur les postes d&apos;une ligne</translation>
+    </message>
 </context>
 <context>
     <name>Arranging</name>
@@ -11118,6 +11126,56 @@
     <message>
         <source>; a closer surface takes too much memory: the volume may be more than %1 % too large</source>
         <translation> ; une surface plus proche demande trop de mémoire : le volume peut être trop grand de plus de %1 %</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::TimesController</name>
+    <message>
+        <source>Dividing the work</source>
+        <translation>Répartition du travail</translation>
+    </message>
+    <message>
+        <source>The work cannot be divided</source>
+        <translation>Le travail ne peut pas être réparti</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::TimesView</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>One person needs %1. The longest chain of steps takes %2: no number of people is faster.</source>
+        <translation>Une personne a besoin de %1. La chaîne d&apos;étapes la plus longue dure %2 : aucun nombre de personnes n&apos;est plus rapide.</translation>
+    </message>
+    <message>
+        <source>A product leaves the line every %1. No division is faster than %2. People work %3 % of the time.</source>
+        <translation>Un produit quitte la ligne toutes les %1. Aucune répartition n&apos;est plus rapide que %2. Les personnes travaillent %3 % du temps.</translation>
+    </message>
+    <message>
+        <source>The times are estimates and were not measured.</source>
+        <translation>Les temps sont des estimations et n&apos;ont pas été mesurés.</translation>
+    </message>
+    <message>
+        <source>Times of the assembly</source>
+        <translation>Temps de l&apos;assemblage</translation>
+    </message>
+    <message>
+        <source>Stations of the line, one person each; the product passes them in order</source>
+        <translation>Postes de la ligne, une personne chacun ; le produit les passe dans l&apos;ordre</translation>
+    </message>
+    <message>
+        <source>A bar for each station with the numbers of its steps</source>
+        <translation>Une barre par poste avec les numéros de ses étapes</translation>
+    </message>
+    <message>
+        <source>&amp;Stations</source>
+        <translation>&amp;Postes</translation>
+    </message>
+    <message>
+        <source>There is no assembly plan.</source>
+        <translation>Il n&apos;y a pas de plan d&apos;assemblage.</translation>
     </message>
 </context>
 <context>

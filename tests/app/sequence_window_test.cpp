@@ -30,6 +30,12 @@ TEST_F(SequenceWindow, AProductIsPlannedPlayedAndExploded) {
   EXPECT_GT(difference(QImage(file("step.png")), QImage(file("exploded.png"))).share, 0.01);
 }
 
+TEST_F(SequenceWindow, TimesFollowThePlanAndTheNumberOfStations) {
+  expectGood(
+      runOnStand(QStringLiteral("times 3\nexpect-times stations 0\nplan-sequence all\nexpect-times stations 3\n"
+                                "times 1\nexpect-times stations 1\n")));
+}
+
 TEST_F(SequenceWindow, WhatWasFoundIsKeptWhenPlanningIsStoppedAndGoesOn) {
   expectGood(runOnStand(
       QStringLiteral("plan-sequence 4\nexpect-sequence end interrupted\nexpect-sequence steps 4\nexport-sequence %1\n"

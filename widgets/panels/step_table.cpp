@@ -180,8 +180,10 @@ void StepTable::addStep(std::size_t place) {
   row->setTextAlignment(StepNumber, Qt::AlignRight | Qt::AlignVCenter);
   setIcon(*row, step.body);
   const QString motion = QString::fromStdString(words.motion(step, order_));
-  row->setText(StepPart, twoLines(QString::fromStdString(nameOfStep(step, *shown_.product)), motion));
-  row->setToolTip(StepPart, twoLines(allNames(step.bodies()), motion));
+  const QString work = QString::fromStdString(words.work(step, *shown_.product, order_));
+  row->setText(StepPart, twoLines(QString::fromStdString(nameOfStep(step, *shown_.product)), work));
+  const QString told = work == motion ? motion : twoLines(work, motion);
+  row->setToolTip(StepPart, twoLines(allNames(step.bodies()), told));
   const bool isNear = !step.proof.nearest.empty();
   row->setText(StepGaps, twoLines(isNear ? lengthText(step.proof.minClearance) : QStringLiteral("–"),
                                   largestAllowanceText(step)));

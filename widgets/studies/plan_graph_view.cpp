@@ -15,6 +15,14 @@ constexpr double kMostSide = 12000.0;  ///< pixels
 
 }  // namespace
 
+GraphColours graphColours(const QPalette& palette) {
+  GraphColours colours;
+  colours.ink = palette.color(QPalette::WindowText).name().toStdString();
+  colours.box = palette.color(QPalette::AlternateBase).name().toStdString();
+  colours.ground = palette.color(QPalette::Window).name().toStdString();
+  return colours;
+}
+
 QImage imageOfSvg(const std::string& svg, double scale) {
   QSvgRenderer renderer(QByteArray::fromStdString(svg));
   const QSizeF size = renderer.defaultSize();

@@ -2,8 +2,11 @@
 
 #include <QDialog>
 #include <QImage>
+#include <QPalette>
 
 #include <string>
+
+#include "engine/study/plan_graph.h"
 
 namespace glissade {
 
@@ -16,6 +19,9 @@ class PlanGraphView final : public QDialog {
 
   void setPicture(const std::string& svg);
 };
+
+/// Those of the window.
+GraphColours graphColours(const QPalette& palette);
 
 /// The SVG as pixels, so many for each of its units; smaller where it would have more than the side's most pixels.
 QImage imageOfSvg(const std::string& svg, double scale);

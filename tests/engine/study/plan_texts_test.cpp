@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "engine/study/parts_list.h"
 #include "engine/study/plan_graph.h"
 #include "engine/study/plan_table.h"
 #include "engine/study/report_html.h"
@@ -53,6 +54,38 @@ TEST(PlanWords, MotionsAreToldInTheOrderThatIsAskedFor) {
   EXPECT_EQ(english.motion(plan.steps[1], PlanOrder::Removal), "up (+Z), 250.0 mm, then +X, 100.0 mm");
   EXPECT_EQ(english.motion(plan.steps[1], PlanOrder::Assembly), "−X, 100.0 mm, then down (−Z), 250.0 mm");
   EXPECT_EQ(wordsIn(Language::French).motion(plan.steps[0], PlanOrder::Assembly), "bas (−Z), 500.0 mm");
+}
+
+TEST(PlanWords, TheBaseHasAReason) {
+  const AssembledProduct product = test::lockedDrawer();
+  AssemblyPlan plan = somePlan();
+  EXPECT_EQ(wordsIn(Language::English).base(plan, product), "cabinet (the largest part)");
+  plan.staying = {"drawer"};
+  EXPECT_EQ(wordsIn(Language::English).base(plan, product), "drawer (as a person says)");
+}
+
+TEST(PlanWords, AToolHasTheSizeOfTheHexagonThatItTurns) {
+  const AssembledProduct product = test::lockedDrawer();
+  AssemblyStep step = somePlan().steps[0];
+  step.tool.kind = ToolKind::HexKey;
+  EXPECT_EQ(wordsIn(Language::English).tool(step, product), "hex key");
+  step.joints.push_back({JointKind::Screw, "cap", {"pin"}});
+  step.joints.back().drive = DriveKind::HexSocket;
+  step.joints.back().driveSize = 0.00249998;
+  EXPECT_EQ(wordsIn(Language::English).tool(step, product), "hex key 2.5");
+  step.joints.back().driveSize = 0.013;
+  EXPECT_EQ(wordsIn(Language::English).tool(step, product), "hex key 13");
+  step.joints.back().drive = DriveKind::Cross;
+  EXPECT_EQ(wordsIn(Language::English).tool(step, product), "hex key") << "the width of a cross is no size";
+}
+
+TEST(PlanWords, WorkIsWhatIsDoneToJointsOrElseTheMotion) {
+  const AssembledProduct product = test::lockedDrawer();
+  AssemblyStep step = somePlan().steps[0];
+  const PlanWords english = wordsIn(Language::English);
+  EXPECT_EQ(english.work(step, product, PlanOrder::Assembly), english.motion(step, PlanOrder::Assembly));
+  step.joints.push_back({JointKind::Pin, "cap", {"pin"}});
+  EXPECT_EQ(english.work(step, product, PlanOrder::Assembly), "put into pin");
 }
 
 TEST(PlanWords, TurnsAndLongWaysAreSummedUp) {
@@ -158,6 +191,67 @@ TEST(WorkInstruction, IsWhollyInFrench) {
     const std::size_t body = page->find("<body>");
     EXPECT_EQ(page->find(word, body), std::string::npos) << word;
   }
+}
+
+/// Pin and cap come as one group, which is put together before.
+AssemblyPlan planWithASubassembly() {
+  AssemblyPlan plan = somePlan();
+  plan.stuck.clear();
+  AssemblyStep group = plan.steps[1];
+  group.body = "pin";
+  group.with = {"cap"};
+  AssemblyStep cap = plan.steps[0];
+  cap.joints.push_back({JointKind::Screw, "cap", {"pin"}});
+  cap.joints.back().designation = "ISO 4762 M3x8";
+  cap.joints.back().turns = 9.5;
+  plan.lines.push_back({1, {"pin", "cap"}, {"pin"}, {cap}});
+  plan.steps = {group};
+  return plan;
+}
+
+TEST(WorkInstruction, HasAPageForASubassemblyBeforeTheStepThatBringsIt) {
+  const AssembledProduct product = test::lockedDrawer();
+  const AssemblyPlan plan = planWithASubassembly();
+  const auto page =
+      reportHtml(workInstruction({plan, product, "drawer", 0.0, {}, "", "", {}}, wordsIn(Language::English)));
+  ASSERT_TRUE(page.ok());
+  const std::size_t own = page->find("Subassembly for step 1");
+  ASSERT_NE(own, std::string::npos);
+  EXPECT_LT(own, page->find("Step 1 of 1"));
+  EXPECT_NE(page->find("screw in ISO 4762 M3x8, 9.5 turns", own), std::string::npos);
+  EXPECT_NE(page->find(">1.1<", own), std::string::npos) << "the number of the step";
+}
+
+TEST(WorkInstruction, StepsOfOneTaskAreOnePage) {
+  const AssembledProduct product = test::lockedDrawer();
+  AssemblyPlan plan = somePlan();
+  plan.stuck.clear();
+  for (AssemblyStep& step : plan.steps) {
+    step.task = 1;
+    step.joints.push_back({JointKind::Screw, step.body, {"cabinet"}});
+    step.joints.back().designation = "M3x8";
+    step.joints.back().turns = 9.5;
+  }
+  const auto page =
+      reportHtml(workInstruction({plan, product, "drawer", 0.0, {}, "", "", {}}, wordsIn(Language::English)));
+  ASSERT_TRUE(page.ok());
+  EXPECT_NE(page->find("Steps 1 to 2 of 2: 2 × pin"), std::string::npos);
+  EXPECT_EQ(countOf("2 times: screw in M3x8, 9.5 turns", *page), 1U);
+  EXPECT_EQ(page->find("Step 2 of 2"), std::string::npos);
+}
+
+TEST(PartsList, FastenersOfOneDesignationAreOneRowBehindTheParts) {
+  AssembledProduct product = test::lockedDrawer();
+  AssemblyPlan plan = planWithASubassembly();
+  AssemblyStep& group = plan.steps.front();
+  group.joints = plan.lines.front().steps.front().joints;
+  group.joints.front().body = "pin";
+  const std::vector<PartsListRow> rows = partsList(plan, product);
+  ASSERT_EQ(rows.size(), 3U) << "drawer, cabinet, pin and cap";
+  EXPECT_EQ(rows.back().designation, "ISO 4762 M3x8");
+  EXPECT_EQ(rows.back().count, 2U);
+  EXPECT_EQ(rows.back().steps, std::vector<std::size_t>{1}) << "both come by one step";
+  EXPECT_EQ(std::count_if(rows.begin(), rows.end(), [](const PartsListRow& row) { return row.hasBase; }), 1);
 }
 
 TEST(WorkInstruction, SaysTimesAndTheLine) {

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "app/window/sequence_controller.h"
+#include "app/window/workbench.h"
+
+namespace glissade {
+
+class TimesView;
+
+/// How long the plan that is shown takes people, in a window of its own. It follows the plan while it is open; the
+/// division over stations is found in the background.
+class TimesController final : public QObject {
+  Q_OBJECT
+
+ public:
+  TimesController(const Workbench& bench, const SequenceController& sequence);
+
+ private:
+  void show();
+  void update();
+  void enableAction();
+  void addCommands();
+
+  const Workbench& bench_;
+  const SequenceController& sequence_;
+  TimesView* view_ = nullptr;
+};
+
+}  // namespace glissade

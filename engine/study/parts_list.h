@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/product/assembled_product.h"
+#include "engine/sequence/assembly_plan.h"
+
+namespace glissade {
+
+/// Parts of one kind.
+struct PartsListRow {
+  std::string name;           ///< without the number that tells two of one name apart
+  std::string designation{};  ///< of fasteners, as their joints have it; empty: none
+  std::size_t count = 0;
+  bool hasBase = false;              ///< one of them stays
+  std::size_t withoutStep = 0;       ///< parts of which no step is known, the base excepted
+  std::vector<std::size_t> steps{};  ///< by which they come, in the order of assembly, from 1; ascending, each once
+};
+
+/// What a plan is made of: fasteners of one designation are one row, and so are other parts of one geometry and name.
+/// Parts come first, fasteners by their designation behind them. Precondition: the plan is about the product.
+std::vector<PartsListRow> partsList(const AssemblyPlan& plan, const AssembledProduct& product);
+
+}  // namespace glissade

@@ -1,0 +1,70 @@
+#include "engine/study/times_section.h"
+
+#include <iomanip>
+#include <sstream>
+
+namespace glissade {
+namespace {
+
+/// A bar for each station.
+Plot loadPlot(const LineBalance& line, const StudyWords& words) {
+  constexpr double kBarShare = 0.6;
+  Plot plot;
+  plot.name = "station_load";
+  plot.title = words("Work of each station");
+  plot.kind = PlotKind::Bars;
+  std::vector<std::string> names;
+  for (std::size_t s = 0; s < line.load.size(); ++s) names.push_back(std::to_string(s + 1));
+  plot.x = PlotScale::categories(words("Station"), names);
+  std::vector<double> values = line.load;
+  values.push_back(0.0);
+  plot.y = PlotScale::linear(words("seconds"), values);
+  plot.barWidth = kBarShare / static_cast<double>(line.load.size());
+  PlotSeries series;
+  for (std::size_t s = 0; s < line.load.size(); ++s) {
+    const double load = line.load[s];
+    series.points.push_back({static_cast<double>(s), load, load, load, "", secondsText(load, words), std::nullopt});
+  }
+  plot.series.push_back(std::move(series));
+  return plot;
+}
+
+void addLine(const PlanTiming& timing, const StudyWords& words, StudyReport& report) {
+  const LineBalance& line = *timing.line;
+  report.blocks.emplace_back(ReportHeading{words("Line of %1 stations", {std::to_string(line.load.size())}), 3});
+  report.blocks.emplace_back(ReportText{words("A product leaves the line every %1. No division is faster than %2.",
+                                              {secondsText(line.cycle, words), secondsText(line.least, words)})});
+  ReportTable table{"",
+                    {{words("Station"), ReportColumn::Kind::Number},
+                     {words("Time"), ReportColumn::Kind::Number},
+                     {words("Steps"), ReportColumn::Kind::Prose}},
+                    {}};
+  for (std::size_t s = 0; s < line.load.size(); ++s) {
+    table.rows.push_back({std::to_string(s + 1), secondsText(line.load[s], words), numbersText(timing.stepsAt(s))});
+  }
+  report.blocks.emplace_back(std::move(table));
+  report.blocks.emplace_back(loadPlot(line, words));
+}
+
+}  // namespace
+
+std::string secondsText(double seconds, const StudyWords& words) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1) << seconds;
+  return words("%1 s", {text.str()});
+}
+
+void addTimesSection(const PlanTiming& timing, const StudyWords& words, StudyReport& report) {
+  report.blocks.emplace_back(ReportHeading{words("Times"), 2, true});
+  report.blocks.emplace_back(ReportText{
+      words("The times are estimates of the size of tables for manual assembly (Boothroyd, Dewhurst and Knight 2011). "
+            "They were not measured.")});
+  report.blocks.emplace_back(ReportTable{"",
+                                         {{"", ReportColumn::Kind::Text}, {"", ReportColumn::Kind::Prose}},
+                                         {{words("One person"), secondsText(timing.sum(), words)},
+                                          {words("Longest chain"), secondsText(timing.chainSeconds(), words)},
+                                          {words("Steps of the longest chain"), numbersText(timing.chain)}}});
+  if (timing.line) addLine(timing, words, report);
+}
+
+}  // namespace glissade

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "engine/study/plan_timing.h"
+#include "engine/study/study_report.h"
+#include "engine/study/study_words.h"
+
+namespace glissade {
+
+/// "12.3 s"
+std::string secondsText(double seconds, const StudyWords& words);
+
+/// Adds how long the work takes, the longest chain, and, where there is a line, its stations with a bar for each.
+void addTimesSection(const PlanTiming& timing, const StudyWords& words, StudyReport& report);
+
+}  // namespace glissade
