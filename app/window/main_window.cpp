@@ -17,6 +17,7 @@
 #include "app/window/fits_controller.h"
 #include "app/window/help_controller.h"
 #include "app/window/icons.h"
+#include "app/window/joints_controller.h"
 #include "app/window/kept_paths_controller.h"
 #include "app/window/keyboard_steering.h"
 #include "app/window/log_controller.h"
@@ -88,6 +89,7 @@ void MainWindow::addParts() {
   connect(views_, &NamedViewsController::cameraMoved, view, &ViewController::publishOperatorFrame);
   new NavigationController(bench_);
   auto* fits = new FitsController(bench_);
+  auto* joints = new JointsController(bench_);
   auto* environment = new EnvironmentController(bench_);
   auto* parts = new PartImport(bench_);
   auto* assembly = new AssemblyController(bench_, *parts);
@@ -126,6 +128,8 @@ void MainWindow::addParts() {
   docks_.add({tr("Semantics"), "semantics", environment->semanticsPanel(), DockPlace::UpperRight, "panel.semantics",
               Scrolling::Own});
   docks_.add({tr("Fits"), "fits", fits->panel(), DockPlace::UpperRight, "panel.fits", Scrolling::Own});
+  docks_.add({tr("Joints"), "joints", joints->panel(), DockPlace::UpperRight, "panel.joints", Scrolling::Own,
+              [joints] { return joints->panel()->table() != nullptr; }});
   docks_.add({tr("Section"), "section", sections->panel(), DockPlace::UpperRight, "panel.section"});
   docks_.add({tr("Run"), "run", run->countsPanel(), DockPlace::LowerRight, "panel.run"});
   docks_.add({tr("Plan"), "plan", environment->planPanel(), DockPlace::LowerRight, "panel.plan", Scrolling::Own});

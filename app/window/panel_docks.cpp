@@ -72,6 +72,20 @@ QList<QDockWidget*> docksInOrder(const QMainWindow& window) {
   return docks;
 }
 
+void makeRoomForTable(QWidget& panel, QMainWindow& window) {
+  constexpr int kWidth = 455;
+  constexpr double kHeight = 0.57;  // of the window
+  constexpr const char* kHasRoom = "has-room";
+  QWidget* widget = &panel;
+  while (widget != nullptr && qobject_cast<QDockWidget*>(widget) == nullptr) widget = widget->parentWidget();
+  auto* dock = qobject_cast<QDockWidget*>(widget);
+  if (dock == nullptr || dock->isFloating() || dock->property(kHasRoom).toBool()) return;
+  dock->setProperty(kHasRoom, true);
+  const int height = static_cast<int>(kHeight * window.height());
+  window.resizeDocks({dock}, {std::max(dock->width(), kWidth)}, Qt::Horizontal);
+  window.resizeDocks({dock}, {std::max(dock->height(), height)}, Qt::Vertical);
+}
+
 void PanelDocks::add(const Panel& panel) {
   auto* dock = new QDockWidget(panel.title, &window_);
   dock->setObjectName(QLatin1String(panel.id));

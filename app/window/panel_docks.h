@@ -16,6 +16,10 @@ inline constexpr const char* kPanelNumber = "number";
 /// The docks in the order in which they were added.
 QList<QDockWidget*> docksInOrder(const QMainWindow& window);
 
+/// Makes the dock of a panel large enough for a table of some rows with buttons, unless it floats. Once for each panel:
+/// afterwards its size is the person's.
+void makeRoomForTable(QWidget& panel, QMainWindow& window);
+
 /// Where a panel is at first. Panels of one place share it as tabs, in the order in which they were added.
 enum class DockPlace { Left, UpperRight, LowerRight };
 

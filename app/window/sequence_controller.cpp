@@ -1,6 +1,5 @@
 #include "app/window/sequence_controller.h"
 
-#include <QDockWidget>
 #include <QFileInfo>
 #include <QScopedValueRollback>
 
@@ -8,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/window/panel_docks.h"
 #include "app/window/sequence_output.h"
 #include "app/window/sequence_script.h"
 #include "engine/scenario/plan_file.h"
@@ -110,10 +110,12 @@ void SequenceController::toggleStays() {
 }
 
 void SequenceController::plan(bool resume, std::optional<std::size_t> mostSteps) {
-  const ScenarioPtr& scenario = bench_.document.scenario();
-  if (!scenario) return;
-  bench_.actions["panel.sequence"]->trigger();
-  makeRoom();
+  if (!bench_.document.scenario()) return;
+  bringToFront();
+  startPlanning(resume, mostSteps);
+}
+
+void SequenceController::startPlanning(bool resume, std::optional<std::size_t> mostSteps) {
   const bool goesOn = resume && shown().plan && shown().product;
   SequenceJob job;
   job.product = goesOn ? shown().product : presentProduct();
@@ -129,6 +131,7 @@ void SequenceController::plan(bool resume, std::optional<std::size_t> mostSteps)
     return;
   }
   job.staying = *staying;
+  job.classes = classesOf(*bench_.document.edits(), job.product->bodies);
   job.seed = bench_.document.settings().seed;
   job.mostSteps = mostSteps;
   job.strategy = kUsualStrategy;
@@ -215,7 +218,8 @@ void SequenceController::followDocument(Changes what) {
 }
 
 /// A plan holds for one arrangement: where bodies have moved it is judged again, where they are others it is gone. That
-/// of a scenario that is opened is judged, too.
+/// of a scenario that is opened is judged, too. Where the product is the same and a person says other things of its
+/// joints, it is planned anew.
 void SequenceController::followArrangement(bool another) {
   planner_.drop();
   panel_->setCost(bench_.document.demands().cost);
@@ -230,6 +234,9 @@ void SequenceController::followArrangement(bool another) {
     return;
   } else if (const auto known = rememberedPlan(product)) {
     keepPlan(*known);
+    return;
+  } else if (product == shown().product && knowsOtherDemands()) {
+    followDemands();
     return;
   } else {
     keepPlan({product, shown().plan ? planOf(*product, shown().plan) : nullptr, false, shown().foundAfter, {}});
@@ -248,7 +255,7 @@ void SequenceController::followDemands() {
     panel_->chooseBody(chosen);
   } else {
     chosenLater_ = chosen;
-    plan(false);
+    startPlanning(false, std::nullopt);
   }
 }
 
@@ -310,16 +317,9 @@ bool SequenceController::isEditable() const {
   return shown().plan && shown().product && !shown().plan->bodies.empty() && !planner_.isPlanning() && !shown().growing;
 }
 
-void SequenceController::makeRoom() {
-  constexpr int kWidth = 455;
-  constexpr double kHeight = 0.57;  // of the window
-  QWidget* widget = panel_;
-  while (widget != nullptr && qobject_cast<QDockWidget*>(widget) == nullptr) widget = widget->parentWidget();
-  auto* dock = qobject_cast<QDockWidget*>(widget);
-  if (dock == nullptr || dock->isFloating() || std::exchange(hasRoom_, true)) return;
-  const int height = static_cast<int>(kHeight * bench_.window.height());
-  bench_.window.resizeDocks({dock}, {std::max(dock->width(), kWidth)}, Qt::Horizontal);
-  bench_.window.resizeDocks({dock}, {std::max(dock->height(), height)}, Qt::Vertical);
+void SequenceController::bringToFront() {
+  bench_.actions["panel.sequence"]->trigger();
+  makeRoomForTable(*panel_, bench_.window);
 }
 
 std::optional<Diagnostic> SequenceController::open(const QString& file) {
@@ -338,8 +338,7 @@ std::optional<Diagnostic> SequenceController::open(const QString& file) {
     return checkSameBodies(*plan, ids, name).error();
   }
   planner_.drop();
-  bench_.actions["panel.sequence"]->trigger();
-  makeRoom();
+  bringToFront();
   keepPlan({product, ours, false, {}, {}});
   adoptDemands(*ours);
   planner_.judge(product, shown().plan, bench_.work.isAtOnce());

@@ -70,8 +70,10 @@ class SequenceController final : public QObject {
   /// A plan of this product and these demands; nothing where there was none.
   std::optional<ShownPlan> rememberedPlan(const ProductPtr& product) const;
   void remember();
-  /// The dock is made large enough for the table, once.
-  void makeRoom();
+  /// The panel, with a dock that is large enough for the table.
+  void bringToFront();
+  /// As plan(), wherever the panel is.
+  void startPlanning(bool resume, std::optional<std::size_t> mostSteps);
   void takeGrown(const GrownPlan& grown, bool growing);
   void setPlan(const ShownPlan& shown);
   /// Shows the plan, and the document has it: it is saved with the scenario.
@@ -99,7 +101,6 @@ class SequenceController final : public QObject {
   std::string chosenLater_;        ///< id; empty: the row stays
   bool adopting_ = false;
   std::optional<SequenceDemands> knownDemands_;  ///< with what classes and attributes say; nothing: they are wrong
-  bool hasRoom_ = false;
   SequenceEdits* edits_;
   SequenceHand* hand_;
 };

@@ -68,7 +68,8 @@ QString styleSheetFrom(const Tones& tones) {
              "#welcome QToolButton:focus, #tour QToolButton:focus { border: 1px solid %4; }"
              "#tour { background: %1; border: 1px solid %2; border-top: 4px solid %4; border-radius: 4px; }"
              "QTreeWidget { border: none; }"
-             "QTreeView::indicator:unchecked { width: 11px; height: 11px; border: 1px solid %5; border-radius: 2px; }"
+             "QTreeView::indicator:unchecked, #joint QListView::indicator:unchecked { width: 11px; height: 11px; "
+             "border: 1px solid %5; border-radius: 2px; }"
              "#attributes { background: %1; }"  // as behind other editors: on their own colour they have no edge
              "QLabel#authority { font-weight: 600; }"
              "#scene-hint { background: %1; border: 1px solid %2; border-radius: 4px; }"
@@ -79,11 +80,14 @@ QString styleSheetFrom(const Tones& tones) {
              "#arrange-bar QToolButton:focus { border: 1px solid %4; }"
              "#notice QToolButton, #preferences QToolButton { border: 1px solid %2; background: %3; }"
              "#notice QToolButton:focus, #preferences QToolButton:focus { border: 1px solid %4; }"
-             "#calibration QCheckBox::indicator, #attributes QCheckBox::indicator { width: 13px; height: 13px; "
+             "#calibration QCheckBox::indicator, #joint QCheckBox::indicator, #attributes QCheckBox::indicator { "
+             "width: 13px; height: 13px; "
              "border: 1px solid %5; border-radius: 2px; }"
-             "#calibration QCheckBox::indicator:focus, #attributes QCheckBox::indicator:focus "
+             "#calibration QCheckBox::indicator:focus, #joint QCheckBox::indicator:focus, #attributes "
+             "QCheckBox::indicator:focus "
              "{ border: 2px solid %4; }"
-             "#calibration QCheckBox::indicator:checked, #attributes QCheckBox::indicator:checked "
+             "#calibration QCheckBox::indicator:checked, #joint QCheckBox::indicator:checked, #attributes "
+             "QCheckBox::indicator:checked "
              "{ background: %4; border-color: %4; }"
              "#attributes QCheckBox::indicator:indeterminate { background: %5; }")
       .arg(tones.window.name(), tones.border.name(), tones.button.name(), tones.highlight.name(), tones.faint.name());

@@ -44,6 +44,10 @@ const std::vector<PartHelp>& panelHelp() {
        QT_TRANSLATE_NOOP("WhatsThis",
                          "The pairs of bodies that touch or overlap as designed, with their kind and the allowance "
                          "that planning takes. The menu of a row accepts a clash or marks a thread.")},
+      {"joints",
+       QT_TRANSLATE_NOOP("WhatsThis",
+                         "How the bodies are joined: screws, nuts, inserts, pins, units. The menu of a row confirms or "
+                         "dissolves joints. Assembly plans keep to them.")},
       {"section", QT_TRANSLATE_NOOP(
                       "WhatsThis",
                       "Planes that cut bodies open in the view: across an axis, or along a face. Arrows in the scene "
@@ -104,6 +108,15 @@ const std::vector<ColumnHelp>& columnHelp() {
         QT_TRANSLATE_NOOP("WhatsThis", "The second body of the pair."),
         QT_TRANSLATE_NOOP("WhatsThis", "By how much the object is taken thinner against the other body."),
         QT_TRANSLATE_NOOP("WhatsThis", "What was decided about the pair.")}},
+      {"joints-table",
+       {QT_TRANSLATE_NOOP("WhatsThis",
+                          "How they are joined: screw, nut, insert, pin, snap, flexible, permanent, unit."),
+        QT_TRANSLATE_NOOP("WhatsThis", "The body that leaves: the screw, the nut, the insert, the pin."),
+        QT_TRANSLATE_NOOP("WhatsThis", "What it is joined with, and what it clamps."),
+        QT_TRANSLATE_NOOP("WhatsThis", "The designation or the size of the thread, and the turns until it is free."),
+        QT_TRANSLATE_NOOP("WhatsThis",
+                          "Who says so: recognised by shape, suggested by name or class, or decided by you. A (?) "
+                          "marks what is doubtful.")}},
       {"steps",
        {QT_TRANSLATE_NOOP("WhatsThis", "The place that the step crosses."),
         QT_TRANSLATE_NOOP("WhatsThis", "The place that it leads to."),

@@ -42,6 +42,14 @@ void dropFitsOf(const std::string& bodyId, Scenario& scenario) {
                 [&](const FitEdit& edit) { return bodyIdOf(edit.a) == bodyId || bodyIdOf(edit.b) == bodyId; });
 }
 
+void dropJointsOf(const std::string& bodyId, Scenario& scenario) {
+  const auto isOfBody = [&](const std::string& id) { return bodyIdOf(id) == bodyId; };
+  std::erase_if(scenario.joints, [&](const JointEdit& edit) {
+    return isOfBody(edit.key.body) || std::any_of(edit.key.others.begin(), edit.key.others.end(), isOfBody);
+  });
+  for (JointEdit& edit : scenario.joints) std::erase_if(edit.clamped, isOfBody);
+}
+
 /// From the frame of an object's geometry to that about its reference point.
 Pose toReferencePoint(const ObjectDescription& object, const ObjectGeometry& geometry) {
   return Pose::translation(referencePointOf(object, geometry));
@@ -112,6 +120,7 @@ Outcome place(const AssemblyItem& item, const Pose& X_WB, Scenario& scenario) {
 Outcome removeBody(const std::string& bodyId, Scenario& scenario) {
   if (!taken(bodyId, scenario.bodies)) return noSuchBody(bodyId);
   dropFitsOf(bodyId, scenario);
+  dropJointsOf(bodyId, scenario);
   dropUnknownNodes(scenario);
   dropUnusedAssets(scenario);
   return Done{};
@@ -124,6 +133,7 @@ Outcome leaveOut(const std::string& bodyId, Scenario& scenario) {
   auto body = taken(bodyId, scenario.bodies);
   if (!body) return noSuchBody(bodyId);
   dropFitsOf(bodyId, scenario);
+  dropJointsOf(bodyId, scenario);
   scenario.leftOut.push_back(std::move(*body));
   return Done{};
 }
@@ -196,6 +206,7 @@ void takeAssembly(const Scenario& from, Scenario& to) {
   to.wayPoints = from.wayPoints;
   to.rules = from.rules;
   to.fits = from.fits;
+  to.joints = from.joints;
   setSemanticEdits(semanticEditsOf(from), to);
 }
 

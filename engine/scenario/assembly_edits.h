@@ -24,10 +24,10 @@ std::optional<Pose> poseOf(const Scenario& scenario, const AssemblyItem& item);
 /// Puts it there. Errors (here and below): Usage, there is no such body, or it cannot be.
 Outcome place(const AssemblyItem& item, const Pose& X_WB, Scenario& scenario);
 
-/// Takes a body out, with the assets that nothing else uses and what was said about its fits.
+/// Takes a body out, with the assets that nothing else uses and what was said about its fits and joints.
 Outcome removeBody(const std::string& bodyId, Scenario& scenario);
 
-/// The body stays in the scenario and is not there: what was said about its fits goes. And back.
+/// The body stays in the scenario and is not there: what was said about its fits and joints goes. And back.
 Outcome leaveOut(const std::string& bodyId, Scenario& scenario);
 Outcome putBack(const std::string& bodyId, Scenario& scenario);
 
@@ -58,8 +58,8 @@ Box3 fittingWorkspace(const LoadedScenario& loaded);
 /// The object is made of these bodies of the scenario, in any order.
 bool isObject(const std::vector<std::string>& bodyIds, const Scenario& scenario);
 
-/// Takes over what is edited step by step: the assembly, semantic attributes, the rules of strategy "own", fits. The
-/// rest (planner, parameters, seed, environment) stays as it is.
+/// Takes over what is edited step by step: the assembly, semantic attributes, the rules of strategy "own", fits,
+/// joints. The rest (planner, parameters, seed, environment) stays as it is.
 void takeAssembly(const Scenario& from, Scenario& to);
 
 }  // namespace glissade

@@ -71,6 +71,10 @@
         <source>CAD files often hold variants of a part that are drawn over each other. One is built, the others are left out. Proofs are about the product without them.</source>
         <translation>Les fichiers de CAO contiennent souvent des variantes d&apos;une pièce dessinées l&apos;une sur l&apos;autre. Une seule est construite, les autres sont écartées. Les preuves portent sur le produit sans elles.</translation>
     </message>
+    <message>
+        <source>Screws, nuts, inserts, pins and rolling bearings are recognised by their shapes. Belts, clips, what is glued, and purchased units are suggested and count when you confirm them.</source>
+        <translation>Les vis, écrous, inserts, goupilles et roulements sont reconnus à leur forme. Les courroies, les clips, ce qui est collé et les unités achetées sont proposés et comptent quand vous les confirmez.</translation>
+    </message>
 </context>
 <context>
     <name>Actions</name>
@@ -1757,6 +1761,110 @@
     <message>
         <source>Show how long the steps take, the longest chain, and how stations of a line divide them</source>
         <translation>Montrer la durée des étapes, la chaîne la plus longue et leur répartition sur les postes d&apos;une ligne</translation>
+    </message>
+    <message>
+        <source>Confirm</source>
+        <translation>Confirmer</translation>
+    </message>
+    <message>
+        <source>Confirm all</source>
+        <translation>Tout confirmer</translation>
+    </message>
+    <message>
+        <source>Dissolve</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Make...</source>
+        <translation>Créer...</translation>
+    </message>
+    <message>
+        <source>Find &amp;joints</source>
+        <translation>Chercher les &amp;liaisons</translation>
+    </message>
+    <message>
+        <source>List how the bodies are joined: screws, nuts, inserts, pins, units</source>
+        <translation>Lister comment les corps sont liés&#xa0;: vis, écrous, inserts, goupilles, unités</translation>
+    </message>
+    <message>
+        <source>&amp;Isolate the bodies of the joint</source>
+        <translation>&amp;Isoler les corps de la liaison</translation>
+    </message>
+    <message>
+        <source>Draw the bodies of the chosen joints and no other obstacles</source>
+        <translation>N&apos;afficher que les corps des liaisons choisies, sans les autres obstacles</translation>
+    </message>
+    <message>
+        <source>&amp;Confirm the joint</source>
+        <translation>&amp;Confirmer la liaison</translation>
+    </message>
+    <message>
+        <source>The chosen joints are there as they were found; assembly plans keep to them</source>
+        <translation>Les liaisons choisies existent telles qu&apos;elles ont été trouvées&#xa0;; les plans d&apos;assemblage les respectent</translation>
+    </message>
+    <message>
+        <source>Confirm &amp;all suggested joints</source>
+        <translation>Confirmer les liaisons &amp;proposées</translation>
+    </message>
+    <message>
+        <source>All joints that are only suggested are there</source>
+        <translation>Toutes les liaisons qui ne sont que proposées existent</translation>
+    </message>
+    <message>
+        <source>&amp;Dissolve the joint</source>
+        <translation>&amp;Supprimer la liaison</translation>
+    </message>
+    <message>
+        <source>The chosen joints are not there; assembly plans ignore them</source>
+        <translation>Les liaisons choisies n&apos;existent pas&#xa0;; les plans d&apos;assemblage les ignorent</translation>
+    </message>
+    <message>
+        <source>&amp;Press the insert out</source>
+        <translation>C&amp;hasser l&apos;insert</translation>
+    </message>
+    <message>
+        <source>The chosen inserts come out of their hosts along their axes</source>
+        <translation>Les inserts choisis sortent de leur logement le long de leur axe</translation>
+    </message>
+    <message>
+        <source>&amp;Open the unit</source>
+        <translation>&amp;Ouvrir l&apos;unité</translation>
+    </message>
+    <message>
+        <source>The bodies of the chosen units are taken apart</source>
+        <translation>Les corps des unités choisies se démontent</translation>
+    </message>
+    <message>
+        <source>&amp;Use the joint as found</source>
+        <translation>&amp;Utiliser la liaison trouvée</translation>
+    </message>
+    <message>
+        <source>Undo the decision about the chosen joints</source>
+        <translation>Annuler la décision sur les liaisons choisies</translation>
+    </message>
+    <message>
+        <source>C&amp;hange the joint...</source>
+        <translation>&amp;Modifier la liaison...</translation>
+    </message>
+    <message>
+        <source>Give the chosen joint another kind, direction, thread or bend</source>
+        <translation>Donner à la liaison choisie un autre type, une autre direction, un autre filetage ou une autre flexion</translation>
+    </message>
+    <message>
+        <source>&amp;Make a joint...</source>
+        <translation>C&amp;réer une liaison...</translation>
+    </message>
+    <message>
+        <source>Join the selected bodies; find the joints first</source>
+        <translation>Lier les corps sélectionnés&#xa0;; cherchez d&apos;abord les liaisons</translation>
+    </message>
+    <message>
+        <source>&amp;Joints panel</source>
+        <translation>Panneau &amp;Liaisons</translation>
+    </message>
+    <message>
+        <source>Bring the table of joints to the front</source>
+        <translation>Mettre le tableau des liaisons au premier plan</translation>
     </message>
 </context>
 <context>
@@ -5882,6 +5990,150 @@
         <source>Dissolve or change one of them.</source>
         <translation>Supprimez ou changez l&apos;une d&apos;elles.</translation>
     </message>
+    <message>
+        <source>a person says so</source>
+        <translation>une personne le dit</translation>
+    </message>
+    <message>
+        <source>a person says that it is pressed out</source>
+        <translation>une personne dit qu&apos;il se chasse</translation>
+    </message>
+    <message>
+        <source>a shaft of %1 with a head</source>
+        <translation>un fût de %1 avec une tête</translation>
+    </message>
+    <message>
+        <source>a shaft of %1 with a recess</source>
+        <translation>un fût de %1 avec une empreinte</translation>
+    </message>
+    <message>
+        <source>the shaft is thicker than the hole</source>
+        <translation>le fût est plus gros que le trou</translation>
+    </message>
+    <message>
+        <source>a nut is on the shaft</source>
+        <translation>un écrou est sur le fût</translation>
+    </message>
+    <message>
+        <source>the hole is as wide as the shaft, and the farthest from the head</source>
+        <translation>le trou est aussi large que le fût, et le plus éloigné de la tête</translation>
+    </message>
+    <message>
+        <source>the hole is the narrowest, and the farthest from the head</source>
+        <translation>le trou est le plus étroit, et le plus éloigné de la tête</translation>
+    </message>
+    <message>
+        <source>the nut is free to be turned</source>
+        <translation>l&apos;écrou peut tourner librement</translation>
+    </message>
+    <message>
+        <source>a nut with a hole of %1</source>
+        <translation>un écrou avec un trou de %1</translation>
+    </message>
+    <message>
+        <source>a shaft is in the hole</source>
+        <translation>un arbre est dans le trou</translation>
+    </message>
+    <message>
+        <source>a ring in a hole</source>
+        <translation>une bague dans un trou</translation>
+    </message>
+    <message>
+        <source>it is %1 thicker than its hole</source>
+        <translation>plus gros de %1 que son trou</translation>
+    </message>
+    <message>
+        <source>it is as wide as its hole</source>
+        <translation>aussi large que son trou</translation>
+    </message>
+    <message>
+        <source>a thread is in it</source>
+        <translation>un filetage s&apos;y trouve</translation>
+    </message>
+    <message>
+        <source>a pin in a hole</source>
+        <translation>une goupille dans un trou</translation>
+    </message>
+    <message>
+        <source>a shaft of %1 in a hole</source>
+        <translation>un arbre de %1 dans un trou</translation>
+    </message>
+    <message>
+        <source>two rings with %1 balls between them</source>
+        <translation>deux bagues séparées par %1 billes</translation>
+    </message>
+    <message>
+        <source>two rings with %1 rollers between them</source>
+        <translation>deux bagues séparées par %1 rouleaux</translation>
+    </message>
+    <message>
+        <source>the name says &apos;%1&apos;</source>
+        <translation>le nom dit «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>the name says a thread of %1, the shape is %2</source>
+        <translation>le nom dit un filetage de %1, la forme a %2</translation>
+    </message>
+    <message>
+        <source>the name says the drive &apos;%1&apos;, the shape is &apos;%2&apos;</source>
+        <translation>le nom dit l&apos;empreinte «&#xa0;%1&#xa0;», la forme a «&#xa0;%2&#xa0;»</translation>
+    </message>
+    <message>
+        <source>the name says a drive of %1, the shape has %2</source>
+        <translation>le nom dit une empreinte de %1, la forme a %2</translation>
+    </message>
+    <message>
+        <source>the drive is that of the name</source>
+        <translation>l&apos;empreinte est celle du nom</translation>
+    </message>
+    <message>
+        <source>the head has the proportions of ISO 4762</source>
+        <translation>la tête a les proportions de l&apos;ISO 4762</translation>
+    </message>
+    <message>
+        <source>the assembly is called &apos;%1&apos;</source>
+        <translation>l&apos;assemblage s&apos;appelle «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>its class is &apos;%1&apos;</source>
+        <translation>sa classe est «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>it is a ring of round section</source>
+        <translation>c&apos;est un anneau de section ronde</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; names a standard that is not known</source>
+        <translation>«&#xa0;%1&#xa0;» nomme une norme inconnue</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no designation of a standard part that is known</source>
+        <translation>«&#xa0;%1&#xa0;» n&apos;est la désignation d&apos;aucune pièce normalisée connue</translation>
+    </message>
+    <message>
+        <source>Give one as &apos;ISO 4762 M3x8&apos;, &apos;DIN 934 M5&apos; or &apos;M3x8 SHCS&apos;.</source>
+        <translation>Donnez-la comme «&#xa0;ISO 4762 M3x8&#xa0;», «&#xa0;DIN 934 M5&#xa0;» ou «&#xa0;M3x8 SHCS&#xa0;».</translation>
+    </message>
+    <message>
+        <source>joints hold each other in a circle: %1</source>
+        <translation>des liaisons se tiennent en cercle&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>a shaft of %1</source>
+        <translation>un fût de %1</translation>
+    </message>
+    <message>
+        <source>with a head</source>
+        <translation>avec une tête</translation>
+    </message>
+    <message>
+        <source>with a recess</source>
+        <translation>avec une empreinte</translation>
+    </message>
+    <message>
+        <source>two rings with %1 between them</source>
+        <translation>deux bagues séparées par %1</translation>
+    </message>
 </context>
 <context>
     <name>FilmWriter</name>
@@ -5915,6 +6167,117 @@
     <message>
         <source>&lt;h3&gt;Glissade %1&lt;/h3&gt;&lt;p&gt;A workbench for virtual assembly: certified motions, found by a planner and a person together.&lt;/p&gt;&lt;p&gt;N. Blin, M. Taïx, P. Fillatreau, J.-Y. Fourquet, &lt;i&gt;Tuning Interaction in Motion Planning with Contact&lt;/i&gt;, IEEE RO-MAN 2016.&lt;/p&gt;&lt;p&gt;S. Cailhol, P. Fillatreau, Y. Zhao, J.-Y. Fourquet, &lt;i&gt;Multi-layer path planning control for the simulation of manipulation tasks&lt;/i&gt;, RCIM 57, 2019.&lt;/p&gt;&lt;p&gt;BSD 3-Clause licence.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;Glissade %1&lt;/h3&gt;&lt;p&gt;Un établi pour l&apos;assemblage virtuel&#xa0;: des mouvements certifiés, trouvés ensemble par un planificateur et une personne.&lt;/p&gt;&lt;p&gt;N. Blin, M. Taïx, P. Fillatreau, J.-Y. Fourquet, &lt;i&gt;Tuning Interaction in Motion Planning with Contact&lt;/i&gt;, IEEE RO-MAN 2016.&lt;/p&gt;&lt;p&gt;S. Cailhol, P. Fillatreau, Y. Zhao, J.-Y. Fourquet, &lt;i&gt;Multi-layer path planning control for the simulation of manipulation tasks&lt;/i&gt;, RCIM 57, 2019.&lt;/p&gt;&lt;p&gt;Licence BSD à 3 clauses.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>Joints</name>
+    <message>
+        <source>%1 turns</source>
+        <translation>%1 tours</translation>
+    </message>
+    <message>
+        <source>screw</source>
+        <translation>vis</translation>
+    </message>
+    <message>
+        <source>nut</source>
+        <translation>écrou</translation>
+    </message>
+    <message>
+        <source>insert</source>
+        <translation>insert</translation>
+    </message>
+    <message>
+        <source>pin</source>
+        <translation>goupille</translation>
+    </message>
+    <message>
+        <source>snap</source>
+        <translation>clip</translation>
+    </message>
+    <message>
+        <source>flexible</source>
+        <translation>souple</translation>
+    </message>
+    <message>
+        <source>permanent</source>
+        <translation>permanente</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>unité</translation>
+    </message>
+    <message>
+        <source>recognised</source>
+        <translation>reconnue</translation>
+    </message>
+    <message>
+        <source>suggested</source>
+        <translation>proposée</translation>
+    </message>
+    <message>
+        <source>confirmed</source>
+        <translation>confirmée</translation>
+    </message>
+    <message>
+        <source>made by you</source>
+        <translation>créée par vous</translation>
+    </message>
+    <message>
+        <source>pressed out</source>
+        <translation>chassée</translation>
+    </message>
+    <message>
+        <source>dissolved</source>
+        <translation>supprimée</translation>
+    </message>
+    <message>
+        <source>opened</source>
+        <translation>ouverte</translation>
+    </message>
+    <message>
+        <source>not possible</source>
+        <translation>impossible</translation>
+    </message>
+    <message>
+        <source>bends %1</source>
+        <translation>fléchit de %1</translation>
+    </message>
+    <message>
+        <source>outer hexagon</source>
+        <translation>hexagone extérieur</translation>
+    </message>
+    <message>
+        <source>hexagon socket</source>
+        <translation>six pans creux</translation>
+    </message>
+    <message>
+        <source>cross recess</source>
+        <translation>cruciforme</translation>
+    </message>
+    <message>
+        <source>slot</source>
+        <translation>fente</translation>
+    </message>
+    <message>
+        <source>six lobes</source>
+        <translation>six lobes</translation>
+    </message>
+    <message>
+        <source>No joint was found.</source>
+        <translation>Aucune liaison n&apos;a été trouvée.</translation>
+    </message>
+    <message>
+        <source>Joints: %1 (%2)</source>
+        <translation>Liaisons&#xa0;: %1 (%2)</translation>
+    </message>
+    <message>
+        <source>; suggested: %1</source>
+        <translation>&#xa0;; proposées&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>%1; clamps %2</source>
+        <translation>%1&#xa0;; serre %2</translation>
     </message>
 </context>
 <context>
@@ -6144,6 +6507,10 @@
     <message>
         <source>Se&amp;ctions</source>
         <translation>Coup&amp;es</translation>
+    </message>
+    <message>
+        <source>Chosen j&amp;oint</source>
+        <translation>Liaiso&amp;n choisie</translation>
     </message>
 </context>
 <context>
@@ -7293,6 +7660,30 @@
     <message>
         <source>Planes that cut bodies open in the view: across an axis, or along a face. Arrows in the scene drag them. Planning ignores them.</source>
         <translation>Plans qui coupent les corps dans la vue&#xa0;: perpendiculaires à un axe, ou le long d&apos;une face. Des flèches dans la scène les déplacent. La planification n&apos;en tient pas compte.</translation>
+    </message>
+    <message>
+        <source>How the bodies are joined: screws, nuts, inserts, pins, units. The menu of a row confirms or dissolves joints. Assembly plans keep to them.</source>
+        <translation>Comment les corps sont liés&#xa0;: vis, écrous, inserts, goupilles, unités. Le menu d&apos;une ligne confirme ou supprime des liaisons. Les plans d&apos;assemblage les respectent.</translation>
+    </message>
+    <message>
+        <source>How they are joined: screw, nut, insert, pin, snap, flexible, permanent, unit.</source>
+        <translation>Comment ils sont liés&#xa0;: vis, écrou, insert, goupille, clip, souple, permanente, unité.</translation>
+    </message>
+    <message>
+        <source>The body that leaves: the screw, the nut, the insert, the pin.</source>
+        <translation>Le corps qui sort&#xa0;: la vis, l&apos;écrou, l&apos;insert, la goupille.</translation>
+    </message>
+    <message>
+        <source>What it is joined with, and what it clamps.</source>
+        <translation>À quoi il est lié, et ce qu&apos;il serre.</translation>
+    </message>
+    <message>
+        <source>The designation or the size of the thread, and the turns until it is free.</source>
+        <translation>La désignation ou la taille du filetage, et les tours jusqu&apos;à ce qu&apos;il soit libre.</translation>
+    </message>
+    <message>
+        <source>Who says so: recognised by shape, suggested by name or class, or decided by you. A (?) marks what is doubtful.</source>
+        <translation>Qui le dit&#xa0;: reconnue à la forme, proposée d&apos;après le nom ou la classe, ou décidée par vous. Un (?) signale un doute.</translation>
     </message>
 </context>
 <context>
@@ -8577,6 +8968,163 @@
     </message>
 </context>
 <context>
+    <name>glissade::JointDialog</name>
+    <message>
+        <source>Left-handed</source>
+        <translation>Pas à gauche</translation>
+    </message>
+    <message>
+        <source>Joint</source>
+        <translation>Liaison</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Body that leaves</source>
+        <translation>Corps qui sort</translation>
+    </message>
+    <message>
+        <source>Clamps</source>
+        <translation>Serre</translation>
+    </message>
+    <message>
+        <source>Leaves along</source>
+        <translation>Sort selon</translation>
+    </message>
+    <message>
+        <source>Thread diameter</source>
+        <translation>Diamètre du filetage</translation>
+    </message>
+    <message>
+        <source>Pitch</source>
+        <translation>Pas</translation>
+    </message>
+    <message>
+        <source>Engaged length</source>
+        <translation>Longueur en prise</translation>
+    </message>
+    <message>
+        <source>Bend of the hook</source>
+        <translation>Flexion du crochet</translation>
+    </message>
+    <message>
+        <source>Designation</source>
+        <translation>Désignation</translation>
+    </message>
+    <message>
+        <source>proposed (%1)</source>
+        <translation>proposée (%1)</translation>
+    </message>
+    <message>
+        <source>opposite (%1)</source>
+        <translation>opposée (%1)</translation>
+    </message>
+    <message>
+        <source>All other bodies are clamped. Uncheck the one that the thread is in.</source>
+        <translation>Tous les autres corps sont serrés. Décochez celui où se trouve le filetage.</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::JointsController</name>
+    <message>
+        <source>confirm joints</source>
+        <translation>confirmer des liaisons</translation>
+    </message>
+    <message>
+        <source>press inserts out</source>
+        <translation>chasser des inserts</translation>
+    </message>
+    <message>
+        <source>open units</source>
+        <translation>ouvrir des unités</translation>
+    </message>
+    <message>
+        <source>Looking for joints</source>
+        <translation>Recherche des liaisons</translation>
+    </message>
+    <message>
+        <source>dissolve joints</source>
+        <translation>supprimer des liaisons</translation>
+    </message>
+    <message>
+        <source>take joints as found</source>
+        <translation>prendre des liaisons comme trouvées</translation>
+    </message>
+    <message>
+        <source>confirm all suggested joints</source>
+        <translation>confirmer toutes les liaisons proposées</translation>
+    </message>
+    <message>
+        <source>make a joint</source>
+        <translation>créer une liaison</translation>
+    </message>
+    <message>
+        <source>change a joint</source>
+        <translation>modifier une liaison</translation>
+    </message>
+    <message>
+        <source>The joint cannot be changed</source>
+        <translation>La liaison ne peut pas être modifiée</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::JointsPanel</name>
+    <message>
+        <source>clamps %1</source>
+        <translation>serre %1</translation>
+    </message>
+    <message>
+        <source>%1 (?)</source>
+        <translation>%1 (?)</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filtrer</translation>
+    </message>
+    <message>
+        <source>Filter by kind, body, thread or state</source>
+        <translation>Filtrer par type, corps, filetage ou état</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Body</source>
+        <translation>Corps</translation>
+    </message>
+    <message>
+        <source>With</source>
+        <translation>Avec</translation>
+    </message>
+    <message>
+        <source>Thread</source>
+        <translation>Filetage</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>État</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>Liaisons</translation>
+    </message>
+    <message>
+        <source>Not looked for yet.</source>
+        <translation>Pas encore recherchées.</translation>
+    </message>
+    <message>
+        <source>drive: %1</source>
+        <translation>empreinte&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>; </source>
+        <translation>&#xa0;; </translation>
+    </message>
+</context>
+<context>
     <name>glissade::KeptPathsController</name>
     <message>
         <source>Comparing paths</source>
@@ -8864,6 +9412,10 @@
     <message>
         <source>Preparing the bodies</source>
         <translation>Préparation des corps</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>Liaisons</translation>
     </message>
 </context>
 <context>

@@ -29,6 +29,7 @@
 #include "app/window/shortcuts_dialog.h"
 #include "app/window/theme.h"
 #include "app/window/window_memory.h"
+#include "engine/scenario/product_file.h"
 #include "engine/scenario/scenario_io.h"
 #include "tests/app/whole_window.h"
 #include "widgets/devices/calibration_dialog.h"
@@ -36,6 +37,8 @@
 #include "widgets/editors/parts_dialog.h"
 #include "widgets/editors/rules_dialog.h"
 #include "widgets/panels/compare_paths_dialog.h"
+#include "widgets/panels/joint_dialog.h"
+#include "widgets/panels/joint_draft.h"
 #include "widgets/studies/plan_graph_view.h"
 #include "widgets/studies/study_browser.h"
 
@@ -228,6 +231,9 @@ TEST_P(AccessibilityTest, OfTheDialogs) {
       std::make_unique<PartsDialog>(PartsDialog::Purpose::NewScenario, QStringList{}, true, window.get()));
   dialogs.push_back(std::make_unique<ComparePathsDialog>(
       std::vector<ComparedPath>(2, {{std::make_shared<const KeptPath>(), {}}, nullptr}), loaded, window.get()));
+  const auto product = std::make_shared<const AssembledProduct>(productOf(loaded));
+  dialogs.push_back(std::make_unique<JointDialog>(
+      product, draftJoint(*product, {0, 1, 2}), [](const Joint&) { return Outcome(Done{}); }, window.get()));
   dialogs.push_back(std::make_unique<PlanGraphView>(window.get()));
   dialogs.push_back(std::make_unique<CalibrationDialog>(bench.session.hand(), settings, bench.actions, window.get()));
   dialogs.push_back(std::make_unique<StudyBrowser>(nullptr));
@@ -282,9 +288,9 @@ std::map<QString, int> leastWidths(MainWindow& window, const Scenario& scenario,
   out.close();
   EXPECT_EQ(window.openScenario(file, true), std::nullopt);
   const std::vector<std::vector<std::string>> script{
-      {"action", "environment.build"}, {"action", "run.start"},         {"wait", "ended", "20000"},
-      {"action", "paths.keep"},        {"rename-path", "@1", pathName}, {"action", "fits.find"},
-      {"plan-sequence", "all"},        {"select-steps", "1", "1"},      {"select", "body", "left"}};
+      {"action", "environment.build"}, {"action", "run.start"},   {"wait", "ended", "20000"}, {"action", "paths.keep"},
+      {"rename-path", "@1", pathName}, {"action", "fits.find"},   {"action", "joints.find"},  {"plan-sequence", "all"},
+      {"select-steps", "1", "1"},      {"select", "body", "left"}};
   for (const auto& line : script) {
     const Outcome done = window.workbench().scripts.carryOut(line[0], {line.begin() + 1, line.end()});
     EXPECT_TRUE(done) << line[0] << " " << line[1] << ": " << toString(done.error());

@@ -24,8 +24,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Reports and plots of studies are translated by study_french.cpp; benchmarks are for developers. The command line
-/// prints the verdicts of the judge; the window shows only whether a path or a step is valid. It also prints work times
-/// and the evidence of joints, which the window does not show.
+/// prints the verdicts of the judge; the window shows only whether a path or a step is valid. It also prints work
+/// times, which the window does not show.
 constexpr const char* kOtherwiseTranslated[] = {"engine/check/",
                                                 "engine/study/study_french.cpp",
                                                 "engine/study/report_html.cpp",
@@ -35,20 +35,13 @@ constexpr const char* kOtherwiseTranslated[] = {"engine/check/",
                                                 "engine/sequence/work_times.cpp",
                                                 "engine/sequence/line_balance.cpp",
                                                 "engine/scenario/work_times_json.cpp",
-                                                "engine/product/designation.cpp",
-                                                "engine/product/named_joints.cpp",
-                                                "engine/product/pressed_joints.cpp",
-                                                "engine/product/rolling_bearings.cpp",
-                                                "engine/product/threaded_joints.cpp",
-                                                "engine/product/suggested_joints.cpp"};
+                                                "engine/product/designation.cpp"};
 
 /// Not for people to read in the window: names of random streams, keys of caches, rules and commands as they are typed,
 /// what files say of their writer, and texts of the command line.
 constexpr const char* kNotForTheWindow[] = {
     "of %1",
     "held by ",
-    "a person says so",
-    "a person says that it is pressed out",
     "simulated operator",
     "random shooter",
     "goal bias",

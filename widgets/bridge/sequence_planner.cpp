@@ -4,6 +4,8 @@
 #include <chrono>
 #include <thread>
 
+#include "engine/product/joint_edits.h"
+#include "engine/product/joint_finder.h"
 #include "engine/scenario/judged_product.h"
 #include "engine/sequence/sequence_run.h"
 
@@ -94,19 +96,25 @@ class AnnouncingHost final : public SequenceHost {
 std::size_t helpers() { return std::max(1U, std::thread::hardware_concurrency()) - 1; }
 
 using FitsPtr = std::shared_ptr<const ProductFits>;
+/// What is found of a product before it is planned.
 using FindFits = std::function<Result<FitsPtr>(ThreadTeam& team)>;
+using FindJoints = std::function<Result<Joints>()>;
 
 Result<GrownPlan> planOf(const SequenceJob& job, const WorkWatch& watch, const StopSource& stop,
-                         const FindFits& findFits, const AnnouncingHost::Announce& announce) {
+                         const FindFits& findFits, const FindJoints& findJoints,
+                         const AnnouncingHost::Announce& announce) {
   ThreadTeam team(helpers());
   const AssembledProduct& product = *job.product;
   const auto found = findFits(team);
   if (!found) return found.error();
   const ProductFits& fits = **found;
+  const auto joints = findJoints();
+  if (!joints) return joints.error();
   watch.report(kFitsShare);
   AnnouncingHost host(job, watch, stop, team, announce);
-  auto plan = planSequence(
-      product, fits, {job.staying, job.strategy, job.seed, job.demands, job.resumed.get(), job.known.get()}, host);
+  SequenceRequest request{job.staying, job.strategy, job.seed, job.demands, job.resumed.get(), job.known.get()};
+  request.joints = &*joints;
+  auto plan = planSequence(product, fits, request, host);
   if (!plan) return plan.error();
   return host.ended(std::move(*plan));
 }
@@ -130,6 +138,34 @@ void SequencePlanner::deliver(const std::function<void()>& signal, std::uint64_t
   });
 }
 
+Result<FitsPtr> SequencePlanner::fitsOf(KnownProduct& known, const ProductPtr& product, ThreadTeam& team,
+                                        const StopToken& stop) {
+  const std::lock_guard lock(known.mutex);
+  if (known.product != product) {
+    auto fits = ProductFits::find(*product, team, stop);
+    if (!fits) return fits.error();
+    known.fits = std::make_shared<const ProductFits>(std::move(*fits));
+    known.product = product;
+    known.joints.reset();
+  }
+  return known.fits;
+}
+
+/// None where the demands use none. After a stop they are incomplete, and not remembered.
+Result<Joints> SequencePlanner::jointsOf(KnownProduct& known, const SequenceJob& job, const StopToken& stop) {
+  if (job.demands.jointUse == JointUse::Off) return Joints();
+  const std::lock_guard lock(known.mutex);
+  const bool isKnown = known.product == job.product && known.joints && known.classes == job.classes;
+  const auto found =
+      isKnown ? known.joints : std::make_shared<const Joints>(findJoints(*job.product, stop, job.classes));
+  if (stop.stopRequested()) return Joints();
+  if (known.product == job.product) {
+    known.joints = found;
+    known.classes = job.classes;
+  }
+  return applied(*found, job.demands.joints, *job.product);
+}
+
 void SequencePlanner::plan(const SequenceJob& job, bool atOnce) {
   drop();
   stop_ = StopSource();
@@ -137,21 +173,16 @@ void SequencePlanner::plan(const SequenceJob& job, bool atOnce) {
   const auto announce = [this, request](const GrownPlan& grown) {
     deliver([this, grown] { emit this->grown(grown); }, request);
   };
-  const auto findFits = [known = known_, product = job.product, stop = stop_](ThreadTeam& team) -> Result<FitsPtr> {
-    const std::lock_guard lock(known->mutex);
-    if (known->product != product) {
-      auto fits = ProductFits::find(*product, team, stop.token());
-      if (!fits) return fits.error();
-      known->fits = std::make_shared<const ProductFits>(std::move(*fits));
-      known->product = product;
-    }
-    return known->fits;
+  const auto findFits = [known = known_, product = job.product, stop = stop_](ThreadTeam& team) {
+    return fitsOf(*known, product, team, stop.token());
   };
+  const auto findJoints = [known = known_, job, stop = stop_] { return jointsOf(*known, job, stop.token()); };
   planning_ = true;
   task_.start(
       "planning the sequence",
-      [this, job, stop = stop_, findFits, announce](const WorkWatch& watch) -> BackgroundTask::Delivery {
-        const auto found = std::make_shared<const Result<GrownPlan>>(planOf(job, watch, stop, findFits, announce));
+      [this, job, stop = stop_, findFits, findJoints, announce](const WorkWatch& watch) -> BackgroundTask::Delivery {
+        const auto found =
+            std::make_shared<const Result<GrownPlan>>(planOf(job, watch, stop, findFits, findJoints, announce));
         return [this, found] {
           planning_ = false;
           if (*found) {

@@ -29,6 +29,7 @@ struct SequenceJob {
   PlanPtr resumed;                       ///< goes on from this plan; null: begins anew
   PlanPtr known;                         ///< of the same product with other demands: its motions need not be searched
   std::optional<std::size_t> mostSteps;  ///< stops once the plan has so many
+  std::vector<std::string> classes{};    ///< of the bodies, for joints; empty: not known
 };
 
 /// A plan as far as it is there.
@@ -71,15 +72,21 @@ class SequencePlanner final : public QObject {
  private:
   void deliver(const std::function<void()>& signal, std::uint64_t request);
 
-  /// Of the product that was planned last: its fits do not depend on demands. Used on the worker.
-  struct KnownFits {
+  /// Of the product that was planned last: its fits and the joints that are found do not depend on demands. Used on the
+  /// worker.
+  struct KnownProduct {
     std::mutex mutex;
     ProductPtr product;
     std::shared_ptr<const ProductFits> fits;
+    std::vector<std::string> classes;
+    std::shared_ptr<const Joints> joints;  ///< with these classes; null: not looked for yet
   };
+  static Result<std::shared_ptr<const ProductFits>> fitsOf(KnownProduct& known, const ProductPtr& product,
+                                                           ThreadTeam& team, const StopToken& stop);
+  static Result<Joints> jointsOf(KnownProduct& known, const SequenceJob& job, const StopToken& stop);
 
   BackgroundTask task_;
-  std::shared_ptr<KnownFits> known_ = std::make_shared<KnownFits>();
+  std::shared_ptr<KnownProduct> known_ = std::make_shared<KnownProduct>();
   StopSource stop_;
   std::uint64_t request_ = 0;
   bool planning_ = false;

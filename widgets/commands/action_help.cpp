@@ -47,6 +47,10 @@ constexpr std::pair<const char*, const char*> kMore[] = {
     {"fits.find", QT_TRANSLATE_NOOP("ActionHelp",
                                     "Parts of a product touch or overlap as designed. A fit says by how much the "
                                     "object is taken thinner against one body, and every result states it.")},
+    {"joints.find", QT_TRANSLATE_NOOP("ActionHelp",
+                                      "Screws, nuts, inserts, pins and rolling bearings are recognised by their "
+                                      "shapes. Belts, clips, what is glued, and purchased units are suggested and "
+                                      "count when you confirm them.")},
     {"sequence.plan", QT_TRANSLATE_NOOP("ActionHelp",
                                         "Assembly is the reverse order. The plan says which step makes way for which, "
                                         "which parts have to be held, and which tool turns a fastener.")},

@@ -9,6 +9,7 @@
 #include "widgets/commands/base_sentences.h"
 #include "widgets/commands/diagnostic_sentences.h"
 #include "widgets/commands/import_sentences.h"
+#include "widgets/commands/joint_sentences.h"
 #include "widgets/commands/planning_sentences.h"
 #include "widgets/commands/scenario_sentences.h"
 
@@ -45,6 +46,7 @@ std::vector<Sentence> allSentences() {
   take(kDiagnosticSentences);
   take(kBaseSentences);
   take(kImportSentences);
+  take(kJointSentences);
   take(kPlanningSentences);
   take(kScenarioSentences);
   std::stable_sort(all.begin(), all.end(), [](const Sentence& a, const Sentence& b) { return a.letters > b.letters; });

@@ -167,10 +167,15 @@ TEST(AssemblyEdits, AGroupMovesAsOneAndEachOfItsBodiesStaysInTheProduct) {
 TEST(AssemblyEdits, WhatIsLeftOutIsKeptAndComesBack) {
   Scenario scenario = rowOfBoxes();
   scenario.fits.pairs = {{"b", "c", {}, 0.0, false}, {"a", "c", {}, 0.0, false}};
+  scenario.joints = {{{JointKind::Permanent, "b", {"c"}}, JointEdit::Word::Dissolved},
+                     {{JointKind::Screw, "a", {"c"}}, JointEdit::Word::Confirmed, Joint{}, {"b"}}};
   ASSERT_TRUE(leaveOut("b", scenario).ok());
   expectRefused(leaveOut("b", scenario), "no such body");
   expectRefused(leaveOut("a", scenario), "is what moves");
   EXPECT_EQ(scenario.fits.pairs.size(), 1U) << "nothing is said about what is not there";
+  ASSERT_EQ(scenario.joints.size(), 1U);
+  EXPECT_TRUE(scenario.joints[0].clamped.empty());
+  scenario.joints.clear();
   const auto read = parseScenario(writeScenario(scenario), "file");
   ASSERT_TRUE(read) << toString(read.error());
   const test::TemporaryFolder folder;
@@ -192,9 +197,11 @@ TEST(AssemblyEdits, WhatIsNotOfTheAssemblyStays) {
   edited.bodies.clear();
   edited.planner = "birrt";
   edited.seed = 77;
+  edited.joints = {{{JointKind::Permanent, "a", {"b"}}, JointEdit::Word::Dissolved}};
   Scenario scenario = test::boxScenario();
   takeAssembly(edited, scenario);
   EXPECT_TRUE(scenario.bodies.empty());
+  EXPECT_EQ(scenario.joints, edited.joints) << "they are edited step by step";
   EXPECT_EQ(scenario.planner, test::boxScenario().planner);
   EXPECT_EQ(scenario.seed, test::boxScenario().seed);
 }

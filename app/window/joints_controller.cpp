@@ -1,0 +1,259 @@
+#include "app/window/joints_controller.h"
+
+#include <algorithm>
+
+#include "app/window/joints_script.h"
+#include "app/window/panel_docks.h"
+#include "engine/product/joint_finder.h"
+#include "engine/scenario/product_file.h"
+#include "engine/scenario/scenario_fits.h"
+#include "engine/scenario/sequence_knowledge.h"
+#include "widgets/panels/joint_dialog.h"
+#include "widgets/panels/joint_draft.h"
+
+namespace glissade {
+namespace {
+
+bool canBeConfirmed(const JointRow& row) {
+  return row.isFound && row.state != JointRowState::Confirmed && row.state != JointRowState::Refused;
+}
+
+bool canBePressedOut(const JointRow& row) {
+  return row.key.kind == JointKind::Insert && row.isFound && row.counts() && row.state != JointRowState::PressedOut;
+}
+
+bool canBeOpened(const JointRow& row) { return row.key.kind == JointKind::Unit && row.isFound && row.counts(); }
+
+bool counts(const JointRow& row) { return row.counts(); }
+
+bool isSaid(const JointRow& row) { return row.isSaid(); }
+
+/// The chosen rows as values: the table changes with the edit.
+std::vector<JointRow> chosenIn(const JointsPanel& panel, bool (*fits)(const JointRow&)) {
+  std::vector<JointRow> rows;
+  for (const JointRow* row : panel.chosen()) {
+    if (fits(*row)) rows.push_back(*row);
+  }
+  return rows;
+}
+
+bool isAnyChosen(const JointsPanel& panel, bool (*fits)(const JointRow&)) { return !chosenIn(panel, fits).empty(); }
+
+/// Joints do not depend on what a person says of fits.
+bool haveSameBodies(AssembledProduct one, const AssembledProduct& other) {
+  one.fits = other.fits;
+  return isSameProduct(one, other);
+}
+
+/// Why a word cannot be that was possible, or not there, before; nothing: all of them can.
+std::optional<Diagnostic> newRefusal(const JointTable& before, const JointTable& after) {
+  if (after.count(JointRowState::Refused) <= before.count(JointRowState::Refused)) return std::nullopt;
+  return after.rows().back().refusal;
+}
+
+}  // namespace
+
+JointsController::JointsController(const Workbench& bench)
+    : QObject(&bench.window), bench_(bench), panel_(new JointsPanel(bench.actions, &bench.window)) {
+  connect(panel_, &JointsPanel::chosenChanged, this, &JointsController::showChosen);
+  connect(panel_, &JointsPanel::activated, this, &JointsController::isolateChosen);
+  connect(&bench.document, &WorkbenchDocument::changed, this, &JointsController::followDocument);
+  connect(&bench.document.semantics(), &SemanticDocument::selectionChanged, this, &JointsController::enableActions);
+  connectActions();
+  enableActions();
+  addJointCommands(bench, *this);
+}
+
+void JointsController::connectActions() {
+  bench_.onAction("joints.find", this, [this] {
+    bench_.actions["panel.joints"]->trigger();
+    makeRoomForTable(*panel_, bench_.window);
+    find();
+  });
+  bench_.onAction("joints.isolate", this, [this] { isolateChosen(); });
+  bench_.onAction("joints.confirm", this,
+                  [this] { sayOfChosen(tr("confirm joints"), JointEdit::Word::Confirmed, canBeConfirmed); });
+  bench_.onAction("joints.confirm-all", this, [this] { confirmSuggested(); });
+  bench_.onAction("joints.dissolve", this, [this] { dissolveChosen(); });
+  bench_.onAction("joints.press-out", this,
+                  [this] { sayOfChosen(tr("press inserts out"), JointEdit::Word::PressedOut, canBePressedOut); });
+  bench_.onAction("joints.open", this, [this] { sayOfChosen(tr("open units"), JointEdit::Word::Opened, canBeOpened); });
+  bench_.onAction("joints.as-found", this, [this] { takeChosenAsFound(); });
+  bench_.onAction("joints.make", this, [this] { askForNew(); });
+  bench_.onAction("joints.change", this, [this] { askForChosen(); });
+}
+
+/// What was found holds for the bodies and their classes; where these are others it is found again.
+void JointsController::followDocument(Changes what) {
+  if (what & Change::Scenario) {
+    found_.reset();
+    panel_->setTable(nullptr);
+  } else if (found_ && (what & (Change::Arrangement | Change::Semantics))) {
+    if (isOfFound(what)) {
+      if (what & Change::Arrangement) showFound();
+    } else {
+      found_.reset();
+      panel_->setTable(nullptr);
+      find();
+    }
+  }
+  enableActions();
+}
+
+bool JointsController::isOfFound(Changes what) const {
+  if (classesOf(*bench_.document.edits(), found_->product->bodies) != found_->classes) return false;
+  return !(what & Change::Arrangement) || haveSameBodies(bodiesOf(*bench_.document.scenario()), found_->arranged);
+}
+
+void JointsController::find() {
+  const ScenarioPtr scenario = bench_.document.scenario();
+  if (!scenario) return;
+  const auto edits = bench_.document.edits();
+  bench_.work.run(
+      tr("Looking for joints"), [this, scenario, edits](const WorkWatch& watch) -> BackgroundTask::Delivery {
+        Found found{bodiesOf(*scenario), std::make_shared<const AssembledProduct>(productOf(*scenario)), {}, {}};
+        found.classes = classesOf(*edits, found.product->bodies);
+        found.joints = std::make_shared<const Joints>(findJoints(*found.product, watch.stop, found.classes));
+        if (watch.stop.stopRequested()) return [] {};
+        return [this, scenario, found = std::move(found)] {
+          if (bench_.document.scenario() != scenario) return;
+          found_ = found;
+          showFound();
+          enableActions();
+        };
+      });
+}
+
+void JointsController::showFound() {
+  const std::vector<JointEdit>& said = bench_.document.scenario()->scenario.joints;
+  panel_->setTable(std::make_shared<const JointTable>(found_->product, found_->joints, said));
+}
+
+/// All bodies of the joints are selected, so that the view and the tree mark them.
+void JointsController::showChosen() {
+  enableActions();
+  SemanticSelection selection;
+  for (const JointRow* row : panel_->chosen()) {
+    const AssembledProduct& product = panel_->table()->product();
+    selection.bodies.insert(QString::fromStdString(row->key.body));
+    for (const std::string& id : row->key.others) selection.bodies.insert(QString::fromStdString(id));
+    for (const std::size_t body : row->joint.clamped) {
+      selection.bodies.insert(QString::fromStdString(product.bodies[body].id));
+    }
+  }
+  if (!selection.bodies.isEmpty()) bench_.document.semantics().select(selection);
+}
+
+void JointsController::isolateChosen() {
+  if (panel_->chosen().empty()) return;
+  showChosen();
+  if (bench_.actions["body.isolate"]->isEnabled()) bench_.actions["body.isolate"]->trigger();
+}
+
+void JointsController::sayOfChosen(const QString& text, JointEdit::Word word, bool (*fits)(const JointRow&)) {
+  applyOrTell(text, [rows = chosenIn(*panel_, fits), word](std::vector<JointEdit> said) {
+    for (const JointRow& row : rows) said = withWord(std::move(said), {row.key, word});
+    return said;
+  });
+}
+
+void JointsController::dissolveChosen() {
+  applyOrTell(tr("dissolve joints"), [rows = chosenIn(*panel_, counts)](std::vector<JointEdit> said) {
+    for (const JointRow& row : rows) said = withoutJoint(std::move(said), row);
+    return said;
+  });
+}
+
+void JointsController::takeChosenAsFound() {
+  applyOrTell(tr("take joints as found"), [rows = chosenIn(*panel_, isSaid)](std::vector<JointEdit> said) {
+    for (const JointRow& row : rows) said = withoutWord(std::move(said), row.key);
+    return said;
+  });
+}
+
+void JointsController::confirmSuggested() {
+  if (!panel_->table()) return;
+  std::vector<JointKey> keys;
+  for (const JointRow& row : panel_->table()->rows()) {
+    if (row.state == JointRowState::Suggested) keys.push_back(row.key);
+  }
+  applyOrTell(tr("confirm all suggested joints"), [keys](std::vector<JointEdit> said) {
+    for (const JointKey& key : keys) said = withWord(std::move(said), {key, JointEdit::Word::Confirmed});
+    return said;
+  });
+}
+
+std::vector<std::size_t> JointsController::selectedBodies() const {
+  std::vector<std::size_t> bodies;
+  if (!panel_->table()) return bodies;
+  for (const QString& id : bench_.document.semantics().selectedBodies()) {
+    if (const auto body = panel_->table()->product().indexOf(id.toStdString())) bodies.push_back(*body);
+  }
+  std::sort(bodies.begin(), bodies.end());
+  return bodies;
+}
+
+Outcome JointsController::make(const Joint& joint) {
+  const JointEdit word = wordThatMakes(joint, panel_->table()->product());
+  return apply(tr("make a joint"), [word](std::vector<JointEdit> said) { return withWord(std::move(said), word); });
+}
+
+void JointsController::askForNew() {
+  const std::vector<std::size_t> bodies = selectedBodies();
+  if (bodies.empty()) return;
+  const ProductPtr product = found_->product;
+  JointDialog dialog(
+      product, draftJoint(*product, bodies), [this](const Joint& joint) { return make(joint); }, &bench_.window);
+  dialog.exec();
+}
+
+/// Where the kind or the bodies change it is another joint, and the earlier one is dissolved.
+void JointsController::askForChosen() {
+  const std::vector<JointRow> rows = chosenIn(*panel_, counts);
+  if (rows.size() != 1) return;
+  const ProductPtr product = found_->product;
+  const auto accept = [this, product, row = rows.front()](const Joint& joint) {
+    const JointEdit word = wordThatMakes(joint, *product);
+    return apply(tr("change a joint"), [word, row](std::vector<JointEdit> said) {
+      if (!isSameJoint(word.key, row.key)) said = withoutJoint(std::move(said), row);
+      return withWord(std::move(said), word);
+    });
+  };
+  JointDialog dialog(product, rows.front().joint, accept, &bench_.window);
+  dialog.exec();
+}
+
+/// Refused before anything changes where what a person would say cannot be.
+Outcome JointsController::apply(const QString& text, const JointChange& change) {
+  const JointTablePtr table = panel_->table();
+  if (!table) return Done{};
+  const std::vector<JointEdit> said = change(table->said());
+  if (said == table->said()) return Done{};
+  if (const auto why = newRefusal(*table, table->with(said))) return *why;
+  return bench_.document.edit(text, [change](Scenario& scenario) {
+    scenario.joints = change(scenario.joints);
+    return Outcome(Done{});
+  });
+}
+
+void JointsController::applyOrTell(const QString& text, const JointChange& change) {
+  if (const Outcome applied = apply(text, change); !applied) {
+    bench_.messages.showError(tr("The joint cannot be changed"), applied.error());
+  }
+}
+
+void JointsController::enableActions() {
+  const JointTablePtr& table = panel_->table();
+  bench_.enable("joints.find", bench_.document.scenario() != nullptr);
+  bench_.enable("joints.isolate", !panel_->chosen().empty());
+  bench_.enable("joints.confirm", isAnyChosen(*panel_, canBeConfirmed));
+  bench_.enable("joints.confirm-all", table && table->count(JointRowState::Suggested) > 0);
+  bench_.enable("joints.dissolve", isAnyChosen(*panel_, counts));
+  bench_.enable("joints.press-out", isAnyChosen(*panel_, canBePressedOut));
+  bench_.enable("joints.open", isAnyChosen(*panel_, canBeOpened));
+  bench_.enable("joints.as-found", isAnyChosen(*panel_, isSaid));
+  bench_.enable("joints.change", chosenIn(*panel_, counts).size() == 1);
+  bench_.enable("joints.make", !selectedBodies().empty());
+}
+
+}  // namespace glissade

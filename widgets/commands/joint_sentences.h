@@ -1,0 +1,48 @@
+#pragma once
+
+#include <QCoreApplication>
+
+namespace glissade {
+
+/// What joints are concluded from, and why a person's words about them are refused (engine/product); see
+/// diagnostic_sentences.h.
+inline constexpr const char* kJointSentences[] = {
+    QT_TRANSLATE_NOOP("Diagnostics", "a person says so"),
+    QT_TRANSLATE_NOOP("Diagnostics", "a person says that it is pressed out"),
+    QT_TRANSLATE_NOOP("Diagnostics", "a shaft of %1 with a head"),
+    QT_TRANSLATE_NOOP("Diagnostics", "a shaft of %1 with a recess"),
+    QT_TRANSLATE_NOOP("Diagnostics", "a shaft of %1"),
+    QT_TRANSLATE_NOOP("Diagnostics", "with a head"),
+    QT_TRANSLATE_NOOP("Diagnostics", "with a recess"),
+    QT_TRANSLATE_NOOP("Diagnostics", "the shaft is thicker than the hole"),
+    QT_TRANSLATE_NOOP("Diagnostics", "a nut is on the shaft"),
+    QT_TRANSLATE_NOOP("Diagnostics", "the hole is as wide as the shaft, and the farthest from the head"),
+    QT_TRANSLATE_NOOP("Diagnostics", "the hole is the narrowest, and the farthest from the head"),
+    QT_TRANSLATE_NOOP("Diagnostics", "the nut is free to be turned"),
+    QT_TRANSLATE_NOOP("Diagnostics", "a nut with a hole of %1"),
+    QT_TRANSLATE_NOOP("Diagnostics", "a shaft is in the hole"),
+    QT_TRANSLATE_NOOP("Diagnostics", "a ring in a hole"),
+    QT_TRANSLATE_NOOP("Diagnostics", "it is %1 thicker than its hole"),
+    QT_TRANSLATE_NOOP("Diagnostics", "it is as wide as its hole"),
+    QT_TRANSLATE_NOOP("Diagnostics", "a thread is in it"),
+    QT_TRANSLATE_NOOP("Diagnostics", "a pin in a hole"),
+    QT_TRANSLATE_NOOP("Diagnostics", "a shaft of %1 in a hole"),
+    QT_TRANSLATE_NOOP("Diagnostics", "two rings with %1 balls between them"),
+    QT_TRANSLATE_NOOP("Diagnostics", "two rings with %1 rollers between them"),
+    QT_TRANSLATE_NOOP("Diagnostics", "two rings with %1 between them"),
+    QT_TRANSLATE_NOOP("Diagnostics", "the name says '%1'"),
+    QT_TRANSLATE_NOOP("Diagnostics", "the name says a thread of %1, the shape is %2"),
+    QT_TRANSLATE_NOOP("Diagnostics", "the name says the drive '%1', the shape is '%2'"),
+    QT_TRANSLATE_NOOP("Diagnostics", "the name says a drive of %1, the shape has %2"),
+    QT_TRANSLATE_NOOP("Diagnostics", "the drive is that of the name"),
+    QT_TRANSLATE_NOOP("Diagnostics", "the head has the proportions of ISO 4762"),
+    QT_TRANSLATE_NOOP("Diagnostics", "the assembly is called '%1'"),
+    QT_TRANSLATE_NOOP("Diagnostics", "its class is '%1'"),
+    QT_TRANSLATE_NOOP("Diagnostics", "it is a ring of round section"),
+    QT_TRANSLATE_NOOP("Diagnostics", "joints hold each other in a circle: %1"),
+    QT_TRANSLATE_NOOP("Diagnostics", "'%1' names a standard that is not known"),
+    QT_TRANSLATE_NOOP("Diagnostics", "'%1' is no designation of a standard part that is known"),
+    QT_TRANSLATE_NOOP("Diagnostics", "Give one as 'ISO 4762 M3x8', 'DIN 934 M5' or 'M3x8 SHCS'."),
+};
+
+}  // namespace glissade

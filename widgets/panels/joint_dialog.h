@@ -1,0 +1,67 @@
+#pragma once
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialog>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+
+#include <functional>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "widgets/bridge/sequence_planner.h"
+#include "widgets/panels/quantity_box.h"
+
+namespace glissade {
+
+/// Asks what a joint of some bodies is: its kind, which of the bodies leaves, and, where the kind needs it, direction,
+/// thread, what is clamped, bend. Stays open where what was given is refused, and says why.
+class JointDialog final : public QDialog {
+  Q_OBJECT
+
+ public:
+  using Accept = std::function<Outcome(const Joint& joint)>;
+  /// `draft`: of this product; its bodies, others and what it clamps are those that a person can choose of.
+  JointDialog(ProductPtr product, const Joint& draft, Accept accept, QWidget* parent = nullptr);
+
+  void accept() override;
+
+ private:
+  void layOut();
+  QComboBox* addCombo(const char* name);
+  QuantityBox* addLength(const char* name, double least, double most);
+  double lengthIn(const QuantityBox& box) const { return box.value() / perMetre_; }
+  void addKinds();
+  void addBodies();
+  void showDraft();
+  void showDirections();
+  void showClamped();
+  void draftAgain();
+  void enable();
+  JointKind kind() const { return static_cast<JointKind>(kind_->currentData().toInt()); }
+  Joint joint() const;
+  void refuse(const QString& why);
+
+  ProductPtr product_;
+  std::vector<std::size_t> bodies_;
+  Joint draft_;
+  Accept accept_;
+  double perMetre_ = 1e3;  ///< what fields show of a metre
+  QComboBox* kind_;
+  QComboBox* body_;
+  QListWidget* clamped_;
+  QComboBox* direction_;
+  QuantityBox* diameter_;
+  QuantityBox* pitch_;
+  QCheckBox* leftHanded_;
+  QuantityBox* engaged_;
+  QuantityBox* bend_;
+  QLineEdit* designation_;
+  QFormLayout* form_;
+  QLabel* refusal_;
+};
+
+}  // namespace glissade

@@ -1,0 +1,237 @@
+#include "widgets/panels/joints_panel.h"
+
+#include <QEvent>
+#include <QHeaderView>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+#include "widgets/panels/joint_texts.h"
+
+namespace glissade {
+namespace {
+
+enum JointColumn { JointType, JointBody, JointWith, JointSize, JointWho, JointColumns };
+
+/// Pixels. Names are long: their columns share what the others leave, and show the ends of the names.
+constexpr int kLeastJointName = 60;
+/// Of that, for the body: what it is joined with are several.
+constexpr double kBodyShare = 0.4;
+
+constexpr int kJointIndexRole = Qt::UserRole;     // of the row
+constexpr int kJointSortRole = Qt::UserRole + 1;  // of sizes: metres
+
+/// Sorts sizes by their diameter and the rest as text.
+class JointItem final : public QTreeWidgetItem {
+ public:
+  using QTreeWidgetItem::QTreeWidgetItem;
+
+  bool operator<(const QTreeWidgetItem& other) const override {
+    const int column = treeWidget()->sortColumn();
+    const double mine = data(column, kJointSortRole).toDouble();
+    const double others = other.data(column, kJointSortRole).toDouble();
+    if (mine != others) return mine < others;
+    return text(column).localeAwareCompare(other.text(column)) < 0;
+  }
+};
+
+QString idsText(const JointRow& row, const JointTable& table) {
+  QStringList ids;
+  for (const std::string& id : row.key.others) ids << QString::fromStdString(id);
+  for (const std::size_t body : row.joint.clamped) {
+    ids << JointsPanel::tr("clamps %1").arg(QString::fromStdString(table.product().bodies[body].id));
+  }
+  return ids.join(QLatin1Char('\n'));
+}
+
+QString stateText(const JointRow& row) {
+  const QString state = jointStateText(row.state);
+  return row.joint.isDoubtful && row.counts() ? JointsPanel::tr("%1 (?)").arg(state) : state;
+}
+
+}  // namespace
+
+JointsPanel::JointsPanel(const ActionCatalogue& actions, QWidget* parent)
+    : QWidget(parent), filter_(new QLineEdit(this)), rows_(new QTreeWidget(this)), details_(new QLabel(this)) {
+  filter_->setPlaceholderText(tr("Filter"));
+  filter_->setToolTip(tr("Filter by kind, body, thread or state"));
+  filter_->setAccessibleName(filter_->toolTip());
+  filter_->setClearButtonEnabled(true);
+  rows_->setObjectName(QStringLiteral("joints-table"));
+  rows_->setColumnCount(JointColumns);
+  rows_->setHeaderLabels({tr("Kind"), tr("Body"), tr("With"), tr("Thread"), tr("State")});
+  rows_->setRootIsDecorated(false);
+  rows_->setUniformRowHeights(true);
+  rows_->setAlternatingRowColors(true);
+  rows_->setTextElideMode(Qt::ElideMiddle);
+  rows_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+  rows_->setAccessibleName(tr("Joints"));
+  rows_->setContextMenuPolicy(Qt::ActionsContextMenu);
+  rows_->header()->setSectionResizeMode(QHeaderView::Interactive);
+  rows_->header()->setStretchLastSection(false);
+  rows_->sortByColumn(JointType, Qt::AscendingOrder);
+  details_->setObjectName(QStringLiteral("joint-details"));
+  details_->setWordWrap(true);
+  details_->setTextFormat(Qt::PlainText);
+  details_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  layOut(actions);
+  connect(filter_, &QLineEdit::textChanged, this, &JointsPanel::filter);
+  connect(rows_, &QTreeWidget::itemSelectionChanged, this, [this] {
+    showDetails();
+    emit chosenChanged();
+  });
+  connect(rows_, &QTreeWidget::itemActivated, this, &JointsPanel::activated);
+  setTable(nullptr);
+}
+
+/// Little room is left for the table on a small screen, so the filter is beside the first buttons.
+void JointsPanel::layOut(const ActionCatalogue& actions) {
+  for (const char* id : {"joints.isolate", "joints.confirm", "joints.dissolve", "joints.change", "joints.press-out",
+                         "joints.open", "joints.as-found"}) {
+    rows_->addAction(actions[QLatin1String(id)]);
+  }
+  QHBoxLayout* top = makeActionRow(actions, {"joints.find"}, this);
+  top->addWidget(filter_, 1);
+  auto* layout = new QVBoxLayout(this);
+  layout->addLayout(top);
+  layout->addWidget(rows_, 1);
+  layout->addWidget(details_);
+  layout->addLayout(
+      makeActionFlow(actions, {"joints.confirm", "joints.dissolve", "joints.confirm-all", "joints.make"}, this));
+}
+
+void JointsPanel::setTable(const JointTablePtr& table) {
+  std::vector<JointKey> keys;
+  for (const JointRow* row : chosen()) keys.push_back(row->key);
+  {
+    const QSignalBlocker block(rows_);
+    table_ = table;
+    rows_->setSortingEnabled(false);
+    rows_->clear();
+    for (std::size_t i = 0; table_ && i < table_->rows().size(); ++i) addRow(i);
+    rows_->setSortingEnabled(true);
+    chooseKeys(keys);
+  }
+  for (const int column : {JointType, JointSize, JointWho}) rows_->resizeColumnToContents(column);
+  shareWidth();
+  filter(filter_->text());
+  showDetails();
+  if (!keys.empty()) emit chosenChanged();
+}
+
+void JointsPanel::addRow(std::size_t index) {
+  const JointRow& row = table_->rows()[index];
+  auto* item = new JointItem(rows_);
+  item->setData(JointType, kJointIndexRole, static_cast<qulonglong>(index));
+  item->setText(JointType, jointKindText(row.key.kind));
+  item->setText(JointBody, table_->shown(row.key.body));
+  item->setToolTip(JointBody, QString::fromStdString(row.key.body));
+  item->setText(JointWith, joinedWithText(row, *table_));
+  item->setToolTip(JointWith, idsText(row, *table_));
+  item->setText(JointSize, jointSizeText(row.joint));
+  item->setData(JointSize, kJointSortRole, row.joint.thread ? row.joint.thread->diameter : 0.0);
+  item->setToolTip(JointSize, driveText(row.joint));
+  item->setText(JointWho, stateText(row));
+  for (const int column : {JointType, JointWho}) item->setToolTip(column, jointEvidence(row).join(QLatin1Char('\n')));
+  markRow(*item, row);
+}
+
+/// What is doubtful or refused is bold; what a person has dissolved is grey and struck out.
+void JointsPanel::markRow(QTreeWidgetItem& item, const JointRow& row) const {
+  QFont font = rows_->font();
+  if (row.state == JointRowState::Refused || (row.counts() && row.joint.isDoubtful)) {
+    font.setBold(true);
+    for (const int column : {JointType, JointWho}) item.setFont(column, font);
+  } else if (!row.counts()) {
+    font.setStrikeOut(true);
+    const QBrush grey = palette().brush(QPalette::Disabled, QPalette::Text);
+    for (int column = 0; column < JointColumns; ++column) item.setForeground(column, grey);
+    for (const int column : {JointType, JointBody, JointWith, JointSize}) item.setFont(column, font);
+  }
+}
+
+const JointRow& JointsPanel::rowOf(const QTreeWidgetItem& item) const {
+  return table_->rows()[static_cast<std::size_t>(item.data(JointType, kJointIndexRole).toULongLong())];
+}
+
+std::vector<const JointRow*> JointsPanel::chosen() const {
+  std::vector<const JointRow*> rows;
+  for (int i = 0; table_ && i < rows_->topLevelItemCount(); ++i) {
+    const QTreeWidgetItem* item = rows_->topLevelItem(i);
+    if (item->isSelected()) rows.push_back(&rowOf(*item));
+  }
+  return rows;
+}
+
+void JointsPanel::chooseKeys(const std::vector<JointKey>& keys) {
+  for (int i = 0; i < rows_->topLevelItemCount(); ++i) {
+    QTreeWidgetItem* item = rows_->topLevelItem(i);
+    const JointKey& key = rowOf(*item).key;
+    const bool isChosen = std::any_of(keys.begin(), keys.end(), [&](const JointKey& k) { return isSameJoint(k, key); });
+    if (!isChosen) continue;
+    if (rows_->selectedItems().isEmpty()) rows_->setCurrentItem(item);
+    item->setSelected(true);
+  }
+}
+
+bool JointsPanel::choose(JointKind kind, const std::string& body) {
+  for (int i = 0; table_ && i < rows_->topLevelItemCount(); ++i) {
+    QTreeWidgetItem* item = rows_->topLevelItem(i);
+    const JointRow& row = rowOf(*item);
+    if (row.key.kind != kind || row.key.body != body) continue;
+    rows_->setCurrentItem(item);
+    return true;
+  }
+  return false;
+}
+
+void JointsPanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::LocaleChange || event->type() == QEvent::PaletteChange) setTable(table_);
+}
+
+void JointsPanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  shareWidth();
+}
+
+void JointsPanel::shareWidth() {
+  int rest = rows_->viewport()->width();
+  for (const int column : {JointType, JointSize, JointWho}) rest -= rows_->columnWidth(column);
+  const int body = std::max(kLeastJointName, static_cast<int>(kBodyShare * rest));
+  rows_->setColumnWidth(JointBody, body);
+  rows_->setColumnWidth(JointWith, std::max(kLeastJointName, rest - body));
+}
+
+void JointsPanel::filter(const QString& text) {
+  for (int i = 0; i < rows_->topLevelItemCount(); ++i) {
+    QTreeWidgetItem* item = rows_->topLevelItem(i);
+    bool matches = text.isEmpty();
+    for (int column = 0; column < JointColumns; ++column) {
+      matches = matches || item->text(column).contains(text, Qt::CaseInsensitive);
+    }
+    for (const int column : {JointBody, JointWith}) {
+      matches = matches || item->toolTip(column).contains(text, Qt::CaseInsensitive);
+    }
+    item->setHidden(!matches);
+    if (!matches) item->setSelected(false);  // nothing is done to what is not seen
+  }
+}
+
+/// The evidence of the one row that is chosen; else how many joints there are.
+void JointsPanel::showDetails() {
+  const std::vector<const JointRow*> rows = chosen();
+  if (!table_) {
+    details_->setText(tr("Not looked for yet."));
+  } else if (rows.size() != 1) {
+    details_->setText(jointsSummary(*table_));
+  } else {
+    QStringList facts = jointEvidence(*rows.front());
+    const QString drive = driveText(rows.front()->joint);
+    if (!drive.isEmpty()) facts << tr("drive: %1").arg(drive);
+    details_->setText(facts.join(tr("; ")));
+  }
+}
+
+}  // namespace glissade
