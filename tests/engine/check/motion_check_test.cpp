@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "engine/check/motion_check.h"
 #include "engine/check/ray_containment.h"
 #include "tests/engine/support/random_pose.h"
 #include "tests/engine/support/test_worlds.h"
@@ -54,6 +55,32 @@ TEST(IndependentCheck, AgreesWithThePlannersCertificatesOnManyPaths) {
   }
   EXPECT_GT(certified, 30);
   EXPECT_LT(certified, 170);
+}
+
+/// A cube slides over a floor and turns by a hundred thousandth, or by none: parts of the way are proved by what the
+/// cube sweeps. Distances alone would take 60,000.
+TEST(MotionCheck, ANearlyStraightWayAlongAGapNeedsFewDistances) {
+  constexpr double kGap = 5e-6;
+  constexpr double kDemanded = 1e-6;
+  const TriangleMesh object = makeBox(Vector3::Constant(0.1));
+  const auto thin = std::make_shared<const TriangleMesh>(object);
+  const auto floor = check::MotionCheck::prepare(makeBox({2.0, 2.0, 0.1}), Pose::translation({0.0, 0.0, -0.1}), 1.0);
+  const check::MotionCheck judge({{floor, thin, true}}, object, 1.0);
+  for (const double angle : {0.0, 1e-5, -1e-5}) {
+    const Pose from = Pose::translation({-0.25, 0.0, kGap});
+    Pose to = Pose::translation({0.25, 0.0, kGap});
+    to.orientation = fromRollPitchYaw(0.0, angle, 0.0);
+    const check::MotionVerdict verdict = judge.check({from, to}, {{kDemanded}});
+    EXPECT_EQ(verdict.status, check::Status::Certified) << angle;
+    EXPECT_LT(verdict.distances, 200U) << angle;
+    // The lowest corner has come down by half the edge times the angle.
+    const double least = kGap - 0.05 * std::abs(angle);
+    EXPECT_LE(verdict.provedClearance, least * (1.0 + 1e-9));
+    EXPECT_GT(verdict.provedClearance, 0.9 * least) << angle;
+  }
+  Pose low = Pose::translation({0.25, 0.0, kGap});
+  low.orientation = fromRollPitchYaw(0.0, 1e-4, 0.0);
+  EXPECT_EQ(judge.check({Pose::translation({-0.25, 0.0, kGap}), low}, {{kDemanded}}).status, check::Status::Violated);
 }
 
 /// The same scene in micrometres and in thousands of kilometres: a power of two changes no digit.
