@@ -59,6 +59,9 @@ JointsController::JointsController(const Workbench& bench)
   connect(panel_, &JointsPanel::activated, this, &JointsController::isolateChosen);
   connect(&bench.document, &WorkbenchDocument::changed, this, &JointsController::followDocument);
   connect(&bench.document.semantics(), &SemanticDocument::selectionChanged, this, &JointsController::enableActions);
+  connect(&task_, &BackgroundTask::failed, &bench.work, &WorkController::reportFailure);
+  bench.work.show(
+      task_, [] { return tr("Looking for joints"); }, [this] { task_.cancel(); });
   connectActions();
   enableActions();
   addJointCommands(bench, *this);
@@ -86,6 +89,7 @@ void JointsController::connectActions() {
 /// What was found holds for the bodies and their classes; where these are others it is found again.
 void JointsController::followDocument(Changes what) {
   if (what & Change::Scenario) {
+    task_.cancel();
     found_.reset();
     panel_->setTable(nullptr);
   } else if (found_ && (what & (Change::Arrangement | Change::Semantics))) {
@@ -109,19 +113,26 @@ void JointsController::find() {
   const ScenarioPtr scenario = bench_.document.scenario();
   if (!scenario) return;
   const auto edits = bench_.document.edits();
-  bench_.work.run(
-      tr("Looking for joints"), [this, scenario, edits](const WorkWatch& watch) -> BackgroundTask::Delivery {
-        Found found{bodiesOf(*scenario), std::make_shared<const AssembledProduct>(productOf(*scenario)), {}, {}};
-        found.classes = classesOf(*edits, found.product->bodies);
-        found.joints = std::make_shared<const Joints>(findJoints(*found.product, watch.stop, found.classes));
-        if (watch.stop.stopRequested()) return [] {};
-        return [this, scenario, found = std::move(found)] {
-          if (bench_.document.scenario() != scenario) return;
-          found_ = found;
-          showFound();
-          enableActions();
-        };
-      });
+  const auto work = [this, scenario, edits](const WorkWatch& watch) -> BackgroundTask::Delivery {
+    Found found{bodiesOf(*scenario), std::make_shared<const AssembledProduct>(productOf(*scenario)), {}, {}};
+    found.classes = classesOf(*edits, found.product->bodies);
+    found.joints = std::make_shared<const Joints>(findJoints(*found.product, watch.stop, found.classes));
+    if (watch.stop.stopRequested()) return [] {};
+    return [this, found = std::move(found)] { take(found); };
+  };
+  task_.start("looking for joints", work, bench_.work.isAtOnce());
+}
+
+/// Bodies may have moved meanwhile.
+void JointsController::take(const Found& found) {
+  found_ = found;
+  if (isOfFound(Change::Arrangement)) {
+    showFound();
+    enableActions();
+  } else {
+    found_.reset();
+    find();
+  }
 }
 
 void JointsController::showFound() {

@@ -21,6 +21,14 @@ class JointsController final : public QObject {
   Outcome make(const Joint& joint);
 
  private:
+  /// What was found holds for these bodies and classes.
+  struct Found {
+    AssembledProduct arranged;  ///< as bodiesOf() has it, to see whether it changes
+    ProductPtr product;
+    std::vector<std::string> classes;
+    std::shared_ptr<const Joints> joints;
+  };
+
   /// What becomes of a person's words.
   using JointChange = std::function<std::vector<JointEdit>(std::vector<JointEdit>)>;
 
@@ -28,6 +36,7 @@ class JointsController final : public QObject {
   void followDocument(Changes what);
   bool isOfFound(Changes what) const;
   void find();
+  void take(const Found& found);
   void showFound();
   void showChosen();
   void isolateChosen();
@@ -42,17 +51,10 @@ class JointsController final : public QObject {
   void applyOrTell(const QString& text, const JointChange& change);
   void enableActions();
 
-  /// What was found holds for these bodies and classes.
-  struct Found {
-    AssembledProduct arranged;  ///< as bodiesOf() has it, to see whether it changes
-    ProductPtr product;
-    std::vector<std::string> classes;
-    std::shared_ptr<const Joints> joints;
-  };
-
   const Workbench& bench_;
   JointsPanel* panel_;
   std::optional<Found> found_;
+  BackgroundTask task_;  ///< of its own: fits are looked for at the same time where bodies have moved
 };
 
 }  // namespace glissade
