@@ -68,7 +68,9 @@ protocol::Face faceOf(Kind kind, std::uint32_t triangles) {
 
 /// A tetrahedron; `kinds` of its faces, which have two triangles each.
 void addShape(Message& message, const Kinds& kinds) {
-  message.add(protocol::Shape{kCorners.size(), kTriangles.size(), std::tuple_size_v<Kinds>, 0}).add(kCorners).add(kTriangles);
+  message.add(protocol::Shape{kCorners.size(), kTriangles.size(), std::tuple_size_v<Kinds>, 0})
+      .add(kCorners)
+      .add(kTriangles);
   for (const Kind kind : kinds) message.add(faceOf(kind, 2));
 }
 
