@@ -20,17 +20,34 @@ constexpr std::array<CoarseThread, 39> kCoarseThreads{
      {20., 2.5},  {22., 2.5},  {24., 3.0},  {27., 3.0}, {30., 3.5},  {33., 3.5},  {36., 4.0}, {39., 4.0},
      {42., 4.5},  {45., 4.5},  {48., 5.0},  {52., 5.0}, {56., 5.5},  {60., 5.5},  {64., 6.0}}};
 
+/// Share of the nominal diameter that one of this size may be off it.
+constexpr double kNominalShare = 0.04;
+
+/// `diameter`: millimetres.
+const CoarseThread& nearestTo(double diameter) {
+  return *std::min_element(kCoarseThreads.begin(), kCoarseThreads.end(),
+                           [&](const CoarseThread& one, const CoarseThread& other) {
+                             return std::abs(one.diameter - diameter) < std::abs(other.diameter - diameter);
+                           });
+}
+
+std::string sizeOf(const CoarseThread& thread) {
+  std::ostringstream size;
+  size << "M" << thread.diameter;
+  return size.str();
+}
+
 }  // namespace
 
 ThreadPitch isoCoarsePitch(double radius) {
-  const double diameter = 2e3 * radius;
-  const auto nearest = std::min_element(
-      kCoarseThreads.begin(), kCoarseThreads.end(), [&](const CoarseThread& one, const CoarseThread& other) {
-        return std::abs(one.diameter - diameter) < std::abs(other.diameter - diameter);
-      });
-  std::ostringstream size;
-  size << "M" << nearest->diameter;
-  return {1e-3 * nearest->pitch, size.str()};
+  const CoarseThread& nearest = nearestTo(2e3 * radius);
+  return {1e-3 * nearest.pitch, sizeOf(nearest)};
+}
+
+std::string nominalSize(double diameter) {
+  const CoarseThread& nearest = nearestTo(1e3 * diameter);
+  const bool isNominal = std::abs(1e3 * diameter - nearest.diameter) <= kNominalShare * nearest.diameter;
+  return isNominal ? sizeOf(nearest) : std::string();
 }
 
 }  // namespace glissade

@@ -13,4 +13,7 @@ struct ThreadPitch {
 /// the shaft, metres.
 ThreadPitch isoCoarsePitch(double radius);
 
+/// "M10": the nominal size that a thread of this diameter (metres, outside) has to 4 %; empty where it has none.
+std::string nominalSize(double diameter);
+
 }  // namespace glissade

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "engine/product/contact_report.h"
+#include "engine/product/thread_pitch.h"
 #include "engine/sequence/step_motion.h"
 
 namespace glissade {
@@ -34,6 +35,13 @@ std::string sizeOfTool(const AssemblyStep& step) {
     return " " + decimals(0.1 * tenths, std::fmod(tenths, 10.0) == 0.0 ? 0 : 1);
   }
   return {};
+}
+
+/// Its designation, else the size of its thread, else its name: alike fasteners have the same text.
+std::string fastenerText(const StepJoint& joint, const AssembledProduct& product) {
+  if (!joint.designation.empty()) return joint.designation;
+  const std::string size = joint.diameter > 0.0 ? nominalSize(joint.diameter) : std::string();
+  return size.empty() ? shownNameOf(joint.body, product) : size;
 }
 
 }  // namespace
@@ -114,7 +122,7 @@ std::string PlanWords::joint(const StepJoint& joint, const AssemblyStep& step, c
   const bool removal = order == PlanOrder::Removal;
   const std::vector<std::string> bodies = step.bodies();
   const bool isOwn = std::find(bodies.begin(), bodies.end(), joint.body) != bodies.end();
-  const std::string what = joint.designation.empty() ? shownNameOf(joint.body, product) : joint.designation;
+  const std::string what = isOwn ? fastenerText(joint, product) : shownNameOf(joint.body, product);
   const std::string turns = decimals(joint.turns, 1);
   switch (joint.kind) {
     case JointKind::Screw:

@@ -154,8 +154,8 @@ TEST_F(SequenceWindow, EveryFormatIsWritten) {
                                        "export-sequence %2\nexport-sequence %3\nexport-sequence %4\n")
                             .arg(file("plan.html"), file("plan.pdf"), file("plan.csv"), file("plan.glb"))));
   const QByteArray page = content("plan.html");
-  EXPECT_EQ(page.count("<img"), 12) << "ten steps, the exploded view, the graph";
-  EXPECT_EQ(page.count("class=\"page\""), 13) << "parts list, ten steps, the times, the graph";
+  EXPECT_EQ(page.count("<img"), 10) << "six steps and two tasks of two, the exploded view, the graph";
+  EXPECT_EQ(page.count("class=\"page\""), 11) << "parts list, six steps and two tasks of two, the times, the graph";
   EXPECT_TRUE(content("plan.pdf").startsWith("%PDF"));
   EXPECT_EQ(content("plan.csv").count('\n'), 11);
   EXPECT_TRUE(content("plan.glb").startsWith("glTF"));

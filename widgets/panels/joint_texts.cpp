@@ -14,8 +14,6 @@
 namespace glissade {
 namespace {
 
-/// A thread is of the nominal size whose diameter it has to this share.
-constexpr double kNominalShare = 0.04;
 constexpr double kSamePitchShare = 0.01;
 
 struct Joined {
@@ -24,13 +22,12 @@ struct Joined {
 
 /// "M5", "M5 x 0.500 mm" where the pitch is another than the coarse one, "Ø 5.30 mm" where it is no nominal size.
 QString threadSizeText(const JointThread& thread) {
-  const ThreadPitch coarse = isoCoarsePitch(0.5 * thread.diameter);
-  const double nominal = QString::fromStdString(coarse.size).mid(1).toDouble() * 1e-3;
-  const bool isNominal = std::abs(thread.diameter - nominal) <= kNominalShare * nominal;
+  const std::string nominal = nominalSize(thread.diameter);
+  const double coarse = isoCoarsePitch(0.5 * thread.diameter).pitch;
   const QString size =
-      isNominal ? QString::fromStdString(coarse.size) : QStringLiteral("Ø ") + lengthText(thread.diameter);
+      nominal.empty() ? QStringLiteral("Ø ") + lengthText(thread.diameter) : QString::fromStdString(nominal);
   const double pitch = std::abs(thread.pitch);
-  if (isNominal && std::abs(pitch - coarse.pitch) <= kSamePitchShare * coarse.pitch) return size;
+  if (!nominal.empty() && std::abs(pitch - coarse) <= kSamePitchShare * coarse) return size;
   return QStringLiteral("%1 × %2").arg(size, lengthText(pitch));
 }
 

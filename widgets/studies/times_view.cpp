@@ -49,6 +49,7 @@ TimesView::TimesView(QWidget* parent)
   scroll->setAccessibleName(windowTitle());
   scroll->setAlignment(Qt::AlignHCenter | Qt::AlignTop);
   auto* form = new QFormLayout;
+  form->setFieldGrowthPolicy(QFormLayout::FieldsStayAtSizeHint);
   form->addRow(tr("&Stations"), stations_);
   auto* layout = new QVBoxLayout(this);
   layout->addLayout(form);

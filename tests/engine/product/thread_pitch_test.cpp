@@ -14,5 +14,12 @@ TEST(ThreadPitch, IsTheCoarseOneOfTheNearestSize) {
   }
 }
 
+TEST(ThreadPitch, ANominalSizeIsThatOfTheDiameterToAFewPercent) {
+  EXPECT_EQ(nominalSize(0.009997), "M10");
+  EXPECT_EQ(nominalSize(0.00255), "M2.5");
+  EXPECT_EQ(nominalSize(0.0053), "") << "between M5 and M6";
+  EXPECT_EQ(nominalSize(0.2), "");
+}
+
 }  // namespace
 }  // namespace glissade

@@ -56,6 +56,21 @@ TEST(PlanWords, MotionsAreToldInTheOrderThatIsAskedFor) {
   EXPECT_EQ(wordsIn(Language::French).motion(plan.steps[0], PlanOrder::Assembly), "bas (−Z), 500.0 mm");
 }
 
+TEST(PlanWords, AFastenerIsNamedByItsDesignationOrElseByTheSizeOfItsThread) {
+  const AssembledProduct product = test::lockedDrawer();
+  AssemblyStep step = somePlan().steps[0];
+  step.joints.push_back({JointKind::Nut, "cap", {"pin"}});
+  step.joints.back().turns = 2.7;
+  const auto work = [&] { return wordsIn(Language::English).work(step, product, PlanOrder::Assembly); };
+  EXPECT_EQ(work(), "screw on nut cap, 2.7 turns");
+  step.joints.back().diameter = 0.009997;
+  EXPECT_EQ(work(), "screw on nut M10, 2.7 turns");
+  step.joints.back().designation = "ISO 4032 M10";
+  EXPECT_EQ(work(), "screw on nut ISO 4032 M10, 2.7 turns");
+  step.body = "pin";
+  EXPECT_EQ(work(), "turn into cap, 2.7 turns") << "the other side is named as a part";
+}
+
 TEST(PlanWords, TheBaseHasAReason) {
   const AssembledProduct product = test::lockedDrawer();
   AssemblyPlan plan = somePlan();
