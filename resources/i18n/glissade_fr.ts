@@ -1756,7 +1756,7 @@
     </message>
     <message>
         <source>&amp;Times of the assembly</source>
-        <translation>&amp;Temps de l&apos;assemblage</translation>
+        <translation>Temps de l&apos;&amp;assemblage</translation>
     </message>
     <message>
         <source>Show how long the steps take, the longest chain, and how stations of a line divide them</source>
