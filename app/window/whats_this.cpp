@@ -115,8 +115,7 @@ const std::vector<ColumnHelp>& columnHelp() {
         QT_TRANSLATE_NOOP("WhatsThis", "What it is joined with, and what it clamps."),
         QT_TRANSLATE_NOOP("WhatsThis", "The designation or the size of the thread, and the turns until it is free."),
         QT_TRANSLATE_NOOP("WhatsThis",
-                          "Who says so: recognised by shape, suggested by name or class, or decided by you. A (?) "
-                          "marks what is doubtful.")}},
+                          "Recognised by shape, suggested by name or class, or decided by you. A (?) marks doubt.")}},
       {"steps",
        {QT_TRANSLATE_NOOP("WhatsThis", "The place that the step crosses."),
         QT_TRANSLATE_NOOP("WhatsThis", "The place that it leads to."),

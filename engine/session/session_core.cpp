@@ -229,9 +229,10 @@ void SessionCore::startRun(const StopToken& stop) {
 }
 
 void SessionCore::plan(const Hooks& hooks) {
+  // Before the host: at its deadline the limit is reached.
+  planningSince_ = std::chrono::steady_clock::now();
   Host host(*this, hooks);
   cpuBefore_ = cpuSeconds(*planner_);
-  planningSince_ = std::chrono::steady_clock::now();
   const bool solved = planner_->solve(host);
   const auto forbidden = solved ? forbiddenOn(*planner_->path()) : std::nullopt;
   if (forbidden) {
@@ -332,7 +333,7 @@ StopToken SessionCore::withTimeLimit(const StopToken& stop) const {
   const double limit = parameters_[ParameterId::TimeLimit];
   if (limit <= 0.0) return stop;
   const std::chrono::duration<double> left(limit - planningSeconds());
-  return stop.withDeadline(StopToken::Clock::now() + std::chrono::duration_cast<StopToken::Clock::duration>(left));
+  return stop.withDeadline(StopToken::Clock::now() + std::chrono::ceil<StopToken::Clock::duration>(left));
 }
 
 double SessionCore::planningSeconds() const {

@@ -7682,8 +7682,8 @@
         <translation>La désignation ou la taille du filetage, et les tours jusqu&apos;à ce qu&apos;il soit libre.</translation>
     </message>
     <message>
-        <source>Who says so: recognised by shape, suggested by name or class, or decided by you. A (?) marks what is doubtful.</source>
-        <translation>Qui le dit&#xa0;: reconnue à la forme, proposée d&apos;après le nom ou la classe, ou décidée par vous. Un (?) signale un doute.</translation>
+        <source>Recognised by shape, suggested by name or class, or decided by you. A (?) marks doubt.</source>
+        <translation>Reconnue à la forme, proposée d&apos;après le nom ou la classe, ou décidée par vous. Un (?) signale un doute.</translation>
     </message>
 </context>
 <context>
