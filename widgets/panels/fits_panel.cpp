@@ -1,7 +1,6 @@
 #include "widgets/panels/fits_panel.h"
 
 #include <QEvent>
-#include <QHeaderView>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
@@ -14,24 +13,7 @@ namespace {
 
 enum Column { Kind, Amount, BodyA, BodyB, Allowance, Status, ColumnCount };
 
-/// Pixels. Names are long: their columns share what the others leave, and show the ends of the names.
-constexpr int kLeastNameWidth = 60;
-
-constexpr int kIndexRole = Qt::UserRole;     // of the pair
-constexpr int kSortRole = Qt::UserRole + 1;  // of lengths: metres
-
-/// Sorts lengths by their metres and the rest as text.
-class FitItem final : public QTreeWidgetItem {
- public:
-  using QTreeWidgetItem::QTreeWidgetItem;
-
-  bool operator<(const QTreeWidgetItem& other) const override {
-    const int column = treeWidget()->sortColumn();
-    const QVariant mine = data(column, kSortRole);
-    if (!mine.isValid()) return text(column).localeAwareCompare(other.text(column)) < 0;
-    return mine.toDouble() < other.data(column, kSortRole).toDouble();
-  }
-};
+constexpr int kIndexRole = Qt::UserRole;  // of the pair
 
 QString statusText(FitStatus status) {
   switch (status) {
@@ -92,7 +74,10 @@ QString contactKindText(ContactKind kind) {
 }
 
 FitsPanel::FitsPanel(const ActionCatalogue& actions, QWidget* parent)
-    : QWidget(parent), summary_(new QLabel(this)), filter_(new QLineEdit(this)), table_(new QTreeWidget(this)) {
+    : QWidget(parent),
+      summary_(new QLabel(this)),
+      filter_(new QLineEdit(this)),
+      table_(new NameTable({{BodyA, 0.5}, {BodyB, 0.5}}, this)) {
   summary_->setWordWrap(true);
   filter_->setPlaceholderText(tr("Filter by kind, status or body"));
   filter_->setAccessibleName(filter_->placeholderText());
@@ -101,13 +86,7 @@ FitsPanel::FitsPanel(const ActionCatalogue& actions, QWidget* parent)
   table_->setColumnCount(ColumnCount);
   table_->setHeaderLabels({tr("Kind"), tr("Gap"), tr("Body A"), tr("Body B"), tr("Allowance"), tr("Status")});
   table_->headerItem()->setToolTip(Amount, tr("Negative where the bodies overlap"));
-  table_->setRootIsDecorated(false);
-  table_->setUniformRowHeights(true);
-  table_->setAlternatingRowColors(true);
-  table_->setTextElideMode(Qt::ElideMiddle);
   table_->setAccessibleName(tr("Fits"));
-  table_->setContextMenuPolicy(Qt::ActionsContextMenu);
-  table_->header()->setSectionResizeMode(QHeaderView::Interactive);
   for (const char* id : {"fits.isolate", "fits.accept", "fits.thread", "fits.require-clearance", "fits.as-measured"}) {
     table_->addAction(actions[QLatin1String(id)]);
   }
@@ -117,7 +96,7 @@ FitsPanel::FitsPanel(const ActionCatalogue& actions, QWidget* parent)
   layout->addWidget(filter_);
   layout->addWidget(table_, 1);
   layout->addLayout(makeActionFlow(actions, {"fits.isolate", "fits.accept"}, this));
-  connect(filter_, &QLineEdit::textChanged, this, &FitsPanel::filter);
+  connect(filter_, &QLineEdit::textChanged, table_, &NameTable::filterRows);
   connect(table_, &QTreeWidget::currentItemChanged, this, &FitsPanel::chosenChanged);
   connect(table_, &QTreeWidget::itemActivated, this, &FitsPanel::activated);
   setFits(nullptr);
@@ -129,10 +108,9 @@ void FitsPanel::setFits(const PairFitsPtr& fits) {
   table_->clear();
   for (std::size_t i = 0; fits_ && i < fits_->size(); ++i) addRow(i);
   table_->setSortingEnabled(true);
-  for (const int column : {Kind, Amount, Allowance, Status}) table_->resizeColumnToContents(column);
-  shareWidth();
+  table_->fitColumns();
   summary_->setText(summary());
-  filter(filter_->text());
+  table_->filterRows(filter_->text());
 }
 
 void FitsPanel::changeEvent(QEvent* event) {
@@ -140,20 +118,9 @@ void FitsPanel::changeEvent(QEvent* event) {
   if (event->type() == QEvent::LocaleChange) setFits(fits_);
 }
 
-void FitsPanel::shareWidth() {
-  int rest = table_->viewport()->width();
-  for (const int column : {Kind, Amount, Allowance}) rest -= table_->columnWidth(column);
-  for (const int column : {BodyA, BodyB}) table_->setColumnWidth(column, std::max(kLeastNameWidth, rest / 2));
-}
-
-void FitsPanel::resizeEvent(QResizeEvent* event) {
-  QWidget::resizeEvent(event);
-  shareWidth();
-}
-
 void FitsPanel::addRow(std::size_t index) {
   const PairFit& fit = (*fits_)[index];
-  auto* row = new FitItem(table_);
+  auto* row = new SortedRow(table_);
   row->setText(Kind, contactKindText(fit.contact.kind));
   setLength(*row, Amount, signedGap(fit.contact), signedLengthText(signedGap(fit.contact)));
   row->setToolTip(Amount, amountText(fit.contact));
@@ -181,20 +148,6 @@ QString FitsPanel::summary() const {
     kinds << QStringLiteral("%1 %2").arg(count).arg(contactKindText(*kindByName(name)));
   }
   return tr("Pairs of bodies: %1 (%2)").arg(fits_->size()).arg(kinds.join(QStringLiteral(", ")));
-}
-
-void FitsPanel::filter(const QString& text) {
-  for (int i = 0; i < table_->topLevelItemCount(); ++i) {
-    QTreeWidgetItem* row = table_->topLevelItem(i);
-    bool matches = text.isEmpty();
-    for (const int column : {Kind, Status, BodyA, BodyB}) {
-      matches = matches || row->text(column).contains(text, Qt::CaseInsensitive);
-    }
-    for (const int column : {BodyA, BodyB}) {
-      matches = matches || row->toolTip(column).contains(text, Qt::CaseInsensitive);
-    }
-    row->setHidden(!matches);
-  }
 }
 
 const PairFit* FitsPanel::chosen() const {

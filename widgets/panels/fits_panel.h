@@ -2,7 +2,6 @@
 
 #include <QLabel>
 #include <QLineEdit>
-#include <QTreeWidget>
 #include <QWidget>
 
 #include <memory>
@@ -10,6 +9,7 @@
 
 #include "engine/product/fit_table.h"
 #include "widgets/commands/action_catalogue.h"
+#include "widgets/panels/name_table.h"
 
 namespace glissade {
 
@@ -38,18 +38,15 @@ class FitsPanel final : public QWidget {
 
  protected:
   void changeEvent(QEvent* event) override;
-  void resizeEvent(QResizeEvent* event) override;
 
  private:
-  void shareWidth();
   void addRow(std::size_t index);
-  void filter(const QString& text);
   QString summary() const;
 
   PairFitsPtr fits_;
   QLabel* summary_;
   QLineEdit* filter_;
-  QTreeWidget* table_;
+  NameTable* table_;
 };
 
 /// The kind of a contact in the user's language.

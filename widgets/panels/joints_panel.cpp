@@ -1,7 +1,6 @@
 #include "widgets/panels/joints_panel.h"
 
 #include <QEvent>
-#include <QHeaderView>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
@@ -14,27 +13,9 @@ namespace {
 
 enum JointColumn { JointType, JointBody, JointWith, JointSize, JointWho, JointColumns };
 
-/// Pixels. Names are long: their columns share what the others leave, and show the ends of the names.
-constexpr int kLeastJointName = 60;
-/// Of that, for the body: what it is joined with are several.
-constexpr double kBodyShare = 0.4;
+constexpr double kBodyShare = 0.4;  // of the names' width: what the body is joined with are several
 
-constexpr int kJointIndexRole = Qt::UserRole;     // of the row
-constexpr int kJointSortRole = Qt::UserRole + 1;  // of sizes: metres
-
-/// Sorts sizes by their diameter and the rest as text.
-class JointItem final : public QTreeWidgetItem {
- public:
-  using QTreeWidgetItem::QTreeWidgetItem;
-
-  bool operator<(const QTreeWidgetItem& other) const override {
-    const int column = treeWidget()->sortColumn();
-    const double mine = data(column, kJointSortRole).toDouble();
-    const double others = other.data(column, kJointSortRole).toDouble();
-    if (mine != others) return mine < others;
-    return text(column).localeAwareCompare(other.text(column)) < 0;
-  }
-};
+constexpr int kJointIndexRole = Qt::UserRole;  // of the row
 
 QString idsText(const JointRow& row, const JointTable& table) {
   QStringList ids;
@@ -53,7 +34,10 @@ QString stateText(const JointRow& row) {
 }  // namespace
 
 JointsPanel::JointsPanel(const ActionCatalogue& actions, QWidget* parent)
-    : QWidget(parent), filter_(new QLineEdit(this)), rows_(new QTreeWidget(this)), details_(new QLabel(this)) {
+    : QWidget(parent),
+      filter_(new QLineEdit(this)),
+      rows_(new NameTable({{JointBody, kBodyShare}, {JointWith, 1.0 - kBodyShare}}, this)),
+      details_(new QLabel(this)) {
   filter_->setPlaceholderText(tr("Filter"));
   filter_->setToolTip(tr("Filter by kind, body, thread or state"));
   filter_->setAccessibleName(filter_->toolTip());
@@ -61,22 +45,15 @@ JointsPanel::JointsPanel(const ActionCatalogue& actions, QWidget* parent)
   rows_->setObjectName(QStringLiteral("joints-table"));
   rows_->setColumnCount(JointColumns);
   rows_->setHeaderLabels({tr("Kind"), tr("Body"), tr("With"), tr("Thread"), tr("State")});
-  rows_->setRootIsDecorated(false);
-  rows_->setUniformRowHeights(true);
-  rows_->setAlternatingRowColors(true);
-  rows_->setTextElideMode(Qt::ElideMiddle);
   rows_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   rows_->setAccessibleName(tr("Joints"));
-  rows_->setContextMenuPolicy(Qt::ActionsContextMenu);
-  rows_->header()->setSectionResizeMode(QHeaderView::Interactive);
-  rows_->header()->setStretchLastSection(false);
   rows_->sortByColumn(JointType, Qt::AscendingOrder);
   details_->setObjectName(QStringLiteral("joint-details"));
   details_->setWordWrap(true);
   details_->setTextFormat(Qt::PlainText);
   details_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   layOut(actions);
-  connect(filter_, &QLineEdit::textChanged, this, &JointsPanel::filter);
+  connect(filter_, &QLineEdit::textChanged, rows_, &NameTable::filterRows);
   connect(rows_, &QTreeWidget::itemSelectionChanged, this, [this] {
     showDetails();
     emit chosenChanged();
@@ -113,16 +90,15 @@ void JointsPanel::setTable(const JointTablePtr& table) {
     rows_->setSortingEnabled(true);
     chooseKeys(keys);
   }
-  for (const int column : {JointType, JointSize, JointWho}) rows_->resizeColumnToContents(column);
-  shareWidth();
-  filter(filter_->text());
+  rows_->fitColumns();
+  rows_->filterRows(filter_->text());
   showDetails();
   if (!keys.empty()) emit chosenChanged();
 }
 
 void JointsPanel::addRow(std::size_t index) {
   const JointRow& row = table_->rows()[index];
-  auto* item = new JointItem(rows_);
+  auto* item = new SortedRow(rows_);
   item->setData(JointType, kJointIndexRole, static_cast<qulonglong>(index));
   item->setText(JointType, jointKindText(row.key.kind));
   item->setText(JointBody, table_->shown(row.key.body));
@@ -130,7 +106,7 @@ void JointsPanel::addRow(std::size_t index) {
   item->setText(JointWith, joinedWithText(row, *table_));
   item->setToolTip(JointWith, idsText(row, *table_));
   item->setText(JointSize, jointSizeText(row.joint));
-  item->setData(JointSize, kJointSortRole, row.joint.thread ? row.joint.thread->diameter : 0.0);
+  item->setData(JointSize, kSortRole, row.joint.thread ? row.joint.thread->diameter : 0.0);
   item->setToolTip(JointSize, driveText(row.joint));
   item->setText(JointWho, stateText(row));
   for (const int column : {JointType, JointWho}) item->setToolTip(column, jointEvidence(row).join(QLatin1Char('\n')));
@@ -189,34 +165,6 @@ bool JointsPanel::choose(JointKind kind, const std::string& body) {
 void JointsPanel::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
   if (event->type() == QEvent::LocaleChange || event->type() == QEvent::PaletteChange) setTable(table_);
-}
-
-void JointsPanel::resizeEvent(QResizeEvent* event) {
-  QWidget::resizeEvent(event);
-  shareWidth();
-}
-
-void JointsPanel::shareWidth() {
-  int rest = rows_->viewport()->width();
-  for (const int column : {JointType, JointSize, JointWho}) rest -= rows_->columnWidth(column);
-  const int body = std::max(kLeastJointName, static_cast<int>(kBodyShare * rest));
-  rows_->setColumnWidth(JointBody, body);
-  rows_->setColumnWidth(JointWith, std::max(kLeastJointName, rest - body));
-}
-
-void JointsPanel::filter(const QString& text) {
-  for (int i = 0; i < rows_->topLevelItemCount(); ++i) {
-    QTreeWidgetItem* item = rows_->topLevelItem(i);
-    bool matches = text.isEmpty();
-    for (int column = 0; column < JointColumns; ++column) {
-      matches = matches || item->text(column).contains(text, Qt::CaseInsensitive);
-    }
-    for (const int column : {JointBody, JointWith}) {
-      matches = matches || item->toolTip(column).contains(text, Qt::CaseInsensitive);
-    }
-    item->setHidden(!matches);
-    if (!matches) item->setSelected(false);  // nothing is done to what is not seen
-  }
 }
 
 /// The evidence of the one row that is chosen; else how many joints there are.

@@ -2,7 +2,6 @@
 
 #include <QLabel>
 #include <QLineEdit>
-#include <QTreeWidget>
 #include <QWidget>
 
 #include <memory>
@@ -10,6 +9,7 @@
 
 #include "widgets/commands/action_catalogue.h"
 #include "widgets/panels/joint_table.h"
+#include "widgets/panels/name_table.h"
 
 namespace glissade {
 
@@ -39,7 +39,6 @@ class JointsPanel final : public QWidget {
 
  protected:
   void changeEvent(QEvent* event) override;
-  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void layOut(const ActionCatalogue& actions);
@@ -47,13 +46,11 @@ class JointsPanel final : public QWidget {
   void markRow(QTreeWidgetItem& item, const JointRow& row) const;
   const JointRow& rowOf(const QTreeWidgetItem& item) const;
   void chooseKeys(const std::vector<JointKey>& keys);
-  void shareWidth();
-  void filter(const QString& text);
   void showDetails();
 
   JointTablePtr table_;
   QLineEdit* filter_;
-  QTreeWidget* rows_;
+  NameTable* rows_;
   QLabel* details_;
 };
 
