@@ -1,9 +1,12 @@
 #include "app/window/times_controller.h"
 
+#include <utility>
+
 #include "widgets/studies/plan_graph_view.h"
 #include "widgets/studies/times_view.h"
 
 namespace glissade {
+
 TimesController::TimesController(const Workbench& bench, const SequenceController& sequence)
     : QObject(&bench.window), bench_(bench), sequence_(sequence) {
   bench.onAction("sequence.times", this, [this] { show(); });
@@ -11,6 +14,12 @@ TimesController::TimesController(const Workbench& bench, const SequenceControlle
     enableAction();
     update();
   });
+  connect(&task_, &BackgroundTask::failed, &bench.work, &WorkController::reportFailure);
+  connect(&task_, &BackgroundTask::ended, this, [this] {
+    if (std::exchange(isOutdated_, false)) update();
+  });
+  bench.work.show(
+      task_, [] { return tr("Dividing the work"); }, [this] { task_.cancel(); });
   enableAction();
   addCommands();
 }
@@ -30,30 +39,34 @@ void TimesController::show() {
   update();
 }
 
+/// CBC does not stop early: what is asked while it works waits for its end.
 void TimesController::update() {
   if (view_ == nullptr || !view_->isVisible()) return;
   const ShownPlan& shown = sequence_.shown();
-  const GraphColours colours = graphColours(bench_.window.palette());
   if (!shown.plan || shown.plan->steps.empty()) {
-    view_->setTiming(std::nullopt, colours);
-    return;
+    view_->setTiming(std::nullopt, graphColours(bench_.window.palette()));
+  } else if (task_.isBusy()) {
+    isOutdated_ = true;
+  } else if (!shown.growing) {
+    divide(shown.plan, shown.product);
   }
-  if (shown.growing) return;
+}
+
+void TimesController::divide(const PlanPtr& plan, const ProductPtr& product) {
   const int count = view_->stations();
   const std::optional<std::size_t> stations = count > 1 ? std::optional(static_cast<std::size_t>(count)) : std::nullopt;
-  bench_.work.run(tr("Dividing the work"),
-                  [this, plan = shown.plan, product = shown.product, stations, count,
-                   colours](const WorkWatch&) -> BackgroundTask::Delivery {
-                    const auto timing = planTiming(*plan, *product, WorkTimes(), stations);
-                    return [this, plan, count, colours, timing] {
-                      if (sequence_.shown().plan != plan || view_->stations() != count) return;
-                      if (timing) {
-                        view_->setTiming(*timing, colours);
-                      } else {
-                        bench_.messages.showError(tr("The work cannot be divided"), timing.error());
-                      }
-                    };
-                  });
+  const auto work = [this, plan, product, stations](const WorkWatch&) -> BackgroundTask::Delivery {
+    const auto timing = planTiming(*plan, *product, WorkTimes(), stations);
+    return [this, plan, timing] {
+      if (sequence_.shown().plan != plan) return;
+      if (timing) {
+        view_->setTiming(*timing, graphColours(bench_.window.palette()));
+      } else {
+        bench_.messages.showError(tr("The work cannot be divided"), timing.error());
+      }
+    };
+  };
+  task_.start("dividing the work", work, bench_.work.isAtOnce());
 }
 
 void TimesController::addCommands() {

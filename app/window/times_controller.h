@@ -18,12 +18,15 @@ class TimesController final : public QObject {
  private:
   void show();
   void update();
+  void divide(const PlanPtr& plan, const ProductPtr& product);
   void enableAction();
   void addCommands();
 
   const Workbench& bench_;
   const SequenceController& sequence_;
   TimesView* view_ = nullptr;
+  BackgroundTask task_;
+  bool isOutdated_ = false;  ///< something else was asked for while the task was busy
 };
 
 }  // namespace glissade
