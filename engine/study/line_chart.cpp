@@ -53,11 +53,7 @@ class ChartDrawing {
 
   std::string svg() const {
     const double bottom = kTop + kRow * static_cast<double>(bars_.size());
-    const std::string width = pixels(kLeft + kWidth + kRight);
-    const std::string height = pixels(bottom + kAxis + kLegend);
-    std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height +
-                      "\" viewBox=\"0 0 " + width + " " + height + "\">\n<rect width=\"" + width + "\" height=\"" +
-                      height + "\" fill=\"" + colours_.ground + "\"/>\n" + axis(bottom);
+    std::string svg = svgBegin(kLeft + kWidth + kRight, bottom + kAxis + kLegend, colours_.ground) + axis(bottom);
     for (std::size_t i = 0; i < bars_.size(); ++i) svg += bar(bars_[i], kTop + kRow * static_cast<double>(i));
     if (timing_.line) svg += cycle(bottom);
     return svg + text(kLeft, bottom + kAxis + 12.0, "start", words_("Framed steps: the longest chain")) + "</svg>\n";
@@ -73,9 +69,7 @@ class ChartDrawing {
   double at(double seconds) const { return kLeft + kWidth * scale_.position(seconds); }
 
   std::string text(double x, double y, const std::string& anchor, const std::string& words) const {
-    return "<text x=\"" + pixels(x) + "\" y=\"" + pixels(y) + "\" text-anchor=\"" + anchor +
-           "\" font-family=\"DejaVu Sans, sans-serif\" font-size=\"12\" fill=\"" + colours_.ink + "\">" +
-           escaped(words) + "</text>\n";
+    return svgText(x, y, anchor, words, colours_.ink);
   }
 
   std::string verticalLine(double x, double from, double to, const std::string& stroke) const {

@@ -138,10 +138,8 @@ std::string arrowSvg(const GraphNode& from, const GraphNode& to, bool blocks, co
 std::string boxSvg(const GraphNode& node, const GraphColours& colours) {
   return "<rect x=\"" + pixels(left(node)) + "\" y=\"" + pixels(top(node)) + "\" width=\"" + pixels(kBoxWidth) +
          "\" height=\"" + pixels(kBoxHeight) + "\" rx=\"4\" fill=\"" + colours.box + "\" stroke=\"" +
-         (node.isStep ? colours.line : colours.stuck) + "\"><title>" + escaped(node.text) +
-         "</title></rect>\n<text x=\"" + pixels(left(node) + 8.0) + "\" y=\"" + pixels(middle(node) + 4.0) +
-         "\" font-family=\"DejaVu Sans, sans-serif\" font-size=\"12\" fill=\"" + colours.ink + "\">" +
-         escaped(cut(node.text)) + "</text>\n";
+         (node.isStep ? colours.line : colours.stuck) + "\"><title>" + escaped(node.text) + "</title></rect>\n" +
+         svgText(left(node) + 8.0, middle(node) + 4.0, "start", cut(node.text), colours.ink);
 }
 
 }  // namespace
@@ -152,11 +150,9 @@ std::string planGraphSvg(const AssemblyPlan& plan, const AssembledProduct& produ
   const std::size_t rows =
       layout.rows.empty() ? std::size_t{1} : *std::max_element(layout.rows.begin(), layout.rows.end());
   const double columns = static_cast<double>(std::max<std::size_t>(1, layout.rows.size()));
-  const std::string width = pixels(2.0 * kMargin + columns * (kBoxWidth + kColumnGap) - kColumnGap);
-  const std::string height = pixels(2.0 * kMargin + static_cast<double>(rows) * (kBoxHeight + kRowGap) - kRowGap);
-  std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height +
-                    "\" viewBox=\"0 0 " + width + " " + height + "\">\n<rect width=\"" + width + "\" height=\"" +
-                    height + "\" fill=\"" + colours.ground + "\"/>\n";
+  const double width = 2.0 * kMargin + columns * (kBoxWidth + kColumnGap) - kColumnGap;
+  const double height = 2.0 * kMargin + static_cast<double>(rows) * (kBoxHeight + kRowGap) - kRowGap;
+  std::string svg = svgBegin(width, height, colours.ground);
   for (const GraphArrow& arrow : layout.arrows) {
     svg += arrowSvg(layout.nodes[arrow.from], layout.nodes[arrow.to], arrow.blocks, colours);
   }

@@ -35,4 +35,16 @@ std::string pixels(double value) {
   return text;
 }
 
+std::string svgBegin(double width, double height, const std::string& ground) {
+  const std::string size = "width=\"" + pixels(width) + "\" height=\"" + pixels(height) + "\"";
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" " + size + " viewBox=\"0 0 " + pixels(width) + " " +
+         pixels(height) + "\">\n<rect " + size + " fill=\"" + ground + "\"/>\n";
+}
+
+std::string svgText(double x, double y, const std::string& anchor, const std::string& text, const std::string& colour) {
+  return "<text x=\"" + pixels(x) + "\" y=\"" + pixels(y) + "\" text-anchor=\"" + anchor +
+         "\" font-family=\"DejaVu Sans, sans-serif\" font-size=\"12\" fill=\"" + colour + "\">" + escaped(text) +
+         "</text>\n";
+}
+
 }  // namespace glissade
