@@ -251,10 +251,12 @@ void printSteps(const std::vector<AssemblyStep>& steps, const std::string& befor
       std::cout << before << "      tool: " << words.tool(step, host.product()) << "\n";
     }
     for (const std::string& text : words.violations(step, host.product())) {
-      std::cout << "      forced, although: " << text << "\n";
+      std::cout << before << "      forced, although: " << text << "\n";
     }
-    for (const std::string& id : step.falling) std::cout << "      to be held: " << host.nameOf(id) << "\n";
-    for (const StepAllowance& allowance : step.allowances) std::cout << "      allowance: " << allowance.text << "\n";
+    for (const std::string& id : step.falling) std::cout << before << "      to be held: " << host.nameOf(id) << "\n";
+    for (const StepAllowance& allowance : step.allowances) {
+      std::cout << before << "      allowance: " << allowance.text << "\n";
+    }
   }
 }
 

@@ -335,7 +335,7 @@ MotionVerdict MotionCheck::checkEdge(const Geometry& geometry, const Pose& from,
     if (nearest.distance < required) result.status = Status::Violated;
     return nearest.distance;
   };
-  // What is swept comes as near as the object does on its way, but for its turn, which is even.
+  // What is swept comes as near as the object does on its way, but for its turn, which has the same speed all the way.
   const auto sweptProof = [&](const Span& span) {
     const double enough = std::max(2.0 * required, result.minClearance);
     const Vector3 way = (span.end - span.begin) * course.way();

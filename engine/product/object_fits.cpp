@@ -416,10 +416,12 @@ class FitFinder {
     return {};
   }
 
-  /// What was prepared of a body that is not taken so takes more memory than all that is kept.
+  /// Trees of thinned bodies that are not taken were more than half of the memory of the fits.
   void forget(const MeshPtr& thinned) {
     if (tools_.prepared) tools_.prepared->forget(thinned);
   }
+
+  Box3 boxOf(std::size_t obstacle) const { return boundingBox(*body(obstacle).mesh, body(obstacle).X_WB); }
 
   /// Taken so, the object moves along the axis of the pair, the one way or the other, until it is past the obstacle.
   bool slides(const std::vector<Fit>& taken, std::size_t obstacle, const FoundContact& found) {
@@ -429,13 +431,13 @@ class FitFinder {
     const auto query = pairOf(object, obstacle, other)->makeQuery();
     const Pose& from = found.measuredAt;
     const Vector3 axis = found.contact.axis->direction.normalized();
-    const double way =
-        (boundingBox(*object_.mesh, from).sizes() + boundingBox(*body(obstacle).mesh, body(obstacle).X_WB).sizes())
-            .norm();
+    const double way = (boundingBox(*object_.mesh, from).sizes() + boxOf(obstacle).sizes()).norm();
     const double required = kPathShare * gap_;
+    const Vector3 apart = boundingBox(*object_.mesh, from).center() - boxOf(obstacle).center();
+    const double likely = apart.dot(axis) < 0.0 ? -way : way;  // to the side where the object stands out
     return std::any_of(kBothWays.begin(), kBothWays.end(), [&](double sense) {
       Pose to = from;
-      to.position += sense * way * axis;
+      to.position += sense * likely * axis;
       return query->checkMotion(from, to, required, SeekViolation::Any, stop_).status == CertificateStatus::Certified;
     });
   }

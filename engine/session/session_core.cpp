@@ -229,7 +229,7 @@ void SessionCore::startRun(const StopToken& stop) {
 }
 
 void SessionCore::plan(const Hooks& hooks) {
-  // Before the host: at its deadline the limit is reached.
+  // The clock starts before the host sets its deadline: at the deadline the limit has been reached.
   planningSince_ = std::chrono::steady_clock::now();
   Host host(*this, hooks);
   cpuBefore_ = cpuSeconds(*planner_);
