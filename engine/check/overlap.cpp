@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "engine/check/deepest_points.h"
+#include "engine/check/part_cells.h"
 #include "engine/geometry/triangle_crossing.h"
 
 namespace glissade::check {
@@ -12,12 +14,21 @@ namespace {
 
 constexpr double kLeastDepth = 1e-7;  ///< metres: what rounding of coordinates can be
 constexpr int kMostWidenings = 8;
-/// Near a part, more triangles than these are not all compared with it where it is a clash anyway.
+/// Near a part, more triangles than these are not all compared with it where it is a clash anyway. Else the part is cut
+/// into cells, down to this share of the largest depth met, unless it is in a thin wall.
 constexpr std::size_t kManyTriangles = 256;
+constexpr double kFinestShare = 0.01;
 /// Points between two questions whether to stop.
 constexpr std::size_t kPointsBetweenStops = 64;
+/// Metres: the other face of a wall is looked for so near first, then twice as far.
+constexpr double kFirstReach = 1e-3 / 32.0;
 /// Least cosine between the way from one face of a wall to the other and the inward normal of the one.
 constexpr double kStraightThrough = 0.7;
+
+double longestEdge(const Triangle& part) {
+  return std::sqrt(std::max(
+      {(part[1] - part[0]).squaredNorm(), (part[2] - part[1]).squaredNorm(), (part[0] - part[2]).squaredNorm()}));
+}
 
 class DepthSearch {
  public:
@@ -52,7 +63,10 @@ class DepthSearch {
       const std::vector<std::uint32_t> near = trianglesNear(part, reach);
       if (deepest > kClashOverlap && near.size() > kManyTriangles) return;
       if (deepest == 0.0 && isOutside(part, normal, near)) return;
-      deepest = std::max(deepest, deepestOf(part, normal, near, stop));
+      if (isKnown(near, normal, deepest + longestEdge(part))) return;
+      const bool many = near.size() > kManyTriangles && !isInWall(near, normal);
+      deepest =
+          std::max(deepest, many ? deepestInCells(part, normal, near, stop) : deepestOf(part, normal, near, stop));
       if (deepest <= reach || stop.stopRequested()) return;
     }
   }
@@ -62,15 +76,48 @@ class DepthSearch {
     std::vector<Triangle> triangles;
     for (const std::uint32_t t : near) triangles.push_back(body_.tree.triangles()[t]);
     const std::vector<Vector3> points = deepestPoints(part, triangles);
+    const std::vector<std::uint32_t> regions = facing(near, normal);
     double deepest = 0.0;
-    double met = metBelow(near, normal);
+    double met = metBelow(regions);
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (i % kPointsBetweenStops == 0 && stop.stopRequested()) break;
       if (isNearer(points[i], met, near, normal)) continue;
       deepest = std::max(deepest, meet(points[i], normal));
-      met = metBelow(near, normal);
+      met = metBelow(regions);
     }
     return deepest;
+  }
+
+  /// Of a fine mesh: the same to a share of the largest depth.
+  double deepestInCells(const Triangle& part, const Vector3& normal, const std::vector<std::uint32_t>& near,
+                        const StopToken& stop) {
+    double deepest = 0.0;
+    PartCells cells(part, body_.tree.triangles(), near);
+    while (!cells.empty() && !stop.stopRequested()) {
+      const PartCell cell = cells.take();
+      const bool inside = body_.tree.box().contains(cell.middle) && body_.contains(cell.middle);
+      const double most = inside ? cell.bound : cell.radius - cell.distance;
+      if (most <= kLeastDepth) continue;
+      if (inside && !isKnown(cell.near, normal, cell.distance)) deepest = std::max(deepest, meet(cell.middle, normal));
+      const double finest = std::max(kLeastDepth, kFinestShare * overlap_.deepest);
+      if (cell.radius > finest && !isKnown(cell.near, normal, most - finest)) cells.halve(cell);
+    }
+    return deepest;
+  }
+
+  /// One of the triangles is the other side of a thin wall.
+  bool isInWall(const std::vector<std::uint32_t>& near, const Vector3& normal) const {
+    return std::any_of(near.begin(), near.end(),
+                       [&](std::uint32_t t) { return body_.normals[t].dot(normal) > -kFacing; });
+  }
+
+  /// A point that is no deeper, and that these are the nearest of, tells nothing new.
+  bool isKnown(const std::vector<std::uint32_t>& near, const Vector3& normal, double depth) const {
+    if (depth > overlap_.deepest) return false;
+    return std::all_of(near.begin(), near.end(), [&](std::uint32_t t) {
+      const double cosine = body_.normals[t].dot(normal);
+      return cosine < kFacing ? depth <= overlap_.depths[body_.regions.of[t]] : cosine <= -kFacing;
+    });
   }
 
   /// The part does not pass through the surface, and its middle is not inside.
@@ -99,15 +146,25 @@ class DepthSearch {
     return near;
   }
 
-  /// What was met below each of the faces that points of the part can count for: points that are no deeper tell nothing
-  /// new.
-  double metBelow(const std::vector<std::uint32_t>& near, const Vector3& normal) const {
-    double met = std::numeric_limits<double>::infinity();
+  /// The regions that points of the part can count for, ascending.
+  std::vector<std::uint32_t> facing(const std::vector<std::uint32_t>& near, const Vector3& normal) const {
+    std::vector<std::uint32_t> regions;
     for (const std::uint32_t t : near) {
-      if (body_.normals[t].dot(normal) < kFacing) met = std::min(met, overlap_.depths[body_.regions.of[t]]);
+      if (body_.normals[t].dot(normal) < kFacing) regions.push_back(body_.regions.of[t]);
     }
-    return std::max(std::isfinite(met) ? met : 0.0, kLeastDepth);
+    std::sort(regions.begin(), regions.end());
+    regions.erase(std::unique(regions.begin(), regions.end()), regions.end());
+    return regions;
   }
+
+  double leastMet(const std::vector<std::uint32_t>& regions) const {
+    double met = regions.empty() ? 0.0 : std::numeric_limits<double>::infinity();
+    for (const std::uint32_t region : regions) met = std::min(met, overlap_.depths[region]);
+    return met;
+  }
+
+  /// Points that are no deeper tell nothing new.
+  double metBelow(const std::vector<std::uint32_t>& regions) const { return std::max(leastMet(regions), kLeastDepth); }
 
   /// One of the triangles, ascending, that do not point along the normal is within the distance.
   bool isNearer(const Vector3& p, double distance, const std::vector<std::uint32_t>& triangles,
@@ -149,16 +206,25 @@ class DepthSearch {
   /// is none.
   TriangleTree::Nearest acrossTheWall(const Vector3& p, const Vector3& normal,
                                       const TriangleTree::Nearest& nearest) const {
-    TriangleTree::Nearest across = nearest;
-    double least = kClashOverlap * kClashOverlap;
-    const Vector3 reach = Vector3::Constant(kClashOverlap);
     const Vector3 inwards = -body_.normals[nearest.triangle];
+    for (double reach = kFirstReach; reach < 2.0 * kClashOverlap; reach *= 2.0) {
+      const auto found = straightBehind(p, normal, inwards, std::min(reach, kClashOverlap));
+      if (found) return *found;
+    }
+    return nearest;
+  }
+
+  std::optional<TriangleTree::Nearest> straightBehind(const Vector3& p, const Vector3& normal, const Vector3& inwards,
+                                                      double within) const {
+    std::optional<TriangleTree::Nearest> across;
+    double least = within * within;
+    const Vector3 reach = Vector3::Constant(within);
     body_.tree.visit(Box3(p - reach, p + reach), [&](std::uint32_t t) {
       if (body_.normals[t].dot(normal) > -kFacing) return true;
       const Vector3 way = nearestPoint(body_.tree.triangles()[t], p) - p;
       const double squared = way.squaredNorm();
       if (squared >= least || way.dot(inwards) < kStraightThrough * std::sqrt(squared)) return true;
-      across = {std::sqrt(squared), t};
+      across = TriangleTree::Nearest{std::sqrt(squared), t};
       least = squared;
       return true;
     });

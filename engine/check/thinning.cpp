@@ -309,11 +309,22 @@ class ThinBody {
       row.visit(box, [&](std::uint32_t f) {
         if (piece_[moved[0]] != piece_[triangles_[f][0]]) return true;
         if (meetAtStillCorner(moved, triangles_[f], thin) || !trianglesCross(corners, faces_[f], near)) return true;
-        bad.insert(moved.begin(), moved.end());
-        return false;
+        addBlamed(moved, triangles_[f], bad);
+        return true;
       });
     }
     return bad;
+  }
+
+  /// Corners that the two have in common leave the face that they slide along; others may be far away from it.
+  static void addBlamed(const TriangleIndices& moved, const TriangleIndices& face, std::set<std::uint32_t>& bad) {
+    bool shared = false;
+    for (const std::uint32_t i : moved) {
+      if (std::find(face.begin(), face.end(), i) == face.end()) continue;
+      bad.insert(i);
+      shared = true;
+    }
+    if (!shared) bad.insert(moved.begin(), moved.end());
   }
 
   bool meetAtStillCorner(const TriangleIndices& moved, const TriangleIndices& face, const TriangleMesh& thin) const {

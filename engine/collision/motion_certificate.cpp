@@ -18,6 +18,9 @@ constexpr double kSlimmestMargin = 1e-3;
 /// distance met there.
 constexpr double kEdgeShare = 0.5;
 constexpr double kPathShare = 0.9;
+/// Clearances are proved up to this share of the object's radius: whether it is half a metre away or one decides
+/// nothing, and so many pairs of triangles are within that reach that the proof takes minutes.
+constexpr double kMostShare = 0.5;
 /// By which the bound of what a path is off its screw motion is raised above its rounding.
 constexpr double kScrewRounding = 1e-9;
 /// More queries than this on one motion and it is given up as undecided: ten times what a slide of
@@ -198,7 +201,8 @@ class PathCertifier {
   /// check finds below that is met next, so that every turn halves what is left.
   void raise(std::size_t edge, MotionCertificate& result) {
     if (screwed_[edge] > 0.0) return;
-    for (double bound = kEdgeShare * result.minClearance; bound > result.provedClearance && !stop_.stopRequested();
+    for (double bound = worthProving(kEdgeShare * result.minClearance);
+         bound > result.provedClearance && !stop_.stopRequested();
          bound = kEdgeShare * std::min(bound, result.minClearance)) {
       const MotionCheck found = check(edge, bound);
       if (found.status == CertificateStatus::Certified) result.provedClearance = bound;
@@ -212,8 +216,9 @@ class PathCertifier {
     double least = std::numeric_limits<double>::infinity();
     for (const MotionCertificate& edge : edges) least = std::min(least, edge.minClearance);
     for (std::size_t i = 0; i < edges.size(); ++i) {
-      while (screwed_[i] <= 0.0 && kPathShare * least > edges[i].provedClearance && !stop_.stopRequested()) {
-        const double bound = kPathShare * least;
+      while (screwed_[i] <= 0.0 && worthProving(kPathShare * least) > edges[i].provedClearance &&
+             !stop_.stopRequested()) {
+        const double bound = worthProving(kPathShare * least);
         const MotionCheck found = check(i, bound);
         if (found.status == CertificateStatus::Certified) edges[i].provedClearance = bound;
         if (found.status == CertificateStatus::Violated) meet(i, found.at, edges[i]);
@@ -221,6 +226,10 @@ class PathCertifier {
         least = edges[i].minClearance;
       }
     }
+  }
+
+  double worthProving(double clearance) const {
+    return std::min(clearance, kMostShare * query_.motionBound().objectRadius());
   }
 
   CollisionQuery& query_;

@@ -94,6 +94,17 @@ std::vector<std::uint32_t> shellsOf(const TriangleMesh& mesh) {
   return shells;
 }
 
+/// The corners of a moved triangle that are to move less where it meets a true one: those that it has in common with
+/// that one, else all. A vertex that slides along the tilted facets of a chamfer may leave them; the other corners of a
+/// large triangle may be far away from there.
+std::vector<std::uint32_t> thoseToBlame(const TriangleIndices& moved, const TriangleIndices& met) {
+  std::vector<std::uint32_t> common;
+  for (const std::uint32_t vertex : moved) {
+    if (std::find(met.begin(), met.end(), vertex) != met.end()) common.push_back(vertex);
+  }
+  return common.empty() ? std::vector<std::uint32_t>(moved.begin(), moved.end()) : common;
+}
+
 /// Numbers of the triangles with three different corners: those that welded() keeps, in their order.
 std::vector<std::uint32_t> keptTriangles(const TriangleMesh& mesh) {
   std::vector<std::uint32_t> kept;
@@ -217,7 +228,9 @@ std::vector<std::uint32_t> ThinnableMesh::verticesOutside(const TriangleMesh& th
     double way = 0.0;
     for (const std::uint32_t v : moved) way = std::max(way, (thinned.vertices[v] - mesh_.vertices[v]).norm());
     if (!trianglesCross(after.triangles()[i], surface_.triangles()[k], std::max(rounding, kStays * way))) return;
-    for (const std::uint32_t vertex : moved) std::atomic_ref(outside[vertex]).store(1, std::memory_order_relaxed);
+    for (const std::uint32_t vertex : thoseToBlame(moved, mesh_.triangles[k])) {
+      std::atomic_ref(outside[vertex]).store(1, std::memory_order_relaxed);
+    }
   });
   std::vector<std::uint32_t> vertices;
   for (std::uint32_t vertex = 0; vertex < outside.size(); ++vertex) {

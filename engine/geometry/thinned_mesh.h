@@ -44,8 +44,9 @@ class ThinnableMesh {
   /// Nothing where the mesh is empty or encloses nothing.
   static std::optional<ThinnableMesh> of(const TriangleMesh& mesh);
 
-  /// The mesh thinned by an allowance (metres, > 0). Where a moved triangle would meet the true surface, its corners
-  /// move less, and stay in the end, because a surface may cross itself. Nothing where that does not help.
+  /// The mesh thinned by an allowance (metres, > 0). Where a moved triangle would meet a true one, the corners that
+  /// it has in common with that one, else all, move less, and stay in the end, because a surface may cross itself.
+  /// Nothing where that does not help.
   std::optional<TriangleMesh> thinned(double allowance) const;
   /// Each triangle of the mesh that this was made of has an allowance of its own, metres, >= 0. Faces without one stay
   /// whole, except where they share a vertex with one that has.

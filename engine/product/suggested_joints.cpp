@@ -89,8 +89,21 @@ constexpr std::array<std::string_view, 20> kNoUnitWords{
     "mount", "bracket", "holder", "housing", "tube",  "plate", "cover",   "case",     "box",    "block",
     "cap",   "support", "shaft",  "gear",    "wheel", "frame", "coupler", "coupling", "spacer", "pulley"};
 
+/// They follow the word that says what a thing is.
+constexpr std::array<std::string_view, 7> kAssemblyWords{"assembly", "subassembly", "assy",    "asm",
+                                                         "asy",      "baugruppe",   "ensemble"};
+
+/// A battery tube assembly is a tube.
+std::vector<std::string> withoutAssemblyWords(std::vector<std::string> words) {
+  const auto isAssembly = [](const std::string& word) {
+    return std::find(kAssemblyWords.begin(), kAssemblyWords.end(), word) != kAssemblyWords.end();
+  };
+  while (!words.empty() && isAssembly(words.back())) words.pop_back();
+  return words;
+}
+
 bool isUnitName(const std::string& name) {
-  const std::vector<std::string> words = wordsOfName(name);
+  const std::vector<std::string> words = withoutAssemblyWords(wordsOfName(name));
   if (words.empty() || std::find(kNoUnitWords.begin(), kNoUnitWords.end(), words.back()) != kNoUnitWords.end()) {
     return false;
   }

@@ -89,6 +89,33 @@ TEST(Overlap, IsWhatDenseSamplesShow) {
   }
 }
 
+/// Near a large triangle are thousands of small ones: a ball that is pressed into a block, or is milled out of it.
+TEST(Overlap, OfAFineMeshIsThatOfTheSurfaceThatItStandsFor) {
+  constexpr double kRadius = 0.004;
+  const TriangleMesh fine = makeSphere(kRadius, 5);
+  double outermost = 0.0;
+  double innermost = kRadius;
+  for (const auto& [a, b, c] : fine.triangles) {
+    outermost = std::max(outermost, fine.vertices[a].norm());
+    innermost = std::min(innermost, (fine.vertices[a] + fine.vertices[b] + fine.vertices[c]).norm() / 3.0);
+  }
+  RandomStream stream(8, "fine overlap");
+  for (int i = 0; i < 6; ++i) {
+    const double overlap = stream.uniform(5e-5, 8e-4);
+    const double along = stream.uniform(-0.003, 0.003);
+    const PlacedBody ball = placed(test::checkBody("ball", fine));
+    const PlacedBody block =
+        placed(test::checkBody("block", makeBox({0.04, 0.04, 0.02}), {along, 0.0, -0.01 - kRadius + overlap}));
+    const Overlap ofBall = overlapIn(ball, block, {});
+    const Overlap ofBlock = overlapIn(block, ball, {});
+    for (const Overlap* found : {&ofBall, &ofBlock}) {
+      EXPECT_GE(found->deepest, 0.985 * (overlap - (kRadius - innermost))) << i;
+      EXPECT_LE(found->deepest, (overlap + outermost - kRadius) * (1.0 + 1e-9)) << i;
+    }
+    EXPECT_GE(ofBall.deepest, 0.985 * sampledDepth(ball, block, 120)) << i;
+  }
+}
+
 /// Coplanar faces of different sizes, in a corner, and around a hole: nothing is inside.
 TEST(Overlap, OfFacesThatCoincideIsNothing) {
   const PlacedBody plate = placed(test::checkBody("plate", test::holedPlate(24, 0.01, 0.03, -0.005, 0.0)));
