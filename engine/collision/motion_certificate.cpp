@@ -18,9 +18,6 @@ constexpr double kSlimmestMargin = 1e-3;
 /// distance met there.
 constexpr double kEdgeShare = 0.5;
 constexpr double kPathShare = 0.9;
-/// Clearances are proved up to this share of the object's radius: whether it is half a metre away or one decides
-/// nothing, and so many pairs of triangles are within that reach that the proof takes minutes.
-constexpr double kMostShare = 0.5;
 /// By which the bound of what a path is off its screw motion is raised above its rounding.
 constexpr double kScrewRounding = 1e-9;
 /// More queries than this on one motion and it is given up as undecided: ten times what a slide of
@@ -229,7 +226,7 @@ class PathCertifier {
   }
 
   double worthProving(double clearance) const {
-    return std::min(clearance, kMostShare * query_.motionBound().objectRadius());
+    return std::min(clearance, kMostProvedShare * query_.motionBound().objectRadius());
   }
 
   CollisionQuery& query_;

@@ -15,6 +15,10 @@ struct EdgeDemand {
   bool sliding = false;    ///< it touches a contact configuration, and is held to the contact gap instead
 };
 
+/// Clearances of paths are proved up to this share of the object's radius about its frame: whether it is half a metre
+/// away or one decides nothing, and so many pairs of triangles are within that reach that a proof takes minutes.
+inline constexpr double kMostProvedShare = 0.5;
+
 /// One edge of a path: its smallest clearance lies in [provedClearance, minClearance].
 struct EdgeCertificate {
   CertificateStatus status = CertificateStatus::Undecided;
