@@ -401,6 +401,11 @@ int runSequence(const SequenceOptions& options) {
   }
   ThreadTeam team(options.lanes - 1);
   const std::uint64_t seed = earlier ? earlier->seed : options.seed.value_or(1);
+  auto joints = demands->jointUse == JointUse::Off
+                    ? Result<Joints>(Joints())
+                    : applied(findJoints(product, stop, loaded->classes), demands->joints, product);
+  if (!joints) return reportError(joints.error(), options.format);
+  product.snaps = bendsOf(countingJoints(*joints, demands->jointUse), product);
   const auto fits = ProductFits::find(product, team, stop);
   const bool outOfTime = !fits && fits.error().kind == ErrorKind::Interrupted && !interrupt.requested();
   if (!fits && !outOfTime) return reportError(fits.error(), options.format);
@@ -412,10 +417,6 @@ int runSequence(const SequenceOptions& options) {
   like.strategy = earlier ? earlier->strategy : usual;
   like.demands = *demands;
   like.deflection = deflection;
-  auto joints = demands->jointUse == JointUse::Off || outOfTime
-                    ? Result<Joints>(Joints())
-                    : applied(findJoints(product, stop, loaded->classes), demands->joints, product);
-  if (!joints) return reportError(joints.error(), options.format);
   SequenceRequest request{*staying, like.strategy, seed, *demands, earlier ? &*earlier : nullptr};
   request.joints = &*joints;
   if (outOfTime) {

@@ -74,8 +74,7 @@ void JointsController::connectActions() {
     find();
   });
   bench_.onAction("joints.isolate", this, [this] { isolateChosen(); });
-  bench_.onAction("joints.confirm", this,
-                  [this] { sayOfChosen(tr("confirm joints"), JointEdit::Word::Confirmed, canBeConfirmed); });
+  bench_.onAction("joints.confirm", this, [this] { confirm(tr("confirm joints"), chosenIn(*panel_, canBeConfirmed)); });
   bench_.onAction("joints.confirm-all", this, [this] { confirmSuggested(); });
   bench_.onAction("joints.dissolve", this, [this] { dissolveChosen(); });
   bench_.onAction("joints.press-out", this,
@@ -168,6 +167,16 @@ void JointsController::sayOfChosen(const QString& text, JointEdit::Word word, bo
   });
 }
 
+void JointsController::confirm(const QString& text, const std::vector<JointRow>& rows) {
+  if (!panel_->table()) return;
+  std::vector<JointEdit> words;
+  for (const JointRow& row : rows) words.push_back(confirmationOf(row.joint, panel_->table()->product()));
+  applyOrTell(text, [words](std::vector<JointEdit> said) {
+    for (const JointEdit& word : words) said = withWord(std::move(said), word);
+    return said;
+  });
+}
+
 void JointsController::dissolveChosen() {
   applyOrTell(tr("dissolve joints"), [rows = chosenIn(*panel_, counts)](std::vector<JointEdit> said) {
     for (const JointRow& row : rows) said = withoutJoint(std::move(said), row);
@@ -184,14 +193,11 @@ void JointsController::takeChosenAsFound() {
 
 void JointsController::confirmSuggested() {
   if (!panel_->table()) return;
-  std::vector<JointKey> keys;
+  std::vector<JointRow> suggested;
   for (const JointRow& row : panel_->table()->rows()) {
-    if (row.state == JointRowState::Suggested) keys.push_back(row.key);
+    if (row.state == JointRowState::Suggested) suggested.push_back(row);
   }
-  applyOrTell(tr("confirm all suggested joints"), [keys](std::vector<JointEdit> said) {
-    for (const JointKey& key : keys) said = withWord(std::move(said), {key, JointEdit::Word::Confirmed});
-    return said;
-  });
+  confirm(tr("confirm all suggested joints"), suggested);
 }
 
 std::vector<std::size_t> JointsController::selectedBodies() const {

@@ -42,6 +42,8 @@ class JointsController final : public QObject {
   void isolateChosen();
   /// Puts a word in place of what a person said of those of the chosen joints that it fits.
   void sayOfChosen(const QString& text, JointEdit::Word word, bool (*fits)(const JointRow&));
+  /// As they are.
+  void confirm(const QString& text, const std::vector<JointRow>& rows);
   void dissolveChosen();
   void takeChosenAsFound();
   void confirmSuggested();

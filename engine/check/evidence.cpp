@@ -134,6 +134,24 @@ void refuse(AllowanceBound& bound, const std::string& why) {
 
 }  // namespace
 
+void addBend(const std::vector<bool>& hook, double bend, const PlacedBody& body, double spacing,
+             AllowanceBound& bound) {
+  const double margin = assembledMargin(std::max(body.radius, body.halfDiagonal));
+  const Evidence evidence{0.0, 0.0, spacing, margin, bend};
+  bool any = false;
+  for (std::size_t t = 0; t < bound.atMost.size(); ++t) {
+    if (!hook[body.regions.of[t]]) continue;
+    bound.atMost[t] = std::max(bound.atMost[t], evidence.sum());
+    any = true;
+  }
+  if (!any) return;
+  bound.share = kHookShare;
+  bound.inFit = true;
+  if (evidence.sum() <= bound.most) return;
+  bound.most = evidence.sum();
+  bound.largest = evidence;
+}
+
 double assembledMargin(double radius) {
   constexpr double kLeastMargin = 1e-6;
   constexpr double kClearances = 4.0;
@@ -178,6 +196,13 @@ AllowanceBound united(const AllowanceBound& a, const AllowanceBound& b) {
   both.inFit = a.inFit || b.inFit;
   refuse(both, a.refused.empty() ? b.refused : a.refused);
   return both;
+}
+
+const SnapWord* FitWords::snapOf(const std::string& a, const std::string& b) const {
+  const auto found = std::find_if(snaps.begin(), snaps.end(), [&](const SnapWord& word) {
+    return (word.hook == a && word.edge == b) || (word.hook == b && word.edge == a);
+  });
+  return found == snaps.end() ? nullptr : &*found;
 }
 
 const PairWord* FitWords::about(const std::string& a, const std::string& b) const {

@@ -8,6 +8,7 @@
 #include "engine/check/overlap.h"
 #include "engine/check/placed_body.h"
 #include "engine/check/product.h"
+#include "engine/check/thinning.h"
 
 namespace glissade::check {
 
@@ -25,11 +26,12 @@ struct Evidence {
 /// How much thinner a body may be taken against another one where the product is assembled. Nothing is taken from what
 /// planners found.
 struct AllowanceBound {
-  Evidence largest;              ///< of the face with the largest sum
-  double most = 0.0;             ///< metres; 0: nothing is allowed
-  std::vector<double> atMost{};  ///< of each triangle of the body
-  std::string refused{};         ///< why nothing is allowed, as "overlap by 1.2 mm, which is a clash"; may be empty
-  bool inFit = false;            ///< they touch or overlap
+  Evidence largest;                ///< of the face with the largest sum
+  double most = 0.0;               ///< metres; 0: nothing is allowed
+  std::vector<double> atMost{};    ///< of each triangle of the body
+  std::string refused{};           ///< why nothing is allowed, as "overlap by 1.2 mm, which is a clash"; may be empty
+  bool inFit = false;              ///< they touch or overlap
+  double share = kThicknessShare;  ///< of the thickness below it that a face may lose
 };
 
 /// Of both bodies of a pair.
@@ -70,6 +72,10 @@ struct MeasuredBody {
 /// What the evidence gives. Overlaps of more than a millimetre or a fifth of the local thickness are clashes, and
 /// nothing is allowed for them unless a person accepts them.
 PairBounds boundsOf(const MeasuredBody& one, const MeasuredBody& other, const FitWords& fits, const PairWord* word);
+
+/// Adds to what may be taken from the body with a hook that a person lets it bend: at the faces of the hook, and
+/// nowhere else. `hook`: of each region. `spacing`: of the coordinates of both, metres.
+void addBend(const std::vector<bool>& hook, double bend, const PlacedBody& body, double spacing, AllowanceBound& bound);
 
 /// What remains between bodies that touch where the product is assembled: a micrometre, or four of the clearances that
 /// a path has to keep for a body of this radius, if that is more.

@@ -3,10 +3,12 @@
 #include <cstdint>
 #include <map>
 #include <mutex>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "engine/check/motion_check.h"
+#include "engine/check/thinning.h"
 
 namespace glissade::check {
 
@@ -20,8 +22,8 @@ class MotionBodies {
 
   /// The scale of motions in which these meshes take part: of the product's, unless theirs is larger.
   double scaleFor(const std::vector<const TriangleMesh*>& meshes, const std::vector<Body>& placed) const;
-  /// The mesh taken thinner by the allowance of each triangle; itself where there is none.
-  MeshPtr taken(const MeshPtr& mesh, const std::vector<double>& allowances);
+  /// The mesh taken thinner by the allowance of each triangle; itself where there is none. `share`: as of thinned().
+  MeshPtr taken(const MeshPtr& mesh, const std::vector<double>& allowances, double share = kThicknessShare);
   MotionCheck::ObstaclePtr obstacle(const MeshPtr& mesh, const Pose& X_WB, double scale);
 
  private:
@@ -35,7 +37,7 @@ class MotionBodies {
   double scale_;
   std::size_t keptTriangles_;
   std::mutex mutex_;  ///< of what follows
-  std::map<std::pair<MeshPtr, std::vector<double>>, MeshPtr> thinned_;
+  std::map<std::tuple<MeshPtr, std::vector<double>, double>, MeshPtr> thinned_;
   std::map<Place, Prepared> obstacles_;
   std::size_t triangles_ = 0;  ///< of the obstacles
   std::uint64_t asked_ = 0;

@@ -87,6 +87,14 @@ class PairFitter {
       bounds_.other = first ? found.other : united(bounds_.other, found.other);
       first = false;
     }
+    fit_.share = std::max(bounds_.one.share, bounds_.other.share);
+  }
+
+  /// Metres; 0: the body has no hook that bends.
+  double bendOf(bool yields) const {
+    const SnapWord* snap = fits_.snapOf(question_.moving.id, question_.other.id);
+    if (snap == nullptr || (yields ? bounds_.other : bounds_.one).share != kHookShare) return 0.0;
+    return snap->bend;
   }
 
   AppliedAllowance& add(bool yields, double applied) {
@@ -100,6 +108,7 @@ class PairFitter {
     allowance.applied = applied;
     allowance.most = bound.most;
     allowance.evidence = bound.largest;
+    allowance.bend = bendOf(yields);
     fit_.applied.push_back(std::move(allowance));
     return fit_.applied.back();
   }
@@ -143,8 +152,9 @@ class PairFitter {
   /// Taken so, the pair is free where it is assembled.
   bool isFree() {
     const TriangleMesh own =
-        fit_.moving.empty() ? *question_.moving.mesh : thinned(*question_.moving.mesh, fit_.moving);
-    TriangleMesh others = fit_.other.empty() ? *question_.other.mesh : thinned(*question_.other.mesh, fit_.other);
+        fit_.moving.empty() ? *question_.moving.mesh : thinned(*question_.moving.mesh, fit_.moving, fit_.share);
+    TriangleMesh others =
+        fit_.other.empty() ? *question_.other.mesh : thinned(*question_.other.mesh, fit_.other, fit_.share);
     others = transformed(others, question_.other.X_WB);
     const double gap = 0.5 * assembledMargin(radiusAboutOrigin(*question_.moving.mesh));
     return std::all_of(question_.assembled.begin(), question_.assembled.end(),

@@ -23,12 +23,14 @@ struct AppliedAllowance {
   double most = 0.0;               ///< metres that the meshes and the person give
   Evidence evidence{};             ///< for that
   std::optional<Thread> thread{};
+  double bend = 0.0;  ///< metres, by which a person says that the hook of the thinner body bends; 0: it has none
 };
 
 /// How the two bodies of a pair are taken while the one moves past the other.
 struct PairFit {
   std::vector<double> moving{};  ///< allowance of each triangle of the moving one; empty: it is whole
   std::vector<double> other{};
+  double share = kThicknessShare;  ///< as AllowanceBound::share, of either
   std::optional<Thread> thread{};  ///< its `other` is left to the caller
   std::vector<AppliedAllowance> applied{};
   std::vector<std::string> refusals{};  ///< for people; empty: nothing is wrong

@@ -4,7 +4,7 @@
 #include <queue>
 #include <vector>
 
-#include "engine/geometry/triangle_mesh.h"
+#include "engine/geometry/triangle_pair.h"
 
 namespace glissade::check {
 

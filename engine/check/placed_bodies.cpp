@@ -63,6 +63,43 @@ PlacedBodies::MeasuredPtr PlacedBodies::measured(const PlacedBody& one, const Pl
 
 PairBounds PlacedBodies::boundsOf(const Placement& one, const Placement& other, const FitWords& fits,
                                   const PairWord* word, const StopToken& stop) {
+  PairBounds bounds = boundsInContact(one, other, fits, word, stop);
+  if (const SnapWord* snap = fits.snapOf(one.body.id, other.body.id)) {
+    const bool hookIsOne = snap->hook == one.body.id;
+    if (hookIsOne) {
+      addHook(*snap, one, other, bounds.one, stop);
+    } else {
+      addHook(*snap, other, one, bounds.other, stop);
+    }
+  }
+  return bounds;
+}
+
+/// In the frame of the body with the hook. A person says the direction where the product is assembled.
+void PlacedBodies::addHook(const SnapWord& snap, const Placement& hook, const Placement& edge, AllowanceBound& bound,
+                           const StopToken& stop) {
+  const PlacedBody& own = at({hook.body, Pose::identity()});
+  const PlacedBody& other = at({edge.body, rounded(inverse(hook.X_WB) * edge.X_WB)});
+  const Vector3 direction = hook.body.X_WB.orientation.conjugate() * snap.direction;
+  const auto regions = measuredHook({own, other, direction, snap.bend}, stop);
+  addBend(*regions, snap.bend, own, own.spacing + other.spacing, bound);
+}
+
+PlacedBodies::HookPtr PlacedBodies::measuredHook(const HookQuestion& question, const StopToken& stop) {
+  const Vector3& d = question.direction;
+  const HookKey key{&question.hook, &question.edge, d.x(), d.y(), d.z(), question.bend};
+  {
+    const std::lock_guard lock(mutex_);
+    if (const auto known = hooks_.find(key); known != hooks_.end()) return known->second;
+  }
+  auto found = std::make_shared<const std::vector<bool>>(hookRegions(question, stop));
+  if (stop.stopRequested()) return found;
+  const std::lock_guard lock(mutex_);
+  return hooks_.try_emplace(key, std::move(found)).first->second;
+}
+
+PairBounds PlacedBodies::boundsInContact(const Placement& one, const Placement& other, const FitWords& fits,
+                                         const PairWord* word, const StopToken& stop) {
   const bool inOrder = isFirst(one.body, other.body);
   const Placement& first = inOrder ? one : other;
   const Placement& second = inOrder ? other : one;

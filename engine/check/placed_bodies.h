@@ -3,11 +3,13 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "engine/base/stop_token.h"
 #include "engine/check/evidence.h"
+#include "engine/check/hook.h"
 #include "engine/check/placed_body.h"
 #include "engine/check/product.h"
 
@@ -30,7 +32,15 @@ class PlacedBodies {
 
  private:
   using MeasuredPtr = std::shared_ptr<const MeasuredPair>;
+  using HookPtr = std::shared_ptr<const std::vector<bool>>;
+  /// The two bodies, the direction and the bend.
+  using HookKey = std::tuple<const PlacedBody*, const PlacedBody*, double, double, double, double>;
+  PairBounds boundsInContact(const Placement& one, const Placement& other, const FitWords& fits, const PairWord* word,
+                             const StopToken& stop);
   MeasuredPtr measured(const PlacedBody& one, const PlacedBody& other, const StopToken& stop);
+  void addHook(const SnapWord& snap, const Placement& hook, const Placement& edge, AllowanceBound& bound,
+               const StopToken& stop);
+  HookPtr measuredHook(const HookQuestion& question, const StopToken& stop);
 
   struct Entry {
     Pose X_WB;
@@ -39,6 +49,7 @@ class PlacedBodies {
   std::mutex mutex_;
   std::map<const TriangleMesh*, std::vector<Entry>> entries_;
   std::map<std::pair<const PlacedBody*, const PlacedBody*>, MeasuredPtr> pairs_;
+  std::map<HookKey, HookPtr> hooks_;
 };
 
 }  // namespace glissade::check

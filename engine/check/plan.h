@@ -42,7 +42,8 @@ struct Plan {
   std::vector<Step> steps;
   std::string end;  ///< "complete", "stuck", "time_limit" or "interrupted"
   Demands demands{};
-  double deflection = 0.0;  ///< metres; 0: not stated
+  std::vector<SnapWord> snaps{};  ///< bends that a person has confirmed
+  double deflection = 0.0;        ///< metres; 0: not stated
   std::optional<std::uint64_t> parts{};
   std::optional<std::uint64_t> removed{};
   std::optional<bool> certified{};

@@ -80,6 +80,14 @@ Demands ofLines(Demands demands) {
   return demands;
 }
 
+/// The product's file says bends before the plan does.
+Product withBends(Product product, const Plan& plan) {
+  for (const SnapWord& word : plan.snaps) {
+    if (product.fits.snapOf(word.hook, word.edge) == nullptr) product.fits.snaps.push_back(word);
+  }
+  return product;
+}
+
 }  // namespace
 
 std::size_t PlanVerdict::validSteps() const {
@@ -107,8 +115,8 @@ bool LineVerdict::valid() const {
          std::all_of(steps.begin(), steps.end(), [](const StepVerdict& step) { return step.valid(); });
 }
 
-PlanVerdict judgePlan(const Product& product, const Plan& plan, std::optional<double> required,
-                      const WorkWatch& watch) {
+PlanVerdict judgePlan(const Product& read, const Plan& plan, std::optional<double> required, const WorkWatch& watch) {
+  const Product product = withBends(read, plan);
   PlanVerdict verdict;
   verdict.refusals = wrongClaims(product, plan);
   verdict.deviation = largestTwo(product);

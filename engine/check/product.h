@@ -23,13 +23,26 @@ struct PairWord {
   bool isThread() const { return kind == "thread"; }
 };
 
+/// What a person says of a snap: its hook bends while the body leaves.
+struct SnapWord {
+  std::string hook;                      ///< id of the body with the hook
+  std::string edge;                      ///< id of the body that it is hooked into
+  double bend = 0.0;                     ///< metres, > 0
+  Vector3 direction = Vector3::UnitZ();  ///< unit, world frame: the way in which the body with the hook leaves
+
+  bool operator==(const SnapWord&) const = default;
+};
+
 struct FitWords {
   bool on = false;             ///< false: clearance is required of every pair
   double acceptedClash = 0.0;  ///< metres: clashes up to this overlap are accepted
   std::vector<PairWord> pairs{};
+  std::vector<SnapWord> snaps{};
 
   /// In either order; null: nothing is said.
   const PairWord* about(const std::string& a, const std::string& b) const;
+  /// In either order; null: the pair is no snap.
+  const SnapWord* snapOf(const std::string& a, const std::string& b) const;
 };
 
 /// Where a person forbids the object's reference point to be, world frame.

@@ -78,7 +78,10 @@ Plan planIn(const JsonCursor& at) {
   if (std::find(kEnds.begin(), kEnds.end(), plan.end) == kEnds.end()) {
     at.at("end").fail("is not complete, stuck, time_limit or interrupted");
   }
-  if (const auto demands = at.find("sequence")) plan.demands = readDemands(*demands);
+  if (const auto demands = at.find("sequence")) {
+    plan.demands = readDemands(*demands);
+    if (const auto joints = demands->find("joints")) plan.snaps = readSnaps(*joints);
+  }
   if (const auto deflection = at.find("deflection_m")) plan.deflection = deflection->number();
   if (plan.deflection != 0.0 && !limits::isSize(plan.deflection)) {
     at.at("deflection_m").fail("is neither 0 nor a size from 1e-12 to 1e9 m");

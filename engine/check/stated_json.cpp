@@ -1,5 +1,7 @@
 #include "engine/check/stated_json.h"
 
+#include <algorithm>
+
 #include "engine/base/limits.h"
 
 namespace glissade::check {
@@ -63,6 +65,43 @@ std::vector<Point> readPoints(const JsonCursor& at) {
   }
   if (points.empty()) at.fail("is empty", "Give a path.");
   return points;
+}
+
+namespace {
+
+/// A bend that is said of each of the edges; empty where none is.
+std::vector<SnapWord> bendsIn(const JsonCursor& joint) {
+  std::vector<SnapWord> snaps;
+  const auto made = joint.find("made");
+  const auto bend = made ? made->find("bend_m") : std::nullopt;
+  const auto direction = made ? made->find("direction") : std::nullopt;
+  const auto others = joint.find("others");
+  if (!bend || !direction || !others || metres(*bend) == 0.0) return snaps;
+  const Vector3 way = direction->vector();
+  if (!(way.norm() > 0.0)) direction->fail("has no direction");
+  for (const std::string& edge : readTexts(*others)) {
+    snaps.push_back({joint.at("body").nonEmptyText(), edge, metres(*bend), way.normalized()});
+  }
+  return snaps;
+}
+
+}  // namespace
+
+std::vector<SnapWord> readSnaps(const JsonCursor& at) {
+  std::vector<SnapWord> snaps;
+  for (std::size_t i = 0; i < at.sizeUpTo(limits::kMostBodies); ++i) {
+    const JsonCursor joint = at.element(i);
+    if (joint.at("kind").text() != "snap") continue;
+    const std::string hook = joint.at("body").nonEmptyText();
+    const auto others = joint.find("others");
+    const std::vector<std::string> edges = others ? readTexts(*others) : std::vector<std::string>();
+    std::erase_if(snaps, [&](const SnapWord& earlier) {
+      return earlier.hook == hook && std::find(edges.begin(), edges.end(), earlier.edge) != edges.end();
+    });
+    if (joint.at("word").text() != "confirmed") continue;
+    for (SnapWord& word : bendsIn(joint)) snaps.push_back(std::move(word));
+  }
+  return snaps;
 }
 
 Demands readDemands(const JsonCursor& at) {

@@ -12,5 +12,7 @@ std::vector<StatedAllowance> readAllowances(const JsonCursor& at);
 std::vector<Point> readPoints(const JsonCursor& at);
 /// The section "sequence" of a scenario or a plan, as far as steps have to keep it.
 Demands readDemands(const JsonCursor& at);
+/// Of a list of words about joints: the bends that a person confirms. What is said last of a snap counts.
+std::vector<SnapWord> readSnaps(const JsonCursor& at);
 
 }  // namespace glissade::check

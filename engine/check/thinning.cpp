@@ -18,7 +18,6 @@
 namespace glissade::check {
 namespace {
 
-constexpr double kThicknessShare = 0.2;
 constexpr double kLongestMove = 2.0;
 constexpr double kDamping = 1e-6;
 constexpr double kFlatShare = 2e-6;
@@ -102,7 +101,7 @@ class BoxRow {
 /// A body's triangles over vertices that are each there once, and what each face and vertex may move by.
 class ThinBody {
  public:
-  ThinBody(const TriangleMesh& mesh, const std::vector<double>& allowances) {
+  ThinBody(const TriangleMesh& mesh, const std::vector<double>& allowances, double share) : share_(share) {
     std::map<std::tuple<double, double, double>, std::uint32_t> numbers;
     std::vector<std::uint32_t> numberOf;
     for (const Vector3& vertex : mesh.vertices) {
@@ -184,12 +183,12 @@ class ThinBody {
   /// nothing asks for its room.
   void findRooms() {
     const std::vector<bool> may = mayMove();
-    const double reach = *std::max_element(allowances_.begin(), allowances_.end()) / kThicknessShare;
+    const double reach = *std::max_element(allowances_.begin(), allowances_.end()) / share_;
     const double same = kSameFace * box_.diagonal().norm();
     const BoxRow row(boxes_);
     for (std::size_t f = 0; f < faces_.size(); ++f) {
       const TriangleIndices& corners = triangles_[f];
-      rooms_.push_back(kThicknessShare * reach);
+      rooms_.push_back(share_ * reach);
       if (std::none_of(corners.begin(), corners.end(), [&](std::uint32_t i) { return may[i]; })) continue;
       const Corners& face = faces_[f];
       const Vector3 middle = (face[0] + face[1] + face[2]) / 3.0;
@@ -205,7 +204,7 @@ class ThinBody {
           return true;
         });
       }
-      rooms_.back() = kThicknessShare * thickness;
+      rooms_.back() = share_ * thickness;
     }
   }
 
@@ -357,6 +356,7 @@ class ThinBody {
     return isBehind({triangles_, faces_, after, normals_});
   }
 
+  double share_;  ///< of the thickness below it that a face may lose
   std::vector<Vector3> points_;
   std::vector<TriangleIndices> triangles_;
   std::vector<double> allowances_;  ///< of each triangle
@@ -371,10 +371,10 @@ class ThinBody {
 
 }  // namespace
 
-TriangleMesh thinned(const TriangleMesh& mesh, const std::vector<double>& allowances) {
+TriangleMesh thinned(const TriangleMesh& mesh, const std::vector<double>& allowances, double share) {
   const bool nothing = std::none_of(allowances.begin(), allowances.end(), [](double each) { return each > 0.0; });
   if (nothing) return mesh;
-  return ThinBody(mesh, allowances).thinned();
+  return ThinBody(mesh, allowances, share).thinned();
 }
 
 }  // namespace glissade::check

@@ -6,6 +6,10 @@
 
 namespace glissade::check {
 
+/// Of the thickness below a face: what a body that is taken thinner may lose there, and what a hook that bends may.
+inline constexpr double kThicknessShare = 0.2;
+inline constexpr double kHookShare = 0.45;
+
 /// The judge's own construction of a body that is taken thinner, face by face. Slow and simple.
 ///
 /// A vertex moves to where the planes of its faces, each moved inwards by its target, meet: the least squares' solution
@@ -17,8 +21,10 @@ namespace glissade::check {
 ///
 /// Where the surface is open, it has an inside far from its open edges only (open_surface.h).
 ///
+/// `share`: instead of a fifth of the thickness, as AllowanceBound::share.
+///
 /// `allowances`: of each triangle, metres, >= 0. The mesh itself where the body cannot be thinned so, or is open too
 /// near to a face with an allowance.
-TriangleMesh thinned(const TriangleMesh& mesh, const std::vector<double>& allowances);
+TriangleMesh thinned(const TriangleMesh& mesh, const std::vector<double>& allowances, double share = kThicknessShare);
 
 }  // namespace glissade::check

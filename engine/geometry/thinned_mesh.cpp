@@ -56,27 +56,6 @@ double thicknessBelow(const TriangleTree& surface, const Triangle& triangle, con
   return least;
 }
 
-/// The move of a vertex against the faces that have an allowance only. At the edge of a chamfer, whose facets are
-/// tilted against each other, a vertex cannot slide along all of them.
-template <class Corners, class Faces>
-Vector3 againstThoseAllowed(const Corners& corners, const Faces& faces, const std::vector<double>& allowances,
-                            double largest) {
-  Vector3 mean = Vector3::Zero();
-  for (const auto& [f, angle] : corners) {
-    if (allowances[f] > 0.0) mean += angle * faces[f].normal;
-  }
-  const Vector3 direction = -mean.stableNormalized();
-  double length = 0.0;
-  for (const auto& [f, angle] : corners) {
-    const double asked = std::min(allowances[f], faces[f].room);
-    if (asked <= 0.0) continue;
-    const double inwards = -faces[f].normal.dot(direction);
-    if (inwards * kLongestThinning * largest <= asked) return largest * direction;
-    length = std::max(length, asked / inwards);
-  }
-  return length * direction;
-}
-
 /// Numbers of the surfaces that hang together by shared vertices.
 std::vector<std::uint32_t> shellsOf(const TriangleMesh& mesh) {
   std::vector<std::uint32_t> parent(mesh.vertices.size());
@@ -144,7 +123,7 @@ ThinnableMesh::ThinnableMesh(TriangleMesh mesh, std::vector<std::uint32_t> sourc
     const Vector3 normal = sense * normalOf(triangles[f], kLowest * diagonal);
     const bool flat = normal.isZero(0.0);
     if (!flat) thicknesses[f] = thicknessBelow(surface_, triangles[f], normal, kSameSurface * diagonal);
-    faces_[f] = {normal, kMostThinning * thicknesses[f]};
+    faces_[f] = {normal, thicknesses[f]};
   });
   for (std::uint32_t f = 0; f < triangles.size(); ++f) {
     const Triangle& triangle = triangles[f];
@@ -159,9 +138,9 @@ ThinnableMesh::ThinnableMesh(TriangleMesh mesh, std::vector<std::uint32_t> sourc
   }
 }
 
-Vector3 ThinnableMesh::moveOf(std::size_t vertex, const std::vector<double>& allowances) const {
+Vector3 ThinnableMesh::moveOf(std::size_t vertex, const Wanted& wanted) const {
   double largest = 0.0;
-  for (const auto& [f, angle] : corners_[vertex]) largest = std::max(largest, allowances[f]);
+  for (const auto& [f, angle] : corners_[vertex]) largest = std::max(largest, wanted.allowances[f]);
   if (largest <= 0.0) return Vector3::Zero();
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
   Vector3 moments = Vector3::Zero();
@@ -171,27 +150,46 @@ Vector3 ThinnableMesh::moveOf(std::size_t vertex, const std::vector<double>& all
     const Face& face = faces_[f];
     mean += angle * face.normal;
     matrix += angle * face.normal * face.normal.transpose();
-    moments -= angle * std::min(allowances[f], face.room) * face.normal;
+    moments -= angle * std::min(wanted.allowances[f], roomOf(f, wanted)) * face.normal;
     weights += angle;
   }
   if (!(weights > 0.0)) return Vector3::Zero();
   matrix.diagonal().array() += kStill * weights;
   const Vector3 least = matrix.ldlt().solve(moments);
-  if (const auto move = shortened(least, vertex, allowances, largest)) return *move;
-  const Vector3 plain = againstThoseAllowed(corners_[vertex], faces_, allowances, largest);
-  if (const auto move = shortened(plain, vertex, allowances, largest)) return *move;
-  return shortened(-largest * mean.stableNormalized(), vertex, allowances, largest).value_or(Vector3::Zero());
+  if (const auto move = shortened(least, vertex, wanted, largest)) return *move;
+  const Vector3 plain = againstThoseAllowed(vertex, wanted, largest);
+  if (const auto move = shortened(plain, vertex, wanted, largest)) return *move;
+  return shortened(-largest * mean.stableNormalized(), vertex, wanted, largest).value_or(Vector3::Zero());
+}
+
+/// The move of a vertex against the faces that have an allowance only. At the edge of a chamfer, whose facets are
+/// tilted against each other, a vertex cannot slide along all of them.
+Vector3 ThinnableMesh::againstThoseAllowed(std::size_t vertex, const Wanted& wanted, double largest) const {
+  Vector3 mean = Vector3::Zero();
+  for (const auto& [f, angle] : corners_[vertex]) {
+    if (wanted.allowances[f] > 0.0) mean += angle * faces_[f].normal;
+  }
+  const Vector3 direction = -mean.stableNormalized();
+  double length = 0.0;
+  for (const auto& [f, angle] : corners_[vertex]) {
+    const double asked = std::min(wanted.allowances[f], roomOf(f, wanted));
+    if (asked <= 0.0) continue;
+    const double inwards = -faces_[f].normal.dot(direction);
+    if (inwards * kLongestThinning * largest <= asked) return largest * direction;
+    length = std::max(length, asked / inwards);
+  }
+  return length * direction;
 }
 
 /// As far as the faces at the vertex have room; nothing where one of them would move outwards.
-std::optional<Vector3> ThinnableMesh::shortened(const Vector3& move, std::size_t vertex,
-                                                const std::vector<double>& allowances, double largest) const {
+std::optional<Vector3> ThinnableMesh::shortened(const Vector3& move, std::size_t vertex, const Wanted& wanted,
+                                                double largest) const {
   const double length = move.norm();
   double share = length > kLongestThinning * largest ? kLongestThinning * largest / length : 1.0;
   for (const auto& [f, angle] : corners_[vertex]) {
     const double inwards = -faces_[f].normal.dot(move);
-    if (inwards < (allowances[f] > 0.0 ? 0.0 : -kStays * largest)) return std::nullopt;
-    const double room = std::min(largest, faces_[f].room);
+    if (inwards < (wanted.allowances[f] > 0.0 ? 0.0 : -kStays * largest)) return std::nullopt;
+    const double room = std::min(largest, roomOf(f, wanted));
     if (share * inwards > room) share = room / inwards;
   }
   return Vector3(share * move);
@@ -335,11 +333,11 @@ std::optional<double> ThinnableMesh::openBesideFaces(const std::vector<double>& 
 }
 
 std::optional<TriangleMesh> ThinnableMesh::thinned(double allowance) const {
-  return thinnedFaces(std::vector<double>(faces_.size(), allowance));
+  return thinnedFaces({std::vector<double>(faces_.size(), allowance), kMostThinning});
 }
 
-std::optional<TriangleMesh> ThinnableMesh::thinned(const std::vector<double>& allowances) const {
-  return thinnedFaces(ofFaces(allowances));
+std::optional<TriangleMesh> ThinnableMesh::thinned(const std::vector<double>& allowances, double share) const {
+  return thinnedFaces({ofFaces(allowances), share});
 }
 
 std::vector<double> ThinnableMesh::ofFaces(const std::vector<double>& allowances) const {
@@ -348,10 +346,10 @@ std::vector<double> ThinnableMesh::ofFaces(const std::vector<double>& allowances
   return faces;
 }
 
-std::optional<TriangleMesh> ThinnableMesh::thinnedFaces(const std::vector<double>& allowances) const {
-  if (openBesideFaces(allowances)) return std::nullopt;
+std::optional<TriangleMesh> ThinnableMesh::thinnedFaces(const Wanted& wanted) const {
+  if (openBesideFaces(wanted.allowances)) return std::nullopt;
   std::vector<Vector3> moves;
-  for (std::size_t vertex = 0; vertex < mesh_.vertices.size(); ++vertex) moves.push_back(moveOf(vertex, allowances));
+  for (std::size_t vertex = 0; vertex < mesh_.vertices.size(); ++vertex) moves.push_back(moveOf(vertex, wanted));
   std::vector<std::uint32_t> unsure(mesh_.triangles.size());
   std::iota(unsure.begin(), unsure.end(), 0U);
   for (int round = 0; round <= 2 * kMostHalvings; ++round) {

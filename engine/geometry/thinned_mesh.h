@@ -50,7 +50,8 @@ class ThinnableMesh {
   std::optional<TriangleMesh> thinned(double allowance) const;
   /// Each triangle of the mesh that this was made of has an allowance of its own, metres, >= 0. Faces without one stay
   /// whole, except where they share a vertex with one that has.
-  std::optional<TriangleMesh> thinned(const std::vector<double>& allowances) const;
+  /// `share`: what a face may lose of the thickness below it, instead of a fifth; below a half.
+  std::optional<TriangleMesh> thinned(const std::vector<double>& allowances, double share = kMostThinning) const;
 
   /// Metres from the faces that have an allowance to the nearest open edge, where it is so near that what is inside the
   /// body there is not known; nothing where it is farther. Allowances as of thinned().
@@ -61,8 +62,13 @@ class ThinnableMesh {
 
  private:
   struct Face {
-    Vector3 normal;  ///< outwards; zero where the face has next to no area
-    double room;     ///< metres that it may move inwards
+    Vector3 normal;    ///< outwards; zero where the face has next to no area
+    double thickness;  ///< below it, metres
+  };
+  /// What is asked of the faces.
+  struct Wanted {
+    std::vector<double> allowances;  ///< metres, of each face
+    double share;                    ///< of the thickness below a face that it may lose
   };
   struct Corner {
     std::uint32_t face;
@@ -73,11 +79,12 @@ class ThinnableMesh {
   ThinnableMesh(TriangleMesh mesh, std::vector<std::uint32_t> sources, double sense);
   std::vector<double> ofFaces(const std::vector<double>& allowances) const;
   std::optional<double> openBesideFaces(const std::vector<double>& allowances) const;
-  std::optional<TriangleMesh> thinnedFaces(const std::vector<double>& allowances) const;
-  Vector3 moveOf(std::size_t vertex, const std::vector<double>& allowances) const;
+  std::optional<TriangleMesh> thinnedFaces(const Wanted& wanted) const;
+  double roomOf(std::size_t face, const Wanted& wanted) const { return wanted.share * faces_[face].thickness; }
+  Vector3 moveOf(std::size_t vertex, const Wanted& wanted) const;
+  Vector3 againstThoseAllowed(std::size_t vertex, const Wanted& wanted, double largest) const;
   /// `largest`: of the allowances of the faces at the vertex.
-  std::optional<Vector3> shortened(const Vector3& move, std::size_t vertex, const std::vector<double>& allowances,
-                                   double largest) const;
+  std::optional<Vector3> shortened(const Vector3& move, std::size_t vertex, const Wanted& wanted, double largest) const;
   std::vector<std::uint32_t> verticesOutside(const TriangleMesh& thinned,
                                              const std::vector<std::uint32_t>& among) const;
   std::vector<std::uint32_t> trianglesAt(const std::vector<std::uint32_t>& vertices) const;

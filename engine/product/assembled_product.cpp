@@ -37,7 +37,8 @@ bool isSameProduct(const AssembledProduct& a, const AssembledProduct& b) {
   const auto sameBody = [&](const RigidBody& one, const RigidBody& other) {
     return one.id == other.id && one.name == other.name && one.X_WB == other.X_WB && sameMesh(*one.mesh, *other.mesh);
   };
-  return a.deflections == b.deflections && a.spacings == b.spacings && areSameFits(a.fits, b.fits) &&
+  return a.deflections == b.deflections && a.spacings == b.spacings && a.snaps == b.snaps &&
+         areSameFits(a.fits, b.fits) &&
          std::equal(a.bodies.begin(), a.bodies.end(), b.bodies.begin(), b.bodies.end(), sameBody);
 }
 

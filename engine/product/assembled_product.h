@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/assembly/product.h"
+#include "engine/check/product.h"
 #include "engine/product/contact_report.h"
 
 namespace glissade {
@@ -15,8 +16,9 @@ struct AssembledProduct {
   std::vector<RigidBody> bodies;    ///< X_WB is the assembled configuration
   std::vector<double> deflections;  ///< as of ContactBody, of each body
   FitSettings fits;
-  std::vector<double> spacings{};  ///< of the coordinates, metres, of each body; empty: not known
-  Product tree{};                  ///< that the bodies are in; it may have others, too
+  std::vector<double> spacings{};        ///< of the coordinates, metres, of each body; empty: not known
+  Product tree{};                        ///< that the bodies are in; it may have others, too
+  std::vector<check::SnapWord> snaps{};  ///< hooks that a person lets bend
 
   /// Nothing where no body has this id.
   std::optional<std::size_t> indexOf(const std::string& id) const;

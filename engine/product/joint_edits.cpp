@@ -7,6 +7,7 @@
 #include "engine/product/joint_order.h"
 #include "engine/product/length_words.h"
 #include "engine/product/product_shapes.h"
+#include "engine/product/snap_ways.h"
 
 namespace glissade {
 namespace {
@@ -14,9 +15,6 @@ namespace {
 /// Bodies of a joint that a person makes are no farther apart than this share of the smaller one's diagonal.
 constexpr double kFarShare = 0.1;
 constexpr double kNearEnough = 5e-4;  ///< metres: always near
-/// A hook bends by no more than this share of its diagonal, and no more than this in metres.
-constexpr double kMostBendShare = 0.25;
-constexpr double kMostBend = 0.01;
 
 Diagnostic refusal(const JointKey& key, const std::string& reason, const std::string& advice) {
   return {ErrorKind::Usage, "", inWords(key), reason, advice};
@@ -167,7 +165,7 @@ class JointEditor {
       if (joint.bend == 0.0) return Done{};
       return refusal(key, "only a snap bends", "Remove 'bend_m'.");
     }
-    const double most = std::min(kMostBend, kMostBendShare * diagonalOf(shapes_, joint.body));
+    const double most = mostBendOf(product_, joint.body);
     if (joint.bend >= 0.0 && joint.bend <= most) return Done{};
     return refusal(key, "a hook does not bend by " + inMillimetres(joint.bend),
                    "Give 0 to " + inMillimetres(most) + " for this body.");
@@ -212,10 +210,48 @@ Result<Joints> applied(Joints joints, const std::vector<JointEdit>& edits, const
   return std::move(editor.joints());
 }
 
+JointEdit confirmationOf(const Joint& joint, const AssembledProduct& product) {
+  JointEdit edit{keyOf(joint, product), JointEdit::Word::Confirmed};
+  if (joint.kind == JointKind::Snap && joint.bend > 0.0) edit.made = joint;
+  return edit;
+}
+
 std::vector<JointEdit> confirmationsOf(const Joints& joints, const AssembledProduct& product) {
   std::vector<JointEdit> edits;
   for (const Joint& joint : joints) {
-    if (joint.state == JointState::Suggested) edits.push_back({keyOf(joint, product), JointEdit::Word::Confirmed});
+    if (joint.state == JointState::Suggested) edits.push_back(confirmationOf(joint, product));
+  }
+  return edits;
+}
+
+std::vector<check::SnapWord> bendsOf(const std::vector<JointEdit>& edits) {
+  std::vector<check::SnapWord> bends;
+  for (const JointEdit& edit : edits) {
+    if (edit.key.kind != JointKind::Snap) continue;
+    const std::vector<std::string>& edges = edit.key.others;
+    std::erase_if(bends, [&](const check::SnapWord& earlier) {
+      return earlier.hook == edit.key.body && std::find(edges.begin(), edges.end(), earlier.edge) != edges.end();
+    });
+    if (edit.word != JointEdit::Word::Confirmed || !edit.made || !(edit.made->bend > 0.0)) continue;
+    for (const std::string& edge : edges) {
+      bends.push_back({edit.key.body, edge, edit.made->bend, edit.made->direction});
+    }
+  }
+  return bends;
+}
+
+std::vector<check::SnapWord> bendsOf(const Joints& joints, const AssembledProduct& product) {
+  return bendsOf(withBends({}, joints, product));
+}
+
+std::vector<JointEdit> withBends(std::vector<JointEdit> edits, const Joints& joints, const AssembledProduct& product) {
+  for (const Joint& joint : joints) {
+    if (joint.kind != JointKind::Snap || !(joint.bend > 0.0)) continue;
+    const JointEdit said = confirmationOf(joint, product);
+    const bool known = std::any_of(edits.begin(), edits.end(), [&](const JointEdit& edit) {
+      return edit.key == said.key && edit.made.has_value();
+    });
+    if (!known) edits.push_back(said);
   }
   return edits;
 }

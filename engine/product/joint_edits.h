@@ -18,8 +18,20 @@ JointKey keyOf(const Joint& joint, const AssembledProduct& product);
 /// that hold each other in a circle.
 Result<Joints> applied(Joints joints, const std::vector<JointEdit>& edits, const AssembledProduct& product);
 
+/// A joint as it is, confirmed. The bend of a hook is said with it.
+JointEdit confirmationOf(const Joint& joint, const AssembledProduct& product);
+
 /// Every joint that is suggested, as confirmed: --joints suggested.
 std::vector<JointEdit> confirmationsOf(const Joints& joints, const AssembledProduct& product);
+
+/// The bends that a person confirms of hooks; what is said last of a snap counts.
+std::vector<check::SnapWord> bendsOf(const std::vector<JointEdit>& edits);
+
+/// The bends of the snaps that count.
+std::vector<check::SnapWord> bendsOf(const Joints& joints, const AssembledProduct& product);
+
+/// The edits, with what counts of the joints' bends said by a person: a plan states what it rests on.
+std::vector<JointEdit> withBends(std::vector<JointEdit> edits, const Joints& joints, const AssembledProduct& product);
 
 /// "screw of bolt": what people see of a key.
 std::string inWords(const JointKey& key);

@@ -108,11 +108,14 @@ class FitFinder {
         ends_(question.ends.empty() ? std::vector<Pose>{object_.X_WB} : question.ends),
         tools_(question.tools != nullptr ? *question.tools : ownTools_),
         gap_(assembledGap(radiusAboutOrigin(*object_.mesh))),
-        words_(wordsOf(question.product.fits)) {}
+        words_(wordsOf(question.product.fits)) {
+    words_.snaps = question.product.snaps;
+  }
 
   Result<ObjectFits> find() {
     if (const Outcome known = checkBodies(); !known) return known.error();
     findContactsAtEnds();
+    addHooks();
     if (const Outcome marked = addMarkedThreads(); !marked) return marked.error();
     if (const Outcome sound = checkAllowances(); !sound) return sound.error();
     for (const auto& [obstacle, found] : contacts_) {
@@ -160,6 +163,23 @@ class FitFinder {
     FoundContact& known = contacts_.try_emplace(contact.a, FoundContact{contact, {}, end}).first->second;
     if (measured(contact) > measured(known.contact)) known = {contact, std::move(known.at), end};
     known.at.push_back(end);
+  }
+
+  /// A hook and its edge need not touch.
+  void addHooks() {
+    for (const check::SnapWord& snap : words_.snaps) {
+      if (snap.hook != object_.id && snap.edge != object_.id) continue;
+      const auto other = question_.product.indexOf(snap.hook == object_.id ? snap.edge : snap.hook);
+      if (!other) continue;
+      const Contact apart{*other, question_.object, ContactKind::Clearance, 0, 0, 0, 0, 0, {}};
+      contacts_.try_emplace(*other, FoundContact{apart, ends_, ends_.front()});
+    }
+  }
+
+  /// Whether the obstacle is the one with the hook that bends; nothing where the pair is no snap.
+  std::optional<bool> hookYields(std::size_t obstacle) const {
+    const check::SnapWord* snap = words_.snapOf(object_.id, body(obstacle).id);
+    return snap == nullptr ? std::nullopt : std::optional(snap->hook != object_.id);
   }
 
   Outcome checkAllowances() const {
@@ -259,7 +279,8 @@ class FitFinder {
       fit.allowance = overlap + found.contact.deviation;
       refuse(fit, "overlap by " + inMillimetres(overlap) + ", which is a clash",
              "Accept it (--accept-clashes " + millimetresUp(overlap) + "), or mend the parts.");
-    } else if (found.contact.kind == ContactKind::Clearance || (bounds.one.most <= 0.0 && bounds.other.most <= 0.0)) {
+    } else if ((found.contact.kind == ContactKind::Clearance && !hookYields(obstacle)) ||
+               (bounds.one.most <= 0.0 && bounds.other.most <= 0.0)) {
       if (fit.thread) fits_.allowed.push_back(fit);
     } else if (decision.given || !isClearInThread(fit, found)) {
       takeThinner(fit, bounds, found);
@@ -339,9 +360,8 @@ class FitFinder {
   /// thicker at its end. Else both give way.
   void takeThinner(const Fit& fit, const check::PairBounds& bounds, const FoundContact& found) {
     const RigidBody& other = body(fit.obstacle);
-    const bool otherFirst = givesWayFirst(other, object_);
     std::vector<Fit> alone;
-    for (const bool yields : {otherFirst, !otherFirst}) {
+    for (const bool yields : inTurn(fit.obstacle)) {
       if (alone.empty()) alone = takenAlone(fit, yields, bounds, found.at);
     }
     const bool isEnough = !alone.empty() && (!hasShaft(found.contact) || slides(alone, fit.obstacle, found));
@@ -366,6 +386,13 @@ class FitFinder {
     wanted.allowance = fromOther ? bounds.other.most : bounds.one.most;
     const auto opening = ownOpening ? ownOpening : othersOpening;
     refuse(wanted, opening ? noRoomBeside(wanted.allowance, *opening) : noRoom(wanted.allowance), "Mend the parts.");
+  }
+
+  /// Which body gives way: whether it is the obstacle, the first choice first. A hook that bends has no other choice.
+  std::vector<bool> inTurn(std::size_t obstacle) const {
+    if (const auto hook = hookYields(obstacle)) return {*hook};
+    const bool otherFirst = givesWayFirst(body(obstacle), object_);
+    return {otherFirst, !otherFirst};
   }
 
   static std::string noRoom(double allowance) {
@@ -393,7 +420,8 @@ class FitFinder {
                               const std::vector<Pose>& ends) {
     constexpr double kShare = 0.25;
     const check::AllowanceBound& bound = yields ? bounds.other : bounds.one;
-    const double least = std::min(bound.most, bound.largest.overlap + gap_);
+    const bool bends = bound.share > check::kThicknessShare;
+    const double least = bends ? bound.most : std::min(bound.most, bound.largest.overlap + gap_);
     for (double allowance = bound.most;; allowance = std::max(least, kShare * allowance)) {
       if (const auto taken = thinned(fit, yields, bound, allowance)) {
         const MeshPtr& object = yields ? object_.mesh : taken->thinned;
@@ -446,7 +474,7 @@ class FitFinder {
   std::optional<Fit> thinned(Fit fit, bool yields, const check::AllowanceBound& bound, double allowance) const {
     if (allowance <= 0.0) return std::nullopt;
     const MeshPtr& whole = yields ? body(fit.obstacle).mesh : object_.mesh;
-    fit.thinned = tools_.thinnable.thinned(whole, limited(bound.atMost, allowance));
+    fit.thinned = tools_.thinnable.thinned(whole, limited(bound.atMost, allowance), bound.share);
     if (!fit.thinned) return std::nullopt;
     fit.yields = yields;
     fit.allowance = allowance;

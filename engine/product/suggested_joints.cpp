@@ -8,6 +8,9 @@
 #include <set>
 #include <string_view>
 
+#include "engine/product/length_words.h"
+#include "engine/product/snap_ways.h"
+
 namespace glissade {
 namespace {
 
@@ -18,22 +21,24 @@ struct HintWord {
 
 /// The last word of an English or German name, or its end, says what a thing is.
 constexpr std::array kLastWords{
-    HintWord{"belt", JointKind::Flexible},      HintWord{"cable", JointKind::Flexible},
-    HintWord{"hose", JointKind::Flexible},      HintWord{"wire", JointKind::Flexible},
-    HintWord{"wires", JointKind::Flexible},     HintWord{"wiring", JointKind::Flexible},
-    HintWord{"harness", JointKind::Flexible},   HintWord{"spring", JointKind::Flexible},
-    HintWord{"seal", JointKind::Flexible},      HintWord{"gasket", JointKind::Flexible},
-    HintWord{"oring", JointKind::Flexible},     HintWord{"label", JointKind::Flexible},
-    HintWord{"sticker", JointKind::Flexible},   HintWord{"strap", JointKind::Flexible},
-    HintWord{"cord", JointKind::Flexible},      HintWord{"riemen", JointKind::Flexible},
-    HintWord{"kabel", JointKind::Flexible},     HintWord{"schlauch", JointKind::Flexible},
-    HintWord{"feder", JointKind::Flexible},     HintWord{"dichtung", JointKind::Flexible},
-    HintWord{"dichtring", JointKind::Flexible}, HintWord{"etikett", JointKind::Flexible},
-    HintWord{"torique", JointKind::Flexible},   HintWord{"clip", JointKind::Snap},
-    HintWord{"snap", JointKind::Snap},          HintWord{"latch", JointKind::Snap},
-    HintWord{"weld", JointKind::Permanent},     HintWord{"solder", JointKind::Permanent},
-    HintWord{"glue", JointKind::Permanent},     HintWord{"adhesive", JointKind::Permanent},
-    HintWord{"epoxy", JointKind::Permanent},    HintWord{"schweissnaht", JointKind::Permanent}};
+    HintWord{"belt", JointKind::Flexible},       HintWord{"cable", JointKind::Flexible},
+    HintWord{"hose", JointKind::Flexible},       HintWord{"wire", JointKind::Flexible},
+    HintWord{"wires", JointKind::Flexible},      HintWord{"wiring", JointKind::Flexible},
+    HintWord{"harness", JointKind::Flexible},    HintWord{"spring", JointKind::Flexible},
+    HintWord{"seal", JointKind::Flexible},       HintWord{"gasket", JointKind::Flexible},
+    HintWord{"oring", JointKind::Flexible},      HintWord{"label", JointKind::Flexible},
+    HintWord{"sticker", JointKind::Flexible},    HintWord{"strap", JointKind::Flexible},
+    HintWord{"cord", JointKind::Flexible},       HintWord{"riemen", JointKind::Flexible},
+    HintWord{"kabel", JointKind::Flexible},      HintWord{"schlauch", JointKind::Flexible},
+    HintWord{"feder", JointKind::Flexible},      HintWord{"dichtung", JointKind::Flexible},
+    HintWord{"dichtring", JointKind::Flexible},  HintWord{"etikett", JointKind::Flexible},
+    HintWord{"torique", JointKind::Flexible},    HintWord{"clip", JointKind::Snap},
+    HintWord{"circlip", JointKind::Snap},        HintWord{"seegerring", JointKind::Snap},
+    HintWord{"sicherungsring", JointKind::Snap}, HintWord{"schnapphaken", JointKind::Snap},
+    HintWord{"snap", JointKind::Snap},           HintWord{"latch", JointKind::Snap},
+    HintWord{"weld", JointKind::Permanent},      HintWord{"solder", JointKind::Permanent},
+    HintWord{"glue", JointKind::Permanent},      HintWord{"adhesive", JointKind::Permanent},
+    HintWord{"epoxy", JointKind::Permanent},     HintWord{"schweissnaht", JointKind::Permanent}};
 
 /// The first word of a French name does.
 constexpr std::array kFirstWords{HintWord{"courroie", JointKind::Flexible}, HintWord{"c\u00e2ble", JointKind::Flexible},
@@ -62,8 +67,16 @@ bool isLastWord(const std::string& word, std::string_view hint) {
   return word == hint || (hint.size() >= 5 && endsWith(word, hint));
 }
 
+/// A retaining ring, a snap ring: its bend is what it is opened by.
+bool isRetainingRing(const std::vector<std::string>& words) {
+  if (words.size() < 2 || words.back() != "ring") return false;
+  const std::string& before = words[words.size() - 2];
+  return before == "retaining" || before == "snap" || before == "locking";
+}
+
 std::optional<JointKind> hintOf(const std::vector<std::string>& words) {
   if (words.empty()) return std::nullopt;
+  if (isRetainingRing(words)) return JointKind::Snap;
   for (const HintWord& hint : kLastWords) {
     if (isLastWord(words.back(), hint.word)) return hint.kind;
   }
@@ -186,7 +199,7 @@ class SuggestedJointFinder {
     joint.point = shapes_.box(body).center();
     joint.evidence = {reason};
     if (joint.others.empty() && *kind != JointKind::Flexible) return;
-    if (*kind == JointKind::Snap) joint.direction = wayOut(joint);
+    if (*kind == JointKind::Snap) addBend(joint);
     joints.push_back(std::move(joint));
   }
 
@@ -202,6 +215,18 @@ class SuggestedJointFinder {
     *reason = "it is a ring of round section";
     if (isTorus(*rigid.mesh)) return JointKind::Flexible;
     return std::nullopt;
+  }
+
+  /// Along an axis of the world: the way on which the hooks bend least. Where they would bend by more than hooks do on
+  /// each, away from what it is on, and no bend is suggested.
+  void addBend(Joint& joint) const {
+    const std::vector<SnapWay> ways = snapWays(shapes_.product(), joint.body, joint.others, stop_);
+    const auto least =
+        std::min_element(ways.begin(), ways.end(), [](const SnapWay& a, const SnapWay& b) { return a.bend < b.bend; });
+    joint.direction = least == ways.end() ? wayOut(joint) : least->direction;
+    if (least == ways.end() || !(least->bend > 0.0)) return;
+    joint.bend = least->bend;
+    joint.evidence.push_back("its hooks bend by " + inMillimetres(least->bend) + " when it leaves along a line");
   }
 
   /// Away from the middle of what it is on.

@@ -15,15 +15,16 @@ const ThinnableMesh* ThinnableBodies::of(const MeshPtr& mesh) {
 }
 
 /// Two threads that need the same one may both make it; the first is kept.
-MeshPtr ThinnableBodies::thinned(const MeshPtr& mesh, const std::vector<double>& allowances) {
-  std::pair key{mesh, allowances};
+MeshPtr ThinnableBodies::thinned(const MeshPtr& mesh, const std::vector<double>& allowances, double share) {
+  std::tuple key{mesh, allowances, share};
   {
     const std::lock_guard lock(mutex_);
     if (const auto known = thinned_.find(key); known != thinned_.end()) return known->second;
   }
   MeshPtr thinner;
   if (const ThinnableMesh* thinnable = of(mesh)) {
-    if (auto made = thinnable->thinned(allowances)) thinner = std::make_shared<const TriangleMesh>(std::move(*made));
+    if (auto made = thinnable->thinned(allowances, share))
+      thinner = std::make_shared<const TriangleMesh>(std::move(*made));
   }
   const std::lock_guard lock(mutex_);
   return thinned_.try_emplace(std::move(key), std::move(thinner)).first->second;

@@ -4,6 +4,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -17,8 +18,9 @@ class ThinnableBodies {
  public:
   /// Null where the mesh encloses nothing. Lives as long as this.
   const ThinnableMesh* of(const MeshPtr& mesh);
-  /// With an allowance for each triangle, metres. Null where the mesh has no inside there, or no place for that.
-  MeshPtr thinned(const MeshPtr& mesh, const std::vector<double>& allowances);
+  /// With an allowance for each triangle, metres, and `share` as of ThinnableMesh. Null where the mesh has no inside
+  /// there, or no place for that.
+  MeshPtr thinned(const MeshPtr& mesh, const std::vector<double>& allowances, double share = kMostThinning);
 
  private:
   struct Entry {
@@ -27,7 +29,7 @@ class ThinnableBodies {
   };
   std::mutex mutex_;  ///< of what follows
   std::map<MeshPtr, std::unique_ptr<Entry>> entries_;
-  std::map<std::pair<MeshPtr, std::vector<double>>, MeshPtr> thinned_;
+  std::map<std::tuple<MeshPtr, std::vector<double>, double>, MeshPtr> thinned_;
 };
 
 }  // namespace glissade

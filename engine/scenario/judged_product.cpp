@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/product/fit_words.h"
+#include "engine/product/joint_edits.h"
 #include "engine/scenario/scenario_fits.h"
 
 namespace glissade {
@@ -76,6 +77,7 @@ std::vector<check::Body> judgedBodies(const std::vector<RigidBody>& bodies) {
 
 check::Product judgedProduct(const AssembledProduct& product) {
   check::Product judged{judgedBodies(product.bodies), wordsOf(product.fits)};
+  judged.fits.snaps = product.snaps;
   for (std::size_t i = 0; i < judged.bodies.size() && i < product.deflections.size(); ++i) {
     judged.bodies[i].deflection = product.deflections[i];
   }
@@ -89,6 +91,7 @@ check::Plan judgedPlan(const AssemblyPlan& plan) {
   for (const AssemblyStep& step : plan.steps) judged.steps.push_back(judgedStep(step));
   judged.end = nameOf(plan.end);
   judged.demands = judgedDemands(plan.demands);
+  judged.snaps = bendsOf(plan.demands.joints);
   judged.deflection = plan.deflection;
   for (const SubassemblyLine& line : plan.lines) judged.lines.push_back(judgedLine(line));
   return judged;

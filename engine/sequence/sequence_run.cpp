@@ -99,6 +99,7 @@ Result<AssemblyPlan> planSequence(const AssembledProduct& product, const Product
   addLines(plan, question, host);
   addTools(plan, question, host);
   plan.demands = request.demands;
+  plan.demands.joints = withBends(plan.demands.joints, joints.joints(), product);
   return plan;
 }
 

@@ -97,7 +97,7 @@ std::size_t helpers() { return std::max(1U, std::thread::hardware_concurrency())
 
 using FitsPtr = std::shared_ptr<const ProductFits>;
 /// What is found of a product before it is planned.
-using FindFits = std::function<Result<FitsPtr>(ThreadTeam& team)>;
+using FindFits = std::function<Result<FitsPtr>(const Joints& joints, ThreadTeam& team)>;
 using FindJoints = std::function<Result<Joints>()>;
 
 Result<GrownPlan> planOf(const SequenceJob& job, const WorkWatch& watch, const StopSource& stop,
@@ -105,11 +105,11 @@ Result<GrownPlan> planOf(const SequenceJob& job, const WorkWatch& watch, const S
                          const AnnouncingHost::Announce& announce) {
   ThreadTeam team(helpers());
   const AssembledProduct& product = *job.product;
-  const auto found = findFits(team);
-  if (!found) return found.error();
-  const ProductFits& fits = **found;
   const auto joints = findJoints();
   if (!joints) return joints.error();
+  const auto found = findFits(*joints, team);
+  if (!found) return found.error();
+  const ProductFits& fits = **found;
   watch.report(kFitsShare);
   AnnouncingHost host(job, watch, stop, team, announce);
   SequenceRequest request{job.staying, job.strategy, job.seed, job.demands, job.resumed.get(), job.known.get()};
@@ -138,21 +138,34 @@ void SequencePlanner::deliver(const std::function<void()>& signal, std::uint64_t
   });
 }
 
-Result<FitsPtr> SequencePlanner::fitsOf(KnownProduct& known, const ProductPtr& product, ThreadTeam& team,
-                                        const StopToken& stop) {
+/// Of the product with the bends of the joints that count.
+Result<FitsPtr> SequencePlanner::fitsOf(KnownProduct& known, const SequenceJob& job, const Joints& joints,
+                                        ThreadTeam& team, const StopToken& stop) {
+  AssembledProduct bent = *job.product;
+  bent.snaps = bendsOf(countingJoints(joints, job.demands.jointUse), bent);
   const std::lock_guard lock(known.mutex);
-  if (known.product != product) {
-    auto fits = ProductFits::find(*product, team, stop);
-    if (!fits) return fits.error();
-    known.fits = std::make_shared<const ProductFits>(std::move(*fits));
-    known.product = product;
-    known.joints.reset();
-  }
-  return known.fits;
+  if (known.product == job.product && known.fits && known.bends == bent.snaps) return known.fits;
+  auto fits = ProductFits::find(bent, team, stop);
+  if (!fits) return fits.error();
+  auto found = std::make_shared<const ProductFits>(std::move(*fits));
+  if (known.product != job.product) return found;
+  known.fits = found;
+  known.bends = bent.snaps;
+  return found;
+}
+
+/// Of another product nothing is known.
+void SequencePlanner::know(KnownProduct& known, const ProductPtr& product) {
+  const std::lock_guard lock(known.mutex);
+  if (known.product == product) return;
+  known.product = product;
+  known.fits.reset();
+  known.joints.reset();
 }
 
 /// None where the demands use none. After a stop they are incomplete, and not remembered.
 Result<Joints> SequencePlanner::jointsOf(KnownProduct& known, const SequenceJob& job, const StopToken& stop) {
+  know(known, job.product);
   if (job.demands.jointUse == JointUse::Off) return Joints();
   const std::lock_guard lock(known.mutex);
   const bool isKnown = known.product == job.product && known.joints && known.classes == job.classes;
@@ -173,8 +186,8 @@ void SequencePlanner::plan(const SequenceJob& job, bool atOnce) {
   const auto announce = [this, request](const GrownPlan& grown) {
     deliver([this, grown] { emit this->grown(grown); }, request);
   };
-  const auto findFits = [known = known_, product = job.product, stop = stop_](ThreadTeam& team) {
-    return fitsOf(*known, product, team, stop.token());
+  const auto findFits = [known = known_, job, stop = stop_](const Joints& joints, ThreadTeam& team) {
+    return fitsOf(*known, job, joints, team, stop.token());
   };
   const auto findJoints = [known = known_, job, stop = stop_] { return jointsOf(*known, job, stop.token()); };
   planning_ = true;

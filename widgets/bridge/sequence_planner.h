@@ -77,12 +77,15 @@ class SequencePlanner final : public QObject {
   struct KnownProduct {
     std::mutex mutex;
     ProductPtr product;
-    std::shared_ptr<const ProductFits> fits;
+    std::shared_ptr<const ProductFits> fits;  ///< with these bends; null: not looked for yet
+    std::vector<check::SnapWord> bends;
     std::vector<std::string> classes;
     std::shared_ptr<const Joints> joints;  ///< with these classes; null: not looked for yet
   };
-  static Result<std::shared_ptr<const ProductFits>> fitsOf(KnownProduct& known, const ProductPtr& product,
-                                                           ThreadTeam& team, const StopToken& stop);
+  static Result<std::shared_ptr<const ProductFits>> fitsOf(KnownProduct& known, const SequenceJob& job,
+                                                           const Joints& joints, ThreadTeam& team,
+                                                           const StopToken& stop);
+  static void know(KnownProduct& known, const ProductPtr& product);
   static Result<Joints> jointsOf(KnownProduct& known, const SequenceJob& job, const StopToken& stop);
 
   BackgroundTask task_;

@@ -29,6 +29,11 @@ JointRowState stateOf(const JointEdit& edit) {
   return JointRowState::Opened;
 }
 
+/// The word that confirms a bend says it, and changes nothing.
+bool hasSameBend(const Joint& found, const Joint& joint) {
+  return joint.kind == JointKind::Snap && found.bend == joint.bend && found.direction == joint.direction;
+}
+
 /// An insert that is pressed out is a pin from then on.
 JointKey keyAfter(const JointEdit& edit) {
   JointKey key = edit.key;
@@ -81,7 +86,11 @@ void JointTable::addRows(const Joints& joints, const std::vector<JointEdit>& sou
       row.state = stateOf(edit);
       break;
     }
-    row.isFound = foundJoint(row.key) != nullptr;
+    const Joint* found = foundJoint(row.key);
+    row.isFound = found != nullptr;
+    if (row.state == JointRowState::Made && row.isFound && hasSameBend(*found, joint)) {
+      row.state = JointRowState::Confirmed;
+    }
     rows_.push_back(std::move(row));
   }
 }

@@ -1,0 +1,86 @@
+#include "engine/check/hook.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace glissade::check {
+namespace {
+
+/// Points of the grid along an edge of a triangle.
+constexpr int kFewestSteps = 2;
+constexpr int kMostSteps = 24;
+/// Metres, besides what files and coordinates are off: faces that the other body slides along are not in its way.
+/// Points are moved inwards by so much.
+constexpr double kSlides = 1e-5;
+/// Of half of the diagonal of the hook's body: the grid is as fine as this, or as half of the bend.
+constexpr double kFineShare = 0.02;
+/// A face is of a hook where so much of it is in the way: the side of a body that has a hook is none.
+constexpr double kHookFaceShare = 0.25;
+/// Cosine between the normal of a face and the way out: such a face catches, and the hook bends across the way.
+constexpr double kCatches = 0.9;
+constexpr double kMiddle = 1.0 / 3.0;  ///< of a cell of the grid
+
+double areaOf(const Triangle& t) { return 0.5 * (t[1] - t[0]).cross(t[2] - t[0]).norm(); }
+
+int stepsFor(const Triangle& triangle, double spacing) {
+  double longest = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) longest = std::max(longest, (triangle[(i + 1) % 3] - triangle[i]).norm());
+  return static_cast<int>(std::clamp(std::ceil(longest / spacing), double{kFewestSteps}, double{kMostSteps}));
+}
+
+class HookSearch {
+ public:
+  explicit HookSearch(const HookQuestion& question)
+      : question_(question),
+        below_(kSlides + question.hook.spacing + question.edge.spacing + question.hook.largestDeflection +
+               question.edge.largestDeflection),
+        spacing_(std::min(0.5 * question.bend, kFineShare * question.hook.halfDiagonal)) {}
+
+  /// Square metres of the triangle, by its points.
+  double areaInTheWay(std::uint32_t number) const {
+    const Triangle& triangle = question_.hook.tree.triangles()[number];
+    if (question_.hook.normals[number].dot(question_.direction) > kCatches) return 0.0;
+    const Vector3 inset = -below_ * question_.hook.normals[number];
+    const int steps = stepsFor(triangle, spacing_);
+    int points = 0;
+    int hit = 0;
+    for (int i = 0; i < steps; ++i) {
+      for (int k = 0; i + k < steps; ++k) {
+        const Vector3 along = (triangle[1] - triangle[0]) * (i + kMiddle) / steps;
+        const Vector3 across = (triangle[2] - triangle[0]) * (k + kMiddle) / steps;
+        ++points;
+        if (isHit(triangle[0] + along + across + inset)) ++hit;
+      }
+    }
+    return areaOf(triangle) * hit / points;
+  }
+
+ private:
+  bool isHit(const Vector3& p) const {
+    return std::isfinite(question_.edge.tree.firstHit(p, question_.direction, 0.0));
+  }
+
+  const HookQuestion& question_;
+  double below_;    ///< metres
+  double spacing_;  ///< metres, of the grid
+};
+
+}  // namespace
+
+std::vector<bool> hookRegions(const HookQuestion& question, const StopToken& stop) {
+  const HookSearch search(question);
+  std::vector<double> areas(question.hook.regions.count, 0.0);
+  std::vector<double> inTheWay(question.hook.regions.count, 0.0);
+  for (std::uint32_t t = 0; t < question.hook.normals.size() && !stop.stopRequested(); ++t) {
+    const std::uint32_t region = question.hook.regions.of[t];
+    areas[region] += areaOf(question.hook.tree.triangles()[t]);
+    inTheWay[region] += search.areaInTheWay(t);
+  }
+  std::vector<bool> regions;
+  for (std::size_t r = 0; r < areas.size(); ++r) {
+    regions.push_back(inTheWay[r] > 0.0 && inTheWay[r] >= kHookFaceShare * areas[r]);
+  }
+  return regions;
+}
+
+}  // namespace glissade::check

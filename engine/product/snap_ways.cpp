@@ -1,0 +1,101 @@
+#include "engine/product/snap_ways.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/check/placed_bodies.h"
+#include "engine/collision/collision_query.h"
+#include "engine/product/object_fits.h"
+
+namespace glissade {
+namespace {
+
+/// Bends are stated to this many metres, rounded up.
+constexpr double kFineness = 1e-5;
+
+/// Tries bends of the hooks of one body, as the fits of the product would take them.
+class BendTrial {
+ public:
+  BendTrial(const AssembledProduct& product, std::size_t body, const std::vector<std::size_t>& edges,
+            const StopToken& stop)
+      : product_(product), hook_(product.bodies[body]), body_(body), edges_(edges), stop_(stop) {
+    for (const std::size_t edge : edges) others_.extend(boxOf(edge));
+  }
+
+  /// The least bend with which the body leaves; nothing where `most` is not enough. Metres.
+  std::optional<double> least(const Vector3& direction, double most) {
+    if (leaves(direction, 0.0)) return 0.0;
+    if (stop_.stopRequested() || !leaves(direction, most)) return std::nullopt;
+    double tooLittle = 0.0;
+    double enough = most;
+    while (enough - tooLittle > kFineness) {
+      const double middle = 0.5 * (tooLittle + enough);
+      (leaves(direction, middle) ? enough : tooLittle) = middle;
+    }
+    return std::ceil(enough / kFineness) * kFineness;
+  }
+
+ private:
+  Box3 boxOf(std::size_t body) const { return boundingBox(*product_.bodies[body].mesh, product_.bodies[body].X_WB); }
+
+  check::Body measured(std::size_t index) const {
+    const RigidBody& body = product_.bodies[index];
+    return {body.id, body.shown(), body.mesh, body.X_WB, product_.spacingOf(index), product_.deflections[index]};
+  }
+
+  bool leaves(const Vector3& direction, double bend) {
+    return std::all_of(edges_.begin(), edges_.end(), [&](std::size_t edge) { return passes(edge, direction, bend); });
+  }
+
+  bool passes(std::size_t edge, const Vector3& direction, double bend) {
+    const check::Body own = measured(body_);
+    const check::Body other = measured(edge);
+    check::FitWords words{true, 0.0, {}, {}};
+    if (bend > 0.0) words.snaps = {{own.id, other.id, bend, direction}};
+    const check::AllowanceBound bound =
+        placed_.boundsOf({own, own.X_WB}, {other, other.X_WB}, words, nullptr, stop_).one;
+    const ThinnableMesh* thinnable = thinnable_.of(hook_.mesh);
+    if (thinnable == nullptr) return false;
+    const auto thinned = bound.most > 0.0 ? thinnable->thinned(bound.atMost, bound.share) : std::optional(*hook_.mesh);
+    return thinned && slides(*thinned, edge, direction);
+  }
+
+  bool slides(const TriangleMesh& mesh, std::size_t edge, const Vector3& direction) const {
+    const auto object = std::make_shared<const TriangleMesh>(mesh);
+    const auto world = CollisionWorld::build({product_.bodies[edge]}, object);
+    Pose end = hook_.X_WB;
+    end.position += (boxOf(body_).sizes() + others_.sizes()).norm() * direction;
+    const double required = 0.25 * assembledGap(radiusAboutOrigin(*hook_.mesh));
+    return world->makeQuery()->checkMotion(hook_.X_WB, end, required, SeekViolation::Any, stop_).status ==
+           CertificateStatus::Certified;
+  }
+
+  const AssembledProduct& product_;
+  const RigidBody& hook_;
+  std::size_t body_;
+  const std::vector<std::size_t>& edges_;
+  const StopToken& stop_;
+  Box3 others_;
+  check::PlacedBodies placed_;
+  ThinnableBodies thinnable_;
+};
+
+}  // namespace
+
+double mostBendOf(const AssembledProduct& product, std::size_t body) {
+  const RigidBody& own = product.bodies[body];
+  return std::min(kMostBend, kMostBendShare * boundingBox(*own.mesh, own.X_WB).diagonal().norm());
+}
+
+std::vector<SnapWay> snapWays(const AssembledProduct& product, std::size_t body, const std::vector<std::size_t>& edges,
+                              const StopToken& stop) {
+  BendTrial trial(product, body, edges, stop);
+  std::vector<SnapWay> ways;
+  for (int axis = 0; axis < 6 && !stop.stopRequested(); ++axis) {
+    const Vector3 direction = (axis % 2 == 0 ? 1.0 : -1.0) * Vector3::Unit(axis / 2);
+    if (const auto bend = trial.least(direction, mostBendOf(product, body))) ways.push_back({direction, *bend});
+  }
+  return ways;
+}
+
+}  // namespace glissade

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/base/stop_token.h"
+#include "engine/product/assembled_product.h"
+
+namespace glissade {
+
+/// A way on which a body leaves what it is hooked into while its hooks bend.
+struct SnapWay {
+  Vector3 direction;  ///< unit, world frame
+  double bend = 0.0;  ///< metres; 0: nothing is in the way
+};
+
+/// No hook bends by more than this share of the diagonal of its body's box, and by no more than this in metres.
+inline constexpr double kMostBendShare = 0.25;
+inline constexpr double kMostBend = 0.01;
+
+/// Metres by which a hook of the body bends at most.
+double mostBendOf(const AssembledProduct& product, std::size_t body);
+
+/// Of the six ways along the axes of the world, those on which the body leaves while its hooks bend by no more than
+/// hooks do, each with the least bend. A hook bends where the judge says so (check/hook.h), and is taken thinner as in
+/// fits. After a stop some may be missing.
+std::vector<SnapWay> snapWays(const AssembledProduct& product, std::size_t body, const std::vector<std::size_t>& edges,
+                              const StopToken& stop);
+
+}  // namespace glissade
