@@ -290,8 +290,8 @@ TEST(WorkInstruction, SaysThatTheTableOfTimesWasEdited) {
   const AssembledProduct product = test::lockedDrawer();
   const AssemblyPlan plan = somePlan();
   WorkTimes table;
-  table.fetch += 1.0;
-  table.hold += 1.0;
+  table.fetchLarge += 1.0;
+  table.fetchWithAid += 1.0;
   const auto usual = planTiming(plan, product, WorkTimes());
   const auto timing = planTiming(plan, product, table);
   ASSERT_TRUE(usual.ok() && timing.ok());
