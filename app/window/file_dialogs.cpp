@@ -22,6 +22,7 @@ QString keyOf(FilePurpose purpose) {
     case FilePurpose::Film: return QStringLiteral("film");
     case FilePurpose::Recording: return QStringLiteral("recording");
     case FilePurpose::Sequence: return QStringLiteral("sequence");
+    case FilePurpose::Times: return QStringLiteral("times");
     case FilePurpose::Study: break;
   }
   return QStringLiteral("study");
@@ -32,8 +33,9 @@ QString keyOf(FilePurpose purpose) {
 FileDialogs::FileDialogs(QWidget& window, std::function<QString()> usualFolder)
     : window_(window), usualFolder_(std::move(usualFolder)) {}
 
-QString FileDialogs::open(FilePurpose purpose, const QString& title, const QString& filter) {
-  const QString file = QFileDialog::getOpenFileName(&window_, title, folderOf(purpose), filter);
+QString FileDialogs::open(FilePurpose purpose, const QString& title, const QString& filter, QWidget* parent) {
+  QWidget* owner = parent != nullptr ? parent : &window_;
+  const QString file = QFileDialog::getOpenFileName(owner, title, folderOf(purpose), filter);
   noteFile(purpose, file);
   return file;
 }

@@ -10,7 +10,7 @@ namespace glissade {
 class WindowMemory;
 
 /// What a file is chosen for. Each has a folder of its own.
-enum class FilePurpose { Scenario, Parts, Path, Export, Report, Film, Recording, Sequence, Study };
+enum class FilePurpose { Scenario, Parts, Path, Export, Report, Film, Recording, Sequence, Times, Study };
 
 /// The dialogs that ask for files. Each begins in the folder that was used for its purpose last, also in an earlier
 /// session where the window has a memory; before that, in the folder of the scenario.
@@ -23,7 +23,7 @@ class FileDialogs final {
   void setMemory(WindowMemory* memory) { memory_ = memory; }
 
   /// Empty where the person cancels, as of the others.
-  QString open(FilePurpose purpose, const QString& title, const QString& filter);
+  QString open(FilePurpose purpose, const QString& title, const QString& filter, QWidget* parent = nullptr);
   QString openFolder(FilePurpose purpose, const QString& title);
   /// `name` is proposed; where it has a folder, this one is shown.
   QString save(FilePurpose purpose, const QString& title, const QString& name, const QString& filter,

@@ -50,6 +50,7 @@ void InstructionJob::start(const QString& file, Finished finished) {
   content_->product = shown.product;
   content_->checks = shown.checks;
   content_->name = sequence_.productName();
+  content_->times = sequence_.workTimes().times();
   content_->deviation = surfaceDeviation(*bench_.document.scenario());
   content_->file = file;
   finished_ = std::move(finished);
@@ -141,7 +142,7 @@ void InstructionJob::write() {
                       return finish(drawn);
                     }
                     const PlanWords words(language, [](double metres) { return lengthText(metres).toStdString(); });
-                    const auto timing = planTiming(*content->plan, *content->product, WorkTimes());
+                    const auto timing = planTiming(*content->plan, *content->product, content->times);
                     const StudyReport report =
                         workInstruction({*content->plan, *content->product, content->name, content->deviation,
                                          content->checks, content->exploded, graph.toStdString(), content->pictures,

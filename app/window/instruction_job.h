@@ -37,6 +37,7 @@ class InstructionJob final : public QObject {
     std::vector<StepCheck> checks;
     std::string name;
     double deviation = 0.0;
+    WorkTimes times;
     QString file;
     QTemporaryDir folder;
     std::vector<Vector3> toEye;  ///< of each step

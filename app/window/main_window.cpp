@@ -120,7 +120,7 @@ void MainWindow::addParts() {
   auto* kept = new KeptPathsController(bench_);
   auto* log = new LogController(bench_);
   auto* sequence = new SequenceController(bench_);
-  new TimesController(bench_, *sequence);
+  times_ = new TimesController(bench_, *sequence);
   new ManualController(bench_);
 
   docks_.add({tr("Interaction"), "interaction", run->interactionPanel(), DockPlace::Left});
@@ -199,6 +199,7 @@ void MainWindow::remember(std::unique_ptr<WindowMemory> memory, bool sizeToo) {
   dialogs_.setMemory(memory_.get());
   views_->setMemory(memory_.get());
   path_->remember(*memory_);
+  times_->remember(*memory_);
   memory_->restoreLayout(*this, sizeToo);
   memory_->restoreChoices(actions_);
   preferences_->remember(*memory_);

@@ -6,6 +6,7 @@
 #include "app/window/instruction_job.h"
 #include "app/window/sequence_edits.h"
 #include "app/window/sequence_hand.h"
+#include "app/window/work_times_store.h"
 #include "app/window/workbench.h"
 #include "engine/sequence/plan_playback.h"
 #include "widgets/bridge/sequence_planner.h"
@@ -27,6 +28,8 @@ class SequenceController final : public QObject {
 
   SequencePanel* panel() const { return panel_; }
   const ShownPlan& shown() const { return panel_->shown(); }
+  /// Of every plan.
+  WorkTimesStore& workTimes() { return workTimes_; }
   /// Plans anew, or goes on. `mostSteps`: stops there.
   void plan(bool resume, std::optional<std::size_t> mostSteps = std::nullopt);
   /// A person may change the steps that are shown.
@@ -91,6 +94,7 @@ class SequenceController final : public QObject {
   const Workbench& bench_;
   SequencePanel* panel_;
   SequencePlanner planner_;
+  WorkTimesStore workTimes_;
   std::size_t knownSteps_ = 0;  ///< of the plan that planning has begun with
   PlanPlayback playback_;
   std::vector<Vector3> offsets_;  ///< of the exploded view

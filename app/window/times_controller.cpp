@@ -2,12 +2,14 @@
 
 #include <utility>
 
+#include "app/window/times_script.h"
+#include "engine/scenario/work_times_json.h"
 #include "widgets/studies/plan_graph_view.h"
 #include "widgets/studies/times_view.h"
 
 namespace glissade {
 
-TimesController::TimesController(const Workbench& bench, const SequenceController& sequence)
+TimesController::TimesController(const Workbench& bench, SequenceController& sequence)
     : QObject(&bench.window), bench_(bench), sequence_(sequence) {
   bench.onAction("sequence.times", this, [this] { show(); });
   connect(&sequence, &SequenceController::planShown, this, [this] {
@@ -21,7 +23,7 @@ TimesController::TimesController(const Workbench& bench, const SequenceControlle
   bench.work.show(
       task_, [] { return tr("Dividing the work"); }, [this] { task_.cancel(); });
   enableAction();
-  addCommands();
+  addTimesCommands(bench, *this);
 }
 
 void TimesController::enableAction() {
@@ -30,13 +32,35 @@ void TimesController::enableAction() {
 }
 
 void TimesController::show() {
-  if (view_ == nullptr) {
-    view_ = new TimesView(&bench_.window);
-    connect(view_, &TimesView::stationsChanged, this, &TimesController::update);
-  }
-  view_->show();
-  view_->raise();
+  view().show();
+  view().raise();
   update();
+}
+
+TimesView& TimesController::view() {
+  if (view_ == nullptr) makeView();
+  return *view_;
+}
+
+void TimesController::makeView() {
+  view_ = new TimesView(&bench_.window);
+  connect(view_, &TimesView::stationsChanged, this, &TimesController::update);
+  WorkTimesEditor& editor = view_->table();
+  QUndoStack& undo = table().undoStack();
+  editor.setTimes(table().times());
+  editor.setCanUndo(undo.canUndo());
+  editor.setCanRedo(undo.canRedo());
+  connect(&table(), &WorkTimesStore::changed, this, [this] {
+    view_->table().setTimes(table().times());
+    update();
+  });
+  connect(&undo, &QUndoStack::canUndoChanged, &editor, &WorkTimesEditor::setCanUndo);
+  connect(&undo, &QUndoStack::canRedoChanged, &editor, &WorkTimesEditor::setCanRedo);
+  connect(&editor, &WorkTimesEditor::edited, &table(), &WorkTimesStore::edit);
+  connect(&editor, &WorkTimesEditor::undoAsked, &undo, &QUndoStack::undo);
+  connect(&editor, &WorkTimesEditor::redoAsked, &undo, &QUndoStack::redo);
+  connect(&editor, &WorkTimesEditor::openAsked, this, &TimesController::chooseFile);
+  connect(&editor, &WorkTimesEditor::saveAsked, this, &TimesController::chooseTarget);
 }
 
 /// CBC does not stop early: what is asked while it works waits for its end.
@@ -55,8 +79,9 @@ void TimesController::update() {
 void TimesController::divide(const PlanPtr& plan, const ProductPtr& product) {
   const int count = view_->stations();
   const std::optional<std::size_t> stations = count > 1 ? std::optional(static_cast<std::size_t>(count)) : std::nullopt;
-  const auto work = [this, plan, product, stations](const WorkWatch&) -> BackgroundTask::Delivery {
-    const auto timing = planTiming(*plan, *product, WorkTimes(), stations);
+  const auto work = [this, plan, product, stations,
+                     times = table().times()](const WorkWatch&) -> BackgroundTask::Delivery {
+    const auto timing = planTiming(*plan, *product, times, stations);
     return [this, plan, timing] {
       if (sequence_.shown().plan != plan) return;
       if (timing) {
@@ -69,18 +94,33 @@ void TimesController::divide(const PlanPtr& plan, const ProductPtr& product) {
   task_.start("dividing the work", work, bench_.work.isAtOnce());
 }
 
-void TimesController::addCommands() {
-  bench_.scripts.add("times", 1, [this](const ScriptCommands::Words& words) -> Outcome {
-    show();
-    view_->setStations(QString::fromStdString(words[0]).toInt());
-    return Done{};
-  });
-  bench_.scripts.add("expect-times", 2, [this](const ScriptCommands::Words& words) -> Outcome {
-    if (words[0] != "stations") return wrongCommand("'" + words[0] + "' is no number of the times", "Say stations.");
-    const std::string number = std::to_string(view_ == nullptr ? 0 : view_->shownBars());
-    if (number == words[1]) return Done{};
-    return unmetExpectation("there are bars of " + number + " stations, not " + words[1]);
-  });
+std::optional<Diagnostic> TimesController::openTable(const QString& file) {
+  const auto times = readWorkTimes(file.toStdString());
+  if (!times) return times.error();
+  table().edit(*times);
+  bench_.messages.showStatus(tr("The table of times of %1 is used").arg(file));
+  return std::nullopt;
+}
+
+std::optional<Diagnostic> TimesController::saveTable(const QString& file) {
+  const Outcome saved = saveWorkTimes(table().times(), file.toStdString());
+  if (!saved) return saved.error();
+  bench_.messages.showStatus(tr("The table of times was saved as %1").arg(file));
+  return std::nullopt;
+}
+
+void TimesController::chooseFile() {
+  const QString file = bench_.dialogs.open(FilePurpose::Times, tr("Open a table of times"),
+                                           tr("Tables of times (*.json);;All files (*)"), view_);
+  if (file.isEmpty()) return;
+  if (const auto why = openTable(file)) bench_.messages.showError(tr("The table of times cannot be opened"), *why);
+}
+
+void TimesController::chooseTarget() {
+  const QString file = bench_.dialogs.save(FilePurpose::Times, tr("Save the table of times"),
+                                           QStringLiteral("times.json"), tr("Tables of times (*.json)"), view_);
+  if (file.isEmpty()) return;
+  if (const auto why = saveTable(file)) bench_.messages.showError(tr("The table of times cannot be saved"), *why);
 }
 
 }  // namespace glissade

@@ -6,6 +6,8 @@
 #include <array>
 #include <vector>
 
+#include "engine/scenario/work_times_json.h"
+
 namespace glissade {
 namespace {
 
@@ -25,6 +27,7 @@ const QLatin1String kAutosave("preferences/autosave-seconds");
 const QLatin1String kTheme("preferences/theme");
 const QLatin1String kColours("preferences/colours/");
 const QLatin1String kGhosts("path/ghosts-");
+const QLatin1String kWorkTimes("work-times/");
 const QLatin1String kChoices("choices/");
 const QLatin1String kShortcuts("shortcuts/");
 
@@ -156,6 +159,27 @@ void WindowMemory::saveGhosts(const PathSpacing& spacing) {
   settings_.setValue(kGhosts + QLatin1String("by"), static_cast<int>(spacing.by));
   settings_.setValue(kGhosts + QLatin1String("number"), spacing.number);
   settings_.setValue(kGhosts + QLatin1String("distance"), spacing.distance);
+}
+
+WorkTimes WindowMemory::workTimes() const {
+  WorkTimes times;
+  for (const WorkTimeRow& row : workTimeRows()) {
+    bool isNumber = false;
+    const double value = settings_.value(kWorkTimes + QLatin1String(row.id)).toDouble(&isNumber);
+    if (isNumber && checkWorkTime(row, value)) times.*row.value = value;
+  }
+  return times;
+}
+
+void WindowMemory::saveWorkTimes(const WorkTimes& times) {
+  for (const WorkTimeRow& row : workTimeRows()) {
+    const QString key = kWorkTimes + QLatin1String(row.id);
+    if (times.*row.value == WorkTimes().*row.value) {
+      settings_.remove(key);
+    } else {
+      settings_.setValue(key, times.*row.value);
+    }
+  }
 }
 
 ThemeChoice WindowMemory::theme() const {

@@ -7,13 +7,15 @@
 #include "app/window/named_views.h"
 #include "app/window/preferences.h"
 #include "engine/planning/path_spacing.h"
+#include "engine/sequence/work_times.h"
 #include "widgets/commands/action_catalogue.h"
 
 namespace glissade {
 
 /// What the window remembers from one start to the next: the files opened last, the folders of its dialogs, where its
-/// panels lie, and a user's choices: ghosts along paths, language, size of texts, unit of lengths, colours, theme,
-/// navigation, perspective, shortcuts. Kept as the platform keeps settings. Scripts and pictures have none.
+/// panels lie, and a user's choices: ghosts along paths, the table of work times, language, size of texts, unit of
+/// lengths, colours, theme, navigation, perspective, shortcuts. Kept as the platform keeps settings. Scripts and
+/// pictures have none.
 class WindowMemory {
  public:
   /// The user's own.
@@ -40,6 +42,11 @@ class WindowMemory {
   /// Where the object is drawn along paths.
   PathSpacing ghosts() const;
   void saveGhosts(const PathSpacing& spacing);
+
+  /// A value that its row does not take is the default.
+  WorkTimes workTimes() const;
+  /// Only what differs from the defaults.
+  void saveWorkTimes(const WorkTimes& times);
 
   Preferences preferences() const;
   void savePreferences(const Preferences& preferences);

@@ -33,7 +33,7 @@ WorkTimes timesIn(const JsonCursor& at) {
     const auto found = rows.find(row.id);
     if (!found) continue;
     const double value = found->number();
-    if (value < 0.0 || value > row.most) found->fail("is not from 0 to " + toText(row.most));
+    if (const Outcome fits = checkWorkTime(row, value); !fits) found->fail(fits.error().reason);
     times.*row.value = value;
   }
   return times;
@@ -48,6 +48,12 @@ nlohmann::ordered_json toJson(const WorkTimes& times) {
       "for manual assembly in Boothroyd, Dewhurst and Knight, Product Design for Manufacture and Assembly (2011).";
   for (const WorkTimeRow& row : workTimeRows()) json["times"][row.id] = times.*row.value;
   return json;
+}
+
+Outcome checkWorkTime(const WorkTimeRow& row, double value) {
+  if (value >= 0.0 && value <= row.most) return Done{};
+  return Diagnostic{ErrorKind::MalformedInput, "", std::string("/times/") + row.id,
+                    "is not from 0 to " + toText(row.most), ""};
 }
 
 Result<WorkTimes> readWorkTimes(const std::string& file) {

@@ -12,6 +12,9 @@ namespace glissade {
 /// member for each row of workTimeRows(). What a file leaves out keeps its default.
 nlohmann::ordered_json toJson(const WorkTimes& times);
 
+/// MalformedInput with the JSON pointer as place where the value is outside of the range of its row.
+Outcome checkWorkTime(const WorkTimeRow& row, double value);
+
 /// Errors: MalformedInput with the JSON pointer as place.
 Result<WorkTimes> readWorkTimes(const std::string& file);
 

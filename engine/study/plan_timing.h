@@ -15,6 +15,7 @@ struct PlanTiming {
   LineTasks tasks;
   std::vector<std::size_t> chain;     ///< the steps that take longest one after the other
   std::optional<LineBalance> line{};  ///< where a number of stations was asked for
+  std::size_t edited = 0;             ///< values of the table that differ from their defaults
 
   double sum() const;           ///< seconds of one person
   double chainSeconds() const;  ///< of the chain

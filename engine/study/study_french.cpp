@@ -143,6 +143,12 @@ const std::map<std::string_view, std::string_view>& studyFrench() {
        "were not measured.",
        "Les temps sont des estimations de l'ordre des tables d'assemblage manuel (Boothroyd, Dewhurst et Knight 2011). "
        "Ils n'ont pas été mesurés."},
+      {"The times follow an edited table. %1 of its %2 values were edited. The others are estimates of the size of "
+       "tables "
+       "for manual assembly (Boothroyd, Dewhurst and Knight 2011) and were not measured.",
+       "Les temps suivent un tableau modifié. %1 de ses %2 valeurs ont été modifiées. Les autres sont des estimations "
+       "de "
+       "l'ordre des tables d'assemblage manuel (Boothroyd, Dewhurst et Knight 2011) et n'ont pas été mesurées."},
       {"One person", "Une personne"},
       {"Longest chain", "Chaîne la plus longue"},
       {"Steps of the longest chain", "Étapes de la chaîne la plus longue"},

@@ -46,6 +46,20 @@ void addLine(const PlanTiming& timing, const StudyWords& words, StudyReport& rep
   report.blocks.emplace_back(loadPlot(line, words));
 }
 
+/// Whose times they are.
+std::string sourceText(const PlanTiming& timing, const StudyWords& words) {
+  if (timing.edited == 0) {
+    return words(
+        "The times are estimates of the size of tables for manual assembly (Boothroyd, Dewhurst and Knight 2011). They "
+        "were not measured.");
+  }
+  return words(
+      "The times follow an edited table. %1 of its %2 values were edited. The others are estimates of the size of "
+      "tables "
+      "for manual assembly (Boothroyd, Dewhurst and Knight 2011) and were not measured.",
+      {std::to_string(timing.edited), std::to_string(workTimeRows().size())});
+}
+
 }  // namespace
 
 std::string secondsText(double seconds, const StudyWords& words) {
@@ -56,9 +70,7 @@ std::string secondsText(double seconds, const StudyWords& words) {
 
 void addTimesSection(const PlanTiming& timing, const StudyWords& words, StudyReport& report) {
   report.blocks.emplace_back(ReportHeading{words("Times"), 2, true});
-  report.blocks.emplace_back(ReportText{
-      words("The times are estimates of the size of tables for manual assembly (Boothroyd, Dewhurst and Knight 2011). "
-            "They were not measured.")});
+  report.blocks.emplace_back(ReportText{sourceText(timing, words)});
   report.blocks.emplace_back(ReportTable{"",
                                          {{"", ReportColumn::Kind::Text}, {"", ReportColumn::Kind::Prose}},
                                          {{words("One person"), secondsText(timing.sum(), words)},

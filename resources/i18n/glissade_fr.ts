@@ -6134,6 +6134,22 @@
         <source>two rings with %1 between them</source>
         <translation>deux bagues séparées par %1</translation>
     </message>
+    <message>
+        <source>is not from 0 to %1</source>
+        <translation>n&apos;est pas de 0 à %1</translation>
+    </message>
+    <message>
+        <source>is not %1</source>
+        <translation>n&apos;est pas %1</translation>
+    </message>
+    <message>
+        <source>is no work time</source>
+        <translation>n&apos;est pas un temps de travail</translation>
+    </message>
+    <message>
+        <source>Take the names that &apos;times --write-table&apos; writes.</source>
+        <translation>Prenez les noms qu&apos;écrit «&#xa0;times --write-table&#xa0;».</translation>
+    </message>
 </context>
 <context>
     <name>FilmWriter</name>
@@ -7684,6 +7700,85 @@
     <message>
         <source>Recognised by shape, suggested by name or class, or decided by you. A (?) marks doubt.</source>
         <translation>Reconnue à la forme, proposée d&apos;après le nom ou la classe, ou décidée par vous. Un (?) signale un doute.</translation>
+    </message>
+</context>
+<context>
+    <name>WorkTimes</name>
+    <message>
+        <source>a part is small below this length</source>
+        <translation>une pièce est petite au-dessous de cette longueur</translation>
+    </message>
+    <message>
+        <source>a part is large above this length</source>
+        <translation>une pièce est grande au-dessus de cette longueur</translation>
+    </message>
+    <message>
+        <source>a heavier part is handled as a large one</source>
+        <translation>une pièce plus lourde est manipulée comme une grande</translation>
+    </message>
+    <message>
+        <source>a heavier part needs a lifting aid</source>
+        <translation>une pièce plus lourde demande une aide au levage</translation>
+    </message>
+    <message>
+        <source>fetch a part</source>
+        <translation>prendre une pièce</translation>
+    </message>
+    <message>
+        <source>fetch a small part</source>
+        <translation>prendre une petite pièce</translation>
+    </message>
+    <message>
+        <source>fetch a large part with both hands</source>
+        <translation>prendre une grande pièce à deux mains</translation>
+    </message>
+    <message>
+        <source>fetch a part with a lifting aid</source>
+        <translation>prendre une pièce avec une aide au levage</translation>
+    </message>
+    <message>
+        <source>place a part along a straight way</source>
+        <translation>poser une pièce par un trajet droit</translation>
+    </message>
+    <message>
+        <source>place a part into a fit</source>
+        <translation>poser une pièce dans un ajustement</translation>
+    </message>
+    <message>
+        <source>place a part along a way with turns</source>
+        <translation>poser une pièce par un trajet avec des virages</translation>
+    </message>
+    <message>
+        <source>press a part into its seat</source>
+        <translation>presser une pièce dans son logement</translation>
+    </message>
+    <message>
+        <source>lay a flexible part on</source>
+        <translation>poser une pièce souple</translation>
+    </message>
+    <message>
+        <source>start a thread</source>
+        <translation>engager un filetage</translation>
+    </message>
+    <message>
+        <source>one turn with a powered tool</source>
+        <translation>un tour avec un outil à moteur</translation>
+    </message>
+    <message>
+        <source>one turn by hand or with an open wrench</source>
+        <translation>un tour à la main ou avec une clé plate</translation>
+    </message>
+    <message>
+        <source>take another tool</source>
+        <translation>prendre un autre outil</translation>
+    </message>
+    <message>
+        <source>hold one body meanwhile</source>
+        <translation>tenir un corps pendant ce temps</translation>
+    </message>
+    <message>
+        <source>Default: %1 %3. It is an estimate of the size of the tables for manual assembly in Boothroyd, Dewhurst and Knight, Product Design for Manufacture and Assembly (2011), and was not measured. Values from 0 to %2 %3 are taken.</source>
+        <translation>Valeur par défaut&#xa0;: %1 %3. C&apos;est une estimation de l&apos;ordre des tables d&apos;assemblage manuel de Boothroyd, Dewhurst et Knight, Product Design for Manufacture and Assembly (2011), et elle n&apos;a pas été mesurée. Les valeurs de 0 à %2 %3 sont acceptées.</translation>
     </message>
 </context>
 <context>
@@ -11690,6 +11785,38 @@
         <source>The work cannot be divided</source>
         <translation>Le travail ne peut pas être réparti</translation>
     </message>
+    <message>
+        <source>The table of times of %1 is used</source>
+        <translation>Le tableau des temps de %1 est utilisé</translation>
+    </message>
+    <message>
+        <source>The table of times was saved as %1</source>
+        <translation>Le tableau des temps a été enregistré sous %1</translation>
+    </message>
+    <message>
+        <source>Open a table of times</source>
+        <translation>Ouvrir un tableau des temps</translation>
+    </message>
+    <message>
+        <source>Tables of times (*.json);;All files (*)</source>
+        <translation>Tableaux des temps (*.json);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>The table of times cannot be opened</source>
+        <translation>Le tableau des temps ne peut pas être ouvert</translation>
+    </message>
+    <message>
+        <source>Save the table of times</source>
+        <translation>Enregistrer le tableau des temps</translation>
+    </message>
+    <message>
+        <source>Tables of times (*.json)</source>
+        <translation>Tableaux des temps (*.json)</translation>
+    </message>
+    <message>
+        <source>The table of times cannot be saved</source>
+        <translation>Le tableau des temps ne peut pas être enregistré</translation>
+    </message>
 </context>
 <context>
     <name>glissade::TimesView</name>
@@ -11728,6 +11855,18 @@
     <message>
         <source>There is no assembly plan.</source>
         <translation>Il n&apos;y a pas de plan d&apos;assemblage.</translation>
+    </message>
+    <message>
+        <source>%1 of the %2 values of the table of times were edited. The others are estimates and were not measured.</source>
+        <translation>%1 des %2 valeurs du tableau des temps ont été modifiées. Les autres sont des estimations et n&apos;ont pas été mesurées.</translation>
+    </message>
+    <message>
+        <source>&amp;Chart</source>
+        <translation>&amp;Graphique</translation>
+    </message>
+    <message>
+        <source>&amp;Table of times</source>
+        <translation>&amp;Tableau des temps</translation>
     </message>
 </context>
 <context>
@@ -11896,6 +12035,92 @@
     <message>
         <source>%1: ended after %2 s</source>
         <translation>%1&#xa0;: terminé après %2 s</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::WorkTimeTable</name>
+    <message>
+        <source>Table of times</source>
+        <translation>Tableau des temps</translation>
+    </message>
+    <message>
+        <source>Entry</source>
+        <translation>Élément</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unité</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>Défaut</translation>
+    </message>
+    <message>
+        <source>%1, changed</source>
+        <translation>%1, modifié</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::WorkTimesEditor</name>
+    <message>
+        <source>&amp;Reset</source>
+        <translation>&amp;Réinitialiser</translation>
+    </message>
+    <message>
+        <source>Set the selected values back to their defaults</source>
+        <translation>Remettre les valeurs sélectionnées à leur valeur par défaut</translation>
+    </message>
+    <message>
+        <source>Reset &amp;all</source>
+        <translation>Réinitialiser to&amp;ut</translation>
+    </message>
+    <message>
+        <source>Set all values back to their defaults</source>
+        <translation>Remettre toutes les valeurs à leur valeur par défaut</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <source>Re&amp;do</source>
+        <translation>Réta&amp;blir</translation>
+    </message>
+    <message>
+        <source>&amp;Open table...</source>
+        <translation>&amp;Ouvrir un tableau...</translation>
+    </message>
+    <message>
+        <source>Read a table of times, as glissade-cli times --write-table writes it</source>
+        <translation>Lire un tableau des temps, tel que glissade-cli times --write-table l&apos;écrit</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve table...</source>
+        <translation>&amp;Enregistrer le tableau...</translation>
+    </message>
+    <message>
+        <source>Write the table into a file, which glissade-cli times --table reads</source>
+        <translation>Écrire le tableau dans un fichier, que glissade-cli times --table lit</translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; %3. The value stays %4 %5.</source>
+        <translation>%1&#xa0;: «&#xa0;%2&#xa0;» %3. La valeur reste %4 %5.</translation>
+    </message>
+    <message>
+        <source>Changed values: %1 of %2</source>
+        <translation>Valeurs modifiées&#xa0;: %1 sur %2</translation>
+    </message>
+    <message>
+        <source>Undo the last edit of the table (%1)</source>
+        <translation>Annuler la dernière modification du tableau (%1)</translation>
+    </message>
+    <message>
+        <source>Redo the edit of the table that was undone (%1)</source>
+        <translation>Rétablir la modification annulée du tableau (%1)</translation>
     </message>
 </context>
 <context>

@@ -41,6 +41,7 @@
 #include "widgets/panels/joint_draft.h"
 #include "widgets/studies/plan_graph_view.h"
 #include "widgets/studies/study_browser.h"
+#include "widgets/studies/times_view.h"
 
 namespace glissade {
 namespace {
@@ -235,6 +236,10 @@ TEST_P(AccessibilityTest, OfTheDialogs) {
   dialogs.push_back(std::make_unique<JointDialog>(
       product, draftJoint(*product, {0, 1, 2}), [](const Joint&) { return Outcome(Done{}); }, window.get()));
   dialogs.push_back(std::make_unique<PlanGraphView>(window.get()));
+  dialogs.push_back(std::make_unique<TimesView>(window.get()));
+  auto times = std::make_unique<TimesView>(window.get());
+  times->showTable();
+  dialogs.push_back(std::move(times));
   dialogs.push_back(std::make_unique<CalibrationDialog>(bench.session.hand(), settings, bench.actions, window.get()));
   dialogs.push_back(std::make_unique<StudyBrowser>(nullptr));
   for (const auto& dialog : dialogs) {

@@ -24,8 +24,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Reports and plots of studies are translated by study_french.cpp; benchmarks are for developers. The command line
-/// prints the verdicts of the judge; the window shows only whether a path or a step is valid. It also prints work
-/// times, which the window does not show.
+/// prints the verdicts of the judge; the window shows only whether a path or a step is valid. The window has
+/// words of its own for the rows of work times (work_time_texts.cpp).
 constexpr const char* kOtherwiseTranslated[] = {"engine/check/",
                                                 "engine/study/study_french.cpp",
                                                 "engine/study/report_html.cpp",
@@ -36,7 +36,6 @@ constexpr const char* kOtherwiseTranslated[] = {"engine/check/",
                                                 "engine/study/benchmarks/",
                                                 "engine/sequence/work_times.cpp",
                                                 "engine/sequence/line_balance.cpp",
-                                                "engine/scenario/work_times_json.cpp",
                                                 "engine/product/designation.cpp"};
 
 /// Not for people to read in the window: names of random streams, keys of caches, rules and commands as they are typed,
@@ -78,6 +77,8 @@ constexpr const char* kNotForTheWindow[] = {
     "Glissade %1",
     "STL is little-endian",
     "Swept volume, millimetres, by Glissade",
+    "Seconds of manual work and the limits between its cases. The defaults are estimates of the size of the tables for "
+    "manual assembly in Boothroyd, Dewhurst and Knight, Product Design for Manufacture and Assembly (2011).",
     "the solved",
     "%1 of %1 over %2 runs",
     "model name",

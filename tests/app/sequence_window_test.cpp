@@ -1,9 +1,11 @@
 // The assembly plan of a product in the whole window, without a display.
+#include "engine/scenario/work_times_json.h"
 #include "tests/app/window_fixture.h"
 #include "tests/engine/support/step_files.h"
 
 namespace {
 
+using namespace glissade;
 using namespace glissade::test;
 
 class SequenceWindow : public WindowTest {
@@ -34,6 +36,29 @@ TEST_F(SequenceWindow, TimesFollowThePlanAndTheNumberOfStations) {
   expectGood(
       runOnStand(QStringLiteral("times 3\nexpect-times stations 0\nplan-sequence all\nexpect-times stations 3\n"
                                 "times 1\nexpect-times stations 1\n")));
+}
+
+/// Ten parts, one second each.
+TEST_F(SequenceWindow, TimesFollowTheTableOfTimesWhichTheReportTakesToo) {
+  WorkTimes times;
+  for (const WorkTimeRow& row : workTimeRows()) times.*row.value = 0.0;
+  times.largeAbove = 100.0;
+  times.twoHandsAbove = times.aidAbove = 1000.0;
+  times.fetch = 1.0;
+  ASSERT_TRUE(saveWorkTimes(times, file("second.json").toStdString()));
+  expectGood(runOnStand(QStringLiteral("plan-sequence all\ntimes 2\nopen-times %1\nexpect-times sum 10.0\n"
+                                       "set-time fetch_s 2.5\nexpect-times sum 25.0\n"
+                                       // What is not taken changes nothing.
+                                       "set-time fetch_s -1\nset-time fetch_s soon\nexpect-time fetch_s 2.5\n"
+                                       "expect-times sum 25.0\nexpect-times stations 2\n"
+                                       "save-times %2\nexport-sequence %3\n")
+                            .arg(file("second.json"), file("edited.json"), file("stand.html"))));
+  times.fetch = 2.5;
+  const auto saved = readWorkTimes(file("edited.json").toStdString());
+  ASSERT_TRUE(saved) << toString(saved.error());
+  EXPECT_EQ(*saved, times);
+  EXPECT_TRUE(content("stand.html").contains("25.0 s"));
+  EXPECT_TRUE(content("stand.html").contains("values were edited"));
 }
 
 TEST_F(SequenceWindow, WhatWasFoundIsKeptWhenPlanningIsStoppedAndGoesOn) {

@@ -47,6 +47,27 @@ TEST_F(TimesViewTest, WithoutAPlanThereIsNoChart) {
   EXPECT_TRUE(chart().isEmpty());
 }
 
+TEST_F(TimesViewTest, SaysHowManyValuesOfTheTableWereEdited) {
+  PlanTiming timing = twoSteps(std::nullopt);
+  timing.edited = 3;
+  view.setTiming(timing, {});
+  EXPECT_TRUE(summary().contains(QStringLiteral("3 of the 18 values"))) << summary().toStdString();
+}
+
+TEST_F(TimesViewTest, TheSumOfThePlanIsKnown) {
+  view.setTiming(twoSteps(2), {});
+  EXPECT_EQ(view.shownSeconds(), 10.0);
+  view.setTiming(std::nullopt, {});
+  EXPECT_EQ(view.shownSeconds(), 0.0);
+}
+
+TEST_F(TimesViewTest, TheTableIsAPageOfItsOwn) {
+  view.show();
+  EXPECT_FALSE(view.table().isVisible());
+  view.showTable();
+  EXPECT_TRUE(view.table().isVisible());
+}
+
 TEST_F(TimesViewTest, StationsAreAskedFor) {
   const QSignalSpy asked(&view, &TimesView::stationsChanged);
   view.setStations(4);

@@ -46,6 +46,19 @@ TEST_F(Memory, KeepsWhereGhostsAreDrawn) {
   EXPECT_EQ(WindowMemory(file()).ghosts().number, PathSpacing().number);
 }
 
+TEST_F(Memory, KeepsWorkTimesAndIgnoresThoseOutOfTheirRange) {
+  EXPECT_EQ(WindowMemory(file()).workTimes(), WorkTimes());
+  WorkTimes times;
+  times.fetch = 4.25;
+  times.aidAbove = 0.0;
+  WindowMemory(file()).saveWorkTimes(times);
+  EXPECT_EQ(WindowMemory(file()).workTimes(), times);
+  QSettings(file(), QSettings::IniFormat).setValue(QStringLiteral("work-times/fetch_s"), -3);
+  EXPECT_EQ(WindowMemory(file()).workTimes().fetch, WorkTimes().fetch);
+  WindowMemory(file()).saveWorkTimes(WorkTimes());
+  EXPECT_TRUE(QSettings(file(), QSettings::IniFormat).allKeys().isEmpty()) << "defaults may change";
+}
+
 std::unique_ptr<QMainWindow> makeWindow() {
   auto window = std::make_unique<QMainWindow>();
   auto* dock = new QDockWidget(window.get());

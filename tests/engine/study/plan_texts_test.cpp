@@ -286,6 +286,28 @@ TEST(WorkInstruction, SaysTimesAndTheLine) {
   }
 }
 
+TEST(WorkInstruction, SaysThatTheTableOfTimesWasEdited) {
+  const AssembledProduct product = test::lockedDrawer();
+  const AssemblyPlan plan = somePlan();
+  WorkTimes table;
+  table.fetchLarge += 1.0;
+  table.fetchWithAid += 1.0;
+  const auto usual = planTiming(plan, product, WorkTimes());
+  const auto timing = planTiming(plan, product, table);
+  ASSERT_TRUE(usual.ok() && timing.ok());
+  EXPECT_EQ(usual->edited, 0U);
+  EXPECT_EQ(timing->edited, 2U);
+  EXPECT_GT(timing->sum(), usual->sum());
+  for (const Language language : {Language::English, Language::French}) {
+    const auto page =
+        reportHtml(workInstruction({plan, product, "drawer", 1e-5, {}, "", "", {}, *timing}, wordsIn(language)));
+    ASSERT_TRUE(page.ok());
+    const bool english = language == Language::English;
+    EXPECT_NE(page->find(english ? "2 of its 18 values were edited" : "2 de ses 18 valeurs ont été modifiées"),
+              std::string::npos);
+  }
+}
+
 TEST(WorkInstruction, AMissingPictureIsAnError) {
   const AssembledProduct product = test::lockedDrawer();
   const AssemblyPlan plan = somePlan();
