@@ -6150,6 +6150,10 @@
         <source>Take the names that &apos;times --write-table&apos; writes.</source>
         <translation>Prenez les noms qu&apos;écrit «&#xa0;times --write-table&#xa0;».</translation>
     </message>
+    <message>
+        <source>its hooks bend by %1 when it leaves along a line</source>
+        <translation>ses crochets fléchissent de %1 quand il part en ligne droite</translation>
+    </message>
 </context>
 <context>
     <name>FilmWriter</name>

@@ -39,6 +39,7 @@ inline constexpr const char* kJointSentences[] = {
     QT_TRANSLATE_NOOP("Diagnostics", "the assembly is called '%1'"),
     QT_TRANSLATE_NOOP("Diagnostics", "its class is '%1'"),
     QT_TRANSLATE_NOOP("Diagnostics", "it is a ring of round section"),
+    QT_TRANSLATE_NOOP("Diagnostics", "its hooks bend by %1 when it leaves along a line"),
     QT_TRANSLATE_NOOP("Diagnostics", "joints hold each other in a circle: %1"),
     QT_TRANSLATE_NOOP("Diagnostics", "'%1' names a standard that is not known"),
     QT_TRANSLATE_NOOP("Diagnostics", "'%1' is no designation of a standard part that is known"),

@@ -300,6 +300,26 @@ TEST(JointFinder, NamesClassesAndShapesSuggestWhatAPersonConfirms) {
   EXPECT_EQ(joints[3].body, 6U);
 }
 
+/// "Assembly" says nothing of what a thing is, and a retaining ring is opened to come off.
+TEST(JointFinder, TheWordBeforeAssemblyCounts) {
+  ProductOfParts parts;
+  parts.add("Battery Tube Assembly/tube", tubeMesh(circle(0.011), circle(0.012), 0.0, 0.1))
+      .add("Battery Tube Assembly/end cap", rodMesh(0.0109, 0.0, 0.01))
+      .add("Motor Assembly/can", rodMesh(0.004, 0.2, 0.24))
+      .add("Motor Assembly/lid", plateMesh(0.005, 0.03, 0.24, 0.243))
+      .add("shaft", rodMesh(0.003, 0.3, 0.35))
+      .add("EXTERNAL RETAINING RING 94540A", tubeMesh(circle(0.003), circle(0.005), 0.31, 0.311));
+  const Joints joints = findJoints(parts.product());
+  const auto isSuggested = [&](JointKind kind, std::size_t body) {
+    return std::any_of(joints.begin(), joints.end(), [&](const Joint& joint) {
+      return joint.kind == kind && joint.body == body && joint.state == JointState::Suggested;
+    });
+  };
+  EXPECT_FALSE(isSuggested(JointKind::Unit, 0));
+  EXPECT_TRUE(isSuggested(JointKind::Unit, 2));
+  EXPECT_TRUE(isSuggested(JointKind::Snap, 5) || isSuggested(JointKind::Flexible, 5));
+}
+
 TEST(JointFinder, TheSameProductHasTheSameJoints) {
   const auto once = [] {
     ProductOfParts parts;
