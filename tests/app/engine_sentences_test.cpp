@@ -77,8 +77,9 @@ constexpr const char* kNotForTheWindow[] = {
     "Glissade %1",
     "STL is little-endian",
     "Swept volume, millimetres, by Glissade",
-    "Seconds of manual work and the limits between its cases. The defaults are estimates of the size of the tables for "
-    "manual assembly in Boothroyd, Dewhurst and Knight, Product Design for Manufacture and Assembly (2011).",
+    ("Seconds of manual work and the limits between its cases. The defaults are estimates of the size of the tables "
+     "for "
+     "manual assembly in Boothroyd, Dewhurst and Knight, Product Design for Manufacture and Assembly (2011)."),
     "the solved",
     "%1 of %1 over %2 runs",
     "model name",
