@@ -17,7 +17,7 @@ struct EdgeDemand {
 
 /// Clearances of paths are proved up to this share of the object's radius about its frame: whether it is half a metre
 /// away or one decides nothing, and so many pairs of triangles are within that reach that a proof takes minutes.
-inline constexpr double kMostProvedShare = 0.5;
+inline constexpr double kMostProvedShare = 1.0;
 
 /// One edge of a path: its smallest clearance lies in [provedClearance, minClearance].
 struct EdgeCertificate {

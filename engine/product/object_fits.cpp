@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "engine/product/common_axis.h"
+#include "engine/product/fit_refusals.h"
 #include "engine/product/fit_words.h"
 #include "engine/product/length_words.h"
 #include "engine/product/loose_nut.h"
@@ -374,10 +375,7 @@ class FitFinder {
     const auto ownOpening = openBeside(object_, bounds.one);
     const auto othersOpening = openBeside(other, bounds.other);
     if (ownOpening && othersOpening) {
-      refuse(fit,
-             "touch where neither can be taken thinner: the surfaces are open " + inMillimetres(*ownOpening) + " and " +
-                 inMillimetres(*othersOpening) + " from the contact, so that what is inside them there is not known",
-             "Close the surface of one of them.");
+      refuse(fit, openOnBothSides(*ownOpening, *othersOpening), "Close the surface of one of them.");
       return;
     }
     // Of the body that would lose less.
@@ -393,18 +391,6 @@ class FitFinder {
     if (const auto hook = hookYields(obstacle)) return {*hook};
     const bool otherFirst = givesWayFirst(body(obstacle), object_);
     return {otherFirst, !otherFirst};
-  }
-
-  static std::string noRoom(double allowance) {
-    return "fit so that one of them would have to be taken " + inMillimetres(allowance) +
-           " thinner, which the local thickness or the shape of neither gives: it counts as a clash";
-  }
-
-  static std::string noRoomBeside(double allowance, double opening) {
-    return "fit so that one of them would have to be taken " + inMillimetres(allowance) +
-           " thinner, which the local thickness or the shape of neither gives, and the surface of one is open " +
-           inMillimetres(opening) +
-           " from the contact, so that what is inside it there is not known: it counts as a clash";
   }
 
   /// Metres from the contact to where the surface of the body is open, where that is so near that what is inside it is
