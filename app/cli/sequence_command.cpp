@@ -328,6 +328,14 @@ StopToken limited(const StopToken& stop, double seconds) {
   return stop.withDeadline(Clock::now() + std::chrono::duration_cast<Clock::duration>(limit));
 }
 
+/// None where the demands use none, or after a stop: a word may be about a joint that was not found any more.
+Result<Joints> jointsOf(const ProductFile& loaded, const SequenceDemands& demands, const StopToken& stop) {
+  if (demands.jointUse == JointUse::Off) return Joints();
+  const Joints found = findJoints(loaded.product, stop, loaded.classes);
+  if (stop.stopRequested()) return Joints();
+  return applied(found, demands.joints, loaded.product);
+}
+
 /// Where the limit of time ends the search of fits: what there was, so that it can be resumed.
 AssemblyPlan planWithout(const AssembledProduct& product, const SequenceRequest& request) {
   AssemblyPlan plan = request.resumed != nullptr ? *request.resumed : AssemblyPlan{};
@@ -401,9 +409,7 @@ int runSequence(const SequenceOptions& options) {
   }
   ThreadTeam team(options.lanes - 1);
   const std::uint64_t seed = earlier ? earlier->seed : options.seed.value_or(1);
-  auto joints = demands->jointUse == JointUse::Off
-                    ? Result<Joints>(Joints())
-                    : applied(findJoints(product, stop, loaded->classes), demands->joints, product);
+  const auto joints = jointsOf(*loaded, *demands, stop);
   if (!joints) return reportError(joints.error(), options.format);
   product.snaps = bendsOf(countingJoints(*joints, demands->jointUse), product);
   const auto fits = ProductFits::find(product, team, stop);

@@ -194,6 +194,7 @@ AllowanceBound united(const AllowanceBound& a, const AllowanceBound& b) {
   AllowanceBound both = a.most >= b.most ? a : b;
   for (std::size_t t = 0; t < both.atMost.size(); ++t) both.atMost[t] = std::max(a.atMost[t], b.atMost[t]);
   both.inFit = a.inFit || b.inFit;
+  both.share = std::max(a.share, b.share);
   refuse(both, a.refused.empty() ? b.refused : a.refused);
   return both;
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/check/part_cells.h"
+
 namespace glissade::check {
 namespace {
 
@@ -23,9 +25,8 @@ constexpr double kMiddle = 1.0 / 3.0;  ///< of a cell of the grid
 double areaOf(const Triangle& t) { return 0.5 * (t[1] - t[0]).cross(t[2] - t[0]).norm(); }
 
 int stepsFor(const Triangle& triangle, double spacing) {
-  double longest = 0.0;
-  for (std::size_t i = 0; i < 3; ++i) longest = std::max(longest, (triangle[(i + 1) % 3] - triangle[i]).norm());
-  return static_cast<int>(std::clamp(std::ceil(longest / spacing), double{kFewestSteps}, double{kMostSteps}));
+  return static_cast<int>(
+      std::clamp(std::ceil(longestEdge(triangle) / spacing), double{kFewestSteps}, double{kMostSteps}));
 }
 
 class HookSearch {

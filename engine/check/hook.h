@@ -1,11 +1,21 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "engine/base/stop_token.h"
 #include "engine/check/placed_body.h"
 
 namespace glissade::check {
+
+/// No hook bends by more than this share of the diagonal of its body's box, and by no more than this in metres.
+inline constexpr double kMostBendShare = 0.25;
+inline constexpr double kMostBend = 0.01;
+
+/// Metres by which a hook of a body bends at most.
+inline double mostBendOf(const TriangleMesh& body) {
+  return std::min(kMostBend, kMostBendShare * boundingBox(body).diagonal().norm());
+}
 
 /// What is asked about a hook.
 struct HookQuestion {
@@ -15,10 +25,10 @@ struct HookQuestion {
   double bend = 0.0;       ///< metres, > 0, that the hook bends
 };
 
-/// The faces of the hook's body that are of a hook: the other body is in the way of a quarter of them or more, and they
-/// do not face the way out: a hook bends across it. Looked at
-/// are points a little below the face, on a grid of half the bend, or coarser on large faces. What is met at none of
-/// them is no hook: less is allowed then, never more.
+/// Of each region of the hook's body, whether it is a face of a hook: the other body is in the way of a quarter of it
+/// or more, and it does not face the way out, because a hook bends across that. The way is followed from points a
+/// little below the face, on a grid of half the bend, or coarser on large faces. Where the other body is in the way
+/// between these points only, the face is taken for none of a hook: less is allowed then, never more.
 std::vector<bool> hookRegions(const HookQuestion& question, const StopToken& stop);
 
 }  // namespace glissade::check

@@ -21,14 +21,9 @@ constexpr double kFinestShare = 0.01;
 /// Points between two questions whether to stop.
 constexpr std::size_t kPointsBetweenStops = 64;
 /// Metres: the other face of a wall is looked for so near first, then twice as far.
-constexpr double kFirstReach = 1e-3 / 32.0;
+constexpr double kFirstReach = kClashOverlap / 32.0;
 /// Least cosine between the way from one face of a wall to the other and the inward normal of the one.
 constexpr double kStraightThrough = 0.7;
-
-double longestEdge(const Triangle& part) {
-  return std::sqrt(std::max(
-      {(part[1] - part[0]).squaredNorm(), (part[2] - part[1]).squaredNorm(), (part[0] - part[2]).squaredNorm()}));
-}
 
 class DepthSearch {
  public:

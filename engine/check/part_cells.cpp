@@ -7,6 +7,14 @@
 
 namespace glissade::check {
 
+double longestEdge(const Triangle& triangle) {
+  double longest = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    longest = std::max(longest, (triangle[(i + 1) % 3] - triangle[i]).squaredNorm());
+  }
+  return std::sqrt(longest);
+}
+
 PartCells::PartCells(const Triangle& part, const std::vector<Triangle>& triangles,
                      const std::vector<std::uint32_t>& near)
     : triangles_(triangles) {

@@ -18,6 +18,9 @@ struct PartCell {
   double bound = 0.0;     ///< no point of the cell is farther from the surface, metres
 };
 
+/// Metres.
+double longestEdge(const Triangle& triangle);
+
 /// The cells of a part that may hold a point that is deep below the other surface: the most promising first.
 ///
 /// A depth is the distance from the other surface. So it changes by no more than the way between two points, and it is

@@ -75,9 +75,11 @@ PairBounds PlacedBodies::boundsOf(const Placement& one, const Placement& other, 
   return bounds;
 }
 
-/// In the frame of the body with the hook. A person says the direction where the product is assembled.
+/// In the frame of the body with the hook. A person says the direction where the product is assembled. Nothing is added
+/// for a bend that no hook of the body has.
 void PlacedBodies::addHook(const SnapWord& snap, const Placement& hook, const Placement& edge, AllowanceBound& bound,
                            const StopToken& stop) {
+  if (snap.bend > mostBendOf(*hook.body.mesh)) return;
   const PlacedBody& own = at({hook.body, Pose::identity()});
   const PlacedBody& other = at({edge.body, rounded(inverse(hook.X_WB) * edge.X_WB)});
   const Vector3 direction = hook.body.X_WB.orientation.conjugate() * snap.direction;

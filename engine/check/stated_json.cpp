@@ -32,6 +32,22 @@ std::vector<std::string> readTexts(const JsonCursor& at) {
   return texts;
 }
 
+/// A bend that is said of each of the edges; empty where none is.
+std::vector<SnapWord> bendsIn(const JsonCursor& joint) {
+  std::vector<SnapWord> snaps;
+  const auto made = joint.find("made");
+  const auto bend = made ? made->find("bend_m") : std::nullopt;
+  const auto direction = made ? made->find("direction") : std::nullopt;
+  const auto others = joint.find("others");
+  if (!bend || !direction || !others || metres(*bend) == 0.0) return snaps;
+  const Vector3 way = direction->vector();
+  if (!(way.norm() > 0.0)) direction->fail("has no direction");
+  for (const std::string& edge : readTexts(*others)) {
+    snaps.push_back({joint.at("body").nonEmptyText(), edge, metres(*bend), way.normalized()});
+  }
+  return snaps;
+}
+
 }  // namespace
 
 std::vector<StatedAllowance> readAllowances(const JsonCursor& at) {
@@ -66,26 +82,6 @@ std::vector<Point> readPoints(const JsonCursor& at) {
   if (points.empty()) at.fail("is empty", "Give a path.");
   return points;
 }
-
-namespace {
-
-/// A bend that is said of each of the edges; empty where none is.
-std::vector<SnapWord> bendsIn(const JsonCursor& joint) {
-  std::vector<SnapWord> snaps;
-  const auto made = joint.find("made");
-  const auto bend = made ? made->find("bend_m") : std::nullopt;
-  const auto direction = made ? made->find("direction") : std::nullopt;
-  const auto others = joint.find("others");
-  if (!bend || !direction || !others || metres(*bend) == 0.0) return snaps;
-  const Vector3 way = direction->vector();
-  if (!(way.norm() > 0.0)) direction->fail("has no direction");
-  for (const std::string& edge : readTexts(*others)) {
-    snaps.push_back({joint.at("body").nonEmptyText(), edge, metres(*bend), way.normalized()});
-  }
-  return snaps;
-}
-
-}  // namespace
 
 std::vector<SnapWord> readSnaps(const JsonCursor& at) {
   std::vector<SnapWord> snaps;

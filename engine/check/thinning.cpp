@@ -308,7 +308,7 @@ class ThinBody {
       row.visit(box, [&](std::uint32_t f) {
         if (piece_[moved[0]] != piece_[triangles_[f][0]]) return true;
         if (meetAtStillCorner(moved, triangles_[f], thin) || !trianglesCross(corners, faces_[f], near)) return true;
-        addBlamed(moved, triangles_[f], bad);
+        addCornersToHoldBack(moved, triangles_[f], bad);
         return true;
       });
     }
@@ -316,7 +316,8 @@ class ThinBody {
   }
 
   /// Corners that the two have in common leave the face that they slide along; others may be far away from it.
-  static void addBlamed(const TriangleIndices& moved, const TriangleIndices& face, std::set<std::uint32_t>& bad) {
+  static void addCornersToHoldBack(const TriangleIndices& moved, const TriangleIndices& face,
+                                   std::set<std::uint32_t>& bad) {
     bool shared = false;
     for (const std::uint32_t i : moved) {
       if (std::find(face.begin(), face.end(), i) == face.end()) continue;

@@ -76,7 +76,7 @@ std::vector<std::uint32_t> shellsOf(const TriangleMesh& mesh) {
 /// The corners of a moved triangle that are to move less where it meets a true one: those that it has in common with
 /// that one, else all. A vertex that slides along the tilted facets of a chamfer may leave them; the other corners of a
 /// large triangle may be far away from there.
-std::vector<std::uint32_t> thoseToBlame(const TriangleIndices& moved, const TriangleIndices& met) {
+std::vector<std::uint32_t> cornersToHoldBack(const TriangleIndices& moved, const TriangleIndices& met) {
   std::vector<std::uint32_t> common;
   for (const std::uint32_t vertex : moved) {
     if (std::find(met.begin(), met.end(), vertex) != met.end()) common.push_back(vertex);
@@ -226,7 +226,7 @@ std::vector<std::uint32_t> ThinnableMesh::verticesOutside(const TriangleMesh& th
     double way = 0.0;
     for (const std::uint32_t v : moved) way = std::max(way, (thinned.vertices[v] - mesh_.vertices[v]).norm());
     if (!trianglesCross(after.triangles()[i], surface_.triangles()[k], std::max(rounding, kStays * way))) return;
-    for (const std::uint32_t vertex : thoseToBlame(moved, mesh_.triangles[k])) {
+    for (const std::uint32_t vertex : cornersToHoldBack(moved, mesh_.triangles[k])) {
       std::atomic_ref(outside[vertex]).store(1, std::memory_order_relaxed);
     }
   });

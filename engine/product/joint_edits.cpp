@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <set>
 
+#include "engine/check/hook.h"
 #include "engine/product/designation.h"
 #include "engine/product/joint_order.h"
 #include "engine/product/length_words.h"
 #include "engine/product/product_shapes.h"
-#include "engine/product/snap_ways.h"
 
 namespace glissade {
 namespace {
@@ -165,7 +165,7 @@ class JointEditor {
       if (joint.bend == 0.0) return Done{};
       return refusal(key, "only a snap bends", "Remove 'bend_m'.");
     }
-    const double most = mostBendOf(product_, joint.body);
+    const double most = check::mostBendOf(*product_.bodies[joint.body].mesh);
     if (joint.bend >= 0.0 && joint.bend <= most) return Done{};
     return refusal(key, "a hook does not bend by " + inMillimetres(joint.bend),
                    "Give 0 to " + inMillimetres(most) + " for this body.");

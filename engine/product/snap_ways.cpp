@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "engine/check/placed_bodies.h"
 #include "engine/collision/collision_query.h"
@@ -19,7 +20,10 @@ class BendTrial {
   BendTrial(const AssembledProduct& product, std::size_t body, const std::vector<std::size_t>& edges,
             const StopToken& stop)
       : product_(product), hook_(product.bodies[body]), body_(body), edges_(edges), stop_(stop) {
-    for (const std::size_t edge : edges) others_.extend(boxOf(edge));
+    for (const std::size_t edge : edges) {
+      others_.extend(boxOf(edge));
+      worlds_[edge] = CollisionWorld::build({product.bodies[edge]}, hook_.mesh);
+    }
   }
 
   /// The least bend with which the body leaves; nothing where `most` is not enough. Metres.
@@ -61,8 +65,7 @@ class BendTrial {
   }
 
   bool slides(const TriangleMesh& mesh, std::size_t edge, const Vector3& direction) const {
-    const auto object = std::make_shared<const TriangleMesh>(mesh);
-    const auto world = CollisionWorld::build({product_.bodies[edge]}, object);
+    const auto world = worlds_.at(edge)->withObject(std::make_shared<const TriangleMesh>(mesh));
     Pose end = hook_.X_WB;
     end.position += (boxOf(body_).sizes() + others_.sizes()).norm() * direction;
     const double required = 0.25 * assembledGap(radiusAboutOrigin(*hook_.mesh));
@@ -76,16 +79,12 @@ class BendTrial {
   const std::vector<std::size_t>& edges_;
   const StopToken& stop_;
   Box3 others_;
+  std::map<std::size_t, CollisionWorldPtr> worlds_;  ///< of each edge alone
   check::PlacedBodies placed_;
   ThinnableBodies thinnable_;
 };
 
 }  // namespace
-
-double mostBendOf(const AssembledProduct& product, std::size_t body) {
-  const RigidBody& own = product.bodies[body];
-  return std::min(kMostBend, kMostBendShare * boundingBox(*own.mesh, own.X_WB).diagonal().norm());
-}
 
 std::vector<SnapWay> snapWays(const AssembledProduct& product, std::size_t body, const std::vector<std::size_t>& edges,
                               const StopToken& stop) {
@@ -93,7 +92,8 @@ std::vector<SnapWay> snapWays(const AssembledProduct& product, std::size_t body,
   std::vector<SnapWay> ways;
   for (int axis = 0; axis < 6 && !stop.stopRequested(); ++axis) {
     const Vector3 direction = (axis % 2 == 0 ? 1.0 : -1.0) * Vector3::Unit(axis / 2);
-    if (const auto bend = trial.least(direction, mostBendOf(product, body))) ways.push_back({direction, *bend});
+    if (const auto bend = trial.least(direction, check::mostBendOf(*product.bodies[body].mesh)))
+      ways.push_back({direction, *bend});
   }
   return ways;
 }

@@ -14,13 +14,6 @@ struct SnapWay {
   double bend = 0.0;  ///< metres; 0: nothing is in the way
 };
 
-/// No hook bends by more than this share of the diagonal of its body's box, and by no more than this in metres.
-inline constexpr double kMostBendShare = 0.25;
-inline constexpr double kMostBend = 0.01;
-
-/// Metres by which a hook of the body bends at most.
-double mostBendOf(const AssembledProduct& product, std::size_t body);
-
 /// Of the six ways along the axes of the world, those on which the body leaves while its hooks bend by no more than
 /// hooks do, each with the least bend. A hook bends where the judge says so (check/hook.h), and is taken thinner as in
 /// fits. After a stop some may be missing.

@@ -67,7 +67,7 @@ bool isLastWord(const std::string& word, std::string_view hint) {
   return word == hint || (hint.size() >= 5 && endsWith(word, hint));
 }
 
-/// A retaining ring, a snap ring: its bend is what it is opened by.
+/// A retaining ring or a snap ring. It is opened to come out of its groove: that is its bend.
 bool isRetainingRing(const std::vector<std::string>& words) {
   if (words.size() < 2 || words.back() != "ring") return false;
   const std::string& before = words[words.size() - 2];

@@ -23,8 +23,9 @@ MeshPtr ThinnableBodies::thinned(const MeshPtr& mesh, const std::vector<double>&
   }
   MeshPtr thinner;
   if (const ThinnableMesh* thinnable = of(mesh)) {
-    if (auto made = thinnable->thinned(allowances, share))
+    if (auto made = thinnable->thinned(allowances, share)) {
       thinner = std::make_shared<const TriangleMesh>(std::move(*made));
+    }
   }
   const std::lock_guard lock(mutex_);
   return thinned_.try_emplace(std::move(key), std::move(thinner)).first->second;

@@ -160,6 +160,9 @@ TEST(SnapPlans, TheJudgeAcceptsNoOtherWord) {
   changed = word;
   changed.word = JointEdit::Word::Dissolved;
   EXPECT_FALSE(isValidWith({word, changed})) << "what is said last counts";
+  changed = word;
+  changed.made->bend = 0.05;
+  EXPECT_FALSE(isValidWith({changed})) << "no hook bends so far";
 }
 
 }  // namespace
