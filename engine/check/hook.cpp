@@ -20,6 +20,9 @@ constexpr double kFineShare = 0.02;
 constexpr double kHookFaceShare = 0.25;
 /// Cosine between the normal of a face and the way out: such a face catches, and the hook bends across the way.
 constexpr double kCatches = 0.9;
+/// A path that turns by more, radians, or leaves the direction by more (cosine) does not go along it.
+constexpr double kTurns = 1e-6;
+constexpr double kAlong = 1.0 - 1e-6;
 constexpr double kMiddle = 1.0 / 3.0;  ///< of a cell of the grid
 
 double areaOf(const Triangle& t) { return 0.5 * (t[1] - t[0]).cross(t[2] - t[0]).norm(); }
@@ -67,6 +70,17 @@ class HookSearch {
 };
 
 }  // namespace
+
+bool goesAlong(const Vector3& direction, const Body& body, const std::vector<Pose>& path, const Body& other) {
+  const Box3 box = boundingBox(*other.mesh, other.X_WB);
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    if (!boundingBox(*body.mesh, path[i]).intersects(box)) continue;
+    const Vector3 way = path[i + 1].position - path[i].position;
+    const bool turns = path[i].orientation.angularDistance(path[i + 1].orientation) > kTurns;
+    if (turns || way.dot(direction) < kAlong * way.norm()) return false;
+  }
+  return true;
+}
 
 std::vector<bool> hookRegions(const HookQuestion& question, const StopToken& stop) {
   const HookSearch search(question);

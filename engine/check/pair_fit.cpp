@@ -78,11 +78,21 @@ class PairFitter {
     return own;
   }
 
+  /// A hook bends on the way that the person says, and on no other one.
+  bool bends() const {
+    const SnapWord* snap = fits_.snapOf(question_.moving.id, question_.other.id);
+    if (snap == nullptr) return false;
+    const Vector3 way = snap->hook == question_.moving.id ? snap->direction : Vector3(-snap->direction);
+    return goesAlong(way, question_.moving, question_.path, question_.other);
+  }
+
   void findBounds() {
+    FitWords words = fits_;
+    if (!bends()) words.snaps.clear();
     bool first = true;
     for (const Pose& end : question_.assembled) {
       const PairBounds found =
-          bodies_.boundsOf({question_.moving, end}, {question_.other, question_.other.X_WB}, fits_, word_, stop_);
+          bodies_.boundsOf({question_.moving, end}, {question_.other, question_.other.X_WB}, words, word_, stop_);
       bounds_.one = first ? found.one : united(bounds_.one, found.one);
       bounds_.other = first ? found.other : united(bounds_.other, found.other);
       first = false;

@@ -18,7 +18,8 @@ struct AssembledProduct {
   FitSettings fits;
   std::vector<double> spacings{};        ///< of the coordinates, metres, of each body; empty: not known
   Product tree{};                        ///< that the bodies are in; it may have others, too
-  std::vector<check::SnapWord> snaps{};  ///< hooks that a person lets bend
+  /// Hooks that a person lets bend, in sequences: there a body leaves along the way that the person says.
+  std::vector<check::SnapWord> snaps{};
 
   /// Nothing where no body has this id.
   std::optional<std::size_t> indexOf(const std::string& id) const;

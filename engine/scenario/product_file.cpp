@@ -100,7 +100,6 @@ Outcome leaveOut(const std::vector<std::string>& names, ProductFile& loaded) {
   std::vector<std::string> classes;
   rest.fits = product.fits;
   rest.tree = product.tree;
-  rest.snaps = product.snaps;
   const auto goes = [&](const std::string& id) {
     const auto index = product.indexOf(id);
     return index && (*meant)[*index];

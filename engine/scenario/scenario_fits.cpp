@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/product/fitted_world.h"
-#include "engine/product/joint_edits.h"
 #include "engine/scenario/scenario_bodies.h"
 
 namespace glissade {
@@ -64,7 +63,6 @@ AssembledProduct bodiesOf(const LoadedScenario& scenario) {
   }
   product.fits = scenario.scenario.fits;
   product.tree = scenario.product;
-  product.snaps = bendsOf(scenario.scenario.joints);
   return product;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <set>
 
+#include "engine/check/hook.h"
 #include "engine/planning/path_certificate.h"
 #include "engine/sequence/demanded_steps.h"
 #include "engine/sequence/step_motion.h"
@@ -35,8 +36,8 @@ MotionTrial::MotionTrial(const AssembledProduct& product, const ProductFits& fit
   if (joints != nullptr) jointed_.emplace(product, fits, worlds_, *joints);
 }
 
-/// A search is refused by those that block the straight lines and those that the group fits. What a thread holds is not
-/// searched.
+/// A search is refused by those that block the straight lines and those that the group fits. What a thread or a hook
+/// holds is not searched: a hook bends on one line only.
 RemovalAnswer MotionTrial::tryRemoval(const BodyGroup& group, const BodySet& present, int effort,
                                       const StopToken& stop) {
   if (joints_ != nullptr) {
@@ -45,7 +46,7 @@ RemovalAnswer MotionTrial::tryRemoval(const BodyGroup& group, const BodySet& pre
   }
   if (effort == 0) return tryDirectly(group, present, stop);
   RemovalAnswer answer = Refused{};
-  if (!turned_.isHeld(group, present)) {
+  if (!turned_.isHeld(group, present) && !fits_.isHooked(group, present)) {
     answer = searched_.tryRemoval(group, present, kSearchSteps[static_cast<std::size_t>(effort - 1)], stop);
   }
   const auto* removed = std::get_if<Removed>(&answer);
@@ -61,11 +62,12 @@ RemovalAnswer MotionTrial::tryRemoval(const BodyGroup& group, const BodySet& pre
   return answer;
 }
 
-/// Threads that a person has marked have a rule of their own in the worlds. Facets of a mesh that states no faces are
-/// allowed nothing for other angles than the assembled one, unless a person says that they are a thread: there the way
-/// along a line has to do.
+/// What is hooked does not turn. Threads that a person has marked have a rule of their own in the worlds. Facets of a
+/// mesh that states no faces are allowed nothing for other angles than the assembled one, unless a person says that
+/// they are a thread: there the way along a line has to do.
 RemovalAnswer MotionTrial::tryTurning(const BodyGroup& group, const BodySet& present,
                                       const std::vector<std::size_t>& opened, const StopToken& stop) {
+  if (fits_.isHooked(group, present)) return Refused{joints_->holders(opened, group, present)};
   const bool marked = fits_.isInThread(group, present);
   RemovalAnswer answer =
       marked ? turned_.tryRemoval(group, present, stop) : jointed_->tryRemoval(group, present, opened, stop);
@@ -130,9 +132,30 @@ std::vector<std::size_t> MotionTrial::inTheWay(const BodyGroup& group, const std
   return blocking;
 }
 
+/// As the judge asks for it.
+bool MotionTrial::keepsToBends(const BodyGroup& group, const std::vector<PathPoint>& path, const BodySet& present) {
+  if (!fits_.isHooked(group, present)) return true;
+  const std::vector<Pose> configurations = configurationsOf(path);
+  for (const std::size_t body : group) {
+    const RigidBody& own = product_.bodies[body];
+    const Pose X_GB = inverse(worlds_.object(group).X_WB) * own.X_WB;
+    std::vector<Pose> ofBody;
+    for (const Pose& q : configurations) ofBody.push_back(q * X_GB);
+    for (const std::size_t other : bodiesIn(without(present, group))) {
+      const Vector3* way = fits_.bentWay(body, other);
+      const RigidBody& fixed = product_.bodies[other];
+      const bool keeps = way == nullptr || check::goesAlong(*way, {own.id, own.name, own.mesh, own.X_WB}, ofBody,
+                                                            {fixed.id, fixed.name, fixed.mesh, fixed.X_WB});
+      if (!keeps) return false;
+    }
+  }
+  return true;
+}
+
 std::optional<Removed> MotionTrial::certified(const BodyGroup& group, const std::vector<PathPoint>& path,
                                               const std::string& method, const BodySet& present,
                                               const StopToken& stop) {
+  if (!keepsToBends(group, path, present)) return std::nullopt;
   const MotionWorld motion = worlds_.world(group, present);
   Removed removed{{path, certifyPath(*motion.world->makeQuery(), path, worlds_.parameters(group), stop)},
                   method,

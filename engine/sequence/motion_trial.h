@@ -42,6 +42,7 @@ class MotionTrial final : public RemovalTrial {
   RemovalAnswer tryTurning(const BodyGroup& group, const BodySet& present, const std::vector<std::size_t>& opened,
                            const StopToken& stop);
   bool hasFacetsOnly(const BodyGroup& group, const std::vector<std::size_t>& opened) const;
+  bool keepsToBends(const BodyGroup& group, const std::vector<PathPoint>& path, const BodySet& present);
   bool mayLeaveIn(const Vector3& direction, const BodyGroup& group) const;
 
   const AssembledProduct& product_;

@@ -43,6 +43,13 @@ Result<ProductFits> ProductFits::find(const AssembledProduct& product, ThreadTea
     found.moving_[body].axes = glissade::axesOf(table->objects()[body].contacts);
   }
   for (const PairFit& pair : table->pairs()) found.contacts_.push_back(pair.contact);
+  for (const check::SnapWord& snap : product.snaps) {
+    const auto hook = product.indexOf(snap.hook);
+    const auto edge = product.indexOf(snap.edge);
+    if (!hook || !edge) continue;
+    found.bentWays_[{*hook, *edge}] = snap.direction;
+    found.bentWays_[{*edge, *hook}] = -snap.direction;
+  }
   found.warnings_ = table->warnings();
   found.prepared_ = table->prepared();
   return found;
@@ -74,6 +81,19 @@ const FitThread* ProductFits::threadOf(std::size_t body, std::size_t other) cons
     if (fit.obstacle == other && fit.thread) return &*fit.thread;
   }
   return nullptr;
+}
+
+const Vector3* ProductFits::bentWay(std::size_t body, std::size_t other) const {
+  const auto way = bentWays_.find({body, other});
+  return way == bentWays_.end() ? nullptr : &way->second;
+}
+
+bool ProductFits::isHooked(const BodyGroup& group, const BodySet& present) const {
+  const std::vector<std::size_t> others = bodiesIn(without(present, group));
+  return std::any_of(group.begin(), group.end(), [&](std::size_t body) {
+    return std::any_of(others.begin(), others.end(),
+                       [&](std::size_t other) { return bentWay(body, other) != nullptr; });
+  });
 }
 
 bool ProductFits::isInThread(const BodyGroup& group, const BodySet& present) const {

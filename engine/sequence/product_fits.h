@@ -1,5 +1,8 @@
 #pragma once
 
+#include <map>
+#include <utility>
+
 #include "engine/product/fit_table.h"
 #include "engine/sequence/body_group.h"
 
@@ -28,6 +31,10 @@ class ProductFits {
   const MeshPtr& obstacleFor(std::size_t body, std::size_t other) const;
   /// By which the body leaves the other one by turning only; null where they are not screwed together.
   const FitThread* threadOf(std::size_t body, std::size_t other) const;
+  /// The way in which the body leaves the other one while a hook of either bends, unit, world frame; null: none bends.
+  const Vector3* bentWay(std::size_t body, std::size_t other) const;
+  /// The group leaves bodies of the set, that are not in it, while hooks bend.
+  bool isHooked(const BodyGroup& group, const BodySet& present) const;
   /// A body of the group is screwed together with one of the set that is not in the group.
   bool isInThread(const BodyGroup& group, const BodySet& present) const;
   /// Axes of shafts and holes that the body has in common with others, unit, world frame, no two alike.
@@ -46,7 +53,8 @@ class ProductFits {
     MeshPtr whole;
   };
 
-  std::vector<Moving> moving_;  ///< of each body
+  std::vector<Moving> moving_;                                       ///< of each body
+  std::map<std::pair<std::size_t, std::size_t>, Vector3> bentWays_;  ///< of a body past another one
   std::vector<Contact> contacts_;
   Warnings warnings_;
   std::shared_ptr<PreparedBodies> prepared_;

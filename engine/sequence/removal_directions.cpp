@@ -33,6 +33,9 @@ std::vector<Vector3> removalDirections(const AssembledProduct& product, const Pr
     }
     return direction;
   };
+  for (std::size_t other = 0; other < product.bodies.size(); ++other) {
+    if (const Vector3* way = fits.bentWay(body, other)) add(exact(*way));
+  }
   for (const Vector3& axis : fits.axesOf(body)) addBoth(exact(axis));
   for (const int axis : {2, 0, 1}) addBoth(Vector3::Unit(axis));
   const RigidBody& own = product.bodies[body];

@@ -196,7 +196,8 @@ bool StraightRemoval::mayLeaveAlong(const Vector3& direction, std::size_t body) 
 bool StraightRemoval::isBlocking(std::size_t other, std::size_t body, Line& line, const StopToken& stop) {
   std::optional<bool>& known = line.blockedBy[other];
   if (known) return *known;
-  bool blocks = fits_.threadOf(body, other) != nullptr;
+  const Vector3* bent = fits_.bentWay(body, other);
+  bool blocks = fits_.threadOf(body, other) != nullptr || (bent != nullptr && bent->dot(line.direction) < kSameLine);
   if (!blocks && line.swept.intersects(worlds_.boxOf(other))) {
     const RigidBody& own = product_.bodies[body];
     Pose end = own.X_WB;

@@ -165,5 +165,24 @@ TEST(SnapPlans, TheJudgeAcceptsNoOtherWord) {
   EXPECT_FALSE(isValidWith({changed})) << "no hook bends so far";
 }
 
+/// There is room beside the sleeve: aside and then up is free with the thinner hook.
+TEST(SnapPlans, AHookBendsOnTheWayThatThePersonSaysOnly) {
+  const AssembledProduct product = cappedHole(0.0004);
+  const AssemblyPlan plan = planOf(product, findJoints(product), JointUse::Suggested);
+  ASSERT_EQ(plan.steps.size(), 1U);
+  AssemblyPlan aside = plan;
+  std::vector<PathPoint>& path = aside.steps[0].path;
+  ASSERT_EQ(path.size(), 2U);
+  const Vector3 off(1e-6, 0.0, 0.0);
+  PathPoint between = path.front();
+  between.q.position += off;
+  path.back().q.position += off;
+  path.insert(path.begin() + 1, between);
+  EXPECT_FALSE(isValid(aside, product));
+  aside = plan;
+  aside.steps[0].path.back().q.orientation = fromRollPitchYaw(0.0, 0.0, 0.3);
+  EXPECT_FALSE(isValid(aside, product)) << "it turns";
+}
+
 }  // namespace
 }  // namespace glissade
