@@ -174,10 +174,10 @@ WorkTimes WindowMemory::workTimes() const {
 void WindowMemory::saveWorkTimes(const WorkTimes& times) {
   for (const WorkTimeRow& row : workTimeRows()) {
     const QString key = kWorkTimes + QLatin1String(row.id);
-    if (times.*row.value == WorkTimes().*row.value) {
-      settings_.remove(key);
-    } else {
+    if (isEdited(times, row)) {
       settings_.setValue(key, times.*row.value);
+    } else {
+      settings_.remove(key);
     }
   }
 }

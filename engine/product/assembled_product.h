@@ -16,8 +16,8 @@ struct AssembledProduct {
   std::vector<RigidBody> bodies;    ///< X_WB is the assembled configuration
   std::vector<double> deflections;  ///< as of ContactBody, of each body
   FitSettings fits;
-  std::vector<double> spacings{};        ///< of the coordinates, metres, of each body; empty: not known
-  Product tree{};                        ///< that the bodies are in; it may have others, too
+  std::vector<double> spacings{};  ///< of the coordinates, metres, of each body; empty: not known
+  Product tree{};                  ///< that the bodies are in; it may have others, too
   /// Hooks that a person lets bend, in sequences: there a body leaves along the way that the person says.
   std::vector<check::SnapWord> snaps{};
 

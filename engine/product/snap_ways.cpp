@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "engine/check/hook.h"
 #include "engine/check/placed_bodies.h"
 #include "engine/collision/collision_query.h"
 #include "engine/product/object_fits.h"
@@ -89,13 +90,18 @@ class BendTrial {
 std::vector<SnapWay> snapWays(const AssembledProduct& product, std::size_t body, const std::vector<std::size_t>& edges,
                               const StopToken& stop) {
   BendTrial trial(product, body, edges, stop);
+  const double most = check::mostBendOf(*product.bodies[body].mesh);
   std::vector<SnapWay> ways;
   for (int axis = 0; axis < 6 && !stop.stopRequested(); ++axis) {
     const Vector3 direction = (axis % 2 == 0 ? 1.0 : -1.0) * Vector3::Unit(axis / 2);
-    if (const auto bend = trial.least(direction, check::mostBendOf(*product.bodies[body].mesh)))
-      ways.push_back({direction, *bend});
+    if (const auto bend = trial.least(direction, most)) ways.push_back({direction, *bend});
   }
   return ways;
+}
+
+bool keepsToWay(const Vector3& way, const RigidBody& body, const std::vector<Pose>& path, const RigidBody& other) {
+  return check::goesAlong(way, {body.id, body.name, body.mesh, body.X_WB}, path,
+                          {other.id, other.name, other.mesh, other.X_WB});
 }
 
 }  // namespace glissade

@@ -20,4 +20,8 @@ struct SnapWay {
 std::vector<SnapWay> snapWays(const AssembledProduct& product, std::size_t body, const std::vector<std::size_t>& edges,
                               const StopToken& stop);
 
+/// The judge counts the bend of a hook of either body on the path: check::goesAlong(). `path`: configurations of the
+/// body; `way`: unit, world frame, in which it leaves.
+bool keepsToWay(const Vector3& way, const RigidBody& body, const std::vector<Pose>& path, const RigidBody& other);
+
 }  // namespace glissade

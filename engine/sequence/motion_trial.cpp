@@ -4,8 +4,8 @@
 #include <array>
 #include <set>
 
-#include "engine/check/hook.h"
 #include "engine/planning/path_certificate.h"
+#include "engine/product/snap_ways.h"
 #include "engine/sequence/demanded_steps.h"
 #include "engine/sequence/step_motion.h"
 #include "engine/sequence/swept_box.h"
@@ -143,10 +143,7 @@ bool MotionTrial::keepsToBends(const BodyGroup& group, const std::vector<PathPoi
     for (const Pose& q : configurations) ofBody.push_back(q * X_GB);
     for (const std::size_t other : bodiesIn(without(present, group))) {
       const Vector3* way = fits_.bentWay(body, other);
-      const RigidBody& fixed = product_.bodies[other];
-      const bool keeps = way == nullptr || check::goesAlong(*way, {own.id, own.name, own.mesh, own.X_WB}, ofBody,
-                                                            {fixed.id, fixed.name, fixed.mesh, fixed.X_WB});
-      if (!keeps) return false;
+      if (way != nullptr && !keepsToWay(*way, own, ofBody, product_.bodies[other])) return false;
     }
   }
   return true;

@@ -109,6 +109,14 @@ const std::vector<WorkTimeRow>& workTimeRows() {
   return rows;
 }
 
+bool isEdited(const WorkTimes& times, const WorkTimeRow& row) { return times.*row.value != WorkTimes().*row.value; }
+
+std::size_t editedCount(const WorkTimes& times) {
+  const auto& rows = workTimeRows();
+  return static_cast<std::size_t>(
+      std::count_if(rows.begin(), rows.end(), [&](const WorkTimeRow& row) { return isEdited(times, row); }));
+}
+
 std::vector<StepTime> stepTimes(const AssemblyPlan& plan, const AssembledProduct& product, const WorkTimes& times) {
   const StepTimer timer(plan, product, times);
   std::vector<StepTime> all;

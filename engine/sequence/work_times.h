@@ -47,6 +47,11 @@ struct WorkTimeRow {
 /// All of them, in the order in which they are shown.
 const std::vector<WorkTimeRow>& workTimeRows();
 
+/// The value of this row is not the default.
+bool isEdited(const WorkTimes& times, const WorkTimeRow& row);
+/// How many values are not.
+std::size_t editedCount(const WorkTimes& times);
+
 /// Seconds of one step.
 struct StepTime {
   double fetch = 0.0;

@@ -1,19 +1,8 @@
 #include "engine/study/plan_timing.h"
 
-#include <algorithm>
 #include <numeric>
 
 namespace glissade {
-namespace {
-
-std::size_t editedValues(const WorkTimes& table) {
-  const auto& rows = workTimeRows();
-  return static_cast<std::size_t>(std::count_if(
-      rows.begin(), rows.end(), [&](const WorkTimeRow& row) { return table.*row.value != WorkTimes().*row.value; }));
-}
-
-}  // namespace
-
 double PlanTiming::sum() const { return std::accumulate(tasks.seconds.begin(), tasks.seconds.end(), 0.0); }
 
 double PlanTiming::chainSeconds() const {
@@ -37,7 +26,7 @@ Result<PlanTiming> planTiming(const AssemblyPlan& plan, const AssembledProduct& 
   for (const StepTime& time : times) seconds.push_back(time.total());
   PlanTiming timing{{times.rbegin(), times.rend()}, lineTasks(plan, seconds), {}};
   timing.chain = longestChain(timing.tasks);
-  timing.edited = editedValues(table);
+  timing.edited = editedCount(table);
   if (!stations) return timing;
   auto line = balanceLine(timing.tasks, *stations);
   if (!line) return line.error();

@@ -55,8 +55,7 @@ std::string sourceText(const PlanTiming& timing, const StudyWords& words) {
   }
   return words(
       "The times follow an edited table. %1 of its %2 values were edited. The others are estimates of the size of "
-      "tables "
-      "for manual assembly (Boothroyd, Dewhurst and Knight 2011) and were not measured.",
+      "tables for manual assembly (Boothroyd, Dewhurst and Knight 2011) and were not measured.",
       {std::to_string(timing.edited), std::to_string(workTimeRows().size())});
 }
 

@@ -52,7 +52,7 @@ void WorkTimeTable::setTimes(const WorkTimes& times) {
   for (int row = 0; row < rowCount(); ++row) {
     const WorkTimeRow& time = workTimeRows()[static_cast<std::size_t>(row)];
     const QString text = workTimeText(times.*time.value);
-    const bool isChanged = times.*time.value != WorkTimes().*time.value;
+    const bool isChanged = isEdited(times, time);
     QFont font = this->font();
     font.setBold(isChanged);
     for (const int column : {kName, kValue}) item(row, column)->setData(Qt::FontRole, isChanged ? font : QVariant());

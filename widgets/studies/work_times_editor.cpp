@@ -119,13 +119,11 @@ void WorkTimesEditor::reset() {
 
 void WorkTimesEditor::enableButtons() {
   const auto& rows = workTimeRows();
-  const auto isChanged = [this](const WorkTimeRow& row) { return times_.*row.value != WorkTimes().*row.value; };
   const auto selected = table_->selectedTimes();
   reset_->setEnabled(
-      std::any_of(selected.begin(), selected.end(), [&](std::size_t row) { return isChanged(rows[row]); }));
+      std::any_of(selected.begin(), selected.end(), [&](std::size_t row) { return isEdited(times_, rows[row]); }));
   resetAll_->setEnabled(times_ != WorkTimes());
-  count_->setText(
-      tr("Changed values: %1 of %2").arg(std::count_if(rows.begin(), rows.end(), isChanged)).arg(rows.size()));
+  count_->setText(tr("Changed values: %1 of %2").arg(editedCount(times_)).arg(rows.size()));
 }
 
 }  // namespace glissade
