@@ -12,7 +12,8 @@
 namespace glissade::check {
 namespace {
 
-constexpr double kLeastDepth = 1e-7;  ///< metres: what rounding of coordinates can be
+constexpr double kLeastDepth = 1e-7;    ///< metres: what rounding of coordinates can be
+constexpr double kSameDistance = 1e-9;  ///< metres: distances that differ by less are equal
 constexpr int kMostWidenings = 8;
 /// Near a part, more triangles than these are not all compared with it where it is a clash anyway. Else the part is cut
 /// into cells, down to this share of the largest depth met, unless it is in a thin wall.
@@ -110,8 +111,8 @@ class DepthSearch {
   bool isKnown(const std::vector<std::uint32_t>& near, const Vector3& normal, double depth) const {
     if (depth > overlap_.deepest) return false;
     return std::all_of(near.begin(), near.end(), [&](std::uint32_t t) {
-      const double cosine = body_.normals[t].dot(normal);
-      return cosine < kFacing ? depth <= overlap_.depths[body_.regions.of[t]] : cosine <= -kFacing;
+      if (isFacing(t, normal)) return depth <= overlap_.depths[body_.regions.of[t]];
+      return body_.normals[t].dot(normal) <= -kFacing;
     });
   }
 
@@ -145,7 +146,7 @@ class DepthSearch {
   std::vector<std::uint32_t> facing(const std::vector<std::uint32_t>& near, const Vector3& normal) const {
     std::vector<std::uint32_t> regions;
     for (const std::uint32_t t : near) {
-      if (body_.normals[t].dot(normal) < kFacing) regions.push_back(body_.regions.of[t]);
+      if (isFacing(t, normal)) regions.push_back(body_.regions.of[t]);
     }
     std::sort(regions.begin(), regions.end());
     regions.erase(std::unique(regions.begin(), regions.end()), regions.end());
@@ -175,17 +176,16 @@ class DepthSearch {
     return within;
   }
 
-  /// Depth of a point of the other surface, 0 outside and on the surface. It counts for the face that is nearest, if
-  /// that faces it. The other side of a thin wall, which points the same way as the other surface, is passed over.
+  /// Depth of a point of the other surface, 0 outside and on the surface. It counts for the faces that are nearest and
+  /// face it. The other side of a thin wall, which points the same way as the other surface, is passed over.
   double meet(const Vector3& p, const Vector3& normal) {
     if (!body_.tree.box().contains(p) || !body_.contains(p)) return 0.0;
     const TriangleTree::Nearest nearest = body_.tree.nearest(p, std::numeric_limits<double>::infinity());
     if (nearest.distance <= kLeastDepth) return 0.0;
     const bool isOtherSide = body_.normals[nearest.triangle].dot(normal) > -kFacing;
-    const TriangleTree::Nearest counted = isOtherSide ? acrossTheWall(p, normal, nearest) : nearest;
-    if (body_.normals[counted.triangle].dot(normal) < kFacing) {
-      double& depth = overlap_.depths[body_.regions.of[counted.triangle]];
-      depth = std::max(depth, counted.distance);
+    if (!countForNearest(p, normal, nearest) && isOtherSide) {
+      const TriangleTree::Nearest across = acrossTheWall(p, normal, nearest);
+      if (isFacing(across.triangle, normal)) count(across);
     }
     if (nearest.distance > overlap_.deepest) {
       overlap_.deepest = nearest.distance;
@@ -193,6 +193,32 @@ class DepthSearch {
       triangle_ = nearest.triangle;
     }
     return nearest.distance;
+  }
+
+  /// Counts the depth for every face that faces the point and is as near as the nearest one: which of them that is,
+  /// rounding decides. Whether there is one.
+  bool countForNearest(const Vector3& p, const Vector3& normal, const TriangleTree::Nearest& nearest) {
+    bool found = false;
+    const double reach = nearest.distance + kSameDistance;
+    const Vector3 around = Vector3::Constant(reach);
+    body_.tree.visit(Box3(p - around, p + around), [&](std::uint32_t t) {
+      if (isFacing(t, normal) && (nearestPoint(body_.tree.triangles()[t], p) - p).squaredNorm() <= reach * reach) {
+        count({nearest.distance, t});
+        found = true;
+      }
+      return true;
+    });
+    return found;
+  }
+
+  void count(const TriangleTree::Nearest& met) {
+    double& depth = overlap_.depths[body_.regions.of[met.triangle]];
+    depth = std::max(depth, met.distance);
+  }
+
+  /// The triangle faces the other surface, which has this normal.
+  bool isFacing(std::uint32_t triangle, const Vector3& normal) const {
+    return body_.normals[triangle].dot(normal) < kFacing;
   }
 
   /// The other face of a wall that the point is in, of which the nearest face is one: the nearest of those straight

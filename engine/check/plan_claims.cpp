@@ -44,7 +44,7 @@ void findNamesOfNothing(const Product& product, const Demands& demands, std::vec
   for (const auto& [body, direction] : demands.forbidden) add({body});
   for (const std::string& name : std::set<std::string>(names.begin(), names.end())) {
     if (!bodiesNamed(product, name).empty()) continue;
-    wrong.push_back("a demand is about '" + name + "', which the ids of the bodies do not name: it is not judged");
+    wrong.push_back("a demand is about '" + name + "', which no body or assembly is called: it is not judged");
   }
 }
 

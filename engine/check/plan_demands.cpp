@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/assembly/body_path.h"
+#include "engine/assembly/body_choice.h"
 
 namespace glissade::check {
 namespace {
@@ -47,11 +47,9 @@ bool isSameMotion(const std::vector<Pose>& demanded, const std::vector<Point>& p
 }  // namespace
 
 Group bodiesNamed(const Product& product, const std::string& name) {
-  Group bodies;
-  for (std::size_t i = 0; i < product.bodies.size(); ++i) {
-    if (isMeantBy(name, product.bodies[i].id)) bodies.push_back(i);
-  }
-  return bodies;
+  std::vector<std::string> ids;
+  for (const Body& body : product.bodies) ids.push_back(body.id);
+  return bodiesMeant(ids, name, product.tree);
 }
 
 std::string againstDemands(const Step& step, const Group& group, const Present& there, std::size_t number,

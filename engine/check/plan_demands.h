@@ -12,7 +12,7 @@ using Present = std::vector<bool>;
 /// Numbers of bodies, ascending.
 using Group = std::vector<std::size_t>;
 
-/// The bodies of this id, or whose ids end in "/" and this.
+/// The bodies that a person means by the name, ascending: bodiesMeant().
 Group bodiesNamed(const Product& product, const std::string& name);
 
 /// What of the demands the step of this number (from 1) does not keep, and does not say that it does not; empty:

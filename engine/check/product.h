@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/assembly/product.h"
 #include "engine/base/diagnostic.h"
 #include "engine/check/body.h"
 
@@ -51,7 +52,8 @@ struct ForbiddenRegion {
   std::vector<Box3> boxes;
 };
 
-/// What a person demands of the steps of a plan; bodies by id, or by the end of ids behind a "/".
+/// What a person demands of the steps of a plan; bodies by id, or by the end of ids behind a "/", or by the name of a
+/// node of the product's tree (bodiesMeant()).
 struct Demands {
   struct Place {
     std::vector<std::string> bodies;
@@ -73,7 +75,8 @@ struct Product {
   std::vector<Body> bodies;
   FitWords fits;
   Demands demands{};
-  Warnings warnings{};  ///< of reading it
+  glissade::Product tree{};  ///< assemblies that the bodies are in; it may have other bodies, too
+  Warnings warnings{};       ///< of reading it
 };
 
 /// What a path is asked for.

@@ -152,8 +152,13 @@ void centre(std::vector<Body>& bodies) {
   }
 }
 
-Result<std::vector<Body>> partsOf(const Asset& asset, const std::string& part, const std::string& file,
-                                  Warnings& warnings, const StopToken& stop) {
+struct ReadParts {
+  std::vector<Body> bodies{};
+  glissade::Product tree{};
+};
+
+Result<ReadParts> partsOf(const Asset& asset, const std::string& part, const std::string& file, Warnings& warnings,
+                          const StopToken& stop) {
   const std::vector<Asset> assets{asset};
   GeometryLoader loader(assets, ".", file, {}, stop);
   const Geometry geometry =
@@ -162,12 +167,16 @@ Result<std::vector<Body>> partsOf(const Asset& asset, const std::string& part, c
   if (!loaded) return loaded.error();
   warnings = loader.warnings();
   warnOfMissingFaces(**loaded, "", file, warnings);
-  std::vector<Body> bodies;
-  addParts({"", file, geometry, Pose::identity()}, **loaded, bodies);
-  for (Body& body : bodies) {
-    if (body.id.empty()) body.id = file;
+  ReadParts read;
+  addParts({"", file, geometry, Pose::identity()}, **loaded, read.bodies);
+  std::vector<ProductBody> nodes;
+  for (std::size_t i = 0; i < read.bodies.size(); ++i) {
+    const Occurrence& solid = (*loaded)->parts[i];
+    if (read.bodies[i].id.empty()) read.bodies[i].id = file;
+    nodes.push_back({read.bodies[i].id, {solid.path.empty() ? lastStepOf(file) : solid.path, solid.names}});
   }
-  return bodies;
+  read.tree = glissade::Product(nodes);
+  return read;
 }
 
 /// What a plan states may be finer than what is usual for a part, never coarser.
@@ -189,14 +198,15 @@ Result<Product> productOfParts(const std::string& text, double deflection, const
   Product product;
   auto usual = partsOf(asset, part, text, product.warnings, stop);
   if (!usual) return usual.error();
-  product.bodies = std::move(*usual);
+  product.bodies = std::move(usual->bodies);
+  product.tree = std::move(usual->tree);
   if (deflection > 0.0 && !isUrdf(file)) {
     Asset finer = asset;
     finer.deflection = std::clamp(deflection, limits::kSmallestSize, usualDeflection(1e9));
     Warnings same;
     const auto stated = partsOf(finer, part, text, same, stop);
     if (!stated) return stated.error();
-    if (!takeFiner(product.bodies, *stated, deflection)) {
+    if (!takeFiner(product.bodies, stated->bodies, deflection)) {
       product.warnings.push_back({ErrorKind::MalformedInput, text, "",
                                   "is judged with the usual deflection of its parts",
                                   "The plan states a coarser one."});
@@ -217,8 +227,15 @@ struct ReadScenario {
   std::vector<Body> others;        ///< that do not move
   std::vector<Body> objectBodies;  ///< as bodies of the product
   Body object;                     ///< as the one body that moves
+  glissade::Product tree;
   Warnings warnings{};
 };
+
+ProductBody nodeOf(const StatedScenario::StatedBody& body, const LoadedGeometry& geometry) {
+  ProductBody node{body.id, {body.name}};
+  for (const Occurrence& part : geometry.parts) node.parts.push_back({part.path, part.names});
+  return node;
+}
 
 Outcome readBodies(const std::string& file, const StopToken& stop, ReadScenario& read) {
   const StatedScenario& stated = read.stated;
@@ -228,18 +245,23 @@ Outcome readBodies(const std::string& file, const StopToken& stop, ReadScenario&
     if (geometry) warnOfMissingFaces(**geometry, body.id, file, loader.warnings());
     return geometry;
   };
+  std::vector<ProductBody> nodes;
   for (const StatedScenario::StatedBody& body : stated.bodies) {
     const auto geometry = load(body);
     if (!geometry) return geometry.error();
     addParts(body, **geometry, read.others);
+    nodes.push_back(nodeOf(body, **geometry));
   }
   ObjectGeometry ofObject;
   for (const StatedScenario::StatedBody& body : stated.object) {
     const auto geometry = load(body);
     if (!geometry) return geometry.error();
     ofObject.push_back(*geometry);
+    nodes.push_back(nodeOf(body, **geometry));
   }
   if (stop.stopRequested()) return stopped(file);
+  for (const StatedScenario::StatedBody& body : stated.leftOut) nodes.push_back({body.id, {body.name}});
+  read.tree = glissade::Product(nodes, stated.nodes);
   read.object = objectOf(stated, ofObject);
   read.objectBodies = {read.object};
   if (stated.object.size() > 1) read.objectBodies = groupBodiesOf(stated, ofObject);
@@ -253,9 +275,9 @@ Result<ReadScenario> readScenario(const std::string& file, const StopToken& stop
   if (!stated) return stated.error();
   read.stated = std::move(*stated);
   if (const Outcome bodies = readBodies(file, stop, read); !bodies) return bodies.error();
-  for (const std::string& name : read.stated.leftOut) {
-    read.warnings.push_back(
-        {ErrorKind::MalformedInput, file, "'" + name + "'", "is left out", "Proofs are about the product without it."});
+  for (const StatedScenario::StatedBody& body : read.stated.leftOut) {
+    read.warnings.push_back({ErrorKind::MalformedInput, file, "'" + body.name + "'", "is left out",
+                             "Proofs are about the product without it."});
   }
   return read;
 }
@@ -265,6 +287,7 @@ Product productOf(const ReadScenario& read, const std::vector<Body>& object, con
   Product product;
   product.bodies = read.others;
   product.bodies.insert(product.bodies.end(), object.begin(), object.end());
+  product.tree = read.tree;
   product.warnings = read.warnings;
   std::map<MeshPtr, bool> closed;
   for (const Body& body : product.bodies) warnIfOpen(body, file, closed, product.warnings);
@@ -328,7 +351,7 @@ Outcome leaveOut(const std::vector<std::string>& names, Product& product) {
   if (names.empty()) return Done{};
   std::vector<std::string> ids;
   for (const Body& body : product.bodies) ids.push_back(body.id);
-  const auto meant = bodiesMeant(ids, names, "--without");
+  const auto meant = bodiesMeant(ids, names, "--without", product.tree);
   if (!meant) return meant.error();
   std::vector<Body> rest;
   for (std::size_t i = 0; i < ids.size(); ++i) {

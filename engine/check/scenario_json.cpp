@@ -109,6 +109,17 @@ FitWords readFitWords(const JsonCursor& at) {
   return fits;
 }
 
+std::vector<NodeDescription> readNodes(const JsonCursor& list) {
+  std::vector<NodeDescription> nodes;
+  for (std::size_t i = 0; i < list.sizeUpTo(limits::kMostBodies); ++i) {
+    const JsonCursor at = list.element(i);
+    nodes.push_back({at.at("id").nonEmptyText()});
+    if (const auto name = at.find("name")) nodes.back().name = name->text();
+    if (const auto in = at.find("in")) nodes.back().in = in->text();
+  }
+  return nodes;
+}
+
 ForbiddenRegion readForbidden(const JsonCursor& at) {
   ForbiddenRegion region;
   region.place = at.at("place").text();
@@ -158,11 +169,8 @@ StatedScenario readStatedScenario(const JsonCursor& root) {
   scenario.object.push_back(readStatedBody(object, assets));
   addId(scenario.object.front().id, object);
   if (const auto with = object.find("with")) addBodies(*with, scenario.object);
-  if (const auto leftOut = root.find("left_out")) {
-    std::vector<StatedScenario::StatedBody> bodies;
-    addBodies(*leftOut, bodies);
-    for (const StatedScenario::StatedBody& body : bodies) scenario.leftOut.push_back(body.name);
-  }
+  if (const auto leftOut = root.find("left_out")) addBodies(*leftOut, scenario.leftOut);
+  if (const auto product = root.find("product")) scenario.nodes = readNodes(*product);
   if (const auto centre = object.find("centre_on_vertex_mean")) scenario.centreOnVertexMean = centre->boolean();
   if (const auto point = object.find("reference_point")) scenario.referencePoint = point->vector();
   scenario.start = root.at("start").pose();

@@ -24,8 +24,9 @@ struct StatedScenario {
   std::vector<StatedBody> bodies;
   std::vector<StatedBody>
       object;  ///< at least one; poses of the later ones are in the frame of the first one's geometry
-  std::vector<std::string> leftOut;  ///< names of bodies that are not there
-  Pose start;                        ///< of the object's reference point
+  std::vector<StatedBody> leftOut;     ///< bodies that are not there
+  std::vector<NodeDescription> nodes;  ///< of the tree of the product: names, and assemblies that they are in
+  Pose start;                          ///< of the object's reference point
   bool centreOnVertexMean = false;
   Vector3 referencePoint = Vector3::Zero();  ///< in the frame of the first one's geometry
   std::optional<Pose> goal;

@@ -18,8 +18,8 @@ constexpr double kNearLeast = 0.8;
 /// Triangles are divided until the error of their (r, s) is below this share of `enough`, or so often.
 constexpr double kErrorOfEnough = 0.05;
 constexpr int kMostDivisions = 5;
-/// Of `enough`: what is shown without divisions counts from here on. Threads that are drawn as cylinders need none.
-constexpr double kShownAtOnce = 0.75;
+/// Of `enough`: for more than this no triangle is divided.
+constexpr double kWantedShare = 0.75;
 /// Radians to both sides of a triangle's middle, above which nothing is said of its (r, s).
 constexpr double kWidest = 0.5;
 /// Points nearer to the axis than this share of the bore have no (r, s).
@@ -172,15 +172,13 @@ ProfileShape shapeOf(const PlacedTriangle& corners, const ProfileFrame& frame) {
   return shape;
 }
 
-/// Those of one body.
+/// Those of one body, as a tree. Triangles are divided where that is asked for.
 class ScrewProfile {
  public:
-  /// Triangles whose distance from the axis is in `facing` are divided until their error is small, at most so often.
-  ScrewProfile(const std::vector<PlacedTriangle>& triangles, const ProfileFrame& frame, const Range& facing,
-               double mostError, int divisions) {
-    for (const PlacedTriangle& triangle : triangles) add(triangle, frame, facing, mostError, divisions);
+  ScrewProfile(const std::vector<PlacedTriangle>& triangles, const ProfileFrame& frame) : frame_(frame) {
+    for (const PlacedTriangle& triangle : triangles) add(triangle, kMostDivisions);
     const auto known = std::partition(elements_.begin(), elements_.end(),
-                                      [](const ProfileShape& shape) { return shape.corners.empty(); });
+                                      [](const Element& element) { return element.shape.corners.empty(); });
     const auto split = static_cast<std::uint32_t>(known - elements_.begin());
     const auto count = static_cast<std::uint32_t>(elements_.size());
     nodes_.emplace_back();
@@ -201,25 +199,49 @@ class ScrewProfile {
     std::uint32_t count = 0;   ///< of a leaf's elements; 0: no leaf
   };
   const Node& node(std::uint32_t index) const { return nodes_[index]; }
-  const ProfileShape& element(std::uint32_t index) const { return elements_[index]; }
+  /// Until the next call of partsOf().
+  const ProfileShape& shape(std::uint32_t element) const { return elements_[element].shape; }
+
+  /// By how much the (r, s) of the element may be known better, were it divided; 0: it is not divided.
+  double coarseness(std::uint32_t element, double mostError) const {
+    const Element& own = elements_[element];
+    if (own.divisions == 0) return 0.0;
+    if (own.shape.corners.empty()) return own.shape.radius.high > frame_.core ? kNever : 0.0;
+    return own.shape.error > mostError ? own.shape.error : 0.0;
+  }
+
+  /// The first of the four elements that the element is divided into.
+  std::uint32_t partsOf(std::uint32_t element) {
+    if (elements_[element].parts == 0) {
+      elements_[element].parts = static_cast<std::uint32_t>(elements_.size());
+      const int divisions = elements_[element].divisions - 1;
+      const auto [a, b, c] = elements_[element].triangle;
+      const Vector3 ab = 0.5 * (a + b);
+      const Vector3 bc = 0.5 * (b + c);
+      const Vector3 ca = 0.5 * (c + a);
+      for (const PlacedTriangle& part : {PlacedTriangle{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}}) {
+        add(part, divisions);
+      }
+    }
+    return elements_[element].parts;
+  }
 
  private:
-  void add(const PlacedTriangle& triangle, const ProfileFrame& frame, const Range& facing, double mostError,
-           int divisions) {
-    ProfileShape shape = shapeOf(triangle, frame);
-    const bool faces = gapOf(shape.radius, facing) == 0.0;
-    const bool coarse = shape.corners.empty() ? shape.radius.high > frame.core : shape.error > mostError;
-    if (!faces || !coarse || divisions == 0) {
-      elements_.push_back(std::move(shape));
-      return;
-    }
-    const auto& [a, b, c] = triangle;
-    const Vector3 ab = 0.5 * (a + b);
-    const Vector3 bc = 0.5 * (b + c);
-    const Vector3 ca = 0.5 * (c + a);
-    for (const PlacedTriangle& part : {PlacedTriangle{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}}) {
-      add(part, frame, facing, mostError, divisions - 1);
-    }
+  struct Element {
+    ProfileShape shape;
+    PlacedTriangle triangle;
+    int divisions = 0;        ///< that are left
+    std::uint32_t parts = 0;  ///< the first of four; 0: it is not divided
+  };
+
+  void add(const PlacedTriangle& triangle, int divisions) {
+    elements_.push_back({shapeOf(triangle, frame_), triangle, divisions});
+  }
+
+  ProfileShape shapeOfLeaf(std::uint32_t first, std::uint32_t last) const {
+    std::vector<ProfileShape> shapes;
+    for (std::uint32_t i = first; i < last; ++i) shapes.push_back(elements_[i].shape);
+    return together(shapes);
   }
 
   static ProfileShape together(const std::vector<ProfileShape>& shapes) {
@@ -253,39 +275,42 @@ class ScrewProfile {
     const auto index = static_cast<std::uint32_t>(nodes_.size());
     nodes_.emplace_back();
     if (last - first <= kElementsOfLeaf) {
-      nodes_[index] = {together({elements_.begin() + first, elements_.begin() + last}), first, 0, last - first};
+      nodes_[index] = {shapeOfLeaf(first, last), first, 0, last - first};
       return index;
     }
     Eigen::AlignedBox2d box;
-    for (std::uint32_t i = first; i < last; ++i) box.extend(middleOf(elements_[i]));
+    for (std::uint32_t i = first; i < last; ++i) box.extend(middleOf(elements_[i].shape));
     const int axis = box.sizes().x() >= box.sizes().y() ? 0 : 1;
     const std::uint32_t middle = first + (last - first) / 2;
     std::nth_element(
         elements_.begin() + first, elements_.begin() + middle, elements_.begin() + last,
-        [&](const ProfileShape& a, const ProfileShape& b) { return middleOf(a)[axis] < middleOf(b)[axis]; });
+        [&](const Element& a, const Element& b) { return middleOf(a.shape)[axis] < middleOf(b.shape)[axis]; });
     const std::uint32_t below = build(first, middle);
     const std::uint32_t above = build(middle, last);
     nodes_[index] = {together({nodes_[below].shape, nodes_[above].shape}), below, above, 0};
     return index;
   }
 
-  std::vector<ProfileShape> elements_;
+  const ProfileFrame& frame_;
+  std::vector<Element> elements_;
   std::vector<Node> nodes_;
 };
 
 /// Branch and bound over the pairs of two profiles.
 class ProfileDistance {
  public:
-  ProfileDistance(const ScrewProfile& moving, const ScrewProfile& fixed, const ProfileFrame& frame, double advance)
+  ProfileDistance(ScrewProfile& moving, ScrewProfile& fixed, const ProfileFrame& frame, double advance)
       : moving_(moving),
         fixed_(fixed),
         frame_(frame),
         pitch_(frame.pitch),
         rise_{std::min(0.0, advance), std::max(0.0, advance)} {}
 
-  /// Precondition: `enough` is at most the core.
-  double least(double enough) {
+  /// Triangles of which less than `target` is shown are divided. Precondition: `enough` is at most the core.
+  double least(double enough, double target) {
     found_ = shown_ = enough;
+    target_ = target;
+    mostError_ = kErrorOfEnough * enough;
     const double aside = frame_.core > 0.0 ? 2.0 * std::asin(0.5 * enough / frame_.core) : 0.0;
     turned_ = {};
     for (const double rise : {rise_.low, rise_.high}) turned_.take(frame_.screw.turnFor(rise));
@@ -325,11 +350,24 @@ class ProfileDistance {
 
   void compare(const ScrewProfile::Node& one, const ScrewProfile::Node& other) {
     for (std::uint32_t i = one.first; i < one.first + one.count; ++i) {
-      for (std::uint32_t k = other.first; k < other.first + other.count; ++k) {
-        const double bound = apart(moving_.element(i), fixed_.element(k));
-        found_ = std::min(found_, bound);
-        shown_ = std::min(shown_, bound);
-      }
+      for (std::uint32_t k = other.first; k < other.first + other.count && shown_ > 0.0; ++k) compareElements(i, k);
+    }
+  }
+
+  /// The one of which less is known is divided.
+  void compareElements(std::uint32_t i, std::uint32_t k) {
+    const double bound = apart(moving_.shape(i), fixed_.shape(k));
+    if (bound >= found_) return;
+    const double coarse[]{moving_.coarseness(i, mostError_), fixed_.coarseness(k, mostError_)};
+    if (bound >= target_ || std::max(coarse[0], coarse[1]) == 0.0) {
+      found_ = std::min(found_, bound);
+      shown_ = std::min(shown_, bound);
+      return;
+    }
+    const bool dividesMoving = coarse[0] >= coarse[1];
+    const std::uint32_t first = dividesMoving ? moving_.partsOf(i) : fixed_.partsOf(k);
+    for (std::uint32_t part = first; part < first + 4 && shown_ > 0.0; ++part) {
+      dividesMoving ? compareElements(part, k) : compareElements(i, part);
     }
   }
 
@@ -363,10 +401,12 @@ class ProfileDistance {
     return least;
   }
 
-  const ScrewProfile& moving_;
-  const ScrewProfile& fixed_;
+  ScrewProfile& moving_;
+  ScrewProfile& fixed_;
   const ProfileFrame& frame_;
   double pitch_;
+  double target_ = 0.0;
+  double mostError_ = 0.0;  ///< of (r, s), down to which triangles are divided
   Range rise_;
   Range turned_;        ///< radians that the first one turns, with those by which near points differ
   double found_ = 0.0;  ///< the least bound of two triangles
@@ -398,13 +438,10 @@ double screwDistance(const std::vector<Triangle>& moving, const std::vector<Tria
   const PlacedBody other(fixed, axes);
   const ProfileFrame frame(screw, std::max(one.radius.low, other.radius.low));
   const double limit = frame.core > 0.0 ? std::min(enough, frame.core) : enough;
-  const auto shown = [&](int divisions) {
-    const ScrewProfile profile(one.triangles, frame, other.radius, kErrorOfEnough * limit, divisions);
-    const ScrewProfile others(other.triangles, frame, one.radius, kErrorOfEnough * limit, divisions);
-    return ProfileDistance(profile, others, frame, advance).least(limit);
-  };
-  double least = shown(0);
-  if (least < std::min(wanted, kShownAtOnce * limit)) least = shown(kMostDivisions);
+  ScrewProfile profile(one.triangles, frame);
+  ScrewProfile others(other.triangles, frame);
+  const double least =
+      ProfileDistance(profile, others, frame, advance).least(limit, std::min(wanted, kWantedShare * limit));
   const double rounding = kCoordinateRounding * (one.coordinates + other.coordinates + screw.point_W.norm());
   return std::max(0.0, least * (1.0 - kRoundingShare) - rounding);
 }

@@ -138,6 +138,9 @@ constexpr std::array kWords{WordRow{"heat-set", Insert, DriveKind::None, KeyTabl
                             WordRow{"rivnut", Insert, DriveKind::None, KeyTable::None},
                             WordRow{"rivet nut", Insert, DriveKind::None, KeyTable::None},
                             WordRow{"helicoil", Insert, DriveKind::None, KeyTable::None},
+                            WordRow{"self-clinching", Insert, DriveKind::None, KeyTable::None},
+                            WordRow{"clinch nut", Insert, DriveKind::None, KeyTable::None},
+                            WordRow{"press-in nut", Insert, DriveKind::None, KeyTable::None},
                             WordRow{"set screw", SetScrew, kSocketDrive, KeyTable::Set},
                             WordRow{"grub screw", SetScrew, kSocketDrive, KeyTable::Set},
                             WordRow{"phillips", Screw, DriveKind::Cross, KeyTable::None},
@@ -332,6 +335,12 @@ Designation complete(StandardPart part, DriveKind drive, KeyTable keys, const st
   return found;
 }
 
+/// As a large maker names them: standoffs SO-M3-6, BSO-M3-8, SOS-M4-10, nuts CLS-M3-1, S-M4-2, SP-M5-1.
+bool isSelfClinching(const std::string& name) {
+  static const std::regex pattern(R"((^|[^A-Za-z0-9])(B?SO[SA4]?|TSO[SA]?|CLSS?|CLA|SP?)-M\d+(-\d+)?($|[^A-Za-z0-9]))");
+  return std::regex_search(name, pattern);
+}
+
 std::optional<Designation> readDesignation(const std::string& name, bool* isUnknown) {
   auto size = metricSize(name);
   if (!size) size = unifiedSize(name);
@@ -351,6 +360,7 @@ std::optional<Designation> readDesignation(const std::string& name, bool* isUnkn
     return complete(row.part, row.drive, row.keys, std::string(row.word), size);
   }
   if (auto bearing = bearingIn(name)) return bearing;
+  if (size && isSelfClinching(name)) return complete(StandardPart::Insert, DriveKind::None, KeyTable::None, "", size);
   if (size && size->length > 0.0) {
     // M3x5x4: diameter, length and outer diameter of an insert.
     static const std::regex insert(R"([Mm]\d+(?:[.,]\d+)?\s*[xX]\s*\d+(?:[.,]\d+)?\s*[xX]\s*\d+(?:[.,]\d+)?)");

@@ -14,6 +14,9 @@ constexpr double kClearPress = 0.02;
 /// Cylinders that are nearer than this fit exactly, metres: as contacts of a product.
 constexpr double kExactFit = 3e-6;
 constexpr double kPinClearance = 1.06;
+/// Metres, by the radius: what is thicker than its hole by more than this is not pressed in. Inserts in warm plastic
+/// are thicker by 0.8 mm. A guest whose name says that it is an insert may have no hole at all.
+constexpr double kMostExcess = 1.5e-3;
 /// Share of the guest's length that is in its host.
 constexpr double kPressedShare = 0.2;
 constexpr double kFittedShare = 0.4;
@@ -129,6 +132,7 @@ class PressedJointFinder {
       const bool isAround = slab.isSolid || shareBeyond(slab, kThickerHost * outer) >= leastAround;
       if (!isAround || hole > (1.0 + kClearPress) * outer) continue;
       const bool isOver = hole < (1.0 - kClearPress) * outer;
+      if (outer - hole > kMostExcess && !isInsertByName_[guest]) continue;
       // What is in the hole of the guest as well is no host around it; a name may say that no hole is drawn.
       if (isOver && hole < kLeastOfBore * shape.hole && !isInsertByName_[guest]) continue;
       if (isOver && !isFilled(host, seen, slab, 0.5 * (std::max(hole, shape.hole) + outer))) continue;
@@ -208,6 +212,7 @@ class PressedJointFinder {
       if (isSolidFastener(other)) continue;
       const auto around = aroundShaft(shapes_.axial(other), shapes_.seenFrom(other, axis), shaft);
       if (!around || around->hole > kPinClearance * shape.shaft) continue;
+      if (shape.shaft - around->hole > kMostExcess && !isInsertByName_[body]) continue;
       HostFit fit = fitIn(other, body, shaft, axis);
       fit.low = around->low;
       fit.high = around->high;

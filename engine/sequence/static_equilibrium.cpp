@@ -5,13 +5,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <memory>
+#include <numeric>
 
 namespace glissade {
 namespace {
 
 constexpr int kEquations = 6;
 constexpr double kUnbalanced = 0.01;
+/// Of a body without weight, where the centre of several is found.
+constexpr double kLeastWeight = 1e-12;
 constexpr int kMostIterations = 200'000;
 
 struct ModelDeleter {
@@ -69,16 +73,6 @@ class Balance {
     addWrench(at.a, at.point, -force);
   }
 
-  /// Any force and torque between the two.
-  void addBond(const SupportPoint& at) {
-    for (int axis = 0; axis < 3; ++axis) {
-      for (const double sign : {1.0, -1.0}) {
-        addForce(at, sign * Vector3::Unit(axis));
-        addTorque(at, sign * Vector3::Unit(axis));
-      }
-    }
-  }
-
   /// What stays unbalanced of each body, in shares of its weight.
   std::vector<double> solve() {
     std::vector<double> unbalanced(bodies_.size(), 0.0);
@@ -112,17 +106,6 @@ class Balance {
   }
 
  private:
-  /// In units of the mean weight times the size of `b`.
-  void addTorque(const SupportPoint& at, const Vector3& torque) {
-    if (firstRow_[at.a] < 0 && firstRow_[at.b] < 0) return;
-    columns_.begin(0.0);
-    for (const auto& [body, sign] : {std::pair{at.b, 1.0}, std::pair{at.a, -1.0}}) {
-      if (firstRow_[body] < 0) continue;
-      const double share = sign * bodies_[at.b].size / bodies_[body].size;
-      for (int axis = 0; axis < 3; ++axis) columns_.add(firstRow_[body] + 3 + axis, share * torque[axis]);
-    }
-  }
-
   void addWrench(std::size_t body, const Vector3& point, const Vector3& force) {
     const int row = firstRow_[body];
     if (row < 0) return;
@@ -141,24 +124,78 @@ class Balance {
   Columns columns_;
 };
 
+/// What is bonded is one body, held where a part of it is held.
+class BondedBodies {
+ public:
+  BondedBodies(const std::vector<SupportedBody>& bodies, const std::vector<SupportPoint>& points)
+      : whole_(bodies.size()) {
+    std::iota(whole_.begin(), whole_.end(), std::size_t{0});
+    for (const SupportPoint& at : points) {
+      if (at.bonded) whole_[rootOf(at.a)] = rootOf(at.b);
+    }
+    for (std::size_t& body : whole_) body = rootOf(body);
+    std::map<std::size_t, std::size_t> places;
+    for (std::size_t& body : whole_) body = places.try_emplace(body, places.size()).first->second;
+    joined_.assign(places.size(), {});
+    joinMasses(bodies);
+    joinSizes(bodies);
+  }
+
+  const std::vector<SupportedBody>& joined() const { return joined_; }
+  /// Which of them each body is in.
+  const std::vector<std::size_t>& whole() const { return whole_; }
+
+ private:
+  std::size_t rootOf(std::size_t body) const {
+    while (whole_[body] != body) body = whole_[body];
+    return body;
+  }
+
+  void joinMasses(const std::vector<SupportedBody>& bodies) {
+    std::vector<double> sums(joined_.size(), 0.0);
+    for (std::size_t body = 0; body < bodies.size(); ++body) {
+      SupportedBody& joined = joined_[whole_[body]];
+      const double share = std::max(bodies[body].weight, kLeastWeight);
+      joined.weight += bodies[body].weight;
+      joined.centre += share * bodies[body].centre;
+      joined.fixed = joined.fixed || bodies[body].fixed;
+      sums[whole_[body]] += share;
+    }
+    for (std::size_t i = 0; i < joined_.size(); ++i) joined_[i].centre /= sums[i];
+  }
+
+  void joinSizes(const std::vector<SupportedBody>& bodies) {
+    for (SupportedBody& joined : joined_) joined.size = 0.0;
+    for (std::size_t body = 0; body < bodies.size(); ++body) {
+      SupportedBody& joined = joined_[whole_[body]];
+      joined.size = std::max(joined.size, (bodies[body].centre - joined.centre).norm() + bodies[body].size);
+    }
+  }
+
+  std::vector<std::size_t> whole_;
+  std::vector<SupportedBody> joined_;
+};
+
 }  // namespace
 
 std::vector<bool> outOfEquilibrium(const std::vector<SupportedBody>& bodies, const std::vector<SupportPoint>& points,
                                    const Vector3& gravity, double friction) {
-  Balance balance(bodies, gravity);
-  for (const SupportPoint& at : points) {
-    if (at.bonded) {
-      balance.addBond(at);
-      continue;
-    }
+  const BondedBodies bonded(bodies, points);
+  const std::vector<std::size_t>& whole = bonded.whole();
+  Balance balance(bonded.joined(), gravity);
+  for (SupportPoint at : points) {
+    at.a = whole[at.a];
+    at.b = whole[at.b];
+    if (at.a == at.b) continue;
     const Vector3 along = at.normal.unitOrthogonal();
     const Vector3 across = at.normal.cross(along);
     for (const Vector3& tangent : {along, Vector3(-along), across, Vector3(-across)}) {
       balance.addForce(at, at.normal + friction * tangent);
     }
   }
+  const std::vector<double> unbalanced = balance.solve();
   std::vector<bool> out;
-  for (const double share : balance.solve()) out.push_back(share > kUnbalanced);
+  for (const std::size_t body : whole) out.push_back(unbalanced[body] > kUnbalanced);
   return out;
 }
 

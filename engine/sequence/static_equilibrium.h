@@ -24,8 +24,9 @@ struct SupportPoint {
 };
 
 /// Which bodies are not in equilibrium under gravity (a unit direction): the forces at the points, within the pyramid
-/// of the friction coefficient, that leave the least unbalanced forces in sum are found by a linear program (CLP). A
-/// body is out of equilibrium where more than a hundredth of its weight stays unbalanced. One entry each.
+/// of the friction coefficient, that leave the least unbalanced forces in sum are found by a linear program (CLP).
+/// Bonded bodies are one body. A body is out of equilibrium where more than a hundredth of its weight stays unbalanced.
+/// One entry each.
 std::vector<bool> outOfEquilibrium(const std::vector<SupportedBody>& bodies, const std::vector<SupportPoint>& points,
                                    const Vector3& gravity, double friction);
 

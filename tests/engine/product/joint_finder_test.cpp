@@ -146,6 +146,12 @@ TEST(JointFinder, ADowelIsPressedInWhereItIsThickerThanItsHoleAndAPinWhereItIsNo
   }
 }
 
+TEST(JointFinder, APinThatIsMillimetresThickerThanItsHoleIsNotPressedIn) {
+  ProductOfParts parts;
+  parts.add("block", blockMesh(0.004, 0.02, 0.02, -0.02, 0.0)).add("pin", rodMesh(0.006, -0.01, 0.02));
+  EXPECT_TRUE(findJoints(parts.product()).empty());
+}
+
 /// Its edges are farther from the axis than the faces of the hole are.
 TEST(JointFinder, ASquareBarInASquareHoleIsNoPin) {
   ProductOfParts parts;
