@@ -13,6 +13,7 @@
 
 #include "engine/check/open_surface.h"
 #include "engine/check/ray_containment.h"
+#include "engine/geometry/continued_cones.h"
 #include "engine/geometry/triangle_crossing.h"
 
 namespace glissade::check {
@@ -101,7 +102,8 @@ class BoxRow {
 /// A body's triangles over vertices that are each there once, and what each face and vertex may move by.
 class ThinBody {
  public:
-  ThinBody(const TriangleMesh& mesh, const std::vector<double>& allowances, double share) : share_(share) {
+  ThinBody(const TriangleMesh& mesh, const std::vector<double>& allowances, double share)
+      : share_(share), stated_(mesh.faces) {
     std::map<std::tuple<double, double, double>, std::uint32_t> numbers;
     std::vector<std::uint32_t> numberOf;
     for (const Vector3& vertex : mesh.vertices) {
@@ -116,6 +118,7 @@ class ThinBody {
       if (std::set<std::uint32_t>(triangle.begin(), triangle.end()).size() != 3) continue;
       triangles_.push_back(triangle);
       allowances_.push_back(allowances[t]);
+      if (!mesh.faceOf.empty()) faceOf_.push_back(mesh.faceOf[t]);
     }
     for (const TriangleIndices& triangle : triangles_) {
       faces_.push_back(cornersOf(triangle, points_));
@@ -133,6 +136,7 @@ class ThinBody {
     findRooms();
     findPieces();
     std::vector<Vector3> moves = movesOf();
+    moveConesWithCylinders(moves);
     for (int round = 0; round < kRounds; ++round) {
       TriangleMesh result{points_, triangles_};
       for (std::size_t i = 0; i < moves.size(); ++i) result.vertices[i] += moves[i];
@@ -222,6 +226,15 @@ class ThinBody {
     moves.reserve(around.size());
     for (const auto& faces : around) moves.push_back(moveOf(faces));
     return moves;
+  }
+
+  /// A chamfer ends where its thinned cylinder does.
+  void moveConesWithCylinders(std::vector<Vector3>& moves) const {
+    std::vector<double> taken(stated_.size(), 0.0);
+    for (std::size_t f = 0; f < faceOf_.size(); ++f) {
+      taken[faceOf_[f]] = std::max(taken[faceOf_[f]], std::min(allowances_[f], rooms_[f]));
+    }
+    moveCones(coneVertices({points_, triangles_, stated_, faceOf_}), taken, moves);
   }
 
   Vector3 moveOf(const Angles& faces) const {
@@ -361,6 +374,8 @@ class ThinBody {
   std::vector<Vector3> points_;
   std::vector<TriangleIndices> triangles_;
   std::vector<double> allowances_;  ///< of each triangle
+  const std::vector<SurfaceFace>& stated_;
+  std::vector<std::uint32_t> faceOf_;  ///< of each triangle, where the file states faces
   std::vector<Corners> faces_;
   std::vector<Box3> boxes_;
   Box3 box_;

@@ -113,6 +113,7 @@ ThinnableMesh::ThinnableMesh(TriangleMesh mesh, std::vector<std::uint32_t> sourc
       openEdges_(unpairedEdgesOf(mesh_)),
       sense_(sense),
       corners_(mesh_.vertices.size()),
+      coneVertices_(coneVertices(mesh_)),
       shells_(shellsOf(mesh_)) {
   if (openEdges_.empty()) interior_.emplace(mesh_, true);
   const std::vector<Triangle>& triangles = surface_.triangles();
@@ -136,6 +137,19 @@ ThinnableMesh::ThinnableMesh(TriangleMesh mesh, std::vector<std::uint32_t> sourc
       corners_[mesh_.triangles[f][i]].push_back({f, angle});
     }
   }
+}
+
+std::vector<Vector3> ThinnableMesh::movesOf(const Wanted& wanted) const {
+  std::vector<Vector3> moves;
+  for (std::size_t vertex = 0; vertex < mesh_.vertices.size(); ++vertex) moves.push_back(moveOf(vertex, wanted));
+  if (coneVertices_.empty()) return moves;
+  std::vector<double> taken(mesh_.faces.size(), 0.0);
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    double& most = taken[mesh_.faceOf[f]];
+    most = std::max(most, std::min(wanted.allowances[f], roomOf(f, wanted)));
+  }
+  moveCones(coneVertices_, taken, moves);
+  return moves;
 }
 
 Vector3 ThinnableMesh::moveOf(std::size_t vertex, const Wanted& wanted) const {
@@ -348,8 +362,7 @@ std::vector<double> ThinnableMesh::ofFaces(const std::vector<double>& allowances
 
 std::optional<TriangleMesh> ThinnableMesh::thinnedFaces(const Wanted& wanted) const {
   if (openBesideFaces(wanted.allowances)) return std::nullopt;
-  std::vector<Vector3> moves;
-  for (std::size_t vertex = 0; vertex < mesh_.vertices.size(); ++vertex) moves.push_back(moveOf(vertex, wanted));
+  std::vector<Vector3> moves = movesOf(wanted);
   std::vector<std::uint32_t> unsure(mesh_.triangles.size());
   std::iota(unsure.begin(), unsure.end(), 0U);
   for (int round = 0; round <= 2 * kMostHalvings; ++round) {

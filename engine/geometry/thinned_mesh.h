@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/geometry/continued_cones.h"
 #include "engine/geometry/solid_interior.h"
 #include "engine/geometry/triangle_mesh.h"
 #include "engine/geometry/triangle_tree.h"
@@ -31,6 +32,9 @@ inline constexpr double kFarFromOpening = 10.0;
 /// largest allowance or its fifth, and the vertex by no more than two of these allowances; where a face moves outwards
 /// still, the vertex stays. So the thinned body is inside the true one, to a hundred thousandth of the allowance, and
 /// holds every point of it that is deeper than two allowances.
+///
+/// A chamfer goes where its cylinder goes: vertices of a cone that continues a cylinder with an allowance move across
+/// the axis onto the thinned cylinder where they are beyond it (continued_cones.h).
 ///
 /// Open edges are those with one triangle, and those between triangles that do not agree on an outside. A face moves
 /// where no such edge is nearer than kFarFromOpening of the largest allowance. Then a moved face is on the inner side
@@ -81,6 +85,7 @@ class ThinnableMesh {
   std::optional<double> openBesideFaces(const std::vector<double>& allowances) const;
   std::optional<TriangleMesh> thinnedFaces(const Wanted& wanted) const;
   double roomOf(std::size_t face, const Wanted& wanted) const { return wanted.share * faces_[face].thickness; }
+  std::vector<Vector3> movesOf(const Wanted& wanted) const;
   Vector3 moveOf(std::size_t vertex, const Wanted& wanted) const;
   Vector3 againstThoseAllowed(std::size_t vertex, const Wanted& wanted, double largest) const;
   /// `largest`: of the allowances of the faces at the vertex.
@@ -100,7 +105,8 @@ class ThinnableMesh {
   double sense_;                           ///< 1 where triangles run counter-clockwise seen from outside, else -1
   std::vector<Face> faces_;
   std::vector<std::vector<Corner>> corners_;  ///< at each vertex
-  std::vector<std::uint32_t> shells_;         ///< number of the connected surface, of each triangle
+  std::vector<ConeVertex> coneVertices_;
+  std::vector<std::uint32_t> shells_;  ///< number of the connected surface, of each triangle
   double thickness_ = 0.0;
 };
 

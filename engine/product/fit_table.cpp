@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "engine/product/giving_way.h"
+
 namespace glissade {
 namespace {
 

@@ -10,6 +10,7 @@
 #include "engine/product/common_axis.h"
 #include "engine/product/fit_refusals.h"
 #include "engine/product/fit_words.h"
+#include "engine/product/giving_way.h"
 #include "engine/product/length_words.h"
 #include "engine/product/loose_nut.h"
 #include "engine/product/modelled_thread.h"
@@ -484,14 +485,6 @@ class FitFinder {
 
 Result<ObjectFits> findObjectFits(const FitQuestion& question, const StopToken& stop) {
   return FitFinder(question, stop).find();
-}
-
-bool givesWayFirst(const RigidBody& body, const RigidBody& other) {
-  constexpr double kAlike = 1e-6;
-  const double own = boundingBox(*body.mesh).diagonal().norm();
-  const double others = boundingBox(*other.mesh).diagonal().norm();
-  if (std::abs(own - others) <= kAlike * std::max(own, others)) return body.id < other.id;
-  return own < others;
 }
 
 double assembledGap(double objectRadius) { return check::assembledMargin(objectRadius); }

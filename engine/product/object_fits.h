@@ -53,9 +53,6 @@ struct FitQuestion {
 /// After a stop the fits are incomplete.
 Result<ObjectFits> findObjectFits(const FitQuestion& question, const StopToken& stop = {});
 
-/// Whether the body gives way first: the one whose box has the shorter diagonal; of equal ones, the first by id.
-bool givesWayFirst(const RigidBody& body, const RigidBody& other);
-
 /// What an allowance leaves between two bodies that touch, metres: a micrometre, or four of the clearances that a path
 /// has to keep for an object of this radius, if that is more.
 double assembledGap(double objectRadius);

@@ -24,7 +24,17 @@ std::string StuckReasons::of(std::size_t body, const std::vector<std::size_t>& h
   }
   if (question_.rules.motionOf(unit) != nullptr) return "the motion that a person gave it is not free";
   if (!question_.rules.forbiddenTo(unit).empty()) return "no motion was found in a direction that is not forbidden";
+  if (isCaged(unit, blocking)) return "it is between parts that are pressed together: press one of them out";
   return "no motion was found, alone or with others";
+}
+
+/// Bodies of one unit are in the way, and nothing else.
+bool StuckReasons::isCaged(const BodyGroup& unit, const std::set<std::size_t>& blocking) const {
+  if (question_.joints == nullptr || blocking.size() < 2) return false;
+  for (const BodyGroup& bonded : question_.joints->bonded()) {
+    if (bonded != unit && std::includes(bonded.begin(), bonded.end(), blocking.begin(), blocking.end())) return true;
+  }
+  return false;
 }
 
 /// "held by 4 screws M3x8: remove these first", and why these do not leave; empty where no joint holds the unit.

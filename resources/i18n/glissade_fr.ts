@@ -4599,6 +4599,10 @@
         <translation>aucun mouvement n&apos;a été trouvé, ni seule ni avec d&apos;autres</translation>
     </message>
     <message>
+        <source>it is between parts that are pressed together: press one of them out</source>
+        <translation>elle est entre des pièces emmanchées l&apos;une dans l&apos;autre : en extraire une</translation>
+    </message>
+    <message>
         <source>held by %1: remove these first</source>
         <translation>tenue par %1&#xa0;: retirez-les d&apos;abord</translation>
     </message>

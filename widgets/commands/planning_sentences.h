@@ -145,6 +145,7 @@ inline constexpr const char* kPlanningSentences[] = {
     QT_TRANSLATE_NOOP("Diagnostics", "the motion that a person gave it is not free"),
     QT_TRANSLATE_NOOP("Diagnostics", "no motion was found in a direction that is not forbidden"),
     QT_TRANSLATE_NOOP("Diagnostics", "no motion was found, alone or with others"),
+    QT_TRANSLATE_NOOP("Diagnostics", "it is between parts that are pressed together: press one of them out"),
     QT_TRANSLATE_NOOP("Diagnostics", "held by %1: remove these first"),
     QT_TRANSLATE_NOOP("Diagnostics", "held by %1: remove these first; '%2' is captive: '%3' is in its way"),
     QT_TRANSLATE_NOOP("Diagnostics", "a demand names '%1', which is not a body of the product"),

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/product/giving_way.h"
 #include "widgets/commands/diagnostic_text.h"
 #include "widgets/commands/length_text.h"
 
