@@ -12,6 +12,7 @@ class PathController;
 class NamedViewsController;
 class PreferencesController;
 class RecordingController;
+class SequenceController;
 class TimesController;
 class WindowMemory;
 
@@ -63,6 +64,7 @@ class MainWindow final : public QMainWindow {
   PathController* path_ = nullptr;
   RecordingController* recordings_ = nullptr;
   PreferencesController* preferences_ = nullptr;
+  SequenceController* sequence_ = nullptr;
   TimesController* times_ = nullptr;
   QWidget* replayBar_ = nullptr;
   std::unique_ptr<WindowMemory> memory_;  ///< null: nothing is remembered
