@@ -73,6 +73,14 @@ class Shapes {
   std::map<MeshPtr, std::size_t> numbers_;
 };
 
+/// The name without a counter at its end: "nut" of "nut-2". Parts of one shape have it in common.
+std::string stemOf(const std::string& name) {
+  const std::size_t digits = name.find_last_not_of("0123456789");
+  if (digits == std::string::npos || digits + 1 == name.size()) return name;
+  const std::size_t end = name.find_last_not_of("-_ .:", digits);
+  return end == std::string::npos || end == digits ? name : name.substr(0, end + 1);
+}
+
 /// Numbers of steps in the order of assembly.
 std::map<std::string, std::size_t> stepsByBody(const AssemblyPlan& plan) {
   std::map<std::string, std::size_t> steps;
@@ -101,10 +109,11 @@ std::vector<PartsListRow> partsList(const AssemblyPlan& plan, const AssembledPro
     const bool isDesignated = !designation.empty();
     const auto [at, isNew] =
         known.emplace(std::tuple(designation, isDesignated ? kAnyShape : shapes.numberOf(body.mesh),
-                                 isDesignated ? std::string() : name),
+                                 isDesignated ? std::string() : stemOf(name)),
                       rows.size());
     if (isNew) rows.push_back({name, {}, designation});
     PartsListRow& row = rows[at->second];
+    if (row.name != name && !isDesignated) row.name = stemOf(name);
     ++row.count;
     row.bodies.push_back(body.id);
     const auto step = stepOf.find(body.id);

@@ -22,7 +22,8 @@ struct PartsListRow {
   std::vector<std::size_t> steps{};  ///< by which they come, in the order of assembly, from 1; ascending, each once
 };
 
-/// What a plan is made of: fasteners of one designation are one row, and so are other parts of one shape and name.
+/// What a plan is made of: fasteners of one designation are one row, and so are other parts of one shape and name. A
+/// counter at the end of a name does not tell parts apart: "nut-1" and "nut-2" are the row "nut".
 /// Parts come first, fasteners by their designation behind them. Precondition: the plan is about the product.
 std::vector<PartsListRow> partsList(const AssemblyPlan& plan, const AssembledProduct& product);
 

@@ -75,6 +75,18 @@ TEST(StepDrawer, ACloseUpHasAFrameAndShowsThePartLarger) {
   EXPECT_GT(count(drawer.panel(panel, kPixels), isOrange), 4 * small);
 }
 
+TEST(StepDrawer, WhatComesIsSeenThroughWhatHidesIt) {
+  test::InstructedProduct made;
+  made.product = test::productOf({boxBody("wall", {0.1, 4.0, 4.0}, Pose::translation({-1.0, 0.0, 0.0})),
+                                  boxBody("box", {0.4, 0.4, 0.4}, Pose::identity())});
+  InstructionPanel panel;
+  panel.present = {"wall"};
+  panel.steps = {test::stepAlong("box", Vector3::UnitY())};
+  const StepDrawer drawer(made.product);
+  const auto isTinted = [](QRgb pixel) { return qRed(pixel) - qBlue(pixel) > 40 && !isArrow(pixel); };
+  EXPECT_GT(count(drawer.panel(panel, kPixels), isTinted), 500U);
+}
+
 TEST(StepDrawer, PicturesHaveTheirSize) {
   const test::InstructedProduct made = test::blocksOnABase(2);
   const StepDrawer drawer(made.product);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "widgets/instruction/step_motion_picture.h"
 
@@ -26,6 +27,7 @@ constexpr double kApartOfPartNear = 0.6;  // in a close-up
 constexpr double kLeastMagnification = 1.6;
 constexpr double kInsetShare = 0.46;   // of the lower side of the picture
 constexpr double kMostCovered = 0.02;  // of a corner that a close-up may hide
+constexpr double kMostlySeen = 0.5;    // of what comes
 constexpr double kCloseMargin = 1.5;   // of what a close-up shows
 
 QRectF shrunk(const QRectF& rect, double by) { return rect.adjusted(by, by, -by, -by); }
@@ -181,10 +183,40 @@ class PanelPicture {
 
   QImage drawing(const Scene& scene, const Projection& view, const QSize& pixels) const {
     QImage picture = lineDrawing(scene.bodies, view, pixels);
+    showHidden(scene, view, picture);
     QPainter painter(&picture);
     painter.setRenderHint(QPainter::Antialiasing);
     drawArrows(painter, scene, view, size_);
     return picture;
+  }
+
+  /// Where the greater part of what comes is behind other parts, it is seen through them.
+  void showHidden(const Scene& scene, const Projection& view, QImage& picture) const {
+    if (panel_.steps.empty()) return;
+    std::vector<DrawnBody> coming;
+    std::copy_if(scene.bodies.begin(), scene.bodies.end(), std::back_inserter(coming),
+                 [](const DrawnBody& body) { return body.strong; });
+    const QImage alone = lineDrawing(coming, view, picture.size());
+    std::size_t drawn = 0;
+    std::size_t seen = 0;
+    const auto visit = [&](const auto& take) {
+      for (int y = 0; y < picture.height(); ++y) {
+        for (int x = 0; x < picture.width(); ++x) {
+          if (const QRgb pixel = alone.pixel(x, y); pixel != qRgb(255, 255, 255)) take(x, y, pixel);
+        }
+      }
+    };
+    visit([&](int x, int y, QRgb pixel) {
+      ++drawn;
+      if (picture.pixel(x, y) == pixel) ++seen;
+    });
+    if (static_cast<double>(seen) >= kMostlySeen * static_cast<double>(drawn)) return;
+    visit([&](int x, int y, QRgb pixel) {
+      const QRgb there = picture.pixel(x, y);
+      picture.setPixel(x, y,
+                       qRgb((qRed(there) + qRed(pixel)) / 2, (qGreen(there) + qGreen(pixel)) / 2,
+                            (qBlue(there) + qBlue(pixel)) / 2));
+    });
   }
 
   /// A square about what comes first.

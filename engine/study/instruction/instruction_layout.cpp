@@ -10,11 +10,15 @@ namespace {
 constexpr std::size_t kMostKindsInHalf = 4;  // kinds of parts that are fetched
 constexpr std::size_t kMostLettersInHalf = 110;
 
+/// Width by height of a product beside which a close-up has room in half of the width.
+constexpr double kTall = 0.5;
+
 /// It is as wide as the page: beside another one it would have no room.
 bool isWide(const InstructionPanel& panel) {
   std::size_t letters = panel.work.size() + panel.tool.size() + panel.turn.size();
   for (const std::string& note : panel.notes) letters += note.size();
-  return panel.closeUp || panel.fetched.size() > kMostKindsInHalf || letters > kMostLettersInHalf;
+  return (panel.closeUp && panel.aspect > kTall) || panel.fetched.size() > kMostKindsInHalf ||
+         letters > kMostLettersInHalf;
 }
 
 /// Rows of panels: one that is wide, or two.

@@ -57,7 +57,8 @@ struct InstructionPage {
 /// The smallest letters of a page, points.
 inline constexpr double kLeastPoints = 9.0;
 
-/// Cover, parts list, and the panels in their order: up to four on a page, a panel with a close-up as wide as the page.
+/// Cover, parts list, and the panels in their order: up to four on a page, a panel with a close-up as wide as the page
+/// unless the product is tall.
 /// On a page of panels, and on the cover, pictures take at least half of the page.
 std::vector<InstructionPage> instructionPages(const WorkInstruction& instruction, const InstructionTemplate& look,
                                               Paper paper);

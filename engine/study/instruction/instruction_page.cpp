@@ -15,9 +15,8 @@ constexpr double kNumberPoints = 26.0;
 constexpr double kRangePoints = 18.0;  // of "12–15"
 constexpr double kWorkPoints = 12.0;
 constexpr double kNotePoints = 10.0;
-constexpr double kPartSize = 15.0;     // of a picture, millimetres
-constexpr double kRowHeight = 17.0;    // of the parts list
-constexpr std::size_t kMostNamed = 3;  // kinds of parts that are fetched with their names
+constexpr double kPartSize = 15.0;   // of a picture, millimetres
+constexpr double kRowHeight = 17.0;  // of the parts list
 
 double lineOf(double points) { return points * kMillimetresOfPoint * kLineHeight; }
 
@@ -39,8 +38,8 @@ double shareOf(PartsColumn column) {
 
 }  // namespace
 
-std::size_t linesOf(const std::string& text, double points, double width) {
-  const double letters = std::max(1.0, width / (points * kMillimetresOfPoint * kLetterWidth));
+std::size_t linesOf(const std::string& text, double points, bool bold, double width) {
+  const double letters = std::max(1.0, width / (points * kMillimetresOfPoint * (bold ? kBoldWidth : kLetterWidth)));
   return std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(static_cast<double>(lettersOf(text)) / letters)));
 }
 
@@ -159,7 +158,7 @@ std::vector<InstructionPage> PageMaker::partsPages() const {
   return pages;
 }
 
-/// In a row, each with its count; with its name below where there are few.
+/// In a row, each with its count; with its name below where it has room.
 void PageMaker::addFetched(const std::vector<FetchedPart>& parts, const PageRect& rect, InstructionPage& page) const {
   if (parts.empty()) return;
   const double cell = rect.width / static_cast<double>(parts.size());
@@ -167,10 +166,12 @@ void PageMaker::addFetched(const std::vector<FetchedPart>& parts, const PageRect
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const double x = rect.x + static_cast<double>(i) * cell;
     page.parts.push_back({{x, rect.y, size, size}, parts[i].bodies});
-    const PageRect beside{x + size + 0.5, rect.y, cell - size - 1.0, lineOf(kWorkPoints)};
+    const PageRect beside{x + size + 1.5, rect.y, cell - size - 2.0, lineOf(kWorkPoints)};
     page.texts.push_back({beside, std::to_string(parts[i].count) + "×", kWorkPoints, true});
-    if (parts.size() > kMostNamed) continue;
     const PageRect below{beside.x, beside.bottom(), beside.width, rect.height - beside.height};
+    const double needed =
+        lineOf(kLeastPoints) * static_cast<double>(linesOf(parts[i].name, kLeastPoints, false, below.width));
+    if (needed > below.height) continue;  // the sentence has it
     page.texts.push_back({below, parts[i].name, kLeastPoints, false, PageText::Align::Left, true});
   }
 }
@@ -194,13 +195,13 @@ void PageMaker::addPanel(std::size_t index, const PageRect& frame, InstructionPa
   const double textWidth = inside.width - numberWidth - (isWide ? fetchedWidth : 0.0) - 1.0;
   double y = inside.y + 0.5;
   const auto add = [&](const std::string& text, double points, bool bold, bool marked) {
-    const double height = lineOf(points) * static_cast<double>(linesOf(text, points, textWidth));
+    const double height = lineOf(points) * static_cast<double>(linesOf(text, points, bold, textWidth));
     page.texts.push_back(
         {{inside.x + numberWidth, y, textWidth, height}, text, points, bold, PageText::Align::Left, false, marked});
     y += height + 0.4;
   };
   if (!panel.turn.empty()) add(panel.turn, kNotePoints, true, true);
-  const bool isLongWork = linesOf(panel.work, kWorkPoints, textWidth) > 2;
+  const bool isLongWork = linesOf(panel.work, kWorkPoints, true, textWidth) > 2;
   add(panel.work, isLongWork ? kNotePoints : kWorkPoints, true, false);
   if (!panel.tool.empty()) add(panel.tool, kNotePoints, false, false);
   for (const std::string& note : panel.notes) add(note, kLeastPoints, false, false);

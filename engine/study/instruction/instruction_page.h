@@ -40,7 +40,7 @@ class PageMaker {
   StudyWords words_;
 };
 
-/// How many lines a text takes in letters of that size, by the mean width of letters.
-std::size_t linesOf(const std::string& text, double points, double width);
+/// How many lines a text takes in letters of that size, by the mean width of letters. Millimetres.
+std::size_t linesOf(const std::string& text, double points, bool bold, double width);
 
 }  // namespace glissade

@@ -44,6 +44,8 @@ std::string workSentence(const AssemblyStep& step, const std::string& what, cons
     const bool isOwn = std::find(bodies.begin(), bodies.end(), joint.body) != bodies.end();
     if (const char* sentence = sentenceOf(joint, isOwn)) return words(sentence, {what});
   }
+  if (step.fastener == FastenerKind::Nut) return words("Screw on %1.", {what});
+  if (step.fastener == FastenerKind::Screw && step.tool.kind != ToolKind::None) return words("Screw in %1.", {what});
   if (step.method == kFlexible) return words("Lay on %1.", {what});
   if (turnsOnItsWay(step)) return words("Turn in %1.", {what});
   return words(isInAHole(step) ? "Insert %1." : "Place %1.", {what});

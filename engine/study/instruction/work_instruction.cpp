@@ -174,6 +174,7 @@ class Instructor {
     }
     panel.view = view_.choose(panel.steps, present, before);
     panel.turn = turnSentence(before, panel.view, words_.words());
+    panel.aspect = aspectFrom(panel.view, present);
     for (const AssemblyStep& step : panel.steps) {
       Box3 coming;
       double seen = 0.0;
@@ -184,6 +185,20 @@ class Instructor {
       const double whole = box.merged(coming).diagonal().norm();
       if (coming.diagonal().norm() < kSmallShare * whole || seen < kHiddenShare) panel.closeUp = true;
     }
+  }
+
+  double aspectFrom(const Viewpoint& from, const BodySet& present) const {
+    const Vector3 right = from.up().cross(from.toEye()).normalized();
+    const Vector3 up = from.toEye().cross(right);
+    Box3 box;
+    for (const std::size_t body : bodiesIn(present)) {
+      const RigidBody& there = product_.bodies[body];
+      for (const Vector3& vertex : there.mesh->vertices) {
+        const Vector3 p_W = there.X_WB * vertex;
+        box.extend(Vector3(right.dot(p_W), up.dot(p_W), 0.0));
+      }
+    }
+    return box.isEmpty() || box.sizes().y() <= 0.0 ? 1.0 : box.sizes().x() / box.sizes().y();
   }
 
   const AssemblyPlan& plan_;

@@ -29,6 +29,7 @@ struct InstructionPanel {
   std::vector<std::string> notes;  ///< "Needs support: rod"
   std::string turn;                ///< "Turn the product over."; empty: it lies as before
   Viewpoint view;
+  double aspect = 1.0;   ///< width by height of all that is drawn, from this viewpoint
   bool closeUp = false;  ///< what comes is small beside the rest, or hidden in part
 };
 

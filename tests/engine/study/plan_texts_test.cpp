@@ -6,9 +6,9 @@
 
 #include "engine/study/parts_list.h"
 #include "engine/study/plan_graph.h"
+#include "engine/study/plan_report.h"
 #include "engine/study/plan_table.h"
 #include "engine/study/report_html.h"
-#include "engine/study/plan_report.h"
 #include "tests/engine/sequence/products.h"
 
 namespace glissade {
@@ -183,7 +183,7 @@ TEST(PlanReport, HasAPageForEachStepInTheOrderOfAssembly) {
   const AssemblyPlan plan = somePlan();
   const StudyReport report =
       planReport({plan, product, "drawer", 1e-5, {StepCheck::Agrees, StepCheck::Disagrees}, "", "", {}},
-                      wordsIn(Language::English));
+                 wordsIn(Language::English));
   EXPECT_EQ(headings(report), 4U) << "parts list, two steps, parts without a step";
   const auto page = reportHtml(report);
   ASSERT_TRUE(page.ok());
@@ -198,8 +198,7 @@ TEST(PlanReport, HasAPageForEachStepInTheOrderOfAssembly) {
 TEST(PlanReport, IsWhollyInFrench) {
   const AssembledProduct product = test::lockedDrawer();
   const AssemblyPlan plan = somePlan();
-  const auto page =
-      reportHtml(planReport({plan, product, "drawer", 1e-5, {}, "", "", {}}, wordsIn(Language::French)));
+  const auto page = reportHtml(planReport({plan, product, "drawer", 1e-5, {}, "", "", {}}, wordsIn(Language::French)));
   ASSERT_TRUE(page.ok());
   EXPECT_NE(page->find("Étape 1 sur 2 : pin"), std::string::npos);
   for (const char* word : {" the ", "Step", "Part", "part ", "Clearance", "Allowance", "thread", "Found", "stuck"}) {
@@ -227,8 +226,7 @@ AssemblyPlan planWithASubassembly() {
 TEST(PlanReport, HasAPageForASubassemblyBeforeTheStepThatBringsIt) {
   const AssembledProduct product = test::lockedDrawer();
   const AssemblyPlan plan = planWithASubassembly();
-  const auto page =
-      reportHtml(planReport({plan, product, "drawer", 0.0, {}, "", "", {}}, wordsIn(Language::English)));
+  const auto page = reportHtml(planReport({plan, product, "drawer", 0.0, {}, "", "", {}}, wordsIn(Language::English)));
   ASSERT_TRUE(page.ok());
   const std::size_t own = page->find("Subassembly for step 1");
   ASSERT_NE(own, std::string::npos);
@@ -247,8 +245,7 @@ TEST(PlanReport, StepsOfOneTaskAreOnePage) {
     step.joints.back().designation = "M3x8";
     step.joints.back().turns = 9.5;
   }
-  const auto page =
-      reportHtml(planReport({plan, product, "drawer", 0.0, {}, "", "", {}}, wordsIn(Language::English)));
+  const auto page = reportHtml(planReport({plan, product, "drawer", 0.0, {}, "", "", {}}, wordsIn(Language::English)));
   ASSERT_TRUE(page.ok());
   EXPECT_NE(page->find("Steps 1 to 2 of 2: 2 × pin"), std::string::npos);
   EXPECT_EQ(countOf("2 times: screw in M3x8, 9.5 turns", *page), 1U);
@@ -267,6 +264,21 @@ TEST(PartsList, FastenersOfOneDesignationAreOneRowBehindTheParts) {
   EXPECT_EQ(rows.back().count, 2U);
   EXPECT_EQ(rows.back().steps, std::vector<std::size_t>{1}) << "both come by one step";
   EXPECT_EQ(std::count_if(rows.begin(), rows.end(), [](const PartsListRow& row) { return row.hasBase; }), 1);
+}
+
+TEST(PartsList, PartsOfOneShapeAreOneRowWhateverTheirCounterAndPlace) {
+  AssembledProduct product = test::productOf(
+      {boxBody("base", {2.0, 1.0, 0.1}, Pose::identity()), boxBody("nut-1", {0.1, 0.1, 0.1}, Pose::identity()),
+       boxBody("nut-2", {0.1, 0.1, 0.1}, Pose::translation({0.5, 0.0, 0.0})),
+       boxBody("nut-3", {0.1, 0.1, 0.2}, Pose::identity()), boxBody("M5 x 20", {0.1, 0.2, 0.1}, Pose::identity())});
+  const auto moved = transformed(*product.bodies[2].mesh, {{0.3, 0.2, 0.1}, fromRollPitchYaw(0.3, 0.2, 0.1)});
+  product.bodies[2].mesh = std::make_shared<const TriangleMesh>(moved);
+  AssemblyPlan plan;
+  plan.staying = {"base"};
+  const std::vector<PartsListRow> rows = partsList(plan, product);
+  std::vector<std::string> texts;
+  for (const PartsListRow& row : rows) texts.push_back(std::to_string(row.count) + " " + row.name);
+  EXPECT_EQ(texts, (std::vector<std::string>{"1 base", "2 nut", "1 nut-3", "1 M5 x 20"}));
 }
 
 TEST(PlanReport, SaysTimesAndTheLine) {
@@ -312,8 +324,7 @@ TEST(PlanReport, AMissingPictureIsAnError) {
   const AssembledProduct product = test::lockedDrawer();
   const AssemblyPlan plan = somePlan();
   EXPECT_FALSE(
-      reportHtml(planReport({plan, product, "drawer", 0.0, {}, "/gone.png", "", {}}, wordsIn(Language::English)))
-          .ok());
+      reportHtml(planReport({plan, product, "drawer", 0.0, {}, "/gone.png", "", {}}, wordsIn(Language::English))).ok());
 }
 
 }  // namespace

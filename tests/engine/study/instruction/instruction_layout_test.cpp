@@ -80,6 +80,19 @@ TEST(InstructionLayout, NothingLeavesThePageAndPicturesDoNotOverlap) {
   }
 }
 
+TEST(InstructionLayout, ACloseUpOfATallProductSharesARow) {
+  WorkInstruction instruction = test::instructed(test::blocksOnABase(4));
+  const auto pagesOf = [&](double aspect) {
+    for (InstructionPanel& panel : instruction.panels) {
+      panel.closeUp = true;
+      panel.aspect = aspect;
+    }
+    return instructionPages(instruction, {}, Paper::A4).size();
+  };
+  EXPECT_EQ(pagesOf(1.5), 5U) << "cover, list, five panels two on a page";
+  EXPECT_EQ(pagesOf(0.3), 4U);
+}
+
 TEST(InstructionLayout, ThePartsListHasTheColumnsOfTheTemplate) {
   InstructionTemplate look;
   look.columns = {PartsColumn::Count, PartsColumn::Part};

@@ -107,6 +107,13 @@ TEST(InstructionWords, ASentenceHasTheVerbOfTheJoint) {
   EXPECT_EQ(sentence(JointKind::Insert, "block"), "Press in x.");
   EXPECT_EQ(sentence(JointKind::Unit, "block"), "Place x.");
   step.joints.clear();
+  step.fastener = FastenerKind::Screw;
+  EXPECT_EQ(workSentence(step, "x", english), "Place x.") << "a bolt whose nut is turned";
+  step.tool.kind = ToolKind::HexKey;
+  EXPECT_EQ(workSentence(step, "x", english), "Screw in x.");
+  step.fastener = FastenerKind::Nut;
+  EXPECT_EQ(workSentence(step, "x", english), "Screw on x.");
+  step.fastener = FastenerKind::None;
   step.allowances.push_back({"base", ContactKind::Cylindrical, 0.0, 1e-5, ""});
   EXPECT_EQ(workSentence(step, "x", english), "Insert x.");
   step.path.back().q.orientation = fromRollPitchYaw(0.0, 0.0, 1.0);
