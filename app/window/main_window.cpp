@@ -17,7 +17,6 @@
 #include "app/window/fits_controller.h"
 #include "app/window/help_controller.h"
 #include "app/window/icons.h"
-#include "app/window/instruction_controller.h"
 #include "app/window/joints_controller.h"
 #include "app/window/kept_paths_controller.h"
 #include "app/window/keyboard_steering.h"
@@ -121,7 +120,7 @@ void MainWindow::addParts() {
   auto* kept = new KeptPathsController(bench_);
   auto* log = new LogController(bench_);
   sequence_ = new SequenceController(bench_);
-  times_ = new TimesController(bench_, *sequence_);
+  new TimesController(bench_, *sequence_);
   new ManualController(bench_);
 
   docks_.add({tr("Interaction"), "interaction", run->interactionPanel(), DockPlace::Left});
@@ -200,8 +199,7 @@ void MainWindow::remember(std::unique_ptr<WindowMemory> memory, bool sizeToo) {
   dialogs_.setMemory(memory_.get());
   views_->setMemory(memory_.get());
   path_->remember(*memory_);
-  times_->remember(*memory_);
-  sequence_->instructions().remember(*memory_);
+  sequence_->remember(*memory_);
   memory_->restoreLayout(*this, sizeToo);
   memory_->restoreChoices(actions_);
   preferences_->remember(*memory_);

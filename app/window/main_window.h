@@ -13,7 +13,6 @@ class NamedViewsController;
 class PreferencesController;
 class RecordingController;
 class SequenceController;
-class TimesController;
 class WindowMemory;
 
 /// The workbench: the 3D view in the middle, panels around it, one document and one session behind it. It makes the
@@ -65,7 +64,6 @@ class MainWindow final : public QMainWindow {
   RecordingController* recordings_ = nullptr;
   PreferencesController* preferences_ = nullptr;
   SequenceController* sequence_ = nullptr;
-  TimesController* times_ = nullptr;
   QWidget* replayBar_ = nullptr;
   std::unique_ptr<WindowMemory> memory_;  ///< null: nothing is remembered
 };

@@ -385,6 +385,11 @@ void SequenceController::showStuck(const QString& bodyId) {
   bench_.document.semantics().select(selection);
 }
 
+void SequenceController::remember(WindowMemory& memory) {
+  workTimes_.remember(memory);
+  instructions_->remember(memory);
+}
+
 std::string SequenceController::productName() const {
   return nameOfProduct(*bench_.document.scenario(), *presentProduct());
 }

@@ -16,6 +16,7 @@ namespace glissade {
 
 class InstructionController;
 class PlanGraphView;
+class WindowMemory;
 
 /// The assembly plan of the product that is open: planned on a worker, shown and played in the scene, read from files
 /// and written into them, and kept by the document. It holds for one arrangement; in another one its steps are judged
@@ -43,6 +44,8 @@ class SequenceController final : public QObject {
   void chooseLater(const std::string& body) { chosenLater_ = body; }
   /// Reads a plan of the product that is open and judges it; nothing on success.
   std::optional<Diagnostic> open(const QString& file);
+  /// The table of times and the template of work instructions become those that are remembered, and are remembered.
+  void remember(WindowMemory& memory);
   /// The documents that are made of plans.
   InstructionController& instructions() { return *instructions_; }
   /// Plans as JSON, as the command line writes them; steps as CSV, an animation as GLB, a work instruction as HTML or

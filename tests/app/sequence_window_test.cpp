@@ -51,7 +51,7 @@ TEST_F(SequenceWindow, TimesFollowTheTableOfTimesWhichTheReportTakesToo) {
                                        // What is not taken changes nothing.
                                        "set-time fetch_s -1\nset-time fetch_s soon\nexpect-time fetch_s 2.5\n"
                                        "expect-times sum 25.0\nexpect-times stations 2\n"
-                                       "save-times %2\nexport-sequence %3\n")
+                                       "save-times %2\nreport-sequence %3\n")
                             .arg(file("second.json"), file("edited.json"), file("stand.html"))));
   times.fetch = 2.5;
   const auto saved = readWorkTimes(file("edited.json").toStdString());

@@ -8,7 +8,8 @@ namespace {
 
 constexpr double kMillimetresOfPoint = 25.4 / 72.0;
 constexpr double kLineHeight = 1.35;  // of the letters
-constexpr double kBoldWidth = 0.72;   // of bold letters, of their height
+constexpr double kBoldWidth = 0.66;   // of bold letters
+constexpr double kDigitWidth = 0.72;  // of bold digits
 constexpr double kLetterWidth = 0.6;  // of their height: wider than most are
 constexpr double kTitlePoints = 24.0;
 constexpr double kNumberPoints = 26.0;
@@ -187,7 +188,7 @@ void PageMaker::addPanel(std::size_t index, const PageRect& frame, InstructionPa
   const double numberPoints = isLong ? kRangePoints : kNumberPoints;
   const double numberWidth =
       std::max(isLong ? 22.0 : 15.0,
-               static_cast<double>(lettersOf(number)) * numberPoints * kMillimetresOfPoint * kBoldWidth + 2.0);
+               static_cast<double>(lettersOf(number)) * numberPoints * kMillimetresOfPoint * kDigitWidth + 2.0);
   page.frames.push_back(frame);
   page.texts.push_back({{inside.x, inside.y, numberWidth, 11.0}, number, numberPoints, true});
   const double fetchedHeight = kPartSize + 1.0;
