@@ -73,7 +73,7 @@ void InstructionJob::start(PlanDocument document, const QString& file, Finished 
   content->file = file;
   const QString what = document == PlanDocument::Instruction ? tr("Writing the work instruction")
                                                              : tr("Writing the report of the sequence");
-  bench_.work.run(
+  bench_.work.runToEnd(
       what,
       [this, document, content, finished = std::move(finished)](const WorkWatch& watch) -> BackgroundTask::Delivery {
         const SaveResult saved =
