@@ -20,6 +20,7 @@
 #include "engine/sequence/step_motion.h"
 #include "engine/sequence/step_precedence.h"
 #include "engine/sequence/subassembly_lines.h"
+#include "engine/study/plan_tasks.h"
 #include "engine/study/plan_words.h"
 
 namespace glissade::cli {
@@ -55,9 +56,8 @@ class ProgressHost final : public SequenceHost {
   void stepFound(const AssemblyPlan& plan) override {
     for (; reported_ < plan.steps.size(); ++reported_) {
       const AssemblyStep& step = plan.steps[reported_];
-      line() << "step " << reported_ + 1 << ", " << plan.removed() << " of " << plan.parts()
-             << " parts: " << namesOf(step) << (step.with.empty() ? " leaves (" : " leave as one (") << step.method
-             << ")\n";
+      line() << plan.removed() << " of " << plan.parts() << " parts: " << namesOf(step)
+             << (step.with.empty() ? " leaves (" : " leave as one (") << step.method << ")\n";
     }
     if (file_.empty()) return;
     unkept_ = plan;
@@ -231,11 +231,13 @@ std::string certifiedText(const AssemblyPlan& plan) {
   return "every motion certified but those of " + std::to_string(open) + " flexible parts";
 }
 
-void printSteps(const std::vector<AssemblyStep>& steps, const std::string& before, const ProgressHost& host) {
+/// Numbers are those of the order of assembly, as in documents; `group`: number of the step that brings the steps.
+void printSteps(const std::vector<AssemblyStep>& steps, const std::string& group, const std::string& before,
+                const ProgressHost& host) {
   const PlanWords words(Language::English, lengthInMillimetres);
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const AssemblyStep& step = steps[i];
-    std::cout << before << std::setw(4) << i + 1 << "  " << host.namesOf(step);
+    std::cout << before << std::setw(4) << stepNumber(steps.size() - 1 - i, group) << "  " << host.namesOf(step);
     if (step.fastener != FastenerKind::None) std::cout << " (" << fastenerName(step.fastener) << ")";
     std::cout << ": " << step.method;
     if (!step.certified) std::cout << ", not certified";
@@ -273,14 +275,16 @@ void printStuck(const std::vector<StuckBody>& all, const std::string& before, co
 }
 
 /// "      " for the first ones, more for groups of groups.
-void printLines(const std::vector<SubassemblyLine>& lines, const std::string& before, const ProgressHost& host) {
+void printLines(const std::vector<SubassemblyLine>& lines, std::size_t steps, const std::string& group,
+                const std::string& before, const ProgressHost& host) {
   for (const SubassemblyLine& line : lines) {
-    std::cout << before << "the group of step " << line.step << " is taken apart off";
+    const std::string number = stepNumber(steps - line.step, group);
+    std::cout << before << "the group of step " << number << " is taken apart off";
     for (const std::string& id : line.staying) std::cout << " " << host.nameOf(id);
     std::cout << ":\n";
-    printSteps(line.steps, before, host);
+    printSteps(line.steps, number, before, host);
     printStuck(line.stuck, before, host);
-    printLines(line.lines, before + "  ", host);
+    printLines(line.lines, line.steps.size(), number, before + "  ", host);
   }
 }
 
@@ -289,8 +293,8 @@ void printPlan(const AssemblyPlan& plan, const ProgressHost& host, double second
     const PlanWords words(Language::English, lengthInMillimetres);
     std::cout << "base: " << words.base(plan, host.product()) << "\n";
   }
-  printSteps(plan.steps, "", host);
-  printLines(plan.lines, "  ", host);
+  printSteps(plan.steps, "", "", host);
+  printLines(plan.lines, plan.steps.size(), "", "  ", host);
   printStuck(plan.stuck, "", host);
   const std::size_t apart = bodiesApart(plan);
   if (apart < plan.removed()) {

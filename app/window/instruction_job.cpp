@@ -1,27 +1,35 @@
 #include "app/window/instruction_job.h"
 
-#include <QTimer>
+#include <QTemporaryDir>
 
 #include <algorithm>
 #include <utility>
 
+#include "app/window/instruction_controller.h"
 #include "app/window/report_file.h"
 #include "app/window/sequence_controller.h"
 #include "engine/scenario/judged_product.h"
-#include "engine/sequence/step_view.h"
+#include "engine/scenario/plan_glb.h"
+#include "engine/sequence/exploded_view.h"
+#include "engine/study/instruction/instruction_viewer.h"
 #include "engine/study/plan_graph.h"
+#include "engine/study/plan_report.h"
 #include "widgets/commands/length_text.h"
 #include "widgets/commands/window_language.h"
+#include "widgets/instruction/instruction_painter.h"
 #include "widgets/plots/picture_file.h"
-#include "widgets/scene3d/camera_controller.h"
 #include "widgets/studies/plan_graph_view.h"
 
 namespace glissade {
 namespace {
 
-/// The part of a step is shown when so much of its way lies behind it, from where it is assembled.
-constexpr double kShownShare = 0.35;
 constexpr double kGraphScale = 1.5;
+/// Of the work: the rest is drawing.
+constexpr double kChoosingViews = 0.3;
+
+SaveResult cancelled(const QString& file) {
+  return notSaved({ErrorKind::Interrupted, file.toStdString(), "", "the document was cancelled", ""});
+}
 
 /// What the pages say of each step: as it is known, or judged now where a step was not judged yet.
 std::vector<StepCheck> checksOf(const AssemblyPlan& plan, const AssembledProduct& product,
@@ -38,123 +46,92 @@ std::vector<StepCheck> checksOf(const AssemblyPlan& plan, const AssembledProduct
   return checks;
 }
 
+bool isPdf(const QString& file) { return file.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive); }
+
 }  // namespace
 
 InstructionJob::InstructionJob(const Workbench& bench, SequenceController& sequence)
     : QObject(&sequence), bench_(bench), sequence_(sequence) {}
 
-void InstructionJob::start(const QString& file, Finished finished) {
+PlanWords InstructionJob::Content::words() const {
+  return {language, [](double metres) { return lengthText(metres).toStdString(); }};
+}
+
+void InstructionJob::start(PlanDocument document, const QString& file, Finished finished) {
   const ShownPlan& shown = sequence_.shown();
-  content_ = std::make_shared<Content>();
-  content_->plan = shown.plan;
-  content_->product = shown.product;
-  content_->checks = shown.checks;
-  content_->name = sequence_.productName();
-  content_->times = sequence_.workTimes().times();
-  content_->deviation = surfaceDeviation(*bench_.document.scenario());
-  content_->file = file;
-  finished_ = std::move(finished);
-  chooseViews();
+  const auto content = std::make_shared<Content>();
+  content->plan = shown.plan;
+  content->product = shown.product;
+  content->checks = shown.checks;
+  content->title = sequence_.productName();
+  content->deviation = surfaceDeviation(*bench_.document.scenario());
+  content->times = sequence_.workTimes().times();
+  content->look = sequence_.instructions().look();
+  content->paper = sequence_.instructions().paper();
+  content->language = windowLanguage();
+  if (document == PlanDocument::Instruction) content->language = content->look.language.value_or(content->language);
+  content->file = file;
+  const QString what = document == PlanDocument::Instruction ? tr("Writing the work instruction")
+                                                             : tr("Writing the report of the sequence");
+  bench_.work.runToEnd(
+      what,
+      [this, document, content, finished = std::move(finished)](const WorkWatch& watch) -> BackgroundTask::Delivery {
+        const SaveResult saved =
+            document == PlanDocument::Instruction ? writeInstruction(*content, watch) : writeReport(*content, watch);
+        return [this, content, saved, finished] {
+          sequence_.noteChecks(content->plan, content->checks);
+          finished(saved);
+        };
+      });
 }
 
-void InstructionJob::chooseViews() {
-  bench_.work.run(tr("Checking the steps and choosing the views"),
-                  [this, content = content_](const WorkWatch& watch) -> BackgroundTask::Delivery {
-                    const std::vector<StepCheck> checks =
-                        checksOf(*content->plan, *content->product, content->checks, watch.stop);
-                    const std::vector<Vector3> toEye = directionsToEye(*content->plan, *content->product, watch);
-                    return [this, content, checks, toEye] {
-                      if (content != content_) return;
-                      content->checks = checks;
-                      sequence_.noteChecks(content->plan, checks);
-                      content->toEye = toEye;
-                      takePictures();
-                    };
-                  });
-}
-
-/// The next one, and the others at later turns of the event loop.
-void InstructionJob::takePictures() {
-  const auto content = content_;
-  do {
-    if (const SaveResult taken = takeNextPicture(); !taken) {
-      end(taken);
-      return;
-    }
-    if (content_->pictures.size() == content_->plan->steps.size()) {
-      write();
-      return;
-    }
-  } while (bench_.work.isAtOnce());
-  QTimer::singleShot(0, this, [this, content] {
-    if (content == content_) takePictures();
-  });
-}
-
-SaveResult InstructionJob::takeNextPicture() {
-  if (sequence_.shown().plan != content_->plan) {
-    return notSaved(
-        {ErrorKind::Usage, content_->file.toStdString(), "", "the plan has changed meanwhile", "Save it again."});
+SaveResult InstructionJob::writeInstruction(const Content& content, const WorkWatch& watch) const {
+  const WorkInstruction instruction =
+      workInstruction(*content.plan, *content.product, content.title, content.words(), watch.part(0.0, kChoosingViews));
+  const WorkWatch drawing = watch.part(kChoosingViews, 1.0);
+  const StepDrawer drawer(*content.product);
+  if (isPdf(content.file)) {
+    return writeInstructionPdf(instruction, content.look, content.paper, drawer, content.file, drawing);
   }
-  CameraController& camera = bench_.scene.view().camera();
-  const CameraController before = camera;
-  camera.setAspect(static_cast<double>(kPagePicture.width()) / kPagePicture.height());
-  const bool first = content_->exploded.empty();
-  const std::size_t step = content_->pictures.size();
-  if (first) {
-    camera.setStandardView(StandardView::Isometric);
-    sequence_.showScene(0.0, 1.0);
-  } else {
-    camera.lookFrom(content_->toEye[step]);
-    sequence_.showScene(static_cast<double>(step) + kShownShare, 0.0);
+  const InstructionPictures pictures = instructionPictures(instruction, drawer, drawing);
+  if (watch.stop.stopRequested()) return cancelled(content.file);
+  const auto glb = planAsGlb(*content.plan, *content.product, PlanOrder::Assembly, content.title);
+  const auto scene = glb ? instructionScene(*glb) : Result<InstructionScene>(glb.error());
+  const auto page = instructionHtml(instruction, content.look, pictures, scene ? &*scene : nullptr);
+  if (!page) return notSaved(page.error());
+  SaveResult saved = saveFile(content.file.toStdString(), *page);
+  if (saved && !scene) saved.warnings.push_back(scene.error());
+  return saved;
+}
+
+SaveResult InstructionJob::writeReport(Content& content, const WorkWatch& watch) const {
+  const AssemblyPlan& plan = *content.plan;
+  content.checks = checksOf(plan, *content.product, content.checks, watch.stop);
+  const QTemporaryDir folder;
+  const auto pathOf = [&](const QString& name) { return folder.filePath(name + QStringLiteral(".png")); };
+  const PlanWords words = content.words();
+  const WorkInstruction instruction =
+      workInstruction(plan, *content.product, content.title, words, watch.part(0.0, kChoosingViews));
+  const StepDrawer drawer(*content.product);
+  PlanReportContent report{plan, *content.product, content.title, content.deviation, content.checks};
+  const auto add = [&](const QImage& picture, const QString& name, std::string& file) {
+    file = pathOf(name).toStdString();
+    return savePicture(picture, pathOf(name));
+  };
+  const auto exploded = drawer.exploded(explodedOffsets(*content.product, plan), kPagePicture);
+  if (const auto drawn = add(exploded, QStringLiteral("exploded"), report.explodedPicture); !drawn) return drawn;
+  const QImage graph = imageOfSvg(planGraphSvg(plan, *content.product, words.words()), kGraphScale);
+  if (const auto drawn = add(graph, QStringLiteral("graph"), report.graphPicture); !drawn) return drawn;
+  for (const InstructionPanel& panel : instruction.panels) {
+    if (watch.stop.stopRequested()) return cancelled(content.file);
+    if (panel.steps.empty() || !panel.subassembly.empty()) continue;
+    const QString name = QString::number(report.pictures.size());
+    report.pictures.emplace_back();
+    if (const auto drawn = add(drawer.panel(panel, kPagePicture), name, report.pictures.back()); !drawn) return drawn;
+    watch.report(static_cast<double>(report.pictures.size()) / static_cast<double>(plan.steps.size()));
   }
-  bench_.scene.view().fit();
-  std::string file;
-  const SaveResult taken = takePicture(first ? QStringLiteral("exploded") : QString::number(step), file);
-  if (first) {
-    content_->exploded = file;
-  } else {
-    content_->pictures.push_back(file);
-  }
-  camera = before;
-  sequence_.showPanelsScene();
-  return taken;
-}
-
-SaveResult InstructionJob::takePicture(const QString& name, std::string& file) {
-  const QString path = content_->folder.filePath(name + QStringLiteral(".png"));
-  file = path.toStdString();
-  return saveScenePicture(bench_.scene, path);
-}
-
-void InstructionJob::write() {
-  const Language language = windowLanguage();
-  bench_.work.run(tr("Writing the work instruction"),
-                  [this, content = content_, language](const WorkWatch&) -> BackgroundTask::Delivery {
-                    const auto finish = [this, content](const SaveResult& result) -> BackgroundTask::Delivery {
-                      return [this, content, result] {
-                        if (content == content_) end(result);
-                      };
-                    };
-                    const QString graph = content->folder.filePath(QStringLiteral("graph.png"));
-                    const std::string svg = planGraphSvg(*content->plan, *content->product, StudyWords(language));
-                    if (const SaveResult drawn = savePicture(imageOfSvg(svg, kGraphScale), graph); !drawn) {
-                      return finish(drawn);
-                    }
-                    const PlanWords words(language, [](double metres) { return lengthText(metres).toStdString(); });
-                    const auto timing = planTiming(*content->plan, *content->product, content->times);
-                    const StudyReport report =
-                        workInstruction({*content->plan, *content->product, content->name, content->deviation,
-                                         content->checks, content->exploded, graph.toStdString(), content->pictures,
-                                         timing ? std::optional(*timing) : std::nullopt},
-                                        words);
-                    return finish(saveReport(report, content->file));
-                  });
-}
-
-void InstructionJob::end(const SaveResult& result) {
-  content_.reset();
-  if (const auto finished = std::exchange(finished_, nullptr)) finished(result);
+  if (const auto timing = planTiming(plan, *content.product, content.times)) report.timing = *timing;
+  return saveReport(planReport(report, words), content.file);
 }
 
 }  // namespace glissade

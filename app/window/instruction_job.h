@@ -1,23 +1,29 @@
 #pragma once
 
-#include <QTemporaryDir>
-
 #include <functional>
 #include <memory>
 #include <vector>
 
 #include "app/window/workbench.h"
 #include "engine/base/file_save.h"
-#include "engine/study/work_instruction.h"
+#include "engine/sequence/work_times.h"
+#include "engine/study/instruction/instruction_template.h"
+#include "engine/study/plan_words.h"
 #include "widgets/bridge/sequence_planner.h"
 
 namespace glissade {
 
 class SequenceController;
 
-/// Makes the work instruction of the plan that is shown, as HTML or PDF. Views are chosen and the file is written in
-/// the background; pictures are taken in the 3D view, one at each turn of the event loop, and the camera is as before
-/// afterwards. In scripts all of it is done at once.
+/// Which document is made of a plan.
+enum class PlanDocument {
+  Instruction,  ///< for the line: what is done, with what, and how it looks
+  Report        ///< for engineers: motions, clearances, allowances, checks, times
+};
+
+/// Makes a document of the plan that is shown, as HTML or PDF, in the background. Its pictures are drawn from the
+/// product: the camera, sections and hidden bodies of the window have no part in them. In scripts all of it is done at
+/// once.
 class InstructionJob final : public QObject {
   Q_OBJECT
 
@@ -25,37 +31,32 @@ class InstructionJob final : public QObject {
   InstructionJob(const Workbench& bench, SequenceController& sequence);
 
   using Finished = std::function<void(const SaveResult&)>;
-  /// A job that is under way ends without its file. Errors: those of writing; Usage where the plan has changed
-  /// meanwhile.
-  void start(const QString& file, Finished finished);
+  /// A job that is under way ends without its file. Errors: those of writing and of the logo; Interrupted where it was
+  /// cancelled. A warning says where an instruction as HTML has no 3D view.
+  void start(PlanDocument document, const QString& file, Finished finished);
 
  private:
-  /// What the file is made of; read by the worker, which is the only one then.
+  /// What the document is made of; read by the worker.
   struct Content {
     PlanPtr plan;
     ProductPtr product;
     std::vector<StepCheck> checks;
-    std::string name;
+    std::string title;
     double deviation = 0.0;
     WorkTimes times;
+    InstructionTemplate look;
+    Paper paper = Paper::A4;
+    Language language = Language::English;
     QString file;
-    QTemporaryDir folder;
-    std::vector<Vector3> toEye;  ///< of each step
-    std::string exploded;
-    std::vector<std::string> pictures;
+
+    PlanWords words() const;
   };
 
-  void chooseViews();
-  void takePictures();
-  SaveResult takeNextPicture();
-  SaveResult takePicture(const QString& name, std::string& file);
-  void write();
-  void end(const SaveResult& result);
+  SaveResult writeInstruction(const Content& content, const WorkWatch& watch) const;
+  SaveResult writeReport(Content& content, const WorkWatch& watch) const;
 
   const Workbench& bench_;
   SequenceController& sequence_;
-  std::shared_ptr<Content> content_;
-  Finished finished_;
 };
 
 }  // namespace glissade

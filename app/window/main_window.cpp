@@ -119,8 +119,8 @@ void MainWindow::addParts() {
   new SweepController(bench_);
   auto* kept = new KeptPathsController(bench_);
   auto* log = new LogController(bench_);
-  auto* sequence = new SequenceController(bench_);
-  times_ = new TimesController(bench_, *sequence);
+  sequence_ = new SequenceController(bench_);
+  new TimesController(bench_, *sequence_);
   new ManualController(bench_);
 
   docks_.add({tr("Interaction"), "interaction", run->interactionPanel(), DockPlace::Left});
@@ -137,7 +137,7 @@ void MainWindow::addParts() {
   docks_.add({tr("Paths"), "paths", kept->panel(), DockPlace::LowerRight, "panel.paths", Scrolling::Own});
   docks_.add(
       {tr("Log"), "log", log->panel(), DockPlace::LowerRight, "panel.log", Scrolling::Own, [] { return false; }});
-  docks_.add({tr("Sequence"), "sequence", sequence->panel(), DockPlace::LowerRight, "panel.sequence", Scrolling::Own});
+  docks_.add({tr("Sequence"), "sequence", sequence_->panel(), DockPlace::LowerRight, "panel.sequence", Scrolling::Own});
   docks_.add({tr("Difficulty"), "difficulty", difficulty->panel(), DockPlace::LowerRight, "panel.difficulty",
               Scrolling::Own, [difficulty] { return difficulty->difficulty() != nullptr; }});
   docks_.orderTabStops();
@@ -199,7 +199,7 @@ void MainWindow::remember(std::unique_ptr<WindowMemory> memory, bool sizeToo) {
   dialogs_.setMemory(memory_.get());
   views_->setMemory(memory_.get());
   path_->remember(*memory_);
-  times_->remember(*memory_);
+  sequence_->remember(*memory_);
   memory_->restoreLayout(*this, sizeToo);
   memory_->restoreChoices(actions_);
   preferences_->remember(*memory_);

@@ -12,7 +12,7 @@ class PathController;
 class NamedViewsController;
 class PreferencesController;
 class RecordingController;
-class TimesController;
+class SequenceController;
 class WindowMemory;
 
 /// The workbench: the 3D view in the middle, panels around it, one document and one session behind it. It makes the
@@ -63,7 +63,7 @@ class MainWindow final : public QMainWindow {
   PathController* path_ = nullptr;
   RecordingController* recordings_ = nullptr;
   PreferencesController* preferences_ = nullptr;
-  TimesController* times_ = nullptr;
+  SequenceController* sequence_ = nullptr;
   QWidget* replayBar_ = nullptr;
   std::unique_ptr<WindowMemory> memory_;  ///< null: nothing is remembered
 };

@@ -7,7 +7,9 @@
 #include <cmath>
 #include <utility>
 
+#include "app/window/instruction_controller.h"
 #include "app/window/panel_docks.h"
+#include "app/window/product_name.h"
 #include "app/window/sequence_output.h"
 #include "app/window/sequence_script.h"
 #include "engine/scenario/plan_file.h"
@@ -17,6 +19,7 @@
 #include "engine/sequence/exploded_view.h"
 #include "engine/sequence/plan_bodies.h"
 #include "engine/study/plan_graph.h"
+#include "widgets/commands/diagnostic_text.h"
 #include "widgets/commands/window_language.h"
 #include "widgets/studies/plan_graph_view.h"
 
@@ -54,7 +57,7 @@ SequenceController::SequenceController(const Workbench& bench)
     : QObject(&bench.window),
       bench_(bench),
       panel_(new SequencePanel(bench.actions, &bench.window)),
-      instruction_(new InstructionJob(bench, *this)),
+      instructions_(new InstructionController(bench, *this)),
       film_(bench.work, [&bench] { return bench.scene.picture(kFilmPicture); }),
       edits_(new SequenceEdits(bench, *this)),
       hand_(new SequenceHand(bench, *this)) {
@@ -382,23 +385,21 @@ void SequenceController::showStuck(const QString& bodyId) {
   bench_.document.semantics().select(selection);
 }
 
-/// A scenario made of parts is named as the part that moves, which is no name of the product.
+void SequenceController::remember(WindowMemory& memory) {
+  workTimes_.remember(memory);
+  instructions_->remember(memory);
+}
+
 std::string SequenceController::productName() const {
-  const ScenarioPtr& scenario = bench_.document.scenario();
-  const Scenario& content = scenario->scenario;
-  if (!content.name.empty() && content.name != content.object.first().name) return content.name;
-  const bool assets = scenario->file.empty() && !content.assets.empty();
-  const std::string& file = assets ? content.assets.front().path : scenario->file;
-  const std::string stem = QFileInfo(QString::fromStdString(file)).completeBaseName().toStdString();
-  return stem.empty() ? content.name : stem;
+  return nameOfProduct(*bench_.document.scenario(), *presentProduct());
 }
 
 void SequenceController::exportTo(const QString& file, const InstructionJob::Finished& finished) {
-  if (!shown().plan || shown().plan->steps.empty()) {
+  if (isDocument(file)) {
+    instructions_->write(PlanDocument::Instruction, file, finished);
+  } else if (!shown().plan || shown().plan->steps.empty()) {
     finished(
         notSaved({ErrorKind::Usage, file.toStdString(), "", "there is no plan to write", "Plan the sequence first."}));
-  } else if (isInstruction(file)) {
-    instruction_->start(file, finished);
   } else if (isFilm(file)) {
     film(file, finished);
   } else {
@@ -431,15 +432,31 @@ void SequenceController::chooseExport() {
 }
 
 void SequenceController::exportAndTell(const QString& file) {
-  exportTo(file, [this, file](const SaveResult& saved) {
-    if (!saved && saved.why.kind == ErrorKind::Interrupted) {
-      bench_.messages.showStatus(tr("The film was cancelled"));
-    } else if (!saved) {
-      bench_.messages.showError(tr("The assembly plan cannot be saved"), saved.why);
-    } else {
-      bench_.messages.showStatus(tr("The assembly plan was saved as %1").arg(file));
-    }
-  });
+  exportTo(file, [this, file](const SaveResult& saved) { tell(file, saved); });
+}
+
+void SequenceController::tell(const QString& file, const SaveResult& saved) {
+  if (!saved && saved.why.kind == ErrorKind::Interrupted) {
+    bench_.messages.showStatus(tr("%1 was cancelled").arg(QFileInfo(file).fileName()));
+  } else if (!saved) {
+    bench_.messages.showError(tr("The assembly plan cannot be saved"), saved.why);
+  } else {
+    QStringList text{tr("%1 was saved").arg(file)};
+    for (const Diagnostic& warning : saved.warnings) text << diagnosticText(warning);
+    bench_.messages.showStatus(text.join(QStringLiteral(". ")));
+  }
+}
+
+Outcome SequenceController::written(const std::string& file,
+                                    const std::function<void(const InstructionJob::Finished&)>& write) {
+  if (!bench_.work.isAtOnce()) {
+    write([this, file](const SaveResult& saved) { tell(QString::fromStdString(file), saved); });
+    return Done{};
+  }
+  SaveResult result = notSaved({ErrorKind::Usage, file, "", "is not written yet", "Wait."});
+  write([&result](const SaveResult& saved) { result = saved; });
+  if (result) tell(QString::fromStdString(file), result);
+  return outcomeOf(result);
 }
 
 void SequenceController::enableActions() {
@@ -456,6 +473,7 @@ void SequenceController::enableActions() {
   bench_.enable("sequence.play", steps);
   bench_.enable("sequence.show-product", steps);
   bench_.enable("sequence.graph", steps || (plan && !plan->stuck.empty()));
+  instructions_->enableActions();
   bench_.enable("sequence.stays", !bench_.document.semantics().selection().bodies.empty());
 }
 

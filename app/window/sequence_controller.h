@@ -14,7 +14,9 @@
 
 namespace glissade {
 
+class InstructionController;
 class PlanGraphView;
+class WindowMemory;
 
 /// The assembly plan of the product that is open: planned on a worker, shown and played in the scene, read from files
 /// and written into them, and kept by the document. It holds for one arrangement; in another one its steps are judged
@@ -42,13 +44,21 @@ class SequenceController final : public QObject {
   void chooseLater(const std::string& body) { chosenLater_ = body; }
   /// Reads a plan of the product that is open and judges it; nothing on success.
   std::optional<Diagnostic> open(const QString& file);
+  /// The table of times and the template of work instructions become those that are remembered, and are remembered.
+  void remember(WindowMemory& memory);
+  /// The documents that are made of plans.
+  InstructionController& instructions() { return *instructions_; }
   /// Plans as JSON, as the command line writes them; steps as CSV, an animation as GLB, a work instruction as HTML or
   /// PDF, a film as MP4, WebM or a series of pictures, by the ending of the file.
   /// `finished` is called when it is done: at once, or later for a work instruction and a film.
   void exportTo(const QString& file, const InstructionJob::Finished& finished);
   /// The same; a message says what came of it.
   void exportAndTell(const QString& file);
-  /// The name of the scenario, of its file, or of the file that its parts come from.
+  /// Says what has come of a file of the plan.
+  void tell(const QString& file, const SaveResult& saved);
+  /// For scripts: what a file that `write` writes comes to, at once; on screen a message says so later.
+  Outcome written(const std::string& file, const std::function<void(const InstructionJob::Finished&)>& write);
+  /// The root of the product, the name of the scenario, or that of its file or of its parts.
   std::string productName() const;
   /// The scene as the panel's sliders have it.
   void showPanelsScene();
@@ -99,7 +109,7 @@ class SequenceController final : public QObject {
   PlanPlayback playback_;
   std::vector<Vector3> offsets_;  ///< of the exploded view
   PlanGraphView* graph_ = nullptr;
-  InstructionJob* instruction_;
+  InstructionController* instructions_;
   FilmJob film_;
   std::vector<ShownPlan> memory_;  ///< plans of this scenario, the last ones: for undo
   std::string chosenLater_;        ///< id; empty: the row stays

@@ -30,7 +30,7 @@ SaveResult writeSequence(const ShownPlan& shown, PlanOrder order, const std::str
                    "Choose one of: .json, .csv, .glb, .html, .pdf, .mp4, .webm, .png."});
 }
 
-bool isInstruction(const QString& file) {
+bool isDocument(const QString& file) {
   const QString ending = endingOfFile(file);
   return ending == QLatin1String("html") || ending == QLatin1String("pdf");
 }

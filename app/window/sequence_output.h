@@ -13,7 +13,7 @@ namespace glissade {
 SaveResult writeSequence(const ShownPlan& shown, PlanOrder order, const std::string& product, const std::string& name,
                          const QString& file);
 
-/// The file is a work instruction: .html or .pdf.
-bool isInstruction(const QString& file);
+/// The file is a document: .html or .pdf.
+bool isDocument(const QString& file);
 
 }  // namespace glissade

@@ -76,15 +76,10 @@ void addSequenceCommands(const Workbench& bench, SequenceController& sequence) {
               [&sequence](const Words& words) { return expectSequence(sequence.shown(), words[0], words[1]); });
   scripts.add("open-sequence", 1,
               [&sequence](const Words& words) { return outcomeOf(sequence.open(QString::fromStdString(words[0]))); });
-  scripts.add("export-sequence", 1, [&bench, &sequence](const Words& words) -> Outcome {
-    // On screen the pictures are taken at later turns of the event loop.
-    if (!bench.work.isAtOnce()) {
-      sequence.exportAndTell(QString::fromStdString(words[0]));
-      return Done{};
-    }
-    SaveResult saved = notSaved({ErrorKind::Usage, words[0], "", "is not written yet", "Wait."});
-    sequence.exportTo(QString::fromStdString(words[0]), [&saved](const SaveResult& result) { saved = result; });
-    return outcomeOf(saved);
+  scripts.add("export-sequence", 1, [&sequence](const Words& words) {
+    return sequence.written(words[0], [&](const InstructionJob::Finished& finished) {
+      sequence.exportTo(QString::fromStdString(words[0]), finished);
+    });
   });
   scripts.add("show-step", 1, [&panel](const Words& words) -> Outcome {
     const std::size_t steps = panel.shown().plan ? panel.shown().plan->steps.size() : 0;

@@ -23,7 +23,6 @@ class TimesController final : public QObject {
   /// Takes the table from a file, or writes it; nothing on success.
   std::optional<Diagnostic> openTable(const QString& file);
   std::optional<Diagnostic> saveTable(const QString& file);
-  void remember(WindowMemory& memory) { table().remember(memory); }
 
  private:
   void makeView();

@@ -27,6 +27,7 @@ const QLatin1String kAutosave("preferences/autosave-seconds");
 const QLatin1String kTheme("preferences/theme");
 const QLatin1String kColours("preferences/colours/");
 const QLatin1String kGhosts("path/ghosts-");
+const QLatin1String kInstructionTemplate("instruction-template");
 const QLatin1String kWorkTimes("work-times/");
 const QLatin1String kChoices("choices/");
 const QLatin1String kShortcuts("shortcuts/");
@@ -60,7 +61,8 @@ std::vector<QLatin1String> choiceIds() {
     const QLatin1String id(spec.id);
     if (id.startsWith(QLatin1String("navigation.")) || id == QLatin1String("view.orthographic") ||
         id == QLatin1String("display.depth-shading") || id == QLatin1String("path.follow") ||
-        id == QLatin1String("section.handles") || id == QLatin1String("layer.grid")) {
+        id == QLatin1String("section.handles") || id == QLatin1String("layer.grid") ||
+        id == QLatin1String("instruction.letter")) {
       ids.push_back(id);
     }
   }
@@ -181,6 +183,10 @@ void WindowMemory::saveWorkTimes(const WorkTimes& times) {
     }
   }
 }
+
+QString WindowMemory::instructionTemplate() const { return settings_.value(kInstructionTemplate).toString(); }
+
+void WindowMemory::saveInstructionTemplate(const QString& file) { settings_.setValue(kInstructionTemplate, file); }
 
 ThemeChoice WindowMemory::theme() const {
   const QString name = settings_.value(kTheme).toString();

@@ -13,9 +13,9 @@
 namespace glissade {
 
 /// What the window remembers from one start to the next: the files opened last, the folders of its dialogs, where its
-/// panels lie, and a user's choices: ghosts along paths, the table of work times, language, size of texts, unit of
-/// lengths, colours, theme, navigation, perspective, shortcuts. Kept as the platform keeps settings. Scripts and
-/// pictures have none.
+/// panels lie, and a user's choices: ghosts along paths, the table of work times, the template of work instructions,
+/// language, size of texts, unit of lengths, colours, theme, navigation, perspective, shortcuts. Kept as the platform
+/// keeps settings. Scripts and pictures have none.
 class WindowMemory {
  public:
   /// The user's own.
@@ -47,6 +47,10 @@ class WindowMemory {
   WorkTimes workTimes() const;
   /// Only what differs from the defaults.
   void saveWorkTimes(const WorkTimes& times);
+
+  /// Absolute path of the template of work instructions; empty: none.
+  QString instructionTemplate() const;
+  void saveInstructionTemplate(const QString& file);
 
   Preferences preferences() const;
   void savePreferences(const Preferences& preferences);

@@ -1,6 +1,5 @@
 #include "engine/sequence/step_view.h"
 
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -10,20 +9,21 @@
 namespace glissade {
 namespace {
 
-/// The usual direction first; corners from above before those from below.
-const std::array<Vector3, 8> kDirections{{{-1.0, -1.2, 0.9},
-                                          {1.2, -1.0, 0.9},
-                                          {1.0, 1.2, 0.9},
-                                          {-1.2, 1.0, 0.9},
-                                          {-1.0, -1.2, -0.7},
-                                          {1.2, -1.0, -0.7},
-                                          {1.0, 1.2, -0.7},
-                                          {-1.2, 1.0, -0.7}}};
-constexpr std::array<double, 8> kPreference{1.0, 0.97, 0.97, 0.97, 0.8, 0.8, 0.8, 0.8};
+/// From the corner at the front on the left, above.
+const Vector3 kFirstCorner(-1.0, -1.2, 0.9);
+/// How much another viewpoint counts beside the one before, by what it asks of the person.
+constexpr double kQuarterTurn = 0.9;
+constexpr double kHalfTurn = 0.85;
+constexpr double kTurnOver = 0.8;
+/// The viewpoint stays while its score is so much of the best one.
+constexpr double kGoodEnough = 0.6;
 /// Points of a surface that are looked at.
 constexpr std::size_t kSamples = 160;
 /// How much a motion counts that is seen from the side.
 constexpr double kMotionShare = 0.4;
+/// How much a viewpoint counts in which the part would have to be brought from below.
+constexpr double kFromBelow = 0.5;
+constexpr double kSteep = 0.7;  // sine of the slope of such a motion
 
 struct SurfacePoint {
   Vector3 p_W;
@@ -48,6 +48,14 @@ std::vector<SurfacePoint> surfacePoints(const RigidBody& body) {
 
 }  // namespace
 
+Vector3 Viewpoint::toEye() const {
+  const double angle = 0.5 * std::acos(-1.0) * quarter;
+  const Vector3 corner = Eigen::AngleAxisd(angle, Vector3::UnitZ()) * kFirstCorner.normalized();
+  return turnedOver ? Vector3(-corner) : corner;
+}
+
+Vector3 Viewpoint::up() const { return turnedOver ? Vector3(-Vector3::UnitZ()) : Vector3::UnitZ(); }
+
 const TriangleTree& StepView::treeOf(std::size_t body) {
   auto& tree = trees_[product_.bodies[body].mesh];
   if (!tree) tree = std::make_unique<const TriangleTree>(*product_.bodies[body].mesh);
@@ -64,7 +72,8 @@ bool StepView::isHidden(const Vector3& p_W, const BodySet& present, const Vector
   return false;
 }
 
-double StepView::seen(std::size_t body, const BodySet& present, const Vector3& toEye) {
+double StepView::shareSeen(std::size_t body, const BodySet& present, const Viewpoint& from) {
+  const Vector3 toEye = from.toEye();
   double visible = 0.0;
   double whole = 0.0;
   for (const SurfacePoint& point : surfacePoints(product_.bodies[body])) {
@@ -76,35 +85,34 @@ double StepView::seen(std::size_t body, const BodySet& present, const Vector3& t
   return whole > 0.0 ? visible / whole : 0.0;
 }
 
-Vector3 StepView::directionToEye(const AssemblyStep& step, const BodySet& present) {
-  const Vector3 motion = exitDirection(step.path);
-  const std::size_t body = bodiesOf(step, product_).front();
-  double best = -1.0;
-  Vector3 chosen = kDirections.front().normalized();
-  for (std::size_t i = 0; i < kDirections.size(); ++i) {
-    const Vector3 toEye = kDirections[i].normalized();
-    const double aside = motion.cross(toEye).norm();
-    const double score =
-        kPreference[i] * (1.0 - kMotionShare + kMotionShare * aside) * (0.05 + seen(body, present, toEye));
-    if (score <= best) continue;
-    best = score;
-    chosen = toEye;
+/// Of the steps, the mean: how much of their bodies is seen, and their motion from the side.
+double StepView::score(const std::vector<AssemblyStep>& steps, const BodySet& present, const Viewpoint& from) {
+  double sum = 0.0;
+  for (const AssemblyStep& step : steps) {
+    const Vector3 exit = exitDirection(step.path);
+    const double aside = exit.cross(from.toEye()).norm();
+    const double handling = exit.dot(from.up()) < -kSteep ? kFromBelow : 1.0;
+    const double seen = shareSeen(bodiesOf(step, product_).front(), present, from);
+    sum += handling * (1.0 - kMotionShare + kMotionShare * aside) * (0.05 + seen);
   }
-  return chosen;
+  return steps.empty() ? 0.0 : sum / static_cast<double>(steps.size());
 }
 
-std::vector<Vector3> directionsToEye(const AssemblyPlan& plan, const AssembledProduct& product,
-                                     const WorkWatch& watch) {
-  StepView view(product);
-  BodySet present(product.bodies.size(), true);
-  std::vector<Vector3> directions;
-  for (const AssemblyStep& step : plan.steps) {
-    if (watch.stop.stopRequested()) return directions;
-    directions.push_back(view.directionToEye(step, present));
-    for (const std::size_t body : bodiesOf(step, product)) present[body] = false;
-    watch.report(static_cast<double>(directions.size()) / static_cast<double>(plan.steps.size()));
+Viewpoint StepView::choose(const std::vector<AssemblyStep>& steps, const BodySet& present, const Viewpoint& before) {
+  const double kept = score(steps, present, before);
+  Viewpoint chosen = before;
+  double best = kept;
+  for (const int quarters : {0, 1, 3, 2}) {
+    for (const bool over : {false, true}) {
+      const Viewpoint other{(before.quarter + quarters) % 4, before.turnedOver != over};
+      const double turning = quarters == 0 ? 1.0 : quarters == 2 ? kHalfTurn : kQuarterTurn;
+      const double value = turning * (over ? kTurnOver : 1.0) * score(steps, present, other);
+      if (value <= best) continue;
+      best = value;
+      chosen = other;
+    }
   }
-  return directions;
+  return kept >= kGoodEnough * best ? before : chosen;
 }
 
 }  // namespace glissade

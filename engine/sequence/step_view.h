@@ -3,35 +3,45 @@
 #include <map>
 #include <memory>
 
-#include "engine/base/work_watch.h"
 #include "engine/geometry/triangle_tree.h"
 #include "engine/sequence/assembly_plan.h"
 #include "engine/sequence/body_group.h"
 
 namespace glissade {
 
-/// Chooses from where a step of a plan is looked at. Refers to the product.
+/// From where a product is looked at: one of eight corners. Where the product is turned over, its underside is up.
+struct Viewpoint {
+  int quarter = 0;  ///< quarter turns of the eye about +z, from 0 to 3
+  bool turnedOver = false;
+
+  /// Unit direction from the product to the eye, world frame.
+  Vector3 toEye() const;
+  /// World frame; not perpendicular to toEye().
+  Vector3 up() const;
+
+  bool operator==(const Viewpoint&) const = default;
+};
+
+/// Chooses from where steps of a plan are looked at. Refers to the product.
 class StepView {
  public:
   explicit StepView(const AssembledProduct& product) : product_(product) {}
 
-  /// Unit direction from the scene to the eye, world frame: of some directions the one from which most of the moving
-  /// body is seen where it is assembled, and its motion from the side. `present`: bodies that are there.
-  Vector3 directionToEye(const AssemblyStep& step, const BodySet& present);
+  /// The viewpoint of the step before, unless another one shows the bodies that come much better: then the one that
+  /// shows most of them where they are assembled, and their motion from the side and not from below, with few turns of
+  /// the product.
+  /// `steps`: what comes; `present`: all bodies that are there then, those that come among them.
+  Viewpoint choose(const std::vector<AssemblyStep>& steps, const BodySet& present, const Viewpoint& before);
+  /// Share of the surface that faces the eye which no other body hides, from 0 to 1.
+  double shareSeen(std::size_t body, const BodySet& present, const Viewpoint& from);
 
  private:
   const TriangleTree& treeOf(std::size_t body);
-  /// Share of the body's surface that is seen from the direction.
-  double seen(std::size_t body, const BodySet& present, const Vector3& toEye);
   bool isHidden(const Vector3& p_W, const BodySet& present, const Vector3& toEye);
+  double score(const std::vector<AssemblyStep>& steps, const BodySet& present, const Viewpoint& from);
 
   const AssembledProduct& product_;
   std::map<MeshPtr, std::unique_ptr<const TriangleTree>> trees_;
 };
-
-/// Of each step of a plan, while the bodies are there that have not left before it. Ends early where it is asked to
-/// stop. Precondition: the plan is about the product.
-std::vector<Vector3> directionsToEye(const AssemblyPlan& plan, const AssembledProduct& product,
-                                     const WorkWatch& watch = {});
 
 }  // namespace glissade

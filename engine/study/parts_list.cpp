@@ -1,10 +1,12 @@
 #include "engine/study/parts_list.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <tuple>
 
+#include "engine/geometry/mesh_volume.h"
 #include "engine/study/plan_words.h"
 
 namespace glissade {
@@ -27,6 +29,58 @@ void addDesignations(const std::vector<SubassemblyLine>& lines, TextsById& desig
   }
 }
 
+/// What two meshes of one part have in common wherever their files have them: counts, and area and volume up to
+/// rounding.
+class Shape {
+ public:
+  explicit Shape(const TriangleMesh& mesh)
+      : vertices_(mesh.vertices.size()), triangles_(mesh.triangles.size()), volume_(signedVolume(mesh)) {
+    for (const auto& [a, b, c] : mesh.triangles) {
+      area_ += 0.5 * (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]).norm();
+    }
+  }
+  bool operator==(const Shape& other) const {
+    constexpr double kRounding = 1e-6;  // of the size of each
+    const double length = std::sqrt(area_);
+    return vertices_ == other.vertices_ && triangles_ == other.triangles_ &&
+           std::abs(area_ - other.area_) <= kRounding * area_ &&
+           std::abs(volume_ - other.volume_) <= kRounding * length * length * length;
+  }
+
+ private:
+  std::size_t vertices_;
+  std::size_t triangles_;
+  double area_ = 0.0;
+  double volume_;
+};
+
+/// The same number for meshes of one shape.
+class Shapes {
+ public:
+  std::size_t numberOf(const MeshPtr& mesh) {
+    const auto known = numbers_.find(mesh);
+    if (known != numbers_.end()) return known->second;
+    const Shape shape(*mesh);
+    const auto same = std::find(shapes_.begin(), shapes_.end(), shape);
+    const auto number = static_cast<std::size_t>(same - shapes_.begin());
+    if (same == shapes_.end()) shapes_.push_back(shape);
+    numbers_.emplace(mesh, number);
+    return number;
+  }
+
+ private:
+  std::vector<Shape> shapes_;
+  std::map<MeshPtr, std::size_t> numbers_;
+};
+
+/// The name without a counter at its end: "nut" of "nut-2". Parts of one shape have it in common.
+std::string stemOf(const std::string& name) {
+  const std::size_t digits = name.find_last_not_of("0123456789");
+  if (digits == std::string::npos || digits + 1 == name.size()) return name;
+  const std::size_t end = name.find_last_not_of("-_ .:", digits);
+  return end == std::string::npos || end == digits ? name : name.substr(0, end + 1);
+}
+
 /// Numbers of steps in the order of assembly.
 std::map<std::string, std::size_t> stepsByBody(const AssemblyPlan& plan) {
   std::map<std::string, std::size_t> steps;
@@ -45,17 +99,23 @@ std::vector<PartsListRow> partsList(const AssemblyPlan& plan, const AssembledPro
   const std::map<std::string, std::size_t> stepOf = stepsByBody(plan);
   const std::set<std::string> base(plan.staying.begin(), plan.staying.end());
   std::vector<PartsListRow> rows;
-  std::map<std::tuple<std::string, MeshPtr, std::string>, std::size_t> known;
+  Shapes shapes;
+  constexpr std::size_t kAnyShape = static_cast<std::size_t>(-1);  // of fasteners of one designation
+  std::map<std::tuple<std::string, std::size_t, std::string>, std::size_t> known;
   for (const RigidBody& body : product.bodies) {
     const auto said = designations.find(body.id);
     const std::string designation = said == designations.end() ? std::string() : said->second;
     const std::string name = kindOfPart(body.name);
     const bool isDesignated = !designation.empty();
-    const auto [at, isNew] = known.emplace(
-        std::tuple(designation, isDesignated ? nullptr : body.mesh, isDesignated ? std::string() : name), rows.size());
-    if (isNew) rows.push_back({name, designation});
+    const auto [at, isNew] =
+        known.emplace(std::tuple(designation, isDesignated ? kAnyShape : shapes.numberOf(body.mesh),
+                                 isDesignated ? std::string() : stemOf(name)),
+                      rows.size());
+    if (isNew) rows.push_back({name, {}, designation});
     PartsListRow& row = rows[at->second];
+    if (row.name != name && !isDesignated) row.name = stemOf(name);
     ++row.count;
+    row.bodies.push_back(body.id);
     const auto step = stepOf.find(body.id);
     if (base.count(body.id) != 0) {
       row.hasBase = true;
@@ -73,6 +133,14 @@ std::vector<PartsListRow> partsList(const AssemblyPlan& plan, const AssembledPro
     return a.designation < b.designation;  // empty ones first
   });
   return rows;
+}
+
+std::string stepsText(const PartsListRow& row, const StudyWords& words) {
+  std::string steps = row.hasBase ? words("base") : std::string();
+  const auto add = [&](const std::string& text) { steps += (steps.empty() ? "" : ", ") + text; };
+  for (const std::size_t step : row.steps) add(std::to_string(step));
+  if (row.withoutStep > 0) add("–");
+  return steps;
 }
 
 }  // namespace glissade

@@ -73,7 +73,8 @@ std::string planAsCsv(const AssemblyPlan& plan, const AssembledProduct& product,
                 "nearest", "allowance_m", "wave", "blocked_by", "tool", "standing", "forced_although"});
   const std::size_t steps = plan.steps.size();
   for (std::size_t i = 0; i < steps; ++i) {
-    addStep(table, plan.steps[order == PlanOrder::Assembly ? steps - 1 - i : i], i + 1, product, order);
+    const std::size_t step = order == PlanOrder::Assembly ? steps - 1 - i : i;
+    addStep(table, plan.steps[step], steps - step, product, order);
   }
   for (const StuckBody& stuck : plan.stuck) addStuck(table, stuck, product);
   return table.content();

@@ -65,10 +65,14 @@ std::string PlanWords::someOf(const std::vector<std::string>& ids, const Assembl
   return ids.size() <= kNamed ? text : words_("%1 and %2 more", {text, std::to_string(ids.size() - kNamed)});
 }
 
-std::string PlanWords::tool(const AssemblyStep& step, const AssembledProduct& product) const {
+std::string PlanWords::toolName(const AssemblyStep& step) const {
   static constexpr std::array<const char*, 5> kTools{"", "hex key", "socket", "screwdriver", "open wrench"};
   if (step.tool.kind == ToolKind::None) return {};
-  const std::string name = words_(kTools[static_cast<std::size_t>(step.tool.kind)]) + sizeOfTool(step);
+  return words_(kTools[static_cast<std::size_t>(step.tool.kind)]) + sizeOfTool(step);
+}
+
+std::string PlanWords::tool(const AssemblyStep& step, const AssembledProduct& product) const {
+  const std::string name = toolName(step);
   if (step.tool.access != ToolAccess::Blocked) return name;
   return words_("%1, blocked by %2", {name, someOf(step.tool.blockedBy, product)});
 }

@@ -33,7 +33,9 @@ class PlanWords {
   std::vector<std::string> joints(const AssemblyStep& step, const AssembledProduct& product, PlanOrder order) const;
   /// What a fitter does in a step, in one line: joints(), or the motion where nothing is joined.
   std::string work(const AssemblyStep& step, const AssembledProduct& product, PlanOrder order) const;
-  /// "hex key 2.5"; "socket 13, blocked by plate"; empty where the step needs none.
+  /// "hex key 2.5"; empty where the step needs none.
+  std::string toolName(const AssemblyStep& step) const;
+  /// The same, with what is in its way: "socket 13, blocked by plate".
   std::string tool(const AssemblyStep& step, const AssembledProduct& product) const;
   /// "hold rod, bolt and 3 more"; empty where nothing falls.
   std::string standing(const AssemblyStep& step, const AssembledProduct& product) const;

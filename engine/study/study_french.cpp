@@ -81,7 +81,7 @@ const std::map<std::string_view, std::string_view>& studyFrench() {
       {"overlap", "recouvrement"},
       {"contact", "contact"},
       {"clash", "interférence"},
-      {"Work instruction: %1", "Gamme de montage : %1"},
+      {"Report of the sequence: %1", "Rapport de la séquence : %1"},
       {"Product", "Produit"},
       {"Parts to assemble", "Pièces à monter"},
       {"Assembly steps", "Étapes du montage"},

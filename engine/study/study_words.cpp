@@ -1,8 +1,20 @@
 #include "engine/study/study_words.h"
 
+#include "engine/study/instruction/instruction_french.h"
 #include "engine/study/study_french.h"
 
 namespace glissade {
+namespace {
+
+/// Nothing where there is no translation.
+std::optional<std::string_view> inFrench(std::string_view english) {
+  for (const auto* sentences : {&studyFrench(), &instructionFrench()}) {
+    if (const auto found = sentences->find(english); found != sentences->end()) return found->second;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
 
 std::optional<Language> languageOf(std::string_view code) {
   if (code == "en") return Language::English;
@@ -13,15 +25,11 @@ std::optional<Language> languageOf(std::string_view code) {
 const char* code(Language language) { return language == Language::French ? "fr" : "en"; }
 
 bool StudyWords::knows(std::string_view english) const {
-  return language_ == Language::English || studyFrench().count(english) != 0;
+  return language_ == Language::English || inFrench(english).has_value();
 }
 
 std::string StudyWords::operator()(std::string_view english, std::initializer_list<std::string> arguments) const {
-  std::string_view sentence = english;
-  if (language_ == Language::French) {
-    const auto found = studyFrench().find(english);
-    if (found != studyFrench().end()) sentence = found->second;
-  }
+  const std::string_view sentence = language_ == Language::French ? inFrench(english).value_or(english) : english;
   std::string text;
   for (std::size_t i = 0; i < sentence.size(); ++i) {
     const bool place =

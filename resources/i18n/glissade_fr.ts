@@ -1866,6 +1866,38 @@
         <source>Bring the table of joints to the front</source>
         <translation>Mettre le tableau des liaisons au premier plan</translation>
     </message>
+    <message>
+        <source>Report of the se&amp;quence...</source>
+        <translation>Rapport de la sé&amp;quence...</translation>
+    </message>
+    <message>
+        <source>Save what an engineer reads of the plan: motions, clearances, allowances, checks and times</source>
+        <translation>Enregistrer ce qu&apos;un ingénieur lit du plan : mouvements, jeux, amincissements, vérifications et temps</translation>
+    </message>
+    <message>
+        <source>Work instructions on &amp;Letter paper</source>
+        <translation>Gammes de montage sur &amp;papier Letter</translation>
+    </message>
+    <message>
+        <source>Lay out work instructions for sheets of US Letter, or for A4</source>
+        <translation>Mettre en page les gammes de montage pour des feuilles US Letter, ou A4</translation>
+    </message>
+    <message>
+        <source>Te&amp;mplate of work instructions...</source>
+        <translation>&amp;Modèle des gammes de montage...</translation>
+    </message>
+    <message>
+        <source>Choose a file with the logo, columns, language and paper of work instructions</source>
+        <translation>Choisir un fichier avec le logo, les colonnes, la langue et le papier des gammes de montage</translation>
+    </message>
+    <message>
+        <source>Work &amp;instructions without a template</source>
+        <translation>Gammes de montage sans mo&amp;dèle</translation>
+    </message>
+    <message>
+        <source>Write work instructions in the language of the window, without a logo</source>
+        <translation>Écrire les gammes de montage dans la langue de la fenêtre, sans logo</translation>
+    </message>
 </context>
 <context>
     <name>Arranging</name>
@@ -2357,14 +2389,6 @@
     <message>
         <source>Start it again.</source>
         <translation>Recommencez.</translation>
-    </message>
-    <message>
-        <source>the plan has changed meanwhile</source>
-        <translation>le plan a changé entre-temps</translation>
-    </message>
-    <message>
-        <source>Save it again.</source>
-        <translation>Enregistrez-le de nouveau.</translation>
     </message>
     <message>
         <source>another object moves now</source>
@@ -6158,6 +6182,98 @@
         <source>its hooks bend by %1 when it leaves along a line</source>
         <translation>ses crochets fléchissent de %1 quand il part en ligne droite</translation>
     </message>
+    <message>
+        <source>the document was cancelled</source>
+        <translation>le document a été annulé</translation>
+    </message>
+    <message>
+        <source>documents are not written in this format</source>
+        <translation>les documents ne sont pas écrits dans ce format</translation>
+    </message>
+    <message>
+        <source>Choose .html or .pdf.</source>
+        <translation>Choisissez .html ou .pdf.</translation>
+    </message>
+    <message>
+        <source>is a picture that cannot be read</source>
+        <translation>est une image illisible</translation>
+    </message>
+    <message>
+        <source>Save the logo as PNG again.</source>
+        <translation>Enregistrez de nouveau le logo en PNG.</translation>
+    </message>
+    <message>
+        <source>is no column of the parts list</source>
+        <translation>n&apos;est pas une colonne de la nomenclature</translation>
+    </message>
+    <message>
+        <source>Take picture, part, designation, count or steps.</source>
+        <translation>Prenez picture, part, designation, count ou steps.</translation>
+    </message>
+    <message>
+        <source>names no column</source>
+        <translation>ne nomme aucune colonne</translation>
+    </message>
+    <message>
+        <source>Name at least one column, or leave the member out.</source>
+        <translation>Nommez au moins une colonne, ou supprimez ce champ.</translation>
+    </message>
+    <message>
+        <source>is given twice</source>
+        <translation>est donné deux fois</translation>
+    </message>
+    <message>
+        <source>Name each column once.</source>
+        <translation>Nommez chaque colonne une fois.</translation>
+    </message>
+    <message>
+        <source>is not below the folder of the template</source>
+        <translation>n&apos;est pas sous le dossier du modèle</translation>
+    </message>
+    <message>
+        <source>Copy the picture beside the template and give its name.</source>
+        <translation>Copiez l&apos;image à côté du modèle et donnez son nom.</translation>
+    </message>
+    <message>
+        <source>is neither a PNG nor a JPEG picture</source>
+        <translation>n&apos;est une image ni PNG ni JPEG</translation>
+    </message>
+    <message>
+        <source>Save the logo as PNG.</source>
+        <translation>Enregistrez le logo en PNG.</translation>
+    </message>
+    <message>
+        <source>is no language of the instructions</source>
+        <translation>n&apos;est pas une langue des gammes</translation>
+    </message>
+    <message>
+        <source>Take en or fr.</source>
+        <translation>Prenez en ou fr.</translation>
+    </message>
+    <message>
+        <source>is no paper of the instructions</source>
+        <translation>n&apos;est pas un papier des gammes</translation>
+    </message>
+    <message>
+        <source>Take A4 or Letter.</source>
+        <translation>Prenez A4 ou Letter.</translation>
+    </message>
+    <message>
+        <source>the page has no 3D view, because the animation is too large</source>
+        <translation>la page n&apos;a pas de vue 3D, car l&apos;animation est trop grande</translation>
+    </message>
+    <message>
+        <source>Save the animation as GLB, and open it in a 3D viewer.</source>
+        <translation>Enregistrez l&apos;animation en GLB, et ouvrez-la dans une visionneuse 3D.</translation>
+    </message>
+    <message>
+        <source>the page has no 3D view, because three.js is not installed</source>
+        <translation>la page n&apos;a pas de vue 3D, car three.js n&apos;est pas installé</translation>
+    </message>
+    <message>
+        <source>Install the package libjs-three, and save the page again.</source>
+        <translation>Installez le paquet libjs-three, et enregistrez de nouveau la page.</translation>
+    </message>
 </context>
 <context>
     <name>FilmWriter</name>
@@ -8993,14 +9109,45 @@
     </message>
 </context>
 <context>
-    <name>glissade::InstructionJob</name>
+    <name>glissade::InstructionController</name>
     <message>
-        <source>Checking the steps and choosing the views</source>
-        <translation>Vérification des étapes et choix des points de vue</translation>
+        <source>Work instructions have no template</source>
+        <translation>Les gammes de montage n&apos;ont pas de modèle</translation>
     </message>
+    <message>
+        <source>Work instructions follow the template %1</source>
+        <translation>Les gammes de montage suivent le modèle %1</translation>
+    </message>
+    <message>
+        <source>The template of work instructions cannot be used</source>
+        <translation>Le modèle des gammes de montage ne peut pas être utilisé</translation>
+    </message>
+    <message>
+        <source>Save the report of the sequence</source>
+        <translation>Enregistrer le rapport de la séquence</translation>
+    </message>
+    <message>
+        <source>Web page (*.html);;PDF (*.pdf)</source>
+        <translation>Page Web (*.html);;PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Choose the template of work instructions</source>
+        <translation>Choisir le modèle des gammes de montage</translation>
+    </message>
+    <message>
+        <source>Templates (*.json);;All files (*)</source>
+        <translation>Modèles (*.json);;Tous les fichiers (*)</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::InstructionJob</name>
     <message>
         <source>Writing the work instruction</source>
         <translation>Écriture de la gamme de montage</translation>
+    </message>
+    <message>
+        <source>Writing the report of the sequence</source>
+        <translation>Écriture du rapport de la séquence</translation>
     </message>
 </context>
 <context>
@@ -11136,10 +11283,6 @@
 <context>
     <name>glissade::SequenceController</name>
     <message>
-        <source>The film was cancelled</source>
-        <translation>Le film a été annulé</translation>
-    </message>
-    <message>
         <source>The sequence cannot be planned</source>
         <translation>La séquence ne peut pas être planifiée</translation>
     </message>
@@ -11176,12 +11319,16 @@
         <translation>Le plan d&apos;assemblage ne peut pas être enregistré</translation>
     </message>
     <message>
-        <source>The assembly plan was saved as %1</source>
-        <translation>Le plan d&apos;assemblage a été enregistré dans %1</translation>
-    </message>
-    <message>
         <source>Demands of the sequence that is opened</source>
         <translation>Exigences de la séquence ouverte</translation>
+    </message>
+    <message>
+        <source>%1 was cancelled</source>
+        <translation>%1 a été annulé</translation>
+    </message>
+    <message>
+        <source>%1 was saved</source>
+        <translation>%1 a été enregistré</translation>
     </message>
 </context>
 <context>

@@ -23,11 +23,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Reports and plots of studies are translated by study_french.cpp; benchmarks are for developers. The command line
+/// Reports and plots of studies are translated by study_french.cpp, instructions by
+/// instruction_french.cpp; benchmarks are for developers. The command line
 /// prints the verdicts of the judge; the window shows only whether a path or a step is valid. The window has
 /// words of its own for the rows of work times (work_time_texts.cpp).
 constexpr const char* kOtherwiseTranslated[] = {"engine/check/",
                                                 "engine/study/study_french.cpp",
+                                                "engine/study/instruction/instruction_french.cpp",
+                                                "engine/study/instruction/instruction_html.cpp",
+                                                "engine/study/instruction/instruction_script.cpp",
                                                 "engine/study/report_html.cpp",
                                                 "engine/study/svg_plot.cpp",
                                                 "engine/study/plan_graph.cpp",
@@ -117,8 +121,10 @@ class EngineSentences : public testing::Test {
     QApplication::installTranslator(&french_);
     for (const char* text : kEngineTexts) otherwise_.insert(text);
     for (const char* text : kNotForTheWindow) otherwise_.insert(text);
-    const fs::path studies = fs::path(test::sourceDirectory()) / "engine/study/study_french.cpp";
-    for (const std::string& text : test::textsMadeIn(contentOf(studies))) otherwise_.insert(alone(text));
+    for (const char* file : {"engine/study/study_french.cpp", "engine/study/instruction/instruction_french.cpp"}) {
+      const std::string studies = contentOf(fs::path(test::sourceDirectory()) / file);
+      for (const std::string& text : test::textsMadeIn(studies)) otherwise_.insert(alone(text));
+    }
   }
   ~EngineSentences() override { QApplication::removeTranslator(&french_); }
 

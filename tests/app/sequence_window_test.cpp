@@ -51,7 +51,7 @@ TEST_F(SequenceWindow, TimesFollowTheTableOfTimesWhichTheReportTakesToo) {
                                        // What is not taken changes nothing.
                                        "set-time fetch_s -1\nset-time fetch_s soon\nexpect-time fetch_s 2.5\n"
                                        "expect-times sum 25.0\nexpect-times stations 2\n"
-                                       "save-times %2\nexport-sequence %3\n")
+                                       "save-times %2\nreport-sequence %3\n")
                             .arg(file("second.json"), file("edited.json"), file("stand.html"))));
   times.fetch = 2.5;
   const auto saved = readWorkTimes(file("edited.json").toStdString());
@@ -179,30 +179,111 @@ TEST_F(SequenceWindow, EveryFormatIsWritten) {
                                        "export-sequence %2\nexport-sequence %3\nexport-sequence %4\n")
                             .arg(file("plan.html"), file("plan.pdf"), file("plan.csv"), file("plan.glb"))));
   const QByteArray page = content("plan.html");
-  EXPECT_EQ(page.count("<img"), 10) << "six steps and two tasks of two, the exploded view, the graph";
-  EXPECT_EQ(page.count("class=\"page\""), 11) << "parts list, six steps and two tasks of two, the times, the graph";
+  EXPECT_EQ(page.count("<section"), 11) << "cover, parts list, start, six steps and two tasks of two";
   EXPECT_TRUE(content("plan.pdf").startsWith("%PDF"));
   EXPECT_EQ(content("plan.csv").count('\n'), 11);
   EXPECT_TRUE(content("plan.glb").startsWith("glTF"));
   QProcess raster;
   raster.start(QStringLiteral("pdftoppm"),
                {QStringLiteral("-r"), QStringLiteral("72"), QStringLiteral("-png"), QStringLiteral("-f"),
-                QStringLiteral("7"), QStringLiteral("-singlefile"), file("plan.pdf"), file("page")});
+                QStringLiteral("3"), QStringLiteral("-singlefile"), file("plan.pdf"), file("page")});
   ASSERT_TRUE(raster.waitForFinished() && raster.exitCode() == 0) << "pdftoppm (poppler-utils) is not installed";
   expectLike(file("page.png"), QStringLiteral("instruction-page"));
+}
+
+TEST_F(SequenceWindow, TheReportForEngineersIsADocumentOfItsOwn) {
+  expectGood(runOnStand(QStringLiteral("plan-sequence all\nreport-sequence %1\nreport-sequence %2\n")
+                            .arg(file("report.html"), file("report.pdf"))));
+  const QByteArray page = content("report.html");
+  EXPECT_EQ(page.count("<img"), 10) << "six steps and two tasks of two, the exploded view, the graph";
+  EXPECT_EQ(page.count("class=\"page\""), 11) << "parts list, six steps and two tasks of two, the times, the graph";
+  EXPECT_TRUE(page.contains("Found by"));
+  EXPECT_TRUE(content("report.pdf").startsWith("%PDF"));
+}
+
+TEST_F(SequenceWindow, AWorkInstructionFollowsItsTemplate) {
+  const auto pages = [&](const QString& pdf) {
+    QProcess info;
+    info.start(QStringLiteral("pdfinfo"), {pdf});
+    EXPECT_TRUE(info.waitForFinished() && info.exitCode() == 0) << "pdfinfo (poppler-utils) is not installed";
+    return info.readAllStandardOutput();
+  };
+  QFile look(file("look.json"));
+  ASSERT_TRUE(look.open(QIODevice::WriteOnly));
+  look.write(R"({"format": "glissade-instruction-template", "version": 1, "company": "Muster", "language": "fr"})");
+  look.close();
+  expectGood(runOnStand(QStringLiteral("plan-sequence all\ninstruction-template %1\ninstruction-paper Letter\n"
+                                       "export-sequence %2\nexport-sequence %3\ninstruction-template none\n"
+                                       "export-sequence %4\n")
+                            .arg(file("look.json"), file("fr.html"), file("letter.pdf"), file("en.html"))));
+  EXPECT_TRUE(content("fr.html").contains("Suivant") && content("fr.html").contains("Muster"));
+  EXPECT_TRUE(content("en.html").contains("Next") && !content("en.html").contains("Muster"));
+  EXPECT_TRUE(pages(file("letter.pdf")).contains("(letter)"));
+}
+
+/// Sections, hidden bodies and the camera of the window do not change the pictures.
+TEST_F(SequenceWindow, PicturesOfAWorkInstructionDoNotDependOnTheView) {
+  expectGood(runOnStand(QStringLiteral("plan-sequence all\nexport-sequence %1\nsection x 0.5\naction view.top\n"
+                                       "export-sequence %2\n")
+                            .arg(file("one.html"), file("two.html"))));
+  EXPECT_EQ(content("one.html"), content("two.html"));
+}
+
+/// The page in a browser: buttons, keys, swipes, and the 3D view where three.js is installed.
+TEST_F(SequenceWindow, AWorkInstructionWorksInABrowser) {
+  const QString browser = QStandardPaths::findExecutable(QStringLiteral("chromium"));
+  if (browser.isEmpty()) GTEST_SKIP() << "chromium is not installed";
+  expectGood(runOnStand(QStringLiteral("plan-sequence all\nexport-sequence %1\n").arg(file("page.html"))));
+  QByteArray page = content("page.html");
+  const QByteArray driver = R"(<script>
+    var said = [], page = window.instruction;
+    function key(name) { document.dispatchEvent(new KeyboardEvent('keydown', { key: name, bubbles: true })); }
+    function swipe(from, to) {
+      var touch = function (x) { return new Touch({ identifier: 1, target: document.body, clientX: x, clientY: 300 }); };
+      document.dispatchEvent(new TouchEvent('touchstart', { touches: [touch(from)], bubbles: true }));
+      document.dispatchEvent(new TouchEvent('touchend', { changedTouches: [touch(to)], bubbles: true }));
+    }
+    function say() { said.push(page.shown()); }
+    say(); key('ArrowRight'); say(); key('End'); say(); key('Home'); say();
+    swipe(600, 200); say(); swipe(200, 600); say(); swipe(400, 420); say();
+    document.getElementById('next').click(); say(); document.getElementById('previous').click(); say();
+    var button = document.getElementById('scene');
+    if (button) { page.show(3); button.click(); }
+    setTimeout(function () { document.body.setAttribute('data-said', said.join(' ') + ' frames ' + (page.frames > 0)); }, 6000);
+  </script></body>)";
+  page.replace("</body>", driver);
+  QFile driven(file("driven.html"));
+  ASSERT_TRUE(driven.open(QIODevice::WriteOnly));
+  driven.write(page);
+  driven.close();
+  QProcess process;
+  process.start(browser,
+                {QStringLiteral("--headless"), QStringLiteral("--no-sandbox"), QStringLiteral("--disable-gpu"),
+                 QStringLiteral("--use-gl=angle"), QStringLiteral("--use-angle=swiftshader"),
+                 QStringLiteral("--enable-unsafe-swiftshader"), QStringLiteral("--user-data-dir=") + file("chromium"),
+                 QStringLiteral("--virtual-time-budget=9000"), QStringLiteral("--dump-dom"),
+                 QStringLiteral("file://") + file("driven.html")});
+  ASSERT_TRUE(process.waitForFinished(120000)) << process.readAllStandardError().toStdString();
+  const bool hasScene = page.contains("id=\"scene\"");
+  const QByteArray expected = QByteArray("data-said=\"0 1 10 0 1 0 0 1 0 frames ") + (hasScene ? "true" : "false");
+  const QByteArray dom = process.readAllStandardOutput();
+  EXPECT_TRUE(dom.contains(expected)) << dom.mid(dom.indexOf("data-said"), 60).toStdString();
 }
 
 TEST_F(SequenceWindow, TheWorkInstructionIsInTheLanguageOfTheWindow) {
   expectGood(runOnStand(QStringLiteral("plan-sequence 2\nexport-sequence %1\n").arg(file("fr.html")),
                         {QStringLiteral("--language"), QStringLiteral("fr")}));
-  EXPECT_TRUE(content("fr.html").contains("Gamme de montage"));
+  EXPECT_TRUE(content("fr.html").contains("Suivant"));
 }
 
 TEST_F(SequenceWindow, WrongCommandsAndFilesAreErrors) {
   const QString none = file("none.json");
   for (const QString& script :
        {QStringLiteral("open-sequence %1\n").arg(none), QStringLiteral("export-sequence %1\n").arg(none),
-        QStringLiteral("plan-sequence all\nexport-sequence %1.doc\n").arg(none), QStringLiteral("show-step 1\n"),
+        QStringLiteral("plan-sequence all\nexport-sequence %1.doc\n").arg(none),
+        QStringLiteral("plan-sequence all\nreport-sequence %1.csv\n").arg(none),
+        QStringLiteral("report-sequence %1.html\n").arg(none), QStringLiteral("instruction-paper A3\n"),
+        QStringLiteral("instruction-template %1\n").arg(none), QStringLiteral("show-step 1\n"),
         QStringLiteral("plan-sequence some\n"), QStringLiteral("explode 2\n"),
         QStringLiteral("expect-sequence moon 1\n"), QStringLiteral("plan-sequence all\nexpect-sequence steps 3\n")}) {
     EXPECT_NE(runOnStand(script).exitCode, 0) << script.toStdString();

@@ -59,6 +59,12 @@ TEST_F(Memory, KeepsWorkTimesAndIgnoresThoseOutOfTheirRange) {
   EXPECT_TRUE(QSettings(file(), QSettings::IniFormat).allKeys().isEmpty()) << "defaults may change";
 }
 
+TEST_F(Memory, KeepsTheTemplateOfWorkInstructions) {
+  EXPECT_TRUE(WindowMemory(file()).instructionTemplate().isEmpty());
+  WindowMemory(file()).saveInstructionTemplate(QStringLiteral("/somewhere/look.json"));
+  EXPECT_EQ(WindowMemory(file()).instructionTemplate(), QStringLiteral("/somewhere/look.json"));
+}
+
 std::unique_ptr<QMainWindow> makeWindow() {
   auto window = std::make_unique<QMainWindow>();
   auto* dock = new QDockWidget(window.get());

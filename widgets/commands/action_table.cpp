@@ -1,9 +1,23 @@
+#include <algorithm>
+
 #include "widgets/commands/action_catalogue.h"
+#include "widgets/commands/sequence_actions.h"
 
 namespace glissade {
+namespace {
+
+/// The commands of sequences come before those of runs.
+std::vector<ActionSpec> withSequence(std::vector<ActionSpec> specs) {
+  const auto run = std::find_if(specs.begin(), specs.end(),
+                                [](const ActionSpec& spec) { return std::string(spec.id) == "run.start"; });
+  specs.insert(run, sequenceActionSpecs().begin(), sequenceActionSpecs().end());
+  return specs;
+}
+
+}  // namespace
 
 const std::vector<ActionSpec>& actionSpecs() {
-  static const std::vector<ActionSpec> specs{
+  static const std::vector<ActionSpec> specs = withSequence({
       {"file.new", QT_TRANSLATE_NOOP("Actions", "&New from parts..."), "Ctrl+N",
        QT_TRANSLATE_NOOP("Actions", "Make a scenario from STEP, mesh or URDF files, one of which moves"), false},
       {"file.open", QT_TRANSLATE_NOOP("Actions", "&Open scenario..."), "Ctrl+O",
@@ -153,60 +167,6 @@ const std::vector<ActionSpec>& actionSpecs() {
        false},
       {"refusal.close", QT_TRANSLATE_NOOP("Actions", "Close the &message"), "",
        QT_TRANSLATE_NOOP("Actions", "Hide the message over the scene and its marks"), false},
-      {"sequence.plan", QT_TRANSLATE_NOOP("Actions", "Plan the se&quence"), "Ctrl+J",
-       QT_TRANSLATE_NOOP("Actions", "Find in which order the parts of the product leave, each with a certified motion"),
-       false},
-      {"sequence.resume", QT_TRANSLATE_NOOP("Actions", "&Go on planning"), "Ctrl+Shift+J",
-       QT_TRANSLATE_NOOP("Actions", "Go on with the sequence where planning was stopped"), false},
-      {"sequence.stays", QT_TRANSLATE_NOOP("Actions", "Selected &bodies stay"), "",
-       QT_TRANSLATE_NOOP("Actions", "Keep the selected bodies in the product when the sequence is planned, or not"),
-       false},
-      {"sequence.open", QT_TRANSLATE_NOOP("Actions", "&Open a sequence..."), "",
-       QT_TRANSLATE_NOOP("Actions", "Read an assembly plan of this product, and prove each step again"), false},
-      {"sequence.export", QT_TRANSLATE_NOOP("Actions", "&Save the sequence..."), "Ctrl+Alt+E",
-       QT_TRANSLATE_NOOP("Actions", "Save the plan, its work instruction, its table of steps or its animation"), false},
-      {"sequence.play", QT_TRANSLATE_NOOP("Actions", "&Play the sequence"), "Ctrl+Alt+Space",
-       QT_TRANSLATE_NOOP("Actions", "Show all steps one after the other, or pause"), true},
-      {"sequence.assembly-order", QT_TRANSLATE_NOOP("Actions", "Order of &assembly"), "Ctrl+Alt+J",
-       QT_TRANSLATE_NOOP("Actions", "Show the steps as they are assembled, or as they are removed"), true},
-      {"sequence.aside", QT_TRANSLATE_NOOP("Actions", "Show &removed parts aside"), "",
-       QT_TRANSLATE_NOOP("Actions", "Draw removed parts where their motion ends, or hide them"), true},
-      {"sequence.graph", QT_TRANSLATE_NOOP("Actions", "Order as a &graph"), "Ctrl+Alt+G",
-       QT_TRANSLATE_NOOP("Actions", "Show which step makes way for which, and which parts block the stuck ones"),
-       false},
-      {"sequence.times", QT_TRANSLATE_NOOP("Actions", "&Times of the assembly"), "Ctrl+Alt+U",
-       QT_TRANSLATE_NOOP("Actions",
-                         "Show how long the steps take, the longest chain, and how stations of a line divide them"),
-       false},
-      {"sequence.show-product", QT_TRANSLATE_NOOP("Actions", "Show the &whole product"), "",
-       QT_TRANSLATE_NOOP("Actions", "Draw all parts where they are assembled"), false},
-      {"sequence.step-up", QT_TRANSLATE_NOOP("Actions", "Move the step &up"), "Alt+Up",
-       QT_TRANSLATE_NOOP("Actions",
-                         "Move the chosen step of the sequence one row up; the other steps are planned again"),
-       false},
-      {"sequence.step-down", QT_TRANSLATE_NOOP("Actions", "Move the step d&own"), "Alt+Down",
-       QT_TRANSLATE_NOOP("Actions",
-                         "Move the chosen step of the sequence one row down; the other steps are planned again"),
-       false},
-      {"sequence.lock", QT_TRANSLATE_NOOP("Actions", "&Lock the step"), "",
-       QT_TRANSLATE_NOOP("Actions", "Keep the places and motions of the chosen steps, or release them"), true},
-      {"sequence.forbid-way", QT_TRANSLATE_NOOP("Actions", "Forbid this &direction of removal"), "",
-       QT_TRANSLATE_NOOP("Actions", "Do not let the parts of the chosen step leave in its direction"), false},
-      {"sequence.keep-order", QT_TRANSLATE_NOOP("Actions", "&Keep the order of the chosen steps"), "",
-       QT_TRANSLATE_NOOP("Actions", "Of several chosen steps, each is to leave before the next one"), false},
-      {"sequence.free-step", QT_TRANSLATE_NOOP("Actions", "&Remove the demands on the step"), "",
-       QT_TRANSLATE_NOOP("Actions", "Remove the demands on the chosen parts: places, motions, directions, order"),
-       false},
-      {"sequence.by-hand", QT_TRANSLATE_NOOP("Actions", "Move the &part by hand"), "Ctrl+Alt+M",
-       QT_TRANSLATE_NOOP("Actions",
-                         "Move the part of the chosen step by hand, among the parts that are present at that step"),
-       false},
-      {"sequence.take-path", QT_TRANSLATE_NOOP("Actions", "&Take the path as the step"), "",
-       QT_TRANSLATE_NOOP("Actions",
-                         "Go back to the sequence with the certified path of the part that was moved by hand"),
-       false},
-      {"sequence.leave-hand", QT_TRANSLATE_NOOP("Actions", "&Back to the sequence"), "",
-       QT_TRANSLATE_NOOP("Actions", "Go back to the sequence without a path"), false},
       {"run.start", QT_TRANSLATE_NOOP("Actions", "&Start the run"), "F5",
        QT_TRANSLATE_NOOP("Actions", "Plan with a fresh roadmap and the current seed"), false},
       {"run.pause", QT_TRANSLATE_NOOP("Actions", "Pa&use the run"), "F6",
@@ -483,7 +443,7 @@ const std::vector<ActionSpec>& actionSpecs() {
        QT_TRANSLATE_NOOP("Actions", "Give commands other shortcuts"), false},
       {"help.about", QT_TRANSLATE_NOOP("Actions", "&About Glissade"), "",
        QT_TRANSLATE_NOOP("Actions", "Version, licence and the papers"), false},
-  };
+  });
   return specs;
 }
 

@@ -14,6 +14,7 @@
 #include <algorithm>
 
 #include "engine/sequence/demand_edits.h"
+#include "engine/study/plan_tasks.h"
 #include "widgets/commands/diagnostic_text.h"
 #include "widgets/commands/length_text.h"
 #include "widgets/commands/window_language.h"
@@ -176,7 +177,10 @@ void StepTable::addStep(std::size_t place) {
   auto* row = new QTreeWidgetItem(this);
   row->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsDragEnabled);
   row->setData(StepNumber, kStepRole, static_cast<qulonglong>(i));
-  row->setText(StepNumber, QString::number(place + 1));
+  // While the plan grows, the number in the order of assembly is not known.
+  if (!shown_.growing) {
+    row->setText(StepNumber, QString::fromStdString(stepNumber(steps.size() - 1 - i)));
+  }
   row->setTextAlignment(StepNumber, Qt::AlignRight | Qt::AlignVCenter);
   setIcon(*row, step.body);
   const QString motion = QString::fromStdString(words.motion(step, order_));

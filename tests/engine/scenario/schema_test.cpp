@@ -102,6 +102,22 @@ TEST(JointsSchema, AcceptsWhatIsWritten) {
   EXPECT_NE(schema.complaint(json.dump()), "");
 }
 
+/// What instruction_template_test.cpp reads.
+TEST(InstructionTemplateSchema, KnowsEveryMember) {
+  Schema schema("instruction-template-1");
+  const auto with = [](const std::string& members) {
+    return R"({"format": "glissade-instruction-template", "version": 1)" + members + "}";
+  };
+  EXPECT_EQ(schema.complaint(with("")), "");
+  EXPECT_EQ(schema.complaint(with(R"(, "company": "Muster", "logo": "logo.png", "columns": ["count", "part"],
+                                     "language": "fr", "paper": "Letter")")),
+            "");
+  for (const char* wrong : {R"(, "colour": "red")", R"(, "columns": [])", R"(, "columns": ["price"])",
+                            R"(, "language": "de")", R"(, "paper": "A3")"}) {
+    EXPECT_NE(schema.complaint(with(wrong)), "") << wrong;
+  }
+}
+
 TEST(RunSchema, AcceptsWhatIsWritten) {
   Schema schema("run-2");
   const test::TemporaryFolder folder;

@@ -21,29 +21,41 @@ AssembledProduct behindAWall(double side) {
                           boxBody("box", {0.5, 0.5, 0.5}, Pose::translation({side, 0.0, 0.0}))});
 }
 
+Viewpoint chosen(const AssembledProduct& product, const Vector3& direction, const BodySet& present,
+                 const Viewpoint& before = {}) {
+  return StepView(product).choose({stepAlong(product, "box", direction)}, present, before);
+}
+
 TEST(StepView, LooksFromTheSideWhereThePartIs) {
   for (const double side : {-1.0, 1.0}) {
-    const AssembledProduct product = behindAWall(side);
-    const Vector3 toEye =
-        StepView(product).directionToEye(stepAlong(product, "box", Vector3::UnitZ()), BodySet(2, true));
-    EXPECT_GT(side * toEye.x(), 0.1);
-    EXPECT_NEAR(toEye.norm(), 1.0, 1e-12);
+    const Viewpoint from = chosen(behindAWall(side), Vector3::UnitZ(), BodySet(2, true));
+    EXPECT_GT(side * from.toEye().x(), 0.1);
+    EXPECT_NEAR(from.toEye().norm(), 1.0, 1e-12);
+    EXPECT_FALSE(from.turnedOver);
   }
 }
 
-TEST(StepView, ABodyThatHasLeftHidesNothing) {
-  const AssembledProduct product = behindAWall(1.0);
-  const AssemblyStep step = stepAlong(product, "box", Vector3::UnitZ());
-  StepView view(product);
-  EXPECT_GT(view.directionToEye(step, {true, true}).x(), 0.0);
-  EXPECT_LT(view.directionToEye(step, {false, true}).x(), 0.0) << "the usual direction";
+TEST(StepView, ABodyThatIsNotThereHidesNothing) {
+  EXPECT_EQ(chosen(behindAWall(1.0), Vector3::UnitZ(), {false, true}), Viewpoint()) << "the one before";
 }
 
-TEST(StepView, LooksFromBelowWhereOnlyThatShowsThePart) {
+TEST(StepView, TheViewpointStaysWhereThePartIsSeen) {
+  const AssembledProduct product = behindAWall(-1.0);
+  for (const int quarter : {0, 3}) {
+    const Viewpoint before{quarter, false};
+    EXPECT_EQ(chosen(product, Vector3::UnitZ(), BodySet(2, true), before), before) << quarter;
+  }
+  EXPECT_NE(chosen(product, Vector3::UnitZ(), BodySet(2, true), {1, false}), (Viewpoint{1, false}));
+}
+
+TEST(StepView, TheProductIsTurnedOverWhereOnlyThatShowsThePart) {
   const AssembledProduct product =
       test::productOf({boxBody("table", {20.0, 20.0, 0.1}, Pose::identity()),
                        boxBody("box", {0.5, 0.5, 0.5}, Pose::translation({0.0, 0.0, -1.0}))});
-  EXPECT_LT(StepView(product).directionToEye(stepAlong(product, "box", -Vector3::UnitZ()), BodySet(2, true)).z(), 0.0);
+  const Viewpoint from = chosen(product, -Vector3::UnitZ(), BodySet(2, true));
+  EXPECT_EQ(from, (Viewpoint{0, true})) << "turned over, and no more";
+  EXPECT_LT(from.toEye().z(), 0.0);
+  EXPECT_LT(from.up().z(), 0.0);
 }
 
 }  // namespace

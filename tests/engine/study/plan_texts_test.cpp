@@ -1,4 +1,4 @@
-// What people read of an assembly plan: words, table, graph, work instruction.
+// What people read of an assembly plan: words, table, graph, report.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,9 +6,9 @@
 
 #include "engine/study/parts_list.h"
 #include "engine/study/plan_graph.h"
+#include "engine/study/plan_report.h"
 #include "engine/study/plan_table.h"
 #include "engine/study/report_html.h"
-#include "engine/study/work_instruction.h"
 #include "tests/engine/sequence/products.h"
 
 namespace glissade {
@@ -131,7 +131,7 @@ TEST(PlanTable, HasALineForEachStepAndEachStuckPart) {
   const auto removal = linesOf(planAsCsv(plan, product, PlanOrder::Removal));
   ASSERT_EQ(removal.size(), 4U);
   EXPECT_EQ(removal[1],
-            "1,cap,straight,\"up (+Z), 500.0 mm\",0.5,0,0.000002,0.0003,cabinet,0,0,,hex key,\"hold pin, drawer and 1 "
+            "2,cap,straight,\"up (+Z), 500.0 mm\",0.5,0,0.000002,0.0003,cabinet,0,0,,hex key,\"hold pin, drawer and 1 "
             "more\",nuts still on it: pin; demanded at another place");
   EXPECT_NE(removal[2].find("\"socket, blocked by drawer\""), std::string::npos) << removal[2];
   EXPECT_EQ(removal[3], ",drawer,,,,,,,,,,cabinet,,,");
@@ -178,12 +178,12 @@ std::size_t headings(const StudyReport& report) {
   }));
 }
 
-TEST(WorkInstruction, HasAPageForEachStepInTheOrderOfAssembly) {
+TEST(PlanReport, HasAPageForEachStepInTheOrderOfAssembly) {
   const AssembledProduct product = test::lockedDrawer();
   const AssemblyPlan plan = somePlan();
   const StudyReport report =
-      workInstruction({plan, product, "drawer", 1e-5, {StepCheck::Agrees, StepCheck::Disagrees}, "", "", {}},
-                      wordsIn(Language::English));
+      planReport({plan, product, "drawer", 1e-5, {StepCheck::Agrees, StepCheck::Disagrees}, "", "", {}},
+                 wordsIn(Language::English));
   EXPECT_EQ(headings(report), 4U) << "parts list, two steps, parts without a step";
   const auto page = reportHtml(report);
   ASSERT_TRUE(page.ok());
@@ -195,11 +195,10 @@ TEST(WorkInstruction, HasAPageForEachStepInTheOrderOfAssembly) {
 }
 
 /// No English sentence is left in the French one.
-TEST(WorkInstruction, IsWhollyInFrench) {
+TEST(PlanReport, IsWhollyInFrench) {
   const AssembledProduct product = test::lockedDrawer();
   const AssemblyPlan plan = somePlan();
-  const auto page =
-      reportHtml(workInstruction({plan, product, "drawer", 1e-5, {}, "", "", {}}, wordsIn(Language::French)));
+  const auto page = reportHtml(planReport({plan, product, "drawer", 1e-5, {}, "", "", {}}, wordsIn(Language::French)));
   ASSERT_TRUE(page.ok());
   EXPECT_NE(page->find("Étape 1 sur 2 : pin"), std::string::npos);
   for (const char* word : {" the ", "Step", "Part", "part ", "Clearance", "Allowance", "thread", "Found", "stuck"}) {
@@ -224,11 +223,10 @@ AssemblyPlan planWithASubassembly() {
   return plan;
 }
 
-TEST(WorkInstruction, HasAPageForASubassemblyBeforeTheStepThatBringsIt) {
+TEST(PlanReport, HasAPageForASubassemblyBeforeTheStepThatBringsIt) {
   const AssembledProduct product = test::lockedDrawer();
   const AssemblyPlan plan = planWithASubassembly();
-  const auto page =
-      reportHtml(workInstruction({plan, product, "drawer", 0.0, {}, "", "", {}}, wordsIn(Language::English)));
+  const auto page = reportHtml(planReport({plan, product, "drawer", 0.0, {}, "", "", {}}, wordsIn(Language::English)));
   ASSERT_TRUE(page.ok());
   const std::size_t own = page->find("Subassembly for step 1");
   ASSERT_NE(own, std::string::npos);
@@ -237,7 +235,7 @@ TEST(WorkInstruction, HasAPageForASubassemblyBeforeTheStepThatBringsIt) {
   EXPECT_NE(page->find(">1.1<", own), std::string::npos) << "the number of the step";
 }
 
-TEST(WorkInstruction, StepsOfOneTaskAreOnePage) {
+TEST(PlanReport, StepsOfOneTaskAreOnePage) {
   const AssembledProduct product = test::lockedDrawer();
   AssemblyPlan plan = somePlan();
   plan.stuck.clear();
@@ -247,8 +245,7 @@ TEST(WorkInstruction, StepsOfOneTaskAreOnePage) {
     step.joints.back().designation = "M3x8";
     step.joints.back().turns = 9.5;
   }
-  const auto page =
-      reportHtml(workInstruction({plan, product, "drawer", 0.0, {}, "", "", {}}, wordsIn(Language::English)));
+  const auto page = reportHtml(planReport({plan, product, "drawer", 0.0, {}, "", "", {}}, wordsIn(Language::English)));
   ASSERT_TRUE(page.ok());
   EXPECT_NE(page->find("Steps 1 to 2 of 2: 2 × pin"), std::string::npos);
   EXPECT_EQ(countOf("2 times: screw in M3x8, 9.5 turns", *page), 1U);
@@ -269,14 +266,29 @@ TEST(PartsList, FastenersOfOneDesignationAreOneRowBehindTheParts) {
   EXPECT_EQ(std::count_if(rows.begin(), rows.end(), [](const PartsListRow& row) { return row.hasBase; }), 1);
 }
 
-TEST(WorkInstruction, SaysTimesAndTheLine) {
+TEST(PartsList, PartsOfOneShapeAreOneRowWhateverTheirCounterAndPlace) {
+  AssembledProduct product = test::productOf(
+      {boxBody("base", {2.0, 1.0, 0.1}, Pose::identity()), boxBody("nut-1", {0.1, 0.1, 0.1}, Pose::identity()),
+       boxBody("nut-2", {0.1, 0.1, 0.1}, Pose::translation({0.5, 0.0, 0.0})),
+       boxBody("nut-3", {0.1, 0.1, 0.2}, Pose::identity()), boxBody("M5 x 20", {0.1, 0.2, 0.1}, Pose::identity())});
+  const auto moved = transformed(*product.bodies[2].mesh, {{0.3, 0.2, 0.1}, fromRollPitchYaw(0.3, 0.2, 0.1)});
+  product.bodies[2].mesh = std::make_shared<const TriangleMesh>(moved);
+  AssemblyPlan plan;
+  plan.staying = {"base"};
+  const std::vector<PartsListRow> rows = partsList(plan, product);
+  std::vector<std::string> texts;
+  for (const PartsListRow& row : rows) texts.push_back(std::to_string(row.count) + " " + row.name);
+  EXPECT_EQ(texts, (std::vector<std::string>{"1 base", "2 nut", "1 nut-3", "1 M5 x 20"}));
+}
+
+TEST(PlanReport, SaysTimesAndTheLine) {
   const AssembledProduct product = test::lockedDrawer();
   const AssemblyPlan plan = somePlan();
   const auto timing = planTiming(plan, product, WorkTimes(), 2);
   ASSERT_TRUE(timing.ok());
   for (const Language language : {Language::English, Language::French}) {
     const auto page =
-        reportHtml(workInstruction({plan, product, "drawer", 1e-5, {}, "", "", {}, *timing}, wordsIn(language)));
+        reportHtml(planReport({plan, product, "drawer", 1e-5, {}, "", "", {}, *timing}, wordsIn(language)));
     ASSERT_TRUE(page.ok());
     const bool english = language == Language::English;
     EXPECT_NE(page->find(english ? "Longest chain" : "Chaîne la plus longue"), std::string::npos);
@@ -286,7 +298,7 @@ TEST(WorkInstruction, SaysTimesAndTheLine) {
   }
 }
 
-TEST(WorkInstruction, SaysThatTheTableOfTimesWasEdited) {
+TEST(PlanReport, SaysThatTheTableOfTimesWasEdited) {
   const AssembledProduct product = test::lockedDrawer();
   const AssemblyPlan plan = somePlan();
   WorkTimes table;
@@ -300,7 +312,7 @@ TEST(WorkInstruction, SaysThatTheTableOfTimesWasEdited) {
   EXPECT_GT(timing->sum(), usual->sum());
   for (const Language language : {Language::English, Language::French}) {
     const auto page =
-        reportHtml(workInstruction({plan, product, "drawer", 1e-5, {}, "", "", {}, *timing}, wordsIn(language)));
+        reportHtml(planReport({plan, product, "drawer", 1e-5, {}, "", "", {}, *timing}, wordsIn(language)));
     ASSERT_TRUE(page.ok());
     const bool english = language == Language::English;
     EXPECT_NE(page->find(english ? "2 of its 18 values were edited" : "2 de ses 18 valeurs ont été modifiées"),
@@ -308,12 +320,11 @@ TEST(WorkInstruction, SaysThatTheTableOfTimesWasEdited) {
   }
 }
 
-TEST(WorkInstruction, AMissingPictureIsAnError) {
+TEST(PlanReport, AMissingPictureIsAnError) {
   const AssembledProduct product = test::lockedDrawer();
   const AssemblyPlan plan = somePlan();
   EXPECT_FALSE(
-      reportHtml(workInstruction({plan, product, "drawer", 0.0, {}, "/gone.png", "", {}}, wordsIn(Language::English)))
-          .ok());
+      reportHtml(planReport({plan, product, "drawer", 0.0, {}, "/gone.png", "", {}}, wordsIn(Language::English))).ok());
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "engine/study/work_instruction.h"
+#include "engine/study/plan_report.h"
 
 #include <glissade/version.h>
 
@@ -7,6 +7,7 @@
 #include <set>
 
 #include "engine/study/parts_list.h"
+#include "engine/study/plan_tasks.h"
 #include "engine/study/times_section.h"
 
 namespace glissade {
@@ -16,18 +17,19 @@ constexpr const char* kDash = "–";
 
 class Composer {
  public:
-  Composer(const InstructionContent& content, const PlanWords& words) : content_(content), plain_(words) {}
+  Composer(const PlanReportContent& content, const PlanWords& words)
+      : content_(content), plain_(words), parts_(partsList(content.plan, content.product)) {}
 
   StudyReport compose() {
     report_.language = plain_.words().language();
-    report_.title = say("Work instruction: %1", {content_.name});
+    report_.title = say("Report of the sequence: %1", {content_.name});
     addCover();
     addPartsList();
-    for (std::size_t place = 0; place < content_.plan.steps.size();) {
-      addSubassemblies(content_.plan.lines, content_.plan.steps.size() - place, std::to_string(place + 1));
-      const std::size_t count = tasksFrom(place);
-      addPage(place, count);
-      place += count;
+    const std::vector<TaskRange> tasks = taskRanges(content_.plan.steps, parts_);
+    for (std::size_t task = 0; task < tasks.size(); ++task) {
+      const std::size_t place = tasks[task].place;
+      addSubassemblies(content_.plan.lines, content_.plan.steps.size() - place, stepNumber(place));
+      addPage(task, tasks[task]);
     }
     if (content_.timing) addTimesSection(*content_.timing, plain_.words(), report_);
     addStuck();
@@ -85,13 +87,9 @@ class Composer {
                        {say("Count"), ReportColumn::Kind::Number},
                        {say("Steps"), ReportColumn::Kind::Prose}},
                       {}};
-    for (const PartsListRow& row : partsList(content_.plan, content_.product)) {
-      std::string steps = row.hasBase ? say("base") : std::string();
-      const auto add = [&](const std::string& text) { steps += (steps.empty() ? "" : ", ") + text; };
-      for (const std::size_t step : row.steps) add(std::to_string(step));
-      if (row.withoutStep > 0) add(kDash);
-      table.rows.push_back(
-          {row.name, row.designation.empty() ? kDash : row.designation, std::to_string(row.count), steps});
+    for (const PartsListRow& row : parts_) {
+      table.rows.push_back({row.name, row.designation.empty() ? kDash : row.designation, std::to_string(row.count),
+                            stepsText(row, plain_.words())});
     }
     report_.blocks.emplace_back(ReportHeading{say("Parts list"), 2, true});
     report_.blocks.emplace_back(std::move(table));
@@ -109,7 +107,7 @@ class Composer {
     for (const SubassemblyLine& line : lines) {
       if (line.step != step) continue;
       for (std::size_t i = line.steps.size(); i > 0; --i) {
-        addSubassemblies(line.lines, i, number + "." + std::to_string(line.steps.size() - i + 1));
+        addSubassemblies(line.lines, i, stepNumber(line.steps.size() - i, number));
       }
       addSubassembly(line, number);
     }
@@ -127,8 +125,7 @@ class Composer {
     for (std::size_t i = line.steps.size(); i > 0; --i) {
       const AssemblyStep& step = line.steps[i - 1];
       const std::string tool = plain_.tool(step, content_.product);
-      table.rows.push_back({number + "." + std::to_string(line.steps.size() - i + 1),
-                            nameOfStep(step, content_.product),
+      table.rows.push_back({stepNumber(line.steps.size() - i, number), nameOfStep(step, content_.product),
                             plain_.work(step, content_.product, PlanOrder::Assembly), tool.empty() ? kDash : tool});
     }
     report_.blocks.emplace_back(std::move(table));
@@ -140,24 +137,6 @@ class Composer {
   using Texts = std::vector<std::string>;
   using Steps = std::vector<const AssemblyStep*>;
   using Rows = std::vector<Texts>;
-
-  /// Places in the order of assembly, from 0.
-  const AssemblyStep& stepAt(std::size_t place) const {
-    return content_.plan.steps[content_.plan.steps.size() - 1 - place];
-  }
-
-  /// So many steps from this place on are one task, and nothing is put together between them.
-  std::size_t tasksFrom(std::size_t place) const {
-    const std::size_t task = stepAt(place).task;
-    std::size_t count = 1;
-    const auto bringsGroup = [&](std::size_t at) { return stepAt(at).bodies().size() > 1; };
-    if (task == 0 || bringsGroup(place)) return count;
-    while (place + count < content_.plan.steps.size() && stepAt(place + count).task == task &&
-           !bringsGroup(place + count)) {
-      ++count;
-    }
-    return count;
-  }
 
   /// What is said of each step, once.
   static void addRows(const std::string& label, const Steps& steps,
@@ -171,24 +150,23 @@ class Composer {
   }
 
   /// A page for a step, or for the steps of a task.
-  void addPage(std::size_t place, std::size_t count) {
-    const std::size_t all = content_.plan.steps.size();
+  void addPage(std::size_t task, const TaskRange& range) {
+    const std::string all = std::to_string(content_.plan.steps.size());
     Steps steps;
     std::vector<std::string> bodies;
-    for (std::size_t at = place; at < place + count; ++at) {
-      steps.push_back(&stepAt(at));
+    for (std::size_t at = range.place; at < range.place + range.count; ++at) {
+      steps.push_back(&stepAtPlace(content_.plan.steps, at));
       for (const std::string& id : steps.back()->bodies()) bodies.push_back(id);
     }
     const std::string name = nameOfStep(*steps.front(), content_.product);
-    const std::string first = std::to_string(place + 1);
+    const std::string first = stepNumber(range.place);
     const std::string title =
-        count == 1 ? say("Step %1 of %2: %3", {first, std::to_string(all), name})
-                   : say("Steps %1 to %2 of %3: %4", {first, std::to_string(place + count), std::to_string(all),
-                                                      std::to_string(count) + " × " + kindOfPart(name)});
+        range.count == 1 ? say("Step %1 of %2: %3", {first, all, name})
+                         : say("Steps %1 to %2 of %3: %4", {first, stepNumber(range.place + range.count - 1), all,
+                                                            std::to_string(range.count) + " × " + kindOfPart(name)});
     report_.blocks.emplace_back(ReportHeading{title, 2, true});
-    const std::size_t number = all - 1 - place;
-    if (number < content_.pictures.size()) picture(content_.pictures[number], say("%1 on its way", {name}));
-    report_.blocks.emplace_back(facts(factsOf(steps, bodies, place)));
+    if (task < content_.pictures.size()) picture(content_.pictures[task], say("%1 on its way", {name}));
+    report_.blocks.emplace_back(facts(factsOf(steps, bodies, range.place)));
   }
 
   Rows factsOf(const Steps& steps, const std::vector<std::string>& bodies, std::size_t place) const {
@@ -266,14 +244,15 @@ class Composer {
     report_.blocks.emplace_back(std::move(table));
   }
 
-  const InstructionContent& content_;
+  const PlanReportContent& content_;
   const PlanWords& plain_;
+  std::vector<PartsListRow> parts_;
   StudyReport report_;
 };
 
 }  // namespace
 
-StudyReport workInstruction(const InstructionContent& content, const PlanWords& words) {
+StudyReport planReport(const PlanReportContent& content, const PlanWords& words) {
   return Composer(content, words).compose();
 }
 

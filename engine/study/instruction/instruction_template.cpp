@@ -1,0 +1,109 @@
+#include "engine/study/instruction/instruction_template.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "engine/base/file.h"
+#include "engine/base/limits.h"
+#include "engine/import/json_reader.h"
+
+namespace glissade {
+namespace {
+
+constexpr const char* kTemplateFormat = "glissade-instruction-template";
+constexpr int kTemplateVersion = 1;
+constexpr std::array<const char*, kAllPartsColumns.size()> kColumnNames{"picture", "part", "designation", "count",
+                                                                        "steps"};
+
+PartsColumn columnIn(const JsonCursor& at) {
+  const std::string word = at.text();
+  const auto found = std::find(kColumnNames.begin(), kColumnNames.end(), word);
+  if (found == kColumnNames.end()) {
+    at.fail("is no column of the parts list", "Take picture, part, designation, count or steps.");
+  }
+  return kAllPartsColumns[static_cast<std::size_t>(found - kColumnNames.begin())];
+}
+
+std::vector<PartsColumn> columnsIn(const JsonCursor& at) {
+  std::vector<PartsColumn> columns;
+  const std::size_t count = at.sizeUpTo(kAllPartsColumns.size());
+  if (count == 0) at.fail("names no column", "Name at least one column, or leave the member out.");
+  for (std::size_t i = 0; i < count; ++i) {
+    const PartsColumn column = columnIn(at.element(i));
+    if (std::find(columns.begin(), columns.end(), column) != columns.end()) {
+      at.element(i).fail("is given twice", "Name each column once.");
+    }
+    columns.push_back(column);
+  }
+  return columns;
+}
+
+/// The path is one below the template's folder: a template that is given away does not read other files.
+std::string logoIn(const JsonCursor& at) {
+  namespace fs = std::filesystem;
+  const fs::path named(at.exactText());
+  const bool leaves = std::find(named.begin(), named.end(), "..") != named.end();
+  if (named.is_absolute() || leaves) {
+    at.fail("is not below the folder of the template", "Copy the picture beside the template and give its name.");
+  }
+  const std::string file = fs::absolute(fs::path(at.file()).parent_path() / named).lexically_normal().string();
+  const auto bytes = readFile(file, kMostLogoBytes);
+  if (!bytes) throw JsonError{bytes.error()};
+  if (pictureType(*bytes).empty()) at.fail("is neither a PNG nor a JPEG picture", "Save the logo as PNG.");
+  return file;
+}
+
+InstructionTemplate templateIn(const JsonCursor& at) {
+  at.allowOnly({"format", "version", "description", "company", "logo", "columns", "language", "paper"});
+  if (at.at("format").text() != kTemplateFormat) at.at("format").fail(std::string("is not ") + kTemplateFormat);
+  if (at.at("version").number() != kTemplateVersion) {
+    at.at("version").fail("is not " + std::to_string(kTemplateVersion));
+  }
+  InstructionTemplate made;
+  if (const auto company = at.find("company")) made.company = company->nonEmptyText();
+  if (const auto columns = at.find("columns")) made.columns = columnsIn(*columns);
+  if (const auto language = at.find("language")) {
+    made.language = languageOf(language->text());
+    if (!made.language) language->fail("is no language of the instructions", "Take en or fr.");
+  }
+  if (const auto paper = at.find("paper")) {
+    made.paper = paperNamed(paper->text());
+    if (!made.paper) paper->fail("is no paper of the instructions", "Take A4 or Letter.");
+  }
+  if (const auto logo = at.find("logo")) made.logo = logoIn(*logo);
+  return made;
+}
+
+}  // namespace
+
+PaperSize sizeOf(Paper paper) { return paper == Paper::A4 ? PaperSize{210.0, 297.0} : PaperSize{215.9, 279.4}; }
+
+const char* name(Paper paper) { return paper == Paper::A4 ? "A4" : "Letter"; }
+
+std::optional<Paper> paperNamed(const std::string& word) {
+  for (const Paper paper : {Paper::A4, Paper::Letter}) {
+    if (word == name(paper)) return paper;
+  }
+  return std::nullopt;
+}
+
+std::string titleOf(PartsColumn column, const StudyWords& words) {
+  static constexpr std::array<const char*, kAllPartsColumns.size()> kTitles{"", "Part", "Designation", "Count",
+                                                                            "Steps"};
+  const char* const title = kTitles[static_cast<std::size_t>(column)];
+  return *title == '\0' ? std::string() : words(title);
+}
+
+std::string pictureType(const std::string& bytes) {
+  if (bytes.rfind("\x89PNG\r\n\x1a\n", 0) == 0) return "image/png";
+  if (bytes.rfind("\xff\xd8\xff", 0) == 0) return "image/jpeg";
+  return {};
+}
+
+Result<InstructionTemplate> readInstructionTemplate(const std::string& file) {
+  const auto text = readFile(file, limits::kMostScenarioBytes);
+  if (!text) return text.error();
+  return readJson(*text, file, templateIn);
+}
+
+}  // namespace glissade

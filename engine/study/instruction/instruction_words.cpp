@@ -1,0 +1,85 @@
+#include "engine/study/instruction/instruction_words.h"
+
+#include <algorithm>
+
+#include "engine/sequence/step_motion.h"
+
+namespace glissade {
+namespace {
+
+/// Radians: a motion that turns by more is led by a turning hand.
+constexpr double kTurns = 0.1;
+
+/// The sentence of a joint that the step makes; null where its work is that of any other part.
+const char* sentenceOf(const StepJoint& joint, bool isOwn) {
+  switch (joint.kind) {
+    case JointKind::Screw: return "Screw in %1.";
+    case JointKind::Nut: return isOwn ? "Screw on %1." : "Screw in %1.";
+    case JointKind::Insert: return "Press in %1.";
+    case JointKind::Pin: return "Push in %1.";
+    case JointKind::Snap: return "Snap in %1.";
+    case JointKind::Flexible: return "Lay on %1.";
+    case JointKind::Permanent:
+    case JointKind::Unit: break;
+  }
+  return nullptr;
+}
+
+bool isInAHole(const AssemblyStep& step) {
+  return std::any_of(step.allowances.begin(), step.allowances.end(), [](const StepAllowance& allowance) {
+    return allowance.kind == ContactKind::Cylindrical || allowance.kind == ContactKind::Press;
+  });
+}
+
+bool turnsOnItsWay(const AssemblyStep& step) {
+  const auto legs = legsOf(step.path);
+  return std::any_of(legs.begin(), legs.end(), [](const MotionLeg& leg) { return leg.turn > kTurns; });
+}
+
+}  // namespace
+
+std::string workSentence(const AssemblyStep& step, const std::string& what, const StudyWords& words) {
+  const std::vector<std::string> bodies = step.bodies();
+  for (const StepJoint& joint : step.joints) {
+    const bool isOwn = std::find(bodies.begin(), bodies.end(), joint.body) != bodies.end();
+    if (const char* sentence = sentenceOf(joint, isOwn)) return words(sentence, {what});
+  }
+  if (step.fastener == FastenerKind::Nut) return words("Screw on %1.", {what});
+  if (step.fastener == FastenerKind::Screw && step.tool.kind != ToolKind::None) return words("Screw in %1.", {what});
+  if (step.method == kFlexible) return words("Lay on %1.", {what});
+  if (turnsOnItsWay(step)) return words("Turn in %1.", {what});
+  return words(isInAHole(step) ? "Insert %1." : "Place %1.", {what});
+}
+
+std::string turnSentence(const Viewpoint& from, const Viewpoint& to, const StudyWords& words) {
+  const int quarters = (to.quarter - from.quarter + 4) % 4;
+  const bool over = from.turnedOver != to.turnedOver;
+  // Seen from above, an eye that goes on to the right sees the product turn to the left.
+  const bool left = (quarters == 1) != to.turnedOver;
+  switch (quarters) {
+    case 0: return over ? words("Turn the product over.") : std::string();
+    case 2: return words(over ? "Turn the product over and by half a turn." : "Turn the product by half a turn.");
+    default: break;
+  }
+  if (over) {
+    return words(left ? "Turn the product over and to the left." : "Turn the product over and to the right.");
+  }
+  return words(left ? "Turn the product to the left." : "Turn the product to the right.");
+}
+
+std::string countedName(const std::string& name, std::size_t count) {
+  return count == 1 ? name : std::to_string(count) + " × " + name;
+}
+
+std::string capitalized(std::string text) {
+  if (text.empty()) return text;
+  const auto first = static_cast<unsigned char>(text[0]);
+  if (first >= 'a' && first <= 'z') text[0] = static_cast<char>(first - 'a' + 'A');
+  const bool isLatin = first == 0xC3 && text.size() > 1;  // à to þ in UTF-8, without ÷
+  if (isLatin && static_cast<unsigned char>(text[1]) >= 0xA0 && static_cast<unsigned char>(text[1]) != 0xB7) {
+    text[1] = static_cast<char>(static_cast<unsigned char>(text[1]) - 0x20);
+  }
+  return text;
+}
+
+}  // namespace glissade

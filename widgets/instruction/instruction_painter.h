@@ -1,0 +1,23 @@
+#pragma once
+
+#include <QString>
+
+#include "engine/base/file_save.h"
+#include "engine/base/work_watch.h"
+#include "engine/study/instruction/instruction_html.h"
+#include "engine/study/instruction/instruction_layout.h"
+#include "widgets/instruction/step_drawer.h"
+
+namespace glissade {
+
+/// Writes an instruction as PDF: pages of instructionPages(), text that can be searched. Any thread; needs a
+/// QGuiApplication for its fonts. Errors: Interrupted where it was asked to stop; those of writing; a logo that cannot
+/// be read.
+SaveResult writeInstructionPdf(const WorkInstruction& instruction, const InstructionTemplate& look, Paper paper,
+                               const StepDrawer& drawer, const QString& file, const WorkWatch& watch = {});
+
+/// The pictures of an instruction as HTML; fewer where it was asked to stop.
+InstructionPictures instructionPictures(const WorkInstruction& instruction, const StepDrawer& drawer,
+                                        const WorkWatch& watch = {});
+
+}  // namespace glissade

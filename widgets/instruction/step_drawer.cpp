@@ -1,0 +1,328 @@
+#include "widgets/instruction/step_drawer.h"
+
+#include <QPainter>
+#include <QPainterPath>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "widgets/instruction/step_motion_picture.h"
+
+namespace glissade {
+namespace {
+
+const QColor kPaleFill(0xf3, 0xf4, 0xf6);
+const QColor kPaleLine(0x9a, 0xa2, 0xac);
+const QColor kComingFill(0xff, 0xb0, 0x2e);
+const QColor kComingLine(0x1d, 0x23, 0x29);
+const QColor kPartFill(0xdb, 0xe4, 0xee);
+const QColor kArrow(0xc8, 0x3c, 0x00);
+constexpr double kBorder = 0.03;  // of the picture
+/// What comes is drawn apart by these shares of the sizes of the whole and of itself.
+constexpr double kApartOfWhole = 0.06;
+constexpr double kApartOfPart = 0.25;
+constexpr double kApartOfPartNear = 0.6;  // in a close-up
+/// A close-up is drawn where it is larger by this factor than the picture.
+constexpr double kLeastMagnification = 1.6;
+constexpr double kInsetShare = 0.46;   // of the lower side of the picture
+constexpr double kMostCovered = 0.02;  // of a corner that a close-up may hide
+constexpr double kMostlySeen = 0.5;    // of what comes
+constexpr double kCloseMargin = 1.5;   // of what a close-up shows
+
+QRectF shrunk(const QRectF& rect, double by) { return rect.adjusted(by, by, -by, -by); }
+
+/// Everything of a picture, with what comes at some distance from its place.
+struct Scene {
+  std::vector<DrawnBody> bodies;
+  std::vector<StepMotionPicture> motions;
+  Box3 box_V;    ///< of all
+  Box3 first_V;  ///< of what comes first, on its way and at its place
+};
+
+/// From where something is seen in the direction of an arrow.
+void drawArrow(QPainter& painter, const std::vector<QPointF>& way, double alongPixels, double size) {
+  if (way.size() < 2) return;
+  QPainterPath line(way.front());
+  for (std::size_t i = 1; i < way.size(); ++i) line.lineTo(way[i]);
+  const double length = line.length();
+  if (length < 2.0 * size) return;
+  const double from = std::min(0.5 * alongPixels, std::max(0.0, length - 4.0 * size)) / length;
+  const double to = (length - 1.6 * size) / length;
+  QPainterPath shaft(line.pointAtPercent(from));
+  for (int i = 1; i <= 24; ++i) shaft.lineTo(line.pointAtPercent(from + (to - from) * i / 24.0));
+  const QPointF tip = line.pointAtPercent(1.0);
+  const QPointF back = line.pointAtPercent(to) - tip;
+  const double norm = std::max(1e-9, std::hypot(back.x(), back.y()));
+  const QPointF unit = back / norm;
+  const QPointF across(-unit.y() * 0.75 * size, unit.x() * 0.75 * size);
+  QPolygonF head({tip, tip + 1.8 * size * unit + across, tip + 1.8 * size * unit - across});
+  for (const bool halo : {true, false}) {
+    const QColor colour = halo ? QColor(Qt::white) : kArrow;
+    painter.setPen(QPen(colour, (halo ? 0.75 : 0.45) * size, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawPath(shaft);
+    painter.setPen(QPen(colour, halo ? 0.3 * size : 1.0, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
+    painter.setBrush(colour);
+    painter.drawPolygon(head);
+  }
+}
+
+void drawArrows(QPainter& painter, const Scene& scene, const Projection& projection, double size) {
+  for (const StepMotionPicture& motion : scene.motions) {
+    std::vector<QPointF> way;
+    for (const Vector3& p_W : motion.way) way.push_back(projection.pixel(p_W));
+    const Vector3 last = motion.way.front() - motion.way.back();
+    const double metres = last.norm();
+    const QPointF across = way.front() - way.back();
+    const double foreshortened = metres > 0.0 ? std::hypot(across.x(), across.y()) / metres : 0.0;
+    drawArrow(painter, way, motion.along * foreshortened, size);
+  }
+}
+
+/// Share of the pixels of a rectangle that are not white.
+double covered(const QImage& picture, const QRect& rect) {
+  constexpr int kStride = 3;
+  int count = 0;
+  int all = 0;
+  for (int y = rect.top(); y <= rect.bottom(); y += kStride) {
+    for (int x = rect.left(); x <= rect.right(); x += kStride) {
+      ++all;
+      if (picture.pixel(x, y) != qRgb(255, 255, 255)) ++count;
+    }
+  }
+  return all > 0 ? static_cast<double>(count) / all : 1.0;
+}
+
+/// Where the picture and its close-up are.
+struct Places {
+  QRectF whole;
+  QRectF inset;
+};
+
+QRectF cornerOf(const QRectF& frame, double side, int corner) {
+  const double x = corner % 2 == 0 ? frame.right() - side : frame.left();
+  const double y = corner / 2 == 0 ? frame.top() : frame.bottom() - side;
+  return {x, y, side, side};
+}
+
+class PanelPicture {
+ public:
+  PanelPicture(const InstructionPanel& panel, const AssembledProduct& product, const QSize& pixels)
+      : panel_(panel),
+        product_(product),
+        pixels_(pixels),
+        size_(std::max(6.0, 0.022 * std::min(pixels.width(), pixels.height()))),
+        frame_(shrunk(QRectF(QPointF(0.0, 0.0), QSizeF(pixels)), kBorder * std::min(pixels.width(), pixels.height()))) {
+  }
+
+  QImage draw() {
+    const Scene scene = sceneOf(false);
+    Projection whole = projection();
+    whole.fit(scene.box_V, frame_);
+    QImage picture = drawing(scene, whole, pixels_);
+    if (!panel_.closeUp || panel_.steps.empty()) return picture;
+    const Scene near = sceneOf(true);
+    const Box3 close_V = closeBox(near);
+    const auto magnified = [&](const Places& places) {
+      Projection close = projection();
+      close.fit(close_V, places.inset);
+      return close.pixelsPerMetre();
+    };
+    Places places = placesFor(picture, scene);
+    if (magnified(places) < kLeastMagnification * whole.pixelsPerMetre()) return picture;
+    if (places.whole != frame_) {
+      whole.fit(scene.box_V, places.whole);
+      picture = drawing(scene, whole, pixels_);
+    }
+    addCloseUp(picture, near, close_V, places.inset, whole);
+    return picture;
+  }
+
+ private:
+  Projection projection() const { return {panel_.view.toEye(), panel_.view.up()}; }
+
+  const RigidBody& body(const std::string& id) const { return product_.bodies[*product_.indexOf(id)]; }
+
+  Scene sceneOf(bool isNear) const {
+    Scene scene;
+    Box3 box_W;
+    for (const std::string& id : panel_.present) {
+      const RigidBody& there = body(id);
+      const bool isStart = panel_.steps.empty();
+      scene.bodies.push_back(
+          {there.mesh, there.X_WB, isStart ? kComingFill : kPaleFill, isStart ? kComingLine : kPaleLine, isStart});
+      box_W.extend(boundingBox(*there.mesh, there.X_WB));
+    }
+    std::vector<Box3> coming;
+    for (const AssemblyStep& step : panel_.steps) {
+      Box3 box;
+      for (const std::string& id : step.bodies()) box.extend(boundingBox(*body(id).mesh, body(id).X_WB));
+      coming.push_back(box);
+      box_W.extend(box);
+    }
+    const double whole = box_W.diagonal().norm();
+    const Projection view = projection();
+    for (std::size_t i = 0; i < panel_.steps.size(); ++i) {
+      const double part = coming[i].diagonal().norm();
+      const double apart = isNear ? kApartOfPartNear * part : kApartOfWhole * whole + kApartOfPart * part;
+      const StepMotionPicture motion = stepMotionPicture(panel_.steps[i], product_, apart);
+      for (const std::string& id : panel_.steps[i].bodies()) {
+        const RigidBody& comes = body(id);
+        scene.bodies.push_back({comes.mesh, motion.moved * comes.X_WB, kComingFill, kComingLine, true});
+        scene.box_V.extend(view.boxOf(*comes.mesh, comes.X_WB));
+        if (i > 0) continue;
+        scene.first_V.extend(view.boxOf(*comes.mesh, comes.X_WB));
+        scene.first_V.extend(view.boxOf(*comes.mesh, motion.moved * comes.X_WB));
+      }
+      scene.motions.push_back(motion);
+    }
+    for (const DrawnBody& each : scene.bodies) scene.box_V.extend(view.boxOf(*each.mesh, each.X_WB));
+    return scene;
+  }
+
+  QImage drawing(const Scene& scene, const Projection& view, const QSize& pixels) const {
+    QImage picture = lineDrawing(scene.bodies, view, pixels);
+    showHidden(scene, view, picture);
+    QPainter painter(&picture);
+    painter.setRenderHint(QPainter::Antialiasing);
+    drawArrows(painter, scene, view, size_);
+    return picture;
+  }
+
+  /// Where the greater part of what comes is behind other parts, it is seen through them.
+  void showHidden(const Scene& scene, const Projection& view, QImage& picture) const {
+    if (panel_.steps.empty()) return;
+    std::vector<DrawnBody> coming;
+    std::copy_if(scene.bodies.begin(), scene.bodies.end(), std::back_inserter(coming),
+                 [](const DrawnBody& body) { return body.strong; });
+    const QImage alone = lineDrawing(coming, view, picture.size());
+    std::size_t drawn = 0;
+    std::size_t seen = 0;
+    const auto visit = [&](const auto& take) {
+      for (int y = 0; y < picture.height(); ++y) {
+        for (int x = 0; x < picture.width(); ++x) {
+          if (const QRgb pixel = alone.pixel(x, y); pixel != qRgb(255, 255, 255)) take(x, y, pixel);
+        }
+      }
+    };
+    visit([&](int x, int y, QRgb pixel) {
+      ++drawn;
+      if (picture.pixel(x, y) == pixel) ++seen;
+    });
+    if (static_cast<double>(seen) >= kMostlySeen * static_cast<double>(drawn)) return;
+    visit([&](int x, int y, QRgb pixel) {
+      const QRgb there = picture.pixel(x, y);
+      picture.setPixel(x, y,
+                       qRgb((qRed(there) + qRed(pixel)) / 2, (qGreen(there) + qGreen(pixel)) / 2,
+                            (qBlue(there) + qBlue(pixel)) / 2));
+    });
+  }
+
+  /// A square about what comes first.
+  static Box3 closeBox(const Scene& scene) {
+    const Vector3 middle = scene.first_V.center();
+    const double half = 0.5 * kCloseMargin * std::max(scene.first_V.sizes().x(), scene.first_V.sizes().y());
+    return {middle - Vector3::Constant(half), middle + Vector3::Constant(half)};
+  }
+
+  /// The corner that hides least; where each hides something, the picture makes room at its side or below.
+  Places placesFor(const QImage& picture, const Scene& scene) const {
+    const double side = kInsetShare * std::min(frame_.width(), frame_.height());
+    double least = 1.0;
+    QRectF best;
+    for (int corner = 0; corner < 4; ++corner) {
+      const QRectF rect = cornerOf(frame_, side, corner);
+      const double share = covered(picture, rect.toAlignedRect().intersected(picture.rect()));
+      if (share >= least) continue;
+      least = share;
+      best = rect;
+    }
+    if (least <= kMostCovered) return {frame_, best};
+    const double room = side + size_;
+    const Places beside{frame_.adjusted(0.0, 0.0, -room, 0.0), cornerOf(frame_, side, 0)};
+    const Places below{frame_.adjusted(0.0, 0.0, 0.0, -room), cornerOf(frame_, side, 2)};
+    const auto scaleIn = [&](const Places& places) {
+      Projection view = projection();
+      view.fit(scene.box_V, places.whole);
+      return view.pixelsPerMetre();
+    };
+    return scaleIn(beside) >= scaleIn(below) ? beside : below;
+  }
+
+  /// The close-up in its frame, and a ring about its place in the picture.
+  void addCloseUp(QImage& picture, const Scene& near, const Box3& close_V, const QRectF& inset,
+                  const Projection& whole) const {
+    const QRect rect = inset.toAlignedRect();
+    Projection close = projection();
+    close.fit(close_V, QRectF(0.0, 0.0, rect.width(), rect.height()));
+    const QImage detail = drawing(near, close, rect.size());
+    const QRectF ring = whole.rectOf(close_V);
+    QPainter painter(&picture);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(kArrow, 0.15 * size_));
+    painter.setBrush(Qt::NoBrush);
+    const double grown = std::max(0.0, 1.5 * size_ - 0.5 * ring.width());
+    const QRectF circle = ring.adjusted(-grown, -grown, grown, grown);
+    const QLineF link(circle.center(), QRectF(rect).center());
+    const double length = link.length();
+    if (length > 0.5 * circle.width()) painter.drawLine(link.pointAt(0.5 * circle.width() / length), link.p2());
+    painter.drawEllipse(circle);
+    painter.drawImage(rect.topLeft(), detail);
+    painter.drawRect(QRectF(rect));
+  }
+
+  const InstructionPanel& panel_;
+  const AssembledProduct& product_;
+  QSize pixels_;
+  double size_;  ///< of arrows, pixels
+  QRectF frame_;
+};
+
+QColor softened(const Colour& colour) {
+  constexpr double kOwn = 0.75;  // the rest is white
+  const auto channel = [](double value) { return 1.0 - kOwn + kOwn * std::clamp(value, 0.0, 1.0); };
+  return QColor::fromRgbF(channel(colour[0]), channel(colour[1]), channel(colour[2]));
+}
+
+}  // namespace
+
+QImage StepDrawer::panel(const InstructionPanel& panel, const QSize& pixels) const {
+  return PanelPicture(panel, product_, pixels).draw();
+}
+
+QImage StepDrawer::drawn(const std::vector<DrawnBody>& bodies, const QSize& pixels) const {
+  const Viewpoint from;
+  Projection projection(from.toEye(), from.up());
+  Box3 box_V;
+  for (const DrawnBody& each : bodies) box_V.extend(projection.boxOf(*each.mesh, each.X_WB));
+  const double border = kBorder * std::min(pixels.width(), pixels.height());
+  projection.fit(box_V, shrunk(QRectF(QPointF(0.0, 0.0), QSizeF(pixels)), border));
+  return lineDrawing(bodies, projection, pixels);
+}
+
+QImage StepDrawer::finished(const std::vector<std::string>& bodies, const QSize& pixels) const {
+  std::vector<DrawnBody> all;
+  for (const std::string& id : bodies) {
+    all.push_back({body(id).mesh, body(id).X_WB, softened(body(id).colour), kComingLine});
+  }
+  return drawn(all, pixels);
+}
+
+QImage StepDrawer::parts(const std::vector<std::string>& bodies, const QSize& pixels) const {
+  std::vector<DrawnBody> all;
+  for (const std::string& id : bodies) all.push_back({body(id).mesh, body(id).X_WB, kPartFill, kComingLine});
+  return drawn(all, pixels);
+}
+
+QImage StepDrawer::exploded(const std::vector<Vector3>& offsets, const QSize& pixels) const {
+  std::vector<DrawnBody> all;
+  for (std::size_t i = 0; i < product_.bodies.size(); ++i) {
+    const RigidBody& each = product_.bodies[i];
+    all.push_back(
+        {each.mesh, {each.X_WB.position + offsets[i], each.X_WB.orientation}, softened(each.colour), kComingLine});
+  }
+  return drawn(all, pixels);
+}
+
+}  // namespace glissade
