@@ -14,6 +14,15 @@ constexpr double kInPlane = 1e-9;
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
+/// Sine of the angle between an edge and the way below which what the edge sweeps has no area: the edges beside it
+/// sweep that, too.
+constexpr double kAlongTheWay = 1e-12;
+
+bool isAlong(const TriangleMesh& mesh, const Edge& edge, const Vector3& way) {
+  const Vector3 along = mesh.vertices[edge.second] - mesh.vertices[edge.first];
+  return along.cross(way).norm() <= kAlongTheWay * along.norm() * way.norm();
+}
+
 /// On which side of the plane that the edge sweeps the corner is: 1, -1; 0: in it.
 int sideOf(const TriangleMesh& mesh, const Edge& edge, std::uint32_t corner, const Vector3& way) {
   const Vector3 along = mesh.vertices[edge.second] - mesh.vertices[edge.first];
@@ -44,7 +53,7 @@ TriangleMesh sweptBy(const TriangleMesh& mesh, const Vector3& way) {
     }
   }
   for (const auto& [edge, corners] : edges) {
-    if (isInside(mesh, edge, corners, way)) continue;
+    if (isAlong(mesh, edge, way) || isInside(mesh, edge, corners, way)) continue;
     const auto& [a, b] = edge;
     swept.triangles.push_back({a, b, b + count});
     swept.triangles.push_back({a, b + count, a + count});

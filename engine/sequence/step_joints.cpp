@@ -10,12 +10,22 @@
 namespace glissade {
 namespace {
 
-StepJoint stepJoint(const Joint& joint, const AssembledProduct& product) {
+/// Of those that are there: a group that is taken apart does not know the others.
+std::vector<std::string> idsOf(const std::vector<std::size_t>& bodies, const BodySet& present,
+                               const AssembledProduct& product) {
+  BodyGroup there;
+  for (const std::size_t body : bodies) {
+    if (present[body]) there.push_back(body);
+  }
+  return idsOf(there, product);
+}
+
+StepJoint stepJoint(const Joint& joint, const BodySet& present, const AssembledProduct& product) {
   StepJoint own;
   own.kind = joint.kind;
   own.body = product.bodies[joint.body].id;
-  own.others = idsOf(joint.others, product);
-  own.clamped = idsOf(joint.clamped, product);
+  own.others = idsOf(joint.others, present, product);
+  own.clamped = idsOf(joint.clamped, present, product);
   own.designation = joint.designation;
   own.drive = joint.drive;
   own.driveSize = joint.driveSize;
@@ -40,12 +50,12 @@ std::vector<StepJoint> jointsOf(const AssemblyStep& step, const BodyGroup& group
   std::vector<StepJoint> joints;
   const JointRules& rules = *question.joints;
   for (const std::size_t index : rules.opened(group, present)) {
-    joints.push_back(stepJoint(rules.joints()[index], question.product));
+    joints.push_back(stepJoint(rules.joints()[index], present, question.product));
     joints.back().turns = turnsOf(step.path);
   }
   const BodySet others = without(present, group);
   for (const Joint& joint : rules.joints()) {
-    if (isLeft(joint, group, others)) joints.push_back(stepJoint(joint, question.product));
+    if (isLeft(joint, group, others)) joints.push_back(stepJoint(joint, present, question.product));
   }
   return joints;
 }
