@@ -1,4 +1,6 @@
 // The assembly plan of a product in the whole window, without a display.
+#include <QStandardPaths>
+
 #include "engine/scenario/work_times_json.h"
 #include "tests/app/window_fixture.h"
 #include "tests/engine/support/step_files.h"
