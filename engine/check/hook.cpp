@@ -74,9 +74,15 @@ class HookSearch {
 bool goesAlong(const Vector3& direction, const Body& body, const std::vector<Pose>& path, const Body& other) {
   const Box3 box = boundingBox(*other.mesh, other.X_WB);
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-    if (!boundingBox(*body.mesh, path[i]).intersects(box)) continue;
     const Vector3 way = path[i + 1].position - path[i].position;
     const bool turns = path[i].orientation.angularDistance(path[i + 1].orientation) > kTurns;
+    Box3 swept = boundingBox(*body.mesh, path[i]).merged(boundingBox(*body.mesh, path[i + 1]));
+    if (turns) {
+      // By up to half a circle: no point of the body is farther from where it begins or ends.
+      const Vector3 beside = Vector3::Constant(2.0 * radiusAboutOrigin(*body.mesh) + 0.5 * way.norm());
+      swept = Box3(swept.min() - beside, swept.max() + beside);
+    }
+    if (!swept.intersects(box)) continue;
     if (turns || way.dot(direction) < kAlong * way.norm()) return false;
   }
   return true;

@@ -17,8 +17,8 @@ inline double mostBendOf(const TriangleMesh& body) {
   return std::min(kMostBend, kMostBendShare * boundingBox(body).diagonal().norm());
 }
 
-/// Where the boxes of the two bodies meet, the path goes along the direction and does not turn. `body`: the one that
-/// moves, `path`: its configurations; `direction`: unit, in which it leaves.
+/// Edges of the path on which the two bodies may meet, by their boxes, go along the direction and do not turn. `body`:
+/// the one that moves, `path`: its configurations; `direction`: unit, in which it leaves.
 bool goesAlong(const Vector3& direction, const Body& body, const std::vector<Pose>& path, const Body& other);
 
 /// What is asked about a hook.

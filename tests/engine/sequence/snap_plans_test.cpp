@@ -184,5 +184,24 @@ TEST(SnapPlans, AHookBendsOnTheWayThatThePersonSaysOnly) {
   EXPECT_FALSE(isValid(aside, product)) << "it turns";
 }
 
+/// Out as the person says, then in again: no word says that the hook bends on the way in.
+TEST(SnapPlans, AHookDoesNotBendOnTheWayBackIn) {
+  const AssembledProduct product = cappedHole(0.0004);
+  AssemblyPlan plan = planOf(product, findJoints(product), JointUse::Suggested);
+  ASSERT_EQ(plan.steps.size(), 1U);
+  std::vector<PathPoint>& path = plan.steps[0].path;
+  ASSERT_EQ(path.size(), 2U);
+  const std::vector<PathPoint> once = path;
+  path.insert(path.end(), once.begin(), once.end());
+  EXPECT_FALSE(isValid(plan, product));
+  path = once;
+  PathPoint high = once.back();
+  high.q.position.z() += 1.0;
+  PathPoint below = high;
+  below.q.position.z() -= 3.0;
+  path.insert(path.end(), {high, below});
+  EXPECT_FALSE(isValid(plan, product)) << "through the hole, from one side to the other";
+}
+
 }  // namespace
 }  // namespace glissade
