@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "engine/geometry/range.h"
+
 namespace glissade {
 namespace {
 
@@ -30,13 +32,6 @@ constexpr double kCoordinateRounding = 1e-14;
 constexpr std::size_t kElementsOfLeaf = 4;
 /// Turns.
 constexpr double kTurnRounding = 1e-9;
-
-struct Range {
-  double low = kNever;
-  double high = -kNever;
-  void take(double value) { low = std::min(low, value), high = std::max(high, value); }
-  void take(const Range& other) { take(other.low), take(other.high); }
-};
 
 double gapOf(const Range& a, const Range& b) { return std::max({0.0, a.low - b.high, b.low - a.high}); }
 

@@ -6,21 +6,14 @@
 #include <map>
 #include <set>
 
+#include "engine/geometry/range.h"
+
 namespace glissade {
 namespace {
 
 /// Sine of the angle between two axes, and metres: what is one.
 constexpr double kSameAxis = 1e-6;
 constexpr double kSameLength = 1e-6;
-
-struct Range {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
-  void take(double value) {
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-};
 
 /// Where the vertices of a face are about an axis.
 struct Turned {

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 
+#include "engine/geometry/range.h"
 #include "engine/product/surface_regions.h"
 
 namespace glissade {
@@ -48,17 +49,6 @@ struct TurnedShape {
   bool headAtEnd = false;
   int sides = 0;        ///< of a prism about the axis
   int socketSides = 0;  ///< of a hole that is a prism about the axis
-};
-
-/// A range along an axis.
-struct Range {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
-
-  void take(double at) {
-    low = std::min(low, at);
-    high = std::max(high, at);
-  }
 };
 
 double offAxis(const Vector3& point, const CylinderRegion& axis) {

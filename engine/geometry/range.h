@@ -1,0 +1,23 @@
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+namespace glissade {
+
+/// The numbers from the least to the greatest that were taken; empty at first.
+struct Range {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  void take(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  void take(const Range& other) {
+    take(other.low);
+    take(other.high);
+  }
+};
+
+}  // namespace glissade
