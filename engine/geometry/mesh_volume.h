@@ -4,6 +4,15 @@
 
 namespace glissade {
 
+/// Square metres.
+inline double areaOf(const TriangleMesh& mesh) {
+  double twice = 0.0;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    twice += (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]).norm();
+  }
+  return 0.5 * twice;
+}
+
 /// What a closed surface encloses, cubic metres; below 0 where it is inside out. Summed about a vertex, so that nothing
 /// is lost far from the origin.
 inline double signedVolume(const TriangleMesh& mesh) {

@@ -105,6 +105,7 @@ Viewpoint StepView::choose(const std::vector<AssemblyStep>& steps, const BodySet
   for (const int quarters : {0, 1, 3, 2}) {
     for (const bool over : {false, true}) {
       const Viewpoint other{(before.quarter + quarters) % 4, before.turnedOver != over};
+      if (other == before) continue;
       const double turning = quarters == 0 ? 1.0 : quarters == 2 ? kHalfTurn : kQuarterTurn;
       const double value = turning * (over ? kTurnOver : 1.0) * score(steps, present, other);
       if (value <= best) continue;

@@ -34,11 +34,10 @@ void addDesignations(const std::vector<SubassemblyLine>& lines, TextsById& desig
 class Shape {
  public:
   explicit Shape(const TriangleMesh& mesh)
-      : vertices_(mesh.vertices.size()), triangles_(mesh.triangles.size()), volume_(signedVolume(mesh)) {
-    for (const auto& [a, b, c] : mesh.triangles) {
-      area_ += 0.5 * (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]).norm();
-    }
-  }
+      : vertices_(mesh.vertices.size()),
+        triangles_(mesh.triangles.size()),
+        area_(areaOf(mesh)),
+        volume_(signedVolume(mesh)) {}
   bool operator==(const Shape& other) const {
     constexpr double kRounding = 1e-6;  // of the size of each
     const double length = std::sqrt(area_);
@@ -50,7 +49,7 @@ class Shape {
  private:
   std::size_t vertices_;
   std::size_t triangles_;
-  double area_ = 0.0;
+  double area_;
   double volume_;
 };
 

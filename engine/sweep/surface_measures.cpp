@@ -20,15 +20,6 @@ std::array<int, 3> cellAt(const Lattice& lattice, const Vector3& p) {
 
 }  // namespace
 
-double areaOf(const TriangleMesh& surface) {
-  double twice = 0.0;
-  for (const auto& [a, b, c] : surface.triangles) {
-    const auto& vertices = surface.vertices;
-    twice += (vertices[b] - vertices[a]).cross(vertices[c] - vertices[a]).norm();
-  }
-  return 0.5 * twice;
-}
-
 double farthestFromBody(const TriangleMesh& surface_W, const Lattice& lattice, const SweepClearances& clearances) {
   const double reach = static_cast<float>(SweepClearances::kReach * lattice.spacing);
   const double slack = SweepClearances::kSlack * lattice.spacing;

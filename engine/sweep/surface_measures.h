@@ -6,9 +6,6 @@
 
 namespace glissade {
 
-/// Square metres.
-double areaOf(const TriangleMesh& surface);
-
 /// No point of a surface through the cells of a lattice is farther from the body, at its nearest, than this; metres.
 /// Precondition: each triangle has a corner of the lattice near it at which the clearance is below the reach.
 double farthestFromBody(const TriangleMesh& surface_W, const Lattice& lattice, const SweepClearances& clearances);
