@@ -83,6 +83,18 @@ Diagnostic outOfRange(const ParameterSpec& spec, double value, const ParameterRa
   return {ErrorKind::Usage, "", std::string(spec.key), reason.str(), advice.str()};
 }
 
+/// The largest of 1, 2 and 5 times a power of ten that is not above the value, which is above 0: as a person writes it.
+/// A value that is below such a number by rounding only is that number.
+double roundNumberBelow(double value) {
+  const double most = value * (1.0 + 1e-9);
+  const double decade = std::pow(10.0, std::floor(std::log10(most)));
+  double best = decade;
+  for (const double digit : {2.0, 5.0}) {
+    if (digit * decade <= most) best = digit * decade;
+  }
+  return best;
+}
+
 }  // namespace
 
 const std::array<ParameterSpec, kParameterCount>& parameterTable() { return kTable; }
@@ -106,6 +118,8 @@ ParameterValues::ParameterValues(double objectRadius) : radius_(objectRadius) {
     const double unit = spec.scale == Scale::ObjectRadius ? objectRadius : 1.0;
     values_[static_cast<std::size_t>(spec.id)] = spec.defaultValue * unit;
   }
+  double& clearance = values_[static_cast<std::size_t>(Id::RequiredClearance)];
+  if (clearance > 0.0 && std::isfinite(clearance)) clearance = roundNumberBelow(clearance);
 }
 
 int ParameterValues::integer(ParameterId id) const { return static_cast<int>(std::lround((*this)[id])); }

@@ -6,38 +6,85 @@
 
 namespace glissade {
 
-std::vector<BodyGroup> BlockingGraph::groups(const std::vector<BodyGroup>& units, std::size_t most) const {
-  std::vector<std::size_t> unitOf(blockers_.size(), units.size());
-  for (std::size_t unit = 0; unit < units.size(); ++unit) {
-    for (const std::size_t body : units[unit]) unitOf[body] = unit;
-  }
-  std::vector<BodyGroup> found;
-  for (std::size_t unit = 0; unit < units.size(); ++unit) {
-    BodyGroup group = smallestWith(unit, units, unitOf, most);
-    if (group.size() > units[unit].size()) found.push_back(std::move(group));
-  }
-  return found;
-}
+namespace {
 
-/// All that can be reached from the unit; empty where that is too much, or has a body that stays.
-BodyGroup BlockingGraph::smallestWith(std::size_t unit, const std::vector<BodyGroup>& units,
-                                      const std::vector<std::size_t>& unitOf, std::size_t most) const {
-  std::set<std::size_t> reached{unit};
-  std::vector<std::size_t> open{unit};
-  BodyGroup group;
-  while (!open.empty()) {
-    const std::size_t next = open.back();
-    open.pop_back();
-    for (const std::size_t body : units[next]) {
-      if (stays_[body] || group.size() == most) return {};
-      group.push_back(body);
-      for (const std::size_t blocker : blockers_[body]) {
-        if (reached.insert(unitOf[blocker]).second) open.push_back(unitOf[blocker]);
+/// The search for groups of at most some bodies. What is in no such group is remembered: what it blocks is in none.
+class GroupSearch {
+ public:
+  GroupSearch(const BodySet& staying, const BlockingGraph::Edges& edges, const std::vector<BodyGroup>& units,
+              std::size_t most)
+      : edges_(edges),
+        units_(units),
+        most_(most),
+        unitOf_(staying.size(), units.size()),
+        stuck_(staying.size(), false) {
+    for (std::size_t unit = 0; unit < units.size(); ++unit) {
+      for (const std::size_t body : units[unit]) unitOf_[body] = unit;
+      if (std::any_of(units[unit].begin(), units[unit].end(), [&](std::size_t body) { return staying[body]; })) {
+        setStuck(unit);
       }
     }
   }
-  std::sort(group.begin(), group.end());
-  return group;
+
+  /// Empty where the unit is in none.
+  BodyGroup smallestWith(std::size_t unit) {
+    BodyGroup group = reachedFrom(unit);
+    if (group.empty()) setStuck(unit);
+    return group;
+  }
+
+ private:
+  void setStuck(std::size_t unit) {
+    for (const std::size_t body : units_[unit]) stuck_[body] = true;
+  }
+
+  BodyGroup reachedFrom(std::size_t first) const {
+    std::set<std::size_t> reached{first};
+    std::vector<std::size_t> open{first};
+    BodyGroup group;
+    while (!open.empty()) {
+      const BodyGroup& unit = units_[open.back()];
+      open.pop_back();
+      group.insert(group.end(), unit.begin(), unit.end());
+      if (group.size() > most_ || std::any_of(unit.begin(), unit.end(), [&](auto b) { return isHeld(b); })) return {};
+      for (const std::size_t body : unit) {
+        for (const std::size_t blocker : edges_.candidates(body)) {
+          const std::size_t its = unitOf_[blocker];
+          if (its == units_.size() || reached.count(its) != 0 || !edges_.blocks(blocker, body)) continue;
+          reached.insert(its);
+          open.push_back(its);
+          if (reached.size() > most_) return {};
+        }
+      }
+    }
+    std::sort(group.begin(), group.end());
+    return group;
+  }
+
+  bool isHeld(std::size_t body) const {
+    if (stuck_[body]) return true;
+    const std::vector<std::size_t>& candidates = edges_.candidates(body);
+    return std::any_of(candidates.begin(), candidates.end(),
+                       [&](std::size_t blocker) { return stuck_[blocker] && edges_.blocks(blocker, body); });
+  }
+
+  const BlockingGraph::Edges& edges_;
+  const std::vector<BodyGroup>& units_;
+  std::size_t most_;
+  std::vector<std::size_t> unitOf_;  ///< of each body; the number of units where it is not there
+  BodySet stuck_;                    ///< bodies that are in no group
+};
+
+}  // namespace
+
+std::vector<BodyGroup> BlockingGraph::groups(const std::vector<BodyGroup>& units, std::size_t most) const {
+  GroupSearch search(staying_, edges_, units, most);
+  std::vector<BodyGroup> found;
+  for (std::size_t unit = 0; unit < units.size(); ++unit) {
+    BodyGroup group = search.smallestWith(unit);
+    if (group.size() > units[unit].size()) found.push_back(std::move(group));
+  }
+  return found;
 }
 
 std::vector<BodyGroup> smallestDisjoint(std::vector<BodyGroup> groups,

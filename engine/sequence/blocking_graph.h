@@ -7,25 +7,27 @@
 
 namespace glissade {
 
-/// Who blocks whom along one direction: a directional blocking graph (Wilson and Latombe 1994).
+/// Who blocks whom along one direction: a directional blocking graph (Wilson and Latombe 1994). Its edges are asked for
+/// where a group depends on them, because an edge may be an exact motion of one body past another one.
 class BlockingGraph {
  public:
-  explicit BlockingGraph(std::size_t bodies) : blockers_(bodies), stays_(bodies, false) {}
+  /// What the graph asks of two bodies. The answers do not change.
+  struct Edges {
+    /// Bodies that may block this one, the likely ones first.
+    std::function<const std::vector<std::size_t>&(std::size_t blocked)> candidates;
+    std::function<bool(std::size_t blocker, std::size_t blocked)> blocks;
+  };
 
-  void blocks(std::size_t blocker, std::size_t blocked) { blockers_[blocked].push_back(blocker); }
-  /// The body does not leave, whoever else does.
-  void stays(std::size_t body) { stays_[body] = true; }
+  /// `staying`: bodies that do not leave, whoever else does.
+  BlockingGraph(BodySet staying, Edges edges) : staying_(std::move(staying)), edges_(std::move(edges)) {}
 
   /// Groups of at least two units that nobody else blocks, one for each unit in the smallest of them that holds it;
   /// none of more than `most` bodies. `units`: all bodies that are there, those that only leave together in one.
   std::vector<BodyGroup> groups(const std::vector<BodyGroup>& units, std::size_t most) const;
 
  private:
-  BodyGroup smallestWith(std::size_t unit, const std::vector<BodyGroup>& units, const std::vector<std::size_t>& unitOf,
-                         std::size_t most) const;
-
-  std::vector<std::vector<std::size_t>> blockers_;  ///< of each body
-  std::vector<bool> stays_;
+  BodySet staying_;
+  Edges edges_;
 };
 
 /// Of these groups the smallest, and of those that have no body in common with one of them the smallest, and so on; of

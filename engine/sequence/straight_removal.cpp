@@ -1,6 +1,7 @@
 #include "engine/sequence/straight_removal.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 #include "engine/planning/path_certificate.h"
@@ -43,7 +44,7 @@ RemovalAnswer StraightRemoval::tryRemoval(const BodyGroup& group, const BodySet&
       const int nearest = path.certificate.nearest.body;
       if (nearest >= 0 && !stop.stopRequested()) {
         blocker = static_cast<std::size_t>(nearest);
-        lineAlong(group.front(), direction).blockedBy[*blocker] = true;
+        lineAlong(group.front(), direction).blockedBy[*blocker] = Blocking::Yes;
       }
     }
     if (stop.stopRequested()) return Refused{{}, true};
@@ -61,28 +62,33 @@ std::vector<BodyGroup> StraightRemoval::groups(const GroupQuestion& question,
   }
   if (leaving.empty()) return {};
   const std::vector<Vector3> directions = directionsOf(leaving);
-  std::vector<std::vector<Blockers>> blockers(product_.bodies.size());
-  team.run(leaving.size(), [&](std::size_t i) {
-    for (const Vector3& direction : directions) {
-      blockers[leaving[i]].push_back(allBlockers(leaving[i], direction, question, stop));
-    }
-  });
+  for (const Vector3& direction : directions) {
+    for (const std::size_t body : leaving) lineAlong(body, direction);
+  }
+  std::vector<std::vector<BodyGroup>> along(directions.size());
+  team.run(directions.size(), [&](std::size_t i) { along[i] = groupsAlong(directions[i], question, links, stop); });
   if (stop.stopRequested()) return {};
   std::vector<BodyGroup> found;
-  for (std::size_t along = 0; along < directions.size(); ++along) {
-    BlockingGraph graph(product_.bodies.size());
-    for (std::size_t body = 0; body < product_.bodies.size(); ++body) {
-      if (!question.present[body]) continue;
-      if (question.staying[body] || blockers[body][along].forEver) {
-        graph.stays(body);
-      } else {
-        for (const std::size_t other : blockers[body][along].bodies) graph.blocks(other, body);
-      }
-    }
-    for (const auto& [first, then] : links) graph.blocks(first, then);
-    for (BodyGroup& group : graph.groups(question.units, question.most)) found.push_back(std::move(group));
-  }
+  for (std::vector<BodyGroup>& groups : along) std::move(groups.begin(), groups.end(), std::back_inserter(found));
   return smallestDisjoint(std::move(found), [&](const BodyGroup& group) { return boxVolume(product_, group); });
+}
+
+/// The lines of all bodies along the direction are known.
+std::vector<BodyGroup> StraightRemoval::groupsAlong(const Vector3& direction, const GroupQuestion& question,
+                                                    const std::vector<std::pair<std::size_t, std::size_t>>& links,
+                                                    const StopToken& stop) {
+  BodySet staying = question.staying;
+  std::vector<Line*> lines(staying.size(), nullptr);
+  for (const std::size_t body : bodiesIn(question.present)) {
+    staying[body] = staying[body] || !mayLeaveAlong(direction, body);
+    if (!staying[body]) lines[body] = &lineAlong(body, direction);
+  }
+  const auto candidates = [&](std::size_t blocked) -> const std::vector<std::size_t>& { return lines_[blocked].order; };
+  const auto blocks = [&](std::size_t blocker, std::size_t blocked) {
+    const bool linked = std::find(links.begin(), links.end(), std::pair(blocker, blocked)) != links.end();
+    return linked || isBlocking(blocker, blocked, *lines[blocked], stop);
+  };
+  return BlockingGraph(std::move(staying), {candidates, blocks}).groups(question.units, question.most);
 }
 
 StraightRemoval::Lines& StraightRemoval::linesOf(std::size_t body) {
@@ -118,7 +124,7 @@ StraightRemoval::Line StraightRemoval::newLine(std::size_t body, const Box3& oth
   const Box3& box = worlds_.boxOf(body);
   const double margin = leavingMargin(radiusAboutOrigin(*product_.bodies[body].mesh));
   Line line{direction, wayOutOf(box, others, direction, margin) * direction, box,
-            std::vector<std::optional<bool>>(product_.bodies.size())};
+            std::vector<std::atomic<Blocking>>(product_.bodies.size())};
   line.swept.extend(Box3(box.min() + line.way, box.max() + line.way));
   line.swept.min() -= Vector3::Constant(margin);
   line.swept.max() += Vector3::Constant(margin);
@@ -158,34 +164,16 @@ std::optional<std::size_t> StraightRemoval::blockerOf(const BodyGroup& group, co
 std::optional<std::size_t> StraightRemoval::blockerOf(std::size_t body, Line& line, const BodySet& others,
                                                       const StopToken& stop) {
   const std::vector<std::size_t>& order = lines_[body].order;
-  const auto blocked = [&](std::size_t other) { return others[other] && line.blockedBy[other].value_or(false); };
+  const auto blocked = [&](std::size_t other) { return others[other] && line.blockedBy[other] == Blocking::Yes; };
   const auto known = std::find_if(order.begin(), order.end(), blocked);
   if (known != order.end()) return *known;
   for (const std::size_t other : order) {
-    if (!others[other] || line.blockedBy[other]) continue;
+    if (!others[other] || line.blockedBy[other] != Blocking::Unknown) continue;
     const bool blocks = isBlocking(other, body, line, stop);
     if (stop.stopRequested()) return std::nullopt;
     if (blocks) return other;
   }
   return std::nullopt;
-}
-
-/// Those that stay are asked first: one of them is enough.
-StraightRemoval::Blockers StraightRemoval::allBlockers(std::size_t body, const Vector3& direction,
-                                                       const GroupQuestion& question, const StopToken& stop) {
-  if (!mayLeaveAlong(direction, body)) return {true, {}};
-  Line& line = lineAlong(body, direction);
-  Blockers blockers;
-  for (const bool staying : {true, false}) {
-    for (const std::size_t other : lines_[body].order) {
-      if (!question.present[other] || question.staying[other] != staying) continue;
-      if (stop.stopRequested()) return blockers;
-      if (!isBlocking(other, body, line, stop)) continue;
-      if (staying) return {true, {}};
-      blockers.bodies.push_back(other);
-    }
-  }
-  return blockers;
 }
 
 bool StraightRemoval::mayLeaveAlong(const Vector3& direction, std::size_t body) const {
@@ -194,8 +182,8 @@ bool StraightRemoval::mayLeaveAlong(const Vector3& direction, std::size_t body) 
 
 /// Not kept after a stop.
 bool StraightRemoval::isBlocking(std::size_t other, std::size_t body, Line& line, const StopToken& stop) {
-  std::optional<bool>& known = line.blockedBy[other];
-  if (known) return *known;
+  const Blocking known = line.blockedBy[other];
+  if (known != Blocking::Unknown) return known == Blocking::Yes;
   const Vector3* bent = fits_.bentWay(body, other);
   bool blocks = fits_.threadOf(body, other) != nullptr || (bent != nullptr && bent->dot(line.direction) < kSameLine);
   if (!blocks && line.swept.intersects(worlds_.boxOf(other))) {
@@ -208,7 +196,7 @@ bool StraightRemoval::isBlocking(std::size_t other, std::size_t body, Line& line
             ->checkMotion(own.X_WB, end, worlds_.object({body}).required, SeekViolation::Any, stop);
     blocks = check.status != CertificateStatus::Certified;
   }
-  if (!stop.stopRequested()) known = blocks;
+  if (!stop.stopRequested()) line.blockedBy[other] = blocks ? Blocking::Yes : Blocking::No;
   return blocks;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <deque>
 #include <map>
 #include <optional>
@@ -31,12 +32,13 @@ class StraightRemoval {
   void learn(const BodyGroup& group, const std::vector<PathPoint>& path);
 
  private:
-  /// A line of a body, and who blocks it; nothing where it was not asked.
+  enum class Blocking : unsigned char { Unknown, No, Yes };
+  /// A line of a body, and who blocks it.
   struct Line {
     Vector3 direction;
-    Vector3 way;  ///< until the body is out of the bounding box of all others
-    Box3 swept;   ///< holds the body on all of the line
-    std::vector<std::optional<bool>> blockedBy;
+    Vector3 way;                                   ///< until the body is out of the bounding box of all others
+    Box3 swept;                                    ///< holds the body on all of the line
+    std::vector<std::atomic<Blocking>> blockedBy;  ///< set by any thread
   };
   struct Lines {
     bool known = false;
@@ -45,12 +47,6 @@ class StraightRemoval {
     std::deque<Line> lines;          ///< never moved
     std::vector<std::size_t> order;  ///< others, those that it fits first
   };
-  /// What blocks a body along a direction.
-  struct Blockers {
-    bool forEver = false;  ///< a body that stays does
-    std::vector<std::size_t> bodies;
-  };
-
   Lines& linesOf(std::size_t body);
   Line& lineAlong(std::size_t body, const Vector3& direction);
   Line newLine(std::size_t body, const Box3& others, const Vector3& direction) const;
@@ -58,8 +54,9 @@ class StraightRemoval {
   std::optional<std::size_t> blockerOf(const BodyGroup& group, const Vector3& direction, const BodySet& others,
                                        const StopToken& stop);
   std::optional<std::size_t> blockerOf(std::size_t body, Line& line, const BodySet& others, const StopToken& stop);
-  Blockers allBlockers(std::size_t body, const Vector3& direction, const GroupQuestion& question,
-                       const StopToken& stop);
+  std::vector<BodyGroup> groupsAlong(const Vector3& direction, const GroupQuestion& question,
+                                     const std::vector<std::pair<std::size_t, std::size_t>>& links,
+                                     const StopToken& stop);
   bool isBlocking(std::size_t other, std::size_t body, Line& line, const StopToken& stop);
   bool mayLeaveAlong(const Vector3& direction, std::size_t body) const;
   Path certified(const BodyGroup& group, const Vector3& direction, const BodySet& present, const StopToken& stop);

@@ -52,5 +52,17 @@ TEST(ParameterValues, LengthsScaleWithTheObject) {
   EXPECT_DOUBLE_EQ(ParameterValues(2.0)[ParameterId::Alpha], ParameterValues(1.0)[ParameterId::Alpha]);
 }
 
+TEST(ParameterValues, TheUsualRequiredClearanceIsARoundNumberBelowItsShareOfTheRadius) {
+  const auto usual = [](double radius) { return ParameterValues(radius)[ParameterId::RequiredClearance]; };
+  EXPECT_DOUBLE_EQ(usual(0.0126), 1e-7);
+  EXPECT_DOUBLE_EQ(usual(0.0032), 2e-8);
+  EXPECT_DOUBLE_EQ(usual(0.1), 1e-6);
+  EXPECT_DOUBLE_EQ(usual(1.49), 1e-5);
+  for (double radius = 1e-3; radius < 1e3; radius *= 1.37) {
+    EXPECT_LE(usual(radius), 1.0000001e-5 * radius);
+    EXPECT_GT(usual(radius), 0.39e-5 * radius);
+  }
+}
+
 }  // namespace
 }  // namespace glissade
