@@ -120,8 +120,7 @@ Report allowancesJson(const std::vector<AppliedAllowance>& allowances) {
 std::string triangleWords(double deviation) {
   if (deviation <= 0.0) return {};
   std::ostringstream text;
-  text << "the certificate is about triangles: surfaces of the STEP files may be " << deviation * 1e3
-       << " mm nearer than they are\n";
+  text << "the certificate is about triangles, which are within +/- " << deviation * 1e3 << " mm of the CAD surfaces\n";
   return text.str();
 }
 
@@ -252,8 +251,8 @@ std::string reportText(const PlanVerdict& verdict, const Product& product) {
     text << verdict.stepsWithoutProof() << " steps of flexible bodies have no proof\n";
   }
   if (verdict.deviation > 0.0) {
-    text << "the certificates are about triangles: surfaces may be " << verdict.deviation * 1e3
-         << " mm nearer than they are\n";
+    text << "the certificates are about triangles, which are within +/- " << verdict.deviation * 1e3
+         << " mm of the CAD surfaces\n";
   }
   return text.str();
 }

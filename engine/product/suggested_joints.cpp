@@ -198,9 +198,19 @@ class SuggestedJointFinder {
     joint.others = touching(body);
     joint.point = shapes_.box(body).center();
     joint.evidence = {reason};
-    if (joint.others.empty() && *kind != JointKind::Flexible) return;
+    if (*kind == JointKind::Flexible) {
+      std::erase_if(joint.others, [&](std::size_t other) { return isFlexible(other); });
+    } else if (joint.others.empty()) {
+      return;
+    }
     if (*kind == JointKind::Snap) addBend(joint);
     joints.push_back(std::move(joint));
+  }
+
+  /// Belts side by side touch. Neither goes around the other one.
+  bool isFlexible(std::size_t body) const {
+    std::string reason;
+    return kindOf(body, &reason) == JointKind::Flexible;
   }
 
   std::optional<JointKind> kindOf(std::size_t body, std::string* reason) const {

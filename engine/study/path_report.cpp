@@ -88,7 +88,7 @@ class PathReportComposer {
       rows.push_back({words_("Allowance"), allowance});
     }
     if (const double deviation = surfaceDeviation(content_.scenario); deviation > 0.0) {
-      rows.push_back({words_("About triangles"), words_("surfaces may be %1 nearer", {length_(deviation)})});
+      rows.push_back({words_("About triangles"), words_("within ± %1 of the CAD surfaces", {length_(deviation)})});
     }
     if (const double spacing = coordinateSpacing(content_.scenario); spacing > 0.0) {
       rows.push_back({words_("32-bit coordinates"), words_("surfaces may be %1 nearer", {length_(spacing)})});
@@ -130,7 +130,7 @@ class PathReportComposer {
     Plot plot;
     plot.name = "clearance";
     plot.title = words_("Clearance along the path");
-    plot.caption = words_("Exact distances to the nearest part at places of the path; the smallest is %1 to %2.",
+    plot.caption = words_("Distances of triangles to the nearest part at places of the path; the smallest is %1 to %2.",
                           {length_(samples[tightest].nearest.distance), nameOf(samples[tightest].nearest.body)});
     plot.x = PlotScale::percentages(words_("share of the path, %"));
     plot.y = PlotScale::fitting(words_("clearance, mm"), clearances);

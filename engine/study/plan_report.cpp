@@ -74,7 +74,7 @@ class Composer {
     }
     if (content_.deviation > 0.0) {
       report_.blocks.emplace_back(
-          ReportText{say("The certificates are about triangles: surfaces may be %1 nearer than they are.",
+          ReportText{say("The certificates are about triangles, which are within ± %1 of the CAD surfaces.",
                          {plain_.length(content_.deviation)})});
     }
     picture(content_.explodedPicture, say("The product, exploded"));

@@ -10286,8 +10286,8 @@
         <translation>pour des coordonnées sur 32 bits, qui peuvent être plus proches de %1</translation>
     </message>
     <message>
-        <source>of triangles; STEP surfaces may be %1 nearer</source>
-        <translation>pour des triangles&#xa0;; les surfaces STEP peuvent être plus proches de %1</translation>
+        <source>of triangles, within ± %1 of the CAD surfaces</source>
+        <translation>pour des triangles, à ± %1 des surfaces CAO</translation>
     </message>
     <message>
         <source>taken %1 thinner against %2</source>

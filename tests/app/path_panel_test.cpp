@@ -66,7 +66,7 @@ TEST_F(PathPanelTest, ACertificateAboutTrianglesSaysByHowMuchSurfacesMayBeNearer
   EXPECT_FALSE(text().contains(QStringLiteral("triangles"))) << text().toStdString();
   scenario.deflections = {{scenario.object.id, 1e-4}, {"a", 2e-4}, {"b", 5e-5}};
   panel.setPath(std::make_shared<Path>(*path), nullptr, scenario);
-  EXPECT_TRUE(text().contains(QStringLiteral("0.300 mm nearer"))) << text().toStdString();
+  EXPECT_TRUE(text().contains(QStringLiteral("± 0.300 mm of the CAD surfaces"))) << text().toStdString();
   EXPECT_FALSE(text().contains(QStringLiteral("32-bit"))) << text().toStdString();
   scenario.coordinateSpacings = {{scenario.object.id, 1e-6}, {"a", 2e-6}};
   panel.setPath(std::make_shared<Path>(*path), nullptr, scenario);

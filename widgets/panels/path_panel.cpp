@@ -58,7 +58,7 @@ QString certificateText(const Path& path, const LoadedScenario& scenario) {
   }
   if (const double deviation = surfaceDeviation(scenario); deviation > 0.0) {
     text += QStringLiteral("<br>") +
-            PathPanel::tr("of triangles; STEP surfaces may be %1 nearer").arg(lengthText(deviation));
+            PathPanel::tr("of triangles, within ± %1 of the CAD surfaces").arg(lengthText(deviation));
   }
   if (const double spacing = coordinateSpacing(scenario); spacing > 0.0) {
     text += QStringLiteral("<br>") +

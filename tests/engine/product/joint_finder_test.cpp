@@ -306,6 +306,20 @@ TEST(JointFinder, NamesClassesAndShapesSuggestWhatAPersonConfirms) {
   EXPECT_EQ(joints[3].body, 6U);
 }
 
+/// Each would have to leave before the other one.
+TEST(JointFinder, BeltsSideBySideDoNotGoAroundEachOther) {
+  ProductOfParts parts;
+  parts.add("pulley", rodMesh(0.011, 0.0, 0.04))
+      .add("Belt 50T", tubeMesh(circle(0.011), circle(0.013), 0.005, 0.015))
+      .add("Belt 60T", tubeMesh(circle(0.011), circle(0.013), 0.015, 0.025));
+  const Joints joints = findJoints(parts.product());
+  std::vector<std::vector<std::size_t>> others;
+  for (const Joint& joint : joints) {
+    if (joint.kind == JointKind::Flexible) others.push_back(joint.others);
+  }
+  EXPECT_THAT(others, ElementsAre(ElementsAre(0U), ElementsAre(0U)));
+}
+
 /// "Assembly" says nothing of what a thing is, and a retaining ring is opened to come off.
 TEST(JointFinder, TheWordBeforeAssemblyCounts) {
   ProductOfParts parts;
