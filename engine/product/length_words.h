@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <sstream>
 #include <string>
 
@@ -10,6 +11,13 @@ inline std::string inMillimetres(double metres) {
   std::ostringstream text;
   text.precision(3);
   text << metres * 1e3 << " mm";
+  return text.str();
+}
+
+/// "0.41mm": an option's value that is not below it, in hundredths.
+inline std::string millimetresUp(double metres) {
+  std::ostringstream text;
+  text << std::ceil(metres * 1e5) / 1e2 << "mm";
   return text.str();
 }
 

@@ -21,6 +21,8 @@ namespace {
 
 /// Of the assembled gap: the clearance that paths keep.
 constexpr double kPathShare = 0.25;
+/// The least clearance where they begin.
+constexpr double kStartShare = 0.3;
 constexpr std::array<double, 2> kBothWays{1.0, -1.0};
 
 /// A contact of the object, which is `b`, with an obstacle, and at which of the ends.
@@ -300,7 +302,15 @@ class FitFinder {
   /// Taken to be these meshes, the object and the obstacle are apart.
   bool isFree(const MeshPtr& object, std::size_t obstacle, const MeshPtr& mesh, const std::vector<Pose>& ends) {
     const auto query = pairOf(object, obstacle, mesh)->makeQuery();
-    return std::all_of(ends.begin(), ends.end(), [&](const Pose& end) { return query->clearAbove(end, 0.5 * gap_); });
+    const double least = leastStartGap(obstacle);
+    return std::all_of(ends.begin(), ends.end(), [&](const Pose& end) { return query->clearAbove(end, least); });
+  }
+
+  /// The same whichever of the two bodies moves, where that is more than paths keep: else a pair would be a clash for
+  /// one of them only.
+  double leastStartGap(std::size_t obstacle) const {
+    const double smaller = std::min(gap_, assembledGap(radiusAboutOrigin(*body(obstacle).mesh)));
+    return std::max(0.5 * smaller, kStartShare * gap_);
   }
 
   CollisionWorldPtr pairOf(const MeshPtr& object, std::size_t obstacle, const MeshPtr& mesh) const {
@@ -341,13 +351,6 @@ class FitFinder {
       if (i != nut && i != question_.object) others.push_back(&body(i));
     }
     return !isLooseNut(body(nut), axis, others, stop_);
-  }
-
-  /// An option's value that is not below it.
-  static std::string millimetresUp(double metres) {
-    std::ostringstream text;
-    text << std::ceil(metres * 1e5) / 1e2 << "mm";
-    return text.str();
   }
 
   void refuse(Fit fit, const std::string& reason, const std::string& advice) {

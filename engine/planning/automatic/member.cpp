@@ -107,6 +107,13 @@ Member dynamicDomain(const Problem& problem) {
                     twoTrees(problem));
 }
 
+/// Two trees of short extensions, for tunnels in which both moves and turns are small. The others' extensions end at
+/// their walls.
+Member shortSteps(const Problem& problem) {
+  return rrtConnect("short-steps", {4.0, kLongFirstLife, kLongFirstLife, Restart::Luby, kHardEntry}, problem,
+                    turning(problem, 0.005, 0.3));
+}
+
 Member contactSlide(const Problem& problem, const Worlds& worlds) {
   RrtConnect::Options options;
   options.range = searchRange(problem, 0.03);
@@ -181,8 +188,9 @@ Member screwMotions(const Problem& problem) {
 std::vector<Member> makeMembers(const Problem& problem) {
   const auto worlds = std::make_shared<ErodedWorlds>(problem.world);
   std::vector<Member> members{
-      directMotions(problem), dynamicDomain(problem),        turningRrt(problem),           bkpiece(problem),
-      birrt(problem),         contactSlide(problem, worlds), shrinkRepair(problem, worlds), multiLayer(problem)};
+      directMotions(problem), dynamicDomain(problem), turningRrt(problem),           bkpiece(problem),
+      birrt(problem),         shortSteps(problem),    contactSlide(problem, worlds), shrinkRepair(problem, worlds),
+      multiLayer(problem)};
   if (beginsInThread(problem)) members.push_back(screwMotions(problem));
   return members;
 }

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "engine/geometry/primitives.h"
 #include "engine/import/step_import.h"
 #include "tests/engine/product/screwed_parts.h"
 #include "tests/engine/support/random_pose.h"
@@ -89,6 +92,24 @@ TEST(FitTable, TheSameBodyGivesWayWhicheverMoves) {
     }
   }
   EXPECT_GT(pairs, 20);
+}
+
+/// A block on a table that is much larger, and so keeps more clearance when it moves.
+TEST(FitTable, WhatSufficesForTheSmallBodySufficesForTheLargeOne) {
+  FitSettings settings;
+  settings.on = true;
+  settings.pairs = {{"block", "table", ContactKind::Contact, 6e-6, false}};
+  const AssembledProduct product = test::productOf(
+      {test::partAt("table", makeBox({0.4, 0.4, 0.4}), Pose::identity())},
+      test::partAt("block", makeBox({0.01, 0.01, 0.01}), Pose::translation({0.0, 0.0, 0.205})), settings);
+  ASSERT_GT(0.5 * assembledGap(0.2 * std::sqrt(3.0)), 6e-6);
+  const FitTable table = tableOf(product);
+  ASSERT_EQ(table.pairs().size(), 1U);
+  for (const PairWay& way : table.pairs().front().ways) {
+    EXPECT_TRUE(way.refused.empty()) << way.refused;
+    ASSERT_EQ(way.taken.size(), 1U);
+    EXPECT_EQ(way.taken.front().allowance, 6e-6);
+  }
 }
 
 TEST(FitTable, ARefusedPairSaysWhy) {
