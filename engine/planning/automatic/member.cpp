@@ -27,6 +27,8 @@ constexpr std::uint64_t kFirstLife = 2'500'000;
 constexpr std::uint64_t kLongFirstLife = 10'000'000;
 /// What the quick ones have until the others enter.
 constexpr std::uint64_t kHardEntry = 600'000;
+/// What those have until the one for tunnels enters: environments 1 and 2 are solved by then.
+constexpr std::uint64_t kTunnelEntry = 3'000'000;
 /// The same for the one with the environment model, and for each triangle of the obstacles: building
 /// the model counts as no work, and takes the longer the more there are. It is built once the others
 /// have had about what it costs.
@@ -110,7 +112,7 @@ Member dynamicDomain(const Problem& problem) {
 /// Two trees of short extensions, for tunnels in which both moves and turns are small. The others' extensions end at
 /// their walls.
 Member shortSteps(const Problem& problem) {
-  return rrtConnect("short-steps", {4.0, kLongFirstLife, kLongFirstLife, Restart::Luby, kHardEntry}, problem,
+  return rrtConnect("short-steps", {3.0, kLongFirstLife, kLongFirstLife, Restart::Luby, kTunnelEntry}, problem,
                     turning(problem, 0.005, 0.3));
 }
 
