@@ -14,6 +14,7 @@
 #include "engine/scenario/forbidden_places_of.h"
 #include "engine/scenario/part_files.h"
 #include "engine/scenario/product_file.h"
+#include "engine/scenario/product_name.h"
 #include "engine/scenario/scenario_bodies.h"
 #include "engine/scenario/scenario_io.h"
 #include "engine/scenario/semantics_json.h"
@@ -171,7 +172,7 @@ Json toJson(const Product& tree, const std::vector<RigidBody>& bodies) {
 
 void printText(const LoadedScenario& loaded) {
   const Scenario& scenario = loaded.scenario;
-  std::cout << scenario.name << "\n";
+  std::cout << nameOfProduct(loaded) << "\n";
   if (!scenario.description.empty()) std::cout << scenario.description << "\n";
   std::cout << "\nbodies\n";
   MeshAudits audits;
@@ -273,7 +274,7 @@ int runInfo(const InfoOptions& options) {
   }
   const Scenario& scenario = loaded->scenario;
   Json report;
-  report["name"] = scenario.name;
+  report["name"] = nameOfProduct(*loaded);
   report["description"] = scenario.description;
   report["assets"] = Json::array();
   for (const Asset& asset : scenario.assets) report["assets"].push_back(toJson(asset));

@@ -295,7 +295,8 @@ CLI::App* addNew(CLI::App& app, NewOptions& options) {
   make->footer(
       "A part of a STEP file is named behind its file: --moves product.step:pin --static product.step makes a body\n"
       "of every other part. An assembly in the file (product.step:pump) stands for all of its parts; two parts of\n"
-      "one name are pin and pin#2.");
+      "one name are pin and pin#2. A group of an OBJ file is named in the same way: --moves product.obj:lid --groups\n"
+      "--static product.obj makes a body of every other group.");
   make->add_option("OUT", options.output, "Scenario file to write")->required();
   make->add_option("--moves", options.moving, "The part that moves (can be repeated: they move as one)")
       ->required()
@@ -319,6 +320,7 @@ CLI::App* addNew(CLI::App& app, NewOptions& options) {
       },
       "How far the triangles of STEP parts may be off their surfaces, as 0.05mm (default: a thousandth of each "
       "part's diagonal, from 0.01mm to 0.5mm)");
+  make->add_flag("--groups", options.groups, "Take each group of an OBJ file (o or g) as a part of its own");
   make->add_flag("--close-holes", options.closeHoles, "Close the planar holes of meshes, and print how many");
   addWithout(*make, options.without);
   addFitOptions(*make, options.fits, "on");

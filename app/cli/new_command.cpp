@@ -23,6 +23,7 @@ std::vector<PartFile> partsOf(const NewOptions& options) {
     PartFile part = usualPart(file);
     part.role = role;
     part.deflection = options.deflection;
+    part.groups = part.groups || (options.groups && mayHaveGroups(part.path));
     part.closeHoles = options.closeHoles && isMeshFile(part.path);
     if (!saysItsUnit(part.path)) {
       part.unit = options.unit.value_or(part.unit);

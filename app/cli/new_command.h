@@ -20,6 +20,7 @@ struct NewOptions {
   std::optional<UpAxis> up;
   double deflection = 0.0;  ///< of STEP files, metres; 0: by the size of each part
   bool closeHoles = false;  ///< of meshes, where they are planar
+  bool groups = false;      ///< of OBJ files are parts
   FitOptions fits;          ///< on unless they are turned off
   bool clear = false;       ///< move the start clear of what it touches
   Format format = Format::Text;

@@ -1,6 +1,7 @@
 // glissade-import: reads one mesh from standard input and writes plain arrays to standard output.
 // Runs with little memory and time and cannot open a file, so that a malformed mesh can do no harm.
 // usage: glissade-import ENDING < FILE
+//        glissade-import several < FILES (import_protocol.h)
 #include <unistd.h>
 
 #include <iostream>

@@ -57,8 +57,8 @@ void addOptions(QCommandLineParser& parser) {
   parser.setApplicationDescription(QStringLiteral("Glissade: a workbench for virtual assembly"));
   parser.addPositionalArgument(
       QStringLiteral("SCENARIO"),
-      QStringLiteral("Scenario file, OMPL.app .cfg, or on screen a part file (STEP, mesh, URDF)"),
-      QStringLiteral("[SCENARIO]"));
+      QStringLiteral("Scenario file, OMPL.app .cfg, or on screen part files (STEP, mesh, URDF)"),
+      QStringLiteral("[SCENARIO | PART...]"));
   parser.addOptions({
       {"offscreen", "Run without a display"},
       {"screenshot", "Save a picture of the whole window and quit", "FILE"},
@@ -134,6 +134,19 @@ bool isBatch(const QCommandLineParser& parser) {
          parser.isSet("write-manual");
 }
 
+bool areParts(const QStringList& files) {
+  return !files.isEmpty() &&
+         std::all_of(files.begin(), files.end(), [](const QString& file) { return isPartFile(file.toStdString()); });
+}
+
+/// One scenario is opened, or any number of part files where a person says how they are taken.
+std::optional<Diagnostic> tooManyFiles(const QCommandLineParser& parser) {
+  const QStringList files = parser.positionalArguments();
+  if (files.size() < 2 || (!isBatch(parser) && areParts(files))) return std::nullopt;
+  return Diagnostic{ErrorKind::Usage, files[1].toStdString(), "", "is a file too many: one scenario is opened",
+                    "Give one scenario, or on screen part files only. glissade-cli new makes a scenario of parts."};
+}
+
 int runWindow(const QCommandLineParser& parser, MainWindow& window) {
   const bool batch = isBatch(parser);
   window.setBatch(batch);
@@ -142,8 +155,9 @@ int runWindow(const QCommandLineParser& parser, MainWindow& window) {
   }
   if (!batch) window.remember(std::make_unique<WindowMemory>(), !parser.isSet("size"));
   if (parser.isSet("theme")) window.setTheme(themeNamed(parser.value("theme")));
-  const QString file = parser.positionalArguments().value(0);
-  const bool asksForParts = !batch && isPartFile(file.toStdString());
+  const QStringList files = parser.positionalArguments();
+  const QString file = files.value(0);
+  const bool asksForParts = !batch && areParts(files);
   if (!file.isEmpty() && !asksForParts) {
     const auto why = window.openScenario(file, batch);
     if (why && batch) return fail(*why);
@@ -162,7 +176,7 @@ int runWindow(const QCommandLineParser& parser, MainWindow& window) {
     window.keepUnsavedEdits(data + QStringLiteral("/unsaved"));
     window.keepJournals(data + QStringLiteral("/recordings"));
   }
-  if (asksForParts) QTimer::singleShot(0, &window, [&window, file] { window.importParts(file); });
+  if (asksForParts) QTimer::singleShot(0, &window, [&window, files] { window.importParts(files); });
   if (parser.isSet("script")) {
     const int status = runScriptFile(parser.value("script").toStdString(), window.workbench());
     if (status != 0) return status;
@@ -244,6 +258,7 @@ int runApplication(int argc, char** argv, const SceneWidgetFactory& makeScene, S
   if (!parseThumbnailPixels(parser)) {
     return failUsage("--thumbnail-pixels", "is not a whole number from 16 to 2048", "Give for example 256.");
   }
+  if (const auto why = tooManyFiles(parser)) return fail(*why);
   const QString theme = parser.value("theme");
   if (theme != "light" && theme != "dark") return failUsage("--theme", "is neither light nor dark", "");
   const QString asked = parser.value("language");

@@ -26,7 +26,9 @@ ExportDialog::ExportDialog(const PathExporterRegistry& registry, QWidget* parent
   };
   connect(this, &QFileDialog::filterSelected, this, takeEndingOf);
   takeEndingOf(filters.front());
-  selectFile(QStringLiteral("path.") + defaultSuffix());
+  propose(QStringLiteral("path"));
 }
+
+void ExportDialog::propose(const QString& stem) { selectFile(stem + QLatin1Char('.') + defaultSuffix()); }
 
 }  // namespace glissade

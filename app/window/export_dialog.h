@@ -16,6 +16,9 @@ class ExportDialog : public QFileDialog {
  public:
   /// Precondition: the registry has a format.
   explicit ExportDialog(const PathExporterRegistry& registry, QWidget* parent = nullptr);
+
+  /// The name of the file, without its ending.
+  void propose(const QString& stem);
 };
 
 }  // namespace glissade

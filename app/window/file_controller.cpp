@@ -2,14 +2,16 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QPushButton>
 #include <QTimer>
 #include <QUrl>
 
 #include "app/window/plain_message_box.h"
+#include "app/window/proposed_file.h"
 #include "app/window/save_conflict.h"
-#include "engine/assembly/body_path.h"
 #include "engine/scenario/part_files.h"
 #include "engine/scenario/path_reader.h"
+#include "engine/scenario/product_name.h"
 
 namespace glissade {
 
@@ -36,6 +38,16 @@ FileController::FileController(const Workbench& bench, PartImport& parts, PathCo
     data.setUrls({QUrl::fromLocalFile(QString::fromStdString(words[0]))});
     drop(data);
     return Done{};
+  });
+  bench.scripts.add("expect-title", 1, [this](const ScriptCommands::Words& words) -> Outcome {
+    const std::string title = bench_.window.windowTitle().toStdString();
+    if (title.find(words[0]) != std::string::npos) return Done{};
+    return unmetExpectation("the title is '" + title + "'");
+  });
+  bench.scripts.add("expect-modified", 1, [this](const ScriptCommands::Words& words) -> Outcome {
+    const std::string modified = bench_.window.isWindowModified() ? "yes" : "no";
+    if (modified == words[0]) return Done{};
+    return unmetExpectation("modified: " + modified);
   });
   bench.scripts.add("save", 1, [this](const ScriptCommands::Words& words) -> Outcome {
     if (!bench_.document.scenario()) return wrongCommand("no scenario is open");
@@ -153,10 +165,9 @@ void FileController::save() {
 
 void FileController::chooseSaveFile() {
   const LoadedScenario& scenario = *bench_.document.scenario();
-  // A part of a STEP file names the scenario with its assemblies.
-  const QString name = QString::fromStdString(lastStepOf(scenario.scenario.name));
-  const QString usual = QDir(folder()).filePath(name + QStringLiteral(".json"));
-  const QString proposed = scenario.file.empty() ? usual : QString::fromStdString(scenario.file);
+  const QString own = QString::fromStdString(scenario.file);
+  const QString usual = QDir(folder()).filePath(proposedFile(scenario, QStringLiteral(".json")));
+  const QString proposed = own.endsWith(QLatin1String(".json")) ? own : usual;
   const QString file =
       bench_.dialogs.save(FilePurpose::Scenario, tr("Save the scenario"), proposed, tr("Scenarios (*.json)"));
   if (!file.isEmpty()) trySave(file);
@@ -196,10 +207,22 @@ void FileController::noteFile(const QString& file) {
 }
 
 bool FileController::mayDiscard() {
-  if (!asksToDiscard()) return false;
+  if (!asksToEndWork() || !asksToDiscard()) return false;
   const ScenarioPtr& scenario = bench_.document.scenario();
   if (scenario && !scenario->file.empty()) emit pictureDue(QString::fromStdString(scenario->file));
   return true;
+}
+
+/// A film is about the scenario that is open.
+bool FileController::asksToEndWork() {
+  const QString work = bench_.work.endangered();
+  if (bench_.messages.isQuiet() || work.isEmpty()) return true;
+  PlainMessageBox box(QMessageBox::Question, tr("End what is under way?"), tr("Under way: %1.").arg(work),
+                      tr("It goes on while this question is open. It is lost where it is ended now."), &bench_.window);
+  const QAbstractButton* end = box.addButton(tr("&End it"), QMessageBox::DestructiveRole);
+  box.setDefaultButton(box.addButton(QMessageBox::Cancel));
+  box.exec();
+  return box.clickedButton() == end || bench_.work.endangered().isEmpty();
 }
 
 bool FileController::asksToDiscard() {
@@ -261,11 +284,11 @@ void FileController::openAny(const QStringList& files, PartsDialog::Purpose ofPa
   }
 }
 
-/// The file, and the scenario's name where it says more.
+/// The file, and the product's name where it says more.
 void FileController::showTitle() {
   const LoadedScenario& scenario = *bench_.document.scenario();
   const QFileInfo file(QString::fromStdString(scenario.file));
-  const QString name = QString::fromStdString(scenario.scenario.name);
+  const QString name = QString::fromStdString(nameOfProduct(scenario));
   QString title = (scenario.file.empty() ? name : file.fileName()) + QStringLiteral("[*]");
   if (!scenario.file.empty() && !name.isEmpty() && name != file.completeBaseName()) {
     title += QStringLiteral(" — ") + name;

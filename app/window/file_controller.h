@@ -56,6 +56,7 @@ class FileController final : public QObject {
   void fillRecentMenu();
   void noteFile(const QString& file);
   bool asksToDiscard();
+  bool asksToEndWork();
   void chooseScenario();
   void chooseSaveFile();
   void save();

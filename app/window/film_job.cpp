@@ -11,6 +11,8 @@ namespace {
 
 /// Seconds for which the first and the last picture stand.
 constexpr double kStanding = 0.6;
+/// Milliseconds after which the window is drawn again.
+constexpr int kSeenEvery = 1000;
 
 }  // namespace
 
@@ -26,7 +28,10 @@ void FilmJob::start(FilmSubject subject, const QString& file, Finished finished)
   pictures_ = 1 + static_cast<int>(std::lround(kFilmRate * (subject_.seconds + 2.0 * kStanding)));
   connect(writer_.get(), &FilmWriter::ended, this, &FilmJob::end);
   connect(writer_.get(), &FilmWriter::ready, this, &FilmJob::takePictures);
-  work_.beginOther(tr("Making the film"), [this] { cancel(); });
+  pictureShare_.reset();
+  sinceSeen_.start();
+  work_.beginOther(
+      tr("Making the film"), [this] { cancel(); }, WorkController::Loss::Asked);
   takePictures();
 }
 
@@ -56,10 +61,21 @@ void FilmJob::takePictures() {
 
 void FilmJob::takePicture() {
   const double second = static_cast<double>(taken_) / kFilmRate - kStanding;
-  subject_.show(std::clamp(second / std::max(subject_.seconds, 1.0 / kFilmRate), 0.0, 1.0));
+  const double share = std::clamp(second / std::max(subject_.seconds, 1.0 / kFilmRate), 0.0, 1.0);
+  if (pictureShare_ != share) {
+    showInWindow(sinceSeen_.hasExpired(kSeenEvery));
+    subject_.show(share);
+    picture_ = takenOf_();
+    pictureShare_ = share;
+  }
   ++taken_;
   work_.showShare(static_cast<double>(taken_) / pictures_);
-  writer_->add(picture_());
+  writer_->add(picture_);
+}
+
+void FilmJob::showInWindow(bool shown) {
+  if (scene_.updatesEnabled() != shown) scene_.setUpdatesEnabled(shown);
+  if (shown) sinceSeen_.start();
 }
 
 void FilmJob::end(const SaveResult& result) {
@@ -68,6 +84,8 @@ void FilmJob::end(const SaveResult& result) {
   writer_->disconnect(this);
   writer_.release()->deleteLater();
   work_.endOther();
+  picture_ = {};
+  showInWindow(true);
   subject_.restore();
   std::exchange(finished_, nullptr)(result);
 }

@@ -38,10 +38,7 @@ class PictureSeries final : public FilmWriter {
   int pictures_ = 0;
 };
 
-Diagnostic noFfmpeg(const QString& file) {
-  return {ErrorKind::Usage, file.toStdString(), "", "ffmpeg is needed for films, and is not installed",
-          "Install the package ffmpeg, or give a name that ends with .png for a series of pictures."};
-}
+QString ffmpeg() { return QStandardPaths::findExecutable(QStringLiteral("ffmpeg")); }
 
 }  // namespace
 
@@ -50,8 +47,16 @@ bool isFilm(const QString& file) {
   return ending == QLatin1String("png") || isFfmpegFilm(ending);
 }
 
-QString filmFilter() {
-  return QCoreApplication::translate("FilmWriter", "Film (*.mp4);;Film (*.webm);;Series of pictures (*.png)");
+QString filmFilter(bool withFfmpeg) {
+  const QString pictures = QCoreApplication::translate("FilmWriter", "Series of pictures (*.png)");
+  if (!withFfmpeg) return pictures;
+  return QCoreApplication::translate("FilmWriter", "Film (*.mp4);;Film (*.webm)") + QStringLiteral(";;") + pictures;
+}
+
+std::optional<Diagnostic> whyNoFfmpeg() {
+  if (!ffmpeg().isEmpty()) return std::nullopt;
+  return Diagnostic{ErrorKind::Usage, "", "", "ffmpeg is needed for films, and is not installed",
+                    "Install the package ffmpeg, or give a name that ends with .png for a series of pictures."};
 }
 
 Result<std::unique_ptr<FilmWriter>> makeFilmWriter(const QString& file) {
@@ -60,9 +65,11 @@ Result<std::unique_ptr<FilmWriter>> makeFilmWriter(const QString& file) {
                       "Choose one of: .mp4, .webm, .png."};
   }
   if (!isFfmpegFilm(endingOf(file))) return std::unique_ptr<FilmWriter>(std::make_unique<PictureSeries>(file));
-  const QString program = QStandardPaths::findExecutable(QStringLiteral("ffmpeg"));
-  if (program.isEmpty()) return noFfmpeg(file);
-  return std::unique_ptr<FilmWriter>(std::make_unique<FfmpegWriter>(program, file));
+  if (auto missing = whyNoFfmpeg()) {
+    missing->file = file.toStdString();
+    return *missing;
+  }
+  return std::unique_ptr<FilmWriter>(std::make_unique<FfmpegWriter>(ffmpeg(), file));
 }
 
 }  // namespace glissade

@@ -35,8 +35,10 @@ class FilmWriter : public QObject {
 
 /// Whether films are written in the format of the file's ending: .mp4, .webm, or .png (a numbered picture each).
 bool isFilm(const QString& file);
-/// The filter of a file dialog.
-QString filmFilter();
+/// The filter of a file dialog. Without ffmpeg: of series of pictures alone.
+QString filmFilter(bool withFfmpeg = true);
+/// Nothing where ffmpeg is installed. What it says is about no file yet.
+std::optional<Diagnostic> whyNoFfmpeg();
 
 /// MP4 (H.264) and WebM (VP9) are made by ffmpeg in a process of its own. The file is there as a whole or not at all.
 /// Errors: Usage for another ending, and where ffmpeg is not installed.

@@ -2,6 +2,7 @@
 
 #include <QFileInfo>
 
+#include "app/window/proposed_file.h"
 #include "app/window/sequence_controller.h"
 #include "app/window/sequence_output.h"
 #include "app/window/window_memory.h"
@@ -86,7 +87,8 @@ void InstructionController::enableActions() {
 void InstructionController::chooseReport() {
   const QString file =
       bench_.dialogs.save(FilePurpose::Report, tr("Save the report of the sequence"),
-                          QStringLiteral("sequence-report.html"), tr("Web page (*.html);;PDF (*.pdf)"));
+                          proposedFile(*bench_.document.scenario(), QStringLiteral("sequence-report.html")),
+                          tr("Web page (*.html);;PDF (*.pdf)"));
   if (file.isEmpty()) return;
   write(PlanDocument::Report, file, [this, file](const SaveResult& saved) { sequence_.tell(file, saved); });
 }

@@ -10,6 +10,7 @@
 #include "app/window/sequence_controller.h"
 #include "engine/scenario/judged_product.h"
 #include "engine/scenario/plan_glb.h"
+#include "engine/scenario/product_name.h"
 #include "engine/sequence/exploded_view.h"
 #include "engine/study/instruction/instruction_viewer.h"
 #include "engine/study/plan_graph.h"
@@ -63,7 +64,7 @@ void InstructionJob::start(PlanDocument document, const QString& file, Finished 
   content->plan = shown.plan;
   content->product = shown.product;
   content->checks = shown.checks;
-  content->title = sequence_.productName();
+  content->title = nameOfProduct(*bench_.document.scenario());
   content->deviation = surfaceDeviation(*bench_.document.scenario());
   content->times = sequence_.workTimes().times();
   content->look = sequence_.instructions().look();

@@ -73,7 +73,10 @@ void KeptPathsController::connectActions() {
 }
 
 void KeptPathsController::followDocument(Changes what) {
-  if (what & Change::Scenario) shown_.clear();
+  if (what & Change::Scenario) {
+    shown_.clear();
+    opening_ = true;
+  }
   // Places may have been forbidden, or allowed again.
   const std::vector<PlaceEdit> places = bench_.document.semantics().edits().places;
   const bool otherPlaces = std::exchange(places_, places) != places;
@@ -106,7 +109,7 @@ void KeptPathsController::proveNext() {
   while (!proving_.isBusy()) {
     const auto next = std::find_if(paths.begin(), paths.end(),
                                    [this](const KeptPathPtr& path) { return findProof(*path) == proofs_.end(); });
-    if (next == paths.end()) return;
+    if (next == paths.end()) return openHeldPath();
     proofs_.emplace_back(*next, KeptPathProof());  // examined once only, whatever comes of it
     const std::shared_ptr<const Path>& found = bench_.document.results().path;
     if (found && hasPoints(**next, found->points)) {
@@ -135,6 +138,24 @@ void KeptPathsController::takeProof(const KeptPath& path, const KeptPathProof& p
   const auto found = findProof(path);
   if (found != proofs_.end()) found->second = proof;
   showRows();
+}
+
+void KeptPathsController::openHeldPath() {
+  if (!std::exchange(opening_, false)) return;
+  const RunResults& results = bench_.document.results();
+  const SnapshotPtr& live = bench_.session.snapshot();
+  if (results.path || results.refused || !live || live->run > 0 || !bench_.run.isLive()) return;
+  const double required = live->parameters[ParameterId::RequiredClearance];
+  KeptPathPtr held;
+  for (const KeptPathPtr& path : bench_.document.paths().paths()) {
+    const bool holds = proofOf(*path).state == KeptPathState::Holds && path->requiredClearance >= required;
+    if (holds && (!held || path->pinned || !held->pinned)) held = path;
+  }
+  if (held) give(*held);
+}
+
+void KeptPathsController::give(const KeptPath& path) {
+  bench_.session.givePath({withUnitRotations(path.points), path.provenance});
 }
 
 KeptPathRow KeptPathsController::rowOf(const KeptPathPtr& path) {
@@ -184,7 +205,7 @@ Outcome KeptPathsController::openPath(const std::string& name) {
     return Diagnostic{ErrorKind::Usage, "", name, "a run is going on", "Stop the run first."};
   }
   bench_.document.whenArranged([this, path] {
-    bench_.session.givePath({withUnitRotations(path->points), path->provenance});
+    give(*path);
     bench_.actions["panel.path"]->trigger();
   });
   return Done{};

@@ -32,6 +32,10 @@ class KeptPathsController final : public QObject {
   void proveNext();
   void startProof(const KeptPathPtr& path);
   void takeProof(const KeptPath& path, const KeptPathProof& proof);
+  /// After a scenario was opened: the pinned or newest path that holds becomes the current one.
+  void openHeldPath();
+  /// It becomes the current path, which the session proves.
+  void give(const KeptPath& path);
   KeptPathRow rowOf(const KeptPathPtr& path);
   Result<KeptPathPtr> named(const std::string& word) const;
   Outcome openPath(const std::string& name);
@@ -45,6 +49,7 @@ class KeptPathsController final : public QObject {
   Proofs proofs_;                  ///< in the scenario as it is
   std::vector<PlaceEdit> places_;  ///< what the proofs are about, too
   std::set<std::string> shown_;    ///< names of the paths that are drawn
+  bool opening_ = false;           ///< the paths of a scenario that was opened are not all proved yet
 };
 
 }  // namespace glissade

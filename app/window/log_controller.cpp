@@ -9,6 +9,7 @@
 
 #include "app/version_text.h"
 #include "app/window/status_text.h"
+#include "engine/scenario/product_name.h"
 #include "widgets/commands/diagnostic_text.h"
 #include "widgets/panels/kept_paths_panel.h"
 
@@ -22,7 +23,7 @@ QString scenarioLines(const WorkbenchDocument& document) {
   std::size_t triangles = scenario.object.mesh->triangles.size();
   for (const RigidBody& body : scenario.obstacles) triangles += body.mesh->triangles.size();
   QString text = QStringLiteral("Scenario: %1 (%2)\nBodies: %3 obstacles, %4 triangles with the object\n")
-                     .arg(QString::fromStdString(scenario.scenario.name), QString::fromStdString(scenario.file))
+                     .arg(QString::fromStdString(nameOfProduct(scenario)), QString::fromStdString(scenario.file))
                      .arg(scenario.obstacles.size())
                      .arg(triangles);
   text += QStringLiteral("Strategy: %1, seed %2\n").arg(QString::fromStdString(settings.strategy)).arg(settings.seed);
@@ -52,7 +53,7 @@ LogController::LogController(const Workbench& bench)
     if (!(what & Change::Scenario)) return;
     run_ = 0;
     const LoadedScenario& scenario = *bench_.document.scenario();
-    const QString name = QString::fromStdString(scenario.scenario.name);
+    const QString name = QString::fromStdString(nameOfProduct(scenario));
     bench_.messages.log().add(LogLevel::Information,
                               tr("Opened '%1', obstacles: %2").arg(name).arg(scenario.obstacles.size()));
     for (const Diagnostic& warning : scenario.warnings) {

@@ -176,7 +176,7 @@ std::optional<Diagnostic> MainWindow::openScenario(const QString& file, bool qui
   return files_->openScenario(file, quiet, FindFits::LaterIfLarge);
 }
 
-void MainWindow::importParts(const QString& file) { files_->openAny({file}, PartsDialog::Purpose::NewScenario); }
+void MainWindow::importParts(const QStringList& files) { files_->openAny(files, PartsDialog::Purpose::NewScenario); }
 
 void MainWindow::setTheme(Theme theme) {
   applyTheme(theme);

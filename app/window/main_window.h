@@ -28,8 +28,8 @@ class MainWindow final : public QMainWindow {
   const Workbench& workbench() const { return bench_; }
   /// Opens a scenario; errors are shown in a dialog unless `quiet`, and returned.
   std::optional<Diagnostic> openScenario(const QString& file, bool quiet = false);
-  /// Asks how a part file is to be taken, in a dialog that it waits for.
-  void importParts(const QString& file);
+  /// Asks how part files are to be taken, in a dialog that it waits for.
+  void importParts(const QStringList& files);
   void setTheme(Theme theme);
   /// Nobody is there to answer questions: scripts, screenshots.
   void setBatch(bool batch);

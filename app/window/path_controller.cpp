@@ -3,7 +3,9 @@
 #include <utility>
 
 #include "app/window/export_dialog.h"
+#include "app/window/film_dialog.h"
 #include "app/window/path_script.h"
+#include "app/window/proposed_file.h"
 #include "app/window/window_memory.h"
 #include "engine/planning/clearance_profile.h"
 #include "engine/planning/smoothing/shortcuts.h"
@@ -34,7 +36,8 @@ PathController::PathController(const Workbench& bench)
       bench_(bench),
       panel_(new PathPanel(bench.actions, &bench.window)),
       report_(bench, nullptr),
-      film_(bench.work, [&bench] { return bench.scene.picture(kFilmPicture); }) {
+      film_(
+          bench.work, [&bench] { return bench.scene.picture(kFilmPicture); }, *bench.scene.widget()) {
   connect(panel_, &PathPanel::poseShown, this, [this](const std::optional<Pose>& pose) {
     if (pose && bench_.actions["path.follow"]->isChecked()) {
       bench_.scene.view().camera().follow(bench_.scene.view().objectPose().position, pose->position);
@@ -159,6 +162,7 @@ void PathController::measureClearance() {
 
 void PathController::chooseExport() {
   ExportDialog dialog(makePathExporterRegistry(), &bench_.window);
+  dialog.propose(proposedFile(*bench_.document.scenario(), QStringLiteral("path")));
   dialog.setDirectory(bench_.dialogs.folderOf(FilePurpose::Export));
   if (dialog.exec() != QDialog::Accepted) return;
   const QString file = dialog.selectedFiles().front();
@@ -183,8 +187,10 @@ SaveResult PathController::exportTo(const QString& file) {
 }
 
 void PathController::chooseReport() {
-  const QString file = bench_.dialogs.save(FilePurpose::Report, tr("Write the report of the path"),
-                                           QStringLiteral("path-report.html"), tr("Web page (*.html);;PDF (*.pdf)"));
+  const QString file =
+      bench_.dialogs.save(FilePurpose::Report, tr("Write the report of the path"),
+                          proposedFile(*bench_.document.scenario(), QStringLiteral("path-report.html")),
+                          tr("Web page (*.html);;PDF (*.pdf)"));
   if (file.isEmpty()) return;
   reportTo(file, [this, file](const SaveResult& saved) {
     if (!saved) return showError(saved.why);
@@ -201,8 +207,7 @@ void PathController::reportTo(const QString& file, const PathReportJob::Finished
 }
 
 void PathController::chooseFilm() {
-  const QString file =
-      bench_.dialogs.save(FilePurpose::Film, tr("Film the path"), QStringLiteral("path.mp4"), filmFilter());
+  const QString file = chooseFilmFile(bench_, tr("Film the path"), QStringLiteral("path"));
   if (file.isEmpty()) return;
   filmTo(file, [this, file](const SaveResult& saved) {
     if (saved) return bench_.messages.showStatus(tr("The film was saved as %1").arg(file));

@@ -4,6 +4,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 
+#include "app/window/proposed_file.h"
 #include "engine/scenario/run_journal.h"
 #include "engine/scenario/run_record.h"
 
@@ -47,7 +48,8 @@ void RecordingController::chooseFile() {
 }
 
 void RecordingController::chooseSaveFile() {
-  const QString file = bench_.dialogs.save(FilePurpose::Recording, tr("Save the recording"), QStringLiteral("run.json"),
+  const QString file = bench_.dialogs.save(FilePurpose::Recording, tr("Save the recording"),
+                                           proposedFile(*bench_.document.scenario(), QStringLiteral("run.json")),
                                            tr("Recordings (*.json)"));
   if (file.isEmpty()) return;
   const SaveResult saved = replay_.save(file);

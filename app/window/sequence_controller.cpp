@@ -7,13 +7,15 @@
 #include <cmath>
 #include <utility>
 
+#include "app/window/film_dialog.h"
 #include "app/window/instruction_controller.h"
 #include "app/window/panel_docks.h"
-#include "app/window/product_name.h"
+#include "app/window/proposed_file.h"
 #include "app/window/sequence_output.h"
 #include "app/window/sequence_script.h"
 #include "engine/scenario/plan_file.h"
 #include "engine/scenario/product_file.h"
+#include "engine/scenario/product_name.h"
 #include "engine/scenario/scenario_bodies.h"
 #include "engine/scenario/sequence_knowledge.h"
 #include "engine/sequence/exploded_view.h"
@@ -58,7 +60,8 @@ SequenceController::SequenceController(const Workbench& bench)
       bench_(bench),
       panel_(new SequencePanel(bench.actions, &bench.window)),
       instructions_(new InstructionController(bench, *this)),
-      film_(bench.work, [&bench] { return bench.scene.picture(kFilmPicture); }),
+      film_(
+          bench.work, [&bench] { return bench.scene.picture(kFilmPicture); }, *bench.scene.widget()),
       edits_(new SequenceEdits(bench, *this)),
       hand_(new SequenceHand(bench, *this)) {
   connect(&planner_, &SequencePlanner::grown, this, [this](const GrownPlan& grown) { takeGrown(grown, true); });
@@ -88,6 +91,7 @@ void SequenceController::connectActions() {
   bench_.onAction("sequence.resume", this, [this] { plan(true); });
   bench_.onAction("sequence.open", this, [this] { chooseFile(); });
   bench_.onAction("sequence.export", this, [this] { chooseExport(); });
+  bench_.onAction("sequence.film", this, [this] { chooseFilm(); });
   bench_.onAction("sequence.graph", this, [this] { showGraph(); });
   bench_.onAction("sequence.stays", this, [this] { toggleStays(); });
   bench_.onAction("sequence.show-product", this, [this] {
@@ -390,10 +394,6 @@ void SequenceController::remember(WindowMemory& memory) {
   instructions_->remember(memory);
 }
 
-std::string SequenceController::productName() const {
-  return nameOfProduct(*bench_.document.scenario(), *presentProduct());
-}
-
 void SequenceController::exportTo(const QString& file, const InstructionJob::Finished& finished) {
   if (isDocument(file)) {
     instructions_->write(PlanDocument::Instruction, file, finished);
@@ -403,8 +403,9 @@ void SequenceController::exportTo(const QString& file, const InstructionJob::Fin
   } else if (isFilm(file)) {
     film(file, finished);
   } else {
-    const std::string& product = bench_.document.scenario()->file;
-    finished(writeSequence(shown(), panel_->order(), product.empty() ? productName() : product, productName(), file));
+    const LoadedScenario& scenario = *bench_.document.scenario();
+    const std::string name = nameOfProduct(scenario);
+    finished(writeSequence(shown(), panel_->order(), scenario.file.empty() ? name : scenario.file, name, file));
   }
 }
 
@@ -424,10 +425,16 @@ void SequenceController::chooseFile() {
 
 void SequenceController::chooseExport() {
   const QString file = bench_.dialogs.save(
-      FilePurpose::Sequence, tr("Save the assembly plan"), QStringLiteral("plan.json"),
+      FilePurpose::Sequence, tr("Save the assembly plan"),
+      proposedFile(*bench_.document.scenario(), QStringLiteral("plan.json")),
       tr("Assembly plan (*.json);;Work instruction (*.html);;Work instruction (*.pdf);;Table of steps (*.csv);;"
          "Animation (*.glb)") +
           QStringLiteral(";;") + filmFilter());
+  if (!file.isEmpty()) exportAndTell(file);
+}
+
+void SequenceController::chooseFilm() {
+  const QString file = chooseFilmFile(bench_, tr("Film the sequence"), QStringLiteral("sequence"));
   if (!file.isEmpty()) exportAndTell(file);
 }
 
@@ -470,6 +477,7 @@ void SequenceController::enableActions() {
   bench_.enable("sequence.resume", open && !busy);
   bench_.enable("sequence.open", product && !busy && !hand_->isActive());
   bench_.enable("sequence.export", steps && !busy);
+  bench_.enable("sequence.film", steps && !busy);
   bench_.enable("sequence.play", steps);
   bench_.enable("sequence.show-product", steps);
   bench_.enable("sequence.graph", steps || (plan && !plan->stuck.empty()));

@@ -58,8 +58,6 @@ class SequenceController final : public QObject {
   void tell(const QString& file, const SaveResult& saved);
   /// For scripts: what a file that `write` writes comes to, at once; on screen a message says so later.
   Outcome written(const std::string& file, const std::function<void(const InstructionJob::Finished&)>& write);
-  /// The root of the product, the name of the scenario, or that of its file or of its parts.
-  std::string productName() const;
   /// The scene as the panel's sliders have it.
   void showPanelsScene();
   /// The scene at so many steps of removal, parts moved apart by a share of the exploded view.
@@ -98,6 +96,7 @@ class SequenceController final : public QObject {
   void toggleStays();
   void chooseFile();
   void chooseExport();
+  void chooseFilm();
   void film(const QString& file, const FilmJob::Finished& finished);
   void enableActions();
 

@@ -2,6 +2,7 @@
 
 #include <QLocale>
 
+#include "app/window/proposed_file.h"
 #include "engine/base/volume_unit.h"
 #include "engine/scenario/swept_volume_file.h"
 #include "engine/sweep/swept_bodies.h"
@@ -104,7 +105,8 @@ void SweepController::tell() {
 void SweepController::chooseExport() {
   compute([this] {
     const QString file = bench_.dialogs.save(
-        FilePurpose::Export, tr("Export the swept volume"), QStringLiteral("swept-volume.stl"),
+        FilePurpose::Export, tr("Export the swept volume"),
+        proposedFile(*bench_.document.scenario(), QStringLiteral("swept-volume.stl")),
         tr("Triangles in millimetres (%1);;3D viewers (%2)").arg(QStringLiteral("*.stl"), QStringLiteral("*.glb")));
     if (file.isEmpty()) return;
     if (const Outcome saved = exportTo(file); !saved) {

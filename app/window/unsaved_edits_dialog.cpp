@@ -9,6 +9,7 @@
 #include "app/window/plain_message_box.h"
 #include "engine/base/file.h"
 #include "engine/base/limits.h"
+#include "engine/scenario/product_name.h"
 #include "engine/scenario/scenario_file.h"
 #include "widgets/commands/diagnostic_text.h"
 
@@ -78,7 +79,7 @@ void offerUnsavedEdits(const QString& folder, const OpenEdits& open, QWidget* pa
     const Answer answer =
         edits ? ask(UnsavedEditsDialog::tr(
                         "Glissade ended unexpectedly. Edits of the scenario \"%1\" from %2 are still there.")
-                        .arg(QString::fromStdString(edits->scenario.name), time),
+                        .arg(QString::fromStdString(nameOfProduct(edits->scenario, edits->file)), time),
                     stateOfFile(*edits), true, parent)
               : ask(UnsavedEditsDialog::tr(
                         "Glissade ended unexpectedly. The edits from %1 are damaged and cannot be opened.")

@@ -57,8 +57,9 @@ void WorkController::show(const BackgroundTask& task, const std::function<QStrin
   connect(&task, &BackgroundTask::ended, this, &WorkController::endOther);
 }
 
-void WorkController::beginOther(const QString& what, const std::function<void()>& cancel) {
+void WorkController::beginOther(const QString& what, const std::function<void()>& cancel, Loss loss) {
   cancelOther_ = cancel;
+  endangered_ = loss == Loss::Asked ? what : QString();
   if (!task_.isBusy()) beginBar(what);
   enable();
 }
@@ -69,6 +70,7 @@ void WorkController::showShare(double share) {
 
 void WorkController::endOther() {
   cancelOther_ = nullptr;
+  endangered_.clear();
   if (!task_.isBusy()) endBar();
   enable();
 }

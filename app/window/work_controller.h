@@ -32,8 +32,12 @@ class WorkController final : public QObject {
   /// Shows another task in the status bar, too, while none of its own is under way.
   /// `what` is asked when it begins.
   void show(const BackgroundTask& task, const std::function<QString()>& what, const std::function<void()>& cancel);
+  /// Whether a person is asked before something else ends the work.
+  enum class Loss { Accepted, Asked };
   /// Shows what the GUI thread does piece by piece, in the same way: its begin, its share (from 0 to 1), its end.
-  void beginOther(const QString& what, const std::function<void()>& cancel);
+  void beginOther(const QString& what, const std::function<void()>& cancel, Loss loss = Loss::Accepted);
+  /// What is under way and would be lost, for the question about it; empty: nothing.
+  QString endangered() const { return endangered_; }
   void showShare(double share);
   void endOther();
   /// Ends what need not be finished.
@@ -78,6 +82,7 @@ class WorkController final : public QObject {
   bool pathWork_ = false;
   bool toTheEnd_ = false;  ///< what is under way
   std::optional<Job> waiting_;
+  QString endangered_;
   std::function<void()> cancelOther_;  ///< the task of another that is under way; empty: none
   std::optional<Diagnostic> failure_;  ///< the last one that nobody has taken
   std::string reportedFailure_;        ///< the last one

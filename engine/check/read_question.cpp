@@ -160,7 +160,7 @@ struct ReadParts {
 Result<ReadParts> partsOf(const Asset& asset, const std::string& part, const std::string& file, Warnings& warnings,
                           const StopToken& stop) {
   const std::vector<Asset> assets{asset};
-  GeometryLoader loader(assets, ".", file, {}, stop);
+  GeometryLoader loader(assets, ".", file, nullptr, stop);
   const Geometry geometry =
       isUrdf(asset.path) ? Geometry(UrdfGeometry{asset.id}) : Geometry(StepGeometry{asset.id, part});
   const auto loaded = loader.load(geometry);
@@ -239,7 +239,7 @@ ProductBody nodeOf(const StatedScenario::StatedBody& body, const LoadedGeometry&
 
 Outcome readBodies(const std::string& file, const StopToken& stop, ReadScenario& read) {
   const StatedScenario& stated = read.stated;
-  GeometryLoader loader(stated.assets, folderOf(file), file, {}, stop);
+  GeometryLoader loader(stated.assets, folderOf(file), file, nullptr, stop);
   const auto load = [&](const StatedScenario::StatedBody& body) -> Result<LoadedGeometryPtr> {
     auto geometry = loader.load(body.geometry);
     if (geometry) warnOfMissingFaces(**geometry, body.id, file, loader.warnings());

@@ -36,7 +36,10 @@ Geometry readShape(const JsonCursor& at, const std::set<std::string>& assets) {
     if (assets.count(name.text()) == 0) name.fail("names the asset '" + name.text() + "', which is not in /assets");
     return name.text();
   };
-  if (const auto mesh = at.find("mesh")) return MeshGeometry{asset(*mesh)};
+  if (const auto mesh = at.find("mesh")) {
+    if (mesh->json().is_string()) return MeshGeometry{asset(*mesh)};
+    return MeshGeometry{asset(mesh->at("asset")), true, mesh->has("part") ? mesh->at("part").nonEmptyText() : ""};
+  }
   if (const auto urdf = at.find("urdf")) return UrdfGeometry{asset(*urdf)};
   if (const auto step = at.find("step")) {
     return StepGeometry{asset(step->at("asset")), step->has("part") ? step->at("part").nonEmptyText() : ""};

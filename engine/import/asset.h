@@ -11,6 +11,7 @@
 #include "engine/assembly/occurrence.h"
 #include "engine/base/diagnostic.h"
 #include "engine/geometry/triangle_mesh.h"
+#include "engine/import/formats/mesh_content.h"
 
 namespace glissade {
 
@@ -29,8 +30,12 @@ struct Asset {
   bool closeHoles = false;  ///< of a mesh: planar holes are closed
 };
 
+/// A mesh file as one body; of an OBJ file one of its groups ("part"), or all of them (`groups`, `part` empty): bodies
+/// "<body id>/<group>", or the one compound object.
 struct MeshGeometry {
   std::string asset;
+  bool groups = false;
+  std::string part{};
 };
 /// All links (fixed joints) of a URDF file: bodies "<body id>/<link>", or the one compound object.
 struct UrdfGeometry {
@@ -60,7 +65,8 @@ struct LoadedGeometry {
   Vector3 vertexMean = Vector3::Zero();  ///< of a mesh file's vertices, as imported, in the body's frame
   /// Of the bytes that it was read from, and of the files that a STEP file names; empty for primitives.
   std::string sha256;
-  Warnings warnings;  ///< what was lost, left out or added in reading it
+  Warnings warnings;               ///< what was lost, left out or added in reading it
+  std::vector<GroupRun> groups{};  ///< of a mesh file as it is (GeometryLoader::files())
 };
 using LoadedGeometryPtr = std::shared_ptr<const LoadedGeometry>;
 /// By what was asked for: a file and how it is interpreted, or a primitive's sizes.

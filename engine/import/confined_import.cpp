@@ -2,6 +2,7 @@
 
 #include <sys/resource.h>
 
+#include <cstring>
 #include <exception>
 #include <new>
 #include <string_view>
@@ -38,11 +39,45 @@ void write(const MeshContent& content, const ImportOutput& output) {
   for (int i = 0; i < 3; ++i) facts.vertexMean[i] = content.vertexMean[i];
   facts.coordinateSpacing = content.coordinateSpacing;
   facts.warningBytes = static_cast<std::uint32_t>(warnings.size());
+  std::string groups;
+  for (const GroupRun& group : content.groups) groups += std::to_string(group.triangles) + " " + group.name + "\n";
+  facts.groupBytes = static_cast<std::uint32_t>(groups.size());
   output.write(&header, sizeof header);
   output.write(&facts, sizeof facts);
   output.write(content.mesh.vertices);
   output.write(content.mesh.triangles);
   output.write(warnings.data(), warnings.size());
+  output.write(groups.data(), groups.size());
+}
+
+/// A message of one file of several, whatever is wrong with it.
+void importOne(std::string_view bytes, const std::string& ending, const ImportOutput& output) {
+  try {
+    const MeshContent content = readMesh(bytes, ending);
+    if (content.mesh.empty()) {
+      output.fail("holds no triangle");
+    } else {
+      write(content, output);
+    }
+  } catch (const FormatError& error) {
+    output.fail(error.reason, error.location);
+  } catch (const std::exception& error) {
+    output.fail(error.what());
+  }
+}
+
+int importSeveral(std::size_t size, const ImportOutput& output) {
+  const std::vector<char> input = readStandardInput(protocol::kMeshLimits.bytes, size);
+  std::string_view rest(input.data(), input.size());
+  while (rest.size() >= sizeof(protocol::SmallFile)) {
+    protocol::SmallFile file;
+    std::memcpy(&file, rest.data(), sizeof file);
+    rest.remove_prefix(sizeof file);
+    const std::string_view bytes = rest.substr(0, file.bytes);
+    rest.remove_prefix(bytes.size());
+    importOne(bytes, std::string(file.ending, ::strnlen(file.ending, sizeof file.ending)), output);
+  }
+  return 0;
 }
 
 int import(const std::string& ending, std::size_t size, const ImportOutput& output) {
@@ -62,7 +97,7 @@ int confinedImport(const std::string& ending) {
   const ImportOutput output;
   if (const Outcome confined = confine(protocol::kMeshLimits); !confined) return output.refuse(confined.error());
   try {
-    return import(ending, size, output);
+    return ending == protocol::kSeveral ? importSeveral(size, output) : import(ending, size, output);
   } catch (const FormatError& error) {
     return output.fail(error.reason, error.location);
   } catch (const std::bad_alloc&) {

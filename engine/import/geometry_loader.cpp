@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "engine/base/file.h"
 #include "engine/base/number_text.h"
@@ -13,6 +14,7 @@
 #include "engine/import/hole_closing.h"
 #include "engine/import/import_limits.h"
 #include "engine/import/mesh_import.h"
+#include "engine/import/small_meshes.h"
 #include "engine/import/step_import.h"
 #include "engine/import/step_parts.h"
 #include "engine/import/urdf_import.h"
@@ -44,6 +46,13 @@ namespace {
 
 const Asset& assetById(const std::string& id, const std::vector<Asset>& assets) {
   return *std::find_if(assets.begin(), assets.end(), [&](const Asset& a) { return a.id == id; });
+}
+
+/// Null: it is not in the cache, or there is none.
+LoadedGeometryPtr found(const std::string& key, const GeometryCache* cache) {
+  if (cache == nullptr) return nullptr;
+  const auto known = cache->find(key);
+  return known == cache->end() ? nullptr : known->second;
 }
 
 /// A triangle with two equal corners bounds nothing; people may want to know that their file has such.
@@ -90,7 +99,10 @@ std::string geometryKey(const Geometry& geometry, const std::vector<Asset>& asse
     return kind + (asset.closeHoles ? " closed " : " ") + toText(asset.unit) + (asset.up == UpAxis::Y ? " y " : " z ") +
            withoutLinks(assetFile(asset, folder));
   };
-  return std::visit(Overloaded{[&](const MeshGeometry& mesh) { return ofAsset("mesh", mesh.asset); },
+  return std::visit(Overloaded{[&](const MeshGeometry& mesh) {
+                                 return ofAsset(mesh.groups || !mesh.part.empty() ? "groups" : "mesh", mesh.asset) +
+                                        (mesh.part.empty() ? "" : " : " + mesh.part);
+                               },
                                [&](const UrdfGeometry& urdf) { return ofAsset("urdf", urdf.asset); },
                                [&](const StepGeometry& step) {
                                  const double deflection = assetById(step.asset, assets).deflection;
@@ -109,17 +121,13 @@ std::string geometryKey(const Geometry& geometry, const std::vector<Asset>& asse
 }
 
 GeometryLoader::GeometryLoader(const std::vector<Asset>& assets, std::string folder, std::string file,
-                               GeometryCache known, StopToken stop)
-    : assets_(assets),
-      folder_(std::move(folder)),
-      file_(std::move(file)),
-      known_(std::move(known)),
-      stop_(std::move(stop)) {}
+                               const GeometryCache* known, StopToken stop)
+    : assets_(assets), folder_(std::move(folder)), file_(std::move(file)), known_(known), stop_(std::move(stop)) {}
 
 Result<LoadedGeometryPtr> GeometryLoader::load(const Geometry& geometry) {
   const std::string key = geometryKey(geometry, assets_, folder_);
   LoadedGeometryPtr& loaded = loaded_[key];
-  if (const auto known = known_.find(key); !loaded && known != known_.end()) loaded = known->second;
+  if (!loaded) loaded = found(key, known_);
   if (!loaded) {
     auto read = this->read(geometry);
     if (!read) return read.error();
@@ -150,10 +158,14 @@ void GeometryLoader::noteHashes(std::vector<Asset>& assets) const {
 Result<LoadedGeometry> GeometryLoader::read(const Geometry& geometry) {
   using Read = Result<LoadedGeometry>;
   return std::visit(
-      Overloaded{[this](const MeshGeometry& mesh) -> Read { return readMesh(assetById(mesh.asset, assets_)); },
+      Overloaded{[this](const MeshGeometry& mesh) -> Read {
+                   if (!mesh.part.empty()) return partOf(mesh.asset, mesh.part, MeshGeometry{mesh.asset, true});
+                   return readMesh(assetById(mesh.asset, assets_), mesh.groups);
+                 },
                  [this](const UrdfGeometry& urdf) -> Read { return readUrdf(assetById(urdf.asset, assets_)); },
                  [this](const StepGeometry& step) -> Read {
-                   return step.part.empty() ? readStep(assetById(step.asset, assets_)) : partOf(step);
+                   return step.part.empty() ? readStep(assetById(step.asset, assets_))
+                                            : partOf(step.asset, step.part, StepGeometry{step.asset, ""});
                  },
                  [](const BoxGeometry& box) -> Read { return single(makeBox(box.size)); },
                  [](const CylinderGeometry& cylinder) -> Read {
@@ -161,6 +173,84 @@ Result<LoadedGeometry> GeometryLoader::read(const Geometry& geometry) {
                  },
                  [](const SphereGeometry& sphere) -> Read { return single(makeSphere(sphere.radius)); }},
       geometry);
+}
+
+namespace {
+
+/// What is found under this in a GeometryCache is a mesh file as it is: no unit, no axis.
+std::string fileKey(const Asset& asset, const std::string& folder) {
+  return "file:" + withoutLinks(assetFile(asset, folder));
+}
+
+LoadedGeometryPtr asItIs(ImportedMesh imported, const std::string& hash) {
+  LoadedGeometry raw = single(std::move(imported.mesh));
+  raw.parts.front().coordinateSpacing = imported.coordinateSpacing;
+  raw.vertexMean = imported.vertexMean;
+  raw.warnings = std::move(imported.warnings);
+  raw.groups = std::move(imported.groups);
+  raw.sha256 = hash;
+  return std::make_shared<const LoadedGeometry>(std::move(raw));
+}
+
+ImportedMesh meshOf(const LoadedGeometry& raw) {
+  const Occurrence& part = raw.parts.front();
+  return {*part.mesh, raw.vertexMean, part.coordinateSpacing, raw.warnings, raw.groups};
+}
+
+/// Small mesh files, by their keys.
+std::map<std::string, std::string> smallFiles(const std::vector<const Geometry*>& geometries,
+                                              const std::vector<Asset>& assets, const std::string& folder,
+                                              const GeometryCache* known) {
+  std::map<std::string, std::string> files;
+  for (const Geometry* geometry : geometries) {
+    const auto* mesh = std::get_if<MeshGeometry>(geometry);
+    if (mesh == nullptr || found(geometryKey(*geometry, assets, folder), known)) continue;
+    const Asset& asset = assetById(mesh->asset, assets);
+    const std::string file = assetFile(asset, folder);
+    const std::string key = fileKey(asset, folder);
+    std::error_code unknown;
+    const std::uintmax_t bytes = std::filesystem::file_size(file, unknown);
+    if (!unknown && isSmallMesh(file, bytes) && !found(key, known)) files.emplace(key, file);
+  }
+  return files;
+}
+
+}  // namespace
+
+void GeometryLoader::expect(const std::vector<const Geometry*>& geometries) {
+  constexpr std::size_t kFilesAtOnce = 512;
+  const auto files = smallFiles(geometries, assets_, folder_, known_);
+  if (files.size() < 2) return;
+  for (auto next = files.begin(); next != files.end() && !stop_.stopRequested();) {
+    std::vector<FileContent> contents;
+    std::vector<std::string> keys;
+    for (; next != files.end() && contents.size() < kFilesAtOnce; ++next) {
+      auto content = readContent(next->second, mostFileBytes());
+      if (!content) continue;
+      keys.push_back(next->first);
+      contents.push_back(std::move(*content));
+    }
+    auto meshes = importSmallMeshes(contents, stop_);
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+      if (meshes[i]) files_[keys[i]] = asItIs(std::move(*meshes[i]), sha256(contents[i].bytes));
+    }
+  }
+}
+
+/// The mesh of a file as it is. That of a small file is kept.
+Result<ImportedMesh> GeometryLoader::importFile(const Asset& asset) {
+  const std::string key = fileKey(asset, folder_);
+  LoadedGeometryPtr raw = found(key, &files_);
+  if (!raw) raw = found(key, known_);
+  if (raw) {
+    noteHash(asset, assetFile(asset, folder_), raw->sha256);
+    return meshOf(*raw);
+  }
+  const auto content = readAsset(asset);
+  if (!content) return content.error();
+  auto imported = importMesh(*content, stop_);
+  if (imported && isSmallMesh(content->file, content->bytes.size())) files_[key] = asItIs(*imported, hashes_[asset.id]);
+  return imported;
 }
 
 /// Reads the file of an asset, once.
@@ -178,32 +268,79 @@ void GeometryLoader::noteHash(const Asset& asset, const std::string& file, const
                        "Check the scenario and save it again."});
 }
 
-Result<LoadedGeometry> GeometryLoader::readMesh(const Asset& asset) {
-  const auto content = readAsset(asset);
-  if (!content) return content.error();
-  auto imported = importMesh(*content, stop_);
+namespace {
+
+/// Of a mesh in the units and axes of its file. Nothing where no triangle has three corners.
+std::optional<Occurrence> solidOf(TriangleMesh inFile, const Asset& asset, const std::string& file,
+                                  Warnings& warnings) {
+  const std::size_t triangles = inFile.triangles.size();
+  TriangleMesh mesh = welded(interpreted(std::move(inFile), asset.unit, asset.up));
+  if (mesh.empty()) return std::nullopt;
+  warnOfRemovedTriangles(triangles - mesh.triangles.size(), file, warnings);
+  Occurrence solid;
+  solid.isClosed = edgeFactsOf(mesh).consistentlyOriented;
+  if (auto closed = solid.isClosed ? std::nullopt : closedAtTJunctions(mesh)) {
+    warnOfTJunctions(*closed, file, warnings);
+    mesh = std::move(closed->mesh);
+    solid.coordinateSpacing = closed->moved;
+  }
+  if (asset.closeHoles) mesh = withoutHoles(mesh, file, warnings);
+  solid.mesh = std::make_shared<const TriangleMesh>(std::move(mesh));
+  return solid;
+}
+
+/// The triangles of each group by its name; '/' has its meaning in names of parts.
+std::map<std::string, TriangleMesh> groupsOf(const ImportedMesh& imported) {
+  std::map<std::string, TriangleMesh> meshes;
+  std::map<std::string, std::map<std::uint32_t, std::uint32_t>> vertices;  // of the groups, by those of the file
+  auto next = imported.mesh.triangles.begin();
+  for (const GroupRun& run : imported.groups) {
+    std::string name = run.name.empty() ? "group" : run.name;
+    std::replace(name.begin(), name.end(), '/', '.');
+    if (run.triangles == 0) continue;
+    TriangleMesh& mesh = meshes[name];
+    std::map<std::uint32_t, std::uint32_t>& known = vertices[name];
+    for (const auto end = next + run.triangles; next != end; ++next) {
+      TriangleIndices triangle = *next;
+      for (std::uint32_t& corner : triangle) {
+        const auto [vertex, isNew] = known.emplace(corner, static_cast<std::uint32_t>(mesh.vertices.size()));
+        if (isNew) mesh.vertices.push_back(imported.mesh.vertices[corner]);
+        corner = vertex->second;
+      }
+      mesh.triangles.push_back(triangle);
+    }
+  }
+  if (meshes.empty()) meshes[""] = imported.mesh;
+  if (meshes.size() == 1) return {{"", std::move(meshes.begin()->second)}};
+  return meshes;
+}
+
+}  // namespace
+
+/// `groups`: each group of the file is a part of its own.
+Result<LoadedGeometry> GeometryLoader::readMesh(const Asset& asset, bool groups) {
+  auto imported = importFile(asset);
   if (!imported) return imported.error();
-  const std::size_t triangles = imported->mesh.triangles.size();
-  TriangleMesh mesh = welded(interpreted(std::move(imported->mesh), asset.unit, asset.up));
-  if (mesh.empty()) {
-    return Diagnostic{ErrorKind::MalformedInput, content->file, "", "holds no triangle with three corners",
+  const std::string file = assetFile(asset, folder_);
+  LoadedGeometry geometry;
+  geometry.warnings = imported->warnings;
+  std::map<std::string, TriangleMesh> meshes;
+  if (groups) {
+    meshes = groupsOf(*imported);
+  } else {
+    meshes[""] = std::move(imported->mesh);
+  }
+  for (auto& [name, mesh] : meshes) {
+    auto solid = solidOf(std::move(mesh), asset, file, geometry.warnings);
+    if (!solid) continue;
+    solid->path = name;
+    solid->coordinateSpacing += asset.unit * imported->coordinateSpacing;
+    geometry.parts.push_back(std::move(*solid));
+  }
+  if (geometry.parts.empty()) {
+    return Diagnostic{ErrorKind::MalformedInput, file, "", "holds no triangle with three corners",
                       "Export the part again."};
   }
-  Warnings warnings = imported->warnings;
-  warnOfRemovedTriangles(triangles - mesh.triangles.size(), content->file, warnings);
-  double moved = 0.0;
-  const bool isClosed = edgeFactsOf(mesh).consistentlyOriented;
-  if (auto closed = isClosed ? std::nullopt : closedAtTJunctions(mesh)) {
-    warnOfTJunctions(*closed, content->file, warnings);
-    mesh = std::move(closed->mesh);
-    moved = closed->moved;
-  }
-  if (asset.closeHoles) mesh = withoutHoles(mesh, content->file, warnings);
-  LoadedGeometry geometry = single(std::move(mesh));
-  geometry.warnings = std::move(warnings);
-  Occurrence& part = geometry.parts.front();
-  part.isClosed = isClosed;
-  part.coordinateSpacing = asset.unit * imported->coordinateSpacing + moved;
   TriangleMesh point;
   point.vertices = {imported->vertexMean};
   geometry.vertexMean = interpreted(point, asset.unit, asset.up).vertices.front();
@@ -242,22 +379,23 @@ Result<LoadedGeometry> GeometryLoader::readStep(const Asset& asset) {
 }
 
 /// Of the file as a whole, which is read once.
-Result<LoadedGeometry> GeometryLoader::partOf(const StepGeometry& step) {
-  const auto whole = load(StepGeometry{step.asset, ""});
+Result<LoadedGeometry> GeometryLoader::partOf(const std::string& asset, const std::string& part,
+                                              const Geometry& wholeFile) {
+  const auto whole = load(wholeFile);
   if (!whole) return whole.error();
   LoadedGeometry geometry;
   geometry.sha256 = (*whole)->sha256;
   geometry.warnings = (*whole)->warnings;
-  for (const Occurrence& part : (*whole)->parts) {
-    if (!isWithin(part.path, step.part)) continue;
-    geometry.parts.push_back(part);
+  for (const Occurrence& solid : (*whole)->parts) {
+    if (!isWithin(solid.path, part)) continue;
+    geometry.parts.push_back(solid);
     Occurrence& below = geometry.parts.back();
-    below.path = pathWithin(part.path, step.part);
-    const auto above = static_cast<std::ptrdiff_t>(std::min(stepsOf(step.part).size(), below.names.size()));
+    below.path = pathWithin(solid.path, part);
+    const auto above = static_cast<std::ptrdiff_t>(std::min(stepsOf(part).size(), below.names.size()));
     below.names.erase(below.names.begin(), below.names.begin() + above);
   }
   if (!geometry.parts.empty()) return geometry;
-  return noSuchPart(assetFile(assetById(step.asset, assets_), folder_), step.part, namesOf(**whole));
+  return noSuchPart(assetFile(assetById(asset, assets_), folder_), part, namesOf(**whole));
 }
 
 Outcome GeometryLoader::checkOwnUnit(const Asset& asset, const std::string& kind) const {

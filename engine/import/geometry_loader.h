@@ -8,6 +8,7 @@
 #include "engine/base/stop_token.h"
 #include "engine/import/asset.h"
 #include "engine/import/file_content.h"
+#include "engine/import/mesh_import.h"
 
 namespace glissade {
 
@@ -17,12 +18,17 @@ const std::string* assetOf(const Geometry& geometry);
 /// What a geometry of these assets is found under in a GeometryCache: equal where the same would be read.
 std::string geometryKey(const Geometry& geometry, const std::vector<Asset>& assets, const std::string& folder);
 
-/// Reads the geometry that bodies name; what was read before, and what several bodies name, once. Refers to the assets.
+/// Reads the geometry that bodies name; what was read before, and what several bodies name, once. Refers to the assets
+/// and to what is known.
 class GeometryLoader {
  public:
-  /// Assets are relative to `folder`; `file` is used in messages only. What is in `known` is not read again.
-  GeometryLoader(const std::vector<Asset>& assets, std::string folder, std::string file, GeometryCache known,
+  /// Assets are relative to `folder`; `file` is used in messages only. What is in `known` (null: nothing) is not read
+  /// again.
+  GeometryLoader(const std::vector<Asset>& assets, std::string folder, std::string file, const GeometryCache* known,
                  StopToken stop = {});
+
+  /// These will be asked for: small mesh files among them are read many at a time. Errors are left to load().
+  void expect(const std::vector<const Geometry*>& geometries);
 
   /// Errors are MalformedInput with the file that they are in, or Interrupted where it was stopped.
   Result<LoadedGeometryPtr> load(const Geometry& geometry);
@@ -32,6 +38,8 @@ class GeometryLoader {
 
   /// What was asked for.
   GeometryCache& loaded() { return loaded_; }
+  /// Small mesh files as they are, by keys of a GeometryCache: another unit or axis of one needs no reading.
+  const GeometryCache& files() const { return files_; }
   /// Files that have changed since the scenario was saved, and what was lost in reading one.
   Warnings& warnings() { return warnings_; }
 
@@ -39,19 +47,21 @@ class GeometryLoader {
   Result<LoadedGeometry> read(const Geometry& geometry);
   Result<FileContent> readAsset(const Asset& asset);
   void noteHash(const Asset& asset, const std::string& file, const std::string& hash);
-  Result<LoadedGeometry> readMesh(const Asset& asset);
+  Result<LoadedGeometry> readMesh(const Asset& asset, bool groups);
+  Result<ImportedMesh> importFile(const Asset& asset);
   Result<LoadedGeometry> readUrdf(const Asset& asset);
   Result<LoadedGeometry> readStep(const Asset& asset);
-  Result<LoadedGeometry> partOf(const StepGeometry& step);
+  Result<LoadedGeometry> partOf(const std::string& asset, const std::string& part, const Geometry& wholeFile);
   void takeWarnings(const LoadedGeometry& geometry);
   Outcome checkOwnUnit(const Asset& asset, const std::string& kind) const;
 
   const std::vector<Asset>& assets_;
   std::string folder_;
   std::string file_;
-  GeometryCache known_;
+  const GeometryCache* known_;
   StopToken stop_;
   GeometryCache loaded_;
+  GeometryCache files_;
   std::map<std::string, std::string> hashes_;  ///< by asset's id, of what was read
   Warnings warnings_;
 };

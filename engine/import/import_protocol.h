@@ -7,7 +7,8 @@
 namespace glissade::import_protocol {
 
 // What an importing process writes to its standard output: one header, then
-// for kMesh a MeshFacts, `vertices` x 3 doubles, `triangles` x 3 indices, the bytes of its warnings (a line each);
+// for kMesh a MeshFacts, `vertices` x 3 doubles, `triangles` x 3 indices, the bytes of its warnings (a line each),
+// the bytes of its groups (a line each: number of triangles, blank, name);
 // for kAssembly an AssemblyCounts; the bytes of the root's name; every shape as a Shape, its vertices x 3 doubles
 // (millimetres), its triangles x 3 indices, its faces as a Face each; every part as a Part, the bytes of its path below
 // the root (UTF-8), the bytes of the names of its steps as the file has them, each with a line feed (none where they
@@ -15,6 +16,10 @@ namespace glissade::import_protocol {
 // name; the bytes of its notes (a line each: kind, tab, where, tab, what; kinds below); for kError (the file cannot be
 // read) and kNotConfined (the process cannot give up its rights, and has read nothing) `vertices` bytes of text: the
 // location in the file (may be empty), a line feed, the reason.
+//
+// With kSeveral as its argument, glissade-import reads several files, each as a SmallFile and its bytes, and writes a
+// message (kMesh or kError) of each in the same order.
+inline constexpr const char* kSeveral = "several";
 inline constexpr std::uint32_t kMagic = 0x474c494d;
 inline constexpr std::uint32_t kMesh = 1;
 inline constexpr std::uint32_t kError = 2;
@@ -37,11 +42,16 @@ struct Header {
   std::uint32_t triangles = 0;  ///< likewise
 };
 
+struct SmallFile {
+  std::uint64_t bytes = 0;
+  char ending[8] = {};  ///< as of the file's name, filled up with zeros
+};
+
 struct MeshFacts {
   double vertexMean[3] = {0.0, 0.0, 0.0};
   double coordinateSpacing = 0.0;
   std::uint32_t warningBytes = 0;
-  std::uint32_t unused = 0;
+  std::uint32_t groupBytes = 0;
 };
 
 struct AssemblyCounts {

@@ -46,7 +46,9 @@ Diagnostic refusalOf(const ImporterCall& call, const std::string& reason, const 
   return {ErrorKind::MalformedInput, call.file, location, reason, call.advice};
 }
 
-Result<ImporterAnswer> callImporter(const ImporterCall& call, std::string_view content, const StopToken& stop) {
+namespace {
+
+ChildCommand commandOf(const ImporterCall& call, std::string_view content) {
   ChildCommand command;
   command.program = besideThisProgram(call.program);
   command.arguments = call.arguments;
@@ -56,6 +58,18 @@ Result<ImporterAnswer> callImporter(const ImporterCall& call, std::string_view c
   command.limits.memoryBytes = call.limits.memory;
   command.limits.cpuSeconds = call.limits.seconds;
   command.limits.outputBytes = std::min<std::uint64_t>(kMostOutput, call.limits.memory);
+  return command;
+}
+
+}  // namespace
+
+std::string callImporterOfSeveral(const ImporterCall& call, std::string_view content, const StopToken& stop) {
+  auto child = runChild(commandOf(call, content), stop);
+  return child ? std::move(child->output) : std::string();
+}
+
+Result<ImporterAnswer> callImporter(const ImporterCall& call, std::string_view content, const StopToken& stop) {
+  ChildCommand command = commandOf(call, content);
   auto child = runChild(command, stop);
   if (child && hasCrashed(*child) && !call.argumentsAfterCrash.empty()) {
     command.arguments = call.argumentsAfterCrash;

@@ -37,6 +37,13 @@ class ImportMessage {
     position_ += count * sizeof(T);
     return true;
   }
+  /// So many bytes. False where there are fewer.
+  bool takeText(std::size_t count, std::string& text) {
+    if (count > bytes_.size() - position_) return false;
+    text = bytes_.substr(position_, count);
+    position_ += count;
+    return true;
+  }
   std::string rest() const { return bytes_.substr(position_); }
 
  private:
@@ -51,6 +58,10 @@ struct ImporterAnswer {
 };
 /// Gives the file's content to the program. Errors are MalformedInput with the file's name, or Interrupted.
 Result<ImporterAnswer> callImporter(const ImporterCall& call, std::string_view content, const StopToken& stop = {});
+
+/// What the program writes of several files that are given to it as one content (kSeveral), as far as it comes: nothing
+/// of it is checked, and how the program ends does not matter.
+std::string callImporterOfSeveral(const ImporterCall& call, std::string_view content, const StopToken& stop);
 
 /// That the file, or what the program made of it, is not what it should be.
 Diagnostic refusalOf(const ImporterCall& call, const std::string& reason, const std::string& location = {});

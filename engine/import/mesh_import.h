@@ -6,6 +6,7 @@
 #include "engine/base/stop_token.h"
 #include "engine/geometry/triangle_mesh.h"
 #include "engine/import/file_content.h"
+#include "engine/import/formats/mesh_content.h"
 
 namespace glissade {
 
@@ -19,6 +20,8 @@ struct ImportedMesh {
   /// be that far from where the program that wrote the file had it. 0 where the format holds decimal or 64-bit numbers.
   double coordinateSpacing = 0.0;
   Warnings warnings;  ///< of the file
+  /// Of an OBJ file: which triangles are of which group, in their order. Names are on one line.
+  std::vector<GroupRun> groups;
 };
 
 /// Imports STL, OBJ, PLY, DAE, glTF (embedded) and GLB. The file is parsed in a process of its own that can open no

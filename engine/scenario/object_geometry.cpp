@@ -52,8 +52,10 @@ Box3 boxOf(const ObjectDescription& object, const ObjectGeometry& geometry) {
 
 void chooseReferencePoint(ObjectDescription& object, const ObjectGeometry& geometry) {
   const Geometry& first = object.first().geometry;
-  object.centreOnVertexMean = !object.isGroup() && std::holds_alternative<MeshGeometry>(first);
-  const bool middle = object.isGroup() || std::holds_alternative<StepGeometry>(first);
+  const auto* mesh = std::get_if<MeshGeometry>(&first);
+  object.centreOnVertexMean = !object.isGroup() && mesh != nullptr && !mesh->groups;
+  const bool middle =
+      object.isGroup() || std::holds_alternative<StepGeometry>(first) || (mesh != nullptr && mesh->groups);
   object.referencePoint = middle ? middleOf(object, geometry) : Vector3(Vector3::Zero());
 }
 

@@ -39,17 +39,19 @@ std::string uniqueId(const std::string& stem, const std::set<std::string>& taken
   return id;
 }
 
-std::set<std::string> assetIds(const Scenario& scenario) {
-  std::set<std::string> ids;
-  for (const Asset& asset : scenario.assets) ids.insert(asset.id);
-  return ids;
-}
-
 }  // namespace
 
 PartAdder::PartAdder(Scenario& scenario, const std::string& file)
     : scenario_(scenario), folder_(folderOf(file)), saved_(!file.empty()) {
+  noteAssets();
   noteNodes();
+}
+
+void PartAdder::noteAssets() {
+  for (std::size_t i = 0; i < scenario_.assets.size(); ++i) {
+    assetIds_.insert(scenario_.assets[i].id);
+    assetsOfFiles_.emplace(withoutLinks(assetFile(scenario_.assets[i], folder_)), i);
+  }
 }
 
 /// Of the bodies that are there: the node above a part is the assembly of its last step but one, and so on.
@@ -148,18 +150,22 @@ void PartAdder::addToObject(const PartFile& part) {
 Geometry PartAdder::geometryOf(const PartFile& part) {
   if (isStepFile(part.path)) return StepGeometry{assetOf(part), part.part};
   if (isUrdfFile(part.path)) return UrdfGeometry{assetOf(part)};
-  return MeshGeometry{assetOf(part)};
+  return MeshGeometry{assetOf(part), part.groups, part.part};
 }
 
 std::string PartAdder::assetOf(const PartFile& part) {
-  const auto same = std::find_if(scenario_.assets.begin(), scenario_.assets.end(), [&](const Asset& asset) {
-    std::error_code noneThere;
+  const std::string file = withoutLinks(part.path);
+  const auto [first, end] = assetsOfFiles_.equal_range(file);
+  const auto same = std::find_if(first, end, [&](const auto& ofFile) {
+    const Asset& asset = scenario_.assets[ofFile.second];
     return asset.unit == part.unit && asset.up == part.up && asset.deflection == part.deflection &&
-           asset.closeHoles == part.closeHoles && fs::equivalent(assetFile(asset, folder_), part.path, noneThere);
+           asset.closeHoles == part.closeHoles;
   });
-  if (same != scenario_.assets.end()) return same->id;
+  if (same != end) return scenario_.assets[same->second].id;
   const std::string path = fs::absolute(part.path).lexically_normal().generic_string();
-  const std::string id = uniqueId(stemOf(part), assetIds(scenario_));
+  const std::string id = uniqueId(stemOf(part), assetIds_);
+  assetIds_.insert(id);
+  assetsOfFiles_.emplace(file, scenario_.assets.size());
   scenario_.assets.push_back(
       {id, saved_ ? assetPathFrom(folder_, path) : path, "", part.unit, part.up, part.deflection, part.closeHoles});
   return id;

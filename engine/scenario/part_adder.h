@@ -22,6 +22,7 @@ class PartAdder {
   BodyDescription bodyOf(const PartFile& part);
   Geometry geometryOf(const PartFile& part);
   std::string assetOf(const PartFile& part);
+  void noteAssets();
   void noteNodes();
   void notePlace(const PartFile& part, const BodyDescription& body);
   std::string assemblyOf(const PartFile& part, const std::string& asset, std::size_t steps);
@@ -32,8 +33,10 @@ class PartAdder {
   std::string folder_;
   bool saved_;
   bool hasObject_ = false;
-  std::set<std::string> ids_;          ///< of bodies, and of nodes of which something is said
-  std::set<std::string> assemblyIds_;  ///< of all assemblies
+  std::set<std::string> assetIds_;
+  std::multimap<std::string, std::size_t> assetsOfFiles_;  ///< by the file without links
+  std::set<std::string> ids_;                              ///< of bodies, and of nodes of which something is said
+  std::set<std::string> assemblyIds_;                      ///< of all assemblies
   /// The same, by asset and path: files may have assemblies of one name.
   std::map<std::pair<std::string, std::string>, std::string> assemblies_;
 };

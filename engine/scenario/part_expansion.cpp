@@ -5,6 +5,7 @@
 
 #include "engine/base/file.h"
 #include "engine/import/asset_path.h"
+#include "engine/import/geometry_loader.h"
 #include "engine/import/step_import.h"
 #include "engine/import/step_parts.h"
 #include "engine/scenario/scenario_bodies.h"
@@ -24,9 +25,11 @@ std::vector<Claim> claimsOf(const Scenario& scenario, const std::string& scenari
   std::vector<Claim> claims;
   const auto add = [&](const Geometry& geometry) {
     const auto* step = std::get_if<StepGeometry>(&geometry);
-    if (step == nullptr) return;
+    const auto* mesh = std::get_if<MeshGeometry>(&geometry);
+    if (step == nullptr && (mesh == nullptr || !mesh->groups)) return;
     for (const Asset& asset : scenario.assets) {
-      if (asset.id == step->asset) claims.push_back({assetFile(asset, folderOf(scenarioFile)), step->part});
+      if (asset.id != *assetOf(geometry)) continue;
+      claims.push_back({assetFile(asset, folderOf(scenarioFile)), step != nullptr ? step->part : mesh->part});
     }
   };
   for (const BodyDescription* body : allBodiesOf(scenario)) add(body->geometry);
@@ -68,7 +71,7 @@ Result<std::vector<PartFile>> oneEntryEach(const std::vector<PartFile>& parts, c
   std::vector<std::vector<TreePlace>> places(parts.size());
   std::vector<Claim> claims = claimsOf(scenario, scenarioFile);
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (!isStepFile(parts[i].path)) continue;
+    if (!isStepFile(parts[i].path) && !parts[i].groups) continue;
     PartFile whole = parts[i];
     whole.part.clear();
     const auto geometry = readPart(whole, read, stop);

@@ -7,12 +7,14 @@
 
 #include "engine/base/file.h"
 #include "engine/base/limits.h"
+#include "engine/base/printable_text.h"
 #include "engine/import/geometry_loader.h"
 #include "engine/import/mesh_import.h"
 #include "engine/import/step_import.h"
 #include "engine/scenario/object_geometry.h"
 #include "engine/scenario/part_adder.h"
 #include "engine/scenario/part_expansion.h"
+#include "engine/scenario/scenario_bodies.h"
 
 namespace glissade {
 namespace {
@@ -34,14 +36,19 @@ Outcome checkParts(const std::vector<PartFile>& parts) {
   return Done{};
 }
 
-/// "product.step:pump/rotor" is a part of a STEP file, unless a file is called so.
+/// "product.step:pump/rotor" is a part of a STEP file, and "product.obj:rotor" a group, unless a file is called so.
 std::pair<std::string, std::string> splitPartName(const std::string& text) {
   std::error_code noneThere;
   for (std::size_t at = text.find(':'); at != std::string::npos; at = text.find(':', at + 1)) {
-    if (isStepFile(text.substr(0, at)) && !fs::exists(text, noneThere))
-      return {text.substr(0, at), text.substr(at + 1)};
+    const std::string file = text.substr(0, at);
+    if ((isStepFile(file) || mayHaveGroups(file)) && !fs::exists(text, noneThere)) return {file, text.substr(at + 1)};
   }
   return {text, ""};
+}
+
+void takeRead(GeometryLoader& loader, GeometryCache& read) {
+  read.insert(loader.files().begin(), loader.files().end());
+  read.merge(loader.loaded());
 }
 
 /// Box of the bodies from the given one on.
@@ -56,6 +63,8 @@ Result<Box3> boxOfBodies(GeometryLoader& loader, const Scenario& scenario, std::
 }
 
 }  // namespace
+
+bool mayHaveGroups(const std::string& path) { return endingOf(path) == "obj"; }
 
 bool isUrdfFile(const std::string& path) { return endingOf(path) == "urdf"; }
 
@@ -73,6 +82,7 @@ PartFile usualPart(const std::string& text) {
   const std::string ending = endingOf(path);
   PartFile usual{path, PartRole::Static, 0.001, UpAxis::Z, part};
   if (saysItsUnit(path)) usual.unit = 1.0;
+  usual.groups = mayHaveGroups(path) && !part.empty();
   if (ending == "dae" || ending == "gltf" || ending == "glb") {
     usual.unit = 1.0;
     usual.up = UpAxis::Y;
@@ -84,17 +94,35 @@ Result<LoadedGeometryPtr> readPart(const PartFile& part, GeometryCache& read, co
                                    Warnings* warnings) {
   Scenario scenario;
   PartAdder(scenario, "").addBody(part);
-  GeometryLoader loader(scenario.assets, ".", part.path, read, stop);
+  GeometryLoader loader(scenario.assets, ".", part.path, &read, stop);
   auto geometry = loader.load(scenario.bodies.front().geometry);
-  if (geometry) read.merge(loader.loaded());
+  if (geometry) takeRead(loader, read);
   if (warnings != nullptr) warnings->insert(warnings->end(), loader.warnings().begin(), loader.warnings().end());
   return geometry;
 }
 
-Result<std::vector<MeasuredPart>> partsInFile(const std::string& path, GeometryCache& read, const StopToken& stop) {
-  const auto geometry = readPart({path, PartRole::Static, 1.0, UpAxis::Z}, read, stop);
+void readSmallFiles(const std::vector<std::string>& paths, GeometryCache& read, const StopToken& stop) {
+  std::vector<Asset> assets;
+  std::vector<Geometry> meshes;
+  for (const std::string& path : paths) {
+    if (!isMeshFile(path)) continue;
+    assets.push_back({path, fs::absolute(path).lexically_normal().generic_string(), ""});
+    meshes.emplace_back(MeshGeometry{path});
+  }
+  std::vector<const Geometry*> expected;
+  for (const Geometry& mesh : meshes) expected.push_back(&mesh);
+  GeometryLoader loader(assets, ".", "", &read, stop);
+  loader.expect(expected);
+  takeRead(loader, read);
+}
+
+Result<std::vector<MeasuredPart>> partsInFile(const std::string& path, GeometryCache& read, const StopToken& stop,
+                                              bool groups) {
+  PartFile whole{path, PartRole::Static, 1.0, UpAxis::Z};
+  whole.groups = groups;
+  const auto geometry = readPart(whole, read, stop);
   if (!geometry) return geometry.error();
-  if (!isStepFile(path)) return std::vector<MeasuredPart>{{"", boxOf(**geometry)}};
+  if (!isStepFile(path) && !groups) return std::vector<MeasuredPart>{{"", boxOf(**geometry)}};
   std::vector<MeasuredPart> parts;
   for (const Occurrence& part : (*geometry)->parts) parts.push_back({part.path, boundingBox(*part.mesh, part.X_FP)});
   return parts;
@@ -128,15 +156,16 @@ Result<Scenario> scenarioOfParts(const std::vector<PartFile>& files, GeometryCac
   for (const PartFile& part : parts) {
     if (!moves(part)) adder.addBody(part);
   }
-  GeometryLoader loader(scenario.assets, ".", "", std::move(known), stop);
+  GeometryLoader loader(scenario.assets, ".", "", &known, stop);
+  loader.expect(geometriesOf(scenario));
   ObjectDescription& object = scenario.object;
   const auto geometry = loadGeometryOf(object, loader);
   if (!geometry) return geometry.error();
   const auto bodies = boxOfBodies(loader, scenario, 0);
   if (!bodies) return bodies.error();
   loader.noteHashes(scenario.assets);
-  if (read != nullptr) read->merge(loader.loaded());
-  scenario.name = object.first().name;
+  if (read != nullptr) takeRead(loader, *read);
+  if (scenario.assets.size() == 1) scenario.name = printableLine(fs::path(files.front().path).stem().string());
   chooseReferencePoint(object, *geometry);
   scenario.start = Pose::translation(referencePointOf(object, *geometry));
   scenario.goal = GoalOut{};
@@ -162,13 +191,14 @@ Result<Scenario> withParts(Scenario scenario, const std::string& scenarioFile, c
   const std::size_t before = scenario.bodies.size();
   PartAdder adder(scenario, scenarioFile);
   for (const PartFile& part : *parts) adder.addBody(part);
-  GeometryLoader loader(scenario.assets, folderOf(scenarioFile), scenarioFile, std::move(known), stop);
+  GeometryLoader loader(scenario.assets, folderOf(scenarioFile), scenarioFile, &known, stop);
+  loader.expect(geometriesOf(scenario));
   const auto added = boxOfBodies(loader, scenario, before);
   if (!added) return added.error();
   const auto geometry = loadGeometryOf(scenario.object, loader);
   if (!geometry) return geometry.error();
   loader.noteHashes(scenario.assets);
-  if (read != nullptr) read->merge(loader.loaded());
+  if (read != nullptr) takeRead(loader, *read);
   if (!std::holds_alternative<GoalOut>(scenario.goal)) return scenario;
   scenario.workspace.extend(roomAbout(*added, radiusAboutOrigin(objectMesh(scenario.object, *geometry))));
   return scenario;

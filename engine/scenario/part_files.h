@@ -21,18 +21,22 @@ struct PartFile {
   std::string part{};                ///< of a STEP file, or an assembly in it, as "pump/rotor"; empty: all of the file
   double deflection = 0.0;           ///< as of Asset
   bool closeHoles = false;           ///< as of Asset
+  bool groups = false;               ///< of an OBJ file: its groups are parts, and `part` is the name of one
   std::vector<std::string> names{};  ///< of the steps of `part`, as of Occurrence; filled in where the file is read
 };
 
 /// A static part, taken as files of its kind usually are: Collada and glTF in metres and y up, URDF and STEP
 /// as they say, others in millimetres and z up. `text` names a file, or a part of a STEP file:
-/// "product.step:pin".
+/// "product.step:pin", or a group of an OBJ file: "product.obj:pin".
 PartFile usualPart(const std::string& text);
 
 bool isUrdfFile(const std::string& path);
 
 /// URDF and STEP: the file says what its numbers mean, whatever a person says, and is z up.
 bool saysItsUnit(const std::string& path);
+
+/// Whether groups of the file may be taken as parts: of an OBJ file.
+bool mayHaveGroups(const std::string& path);
 
 /// Whether nothing says what a unit of the file is: STL, OBJ, PLY. Its size may tell (unit_guess.h).
 bool saysNoUnit(const std::string& path);
@@ -45,14 +49,19 @@ bool isPartFile(const std::string& path);
 Result<LoadedGeometryPtr> readPart(const PartFile& part, GeometryCache& read, const StopToken& stop = {},
                                    Warnings* warnings = nullptr);
 
+/// Reads small mesh files among these many at a time, for readPart() and the functions below. Errors are left to them.
+void readSmallFiles(const std::vector<std::string>& paths, GeometryCache& read, const StopToken& stop = {});
+
 /// One of the parts of a file, with its bounding box in the units and axes of the file (metres where
 /// saysItsUnit()).
 struct MeasuredPart {
   std::string part;  ///< as of PartFile; empty where the file holds one
   Box3 inFile;
 };
-/// The parts of a STEP file, or the one that another file is. `read` and errors as of readPart().
-Result<std::vector<MeasuredPart>> partsInFile(const std::string& path, GeometryCache& read, const StopToken& stop = {});
+/// The parts of a STEP file, or of an OBJ file whose groups are parts; or the one that another file is. `read` and
+/// errors as of readPart().
+Result<std::vector<MeasuredPart>> partsInFile(const std::string& path, GeometryCache& read, const StopToken& stop = {},
+                                              bool groups = false);
 
 /// Where the reference point of an object of this radius may be so that it can get clear of the box, and
 /// move there.
@@ -64,8 +73,8 @@ Box3 boxOfPart(const PartFile& part, const Box3& inFile);
 /// A scenario of these parts, one or several of which move, as one: they are to come "out", from where they lie. A STEP
 /// file that moves does so as one; of others each part is a body of its own, unless another entry names it. The
 /// reference point is in the middle of what moves (the origin of a URDF file); the workspace leaves room for "out" on
-/// every side; fits are on. Reads all files, which takes its time; what is in `read` (may be null) is not read again,
-/// and what is read comes into it.
+/// every side; fits are on. It is named as the file where there is one only. Reads all files, which takes its time;
+/// what is in `read` (may be null) is not read again, and what is read comes into it.
 ///
 /// Errors are Usage where no part moves, and those of the importers.
 Result<Scenario> scenarioOfParts(const std::vector<PartFile>& files, GeometryCache* read = nullptr,

@@ -4,6 +4,7 @@
 
 #include "engine/scenario/glb_scene.h"
 #include "engine/scenario/path_text.h"
+#include "engine/scenario/product_name.h"
 
 namespace glissade {
 namespace {
@@ -30,7 +31,7 @@ Result<std::string> pathAsGlb(const Path& path, const LoadedScenario& scenario, 
   }
   GlbBuilder glb(std::string("Glissade ") + kVersion);
   glb.json()["scene"] = 0;
-  glb.json()["scenes"] = Json::array({{{"name", scenario.scenario.name},
+  glb.json()["scenes"] = Json::array({{{"name", nameOfProduct(scenario)},
                                        {"nodes", Json::array({0})},
                                        {"extras", provenanceJson(path, scenario, provenance)}}});
   addGlbAnimation(glb, "Path", {{addBodies(glb, scenario, frames.front().q), frames}});

@@ -7,6 +7,7 @@
 #include "engine/import/json_reader.h"
 #include "engine/scenario/author_names.h"
 #include "engine/scenario/certificate_json.h"
+#include "engine/scenario/product_name.h"
 #include "engine/scenario/scenario_fits.h"
 
 namespace glissade {
@@ -67,7 +68,7 @@ Result<std::string> pathAsJson(const Path& path, const LoadedScenario& scenario,
 }
 
 Json provenanceJson(const Path& path, const LoadedScenario& scenario, const PathProvenance& provenance) {
-  Json json{{"scenario", scenario.scenario.name},
+  Json json{{"scenario", nameOfProduct(scenario)},
             {"planner", provenance.planner},
             {"seed", provenance.seed},
             {"program", std::string("Glissade ") + kVersion},

@@ -26,6 +26,12 @@ std::vector<const BodyDescription*> allBodiesOf(const Scenario& scenario) {
   return all;
 }
 
+std::vector<const Geometry*> geometriesOf(const Scenario& scenario) {
+  std::vector<const Geometry*> geometries;
+  for (const BodyDescription* body : presentBodiesOf(scenario)) geometries.push_back(&body->geometry);
+  return geometries;
+}
+
 std::vector<std::string> nodeIdsOf(const Scenario& scenario) {
   const Product product = treeOf(scenario);
   std::vector<std::string> ids;

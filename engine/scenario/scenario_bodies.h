@@ -13,6 +13,9 @@ std::vector<const BodyDescription*> allBodiesOf(const Scenario& scenario);
 /// The same without those that are left out.
 std::vector<const BodyDescription*> presentBodiesOf(const Scenario& scenario);
 
+/// What they are made of.
+std::vector<const Geometry*> geometriesOf(const Scenario& scenario);
+
 /// Ids of all bodies and assemblies: what attributes can be said of.
 std::vector<std::string> nodeIdsOf(const Scenario& scenario);
 

@@ -290,7 +290,8 @@ Result<LoadedScenario> loadGeometry(Scenario scenario, const std::string& folder
                                     FindFits fits) {
   LoadedScenario loaded;
   loaded.file = file;
-  GeometryLoader loader(scenario.assets, folder, file, known, stop);
+  GeometryLoader loader(scenario.assets, folder, file, &known, stop);
+  loader.expect(geometriesOf(scenario));
   const SemanticEdits held = heldEdits(semanticEditsOf(scenario), treeOf(scenario));
   BodyGeometry several;  // of the bodies that may be several rigid bodies
   for (const BodyDescription& body : scenario.bodies) {

@@ -47,7 +47,7 @@ Asset readAsset(const JsonCursor& at) {
   return asset;
 }
 
-/// Exactly one of {"mesh": asset}, {"urdf": asset}, {"step": ...}, {"box": size}, {"cylinder": ...}, {"sphere": ...}.
+/// Exactly one of {"mesh": ...}, {"urdf": asset}, {"step": ...}, {"box": size}, {"cylinder": ...}, {"sphere": ...}.
 Geometry readGeometry(const JsonCursor& at, const std::set<std::string>& assets) {
   at.allowOnly({"mesh", "urdf", "step", "box", "cylinder", "sphere"});
   if (at.json().size() != 1) at.fail("does not name exactly one shape");
@@ -56,7 +56,11 @@ Geometry readGeometry(const JsonCursor& at, const std::set<std::string>& assets)
     if (assets.count(id) == 0) name.fail("names the asset '" + id + "', which is not in /assets", "Add the asset.");
     return id;
   };
-  if (const auto mesh = at.find("mesh")) return MeshGeometry{assetOf(*mesh)};
+  if (const auto mesh = at.find("mesh")) {
+    if (mesh->json().is_string()) return MeshGeometry{assetOf(*mesh)};
+    mesh->allowOnly({"asset", "part"});
+    return MeshGeometry{assetOf(mesh->at("asset")), true, mesh->has("part") ? mesh->at("part").nonEmptyText() : ""};
+  }
   if (const auto urdf = at.find("urdf")) return UrdfGeometry{assetOf(*urdf)};
   if (const auto step = at.find("step")) {
     step->allowOnly({"asset", "part"});

@@ -28,7 +28,11 @@ Json toJson(const Asset& asset) {
 
 Json toJson(const Geometry& geometry) {
   return std::visit(Overloaded{[](const MeshGeometry& mesh) -> Json {
-                                 return {{"mesh", mesh.asset}};
+                                 if (!mesh.groups) return {{"mesh", mesh.asset}};
+                                 Json json;
+                                 json["asset"] = mesh.asset;
+                                 if (!mesh.part.empty()) json["part"] = mesh.part;
+                                 return {{"mesh", json}};
                                },
                                [](const UrdfGeometry& urdf) -> Json {
                                  return {{"urdf", urdf.asset}};

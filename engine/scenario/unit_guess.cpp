@@ -68,6 +68,9 @@ UnitGuess guessUnit(const std::vector<Box3>& inFile) {
 Result<Warnings> guessUnits(std::vector<PartFile>& parts, GeometryCache& read, const StopToken& stop) {
   std::vector<Box3> boxes;
   std::vector<PartFile*> guessed;
+  std::vector<std::string> paths;
+  for (const PartFile& part : parts) paths.push_back(part.path);
+  readSmallFiles(paths, read, stop);
   for (PartFile& part : parts) {
     if (!saysNoUnit(part.path)) continue;
     const auto measured = partsInFile(part.path, read, stop);

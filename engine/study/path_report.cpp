@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "engine/base/number_text.h"
+#include "engine/scenario/product_name.h"
 #include "engine/scenario/scenario_fits.h"
 #include "engine/study/cell_value.h"
 
@@ -26,7 +27,7 @@ class PathReportComposer {
 
   StudyReport compose() {
     report_.language = words_.language();
-    report_.title = words_("Report of a path: %1", {content_.scenario.scenario.name});
+    report_.title = words_("Report of a path: %1", {nameOfProduct(content_.scenario)});
     addProblem();
     addCertificate();
     if (!content_.overview.file.empty()) report_.blocks.emplace_back(content_.overview);
@@ -52,7 +53,7 @@ class PathReportComposer {
 
   void addProblem() {
     const LoadedScenario& scenario = content_.scenario;
-    std::vector<std::vector<std::string>> rows{{words_("Scenario"), scenario.scenario.name},
+    std::vector<std::vector<std::string>> rows{{words_("Scenario"), nameOfProduct(scenario)},
                                                {words_("Part that moves"), scenario.object.shown()},
                                                {words_("Other parts"), std::to_string(scenario.obstacles.size())}};
     if (!content_.provenance.planner.empty()) {

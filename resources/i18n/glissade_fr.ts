@@ -1898,6 +1898,14 @@
         <source>Write work instructions in the language of the window, without a logo</source>
         <translation>Écrire les gammes de montage dans la langue de la fenêtre, sans logo</translation>
     </message>
+    <message>
+        <source>&amp;Film of the sequence...</source>
+        <translation>&amp;Film de la séquence...</translation>
+    </message>
+    <message>
+        <source>Film the 3D view while the sequence is played: MP4, WebM or pictures</source>
+        <translation>Filmer la vue 3D pendant la lecture de la séquence : MP4, WebM ou images</translation>
+    </message>
 </context>
 <context>
     <name>Arranging</name>
@@ -6278,8 +6286,12 @@
 <context>
     <name>FilmWriter</name>
     <message>
-        <source>Film (*.mp4);;Film (*.webm);;Series of pictures (*.png)</source>
-        <translation>Film (*.mp4);;Film (*.webm);;Série d&apos;images (*.png)</translation>
+        <source>Series of pictures (*.png)</source>
+        <translation>Série d&apos;images (*.png)</translation>
+    </message>
+    <message>
+        <source>Film (*.mp4);;Film (*.webm)</source>
+        <translation>Film (*.mp4);;Film (*.webm)</translation>
     </message>
 </context>
 <context>
@@ -8911,6 +8923,22 @@
         <source>Save the scenario?</source>
         <translation>Enregistrer le scénario&#xa0;?</translation>
     </message>
+    <message>
+        <source>End what is under way?</source>
+        <translation>Interrompre le travail en cours ?</translation>
+    </message>
+    <message>
+        <source>Under way: %1.</source>
+        <translation>En cours : %1.</translation>
+    </message>
+    <message>
+        <source>It goes on while this question is open. It is lost where it is ended now.</source>
+        <translation>Il continue tant que cette question est ouverte. Il est perdu s&apos;il est interrompu maintenant.</translation>
+    </message>
+    <message>
+        <source>&amp;End it</source>
+        <translation>&amp;Interrompre</translation>
+    </message>
 </context>
 <context>
     <name>glissade::FilmJob</name>
@@ -10108,10 +10136,6 @@
         <translation>Ajoutez les fichiers des pièces.</translation>
     </message>
     <message>
-        <source>The files are being read.</source>
-        <translation>Les fichiers sont en cours de lecture.</translation>
-    </message>
-    <message>
         <source>Choose the part that moves.</source>
         <translation>Choisissez la pièce qui bouge.</translation>
     </message>
@@ -10158,6 +10182,18 @@
     <message>
         <source>The part whose motion is looked for; several move as one</source>
         <translation>La pièce dont on cherche le mouvement&#xa0;; plusieurs bougent ensemble</translation>
+    </message>
+    <message>
+        <source>&amp;Groups are parts</source>
+        <translation>Les &amp;groupes sont des pièces</translation>
+    </message>
+    <message>
+        <source>Takes each group of an OBJ file as a part of its own</source>
+        <translation>Prend chaque groupe d&apos;un fichier OBJ comme une pièce à part</translation>
+    </message>
+    <message>
+        <source>The files are being read: %1 of %2.</source>
+        <translation>Lecture des fichiers : %1 sur %2.</translation>
     </message>
 </context>
 <context>
@@ -11329,6 +11365,10 @@
     <message>
         <source>%1 was saved</source>
         <translation>%1 a été enregistré</translation>
+    </message>
+    <message>
+        <source>Film the sequence</source>
+        <translation>Filmer la séquence</translation>
     </message>
 </context>
 <context>

@@ -50,22 +50,23 @@ TEST_F(DailyWindow, WhatIsRefusedIsSaidAndCanBeAllowedOrMovedClear) {
 TEST_F(DailyWindow, PathsAreKeptWithTheScenarioAndProvedAgain) {
   const QString cube = scenarioWithCubeAt(0.0);
   const QString saved = folder.filePath(QStringLiteral("saved.json"));
-  expectGood(run(cube, QStringLiteral("expect-kept-paths 0\n"
-                                      "action run.start\nwait ended 20000\nexpect solved\n"
-                                      "action paths.keep\nexpect-kept-paths 1\nexpect-kept-path @1 proved\n"
-                                      "action edit.undo\nexpect-kept-paths 0\naction edit.redo\nexpect-kept-paths 1\n"
-                                      "rename-path @1 first\nexpect-kept-path first proved\nselect-strategy birrt\n"
-                                      "action run.restart-new-seed\nwait ended 20000\nexpect solved\n"
-                                      "save %1\nexpect-kept-paths 2\n"
-                                      "open %1\nexpect-kept-paths 2\nexpect-path none\n"
-                                      "expect-kept-path first proved\nexpect-kept-path @2 proved\n"
-                                      "open-kept-path first\nexpect-path certified\n"
-                                      "show-path first yes\nshow-path @2 yes\n"
-                                      "select-path first\naction paths.pin\nexpect-kept-path @1 proved\n"
-                                      "place left -150,0,0 0,0,0\nexpect-kept-path first blocked\n"
-                                      "action edit.undo\nexpect-kept-path first proved\n"
-                                      "select-path first\naction paths.remove\nexpect-kept-paths 1\n")
-                           .arg(saved)));
+  expectGood(
+      run(cube, QStringLiteral("expect-kept-paths 0\n"
+                               "action run.start\nwait ended 20000\nexpect solved\n"
+                               "action paths.keep\nexpect-kept-paths 1\nexpect-kept-path @1 proved\n"
+                               "action edit.undo\nexpect-kept-paths 0\naction edit.redo\nexpect-kept-paths 1\n"
+                               "rename-path @1 first\nexpect-kept-path first proved\nselect-strategy birrt\n"
+                               "action run.restart-new-seed\nwait ended 20000\nexpect solved\n"
+                               "save %1\nexpect-kept-paths 2\n"
+                               "open %1\nexpect-kept-paths 2\nexpect-path certified\nexpect-modified no\n"
+                               "expect-kept-path first proved\nexpect-kept-path @2 proved\n"
+                               "open-kept-path first\nexpect-path certified\n"
+                               "show-path first yes\nshow-path @2 yes\n"
+                               "select-path first\naction paths.pin\nexpect-kept-path @1 proved\nexpect-modified yes\n"
+                               "place left -150,0,0 0,0,0\nexpect-kept-path first blocked\n"
+                               "action edit.undo\nexpect-kept-path first proved\n"
+                               "select-path first\naction paths.remove\nexpect-kept-paths 1\n")
+                    .arg(saved)));
 }
 
 TEST_F(DailyWindow, ARunAtAPaceIsReplayedWithIt) {

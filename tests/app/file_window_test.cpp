@@ -26,6 +26,24 @@ TEST_F(FileWindow, AScenarioSavedIntoAnotherFolderOpensAndPlansTheSame) {
   EXPECT_EQ(content(QStringLiteral("here.path")), content(QStringLiteral("there.path")));
 }
 
+TEST_F(FileWindow, ASecondFileIsAnErrorAndNotForgotten) {
+  const RunResult two = run(QStringLiteral("environment-1"), QString(), {QStringLiteral("another.json")});
+  EXPECT_EQ(two.exitCode, 2) << two.errors.toStdString();
+  EXPECT_TRUE(two.errors.contains(QStringLiteral("another.json"))) << two.errors.toStdString();
+}
+
+/// The part that moves does not name the product.
+TEST_F(FileWindow, TheTitleNamesTheProduct) {
+  const QString frame = kSource + QStringLiteral("/samples/pump/frame.obj");
+  const QString pump = kSource + QStringLiteral("/samples/pump/pump.obj");
+  const QString saved = folder.filePath(QStringLiteral("gearbox.json"));
+  expectGood(run(QStringLiteral("environment-1"), QStringLiteral("new-scenario %1 1 Z\nadd-part %2 static 1 Z\n"
+                                                                 "expect-title pump*\nexpect-modified yes\nsave %3\n"
+                                                                 "expect-title gearbox.json*\nexpect-modified no\n")
+                                                      .arg(frame, pump, saved)
+                                                      .replace(QLatin1Char('*'), QStringLiteral("[*]"))));
+}
+
 TEST_F(FileWindow, AfterSavingElsewhereTheNewFileIsTheOneThatIsSaved) {
   const QString saved = folder.filePath(QStringLiteral("saved.json"));
   const QString original = kSource + QStringLiteral("/samples/environment-1/scenario.json");

@@ -47,7 +47,14 @@ class FilmJobTest : public testing::Test {
   SessionBridge bridge{SessionClock::RealTime};
   WorkController works{bridge, actions, bar};
   QImage picture{41, 30, QImage::Format_RGB32};
-  FilmJob job{works, [this] { return picture; }};
+  QWidget scene;
+  int taken = 0;
+  FilmJob job{works,
+              [this] {
+                ++taken;
+                return picture;
+              },
+              scene};
   std::vector<double> shares;
   bool restored = false;
   std::optional<SaveResult> result;
@@ -63,7 +70,8 @@ TEST_F(FilmJobTest, AllPicturesReachTheProgramWithAnEvenSize) {
   EXPECT_TRUE(lines[1].contains("-s 40x30 -r 25"));
   EXPECT_TRUE(lines[1].contains("libx264"));
   EXPECT_TRUE(restored);
-  EXPECT_EQ(shares.size(), static_cast<std::size_t>(kPictures));
+  EXPECT_LT(taken, kPictures / 2) << "what stands still is drawn once";
+  EXPECT_EQ(shares.size(), static_cast<std::size_t>(taken));
   EXPECT_EQ(shares.front(), 0.0);
   EXPECT_EQ(shares.back(), 1.0);
   EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
@@ -94,10 +102,12 @@ TEST_F(FilmJobTest, ACancelledFilmLeavesTheOldFile) {
   std::ofstream(folder.filePath(QStringLiteral("path.mp4")).toStdString()) << "old";
   film(QStringLiteral("path.mp4"));
   ASSERT_FALSE(result.has_value());
+  EXPECT_FALSE(works.endangered().isEmpty()) << "a person is asked before another scenario is opened";
   actions[QStringLiteral("work.cancel")]->trigger();
   ASSERT_TRUE(result.has_value());
   EXPECT_EQ(result->why.kind, ErrorKind::Interrupted);
   EXPECT_FALSE(job.isFilming());
+  EXPECT_TRUE(works.endangered().isEmpty());
   EXPECT_TRUE(restored);
   QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
   QTest::qWait(1);

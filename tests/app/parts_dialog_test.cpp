@@ -111,6 +111,37 @@ TEST_F(PartsPage, PlanarHolesAreClosedOnDemand) {
   EXPECT_TRUE(dialog.parts()[1].closeHoles);
 }
 
+TEST_F(PartsPage, GroupsOfAnObjFileAreRowsOnDemand) {
+  const QString file = write("two.obj", "g a\n" + tetrahedron(20.0) + "g b\nv 90 0 0\nv 99 0 0\nv 90 9 0\nv 90 0 9\n" +
+                                            "f 5 7 6\nf 5 6 8\nf 6 7 8\nf 5 8 7\n");
+  PartsDialog dialog(Purpose::NewScenario, {file, text(product.tray)}, true);
+  EXPECT_EQ(table(dialog).rowCount(), 2);
+  auto* groups = dialog.findChild<QCheckBox*>(QStringLiteral("groups"));
+  groups->setChecked(true);
+  ASSERT_EQ(table(dialog).rowCount(), 3);
+  EXPECT_EQ(table(dialog).item(0, PartsDialog::kPart)->text(), QStringLiteral("two.obj: a"));
+  EXPECT_EQ(table(dialog).item(1, PartsDialog::kPart)->text(), QStringLiteral("two.obj: b"));
+  EXPECT_EQ(dialog.parts()[1].part, "b");
+  EXPECT_TRUE(mayAccept(dialog));
+  groups->setChecked(false);
+  EXPECT_EQ(table(dialog).rowCount(), 2);
+  EXPECT_EQ(dialog.parts()[0].part, "");
+  EXPECT_TRUE(mayAccept(dialog));
+}
+
+TEST_F(PartsPage, ARowHasItsBoxesFromWhenItIsSeen) {
+  QStringList many;
+  for (int i = 0; i < 60; ++i) many << write("part" + std::to_string(i) + ".obj", tetrahedron(20.0 + i));
+  PartsDialog dialog(Purpose::NewScenario, many, true);
+  EXPECT_EQ(dialog.parts().size(), 60U);
+  EXPECT_NE(table(dialog).cellWidget(0, PartsDialog::kRole), nullptr);
+  EXPECT_EQ(table(dialog).cellWidget(59, PartsDialog::kRole), nullptr);
+  dialog.show();
+  table(dialog).scrollToBottom();
+  ASSERT_NE(table(dialog).cellWidget(59, PartsDialog::kRole), nullptr);
+  EXPECT_EQ(combo(dialog, 59, PartsDialog::kRole).currentText(), QStringLiteral("Static"));
+}
+
 TEST_F(PartsPage, ChoosingThePartThatMovesTakesItFromTheOther) {
   PartsDialog dialog(Purpose::NewScenario, files(), true);
   choose(dialog, 0, PartsDialog::kRole, "Moves");

@@ -57,6 +57,33 @@ TEST_F(PathPanelTest, TheObjectIsShownWhereThePathIsBlockedFirst) {
   EXPECT_NEAR(shown->position.x(), 0.75, 1e-3);
 }
 
+/// The object is at 0 % again, and so are the slider, the cursor of the curve and its text.
+TEST_F(PathPanelTest, ANewPathIsShownFromItsBeginning) {
+  const auto profile = [](int atBegin, int atEnd) {
+    auto measured = std::make_shared<ClearanceProfile>();
+    for (const double share : {0.0, 1.0}) {
+      ClearanceSample sample;
+      sample.share = share;
+      sample.nearest.body = share == 0.0 ? atBegin : atEnd;
+      sample.nearest.distance = 0.01;
+      measured->samples.push_back(sample);
+    }
+    return measured;
+  };
+  auto path = std::make_shared<Path>();
+  path->points = refused()->path.points;
+  const auto* curve = panel.findChild<ClearanceCurve*>();
+  panel.setPath(path, nullptr, scenario);
+  panel.setProfile(profile(0, 1), scenario);
+  panel.showAt(1.0);
+  EXPECT_TRUE(curve->accessibleDescription().contains(QStringLiteral("Cover")));
+  panel.setPath(std::make_shared<Path>(*path), nullptr, scenario);
+  EXPECT_EQ(curve->accessibleDescription(), QString()) << "nothing is known of the new path";
+  panel.setProfile(profile(0, 1), scenario);
+  EXPECT_EQ(panel.slider().share(), 0.0);
+  EXPECT_FALSE(curve->accessibleDescription().contains(QStringLiteral("Cover")));
+}
+
 TEST_F(PathPanelTest, ACertificateAboutTrianglesSaysByHowMuchSurfacesMayBeNearer) {
   auto path = std::make_shared<Path>();
   path->points = refused()->path.points;

@@ -61,6 +61,17 @@ TEST_F(WorkbenchDocumentTest, AMoveIsOneStepBackAndForth) {
   EXPECT_EQ(rearranged, 3) << "nothing was moved";
 }
 
+TEST_F(WorkbenchDocumentTest, AScenarioFromAFileIsNotModifiedWhateverWasOpenBefore) {
+  const ScenarioPtr saved = document.scenario();
+  EXPECT_FALSE(document.isModified());
+  auto unsaved = std::make_shared<LoadedScenario>(*saved);
+  unsaved->file.clear();
+  document.open(unsaved);
+  EXPECT_TRUE(document.isModified()) << "it was never saved";
+  document.open(saved);
+  EXPECT_FALSE(document.isModified());
+}
+
 TEST_F(WorkbenchDocumentTest, StepsOfOneNumberAreOneStepBack) {
   const std::string before = text();
   for (const double x : {0.1, 0.2, 0.3}) {

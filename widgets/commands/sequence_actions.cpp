@@ -20,6 +20,8 @@ const std::vector<ActionSpec>& sequenceActionSpecs() {
        QT_TRANSLATE_NOOP("Actions",
                          "Save what an engineer reads of the plan: motions, clearances, allowances, checks and times"),
        false},
+      {"sequence.film", QT_TRANSLATE_NOOP("Actions", "&Film of the sequence..."), "",
+       QT_TRANSLATE_NOOP("Actions", "Film the 3D view while the sequence is played: MP4, WebM or pictures"), false},
       {"instruction.letter", QT_TRANSLATE_NOOP("Actions", "Work instructions on &Letter paper"), "",
        QT_TRANSLATE_NOOP("Actions", "Lay out work instructions for sheets of US Letter, or for A4"), true},
       {"instruction.template", QT_TRANSLATE_NOOP("Actions", "Te&mplate of work instructions..."), "",

@@ -112,6 +112,7 @@ void WorkbenchDocument::open(const ScenarioPtr& scenario) {
     plan_ = scenario->scenario.plan;
     unkept_ = false;
     undo_.clear();
+    undo_.setClean();  // an empty stack that was not clean stays so otherwise
     paths_.open(scenario->scenario.paths);
     if (scenario->file.empty()) undo_.resetClean();
     semantics_.open(*scenario);

@@ -7,9 +7,9 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLocale>
+#include <QScrollBar>
 #include <QShortcut>
 #include <QVBoxLayout>
-#include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -17,6 +17,7 @@
 
 #include "engine/import/mesh_import.h"
 #include "widgets/commands/diagnostic_text.h"
+#include "widgets/editors/part_boxes.h"
 
 namespace glissade {
 namespace {
@@ -26,33 +27,13 @@ constexpr double kSmaller = 1.0 - 1e-6;
 
 constexpr int kWidth = 760;
 constexpr int kHeight = 400;
-constexpr int kGap = 4;
 
-/// Lets the wheel scroll the table instead of changing what it happens to be over.
-class CellCombo final : public QComboBox {
- public:
-  using QComboBox::QComboBox;
-
- protected:
-  void wheelEvent(QWheelEvent* event) override { event->ignore(); }
-};
-
-QComboBox* makeCombo(const char* id, const QString& name, const QString& tip) {
-  auto* combo = new CellCombo;
-  combo->setObjectName(QLatin1String(id));
-  combo->setAccessibleName(name);
-  combo->setToolTip(tip);
-  return combo;
-}
-
-/// Room about a combo box, which has to be filled: the column is measured with it.
-QWidget* makeCell(QComboBox* combo) {
-  auto* cell = new QWidget;
-  auto* layout = new QHBoxLayout(cell);
-  layout->setContentsMargins(kGap, kGap / 2, kGap, kGap / 2);
-  layout->addWidget(combo);
-  return cell;
-}
+/// Rows that have their boxes also where fewer are in sight, as while nothing is shown yet.
+constexpr int kFirstRows = 16;
+/// Rows that the widths of columns are measured with.
+constexpr int kMeasuredRows = 50;
+/// Files that are read together, so that the list tells how far it is.
+constexpr std::size_t kFilesAtOnce = 128;
 
 /// Three digits of the largest edge, in the unit that suits it.
 QString sizeText(const Box3& box) {
@@ -82,6 +63,7 @@ PartsDialog::PartsDialog(Purpose purpose, const QStringList& files, bool atOnce,
       table_(new QTableWidget(0, 5, this)),
       remove_(new QPushButton(tr("&Remove"), this)),
       closeHoles_(new QCheckBox(tr("Close planar &holes"), this)),
+      groups_(new QCheckBox(tr("&Groups are parts"), this)),
       hint_(new QLabel(this)) {
   setObjectName(QStringLiteral("parts"));
   setWindowTitle(purpose == Purpose::NewScenario ? tr("New scenario from parts") : tr("Add parts"));
@@ -91,8 +73,13 @@ PartsDialog::PartsDialog(Purpose purpose, const QStringList& files, bool atOnce,
   layout->addLayout(makeFileButtons());
   layout->addLayout(makeEnd());
   resize(kWidth, kHeight);
-  connect(&measuring_, &BackgroundTask::failed, this,
-          [this](const Diagnostic& why) { setMeasured(measuredPath_, why); });
+  connect(table_->verticalScrollBar(), &QScrollBar::valueChanged, this, &PartsDialog::makeBoxesInSight);
+  connect(&measuring_, &BackgroundTask::failed, this, [this](const Diagnostic& why) {
+    for (const std::string& path : measuredPaths_) setMeasured(path, why);
+    fillTable();
+    refresh();
+    measureNext();
+  });
   addFiles(files);
 }
 
@@ -105,7 +92,7 @@ void PartsDialog::setUpTable() {
   table_->horizontalHeader()->setSectionResizeMode(kPart, QHeaderView::Stretch);
   table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   table_->horizontalHeader()->setHighlightSections(false);
-  table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setResizeContentsPrecision(kMeasuredRows);
   table_->verticalHeader()->setVisible(false);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -113,6 +100,11 @@ void PartsDialog::setUpTable() {
   table_->setTabKeyNavigation(false);
   table_->setAlternatingRowColors(true);
   table_->setShowGrid(false);
+}
+
+void PartsDialog::resizeEvent(QResizeEvent* event) {
+  QDialog::resizeEvent(event);
+  makeBoxesInSight();
 }
 
 QLayout* PartsDialog::makeFileButtons() {
@@ -126,7 +118,11 @@ QLayout* PartsDialog::makeFileButtons() {
   row->addWidget(add);
   row->addWidget(remove_);
   row->addStretch(1);
+  row->addWidget(groups_);
   row->addWidget(closeHoles_);
+  groups_->setObjectName(QStringLiteral("groups"));
+  groups_->setToolTip(tr("Takes each group of an OBJ file as a part of its own"));
+  connect(groups_, &QCheckBox::toggled, this, &PartsDialog::readGroups);
   closeHoles_->setObjectName(QStringLiteral("close-holes"));
   closeHoles_->setToolTip(tr("Closes holes of meshes whose edge lies in a plane; a warning says how many"));
   const auto* del = new QShortcut(QKeySequence::Delete, table_, nullptr, nullptr, Qt::WidgetWithChildrenShortcut);
@@ -157,56 +153,77 @@ QLayout* PartsDialog::makeEnd() {
 void PartsDialog::addFiles(const QStringList& files) {
   for (const QString& file : files) {
     const std::string path = QFileInfo(file).absoluteFilePath().toStdString();
-    if (rowOf(path) < 0) addRow(table_->rowCount(), usualPart(path));
+    if (rowOf(path) >= 0) continue;
+    rows_.push_back({usualPart(path), std::nullopt, false});
+    rows_.back().part.groups = groups_->isChecked() && mayHaveGroups(path);
   }
+  fillTable();
   refresh();
   if (!measuring_.isBusy()) measureNext();
 }
 
-void PartsDialog::addRow(int row, const PartFile& part) {
-  rows_.insert(rows_.begin() + row, {part, std::nullopt, false});
-  table_->insertRow(row);
-  for (const Column column : {kPart, kSize}) table_->setItem(row, column, new QTableWidgetItem);
-  const QString file = QString::fromStdString(part.path);
-  QString name = QFileInfo(file).fileName();
-  if (!part.part.empty()) name += QStringLiteral(": ") + QString::fromStdString(part.part);
-  table_->item(row, kPart)->setText(name);
-  table_->item(row, kPart)->setToolTip(QDir::toNativeSeparators(file));
-  QComboBox* role = makeRole(tr("Role of %1").arg(name));
-  QComboBox* unit = makeUnit(tr("Unit of %1").arg(name));
-  QComboBox* up = makeUp(tr("Axis of %1 that points up").arg(name));
-  for (const auto& [column, combo] : {std::pair(kRole, role), std::pair(kUnit, unit), std::pair(kUp, up)}) {
-    table_->setCellWidget(row, column, makeCell(combo));
-  }
-  if (!saysItsUnit(part.path)) return;
-  for (QComboBox* fixed : {unit, up}) {
-    fixed->setEnabled(false);
-    fixed->setToolTip(tr("The file says its unit itself; Z is up"));
+/// Makes the rows that the table does not have yet.
+void PartsDialog::fillTable() {
+  const int first = table_->rowCount();
+  table_->setRowCount(static_cast<int>(rows_.size()));
+  for (int row = first; row < table_->rowCount(); ++row) makeRow(row);
+  makeBoxesInSight();
+}
+
+/// A row has its boxes from when it is first seen: those of a thousand rows take a second.
+void PartsDialog::makeBoxesInSight() {
+  const QHeaderView& rows = *table_->verticalHeader();
+  const int first = std::max(0, rows.visualIndexAt(0));
+  const int last = rows.visualIndexAt(table_->viewport()->height());
+  const int inSight = last < 0 ? table_->rowCount() : last + 1;
+  const int end = std::clamp(inSight, std::min(first + kFirstRows, table_->rowCount()), table_->rowCount());
+  for (int row = first; row < end; ++row) {
+    if (table_->cellWidget(row, kRole) == nullptr) makeBoxes(row);
   }
 }
 
-QComboBox* PartsDialog::makeRole(const QString& name) {
-  QComboBox* role = makeCombo("role", name, tr("What the part is in the scenario; all selected rows together"));
-  const auto add = [role](const QString& label, PartRole value, const QString& tip) {
-    role->addItem(label, static_cast<int>(value));
-    role->setItemData(role->count() - 1, tip, Qt::ToolTipRole);
-  };
-  if (purpose_ == Purpose::NewScenario) {
-    add(tr("Moves"), PartRole::Moves, tr("The part whose motion is looked for; several move as one"));
+QString PartsDialog::nameOf(const PartFile& part) const {
+  const QString name = QFileInfo(QString::fromStdString(part.path)).fileName();
+  return part.part.empty() ? name : name + QStringLiteral(": ") + QString::fromStdString(part.part);
+}
+
+void PartsDialog::makeRow(int row) {
+  const PartFile& part = rows_[row].part;
+  for (const Column column : {kPart, kSize}) table_->setItem(row, column, new QTableWidgetItem);
+  table_->item(row, kPart)->setText(nameOf(part));
+  table_->item(row, kPart)->setToolTip(QDir::toNativeSeparators(QString::fromStdString(part.path)));
+  showSize(row);
+}
+
+void PartsDialog::makeBoxes(int row) {
+  const PartFile& part = rows_[row].part;
+  const QString name = nameOf(part);
+  QComboBox* role = makeRole(name);
+  QComboBox* unit = makeUnit(name);
+  QComboBox* up = makeUp(name);
+  for (const auto& [column, combo] : {std::pair(kRole, role), std::pair(kUnit, unit), std::pair(kUp, up)}) {
+    table_->setCellWidget(row, column, cellOf(combo));
   }
-  add(tr("Static"), PartRole::Static, tr("Stays where it is"));
-  add(tr("Mobile"), PartRole::Mobile, tr("In the way, but a person could move it"));
+  for (QComboBox* fixed : {unit, up}) {
+    if (!saysItsUnit(part.path)) break;
+    fixed->setEnabled(false);
+    fixed->setToolTip(tr("The file says its unit itself; Z is up"));
+  }
+  showRow(row);
+  if (row > 0) return;
+  table_->resizeRowToContents(row);
+  table_->verticalHeader()->setDefaultSectionSize(table_->rowHeight(row));
+}
+
+QComboBox* PartsDialog::makeRole(const QString& name) {
+  QComboBox* role = makeRoleBox(name, purpose_ == Purpose::NewScenario);
   connect(role, QOverload<int>::of(&QComboBox::activated), this,
           [this, role] { chooseRole(rowOf(role, kRole), static_cast<PartRole>(role->currentData().toInt())); });
   return role;
 }
 
 QComboBox* PartsDialog::makeUnit(const QString& name) {
-  QComboBox* unit = makeCombo("unit", name, tr("Unit of the file; of all selected rows together"));
-  unit->addItem(tr("m"), 1.0);
-  unit->addItem(tr("cm"), 0.01);
-  unit->addItem(tr("mm"), 0.001);
-  unit->addItem(tr("inch"), 0.0254);
+  QComboBox* unit = makeUnitBox(name);
   connect(unit, QOverload<int>::of(&QComboBox::activated), this, [this, unit] {
     for (const int i : rowsWith(rowOf(unit, kUnit))) {
       if (saysItsUnit(rows_[i].part.path)) continue;
@@ -219,9 +236,7 @@ QComboBox* PartsDialog::makeUnit(const QString& name) {
 }
 
 QComboBox* PartsDialog::makeUp(const QString& name) {
-  QComboBox* up = makeCombo("up", name, tr("The file's axis that points up; of all selected rows together"));
-  up->addItem(QStringLiteral("Z"), static_cast<int>(UpAxis::Z));
-  up->addItem(QStringLiteral("Y"), static_cast<int>(UpAxis::Y));
+  QComboBox* up = makeUpBox(name);
   connect(up, QOverload<int>::of(&QComboBox::activated), this, [this, up] {
     for (const int i : rowsWith(rowOf(up, kUp))) {
       if (!saysItsUnit(rows_[i].part.path)) rows_[i].part.up = static_cast<UpAxis>(up->currentData().toInt());
@@ -235,6 +250,26 @@ QString partFilePatterns() {
   return QStringLiteral("*.step *.stp *.STEP *.STP *.stl *.obj *.ply *.dae *.gltf *.glb *.urdf");
 }
 
+/// Each OBJ file is one row again, which is measured anew.
+void PartsDialog::readGroups(bool wanted) {
+  std::vector<Row> rows;
+  for (Row& row : rows_) {
+    const bool another = mayHaveGroups(row.part.path);
+    if (another && !rows.empty() && rows.back().part.path == row.part.path) continue;
+    rows.push_back(std::move(row));
+    if (!another) continue;
+    rows.back().part.groups = wanted;
+    rows.back().part.part.clear();
+    rows.back().inFile.reset();
+  }
+  rows_ = std::move(rows);
+  measuring_.cancel();
+  table_->setRowCount(0);
+  fillTable();
+  refresh();
+  measureNext();
+}
+
 void PartsDialog::chooseFiles() {
   const QString folder =
       rows_.empty() ? folder_ : QFileInfo(QString::fromStdString(rows_.back().part.path)).absolutePath();
@@ -245,14 +280,11 @@ void PartsDialog::chooseFiles() {
 void PartsDialog::removeSelected() {
   for (int row = table_->rowCount() - 1; row >= 0; --row) {
     if (!table_->selectionModel()->isRowSelected(row, QModelIndex())) continue;
-    removeRow(row);
+    table_->removeRow(row);
+    rows_.erase(rows_.begin() + row);
   }
+  makeBoxesInSight();
   refresh();
-}
-
-void PartsDialog::removeRow(int row) {
-  table_->removeRow(row);
-  rows_.erase(rows_.begin() + row);
 }
 
 /// A role is given to all selected rows together; what else has moved before does not move any more.
@@ -290,40 +322,63 @@ int PartsDialog::rowOf(const std::string& path) const {
   return same == rows_.end() ? -1 : static_cast<int>(same - rows_.begin());
 }
 
+/// The next ones of which nothing is known; a STEP file alone, because it takes its time.
+std::vector<std::string> PartsDialog::filesToMeasure() const {
+  std::vector<std::string> paths;
+  for (const Row& row : rows_) {
+    if (row.inFile) continue;
+    const bool alone = !isMeshFile(row.part.path);
+    if (alone && !paths.empty()) break;
+    paths.push_back(row.part.path);
+    if (alone || paths.size() == kFilesAtOnce) break;
+  }
+  return paths;
+}
+
 void PartsDialog::measureNext() {
-  const auto next = std::find_if(rows_.begin(), rows_.end(), [](const Row& row) { return !row.inFile; });
-  if (next == rows_.end()) return;
-  const auto measure = [this, path = next->part.path](const WorkWatch& watch) -> BackgroundTask::Delivery {
+  measuredPaths_ = filesToMeasure();
+  if (measuredPaths_.empty()) return;
+  const auto measure = [this, paths = measuredPaths_,
+                        groups = groups_->isChecked()](const WorkWatch& watch) -> BackgroundTask::Delivery {
     GeometryCache read;
-    const auto measured =
-        std::make_shared<const Result<std::vector<MeasuredPart>>>(partsInFile(path, read, watch.stop));
-    return [this, path, measured, read] {
+    readSmallFiles(paths, read, watch.stop);
+    const auto measured = std::make_shared<std::vector<Measured>>();
+    for (const std::string& path : paths) {
+      measured->push_back(partsInFile(path, read, watch.stop, groups && mayHaveGroups(path)));
+    }
+    return [this, paths, measured, read] {
       read_.insert(read.begin(), read.end());
-      setMeasured(path, *measured);
+      for (std::size_t i = 0; i < paths.size(); ++i) setMeasured(paths[i], (*measured)[i]);
+      fillTable();
+      refresh();
+      measureNext();
     };
   };
-  measuredPath_ = next->part.path;
   measuring_.start("reading the parts", measure, atOnce_);
 }
 
 /// The row of the file becomes one a part.
-void PartsDialog::setMeasured(const std::string& path, const Result<std::vector<MeasuredPart>>& measured) {
+void PartsDialog::setMeasured(const std::string& path, const Measured& measured) {
   const int row = rowOf(path);
-  if (row >= 0 && !measured) {
+  if (row < 0) return;
+  if (!measured) {
     rows_[row].inFile = measured.error();
-  } else if (row >= 0 && measured->size() == 1) {
-    rows_[row].inFile = measured->front().inFile;
-  } else if (row >= 0) {
-    PartFile part = rows_[row].part;
-    removeRow(row);
-    for (std::size_t i = 0; i < measured->size(); ++i) {
-      part.part = (*measured)[i].part;
-      addRow(row + static_cast<int>(i), part);
-      rows_[row + static_cast<int>(i)].inFile = (*measured)[i].inFile;
-    }
+    return;
   }
-  refresh();
-  measureNext();
+  if (measured->size() == 1) {
+    rows_[row].inFile = measured->front().inFile;
+    return;
+  }
+  table_->setRowCount(row);
+  const Row whole = rows_[row];
+  rows_.erase(rows_.begin() + row);
+  std::vector<Row> parts;
+  for (const MeasuredPart& part : *measured) {
+    parts.push_back(whole);
+    parts.back().part.part = part.part;
+    parts.back().inFile = part.inFile;
+  }
+  rows_.insert(rows_.begin() + row, parts.begin(), parts.end());
 }
 
 bool PartsDialog::isMeasured() const {
@@ -366,14 +421,19 @@ void PartsDialog::guessWhatMoves() {
 void PartsDialog::refresh() {
   guessUnits();
   guessWhatMoves();
-  for (int row = 0; row < table_->rowCount(); ++row) showRow(row);
+  for (int row = 0; row < table_->rowCount(); ++row) {
+    showRow(row);
+    showSize(row);
+  }
   hint_->setText(hint());
   accept_->setEnabled(isComplete());
 }
 
+/// What its boxes and its name say.
 void PartsDialog::showRow(int row) {
   const PartFile& part = rows_[row].part;
   const auto show = [this, row](Column column, const QVariant& value) {
+    if (table_->cellWidget(row, column) == nullptr) return;
     auto* combo = table_->cellWidget(row, column)->findChild<QComboBox*>();
     combo->setCurrentIndex(combo->findData(value));
   };
@@ -382,8 +442,7 @@ void PartsDialog::showRow(int row) {
   show(kUp, static_cast<int>(part.up));
   QFont font = table_->font();
   font.setBold(part.role == PartRole::Moves);
-  table_->item(row, kPart)->setFont(font);
-  showSize(row);
+  if (table_->item(row, kPart)->font() != font) table_->item(row, kPart)->setFont(font);
 }
 
 void PartsDialog::showSize(int row) {
@@ -406,7 +465,10 @@ QString PartsDialog::hint() const {
   for (const Row& row : rows_) {
     if (row.inFile && !row.inFile->ok()) return reasonText(row.inFile->error());
   }
-  if (!isMeasured()) return tr("The files are being read.");
+  if (!isMeasured()) {
+    const auto read = std::count_if(rows_.begin(), rows_.end(), [](const Row& row) { return row.inFile.has_value(); });
+    return tr("The files are being read: %1 of %2.").arg(read).arg(rows_.size());
+  }
   if (purpose_ == Purpose::NewScenario && !hasMoving()) return tr("Choose the part that moves.");
   if (unitGuess_ && unitGuess_->inDoubt) {
     return tr("Is the unit right? The files do not state it, and their size does not decide it. Choose the unit.");

@@ -41,6 +41,9 @@ class PartsDialog final : public QDialog {
   /// All files were read, and one part moves where one has to.
   bool isComplete() const;
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   struct Row {
     PartFile part;
@@ -49,22 +52,28 @@ class PartsDialog final : public QDialog {
   };
 
   void setUpTable();
+  void fillTable();
+  QString nameOf(const PartFile& part) const;
+  void makeRow(int row);
+  void makeBoxes(int row);
+  void makeBoxesInSight();
   QLayout* makeFileButtons();
   QLayout* makeEnd();
-  void addRow(int row, const PartFile& part);
   QComboBox* makeRole(const QString& name);
   QComboBox* makeUnit(const QString& name);
   QComboBox* makeUp(const QString& name);
+  void readGroups(bool wanted);
   void chooseFiles();
   void removeSelected();
-  void removeRow(int row);
   void chooseRole(int row, PartRole role);
   std::vector<int> rowsWith(int row) const;
   int rowOf(const QObject* combo, Column column) const;
   int rowOf(const std::string& path) const;
 
+  using Measured = Result<std::vector<MeasuredPart>>;
   void measureNext();
-  void setMeasured(const std::string& path, const Result<std::vector<MeasuredPart>>& measured);
+  std::vector<std::string> filesToMeasure() const;
+  void setMeasured(const std::string& path, const Measured& measured);
   bool isMeasured() const;
   bool hasMoving() const;
   void guessUnits();
@@ -84,10 +93,11 @@ class PartsDialog final : public QDialog {
   QTableWidget* table_;
   QPushButton* remove_;
   QCheckBox* closeHoles_;
+  QCheckBox* groups_;
   QLabel* hint_;
   QPushButton* accept_ = nullptr;
   BackgroundTask measuring_;
-  std::string measuredPath_;  ///< of the file that measuring_ reads
+  std::vector<std::string> measuredPaths_;  ///< of the files that measuring_ reads
 };
 
 }  // namespace glissade

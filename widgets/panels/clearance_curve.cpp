@@ -56,12 +56,13 @@ void ClearanceCurve::setProfile(std::shared_ptr<const ClearanceProfile> profile,
   }
   least_ /= 1.5;
   most_ *= 1.5;
-  update();
+  setPlace(place_);
 }
 
 void ClearanceCurve::setPlace(double share) {
   place_ = share;
-  if (profile_ && !profile_->samples.empty()) setAccessibleDescription(textOf(sampleAt(place_)));
+  const bool isKnown = profile_ && !profile_->samples.empty();
+  setAccessibleDescription(isKnown ? textOf(sampleAt(place_)) : QString());
   update();
 }
 

@@ -16,7 +16,7 @@
 namespace glissade {
 namespace {
 
-/// Of playing: 1 shows the whole path in twelve seconds.
+/// Of playing: 1 shows the whole path in the seconds of WaySlider.
 constexpr std::array<double, 6> kSpeeds{0.1, 0.25, 0.5, 1.0, 2.0, 4.0};
 
 QString number(double value, int decimals) { return QLocale().toString(value, 'f', decimals); }
@@ -157,6 +157,7 @@ void PathPanel::setPath(const std::shared_ptr<const Path>& path, const std::shar
   shares_->setVisible(shown != nullptr);
   curve_->setVisible(path != nullptr);
   curve_->setProfile(nullptr, {}, 0.0);
+  curve_->setPlace(slider_->share());
   emit poseShown(std::nullopt);
   showTexts(scenario);
 }

@@ -8,12 +8,14 @@ namespace glissade {
 namespace {
 
 constexpr int kWayPlaces = 2000;
-/// At speed 1 the whole way passes in this time.
-constexpr double kPlaySeconds = 12.0;
+/// At speed 1 the whole way passes in a time between these: so many seconds for each radius of the object.
+constexpr double kLeastSeconds = 3.0;
+constexpr double kMostSeconds = 12.0;
+constexpr double kSecondsPerRadius = 0.5;
 
 }  // namespace
 
-WaySlider::WaySlider(QWidget* parent) : PlaySlider(kWayPlaces, kPlaySeconds, parent) {
+WaySlider::WaySlider(QWidget* parent) : PlaySlider(kWayPlaces, kMostSeconds, parent) {
   connect(this, &PlaySlider::shareShown, this, &WaySlider::showPose);
 }
 
@@ -24,6 +26,7 @@ void WaySlider::setWay(std::vector<Pose> way, const Se3Metric& metric) {
   for (std::size_t i = 0; i < way_.size(); ++i) {
     arrival_.push_back(i == 0 ? 0.0 : arrival_.back() + metric.distance(way_[i - 1], way_[i]));
   }
+  setSeconds(std::clamp(kSecondsPerRadius * length() / metric.radius(), kLeastSeconds, kMostSeconds));
   setEnabled(way_.size() > 1);
   const QSignalBlocker block(this);
   setValue(0);

@@ -7,7 +7,8 @@
 
 namespace glissade {
 
-/// A place on a way, as a slider that can play: the whole way passes in twelve seconds.
+/// A place on a way, as a slider that can play: the whole way passes in three to twelve
+/// seconds, in twelve where it is twenty-four radii of the object or longer.
 class WaySlider final : public PlaySlider {
   Q_OBJECT
 

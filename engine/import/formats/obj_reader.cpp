@@ -132,8 +132,18 @@ class Obj {
         ++texturesSoFar_;
       } else if (keyword == "o" || keyword == "g" || keyword == "usemtl") {
         mean_.startSection();
+        if (keyword != "usemtl") content_.groups.push_back({restOf(statement), 0});
       }
     } while (skipContinued(scanner));
+  }
+
+  /// Its words, with one blank between them.
+  static std::string restOf(Statement& statement) {
+    std::string text;
+    for (std::string_view word = statement.word(); !word.empty(); word = statement.word()) {
+      text += (text.empty() ? "" : " ") + std::string(word);
+    }
+    return text;
   }
 
   void readFace(const TextScanner& scanner, Statement& statement) {
@@ -152,6 +162,8 @@ class Obj {
     for (const auto& [a, b, c] : *triangles) {
       content_.mesh.triangles.push_back({indexOf(corners_[a]), indexOf(corners_[b]), indexOf(corners_[c])});
     }
+    if (content_.groups.empty()) content_.groups.emplace_back();
+    content_.groups.back().triangles += static_cast<std::uint32_t>(triangles->size());
     const Eigen::Vector3f flat = faceNormal(triangles->back());
     for (std::size_t i = 0; i < corners_.size(); ++i)
       mean_.add(indexOf(corners_[i]), positions_[i], attributesOf(corners_[i], flat));

@@ -65,7 +65,7 @@ TEST(ScenarioOfParts, PartsLieWhereTheirFilesHaveThem) {
   EXPECT_TRUE(boxes[0].center().isApprox(kMillimetre * product.centre, 1e-6));
   EXPECT_TRUE(boxes[0].sizes().isApprox(kMillimetre * product.blockSize, 1e-3));
   EXPECT_TRUE(boxes[1].sizes().isApprox(Vector3(0.11, 0.09, 0.065), 1e-3));
-  EXPECT_EQ(scenario.name, "block");
+  EXPECT_EQ(scenario.name, "") << "not that of the part that moves";
   EXPECT_EQ(scenario.object.first().id, "block");
   EXPECT_EQ(bodyIds(scenario), std::vector<std::string>{"tray"});
   EXPECT_EQ(scenario.seed, 1U);
@@ -239,6 +239,44 @@ TEST(WithParts, RefusesWhatItCannotAdd) {
                 "object");
   expectRefused(withParts(scenario, "", {partOf(product.folder / "gone.obj")}), ErrorKind::MalformedInput, "gone.obj",
                 "No such file");
+}
+
+/// Two boxes as groups of one OBJ file, the second one in two pieces.
+std::string writeGroups(const TemporaryFolder& folder) {
+  const std::string v =
+      "v 0 0 0\nv 10 0 0\nv 0 10 0\nv 10 10 0\nv 0 0 10\nv 10 0 10\nv 0 10 10\nv 10 10 10\n"
+      "v 20 0 0\nv 50 0 0\nv 20 30 0\nv 50 30 0\nv 20 0 30\nv 50 0 30\nv 20 30 30\nv 50 30 30\n";
+  return folder.write("two.obj", v + "g lid/top\nf 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n"
+                                     "g base\nf 9 11 12 10\nf 13 14 16 15\nf 9 10 14 13\ng other\ng base\n"
+                                     "f 11 15 16 12\nf 9 13 15 11\nf 10 12 16 14\n");
+}
+
+TEST(PartFiles, GroupsOfAnObjFileArePartsOnDemand) {
+  const TemporaryFolder folder;
+  PartFile whole = partOf(writeGroups(folder));
+  PartFile moving = usualPart(whole.path + ":lid.top");
+  moving.role = PartRole::Moves;
+  EXPECT_TRUE(moving.groups);
+  GeometryCache read;
+  EXPECT_EQ(partsInFile(whole.path, read)->size(), 1U) << "as it always was";
+  EXPECT_EQ(partsInFile(whole.path, read, {}, true)->size(), 2U);
+  whole.groups = true;
+  const auto scenario = scenarioOfParts({moving, whole}, &read);
+  ASSERT_TRUE(scenario) << toString(scenario.error());
+  const std::string text = writeScenario(*scenario);
+  const auto again = parseScenario(text, "groups.json");
+  ASSERT_TRUE(again) << toString(again.error());
+  EXPECT_EQ(writeScenario(*again), text);
+  const auto loaded = loadGeometry(*again, "/none", "");
+  ASSERT_TRUE(loaded) << toString(loaded.error());
+  EXPECT_TRUE(loaded->warnings.empty()) << toString(loaded->warnings.front());
+  ASSERT_EQ(loaded->obstacles.size(), 1U);
+  EXPECT_EQ(loaded->obstacles.front().name, "base");
+  EXPECT_EQ(loaded->obstacles.front().mesh->triangles.size(), 12U);
+  EXPECT_EQ(loaded->obstacles.front().mesh->vertices.size(), 8U);
+  EXPECT_EQ(loaded->object.mesh->vertices.size(), 8U);
+  expectRefused(scenarioOfParts({usualPart(whole.path + ":gone"), moving}), ErrorKind::MalformedInput, "two.obj",
+                "is not in the file");
 }
 
 TEST(PartFiles, AreTakenAsTheirKindUsuallyIs) {

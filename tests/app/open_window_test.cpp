@@ -1,0 +1,201 @@
+// The window as a person has it: its time is real, and nothing is done at once. Nobody draws the scene.
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QDialogButtonBox>
+#include <QDirIterator>
+#include <QElapsedTimer>
+#include <QMessageBox>
+#include <QTemporaryDir>
+#include <QTimer>
+#include <QtTest/QTest>
+
+#include <algorithm>
+#include <fstream>
+
+#include "app/window/main_window.h"
+#include "engine/import/mesh_import.h"
+#include "tests/app/unseen_scene.h"
+#include "tests/engine/support/directories.h"
+#include "widgets/editors/parts_dialog.h"
+
+namespace glissade {
+namespace {
+
+/// The longest time between two events that are handled.
+class Heartbeat {
+ public:
+  Heartbeat() {
+    timer_.setInterval(2);
+    QObject::connect(&timer_, &QTimer::timeout, [this] {
+      longest_ = std::max(longest_, clock_.elapsed());
+      clock_.restart();
+    });
+    clock_.start();
+    total_.start();
+    timer_.start();
+  }
+  qint64 longest() const { return std::max(longest_, clock_.elapsed()); }
+  qint64 total() const { return total_.elapsed(); }
+
+ private:
+  QTimer timer_;
+  QElapsedTimer clock_;
+  QElapsedTimer total_;
+  qint64 longest_ = 0;
+};
+
+class OpenWindow : public testing::Test {
+ protected:
+  OpenWindow() { window.resize(1280, 720); }
+
+  const WorkbenchDocument& document() const { return window.workbench().document; }
+
+  /// No edit and no work in the background is under way, for a while.
+  bool isIdle() {
+    int quiet = 0;
+    return QTest::qWaitFor(
+        [&] {
+          const bool busy =
+              document().isArranging() || window.workbench().actions[QStringLiteral("work.cancel")]->isEnabled();
+          quiet = busy ? 0 : quiet + 1;
+          return quiet > 20;
+        },
+        60'000);
+  }
+
+  static QString sample() {
+    return QString::fromStdString(test::sourceDirectory()) + QStringLiteral("/samples/environment-1/scenario.json");
+  }
+
+  /// Answers the next question, and notes its default.
+  void answer(QMessageBox::StandardButton button) {
+    auto* look = new QTimer(&window);
+    QObject::connect(look, &QTimer::timeout, [this, look, button] {
+      auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      if (box == nullptr) return;
+      ++questions;
+      byDefault = box->standardButton(box->defaultButton());
+      look->deleteLater();
+      box->button(button)->click();
+    });
+    look->start(5);
+  }
+
+  MainWindow window{[](QWidget*) { return std::make_unique<test::UnseenScene>(); }, SessionClock::RealTime};
+  int questions = 0;
+  QMessageBox::StandardButton byDefault = QMessageBox::NoButton;
+};
+
+TEST_F(OpenWindow, ASampleThatIsOnlyOpenedIsNeverModified) {
+  window.show();
+  answer(QMessageBox::Cancel);
+  const QString samples = QString::fromStdString(test::sourceDirectory()) + QStringLiteral("/samples");
+  QDirIterator files(samples, {QStringLiteral("*.json")}, QDir::Files, QDirIterator::Subdirectories);
+  int opened = 0;
+  while (files.hasNext()) {
+    const QString file = files.next();
+    if (file.contains(QStringLiteral("/studies/"))) continue;
+    ASSERT_FALSE(window.openScenario(file, true)) << file.toStdString();
+    ++opened;
+    EXPECT_TRUE(isIdle()) << file.toStdString();
+    EXPECT_FALSE(window.isWindowModified()) << file.toStdString();
+    EXPECT_TRUE(window.close()) << file.toStdString();
+    EXPECT_EQ(questions, 0) << file.toStdString();
+    window.show();
+  }
+  EXPECT_GT(opened, 8);
+}
+
+TEST_F(OpenWindow, AFilmIsNotEndedWithoutAQuestion) {
+  ASSERT_FALSE(window.openScenario(sample(), true));
+  const ScenarioPtr before = document().scenario();
+  window.workbench().work.beginOther(
+      QStringLiteral("Making the film"), [] {}, WorkController::Loss::Asked);
+  answer(QMessageBox::Cancel);
+  EXPECT_FALSE(window.openScenario(sample()));
+  EXPECT_EQ(questions, 1);
+  EXPECT_EQ(byDefault, QMessageBox::Cancel);
+  EXPECT_EQ(document().scenario(), before);
+  window.workbench().work.endOther();
+  answer(QMessageBox::Cancel);
+  EXPECT_FALSE(window.openScenario(sample()));
+  EXPECT_EQ(questions, 1);
+  EXPECT_NE(document().scenario(), before);
+}
+
+/// A box with this edge, millimetres, at a place of a grid.
+std::string boxAt(int number, double edge) {
+  std::string text;
+  for (const int corner : {0, 1, 2, 3, 4, 5, 6, 7}) {
+    const double x = 30.0 * (number % 32) + (corner & 1 ? edge : 0.0);
+    const double y = 30.0 * (number / 32) + (corner & 2 ? edge : 0.0);
+    text += "v " + std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(corner & 4 ? edge : 0.0) + "\n";
+  }
+  return text + "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
+}
+
+class PartsInOpenWindow : public OpenWindow {
+ protected:
+  QStringList writeBoxes(int count) {
+    QStringList files;
+    for (int i = 0; i < count; ++i) {
+      files << folder.filePath(QStringLiteral("part_%1.obj").arg(i, 4, 10, QLatin1Char('0')));
+      std::ofstream(files.back().toStdString()) << boxAt(i, i == 0 ? 10.0 : 20.0);
+    }
+    return files;
+  }
+
+  /// Presses Create as soon as it may be pressed.
+  void createFrom(const QStringList& files) {
+    QTimer look;
+    QObject::connect(&look, &QTimer::timeout, [&look] {
+      const auto* dialog = qobject_cast<PartsDialog*>(QApplication::activeModalWidget());
+      if (dialog == nullptr || !dialog->isComplete()) return;
+      look.stop();
+      dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok)->click();
+    });
+    look.start(5);
+    window.importParts(files);
+  }
+
+  QTemporaryDir folder;
+};
+
+TEST_F(PartsInOpenWindow, WhatIsDiscardedLeavesNoStarBehind) {
+  window.show();
+  createFrom(writeBoxes(2));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return document().scenario() != nullptr; }, 20'000));
+  EXPECT_TRUE(isIdle());
+  EXPECT_TRUE(window.isWindowModified()) << "it was never saved";
+  answer(QMessageBox::Discard);
+  EXPECT_FALSE(window.openScenario(sample()));
+  EXPECT_EQ(questions, 1);
+  EXPECT_EQ(byDefault, QMessageBox::Save);
+  EXPECT_TRUE(isIdle());
+  EXPECT_FALSE(window.isWindowModified());
+  answer(QMessageBox::Cancel);
+  EXPECT_TRUE(window.close());
+  EXPECT_EQ(questions, 1);
+}
+
+/// One process for each file, one after the other, is the measure: reading takes a fraction of it, and no event waits
+/// for more than a fraction of that.
+TEST_F(PartsInOpenWindow, AnswersWhileManyFilesAreRead) {
+  const QStringList files = writeBoxes(200);
+  QElapsedTimer alone;
+  alone.start();
+  for (const QString& file : files) ASSERT_TRUE(importMesh(file.toStdString()));
+  const qint64 oneByOne = alone.elapsed();
+  window.show();
+  const Heartbeat heartbeat;
+  createFrom(files);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return document().scenario() != nullptr; }, 60'000));
+  EXPECT_LT(heartbeat.total(), oneByOne);
+  EXPECT_LT(heartbeat.longest(), oneByOne / 4);
+  EXPECT_EQ(document().scenario()->obstacles.size(), 199U);
+}
+
+}  // namespace
+}  // namespace glissade
