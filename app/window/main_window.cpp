@@ -3,6 +3,7 @@
 #include <QCloseEvent>
 #include <QSignalBlocker>
 #include <QStatusBar>
+#include <QTimer>
 
 #include "app/window/arrange_controller.h"
 #include "app/window/assembly_controller.h"
@@ -32,6 +33,7 @@
 #include "app/window/run_controller.h"
 #include "app/window/section_controller.h"
 #include "app/window/sequence_controller.h"
+#include "app/window/step_camera.h"
 #include "app/window/study_controller.h"
 #include "app/window/sweep_controller.h"
 #include "app/window/theme.h"
@@ -68,7 +70,7 @@ MainWindow::MainWindow(const SceneWidgetFactory& makeScene, SessionClock clock)
   setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
   commitBefore(actions_);
   setCentralWidget(scene_->widget());
-  scene_->widget()->setMinimumSize(320, 240);
+  scene_->widget()->setMinimumSize(280, 160);
   scene_->widget()->setObjectName(QStringLiteral("scene"));
   scene_->widget()->installEventFilter(new KeyboardSteering(session_->hand()->keyboard.mailbox, this));
   addParts();
@@ -120,6 +122,8 @@ void MainWindow::addParts() {
   auto* kept = new KeptPathsController(bench_);
   auto* log = new LogController(bench_);
   sequence_ = new SequenceController(bench_);
+  auto* stepCamera = new StepCamera(bench_, *sequence_);
+  connect(stepCamera, &StepCamera::cameraMoved, view, &ViewController::publishOperatorFrame);
   new TimesController(bench_, *sequence_);
   new ManualController(bench_);
 
@@ -187,6 +191,27 @@ void MainWindow::setTheme(Theme theme) {
   actions_["view.dark"]->setChecked(theme == Theme::Dark);
 }
 
+void MainWindow::fitInto(const QSize& room) {
+  room_ = room;
+  docks_.setRoom(room);
+  layout()->activate();  // the least size is that of what is shown now
+  resize(size().boundedTo(room));
+}
+
+/// Larger texts need more room.
+void MainWindow::changeEvent(QEvent* event) {
+  QMainWindow::changeEvent(event);
+  if (event->type() == QEvent::FontChange && !room_.isEmpty()) docks_.setRoom(room_);
+}
+
+/// A panel that is shown first may need much room until its texts are wrapped: the window grows then, and has to go
+/// back. A size that a person has given it stays.
+void MainWindow::resizeEvent(QResizeEvent* event) {
+  QMainWindow::resizeEvent(event);
+  if (event->spontaneous() || room_.isEmpty() || size() == size().boundedTo(room_)) return;
+  QTimer::singleShot(0, this, [this] { fitInto(room_); });
+}
+
 void MainWindow::setBatch(bool batch) {
   messages_.setQuiet(batch);
   bench_.work.setAtOnce(batch);
@@ -201,6 +226,7 @@ void MainWindow::remember(std::unique_ptr<WindowMemory> memory, bool sizeToo) {
   path_->remember(*memory_);
   sequence_->remember(*memory_);
   memory_->restoreLayout(*this, sizeToo);
+  if (!room_.isEmpty()) fitInto(room_);
   memory_->restoreChoices(actions_);
   preferences_->remember(*memory_);
   replayBar_->setVisible(!bench_.run.isLive());

@@ -31,6 +31,10 @@ class MainWindow final : public QMainWindow {
   /// Asks how a part file is to be taken, in a dialog that it waits for.
   void importParts(const QString& file);
   void setTheme(Theme theme);
+  /// The window is at most so large, and its panels are arranged so that they have room in it.
+  void fitInto(const QSize& room);
+  /// What fitInto() was called with.
+  const QSize& room() const { return room_; }
   /// Nobody is there to answer questions: scripts, screenshots.
   void setBatch(bool batch);
   /// From now on recent files and the layout are remembered; the layout comes back as it was left.
@@ -44,6 +48,8 @@ class MainWindow final : public QMainWindow {
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void addParts();
@@ -65,6 +71,7 @@ class MainWindow final : public QMainWindow {
   PreferencesController* preferences_ = nullptr;
   SequenceController* sequence_ = nullptr;
   QWidget* replayBar_ = nullptr;
+  QSize room_;                            ///< empty: not known
   std::unique_ptr<WindowMemory> memory_;  ///< null: nothing is remembered
 };
 

@@ -1,4 +1,5 @@
 #include "engine/check/verdict_report.h"
+#include "engine/base/quantity_text.h"
 
 #include <algorithm>
 #include <cmath>

@@ -53,6 +53,13 @@ int decimalsOf(double value) {
 
 QString nameOf(const UnitEntry& unit) { return QString::fromUtf8(unit.name); }
 
+QString textIn(const UnitEntry& unit, double metres) {
+  if (!std::isfinite(metres)) return QStringLiteral("∞");
+  const double value = metres / unit.metres;
+  const int decimals = value == 0.0 ? 0 : decimalsOf(std::abs(value));
+  return QLocale().toString(value, 'f', decimals) + QLatin1Char(' ') + nameOf(unit);
+}
+
 }  // namespace
 
 LengthUnit lengthUnit() { return chosenUnit().load(); }
@@ -69,11 +76,13 @@ void announceLengthUnit() {
 QString lengthText(double metres) {
   constexpr double kSmallestInMillimetres = 1e-5;
   const double size = std::abs(metres);
-  if (!std::isfinite(size)) return QStringLiteral("∞");
-  if (size == 0.0) return QLocale().toString(0) + QLatin1Char(' ') + nameOf(unitFor(kMillimetre.metres, 0.0));
-  const UnitEntry unit = unitFor(size, kSmallestInMillimetres);
-  const double value = metres / unit.metres;
-  return QLocale().toString(value, 'f', decimalsOf(std::abs(value))) + QLatin1Char(' ') + nameOf(unit);
+  if (size == 0.0) return textIn(unitFor(kMillimetre.metres, 0.0), metres);
+  return textIn(unitFor(size, kSmallestInMillimetres), metres);
+}
+
+QString columnLengthText(double metres) {
+  if (chosenUnit().load() != LengthUnit::Fitting) return lengthText(metres);
+  return textIn(kMillimetre, metres);
 }
 
 LengthField lengthField(double finest) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "engine/base/quantity_text.h"
 #include "engine/study/parts_list.h"
 #include "engine/study/plan_graph.h"
 #include "engine/study/plan_report.h"
@@ -37,7 +38,7 @@ AssemblyPlan somePlan() {
   return plan;
 }
 
-PlanWords wordsIn(Language language) { return PlanWords(language, lengthInMillimetres); }
+PlanWords wordsIn(Language language) { return PlanWords(language, inMillimetres); }
 
 std::vector<std::string> linesOf(const std::string& text) {
   std::vector<std::string> lines;
