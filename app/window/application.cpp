@@ -261,7 +261,8 @@ int runApplication(int argc, char** argv, const SceneWidgetFactory& makeScene, S
     QApplication::installTranslator(&translator);
   }
 
-  application.installEventFilter(new ScreenFit(&application));
+  // Without a display no window has to fit a screen.
+  if (clock != SessionClock::Lockstep) application.installEventFilter(new ScreenFit(&application));
   MainWindow window(makeScene, clock);
   window.setTheme(themeNamed(theme));
   // Without a display the window is the screen.

@@ -3,7 +3,6 @@
 #include <QCloseEvent>
 #include <QSignalBlocker>
 #include <QStatusBar>
-#include <QTimer>
 
 #include "app/window/arrange_controller.h"
 #include "app/window/assembly_controller.h"
@@ -13,6 +12,7 @@
 #include "app/window/device_script.h"
 #include "app/window/difficulty_controller.h"
 #include "app/window/display_controller.h"
+#include "app/window/document_controller.h"
 #include "app/window/editor_in_use.h"
 #include "app/window/environment_controller.h"
 #include "app/window/fits_controller.h"
@@ -63,7 +63,8 @@ MainWindow::MainWindow(const SceneWidgetFactory& makeScene, SessionClock clock)
              *scene_,    actions_,  *new WorkController(*session_, actions_, *statusBar()),
              messages_,  scripts_,  dialogs_,
              *this},
-      docks_(*this, actions_) {
+      docks_(*this, actions_),
+      room_(*this, docks_) {
   setWindowTitle(QStringLiteral("Glissade"));
   setAcceptDrops(true);
   setDockNestingEnabled(true);
@@ -85,6 +86,7 @@ MainWindow::~MainWindow() {
 
 /// A new panel is one line among the docks.
 void MainWindow::addParts() {
+  new DocumentController(bench_);
   auto* view = new ViewController(bench_);
   new DisplayController(bench_);
   views_ = new NamedViewsController(bench_);
@@ -154,26 +156,12 @@ void MainWindow::addParts() {
 }
 
 void MainWindow::connectActions() {
-  QUndoStack& undo = document_->undoStack();
-  bench_.onAction("edit.undo", this, [this] { document_->undo(); });
-  bench_.onAction("edit.redo", this, [this] { document_->redo(); });
-  connect(&undo, &QUndoStack::canUndoChanged, actions_["edit.undo"], &QAction::setEnabled);
-  connect(&undo, &QUndoStack::canRedoChanged, actions_["edit.redo"], &QAction::setEnabled);
-  for (const char* id : {"edit.undo", "edit.redo"}) bench_.enable(id, false);
   bench_.onAction("file.quit", this, [this] { close(); });
   bench_.onAction("view.reset-layout", this, [this] { docks_.arrange(); });
   connect(actions_["view.dark"], &QAction::toggled, this,
           [this](bool dark) { setTheme(dark ? Theme::Dark : Theme::Light); });
   connect(&bench_.work, &WorkController::failed, this,
           [this](const Diagnostic& why) { messages_.showError(tr("This cannot be done"), why); });
-  const auto arranging = [this] {
-    if (document_->isEditing()) return tr("Arranging the product");
-    return document_->scenario()->fitsPending ? tr("Finding the fits") : tr("Preparing the bodies");
-  };
-  bench_.work.show(document_->arranging(), arranging, [this] { document_->cancelEdits(); });
-  connect(document_, &WorkbenchDocument::changedForSession, &bench_.work, [this](Changes what) {
-    if (what & (Change::Scenario | Change::Arrangement)) bench_.work.cancel();
-  });
 }
 
 std::optional<Diagnostic> MainWindow::openScenario(const QString& file, bool quiet) {
@@ -191,27 +179,6 @@ void MainWindow::setTheme(Theme theme) {
   actions_["view.dark"]->setChecked(theme == Theme::Dark);
 }
 
-void MainWindow::fitInto(const QSize& room) {
-  room_ = room;
-  docks_.setRoom(room);
-  layout()->activate();  // the least size is that of what is shown now
-  resize(size().boundedTo(room));
-}
-
-/// Larger texts need more room.
-void MainWindow::changeEvent(QEvent* event) {
-  QMainWindow::changeEvent(event);
-  if (event->type() == QEvent::FontChange && !room_.isEmpty()) docks_.setRoom(room_);
-}
-
-/// A panel that is shown first may need much room until its texts are wrapped: the window grows then, and has to go
-/// back. A size that a person has given it stays.
-void MainWindow::resizeEvent(QResizeEvent* event) {
-  QMainWindow::resizeEvent(event);
-  if (event->spontaneous() || room_.isEmpty() || size() == size().boundedTo(room_)) return;
-  QTimer::singleShot(0, this, [this] { fitInto(room_); });
-}
-
 void MainWindow::setBatch(bool batch) {
   messages_.setQuiet(batch);
   bench_.work.setAtOnce(batch);
@@ -226,7 +193,7 @@ void MainWindow::remember(std::unique_ptr<WindowMemory> memory, bool sizeToo) {
   path_->remember(*memory_);
   sequence_->remember(*memory_);
   memory_->restoreLayout(*this, sizeToo);
-  if (!room_.isEmpty()) fitInto(room_);
+  room_.fit(room_.room());
   memory_->restoreChoices(actions_);
   preferences_->remember(*memory_);
   replayBar_->setVisible(!bench_.run.isLive());

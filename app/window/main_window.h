@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/window/panel_docks.h"
+#include "app/window/window_room.h"
 #include "app/window/workbench.h"
 
 namespace glissade {
@@ -32,9 +33,9 @@ class MainWindow final : public QMainWindow {
   void importParts(const QString& file);
   void setTheme(Theme theme);
   /// The window is at most so large, and its panels are arranged so that they have room in it.
-  void fitInto(const QSize& room);
+  void fitInto(const QSize& room) { room_.fit(room); }
   /// What fitInto() was called with.
-  const QSize& room() const { return room_; }
+  const QSize& room() const { return room_.room(); }
   /// Nobody is there to answer questions: scripts, screenshots.
   void setBatch(bool batch);
   /// From now on recent files and the layout are remembered; the layout comes back as it was left.
@@ -48,8 +49,6 @@ class MainWindow final : public QMainWindow {
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
-  void changeEvent(QEvent* event) override;
-  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void addParts();
@@ -64,6 +63,7 @@ class MainWindow final : public QMainWindow {
   SessionBridge* session_;
   Workbench bench_;
   PanelDocks docks_;
+  WindowRoom room_;
   FileController* files_ = nullptr;
   NamedViewsController* views_ = nullptr;
   PathController* path_ = nullptr;
@@ -71,7 +71,6 @@ class MainWindow final : public QMainWindow {
   PreferencesController* preferences_ = nullptr;
   SequenceController* sequence_ = nullptr;
   QWidget* replayBar_ = nullptr;
-  QSize room_;                            ///< empty: not known
   std::unique_ptr<WindowMemory> memory_;  ///< null: nothing is remembered
 };
 

@@ -43,8 +43,8 @@ void addFirstPapersPlanners(PlannerRegistry& registry) {
                   "You steer the object and the computer searches with you; near an obstacle the object slides "
                   "on it (Blin et al. 2016, Algorithm 1).",
                   OperatorUse::GuideAndContact));
-  registry.add(
-      interactive("birrt", "Two trees, without you", "The computer alone: the same planner with an authority of 1.", OperatorUse::None));
+  registry.add(interactive("birrt", "Two trees, without you",
+                           "The computer alone: the same planner with an authority of 1.", OperatorUse::None));
 }
 
 void addOmplPlanners(PlannerRegistry& registry) {
@@ -54,12 +54,13 @@ void addOmplPlanners(PlannerRegistry& registry) {
                     return std::make_unique<OmplPlanner>(problem, seed, algorithm);
                   }});
   };
-  add("ompl-rrtconnect", "Two trees of OMPL (RRT-Connect)", "Two trees that grow towards each other (Kuffner and LaValle 2000).",
-      OmplAlgorithm::RrtConnect);
+  add("ompl-rrtconnect", "Two trees of OMPL (RRT-Connect)",
+      "Two trees that grow towards each other (Kuffner and LaValle 2000).", OmplAlgorithm::RrtConnect);
   add("ompl-bkpiece", "Cells explored, of OMPL (BKPIECE)",
       "Two trees that grow from the border of the cells explored (Sucan and Kavraki 2009).", OmplAlgorithm::Bkpiece);
   add("ompl-prm", "Roadmap of OMPL (PRM)", "A roadmap of the whole space (Kavraki et al. 1996).", OmplAlgorithm::Prm);
-  add("ompl-est", "One tree of OMPL (EST)", "One tree that grows where it is sparse (Hsu et al. 1999).", OmplAlgorithm::Est);
+  add("ompl-est", "One tree of OMPL (EST)", "One tree that grows where it is sparse (Hsu et al. 1999).",
+      OmplAlgorithm::Est);
 }
 
 /// To be measured beside ours.

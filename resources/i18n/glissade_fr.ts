@@ -8817,6 +8817,21 @@
     </message>
 </context>
 <context>
+    <name>glissade::DocumentController</name>
+    <message>
+        <source>Arranging the product</source>
+        <translation>Disposition du produit</translation>
+    </message>
+    <message>
+        <source>Finding the fits</source>
+        <translation>Recherche des ajustements</translation>
+    </message>
+    <message>
+        <source>Preparing the bodies</source>
+        <translation>Préparation des corps</translation>
+    </message>
+</context>
+<context>
     <name>glissade::EarlierVersionsMenu</name>
     <message>
         <source>Earlier &amp;versions</source>
@@ -9771,10 +9786,6 @@
         <translation>Coupe</translation>
     </message>
     <message>
-        <source>Arranging the product</source>
-        <translation>Disposition du produit</translation>
-    </message>
-    <message>
         <source>Interaction</source>
         <translation>Interaction</translation>
     </message>
@@ -9821,14 +9832,6 @@
     <message>
         <source>Sequence</source>
         <translation>Séquence</translation>
-    </message>
-    <message>
-        <source>Finding the fits</source>
-        <translation>Recherche des ajustements</translation>
-    </message>
-    <message>
-        <source>Preparing the bodies</source>
-        <translation>Préparation des corps</translation>
     </message>
     <message>
         <source>Joints</source>

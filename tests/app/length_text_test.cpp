@@ -46,6 +46,7 @@ TEST(LengthText, IsInTheUnitThatWasChosen) {
 TEST(LengthText, AColumnHasOneUnit) {
   QLocale::setDefault(QLocale::c());
   EXPECT_EQ(columnLengthText(9.99e-7), QStringLiteral("0.000999 mm"));
+  EXPECT_EQ(columnLengthText(9.9966e-7), QStringLiteral("0.00100 mm"));
   EXPECT_EQ(columnLengthText(1.52), QStringLiteral("1520 mm"));
   EXPECT_EQ(columnLengthText(0.0), QStringLiteral("0 mm"));
   EXPECT_EQ(columnLengthText(std::numeric_limits<double>::infinity()), QString::fromUtf8("∞"));

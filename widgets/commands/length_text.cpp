@@ -47,7 +47,8 @@ UnitEntry unitFor(double metres, double smallestInMillimetres) {
 
 /// Decimals that leave the significant digits of a number below 1,000.
 int decimalsOf(double value) {
-  const int before = static_cast<int>(std::floor(std::log10(value))) + 1;
+  constexpr double kRoundsUp = 1.0 + 0.5e-3;  // 9.996 is written as 10.0
+  const int before = static_cast<int>(std::floor(std::log10(value * kRoundsUp))) + 1;
   return std::clamp(kSignificantDigits - before, 0, kMostDecimals);
 }
 
