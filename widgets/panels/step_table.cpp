@@ -29,7 +29,6 @@ constexpr int kStepRole = Qt::UserRole;         // counted in the plan
 constexpr int kStuckRole = Qt::UserRole + 1;    // id of a stuck part
 constexpr int kPictureRole = Qt::UserRole + 2;  // id of the body that the picture is of
 constexpr int kPartColumn = 184;
-constexpr int kLeastPartColumn = 120;
 constexpr int kPictureSize = 32;
 constexpr int kWrappedMargin = 16;  ///< about the text beside a picture, and between them
 
@@ -179,11 +178,10 @@ void StepTable::show(const ShownPlan& shown, PlanOrder order) {
     for (const StuckBody& stuck : shown.plan->stuck) addStuck(stuck);
   }
   for (const int column : {StepNumber, StepGaps, StepState}) resizeColumnToContents(column);
-  const int numbers = columnWidth(StepNumber) + columnWidth(StepGaps) + columnWidth(StepState);
+  setColumnWidth(StepPart, kPartColumn);
+  const int used = columnWidth(StepNumber) + kPartColumn + columnWidth(StepGaps) + columnWidth(StepState);
   const int inside = width() - 2 * frameWidth() - style()->pixelMetric(QStyle::PM_ScrollBarExtent);
-  const int part = std::clamp(inside - numbers - columnWidth(StepGaps), kLeastPartColumn, kPartColumn);
-  setColumnWidth(StepPart, part);
-  setColumnWidth(StepTools, std::max(columnWidth(StepGaps), inside - numbers - part));
+  setColumnWidth(StepTools, std::max(columnWidth(StepGaps), inside - used));
   verticalScrollBar()->setValue(shown.growing ? verticalScrollBar()->maximum() : scrolled);
   setDragEnabled(!shown.growing);
 }
