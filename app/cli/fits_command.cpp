@@ -9,6 +9,7 @@
 
 #include "app/cli/interrupt.h"
 #include "engine/base/number_text.h"
+#include "engine/base/quantity_text.h"
 #include "engine/product/alternatives.h"
 #include "engine/product/fit_table.h"
 #include "engine/scenario/product_file.h"
@@ -93,7 +94,7 @@ std::string thinnerInWords(const PairFit& row) {
   text << (thinner.size() > 1         ? "both"
            : thinner.front() == row.a ? "a"
                                       : "b")
-       << " by " << std::fixed << std::setprecision(4) << 1e3 * row.way().allowance() << " mm";
+       << " by " << inMillimetres(row.way().allowance());
   return text.str();
 }
 

@@ -15,7 +15,7 @@
 #include "app/cli/fits_command.h"
 #include "app/cli/info_command.h"
 #include "app/cli/joints_command.h"
-#include "app/cli/length_text.h"
+#include "app/cli/length_option.h"
 #include "app/cli/new_command.h"
 #include "app/cli/plan_command.h"
 #include "app/cli/printable_output.h"

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "engine/base/printable_text.h"
+#include "engine/base/quantity_text.h"
 #include "engine/scenario/certificate_json.h"
 #include "engine/scenario/scenario_fits.h"
 
@@ -86,8 +87,8 @@ std::string deviationInWords(const LoadedScenario& scenario, const std::vector<P
   std::ostringstream text;
   for (const std::string& allowance : allowancesInWords(scenario, path)) text << "allowance: " << allowance << "\n";
   if (const double deviation = surfaceDeviation(scenario); deviation > 0.0) {
-    text << "the certificate is about triangles, which are within +/- " << deviation * 1e3
-         << " mm of the CAD surfaces\n";
+    text << "the certificate is about triangles, which are within +/- " << inMillimetres(deviation)
+         << " of the CAD surfaces\n";
   }
   if (const double spacing = coordinateSpacing(scenario); spacing > 0.0) {
     text << "coordinate spacing: mesh files hold 32-bit numbers or were closed at T-junctions, so that bodies may be "

@@ -10,6 +10,7 @@
 
 #include "app/cli/interrupt.h"
 #include "engine/base/number_text.h"
+#include "engine/base/quantity_text.h"
 #include "engine/product/alternatives.h"
 #include "engine/product/joint_edits.h"
 #include "engine/product/joint_finder.h"
@@ -234,7 +235,7 @@ std::string certifiedText(const AssemblyPlan& plan) {
 /// Numbers are those of the order of assembly, as in documents; `group`: number of the step that brings the steps.
 void printSteps(const std::vector<AssemblyStep>& steps, const std::string& group, const std::string& before,
                 const ProgressHost& host) {
-  const PlanWords words(Language::English, lengthInMillimetres);
+  const PlanWords words(Language::English, inMillimetres);
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const AssemblyStep& step = steps[i];
     std::cout << before << std::setw(4) << stepNumber(steps.size() - 1 - i, group) << "  " << host.namesOf(step);
@@ -242,8 +243,8 @@ void printSteps(const std::vector<AssemblyStep>& steps, const std::string& group
     std::cout << ": " << step.method;
     if (!step.certified) std::cout << ", not certified";
     if (!step.proof.nearest.empty()) {
-      std::cout << ", clearance " << step.proof.minClearance * 1e3 << " mm to '" << host.nameOf(step.proof.nearest)
-                << "'";
+      std::cout << ", clearance " << inMillimetres(step.proof.minClearance) << " to '"
+                << host.nameOf(step.proof.nearest) << "'";
     }
     std::cout << "\n";
     for (const std::string& text : words.joints(step, host.product(), PlanOrder::Removal)) {
@@ -290,7 +291,7 @@ void printLines(const std::vector<SubassemblyLine>& lines, std::size_t steps, co
 
 void printPlan(const AssemblyPlan& plan, const ProgressHost& host, double seconds) {
   if (!plan.staying.empty()) {
-    const PlanWords words(Language::English, lengthInMillimetres);
+    const PlanWords words(Language::English, inMillimetres);
     std::cout << "base: " << words.base(plan, host.product()) << "\n";
   }
   printSteps(plan.steps, "", "", host);
@@ -301,7 +302,7 @@ void printPlan(const AssemblyPlan& plan, const ProgressHost& host, double second
     std::cout << plan.removed() - apart << " of the parts that leave remain joined in groups\n";
   }
   std::cout << plan.removed() << " of " << plan.parts() << " parts leave in " << plan.steps.size() << " steps, "
-            << certifiedText(plan) << ", " << seconds << " s\n";
+            << certifiedText(plan) << ", computed in " << seconds << " s\n";
 }
 
 int exitCodeOf(const AssemblyPlan& plan) {

@@ -23,6 +23,7 @@
 #include "app/window/main_window.h"
 #include "app/window/manual_controller.h"
 #include "app/window/scenario_pictures.h"
+#include "app/window/screen_fit.h"
 #include "app/window/study_batch.h"
 #include "app/window/theme.h"
 #include "app/window/window_memory.h"
@@ -165,7 +166,7 @@ int runWindow(const QCommandLineParser& parser, MainWindow& window) {
       if (const auto refused = applyParameters(parser, window)) return fail(*refused);
     }
   }
-  const QSize asked = window.size();
+  const QSize asked = window.size().boundedTo(window.room());
   window.show();
   QApplication::processEvents();
   // Texts that wrap need less room once they are laid out: small screens have no more.
@@ -275,9 +276,13 @@ int runApplication(int argc, char** argv, const SceneWidgetFactory& makeScene, S
     QApplication::installTranslator(&translator);
   }
 
+  // Without a display no window has to fit a screen.
+  if (clock != SessionClock::Lockstep) application.installEventFilter(new ScreenFit(&application));
   MainWindow window(makeScene, clock);
   window.setTheme(themeNamed(theme));
+  // Without a display the window is the screen.
   window.resize(*size);
+  window.fitInto(clock == SessionClock::Lockstep ? *size : roomOn(window));
   WorkController& work = window.workbench().work;
   application.setFailureHandler([&work](const Diagnostic& why) { work.reportFailure(why); });
   const int status = runWindow(parser, window);

@@ -43,6 +43,10 @@ FitsController::FitsController(const Workbench& bench)
   connect(panel_, &FitsPanel::chosenChanged, this, &FitsController::showChosen);
   connect(panel_, &FitsPanel::activated, this, &FitsController::isolateChosen);
   connect(&bench.document, &WorkbenchDocument::changed, this, &FitsController::followDocument);
+  connect(&bench.document.semantics(), &SemanticDocument::selectionChanged, this, [this] {
+    panel_->showBodies(bench_.document.semantics().selectedBodies());
+    enableActions();
+  });
   enableActions();
   addCommands();
 }

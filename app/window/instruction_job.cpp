@@ -119,7 +119,7 @@ SaveResult InstructionJob::writeReport(Content& content, const WorkWatch& watch)
     file = pathOf(name).toStdString();
     return savePicture(picture, pathOf(name));
   };
-  const auto exploded = drawer.exploded(explodedOffsets(*content.product, plan), kPagePicture);
+  const auto exploded = drawer.exploded(ExplodedView(*content.product, plan).at(1.0), kPagePicture);
   if (const auto drawn = add(exploded, QStringLiteral("exploded"), report.explodedPicture); !drawn) return drawn;
   const QImage graph = imageOfSvg(planGraphSvg(plan, *content.product, words.words()), kGraphScale);
   if (const auto drawn = add(graph, QStringLiteral("graph"), report.graphPicture); !drawn) return drawn;

@@ -58,7 +58,10 @@ JointsController::JointsController(const Workbench& bench)
   connect(panel_, &JointsPanel::chosenChanged, this, &JointsController::showChosen);
   connect(panel_, &JointsPanel::activated, this, &JointsController::isolateChosen);
   connect(&bench.document, &WorkbenchDocument::changed, this, &JointsController::followDocument);
-  connect(&bench.document.semantics(), &SemanticDocument::selectionChanged, this, &JointsController::enableActions);
+  connect(&bench.document.semantics(), &SemanticDocument::selectionChanged, this, [this] {
+    panel_->showBodies(bench_.document.semantics().selectedBodies());
+    enableActions();
+  });
   connect(&task_, &BackgroundTask::failed, &bench.work, &WorkController::reportFailure);
   bench.work.show(
       task_, [] { return tr("Looking for joints"); }, [this] { task_.cancel(); });

@@ -12,6 +12,7 @@
 #include "app/window/device_script.h"
 #include "app/window/difficulty_controller.h"
 #include "app/window/display_controller.h"
+#include "app/window/document_controller.h"
 #include "app/window/editor_in_use.h"
 #include "app/window/environment_controller.h"
 #include "app/window/fits_controller.h"
@@ -32,6 +33,7 @@
 #include "app/window/run_controller.h"
 #include "app/window/section_controller.h"
 #include "app/window/sequence_controller.h"
+#include "app/window/step_camera.h"
 #include "app/window/study_controller.h"
 #include "app/window/sweep_controller.h"
 #include "app/window/theme.h"
@@ -61,14 +63,15 @@ MainWindow::MainWindow(const SceneWidgetFactory& makeScene, SessionClock clock)
              *scene_,    actions_,  *new WorkController(*session_, actions_, *statusBar()),
              messages_,  scripts_,  dialogs_,
              *this},
-      docks_(*this, actions_) {
+      docks_(*this, actions_),
+      room_(*this, docks_) {
   setWindowTitle(QStringLiteral("Glissade"));
   setAcceptDrops(true);
   setDockNestingEnabled(true);
   setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
   commitBefore(actions_);
   setCentralWidget(scene_->widget());
-  scene_->widget()->setMinimumSize(320, 240);
+  scene_->widget()->setMinimumSize(280, 160);
   scene_->widget()->setObjectName(QStringLiteral("scene"));
   scene_->widget()->installEventFilter(new KeyboardSteering(session_->hand()->keyboard.mailbox, this));
   addParts();
@@ -83,6 +86,7 @@ MainWindow::~MainWindow() {
 
 /// A new panel is one line among the docks.
 void MainWindow::addParts() {
+  new DocumentController(bench_);
   auto* view = new ViewController(bench_);
   new DisplayController(bench_);
   views_ = new NamedViewsController(bench_);
@@ -120,6 +124,8 @@ void MainWindow::addParts() {
   auto* kept = new KeptPathsController(bench_);
   auto* log = new LogController(bench_);
   sequence_ = new SequenceController(bench_);
+  auto* stepCamera = new StepCamera(bench_, *sequence_);
+  connect(stepCamera, &StepCamera::cameraMoved, view, &ViewController::publishOperatorFrame);
   new TimesController(bench_, *sequence_);
   new ManualController(bench_);
 
@@ -150,26 +156,12 @@ void MainWindow::addParts() {
 }
 
 void MainWindow::connectActions() {
-  QUndoStack& undo = document_->undoStack();
-  bench_.onAction("edit.undo", this, [this] { document_->undo(); });
-  bench_.onAction("edit.redo", this, [this] { document_->redo(); });
-  connect(&undo, &QUndoStack::canUndoChanged, actions_["edit.undo"], &QAction::setEnabled);
-  connect(&undo, &QUndoStack::canRedoChanged, actions_["edit.redo"], &QAction::setEnabled);
-  for (const char* id : {"edit.undo", "edit.redo"}) bench_.enable(id, false);
   bench_.onAction("file.quit", this, [this] { close(); });
   bench_.onAction("view.reset-layout", this, [this] { docks_.arrange(); });
   connect(actions_["view.dark"], &QAction::toggled, this,
           [this](bool dark) { setTheme(dark ? Theme::Dark : Theme::Light); });
   connect(&bench_.work, &WorkController::failed, this,
           [this](const Diagnostic& why) { messages_.showError(tr("This cannot be done"), why); });
-  const auto arranging = [this] {
-    if (document_->isEditing()) return tr("Arranging the product");
-    return document_->scenario()->fitsPending ? tr("Finding the fits") : tr("Preparing the bodies");
-  };
-  bench_.work.show(document_->arranging(), arranging, [this] { document_->cancelEdits(); });
-  connect(document_, &WorkbenchDocument::changedForSession, &bench_.work, [this](Changes what) {
-    if (what & (Change::Scenario | Change::Arrangement)) bench_.work.cancel();
-  });
 }
 
 std::optional<Diagnostic> MainWindow::openScenario(const QString& file, bool quiet) {
@@ -201,6 +193,7 @@ void MainWindow::remember(std::unique_ptr<WindowMemory> memory, bool sizeToo) {
   path_->remember(*memory_);
   sequence_->remember(*memory_);
   memory_->restoreLayout(*this, sizeToo);
+  room_.fit(room_.room());
   memory_->restoreChoices(actions_);
   preferences_->remember(*memory_);
   replayBar_->setVisible(!bench_.run.isLive());

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/window/panel_docks.h"
+#include "app/window/window_room.h"
 #include "app/window/workbench.h"
 
 namespace glissade {
@@ -31,6 +32,10 @@ class MainWindow final : public QMainWindow {
   /// Asks how part files are to be taken, in a dialog that it waits for.
   void importParts(const QStringList& files);
   void setTheme(Theme theme);
+  /// The window is at most so large, and its panels are arranged so that they have room in it.
+  void fitInto(const QSize& room) { room_.fit(room); }
+  /// What fitInto() was called with.
+  const QSize& room() const { return room_.room(); }
   /// Nobody is there to answer questions: scripts, screenshots.
   void setBatch(bool batch);
   /// From now on recent files and the layout are remembered; the layout comes back as it was left.
@@ -58,6 +63,7 @@ class MainWindow final : public QMainWindow {
   SessionBridge* session_;
   Workbench bench_;
   PanelDocks docks_;
+  WindowRoom room_;
   FileController* files_ = nullptr;
   NamedViewsController* views_ = nullptr;
   PathController* path_ = nullptr;

@@ -1,21 +1,26 @@
 #include "app/window/panel_docks.h"
 
+#include <QApplication>
 #include <QDockWidget>
 #include <QEvent>
 #include <QFontMetrics>
 #include <QScrollArea>
 #include <QStyle>
+#include <QTabBar>
 #include <QToolBar>
 #include <QTreeView>
 
 #include <algorithm>
-#include <map>
 
 namespace glissade {
 namespace {
 
 /// A screen of 1920 pixels at 200 % has room for two columns of this width beside the scene.
 constexpr int kWidestLeast = 300;
+constexpr int kLeftWidth = 325;
+constexpr int kLeastSceneWidth = 280;
+constexpr int kLeastStackedHeight = 600;   ///< of a window with two panels above each other
+constexpr double kUsualTextHeight = 15.0;  ///< pixels, of 9 points
 /// A header and a row: such a screen has room for two panels above each other.
 constexpr int kLeastListHeight = 36;
 
@@ -43,6 +48,23 @@ class PanelScroll final : public QScrollArea {
   bool eventFilter(QObject* watched, QEvent* event) override {
     if (watched == widget() && event->type() == QEvent::LayoutRequest) updateGeometry();
     return QScrollArea::eventFilter(watched, event);
+  }
+};
+
+/// Keeps the names on tabs whole: where there is no room for all tabs, they are scrolled.
+class WholeTabNames final : public QObject {
+ public:
+  using QObject::QObject;
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::ChildPolished) {
+      auto* tabs = qobject_cast<QTabBar*>(static_cast<QChildEvent*>(event)->child());
+      if (tabs == nullptr) return false;
+      tabs->setUsesScrollButtons(true);
+      tabs->setElideMode(Qt::ElideNone);
+    }
+    return QObject::eventFilter(watched, event);
   }
 };
 
@@ -84,6 +106,10 @@ void makeRoomForTable(QWidget& panel, QMainWindow& window) {
   const int height = static_cast<int>(kHeight * window.height());
   window.resizeDocks({dock}, {std::max(dock->width(), kWidth)}, Qt::Horizontal);
   window.resizeDocks({dock}, {std::max(dock->height(), height)}, Qt::Vertical);
+}
+
+PanelDocks::PanelDocks(QMainWindow& window, const ActionCatalogue& actions) : window_(window), actions_(actions) {
+  window.installEventFilter(new WholeTabNames(&window));
 }
 
 void PanelDocks::add(const Panel& panel) {
@@ -128,22 +154,52 @@ int PanelDocks::usualRightWidth() const {
         dock.panel.place == DockPlace::LowerRight && (!dock.panel.hasContent || dock.panel.hasContent());
     if (isThere) tabs += metrics.horizontalAdvance(dock.widget->windowTitle()) + kAroundName;
   }
-  return std::clamp(tabs, 340, 400);
+  return std::clamp(tabs, static_cast<int>(340 * textScale()), static_cast<int>(400 * textScale()));
+}
+
+double PanelDocks::textScale() const {
+  return std::max(1.0, QFontMetrics(QApplication::font()).height() / kUsualTextHeight);
+}
+
+bool PanelDocks::isSmall() const {
+  return room_.width() < static_cast<int>(2 * kWidestLeast * textScale()) + kLeastSceneWidth ||
+         room_.height() < static_cast<int>(kLeastStackedHeight * textScale());
+}
+
+void PanelDocks::setRoom(const QSize& room) {
+  room_ = room;
+  const QSize least = window_.minimumSizeHint();
+  if (isSmall() != inOneColumn_ || least.width() > room.width() || least.height() > room.height()) arrange();
+}
+
+/// In one column, tabs say what the titles would say.
+void PanelDocks::showTitles() {
+  for (const Dock& dock : docks_) {
+    QWidget* before = dock.widget->titleBarWidget();
+    if ((before != nullptr) == inOneColumn_) continue;
+    dock.widget->setTitleBarWidget(inOneColumn_ ? new QWidget(dock.widget) : nullptr);
+    delete before;
+  }
+}
+
+/// Panels share a place as tabs: small screens have no room for all of them at once.
+void PanelDocks::tabify(QDockWidget* first, DockPlace place) {
+  QDockWidget* before = first;
+  for (const Dock& dock : docks_) {
+    if (dock.widget == first || (!inOneColumn_ && dock.panel.place != place)) continue;
+    window_.tabifyDockWidget(before, dock.widget);
+    before = dock.widget;
+  }
 }
 
 void PanelDocks::arrange() {
+  inOneColumn_ = isSmall();
+  showTitles();
   for (const Dock& dock : docks_) window_.removeDockWidget(dock.widget);
-  std::map<DockPlace, QDockWidget*> last;
   for (const DockPlace place : {DockPlace::Left, DockPlace::UpperRight, DockPlace::LowerRight}) {
-    last[place] = firstOf(place);
-    window_.addDockWidget(areaOf(place), last[place]);
-  }
-  // Panels share a place as tabs: small screens have no room for all of them at once.
-  for (const Dock& dock : docks_) {
-    QDockWidget*& before = last[dock.panel.place];
-    if (dock.widget == firstOf(dock.panel.place)) continue;
-    window_.tabifyDockWidget(before, dock.widget);
-    before = dock.widget;
+    if (inOneColumn_ && place != DockPlace::Left) continue;
+    window_.addDockWidget(inOneColumn_ ? Qt::RightDockWidgetArea : areaOf(place), firstOf(place));
+    tabify(firstOf(place), place);
   }
   for (const Dock& dock : docks_) {
     dock.widget->setFloating(false);
@@ -154,11 +210,17 @@ void PanelDocks::arrange() {
   }
   for (QToolBar* tools : window_.findChildren<QToolBar*>(QStringLiteral("tools"))) tools->show();
   QDockWidget* left = firstOf(DockPlace::Left);
+  if (inOneColumn_) {
+    left->raise();
+    const int widest = std::max(kWidestLeast, room_.width() - kLeastSceneWidth);
+    window_.resizeDocks({left}, {std::min(static_cast<int>(kLeftWidth * textScale()), widest)}, Qt::Horizontal);
+    return;
+  }
   QDockWidget* upper = firstOf(DockPlace::UpperRight);
   QDockWidget* lower = firstOf(DockPlace::LowerRight);
   upper->raise();
   lower->raise();
-  window_.resizeDocks({left, upper}, {325, usualRightWidth()}, Qt::Horizontal);
+  window_.resizeDocks({left, upper}, {static_cast<int>(kLeftWidth * textScale()), usualRightWidth()}, Qt::Horizontal);
   window_.resizeDocks({upper, lower}, {330, 300}, Qt::Vertical);
 }
 

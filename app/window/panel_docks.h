@@ -39,13 +39,16 @@ struct Panel {
 /// The docks of the window's panels, and their first layout.
 class PanelDocks final {
  public:
-  PanelDocks(QMainWindow& window, const ActionCatalogue& actions) : window_(window), actions_(actions) {}
+  PanelDocks(QMainWindow& window, const ActionCatalogue& actions);
 
   void add(const Panel& panel);
   /// Lets Tab go through the panels in the order in which they were added.
   void orderTabStops();
-  /// Puts all docks and tool bars where they are at first.
+  /// Puts all docks and tool bars where they are at first: beside the scene on both sides, or, where the window may not
+  /// be as large as that, all as tabs of one column.
   void arrange();
+  /// The window may be so large, pixels. Arranges the docks anew where they do not fit.
+  void setRoom(const QSize& room);
 
  private:
   struct Dock {
@@ -54,10 +57,17 @@ class PanelDocks final {
   };
   QDockWidget* firstOf(DockPlace place) const;
   int usualRightWidth() const;
+  void tabify(QDockWidget* first, DockPlace place);
+  bool isSmall() const;
+  void showTitles();
+  /// Sizes of texts beside the usual one.
+  double textScale() const;
 
   QMainWindow& window_;
   const ActionCatalogue& actions_;
   std::vector<Dock> docks_;
+  QSize room_{1280, 720};
+  bool inOneColumn_ = false;
 };
 
 }  // namespace glissade

@@ -18,7 +18,6 @@
 #include "engine/scenario/product_name.h"
 #include "engine/scenario/scenario_bodies.h"
 #include "engine/scenario/sequence_knowledge.h"
-#include "engine/sequence/exploded_view.h"
 #include "engine/sequence/plan_bodies.h"
 #include "engine/study/plan_graph.h"
 #include "widgets/commands/diagnostic_text.h"
@@ -80,7 +79,10 @@ SequenceController::SequenceController(const Workbench& bench)
   connect(panel_, &SequencePanel::stuckChosen, this, &SequenceController::showStuck);
   connect(panel_, &SequencePanel::playbackEnded, this, [this] { bench_.actions["sequence.play"]->setChecked(false); });
   connect(&bench.document, &WorkbenchDocument::changed, this, &SequenceController::followDocument);
-  connect(&bench.document.semantics(), &SemanticDocument::selectionChanged, this, &SequenceController::enableActions);
+  connect(&bench.document.semantics(), &SemanticDocument::selectionChanged, this, [this] {
+    panel_->showBodies(bench_.document.semantics().selectedBodies());
+    enableActions();
+  });
   connectActions();
   enableActions();
   addSequenceCommands(bench, *this);
@@ -194,7 +196,7 @@ void SequenceController::setPlan(const ShownPlan& shown) {
   film_.cancel();
   const bool there = shown.product && shown.plan;
   playback_ = there ? PlanPlayback(*shown.product, *shown.plan) : PlanPlayback();
-  offsets_ = there ? explodedOffsets(*shown.product, *shown.plan) : std::vector<Vector3>();
+  exploded_ = there ? ExplodedView(*shown.product, *shown.plan) : ExplodedView();
   panel_->setAtOnce(bench_.work.isAtOnce());
   panel_->setPlan(shown);
   updateGraph();
@@ -359,12 +361,14 @@ void SequenceController::showScene(double time, double exploded) {
   SequencePicture picture;
   if (plan.plan && !plan.plan->steps.empty() && (time > 0.0 || exploded > 0.0)) {
     const std::vector<PlayedBody> played = playback_.at(time);
+    const std::vector<Pose> apart = exploded_.at(exploded);
     const bool aside = bench_.actions["sequence.aside"]->isChecked();
     const LoadedScenario& scenario = *bench_.document.scenario();
     for (std::size_t i = 0; i < played.size(); ++i) {
-      const Pose X_WB = played[i].moved * rigidBodyAt(i, scenario).X_WB;
-      const Vector3 apart = played[i].left ? Vector3(Vector3::Zero()) : Vector3(exploded * offsets_[i]);
-      picture.bodies.push_back({{X_WB.position + apart, X_WB.orientation}, aside || !played[i].left, played[i].moves});
+      // A body that is apart does not go back for its step.
+      const Pose& moved = played[i].left || exploded == 0.0 ? played[i].moved : apart[i];
+      const Pose X_WB = moved * rigidBodyAt(i, scenario).X_WB;
+      picture.bodies.push_back({X_WB, aside || !played[i].left, played[i].moves});
     }
     const auto step = static_cast<std::size_t>(time);
     const bool onItsWay = std::any_of(played.begin(), played.end(), [](const PlayedBody& body) { return body.moves; });

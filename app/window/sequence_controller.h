@@ -8,6 +8,7 @@
 #include "app/window/sequence_hand.h"
 #include "app/window/work_times_store.h"
 #include "app/window/workbench.h"
+#include "engine/sequence/exploded_view.h"
 #include "engine/sequence/plan_playback.h"
 #include "widgets/bridge/sequence_planner.h"
 #include "widgets/panels/sequence_panel.h"
@@ -106,7 +107,7 @@ class SequenceController final : public QObject {
   WorkTimesStore workTimes_;
   std::size_t knownSteps_ = 0;  ///< of the plan that planning has begun with
   PlanPlayback playback_;
-  std::vector<Vector3> offsets_;  ///< of the exploded view
+  ExplodedView exploded_;
   PlanGraphView* graph_ = nullptr;
   InstructionController* instructions_;
   FilmJob film_;

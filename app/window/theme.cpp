@@ -56,6 +56,7 @@ QString styleSheetFrom(const Tones& tones) {
              "QToolButton { padding: 3px 6px; border: 1px solid transparent; border-radius: 4px; }"
              "QDockWidget QToolButton { border: 1px solid %2; background: %3; }"
              "#qt_toolbar_ext_button { padding: 0px; min-width: 14px; }"  // what a narrow window has no room for
+             "QTabBar QToolButton { padding: 0px; border: 1px solid %2; background: %3; }"  // tabs without room
              "QToolButton:hover { background: %3; border: 1px solid %2; }"
              "QToolButton:checked { background: %4; color: white; }"
              "QToolButton:focus { border: 1px solid %4; }"

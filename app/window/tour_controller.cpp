@@ -7,6 +7,8 @@
 
 #include <sstream>
 
+#include "app/window/sample_scenarios.h"
+
 namespace glissade {
 namespace {
 
@@ -61,7 +63,8 @@ TourController::TourController(const Workbench& bench)
       bench_(bench),
       panel_(new TourPanel(bench.scene.widget())),
       frame_(new TourFrame(&bench.window)),
-      escape_(new QShortcut(Qt::Key_Escape, &bench.window)) {
+      escape_(new QShortcut(Qt::Key_Escape, &bench.window)),
+      samples_(samplesFolder(QCoreApplication::applicationDirPath())) {
   bench.onAction("help.tour", this, [this] { start(); });
   connect(panel_, &TourPanel::next, this, &TourController::next);
   connect(panel_, &TourPanel::back, this, [this] { go(*current_ - 1); });
@@ -131,8 +134,12 @@ Outcome TourController::doStep() {
   const std::size_t before = *current_;
   for (const char* line : step().commands) {
     ScriptCommands::Words words = wordsOf(line, folder_.filePath(QStringLiteral("report.html")));
-    const std::string name = words.front();
+    std::string name = words.front();
     words.erase(words.begin());
+    if (name == "open-sample" && isOfTour(bench_)) {
+      name = "open";  // without a question
+      words[0] = samples_.filePath(QString::fromStdString(words[0])).toStdString();
+    }
     if (const Outcome done = bench_.scripts.carryOut(name, words); !done) return done;
   }
   if (current_ == before && step().isDone == nullptr) next();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QDir>
 #include <QShortcut>
 #include <QTemporaryDir>
 
@@ -39,7 +40,8 @@ class TourController final : public QObject {
   QShortcut* escape_;
   std::optional<std::size_t> current_;  ///< none: no tour
   bool isDone_ = false;                 ///< the current step
-  QTemporaryDir folder_;                ///< of what the tour writes
+  QDir samples_;
+  QTemporaryDir folder_;  ///< of what the tour writes
 };
 
 /// The part of the window that stands for an action (its button, or the menu that holds it) or that a widget of this

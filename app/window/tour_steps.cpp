@@ -36,6 +36,10 @@ bool hasSequence(const Workbench& bench) { return bench.actions["sequence.export
 
 }  // namespace
 
+bool isOfTour(const Workbench& bench) {
+  return (isTeachingOpen(bench) || areBracketsOpen(bench)) && bench.document.undoStack().isClean();
+}
+
 const std::vector<TourStep>& tourSteps() {
   static const std::vector<TourStep> steps{
       {QT_TRANSLATE_NOOP("Tour", "Open a scenario"),
@@ -57,16 +61,18 @@ const std::vector<TourStep>& tourSteps() {
        arePlacesShown},
       {QT_TRANSLATE_NOOP("Tour", "Plan with topology"),
        QT_TRANSLATE_NOOP("Tour",
-                         "Choose the strategy GT and press Start (F5). GT takes the shortest way through the places. "
-                         "It leads through the slot P6, which is too narrow, and the run ends there: the panel Plan "
+                         "In the list of strategies (panel Interaction), choose Advanced, then Shortest way through "
+                         "places (GT), and press Start (F5). The way leads through the slot P6, which is too narrow, "
+                         "and the run ends there: the panel Plan "
                          "says where and why."),
        "strategy",
        {"select-strategy gt", "action run.start"},
        hasRunGt},
       {QT_TRANSLATE_NOOP("Tour", "Plan with semantics"),
-       QT_TRANSLATE_NOOP("Tour",
-                         "Choose the strategy GTS and press Start (F5). GTS knows that the object does not fit through "
-                         "the slot and goes through P5. The path that it finds is proved free of penetration."),
+       QT_TRANSLATE_NOOP(
+           "Tour",
+           "Choose the strategy Layers and press Start (F5). It knows that the object does not fit through "
+           "the slot and goes through P5. The path that it finds is proved free of penetration."),
        "strategy",
        {"select-strategy gts", "action run.start"},
        hasSolvedByGts},
@@ -79,10 +85,11 @@ const std::vector<TourStep>& tourSteps() {
        {"select step 2"},
        isStepChosen},
       {QT_TRANSLATE_NOOP("Tour", "Open parts"),
-       QT_TRANSLATE_NOOP("Tour",
-                         "Now parts. Open the sample \"Bolted brackets\" (samples/bolted-brackets): two brackets on a "
-                         "plate, with bolts, a rod and nuts. With parts of your own, begin with File > New from parts "
-                         "(Ctrl+N): STEP, mesh or URDF files."),
+       QT_TRANSLATE_NOOP(
+           "Tour",
+           "Now parts. Press Do it for me: it opens the sample \"Bolted brackets\" in place of the one that "
+           "is open. It has two brackets on a plate, with bolts, a rod and nuts. With parts of your own, "
+           "begin with File > New from parts (Ctrl+N): STEP, mesh or URDF files."),
        "file.open",
        {"open-sample bolted-brackets/scenario.json"},
        areBracketsOpen},
@@ -121,8 +128,9 @@ const std::vector<TourStep>& tourSteps() {
       {QT_TRANSLATE_NOOP("Tour", "Write the instruction"),
        QT_TRANSLATE_NOOP(
            "Tour",
-           "The slider Explode in the panel Sequence moves the parts apart. Choose Assembly > Save the "
-           "sequence (Ctrl+Alt+E) and a name that ends in .html or .pdf: a work instruction with a picture "
+           "The slider Explode in the panel Sequence moves the parts apart, in the order in which they leave. Choose "
+           "Assembly > Sequence > Save the sequence (Ctrl+Alt+E) and a name that ends in .html or .pdf: a work "
+           "instruction with a picture "
            "of each step. Shift+F1 explains anything in the window; Ctrl+K finds any command."),
        "sequence.export",
        {"explode 1", "export-sequence {report}"},

@@ -17,6 +17,9 @@ struct TourStep {
   bool (*isDone)(const Workbench& bench);
 };
 
+/// A sample of the tour is open, and holds nothing but what the tour has made: it can be closed without a question.
+bool isOfTour(const Workbench& bench);
+
 /// Five with the teaching scenario, then six with parts that touch.
 const std::vector<TourStep>& tourSteps();
 

@@ -5,6 +5,7 @@
 #include "widgets/commands/length_text.h"
 #include "widgets/scene3d/camera_controller.h"
 #include "widgets/scene3d/label_overlay.h"
+#include "widgets/scene3d/legend_overlay.h"
 #include "widgets/scene3d/scale_bar.h"
 #include "widgets/scene3d/view_cube.h"
 
@@ -20,7 +21,6 @@ constexpr const char* kCameraActions[] = {"view.fit",   "view.zoom-selection", "
 
 ViewController::ViewController(const Workbench& bench) : QObject(&bench.window), bench_(bench) {
   QWidget* widget = bench.scene.widget();
-  new LabelOverlay(bench.scene.view(), widget);
   addNavigationAids();
   widget->installEventFilter(this);
   showGridUnit();
@@ -40,6 +40,9 @@ ViewController::ViewController(const Workbench& bench) : QObject(&bench.window),
 void ViewController::addNavigationAids() {
   auto* cube = new ViewCube(bench_.scene.view(), bench_.scene.widget());
   auto* scale = new ScaleBar(bench_.scene.view(), bench_.scene.widget());
+  auto* legend = new LegendOverlay(bench_.scene.view(), bench_.scene.widget());
+  new LabelOverlay(bench_.scene.view(), *legend, bench_.scene.widget());
+  connect(bench_.actions["layer.legend"], &QAction::toggled, legend, &QWidget::setVisible);
   for (QWidget* aid : {static_cast<QWidget*>(cube), static_cast<QWidget*>(scale)}) {
     aid->hide();
     connect(&bench_.document, &WorkbenchDocument::changedForView, aid, [aid](Changes what) {

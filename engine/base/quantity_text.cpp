@@ -1,7 +1,11 @@
 #include "engine/base/quantity_text.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdio>
 #include <numbers>
+#include <sstream>
 
 #include "engine/base/number_text.h"
 
@@ -53,5 +57,27 @@ std::optional<double> quantityOf(std::string_view text, const std::array<Unit, N
 std::optional<double> toMetres(std::string_view text, double unit) { return quantityOf(text, kLengths, unit); }
 
 std::optional<double> toRadians(std::string_view text, double unit) { return quantityOf(text, kAngles, unit); }
+
+std::string inMillimetres(double metres) {
+  constexpr int kSignificantDigits = 3;
+  constexpr int kMostDecimals = 9;
+  const double value = 1e3 * metres;
+  const double size = std::abs(value);
+  const bool hasDigits = size > 0.0 && std::isfinite(size);
+  const int before = hasDigits ? static_cast<int>(std::floor(std::log10(size))) + 1 : kSignificantDigits;
+  std::array<char, 400> text{};
+  (void)std::snprintf(text.data(), text.size(), "%.*f", std::clamp(kSignificantDigits - before, 0, kMostDecimals),
+                      value);
+  std::string words = text.data();
+  if (words.find('.') != std::string::npos) words.erase(words.find_last_not_of('0') + 1);
+  if (words.back() == '.') words.pop_back();
+  return words + " mm";
+}
+
+std::string millimetresUp(double metres) {
+  std::ostringstream text;
+  text << std::ceil(metres * 1e5) / 1e2 << "mm";
+  return text.str();
+}
 
 }  // namespace glissade

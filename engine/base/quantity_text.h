@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace glissade {
@@ -12,5 +13,12 @@ std::optional<double> toMetres(std::string_view text, double unit);
 /// Radians of an angle as people write it: 30 deg, 30°, 0.1 rad. A number without a unit counts in `unit` radians.
 /// Nothing where the text is no angle.
 std::optional<double> toRadians(std::string_view text, double unit);
+
+/// "0.41 mm": three significant digits without zeros at the end. Every length in the engine's sentences, and in what
+/// the command line prints for people, is written by this function.
+std::string inMillimetres(double metres);
+
+/// "0.41mm": an option's value that is not below the length, in hundredths.
+std::string millimetresUp(double metres);
 
 }  // namespace glissade

@@ -1,4 +1,5 @@
 #include "engine/check/verdict_report.h"
+#include "engine/base/quantity_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -120,7 +121,8 @@ Report allowancesJson(const std::vector<AppliedAllowance>& allowances) {
 std::string triangleWords(double deviation) {
   if (deviation <= 0.0) return {};
   std::ostringstream text;
-  text << "the certificate is about triangles, which are within +/- " << deviation * 1e3 << " mm of the CAD surfaces\n";
+  text << "the certificate is about triangles, which are within +/- " << inMillimetres(deviation)
+       << " of the CAD surfaces\n";
   return text.str();
 }
 
@@ -251,8 +253,8 @@ std::string reportText(const PlanVerdict& verdict, const Product& product) {
     text << verdict.stepsWithoutProof() << " steps of flexible bodies have no proof\n";
   }
   if (verdict.deviation > 0.0) {
-    text << "the certificates are about triangles, which are within +/- " << verdict.deviation * 1e3
-         << " mm of the CAD surfaces\n";
+    text << "the certificates are about triangles, which are within +/- " << inMillimetres(verdict.deviation)
+         << " of the CAD surfaces\n";
   }
   return text.str();
 }

@@ -1,15 +1,8 @@
 #include "engine/check/verdict_words.h"
 
-#include <sstream>
+#include "engine/base/quantity_text.h"
 
 namespace glissade::check {
-
-std::string inMillimetres(double metres) {
-  std::ostringstream text;
-  text.precision(4);
-  text << metres * 1e3 << " mm";
-  return text.str();
-}
 
 std::string pairInWords(const std::string& one, const std::string& other) {
   return "'" + one + "' and '" + other + "'";

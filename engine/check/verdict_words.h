@@ -6,9 +6,6 @@
 
 namespace glissade::check {
 
-/// "0.801 mm".
-std::string inMillimetres(double metres);
-
 /// "'knob' and 'lip'".
 std::string pairInWords(const std::string& one, const std::string& other);
 

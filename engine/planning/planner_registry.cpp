@@ -43,8 +43,8 @@ void addFirstPapersPlanners(PlannerRegistry& registry) {
                   "You steer the object and the computer searches with you; near an obstacle the object slides "
                   "on it (Blin et al. 2016, Algorithm 1).",
                   OperatorUse::GuideAndContact));
-  registry.add(
-      interactive("birrt", "BiRRT", "The computer alone: the same planner with an authority of 1.", OperatorUse::None));
+  registry.add(interactive("birrt", "Two trees, without you",
+                           "The computer alone: the same planner with an authority of 1.", OperatorUse::None));
 }
 
 void addOmplPlanners(PlannerRegistry& registry) {
@@ -54,18 +54,19 @@ void addOmplPlanners(PlannerRegistry& registry) {
                     return std::make_unique<OmplPlanner>(problem, seed, algorithm);
                   }});
   };
-  add("ompl-rrtconnect", "OMPL: RRT-Connect", "Two trees that grow towards each other (Kuffner and LaValle 2000).",
-      OmplAlgorithm::RrtConnect);
-  add("ompl-bkpiece", "OMPL: BKPIECE",
+  add("ompl-rrtconnect", "Two trees of OMPL (RRT-Connect)",
+      "Two trees that grow towards each other (Kuffner and LaValle 2000).", OmplAlgorithm::RrtConnect);
+  add("ompl-bkpiece", "Cells explored, of OMPL (BKPIECE)",
       "Two trees that grow from the border of the cells explored (Sucan and Kavraki 2009).", OmplAlgorithm::Bkpiece);
-  add("ompl-prm", "OMPL: PRM", "A roadmap of the whole space (Kavraki et al. 1996).", OmplAlgorithm::Prm);
-  add("ompl-est", "OMPL: EST", "One tree that grows where it is sparse (Hsu et al. 1999).", OmplAlgorithm::Est);
+  add("ompl-prm", "Roadmap of OMPL (PRM)", "A roadmap of the whole space (Kavraki et al. 1996).", OmplAlgorithm::Prm);
+  add("ompl-est", "One tree of OMPL (EST)", "One tree that grows where it is sparse (Hsu et al. 1999).",
+      OmplAlgorithm::Est);
 }
 
 /// To be measured beside ours.
 void addPeers(PlannerRegistry& registry) {
   const auto add = [&](std::string id, const std::string& algorithm, OmplAlgorithm which) {
-    registry.add({std::move(id), "OMPL unmodified: " + algorithm,
+    registry.add({std::move(id), "For comparison: unmodified " + algorithm,
                   algorithm + " as OMPL's users run it: collisions by FCL, edges looked at every so often; the first "
                               "path is judged by our certificate.",
                   false, false, [which](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {
@@ -115,30 +116,30 @@ PlannerRegistry allWholePlanners() {
                   return std::make_unique<AutomaticPlanner>(problem, seed);
                 }});
   addFirstPapersPlanners(registry);
-  registry.add(interactive("interactive-birrt", "Interactive BiRRT",
+  registry.add(interactive("interactive-birrt", "Interactive without contact",
                            "Operator and computer share authority, no contact sampling (Blin et al. 2016, table I).",
                            OperatorUse::Guide));
-  registry.add(interactive("contact-first-birrt", "Interactive BiRRT, contact first",
+  registry.add(interactive("contact-first-birrt", "Interactive, contact first",
                            "As the papers' software of 2016: near an obstacle contact sampling pre-empts the "
                            "authority draw.",
                            OperatorUse::ContactFirst));
-  registry.add({"g", "G: geometry", "One RRT in the whole workspace (Cailhol et al. 2019, section 6.1).", false, false,
+  registry.add({"g", "One tree (G)", "One RRT in the whole workspace (Cailhol et al. 2019, section 6.1).", false, false,
                 [](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {
                   return std::make_unique<Rrt>(problem, seed, Rrt::Limit::GlobalSamples);
                 }});
-  registry.add(multiLayer("gt", "GT: and topology",
+  registry.add(multiLayer("gt", "Shortest way through places (GT)",
                           "The shortest way through the places, RRT in each of them "
                           "(Cailhol et al. 2019, section 6.1)."));
-  registry.add(multiLayer("gts1", "GTS1: and semantics, same shape",
+  registry.add(multiLayer("gts1", "Places: holes of the same shape (GTS1)",
                           "Holes of the object's shape and easy places "
                           "first (Cailhol et al. 2019, section 6.2)."));
-  registry.add(multiLayer("gts2", "GTS2: and semantics, compatible",
+  registry.add(multiLayer("gts2", "Places: holes that fit (GTS2)",
                           "Holes that the object fits and easy places "
                           "first (Cailhol et al. 2019, section 6.2, table 1)."));
-  registry.add(multiLayer("gts", "GTS: in a loop, with scores",
-                          "Computed compatibility as a score, passages crossed "
-                          "where they fit best, and the next best way where one fails."));
-  registry.add(multiLayer("own", "Own rules", "The rules of the scenario."));
+  registry.add(multiLayer("gts", "Layers",
+                          "Geometry, places and semantics (GTS): the object goes through the passages that "
+                          "it fits best, and takes the next best way where one fails."));
+  registry.add(multiLayer("own", "Places: own rules", "The rules of the scenario."));
   addOmplPlanners(registry);
   addPeers(registry);
   return registry;

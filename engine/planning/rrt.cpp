@@ -26,7 +26,7 @@ bool Rrt::solve(PlannerHost& host) {
     if (!path_ && limit_ == Limit::GlobalSamples &&
         static_cast<double>(counts_.randomConfigurations) >= host.parameters()[ParameterId::GlobalSamples]) {
       failure_ = Diagnostic{ErrorKind::LimitReached, "", "", "strategy G found no path within its limit of samples",
-                            "Raise --global-samples, or use strategy GTS."};
+                            "Raise --global-samples, or use the strategy Layers (gts)."};
     }
     if (!host.afterStep()) break;
   }

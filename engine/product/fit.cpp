@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-#include "engine/product/length_words.h"
+#include "engine/base/quantity_text.h"
 
 namespace glissade {
 namespace {

@@ -1,6 +1,6 @@
 #include "engine/product/fit_refusals.h"
 
-#include "engine/product/length_words.h"
+#include "engine/base/quantity_text.h"
 
 namespace glissade {
 

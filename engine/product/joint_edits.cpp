@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <set>
 
+#include "engine/base/quantity_text.h"
 #include "engine/check/hook.h"
 #include "engine/product/designation.h"
 #include "engine/product/joint_order.h"
-#include "engine/product/length_words.h"
 #include "engine/product/product_shapes.h"
 
 namespace glissade {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/product/length_words.h"
+#include "engine/base/quantity_text.h"
 #include "engine/product/thread_pitch.h"
 
 namespace glissade {

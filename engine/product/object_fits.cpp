@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 #include <memory>
-#include <sstream>
 
+#include "engine/base/quantity_text.h"
 #include "engine/product/common_axis.h"
 #include "engine/product/fit_refusals.h"
 #include "engine/product/fit_words.h"
 #include "engine/product/giving_way.h"
-#include "engine/product/length_words.h"
 #include "engine/product/loose_nut.h"
 #include "engine/product/modelled_thread.h"
 #include "engine/product/thread_pitch.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "engine/product/length_words.h"
+#include "engine/base/quantity_text.h"
 
 namespace glissade {
 namespace {

@@ -8,7 +8,7 @@
 #include <set>
 #include <string_view>
 
-#include "engine/product/length_words.h"
+#include "engine/base/quantity_text.h"
 #include "engine/product/snap_ways.h"
 
 namespace glissade {

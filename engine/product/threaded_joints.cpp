@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "engine/product/length_words.h"
+#include "engine/base/quantity_text.h"
 #include "engine/product/loose_nut.h"
 #include "engine/product/shaft_helix.h"
 #include "engine/product/thread_pitch.h"

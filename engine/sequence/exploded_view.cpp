@@ -12,11 +12,19 @@ namespace {
 
 /// Between the boxes of two bodies, as a share of the product's diagonal.
 constexpr double kGapShare = 0.025;
-
-Box3 worldBox(const RigidBody& body) { return boundingBox(*body.mesh, body.X_WB); }
+/// Samples of a way: turns of a third of a radian, and at least so many.
+constexpr double kSampleRadii = 0.33;
+constexpr double kFewestSamples = 32.0;
+constexpr double kMostSamples = 400.0;
 
 Box3 widened(const Box3& box, double by) {
   return {box.min() - Vector3::Constant(by), box.max() + Vector3::Constant(by)};
+}
+
+Box3 moved(const Box3& box, const Pose& by) {
+  Box3 all;
+  for (int corner = 0; corner < 8; ++corner) all.extend(by * box.corner(static_cast<Box3::CornerType>(corner)));
+  return all;
 }
 
 /// From where to where along the direction the moving box meets the other one; empty (first > second) where never.
@@ -52,45 +60,131 @@ double clearDistance(const Box3& moving, const Vector3& direction, const std::ve
   return distance;
 }
 
-/// The body that the step's body was attached to: whose fit overlaps it most, else the nearest one.
-std::optional<std::size_t> carrierOf(const AssemblyStep& step, const AssembledProduct& product) {
-  const auto deepest =
-      std::max_element(step.allowances.begin(), step.allowances.end(),
-                       [](const StepAllowance& a, const StepAllowance& b) { return a.overlap < b.overlap; });
-  if (deepest != step.allowances.end()) return product.indexOf(deepest->body);
-  return step.proof.nearest.empty() ? std::nullopt : product.indexOf(step.proof.nearest);
+/// The direction in which a body goes on after its path: that of the path, if a plane between the body and what stands
+/// then stays between them; else away from such a plane.
+Vector3 directionBeyond(const Box3& body, const Box3& standing, const Vector3& direction) {
+  Vector3 away = direction;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double side : {-1.0, 1.0}) {
+      const bool between =
+          side > 0.0 ? body.min()[axis] >= standing.max()[axis] : body.max()[axis] <= standing.min()[axis];
+      if (!between) continue;
+      if (side * direction[axis] >= 0.0) return direction;
+      away = side * Vector3::Unit(axis);
+    }
+  }
+  return away;
 }
 
 }  // namespace
 
-std::vector<Vector3> explodedOffsets(const AssembledProduct& product, const AssemblyPlan& plan) {
-  std::vector<Vector3> offsets(product.bodies.size(), Vector3::Zero());
-  BodySet leaves(product.bodies.size(), false);
+/// Finds where the steps stop, the last one first.
+class ExplodedView::Placement {
+ public:
+  Placement(const AssembledProduct& product, const std::vector<Step>& steps) {
+    std::vector<bool> leaves(product.bodies.size(), false);
+    for (const Step& step : steps) {
+      for (const std::size_t body : step.bodies) leaves[body] = true;
+    }
+    Box3 whole;
+    for (std::size_t body = 0; body < product.bodies.size(); ++body) {
+      boxes_.push_back(boundingBox(*product.bodies[body].mesh, product.bodies[body].X_WB));
+      whole.extend(boxes_.back());
+      if (!leaves[body]) stand(boxes_.back());
+    }
+    gap_ = kGapShare * whole.diagonal().norm();
+  }
+
+  void place(Step& step, const Vector3& exit) {
+    const double samples = samplesOf(step);
+    const double length = step.way.length();
+    double sample = 0.0;
+    while (sample <= samples && !isClear(step, step.way.movedAt(length * sample / samples))) ++sample;
+    step.along = length * std::min(1.0, sample / samples);
+    if (sample > samples) goBeyond(step, exit);
+    takeRoom(step, std::min(samples, std::max(1.0, sample)));
+  }
+
+ private:
+  static double samplesOf(const Step& step) {
+    return std::clamp(std::ceil(step.way.length() / (kSampleRadii * step.way.radius())), kFewestSamples, kMostSamples);
+  }
+
+  void stand(const Box3& box) {
+    taken_.push_back(box);
+    standing_.extend(box);
+  }
+
+  Box3 boxOf(const Step& step, const Pose& by) const {
+    Box3 all;
+    for (const std::size_t body : step.bodies) all.extend(moved(boxes_[body], by));
+    return all;
+  }
+
+  bool isClear(const Step& step, const Pose& by) const {
+    const Box3 box = widened(boxOf(step, by), gap_);
+    return std::none_of(taken_.begin(), taken_.end(), [&box](const Box3& other) { return other.intersects(box); });
+  }
+
+  void goBeyond(Step& step, const Vector3& exit) const {
+    const Box3 box = boxOf(step, step.way.movedAt(step.along));
+    const Vector3 direction = directionBeyond(box, standing_, exit);
+    step.beyond = clearDistance(widened(box, gap_), direction, taken_) * direction;
+  }
+
+  /// The room that the bodies need on their way: those that move before stay out of it.
+  void takeRoom(const Step& step, double samples) {
+    for (const std::size_t body : step.bodies) {
+      const Box3& box = boxes_[body];
+      stand(box);
+      Box3 before = box;
+      for (double sample = 1.0; sample <= samples; ++sample) {
+        const Box3 after = moved(box, step.way.movedAt(step.along * sample / samples));
+        takePiece(before.merged(after));
+        before = after;
+      }
+      takePiece(before.merged(before.translated(step.beyond)));
+    }
+  }
+
+  /// Pieces of straight motions along an axis are one box.
+  void takePiece(const Box3& piece) {
+    const Box3 both = taken_.back().merged(piece);
+    const double room = taken_.back().volume() + piece.volume() - taken_.back().intersection(piece).volume();
+    if (both.volume() <= room * (1.0 + 1e-9)) {
+      taken_.back() = both;
+    } else {
+      taken_.push_back(piece);
+    }
+  }
+
+  std::vector<Box3> boxes_;  ///< of the bodies, assembled
+  std::vector<Box3> taken_;  ///< by bodies that stay, and by those that move later
+  Box3 standing_;            ///< of all bodies that stay or move later, assembled
+  double gap_ = 0.0;
+};
+
+Pose ExplodedView::Step::movedAt(double way) const {
+  if (way <= along) return this->way.movedAt(way);
+  return Pose::translation((way - along) * beyond.normalized()) * this->way.movedAt(along);
+}
+
+ExplodedView::ExplodedView(const AssembledProduct& product, const AssemblyPlan& plan) : bodies_(product.bodies.size()) {
   for (const AssemblyStep& step : plan.steps) {
-    for (const std::size_t body : bodiesOf(step, product)) leaves[body] = true;
+    const std::vector<std::size_t> bodies = bodiesOf(step, product);
+    steps_.push_back({bodies, StepWay(step, product.bodies[bodies.front()])});
   }
-  Box3 whole;
-  std::vector<Box3> placed;
-  for (std::size_t body = 0; body < product.bodies.size(); ++body) {
-    const Box3 box = worldBox(product.bodies[body]);
-    whole.extend(box);
-    if (!leaves[body]) placed.push_back(box);
+  Placement placement(product, steps_);
+  for (std::size_t i = steps_.size(); i-- > 0;) placement.place(steps_[i], exitDirection(plan.steps[i].path));
+}
+
+std::vector<Pose> ExplodedView::at(double share) const {
+  std::vector<Pose> poses(bodies_, Pose::identity());
+  for (std::size_t i = 0; i < steps_.size(); ++i) {
+    const double done = std::clamp(share * static_cast<double>(steps_.size()) - static_cast<double>(i), 0.0, 1.0);
+    for (const std::size_t body : steps_[i].bodies) poses[body] = steps_[i].movedAt(done * steps_[i].length());
   }
-  const double gap = kGapShare * whole.diagonal().norm();
-  for (auto step = plan.steps.rbegin(); step != plan.steps.rend(); ++step) {
-    const std::vector<std::size_t> bodies = bodiesOf(*step, product);
-    const auto carrier = carrierOf(*step, product);
-    const Vector3 carried = carrier ? offsets[*carrier] : Vector3(Vector3::Zero());
-    const Vector3 direction = exitDirection(step->path);
-    Box3 box;
-    for (const std::size_t body : bodies) box.extend(worldBox(product.bodies[body]));
-    box.translate(carried);
-    const Vector3 offset = carried + clearDistance(widened(box, gap), direction, placed) * direction;
-    box.translate(offset - carried);
-    placed.push_back(box);
-    for (const std::size_t body : bodies) offsets[body] = offset;
-  }
-  return offsets;
+  return poses;
 }
 
 }  // namespace glissade

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "engine/geometry/se3_metric.h"
 #include "engine/sequence/assembly_plan.h"
 #include "engine/sequence/body_group.h"
+#include "engine/sequence/step_way.h"
 
 namespace glissade {
 
@@ -29,10 +29,8 @@ class PlanPlayback {
  private:
   struct Step {
     std::vector<std::size_t> bodies;
-    std::vector<Pose> way;
-    std::vector<double> arrival;  ///< metric length from the start to each configuration
+    StepWay way;
   };
-  static Pose moved(const Step& step, double share);
 
   std::size_t bodies_ = 0;
   std::vector<Step> steps_;

@@ -25,6 +25,11 @@ constexpr double kMotionShare = 0.4;
 constexpr double kFromBelow = 0.5;
 constexpr double kSteep = 0.7;  // sine of the slope of such a motion
 
+/// A person looks from elsewhere where less of a part is seen, and clearly more is seen from there.
+constexpr double kWellSeen = 0.3;
+constexpr double kClearlyMore = 1.5;
+constexpr double kLeastSeen = 0.02;
+
 struct SurfacePoint {
   Vector3 p_W;
   Vector3 n_W;
@@ -72,8 +77,25 @@ bool StepView::isHidden(const Vector3& p_W, const BodySet& present, const Vector
   return false;
 }
 
-double StepView::shareSeen(std::size_t body, const BodySet& present, const Viewpoint& from) {
-  const Vector3 toEye = from.toEye();
+std::optional<Vector3> StepView::betterEye(const AssemblyStep& step, const BodySet& present, const Vector3& toEye) {
+  const std::size_t body = bodiesOf(step, product_).front();
+  const double seen = shareSeen(body, present, toEye);
+  if (seen >= kWellSeen) return std::nullopt;
+  std::optional<Vector3> better;
+  double best = kClearlyMore * std::max(seen, kLeastSeen);
+  for (const bool over : {false, true}) {
+    for (const int quarter : {0, 1, 3, 2}) {
+      const Vector3 other = Viewpoint{quarter, over}.toEye();
+      const double value = shareSeen(body, present, other);
+      if (value <= best) continue;
+      best = value;
+      better = other;
+    }
+  }
+  return better;
+}
+
+double StepView::shareSeen(std::size_t body, const BodySet& present, const Vector3& toEye) {
   double visible = 0.0;
   double whole = 0.0;
   for (const SurfacePoint& point : surfacePoints(product_.bodies[body])) {
@@ -92,7 +114,7 @@ double StepView::score(const std::vector<AssemblyStep>& steps, const BodySet& pr
     const Vector3 exit = exitDirection(step.path);
     const double aside = exit.cross(from.toEye()).norm();
     const double handling = exit.dot(from.up()) < -kSteep ? kFromBelow : 1.0;
-    const double seen = shareSeen(bodiesOf(step, product_).front(), present, from);
+    const double seen = shareSeen(bodiesOf(step, product_).front(), present, from.toEye());
     sum += handling * (1.0 - kMotionShare + kMotionShare * aside) * (0.05 + seen);
   }
   return steps.empty() ? 0.0 : sum / static_cast<double>(steps.size());

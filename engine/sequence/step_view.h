@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "engine/geometry/triangle_tree.h"
 #include "engine/sequence/assembly_plan.h"
@@ -32,8 +33,11 @@ class StepView {
   /// the product.
   /// `steps`: what comes; `present`: all bodies that are there then, those that come among them.
   Viewpoint choose(const std::vector<AssemblyStep>& steps, const BodySet& present, const Viewpoint& before);
-  /// Share of the surface that faces the eye which no other body hides, from 0 to 1.
-  double shareSeen(std::size_t body, const BodySet& present, const Viewpoint& from);
+  /// The direction to an eye from which the bodies of a step are seen where they are assembled: of the viewpoints the
+  /// one that shows most of them. Nothing where most is seen already, or no viewpoint shows clearly more.
+  std::optional<Vector3> betterEye(const AssemblyStep& step, const BodySet& present, const Vector3& toEye);
+  /// Share of the surface that faces the eye which no other body hides, from 0 to 1. `toEye` is a unit vector.
+  double shareSeen(std::size_t body, const BodySet& present, const Vector3& toEye);
 
  private:
   const TriangleTree& treeOf(std::size_t body);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/quantity_text.h"
 #include "engine/sequence/step_motion.h"
 #include "engine/study/csv_table.h"
 #include "engine/study/plan_words.h"
@@ -21,7 +22,7 @@ double largestAllowance(const AssemblyStep& step) {
 void addStep(CsvTable& table, const AssemblyStep& step, std::size_t number, const AssembledProduct& product,
              PlanOrder order) {
   const auto nameOf = [&product](const std::string& id) { return product.bodies[*product.indexOf(id)].name; };
-  const PlanWords words(Language::English, lengthInMillimetres);
+  const PlanWords words(Language::English, inMillimetres);
   double length = 0.0;
   double turn = 0.0;
   for (const MotionLeg& leg : legsOf(step.path)) {

@@ -212,10 +212,6 @@ std::string nameOfStep(const AssemblyStep& step, const AssembledProduct& product
   return names;
 }
 
-std::string lengthInMillimetres(double metres) {
-  return decimals(1e3 * metres, std::abs(metres) < 1e-3 ? 4 : 1) + " mm";
-}
-
 std::string kindOfPart(const std::string& name) {
   const std::string last = lastStepOf(name);
   const std::size_t number = last.rfind('#');

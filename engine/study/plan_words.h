@@ -57,9 +57,6 @@ class PlanWords {
 /// Short names of the bodies that leave in a step: "bolt", or "bolt, nut" of a group.
 std::string nameOfStep(const AssemblyStep& step, const AssembledProduct& product);
 
-/// "62.0 mm", with a point in every language.
-std::string lengthInMillimetres(double metres);
-
 /// What people see of the body with this id; the id where the product has none.
 std::string shownNameOf(const std::string& id, const AssembledProduct& product);
 

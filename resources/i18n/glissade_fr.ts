@@ -20,10 +20,6 @@
         <translation>Le programme change les valeurs pendant le calcul, selon ce que l&apos;ordinateur, l&apos;opérateur et le contact ont apporté récemment. Un curseur que vous touchez reprend votre valeur.</translation>
     </message>
     <message>
-        <source>The free space is divided into cells, and cells of similar narrowness into places. Places overlap in borders. The strategies GT and GTS plan a coarse path through places first.</source>
-        <translation>L&apos;espace libre est divisé en cellules, et les cellules d&apos;étroitesse semblable forment des lieux. Les lieux se recouvrent aux frontières. Les stratégies GT et GTS planifient d&apos;abord un chemin grossier par les lieux.</translation>
-    </message>
-    <message>
         <source>The coarse path is planned again at once, also during a run. An edit of a place is saved with the scenario and can be undone.</source>
         <translation>Le chemin grossier est aussitôt replanifié, même pendant un calcul. La modification d&apos;un lieu est enregistrée avec le scénario et peut être annulée.</translation>
     </message>
@@ -74,6 +70,10 @@
     <message>
         <source>Screws, nuts, inserts, pins and rolling bearings are recognised by their shapes. Belts, clips, what is glued, and purchased units are suggested and count when you confirm them.</source>
         <translation>Les vis, écrous, inserts, goupilles et roulements sont reconnus à leur forme. Les courroies, les clips, ce qui est collé et les unités achetées sont proposés et comptent quand vous les confirmez.</translation>
+    </message>
+    <message>
+        <source>The free space is divided into cells, and cells of similar narrowness into places. Places overlap in borders. Layers and the strategies with places plan a coarse path through places first.</source>
+        <translation>L&apos;espace libre est divisé en cellules, et les cellules d&apos;étroitesse semblable forment des lieux. Les lieux se recouvrent aux frontières. Couches et les stratégies à lieux planifient d&apos;abord un chemin grossier par les lieux.</translation>
     </message>
 </context>
 <context>
@@ -1906,6 +1906,14 @@
         <source>Film the 3D view while the sequence is played: MP4, WebM or pictures</source>
         <translation>Filmer la vue 3D pendant la lecture de la séquence : MP4, WebM ou images</translation>
     </message>
+    <message>
+        <source>&amp;Legend</source>
+        <translation>Lége&amp;nde</translation>
+    </message>
+    <message>
+        <source>Say what the colours in the scene mean: a row for each thing that is drawn now</source>
+        <translation>Dire ce que signifient les couleurs de la scène&#xa0;: une ligne par chose dessinée en ce moment</translation>
+    </message>
 </context>
 <context>
     <name>Arranging</name>
@@ -2625,10 +2633,6 @@
     <message>
         <source>Widen the bounds.</source>
         <translation>Élargissez les bornes.</translation>
-    </message>
-    <message>
-        <source>Raise --global-samples, or use strategy GTS.</source>
-        <translation>Augmentez --global-samples, ou prenez la stratégie GTS.</translation>
     </message>
     <message>
         <source>the path through the threads could not be certified</source>
@@ -4467,10 +4471,6 @@
         <translation>le lieu %1 n&apos;a pas été traversé</translation>
     </message>
     <message>
-        <source>Change the semantic attributes, or use strategy GTS.</source>
-        <translation>Changez les attributs sémantiques, ou prenez la stratégie GTS.</translation>
-    </message>
-    <message>
         <source>the whole workspace</source>
         <translation>tout l&apos;espace de travail</translation>
     </message>
@@ -6282,6 +6282,14 @@
         <source>Install the package libjs-three, and save the page again.</source>
         <translation>Installez le paquet libjs-three, et enregistrez de nouveau la page.</translation>
     </message>
+    <message>
+        <source>Raise --global-samples, or use the strategy Layers (gts).</source>
+        <translation>Augmentez --global-samples, ou prenez la stratégie Couches (gts).</translation>
+    </message>
+    <message>
+        <source>Change the semantic attributes, or use the strategy Layers (gts).</source>
+        <translation>Changez les attributs sémantiques, ou prenez la stratégie Couches (gts).</translation>
+    </message>
 </context>
 <context>
     <name>FilmWriter</name>
@@ -6904,78 +6912,6 @@
 <context>
     <name>Planners</name>
     <message>
-        <source>Interactive BiRRT</source>
-        <translation>BiRRT interactif</translation>
-    </message>
-    <message>
-        <source>BiRRT</source>
-        <translation>BiRRT</translation>
-    </message>
-    <message>
-        <source>Interactive BiRRT, contact first</source>
-        <translation>BiRRT interactif, contact d&apos;abord</translation>
-    </message>
-    <message>
-        <source>G: geometry</source>
-        <translation>G&#xa0;: géométrie</translation>
-    </message>
-    <message>
-        <source>GT: and topology</source>
-        <translation>GT&#xa0;: avec topologie</translation>
-    </message>
-    <message>
-        <source>GTS1: and semantics, same shape</source>
-        <translation>GTS1&#xa0;: avec sémantique, même forme</translation>
-    </message>
-    <message>
-        <source>GTS2: and semantics, compatible</source>
-        <translation>GTS2&#xa0;: avec sémantique, compatibilité</translation>
-    </message>
-    <message>
-        <source>GTS: in a loop, with scores</source>
-        <translation>GTS&#xa0;: en boucle, avec scores</translation>
-    </message>
-    <message>
-        <source>Own rules</source>
-        <translation>Règles propres</translation>
-    </message>
-    <message>
-        <source>OMPL: RRT-Connect</source>
-        <translation>OMPL&#xa0;: RRT-Connect</translation>
-    </message>
-    <message>
-        <source>OMPL: BKPIECE</source>
-        <translation>OMPL&#xa0;: BKPIECE</translation>
-    </message>
-    <message>
-        <source>OMPL: PRM</source>
-        <translation>OMPL&#xa0;: PRM</translation>
-    </message>
-    <message>
-        <source>OMPL: EST</source>
-        <translation>OMPL&#xa0;: EST</translation>
-    </message>
-    <message>
-        <source>OMPL unmodified: RRT-Connect</source>
-        <translation>OMPL non modifié&#xa0;: RRT-Connect</translation>
-    </message>
-    <message>
-        <source>OMPL unmodified: RRT</source>
-        <translation>OMPL non modifié&#xa0;: RRT</translation>
-    </message>
-    <message>
-        <source>OMPL unmodified: TRRT</source>
-        <translation>OMPL non modifié&#xa0;: TRRT</translation>
-    </message>
-    <message>
-        <source>OMPL unmodified: BiTRRT</source>
-        <translation>OMPL non modifié&#xa0;: BiTRRT</translation>
-    </message>
-    <message>
-        <source>OMPL unmodified: BKPIECE</source>
-        <translation>OMPL non modifié&#xa0;: BKPIECE</translation>
-    </message>
-    <message>
         <source>Automatic</source>
         <translation>Automatique</translation>
     </message>
@@ -7020,10 +6956,6 @@
         <translation>D&apos;abord les trous où l&apos;objet passe et les lieux faciles (Cailhol et al. 2019, section 6.2, tableau 1).</translation>
     </message>
     <message>
-        <source>Computed compatibility as a score, passages crossed where they fit best, and the next best way where one fails.</source>
-        <translation>La compatibilité calculée sert de note, les passages sont franchis là où ils conviennent le mieux, et le trajet suivant est essayé après un échec.</translation>
-    </message>
-    <message>
         <source>The rules of the scenario.</source>
         <translation>Les règles du scénario.</translation>
     </message>
@@ -7062,6 +6994,82 @@
     <message>
         <source>BKPIECE as OMPL&apos;s users run it: collisions by FCL, edges looked at every so often; the first path is judged by our certificate.</source>
         <translation>BKPIECE tel que l&apos;emploient les utilisateurs d&apos;OMPL&#xa0;: collisions par FCL, arêtes vérifiées par points&#xa0;; le premier chemin est jugé par notre certificat.</translation>
+    </message>
+    <message>
+        <source>Interactive without contact</source>
+        <translation>Interactive sans contact</translation>
+    </message>
+    <message>
+        <source>Two trees, without you</source>
+        <translation>Deux arbres, sans vous</translation>
+    </message>
+    <message>
+        <source>Interactive, contact first</source>
+        <translation>Interactive, contact d&apos;abord</translation>
+    </message>
+    <message>
+        <source>One tree (G)</source>
+        <translation>Un arbre (G)</translation>
+    </message>
+    <message>
+        <source>Shortest way through places (GT)</source>
+        <translation>Plus court passage par les lieux (GT)</translation>
+    </message>
+    <message>
+        <source>Places: holes of the same shape (GTS1)</source>
+        <translation>Lieux&#xa0;: trous de même forme (GTS1)</translation>
+    </message>
+    <message>
+        <source>Places: holes that fit (GTS2)</source>
+        <translation>Lieux&#xa0;: trous qui conviennent (GTS2)</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Couches</translation>
+    </message>
+    <message>
+        <source>Places: own rules</source>
+        <translation>Lieux&#xa0;: règles propres</translation>
+    </message>
+    <message>
+        <source>Two trees of OMPL (RRT-Connect)</source>
+        <translation>Deux arbres d&apos;OMPL (RRT-Connect)</translation>
+    </message>
+    <message>
+        <source>Cells explored, of OMPL (BKPIECE)</source>
+        <translation>Cellules explorées, d&apos;OMPL (BKPIECE)</translation>
+    </message>
+    <message>
+        <source>Roadmap of OMPL (PRM)</source>
+        <translation>Graphe d&apos;OMPL (PRM)</translation>
+    </message>
+    <message>
+        <source>One tree of OMPL (EST)</source>
+        <translation>Un arbre d&apos;OMPL (EST)</translation>
+    </message>
+    <message>
+        <source>For comparison: unmodified RRT-Connect</source>
+        <translation>Pour comparer&#xa0;: RRT-Connect non modifié</translation>
+    </message>
+    <message>
+        <source>For comparison: unmodified RRT</source>
+        <translation>Pour comparer&#xa0;: RRT non modifié</translation>
+    </message>
+    <message>
+        <source>For comparison: unmodified TRRT</source>
+        <translation>Pour comparer&#xa0;: TRRT non modifié</translation>
+    </message>
+    <message>
+        <source>For comparison: unmodified BiTRRT</source>
+        <translation>Pour comparer&#xa0;: BiTRRT non modifié</translation>
+    </message>
+    <message>
+        <source>For comparison: unmodified BKPIECE</source>
+        <translation>Pour comparer&#xa0;: BKPIECE non modifié</translation>
+    </message>
+    <message>
+        <source>Geometry, places and semantics (GTS): the object goes through the passages that it fits best, and takes the next best way where one fails.</source>
+        <translation>Géométrie, lieux et sémantique (GTS)&#xa0;: l&apos;objet prend les passages qui lui conviennent le mieux, et le meilleur trajet suivant quand l&apos;un échoue.</translation>
     </message>
 </context>
 <context>
@@ -7460,16 +7468,8 @@
         <translation>Planifier avec la topologie</translation>
     </message>
     <message>
-        <source>Choose the strategy GT and press Start (F5). GT takes the shortest way through the places. It leads through the slot P6, which is too narrow, and the run ends there: the panel Plan says where and why.</source>
-        <translation>Choisissez la stratégie GT et appuyez sur Démarrer (F5). GT prend le plus court passage par les lieux. Il traverse la fente P6, qui est trop étroite, et le calcul s&apos;y termine&#xa0;: le panneau Plan dit où et pourquoi.</translation>
-    </message>
-    <message>
         <source>Plan with semantics</source>
         <translation>Planifier avec la sémantique</translation>
-    </message>
-    <message>
-        <source>Choose the strategy GTS and press Start (F5). GTS knows that the object does not fit through the slot and goes through P5. The path that it finds is proved free of penetration.</source>
-        <translation>Choisissez la stratégie GTS et appuyez sur Démarrer (F5). GTS sait que l&apos;objet ne passe pas par la fente, et passe par P5. Le chemin trouvé est prouvé sans pénétration.</translation>
     </message>
     <message>
         <source>Look at a step</source>
@@ -7490,10 +7490,6 @@
     <message>
         <source>Press F8 (View &gt; Layers of places &gt; Places). The free space is divided into places: the redder, the narrower; green ones are easy, yellow ones are cluttered by a mobile body. The blue line is the coarse path: the sequence of places that costs least.</source>
         <translation>Appuyez sur F8 (Vue &gt; Couches des lieux &gt; Lieux). L&apos;espace libre est divisé en lieux : plus ils sont rouges, plus ils sont étroits ; les verts sont faciles, les jaunes encombrés par un corps mobile. La ligne bleue est le chemin grossier : la suite de lieux qui coûte le moins.</translation>
-    </message>
-    <message>
-        <source>Now parts. Open the sample &quot;Bolted brackets&quot; (samples/bolted-brackets): two brackets on a plate, with bolts, a rod and nuts. With parts of your own, begin with File &gt; New from parts (Ctrl+N): STEP, mesh or URDF files.</source>
-        <translation>Maintenant des pièces. Ouvrez l&apos;exemple « Équerres boulonnées » (samples/bolted-brackets) : deux équerres sur une plaque, avec des vis, une tige et des écrous. Avec vos propres pièces, commencez par Fichier &gt; Nouveau à partir de pièces (Ctrl+N) : fichiers STEP, maillages ou URDF.</translation>
     </message>
     <message>
         <source>See the fits</source>
@@ -7528,8 +7524,20 @@
         <translation>Écrire la fiche d&apos;instructions</translation>
     </message>
     <message>
-        <source>The slider Explode in the panel Sequence moves the parts apart. Choose Assembly &gt; Save the sequence (Ctrl+Alt+E) and a name that ends in .html or .pdf: a work instruction with a picture of each step. Shift+F1 explains anything in the window; Ctrl+K finds any command.</source>
-        <translation>Le curseur Éclater du panneau Séquence écarte les pièces. Choisissez Assemblage &gt; Enregistrer la séquence (Ctrl+Alt+E) et un nom qui finit par .html ou .pdf : une fiche d&apos;instructions avec une image de chaque étape. Maj+F1 explique tout dans la fenêtre ; Ctrl+K trouve toute commande.</translation>
+        <source>In the list of strategies (panel Interaction), choose Advanced, then Shortest way through places (GT), and press Start (F5). The way leads through the slot P6, which is too narrow, and the run ends there: the panel Plan says where and why.</source>
+        <translation>Dans la liste des stratégies (panneau Interaction), choisissez Avancées, puis Plus court passage par les lieux (GT), et appuyez sur Démarrer (F5). Le passage traverse la fente P6, qui est trop étroite, et le calcul s&apos;y termine&#xa0;: le panneau Plan dit où et pourquoi.</translation>
+    </message>
+    <message>
+        <source>Choose the strategy Layers and press Start (F5). It knows that the object does not fit through the slot and goes through P5. The path that it finds is proved free of penetration.</source>
+        <translation>Choisissez la stratégie Couches et appuyez sur Démarrer (F5). Elle sait que l&apos;objet ne passe pas par la fente, et passe par P5. Le chemin trouvé est prouvé sans pénétration.</translation>
+    </message>
+    <message>
+        <source>Now parts. Press Do it for me: it opens the sample &quot;Bolted brackets&quot; in place of the one that is open. It has two brackets on a plate, with bolts, a rod and nuts. With parts of your own, begin with File &gt; New from parts (Ctrl+N): STEP, mesh or URDF files.</source>
+        <translation>Maintenant des pièces. Appuyez sur Le faire pour moi&#xa0;: l&apos;exemple «&#xa0;Équerres boulonnées&#xa0;» s&apos;ouvre à la place de celui qui est ouvert. Il a deux équerres sur une plaque, avec des vis, une tige et des écrous. Avec vos propres pièces, commencez par Fichier &gt; Nouveau à partir de pièces (Ctrl+N)&#xa0;: fichiers STEP, maillages ou URDF.</translation>
+    </message>
+    <message>
+        <source>The slider Explode in the panel Sequence moves the parts apart, in the order in which they leave. Choose Assembly &gt; Sequence &gt; Save the sequence (Ctrl+Alt+E) and a name that ends in .html or .pdf: a work instruction with a picture of each step. Shift+F1 explains anything in the window; Ctrl+K finds any command.</source>
+        <translation>Le curseur Éclater du panneau Séquence écarte les pièces, dans l&apos;ordre où elles partent. Choisissez Assemblage &gt; Séquence &gt; Enregistrer la séquence (Ctrl+Alt+E) et un nom qui finit par .html ou .pdf&#xa0;: une fiche d&apos;instructions avec une image de chaque étape. Maj+F1 explique tout dans la fenêtre&#xa0;; Ctrl+K trouve toute commande.</translation>
     </message>
 </context>
 <context>
@@ -8679,10 +8687,6 @@
         <translation>Tirées sur les plans tangents, conservées ou non</translation>
     </message>
     <message>
-        <source>Time</source>
-        <translation>Temps</translation>
-    </message>
-    <message>
         <source>Of planning; pauses do not count</source>
         <translation>Temps de planification, sans les pauses</translation>
     </message>
@@ -8729,6 +8733,10 @@
     <message>
         <source>in collision</source>
         <translation>en collision</translation>
+    </message>
+    <message>
+        <source>Computing time</source>
+        <translation>Temps de calcul</translation>
     </message>
 </context>
 <context>
@@ -8818,6 +8826,21 @@
     <message>
         <source>Reasons why there is no path</source>
         <translation>Causes de l&apos;absence de chemin</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::DocumentController</name>
+    <message>
+        <source>Arranging the product</source>
+        <translation>Disposition du produit</translation>
+    </message>
+    <message>
+        <source>Finding the fits</source>
+        <translation>Recherche des ajustements</translation>
+    </message>
+    <message>
+        <source>Preparing the bodies</source>
+        <translation>Préparation des corps</translation>
     </message>
 </context>
 <context>
@@ -9233,16 +9256,16 @@
         <translation>Cadence</translation>
     </message>
     <message>
-        <source>Advanced: the first paper</source>
-        <translation>Avancé&#xa0;: premier article</translation>
+        <source>Advanced…</source>
+        <translation>Avancées…</translation>
     </message>
     <message>
-        <source>Advanced: places and semantics (second paper)</source>
-        <translation>Avancé&#xa0;: lieux et sémantique (second article)</translation>
+        <source>Shows all strategies</source>
+        <translation>Montre toutes les stratégies</translation>
     </message>
     <message>
-        <source>Advanced: OMPL</source>
-        <translation>Avancé&#xa0;: OMPL</translation>
+        <source>Advanced</source>
+        <translation>Avancées</translation>
     </message>
 </context>
 <context>
@@ -9564,6 +9587,165 @@
     </message>
 </context>
 <context>
+    <name>glissade::LegendOverlay</name>
+    <message>
+        <source>Object that moves</source>
+        <translation>Objet qui bouge</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Départ</translation>
+    </message>
+    <message>
+        <source>Goal</source>
+        <translation>But</translation>
+    </message>
+    <message>
+        <source>Workspace</source>
+        <translation>Espace de travail</translation>
+    </message>
+    <message>
+        <source>Searched from the start</source>
+        <translation>Cherché depuis le départ</translation>
+    </message>
+    <message>
+        <source>Searched from the goal</source>
+        <translation>Cherché depuis le but</translation>
+    </message>
+    <message>
+        <source>By the operator</source>
+        <translation>Par l&apos;opérateur</translation>
+    </message>
+    <message>
+        <source>In contact</source>
+        <translation>En contact</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Chemin</translation>
+    </message>
+    <message>
+        <source>Path, from tight to wide</source>
+        <translation>Chemin, d&apos;étroit à large</translation>
+    </message>
+    <message>
+        <source>Path, by step</source>
+        <translation>Chemin, par étape</translation>
+    </message>
+    <message>
+        <source>Path of the computer</source>
+        <translation>Chemin de l&apos;ordinateur</translation>
+    </message>
+    <message>
+        <source>Path of the operator</source>
+        <translation>Chemin de l&apos;opérateur</translation>
+    </message>
+    <message>
+        <source>Path in contact</source>
+        <translation>Chemin en contact</translation>
+    </message>
+    <message>
+        <source>Object along the path</source>
+        <translation>Objet le long du chemin</translation>
+    </message>
+    <message>
+        <source>Path that does not hold</source>
+        <translation>Chemin qui n&apos;est plus valable</translation>
+    </message>
+    <message>
+        <source>Blocked part of the path</source>
+        <translation>Partie bloquée du chemin</translation>
+    </message>
+    <message>
+        <source>To the nearest obstacle</source>
+        <translation>Vers l&apos;obstacle le plus proche</translation>
+    </message>
+    <message>
+        <source>Contact with an obstacle</source>
+        <translation>Contact avec un obstacle</translation>
+    </message>
+    <message>
+        <source>Guiding force</source>
+        <translation>Force de guidage</translation>
+    </message>
+    <message>
+        <source>Swept volume</source>
+        <translation>Volume balayé</translation>
+    </message>
+    <message>
+        <source>Free cells</source>
+        <translation>Cellules libres</translation>
+    </message>
+    <message>
+        <source>Cells with mobile bodies</source>
+        <translation>Cellules à corps mobiles</translation>
+    </message>
+    <message>
+        <source>Cells with static bodies</source>
+        <translation>Cellules à corps fixes</translation>
+    </message>
+    <message>
+        <source>Places, from easy to narrow</source>
+        <translation>Lieux, de facile à étroit</translation>
+    </message>
+    <message>
+        <source>Places with a mobile body</source>
+        <translation>Lieux avec un corps mobile</translation>
+    </message>
+    <message>
+        <source>Borders of places</source>
+        <translation>Frontières des lieux</translation>
+    </message>
+    <message>
+        <source>Graph, with costs</source>
+        <translation>Graphe, avec les coûts</translation>
+    </message>
+    <message>
+        <source>Coarse path</source>
+        <translation>Chemin grossier</translation>
+    </message>
+    <message>
+        <source>Milestones</source>
+        <translation>Jalons</translation>
+    </message>
+    <message>
+        <source>Region of the step</source>
+        <translation>Région de l&apos;étape</translation>
+    </message>
+    <message>
+        <source>In the way</source>
+        <translation>Gêne le passage</translation>
+    </message>
+    <message>
+        <source>Tightest place</source>
+        <translation>Endroit le plus étroit</translation>
+    </message>
+    <message>
+        <source>Gap of the search</source>
+        <translation>Écart entre les arbres</translation>
+    </message>
+    <message>
+        <source>Overlapped body</source>
+        <translation>Corps recouvert</translation>
+    </message>
+    <message>
+        <source>Object where it overlaps</source>
+        <translation>Objet là où il recouvre</translation>
+    </message>
+    <message>
+        <source>Selected</source>
+        <translation>Sélection</translation>
+    </message>
+    <message>
+        <source>Part of the step</source>
+        <translation>Pièce de l&apos;étape</translation>
+    </message>
+    <message>
+        <source>Its way</source>
+        <translation>Son trajet</translation>
+    </message>
+</context>
+<context>
     <name>glissade::LogController</name>
     <message>
         <source>The report is in the clipboard. Read it before you send it: it names files.</source>
@@ -9632,10 +9814,6 @@
         <translation>Coupe</translation>
     </message>
     <message>
-        <source>Arranging the product</source>
-        <translation>Disposition du produit</translation>
-    </message>
-    <message>
         <source>Interaction</source>
         <translation>Interaction</translation>
     </message>
@@ -9682,14 +9860,6 @@
     <message>
         <source>Sequence</source>
         <translation>Séquence</translation>
-    </message>
-    <message>
-        <source>Finding the fits</source>
-        <translation>Recherche des ajustements</translation>
-    </message>
-    <message>
-        <source>Preparing the bodies</source>
-        <translation>Préparation des corps</translation>
     </message>
     <message>
         <source>Joints</source>
@@ -10489,10 +10659,6 @@
         <translation>Configurations aléatoires, jalon et planificateur local ensemble</translation>
     </message>
     <message>
-        <source>No coarse plan: choose strategy GT or GTS and start.</source>
-        <translation>Pas de plan grossier&#xa0;: choisissez la stratégie GT ou GTS et démarrez.</translation>
-    </message>
-    <message>
         <source>Coarse path of cost %1, not tried yet</source>
         <translation>Chemin grossier de coût %1, pas encore essayé</translation>
     </message>
@@ -10535,6 +10701,10 @@
     <message>
         <source>Steps of the coarse path</source>
         <translation>Étapes du chemin grossier</translation>
+    </message>
+    <message>
+        <source>No coarse plan: choose the strategy Layers and start.</source>
+        <translation>Pas de plan grossier&#xa0;: choisissez la stratégie Couches et démarrez.</translation>
     </message>
 </context>
 <context>
@@ -11040,8 +11210,8 @@
         <translation>en collision</translation>
     </message>
     <message>
-        <source>Time</source>
-        <translation>Temps</translation>
+        <source>Computing time</source>
+        <translation>Temps de calcul</translation>
     </message>
 </context>
 <context>
@@ -11718,10 +11888,6 @@
         <translation>En haut&#xa0;: l&apos;outil qui tourne la fixation, et ce qui l&apos;empêche de passer. En bas&#xa0;: les pièces qui basculeraient ou tomberaient, ou ce qu&apos;une étape forcée ne respecte pas</translation>
     </message>
     <message>
-        <source>Above: whether the motion is proved. Below: what a person has done to the step, or the seconds after which it was found</source>
-        <translation>En haut&#xa0;: preuve du mouvement. En bas&#xa0;: intervention manuelle sur l&apos;étape, ou temps écoulé quand elle a été trouvée</translation>
-    </message>
-    <message>
         <source>Steps of the sequence</source>
         <translation>Étapes de la séquence</translation>
     </message>
@@ -11738,20 +11904,24 @@
         <translation>trouvée par %1</translation>
     </message>
     <message>
-        <source>found after %1</source>
-        <translation>trouvée après %1</translation>
+        <source>Above: whether the motion is proved. Below: what a person has done to the step</source>
+        <translation>En haut&#xa0;: preuve du mouvement. En bas&#xa0;: intervention manuelle sur l&apos;étape</translation>
     </message>
     <message>
-        <source>no motion found</source>
-        <translation>aucun mouvement trouvé</translation>
+        <source>found after %1 s of computing</source>
+        <translation>trouvée après %1 s de calcul</translation>
     </message>
     <message>
-        <source>blocked by %1</source>
-        <translation>bloquée par %1</translation>
+        <source>%1 is stuck.</source>
+        <translation>%1 est coincé.</translation>
     </message>
     <message>
-        <source>stuck</source>
-        <translation>bloquée</translation>
+        <source>Blocked by %1.</source>
+        <translation>Bloqué par %1.</translation>
+    </message>
+    <message>
+        <source>Next: move it by hand (menu of the row), or look at the order as a graph.</source>
+        <translation>Ensuite&#xa0;: déplacez-le à la main (menu de la ligne), ou regardez l&apos;ordre en graphe.</translation>
     </message>
 </context>
 <context>

@@ -24,24 +24,11 @@
 #include <map>
 #include <set>
 
-#include "app/window/command_palette.h"
-#include "app/window/preferences_dialog.h"
-#include "app/window/shortcuts_dialog.h"
 #include "app/window/theme.h"
 #include "app/window/window_memory.h"
-#include "engine/scenario/product_file.h"
 #include "engine/scenario/scenario_io.h"
+#include "tests/app/every_dialog.h"
 #include "tests/app/whole_window.h"
-#include "widgets/devices/calibration_dialog.h"
-#include "widgets/editors/attribute_dialog.h"
-#include "widgets/editors/parts_dialog.h"
-#include "widgets/editors/rules_dialog.h"
-#include "widgets/panels/compare_paths_dialog.h"
-#include "widgets/panels/joint_dialog.h"
-#include "widgets/panels/joint_draft.h"
-#include "widgets/studies/plan_graph_view.h"
-#include "widgets/studies/study_browser.h"
-#include "widgets/studies/times_view.h"
 
 namespace glissade {
 namespace {
@@ -218,31 +205,8 @@ TEST_P(AccessibilityTest, OfTheWindowAndItsPanels) {
 TEST_P(AccessibilityTest, OfTheDialogs) {
   const auto window = makeWindow();
   ASSERT_EQ(window->openScenario(sample("teaching"), true), std::nullopt);
-  const Workbench& bench = window->workbench();
-  const LoadedScenario& loaded = *bench.document.scenario();
-  DeviceSettings settings;
-  std::vector<std::unique_ptr<QWidget>> dialogs;
-  dialogs.push_back(std::make_unique<PreferencesDialog>(bench.actions, Preferences{}, window.get()));
-  dialogs.push_back(std::make_unique<ShortcutsDialog>(bench.actions, window.get()));
-  dialogs.push_back(std::make_unique<CommandPalette>(bench.actions, window.get()));
-  dialogs.push_back(std::make_unique<RulesDialog>(StrategyRules{}, AttributeTable{}, window.get()));
-  dialogs.push_back(std::make_unique<AttributeDialog>(
-      AttributeOwner::Place, [](const AttributeDefinition&) { return Outcome(Done{}); }, window.get()));
-  dialogs.push_back(
-      std::make_unique<PartsDialog>(PartsDialog::Purpose::NewScenario, QStringList{}, true, window.get()));
-  dialogs.push_back(std::make_unique<ComparePathsDialog>(
-      std::vector<ComparedPath>(2, {{std::make_shared<const KeptPath>(), {}}, nullptr}), loaded, window.get()));
-  const auto product = std::make_shared<const AssembledProduct>(productOf(loaded));
-  dialogs.push_back(std::make_unique<JointDialog>(
-      product, draftJoint(*product, {0, 1, 2}), [](const Joint&) { return Outcome(Done{}); }, window.get()));
-  dialogs.push_back(std::make_unique<PlanGraphView>(window.get()));
-  dialogs.push_back(std::make_unique<TimesView>(window.get()));
-  auto times = std::make_unique<TimesView>(window.get());
-  times->showTable();
-  dialogs.push_back(std::move(times));
-  dialogs.push_back(std::make_unique<CalibrationDialog>(bench.session.hand(), settings, bench.actions, window.get()));
-  dialogs.push_back(std::make_unique<StudyBrowser>(nullptr));
-  for (const auto& dialog : dialogs) {
+  const test::EveryDialog every(*window);
+  for (const auto& dialog : every.dialogs()) {
     SCOPED_TRACE(dialog->metaObject()->className());
     EXPECT_FALSE(dialog->windowTitle().isEmpty());
     expectNames(*dialog);

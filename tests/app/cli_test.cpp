@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "engine/base/quantity_text.h"
 #include "tests/engine/support/directories.h"
 #include "tests/engine/support/part_fixture.h"
 #include "tests/engine/support/step_files.h"
@@ -606,7 +607,7 @@ TEST_F(Cli, AProductInOneStepFileIsPlannedPartByPart) {
   const Finished plan = run("plan " + made + " --out " + path);
   ASSERT_EQ(plan.exitCode, 0);
   std::ostringstream deviation;
-  deviation << "within +/- " << 1e3 * (pin + largest) << " mm of the CAD surfaces";
+  deviation << "within +/- " << inMillimetres(pin + largest) << " of the CAD surfaces";
   EXPECT_NE(plan.out.find(deviation.str()), std::string::npos) << plan.out;
   const Json check = Json::parse(run("check " + made + " " + path + " --json").out);
   EXPECT_EQ(check["valid"], true);

@@ -106,9 +106,9 @@ TEST(StrategyUse, EveryStrategyHasItsGroupAndItsParameters) {
     const auto used = parametersInUse(entry, "hand");
     EXPECT_TRUE(used.count(ParameterId::RequiredClearance)) << entry.id;
     EXPECT_EQ(used.count(ParameterId::Alpha) != 0, entry.usesOperator) << entry.id;
-    main += strategyGroup(entry.id) == StrategyGroup::Main ? 1 : 0;
+    main += isMainStrategy(entry.id) ? 1 : 0;
   }
-  EXPECT_EQ(main, 2);
+  EXPECT_EQ(main, 3);
   EXPECT_EQ(parametersInUse(*planners.find("auto"), "hand").size(), 1U);
   EXPECT_EQ(parametersInUse(*planners.find("contact-birrt"), "expert").count(ParameterId::GuidanceRepulsion), 0U);
   EXPECT_EQ(parametersInUse(*planners.find("contact-birrt"), "hand").count(ParameterId::GuidanceRepulsion), 1U);

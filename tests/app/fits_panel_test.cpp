@@ -83,5 +83,18 @@ TEST_F(FitsPanelTest, TheChosenPairIsThatOfTheRowHoweverItIsSorted) {
   EXPECT_EQ(panel.chosen(), nullptr);
 }
 
+TEST_F(FitsPanelTest, ABodyThatIsChosenElsewhereHasItsRow) {
+  QSignalSpy chosen(&panel, &FitsPanel::chosenChanged);
+  panel.showBodies({QStringLiteral("plate")});
+  ASSERT_NE(panel.chosen(), nullptr);
+  EXPECT_EQ(panel.chosen()->b, "plate");
+  const PairFit* first = panel.chosen();
+  panel.showBodies({QStringLiteral("plate"), QStringLiteral("nut")});
+  EXPECT_EQ(panel.chosen(), first);
+  panel.showBodies({QStringLiteral("nut")});
+  EXPECT_EQ(panel.chosen()->a, "nut");
+  EXPECT_TRUE(chosen.isEmpty()) << "what is chosen elsewhere stays";
+}
+
 }  // namespace
 }  // namespace glissade

@@ -105,5 +105,13 @@ TEST_F(JointsPanelTest, SeveralRowsAreChosenHoweverTheyAreSorted) {
   EXPECT_FALSE(panel.choose(JointKind::Nut, "screw"));
 }
 
+TEST_F(JointsPanelTest, ABodyThatIsChosenElsewhereHasItsRow) {
+  QSignalSpy chosen(&panel, &JointsPanel::chosenChanged);
+  panel.showBodies({QStringLiteral("pin")});
+  ASSERT_EQ(panel.chosen().size(), 1U);
+  EXPECT_EQ(panel.chosen().front()->key.body, "pin");
+  EXPECT_TRUE(chosen.isEmpty());
+}
+
 }  // namespace
 }  // namespace glissade

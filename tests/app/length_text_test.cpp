@@ -43,6 +43,18 @@ TEST(LengthText, IsInTheUnitThatWasChosen) {
   setLengthUnit(LengthUnit::Fitting);
 }
 
+TEST(LengthText, AColumnHasOneUnit) {
+  QLocale::setDefault(QLocale::c());
+  EXPECT_EQ(columnLengthText(9.99e-7), QStringLiteral("0.000999 mm"));
+  EXPECT_EQ(columnLengthText(9.9966e-7), QStringLiteral("0.00100 mm"));
+  EXPECT_EQ(columnLengthText(1.52), QStringLiteral("1520 mm"));
+  EXPECT_EQ(columnLengthText(0.0), QStringLiteral("0 mm"));
+  EXPECT_EQ(columnLengthText(std::numeric_limits<double>::infinity()), QString::fromUtf8("∞"));
+  setLengthUnit(LengthUnit::Inches);
+  EXPECT_EQ(columnLengthText(0.0254), QStringLiteral("1.00 in"));
+  setLengthUnit(LengthUnit::Fitting);
+}
+
 TEST(LengthText, FieldsShowAsFineADifferenceAsTheyAreAskedFor) {
   EXPECT_EQ(lengthField(1e-5).unit, QStringLiteral("mm"));
   EXPECT_EQ(lengthField(1e-5).decimals, 2);

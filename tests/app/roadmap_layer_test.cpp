@@ -1,40 +1,71 @@
 #include "widgets/scene3d/roadmap_layer.h"
 
 #include <gtest/gtest.h>
-#include <osg/BlendColor>
+
+#include <algorithm>
+#include <cmath>
 
 namespace glissade {
 namespace {
 
-/// A run whose tree is a chain of so many edges.
+/// A run whose tree goes to and fro in a square of a metre, by edges of that length.
 SessionSnapshot chain(std::uint64_t run, std::uint32_t edges) {
   SessionSnapshot snapshot;
   snapshot.run = run;
   auto chunk = std::make_shared<RoadmapChunk>();
   chunk->nodes.resize(edges + 1);
   for (std::uint32_t i = 0; i < edges; ++i) chunk->edges.push_back({i, i + 1});
+  for (std::uint32_t i = 0; i <= edges; ++i) {
+    chunk->nodes[i].q.position = {static_cast<double>(i % 2), static_cast<double>(i / 2 % 2), 0.0};
+  }
   snapshot.roadmap.push_back(chunk);
   return snapshot;
 }
 
-/// 1 where lines cover what is behind them.
-float opacityOf(const RoadmapLayer& layer) {
-  const auto* blend =
-      dynamic_cast<const osg::BlendColor*>(layer.node()->getStateSet()->getAttribute(osg::StateAttribute::BLENDCOLOR));
-  return blend == nullptr ? 1.0F : blend->getConstantColor().a();
+/// What shows of the scene behind the lines, were they spread evenly.
+double seenBehind(const RoadmapLayer& layer, std::uint32_t edges, double coveredByAnEdge) {
+  const std::vector<float> opacities = layer.opacities();
+  const double edgesOfABatch = static_cast<double>(edges) / static_cast<double>(opacities.size());
+  double seen = 1.0;
+  for (const float opacity : opacities) seen *= std::pow(1.0 - coveredByAnEdge, opacity * edgesOfABatch);
+  return seen;
 }
 
-TEST(RoadmapLayer, LargeTreesFadeAndSmallOnesDoNot) {
+TEST(RoadmapLayer, TheSceneIsSeenThroughTreesOfAnySize) {
+  constexpr double kPixelsPerMetre = 500.0;
+  constexpr double kCoveredByAnEdge = 1.2 / kPixelsPerMetre;
+  for (const std::uint32_t edges : {1000U, 8000U, 100000U, 500000U}) {
+    RoadmapLayer layer;
+    layer.setScale(kPixelsPerMetre);
+    layer.update(chain(1, edges));
+    EXPECT_EQ(layer.segments(), edges);
+    EXPECT_GT(seenBehind(layer, edges, kCoveredByAnEdge), 0.5) << edges;
+    EXPECT_GT(layer.opacities().back(), 0.0F) << "what is new is seen";
+  }
+}
+
+TEST(RoadmapLayer, OlderLinesAreFainterAndFewAreNot) {
   RoadmapLayer layer;
-  layer.update(chain(1, 1000));
-  EXPECT_EQ(layer.segments(), 1000U);
-  EXPECT_EQ(opacityOf(layer), 1.0F);
-  layer.update(chain(2, 8000));
-  EXPECT_FLOAT_EQ(opacityOf(layer), 0.5F);
-  layer.update(chain(3, 500000));
-  EXPECT_FLOAT_EQ(opacityOf(layer), 0.03F);
+  layer.setScale(500.0);
+  layer.update(chain(1, 100));
+  EXPECT_EQ(layer.opacities(), std::vector<float>{1.0F});
+  layer.update(chain(2, 20000));
+  const std::vector<float> opacities = layer.opacities();
+  ASSERT_GT(opacities.size(), 3U);
+  EXPECT_TRUE(std::is_sorted(opacities.begin(), opacities.end()));
+  EXPECT_LT(opacities.front(), opacities.back());
+  layer.setScale(5e5);
+  EXPECT_EQ(layer.opacities().front(), 1.0F) << "from near the lines are far from each other";
+}
+
+TEST(RoadmapLayer, SaysWhatIsDrawn) {
+  RoadmapLayer layer;
+  EXPECT_FALSE(layer.content().startTree);
+  layer.update(chain(1, 10));
+  EXPECT_TRUE(layer.content().startTree);
+  EXPECT_FALSE(layer.content().contactNodes);
   layer.clear();
-  EXPECT_EQ(opacityOf(layer), 1.0F);
+  EXPECT_FALSE(layer.content().startTree);
 }
 
 TEST(RoadmapLayer, UploadsWhatIsNewOnly) {

@@ -23,7 +23,7 @@ class SequencePanelTest : public ::testing::Test {
       step.path = {{Pose::identity(), Author::Computer}, {Pose::translation({0.0, 0.0, 1.0}), Author::Computer}};
       plan->steps.push_back(step);
     }
-    plan->stuck = {{"drawer", {"cabinet"}}};
+    plan->stuck = {{"drawer", {"cabinet"}, "no motion was found, alone or with others"}};
     plan->end = PlanEnd::Stuck;
     shown = {product, plan, false, {0.5, std::nullopt}, {StepCheck::Agrees, StepCheck::Disagrees}};
     panel.setPlan(shown);
@@ -32,8 +32,11 @@ class SequencePanelTest : public ::testing::Test {
   StepTable& table() { return *panel.findChild<StepTable*>(); }
   QStringList parts() {
     QStringList names;
-    for (int i = 0; i < table().topLevelItemCount(); ++i)
-      names << table().topLevelItem(i)->text(1).section(QLatin1Char('\n'), 0, 0);
+    for (int i = 0; i < table().topLevelItemCount(); ++i) {
+      const QTreeWidgetItem* row = table().topLevelItem(i);
+      const std::string stuck = StepTable::stuckOf(row);
+      names << (stuck.empty() ? row->text(1).section(QLatin1Char('\n'), 0, 0) : QString::fromStdString(stuck));
+    }
     return names;
   }
 
@@ -125,6 +128,45 @@ TEST_F(SequencePanelTest, ARowSaysWhatAPersonHasDoneAndWhatIsForced) {
   EXPECT_TRUE(table().topLevelItem(1)->text(4).contains(QStringLiteral("by hand")));
   EXPECT_TRUE(table().topLevelItem(1)->text(3).contains(QStringLiteral("nuts still on it: cap")));
   EXPECT_FALSE(table().topLevelItem(0)->icon(1).isNull());
+}
+
+TEST_F(SequencePanelTest, AStuckRowHasTheWholeReasonAndWhatToDoNext) {
+  panel.resize(300, 500);
+  panel.show();
+  QApplication::processEvents();
+  const QTreeWidgetItem* row = table().topLevelItem(2);
+  const QString text = row->text(0);
+  for (const char* part : {"drawer is stuck.", "Blocked by cabinet.", "No motion was found, alone or with others.",
+                           "Next: move it by hand"}) {
+    EXPECT_TRUE(text.contains(QLatin1String(part))) << part;
+  }
+  EXPECT_TRUE(row->isFirstColumnSpanned());
+  const int narrow = table().sizeHintForIndex(table().model()->index(2, 0)).height();
+  EXPECT_GT(narrow, 3 * table().fontMetrics().height()) << "all of it is seen";
+  panel.resize(2000, 500);
+  QApplication::processEvents();
+  EXPECT_LT(table().sizeHintForIndex(table().model()->index(2, 0)).height(), narrow);
+}
+
+TEST_F(SequencePanelTest, NoRowStatesTheTimeThatComputingTook) {
+  EXPECT_FALSE(table().topLevelItem(0)->text(4).contains(QStringLiteral("0.5")));
+  EXPECT_TRUE(table().topLevelItem(0)->toolTip(4).contains(QStringLiteral("found after 0.5 s of computing")));
+}
+
+TEST_F(SequencePanelTest, APartThatIsChosenElsewhereHasItsRowAndTheSceneStays) {
+  panel.showTime(0.5);
+  QSignalSpy shownScene(&panel, &SequencePanel::sceneChanged);
+  QSignalSpy selected(&panel, &SequencePanel::selectionChanged);
+  panel.showBodies({QStringLiteral("pin")});
+  EXPECT_EQ(panel.chosenStep(), std::optional<std::size_t>(1));
+  EXPECT_EQ(selected.size(), 1);
+  panel.showBodies({QStringLiteral("drawer"), QStringLiteral("pin")});
+  EXPECT_EQ(panel.chosenStep(), std::optional<std::size_t>(1)) << "the row is about one of them";
+  panel.showBodies({QStringLiteral("drawer")});
+  EXPECT_EQ(panel.chosenStuck(), "drawer");
+  panel.showBodies({QStringLiteral("cabinet")});
+  EXPECT_EQ(panel.chosenStuck(), "drawer") << "nothing is about it";
+  EXPECT_TRUE(shownScene.isEmpty());
 }
 
 TEST_F(SequencePanelTest, AStuckPartIsAnnounced) {

@@ -92,8 +92,7 @@ TEST(StepDrawer, PicturesHaveTheirSize) {
   const StepDrawer drawer(made.product);
   EXPECT_EQ(drawer.finished(made.plan.bodies, kPixels).size(), kPixels);
   EXPECT_EQ(drawer.parts({"block0"}, {64, 64}).size(), QSize(64, 64));
-  EXPECT_EQ(drawer.exploded(std::vector<Vector3>(3, Vector3::Zero()), kPixels),
-            drawer.finished(made.plan.bodies, kPixels));
+  EXPECT_EQ(drawer.exploded(std::vector<Pose>(3), kPixels), drawer.finished(made.plan.bodies, kPixels));
 }
 
 }  // namespace

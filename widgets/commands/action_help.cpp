@@ -23,10 +23,11 @@ constexpr std::pair<const char*, const char*> kMore[] = {
     {"run.tuning", QT_TRANSLATE_NOOP("ActionHelp",
                                      "The program changes the values while it plans, from what computer, operator "
                                      "and contact have earned lately. A slider that is touched is set by hand again.")},
-    {"environment.build", QT_TRANSLATE_NOOP("ActionHelp",
-                                            "The free space is divided into cells, and cells of similar narrowness "
-                                            "into places. Places overlap in borders. The strategies GT and GTS plan a "
-                                            "coarse path through places first.")},
+    {"environment.build",
+     QT_TRANSLATE_NOOP("ActionHelp",
+                       "The free space is divided into cells, and cells of similar narrowness "
+                       "into places. Places overlap in borders. Layers and the strategies with places plan a "
+                       "coarse path through places first.")},
     {"place.forbid", QT_TRANSLATE_NOOP("ActionHelp",
                                        "The coarse path is planned again at once, also during a run. An edit of a "
                                        "place is saved with the scenario and can be undone.")},

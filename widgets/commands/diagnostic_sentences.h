@@ -137,7 +137,7 @@ inline constexpr const char* kDiagnosticSentences[] = {
     QT_TRANSLATE_NOOP("Diagnostics", "OMPL's planners need a free goal within the bounds, and there is none"),
     QT_TRANSLATE_NOOP("Diagnostics", "Widen the bounds, or give another goal."),
     QT_TRANSLATE_NOOP("Diagnostics", "Widen the bounds."),
-    QT_TRANSLATE_NOOP("Diagnostics", "Raise --global-samples, or use strategy GTS."),
+    QT_TRANSLATE_NOOP("Diagnostics", "Raise --global-samples, or use the strategy Layers (gts)."),
     QT_TRANSLATE_NOOP("Diagnostics", "the path through the threads could not be certified"),
     QT_TRANSLATE_NOOP("Diagnostics", "Require less clearance."),
     QT_TRANSLATE_NOOP("Diagnostics", "Edits are not saved automatically."),

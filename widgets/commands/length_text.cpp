@@ -47,11 +47,19 @@ UnitEntry unitFor(double metres, double smallestInMillimetres) {
 
 /// Decimals that leave the significant digits of a number below 1,000.
 int decimalsOf(double value) {
-  const int before = static_cast<int>(std::floor(std::log10(value))) + 1;
+  constexpr double kRoundsUp = 1.0 + 0.5e-3;  // 9.996 is written as 10.0
+  const int before = static_cast<int>(std::floor(std::log10(value * kRoundsUp))) + 1;
   return std::clamp(kSignificantDigits - before, 0, kMostDecimals);
 }
 
 QString nameOf(const UnitEntry& unit) { return QString::fromUtf8(unit.name); }
+
+QString textIn(const UnitEntry& unit, double metres) {
+  if (!std::isfinite(metres)) return QStringLiteral("∞");
+  const double value = metres / unit.metres;
+  const int decimals = value == 0.0 ? 0 : decimalsOf(std::abs(value));
+  return QLocale().toString(value, 'f', decimals) + QLatin1Char(' ') + nameOf(unit);
+}
 
 }  // namespace
 
@@ -69,11 +77,13 @@ void announceLengthUnit() {
 QString lengthText(double metres) {
   constexpr double kSmallestInMillimetres = 1e-5;
   const double size = std::abs(metres);
-  if (!std::isfinite(size)) return QStringLiteral("∞");
-  if (size == 0.0) return QLocale().toString(0) + QLatin1Char(' ') + nameOf(unitFor(kMillimetre.metres, 0.0));
-  const UnitEntry unit = unitFor(size, kSmallestInMillimetres);
-  const double value = metres / unit.metres;
-  return QLocale().toString(value, 'f', decimalsOf(std::abs(value))) + QLatin1Char(' ') + nameOf(unit);
+  if (size == 0.0) return textIn(unitFor(kMillimetre.metres, 0.0), metres);
+  return textIn(unitFor(size, kSmallestInMillimetres), metres);
+}
+
+QString columnLengthText(double metres) {
+  if (chosenUnit().load() != LengthUnit::Fitting) return lengthText(metres);
+  return textIn(kMillimetre, metres);
 }
 
 LengthField lengthField(double finest) {

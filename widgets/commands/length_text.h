@@ -20,6 +20,10 @@ void announceLengthUnit();
 /// texts of one length never differ.
 QString lengthText(double metres);
 
+/// The same for a column of lengths, which are compared: all are in one unit. Where the unit is chosen as it fits, that
+/// is millimetres.
+QString columnLengthText(double metres);
+
 /// How a field shows a length that people type.
 struct LengthField {
   QString unit;     ///< "mm"

@@ -92,7 +92,7 @@ inline constexpr const char* kPlanningSentences[] = {
     QT_TRANSLATE_NOOP("Diagnostics", "no free milestone in border %1"),
     QT_TRANSLATE_NOOP("Diagnostics", "crossed before"),
     QT_TRANSLATE_NOOP("Diagnostics", "place %1 was not crossed"),
-    QT_TRANSLATE_NOOP("Diagnostics", "Change the semantic attributes, or use strategy GTS."),
+    QT_TRANSLATE_NOOP("Diagnostics", "Change the semantic attributes, or use the strategy Layers (gts)."),
     QT_TRANSLATE_NOOP("Diagnostics", "the whole workspace"),
     QT_TRANSLATE_NOOP("Diagnostics", "searched from start to goal after the coarse paths"),
     QT_TRANSLATE_NOOP("Diagnostics", "the steps together cannot be certified"),

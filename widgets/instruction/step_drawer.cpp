@@ -315,12 +315,11 @@ QImage StepDrawer::parts(const std::vector<std::string>& bodies, const QSize& pi
   return drawn(all, pixels);
 }
 
-QImage StepDrawer::exploded(const std::vector<Vector3>& offsets, const QSize& pixels) const {
+QImage StepDrawer::exploded(const std::vector<Pose>& moved, const QSize& pixels) const {
   std::vector<DrawnBody> all;
   for (std::size_t i = 0; i < product_.bodies.size(); ++i) {
     const RigidBody& each = product_.bodies[i];
-    all.push_back(
-        {each.mesh, {each.X_WB.position + offsets[i], each.X_WB.orientation}, softened(each.colour), kComingLine});
+    all.push_back({each.mesh, moved[i] * each.X_WB, softened(each.colour), kComingLine});
   }
   return drawn(all, pixels);
 }

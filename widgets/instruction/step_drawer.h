@@ -20,8 +20,8 @@ class StepDrawer {
   QImage finished(const std::vector<std::string>& bodies, const QSize& pixels) const;
   /// Parts to be fetched.
   QImage parts(const std::vector<std::string>& bodies, const QSize& pixels) const;
-  /// The whole product, each body moved by its offset, metres.
-  QImage exploded(const std::vector<Vector3>& offsets, const QSize& pixels) const;
+  /// The whole product, each body at its pose times where it is assembled.
+  QImage exploded(const std::vector<Pose>& moved, const QSize& pixels) const;
 
  private:
   const RigidBody& body(const std::string& id) const { return product_.bodies[*product_.indexOf(id)]; }

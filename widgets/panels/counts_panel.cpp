@@ -24,7 +24,7 @@ CountsPanel::CountsPanel(QWidget* parent) : QWidget(parent), layout_(new QFormLa
   random_ = addRow(tr("Random configurations"), tr("Drawn by the computer, kept or not"));
   operator_ = addRow(tr("Operator configurations"), tr("Where the operator held the object"));
   contact_ = addRow(tr("Contact configurations"), tr("Shot on tangent planes, kept or not"));
-  time_ = addRow(tr("Time"), tr("Of planning; pauses do not count"));
+  time_ = addRow(tr("Computing time"), tr("Of planning; pauses do not count"));
   pace_ = addRow(tr("Steps per second"), tr("Planner steps in a second"));
   mode_ = addRow(tr("Contact mode"), tr("On while contact samples are shot"));
   nearest_ = addRow(tr("Nearest obstacle"), tr("Of the object in the operator's hand"));

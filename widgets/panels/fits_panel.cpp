@@ -8,6 +8,7 @@
 #include "engine/product/giving_way.h"
 #include "widgets/commands/diagnostic_text.h"
 #include "widgets/commands/length_text.h"
+#include "widgets/panels/row_search.h"
 
 namespace glissade {
 namespace {
@@ -36,7 +37,7 @@ void setLength(QTreeWidgetItem& item, int column, double sortedBy, const QString
 double signedGap(const Contact& contact) { return contact.overlap > 0.0 ? -contact.overlap : contact.gap; }
 
 QString signedLengthText(double metres) {
-  return metres < 0.0 ? QStringLiteral("−") + lengthText(-metres) : lengthText(metres);
+  return metres < 0.0 ? QStringLiteral("−") + columnLengthText(-metres) : columnLengthText(metres);
 }
 
 QString amountText(const Contact& contact) {
@@ -126,7 +127,7 @@ void FitsPanel::addRow(std::size_t index) {
   setLength(*row, Amount, signedGap(fit.contact), signedLengthText(signedGap(fit.contact)));
   row->setToolTip(Amount, amountText(fit.contact));
   const double allowance = fit.way().allowance();
-  setLength(*row, Allowance, allowance, allowance > 0.0 ? lengthText(allowance) : QStringLiteral("–"));
+  setLength(*row, Allowance, allowance, allowance > 0.0 ? columnLengthText(allowance) : QStringLiteral("–"));
   row->setToolTip(Allowance, wayText(fit));
   row->setText(Status, statusText(fit.status()));
   row->setToolTip(Status, wayText(fit));
@@ -155,6 +156,13 @@ const PairFit* FitsPanel::chosen() const {
   const QTreeWidgetItem* row = table_->currentItem();
   if (row == nullptr || !fits_) return nullptr;
   return &(*fits_)[static_cast<std::size_t>(row->data(Kind, kIndexRole).toULongLong())];
+}
+
+void FitsPanel::showBodies(const QSet<QString>& ids) {
+  goToRow(*table_, [&](const QTreeWidgetItem& row) {
+    const PairFit& fit = (*fits_)[static_cast<std::size_t>(row.data(Kind, kIndexRole).toULongLong())];
+    return ids.contains(QString::fromStdString(fit.a)) || ids.contains(QString::fromStdString(fit.b));
+  });
 }
 
 bool FitsPanel::choose(const QString& a, const QString& b) {

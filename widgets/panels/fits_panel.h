@@ -2,6 +2,7 @@
 
 #include <QLabel>
 #include <QLineEdit>
+#include <QSet>
 #include <QWidget>
 
 #include <memory>
@@ -30,6 +31,8 @@ class FitsPanel final : public QWidget {
   const PairFit* chosen() const;
   /// Makes the row of this pair the current one. False: there is none.
   bool choose(const QString& a, const QString& b);
+  /// Goes to the first row about one of these bodies, which were chosen elsewhere; emits nothing about it.
+  void showBodies(const QSet<QString>& ids);
 
  signals:
   void chosenChanged();

@@ -91,38 +91,48 @@ InteractionPanel::InteractionPanel(QWidget* parent)
   connect(pace_, &PaceBox::paceChosen, this, [this](double pace) {
     emit commanded(command::SetParameter{ParameterId::Pace, pace});
   });
-  connect(planner_, QOverload<int>::of(&QComboBox::activated), this,
-          [this] { emit commanded(command::SetPlanner{planner_->currentData().toString().toStdString()}); });
+  connect(planner_, QOverload<int>::of(&QComboBox::activated), this, &InteractionPanel::chooseStrategy);
   connect(device_, QOverload<int>::of(&QComboBox::activated), this,
           [this] { emit deviceChosen(device_->currentData().toString()); });
   connect(seed_, &SeedBox::seedChosen, this, [this](quint64 seed) { emit commanded(command::SetSeed{seed}); });
 }
 
-/// Those for daily use first; the others below a title that cannot be chosen.
+/// Those for daily use, and a row that shows the others.
 void InteractionPanel::fillStrategies() {
-  const auto addGroup = [this](StrategyGroup group) {
-    for (const PlannerEntry& entry : planners_.entries()) {
-      if (strategyGroup(entry.id) != group) continue;
-      planner_->addItem(QCoreApplication::translate("Planners", entry.label.c_str()), text(entry.id));
-      planner_->setItemData(planner_->count() - 1, QCoreApplication::translate("Planners", entry.description.c_str()),
-                            Qt::ToolTipRole);
-    }
-  };
-  const auto addTitle = [this](const QString& title) {
-    planner_->insertSeparator(planner_->count());
-    planner_->addItem(title);
-    auto* item = static_cast<QStandardItemModel*>(planner_->model())->item(planner_->count() - 1);
-    item->setFlags(Qt::NoItemFlags);
-  };
-  addGroup(StrategyGroup::Main);
-  addTitle(tr("Advanced: the first paper"));
-  addGroup(StrategyGroup::FirstPaper);
-  addTitle(tr("Advanced: places and semantics (second paper)"));
-  addGroup(StrategyGroup::SecondPaper);
-  addTitle(tr("Advanced: OMPL"));
-  addGroup(StrategyGroup::Ompl);
+  addStrategies(true);
+  planner_->insertSeparator(planner_->count());
+  advancedRow_ = planner_->count();
+  planner_->addItem(tr("Advanced…"));
+  planner_->setItemData(advancedRow_, tr("Shows all strategies"), Qt::ToolTipRole);
+}
+
+void InteractionPanel::addStrategies(bool main) {
+  for (const PlannerEntry& entry : planners_.entries()) {
+    if (isMainStrategy(entry.id) != main) continue;
+    planner_->addItem(QCoreApplication::translate("Planners", entry.label.c_str()), text(entry.id));
+    planner_->setItemData(planner_->count() - 1, QCoreApplication::translate("Planners", entry.description.c_str()),
+                          Qt::ToolTipRole);
+  }
   planner_->view()->setMinimumWidth(planner_->view()->sizeHintForColumn(0) + 24);
-  planner_->setMaxVisibleItems(planner_->count());
+  planner_->setMaxVisibleItems(planner_->count() + 1);
+}
+
+void InteractionPanel::showAdvanced() {
+  if (planner_->count() > advancedRow_ + 1) return;
+  planner_->setItemText(advancedRow_, tr("Advanced"));
+  planner_->setItemData(advancedRow_, {}, Qt::ToolTipRole);
+  static_cast<QStandardItemModel*>(planner_->model())->item(advancedRow_)->setFlags(Qt::NoItemFlags);
+  addStrategies(false);
+}
+
+void InteractionPanel::chooseStrategy() {
+  if (planner_->currentIndex() != advancedRow_) {
+    emit commanded(command::SetPlanner{planner_->currentData().toString().toStdString()});
+    return;
+  }
+  showAdvanced();
+  select(*planner_, shownStrategy_);
+  planner_->showPopup();
 }
 
 void InteractionPanel::showUse() {
@@ -147,7 +157,9 @@ void InteractionPanel::setScenario(const LoadedScenario& scenario) {
 }
 
 void InteractionPanel::setSnapshot(const SessionSnapshot& snapshot) {
-  select(*planner_, snapshot.plannerId);
+  shownStrategy_ = snapshot.plannerId;
+  if (!isMainStrategy(shownStrategy_)) showAdvanced();
+  select(*planner_, shownStrategy_);
   pace_->setPace(snapshot.parameters[ParameterId::Pace]);
   showUse();
   if (!seed_->hasFocus()) seed_->setSeed(snapshot.seed);

@@ -32,12 +32,17 @@ class InteractionPanel final : public QWidget {
 
  private:
   void fillStrategies();
+  void addStrategies(bool main);
+  /// The list has all strategies from now on.
+  void showAdvanced();
+  void chooseStrategy();
   /// The sentence about the strategy, and the sliders that it uses.
   void showUse();
   void chooseTuning(ParameterId id, bool tuned);
 
   PlannerRegistry planners_ = makePlannerRegistry();
   QComboBox* planner_;
+  int advancedRow_ = 0;  ///< of planner_: shows all strategies, and is then their title
   QLabel* about_;
   QComboBox* device_;
   PaceBox* pace_;
@@ -46,8 +51,9 @@ class InteractionPanel final : public QWidget {
   QLabel* authority_;
   QLabel* replayed_;
   std::vector<ParameterSlider*> sliders_;
-  std::string shownUse_;  ///< strategy and device that showUse() was called for last
-  int tuned_ = 0;         ///< what sets itself: bits of TunedSetting
+  std::string shownStrategy_;  ///< of the last snapshot
+  std::string shownUse_;       ///< strategy and device that showUse() was called for last
+  int tuned_ = 0;              ///< what sets itself: bits of TunedSetting
 };
 
 }  // namespace glissade

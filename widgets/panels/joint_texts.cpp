@@ -25,10 +25,10 @@ QString threadSizeText(const JointThread& thread) {
   const std::string nominal = nominalSize(thread.diameter);
   const double coarse = isoCoarsePitch(0.5 * thread.diameter).pitch;
   const QString size =
-      nominal.empty() ? QStringLiteral("Ø ") + lengthText(thread.diameter) : QString::fromStdString(nominal);
+      nominal.empty() ? QStringLiteral("Ø ") + columnLengthText(thread.diameter) : QString::fromStdString(nominal);
   const double pitch = std::abs(thread.pitch);
   if (!nominal.empty() && std::abs(pitch - coarse) <= kSamePitchShare * coarse) return size;
-  return QStringLiteral("%1 × %2").arg(size, lengthText(pitch));
+  return QStringLiteral("%1 × %2").arg(size, columnLengthText(pitch));
 }
 
 QString turnsText(const JointThread& thread) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "widgets/panels/joint_texts.h"
+#include "widgets/panels/row_search.h"
 
 namespace glissade {
 namespace {
@@ -149,6 +150,17 @@ void JointsPanel::chooseKeys(const std::vector<JointKey>& keys) {
     if (rows_->selectedItems().isEmpty()) rows_->setCurrentItem(item);
     item->setSelected(true);
   }
+}
+
+void JointsPanel::showBodies(const QSet<QString>& ids) {
+  if (!table_) return;
+  const auto isAbout = [&](const QTreeWidgetItem& item) {
+    const JointKey& key = rowOf(item).key;
+    return ids.contains(QString::fromStdString(key.body)) ||
+           std::any_of(key.others.begin(), key.others.end(),
+                       [&ids](const std::string& id) { return ids.contains(QString::fromStdString(id)); });
+  };
+  if (goToRow(*rows_, isAbout)) showDetails();
 }
 
 bool JointsPanel::choose(JointKind kind, const std::string& body) {

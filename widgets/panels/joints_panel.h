@@ -2,6 +2,7 @@
 
 #include <QLabel>
 #include <QLineEdit>
+#include <QSet>
 #include <QWidget>
 
 #include <memory>
@@ -31,6 +32,8 @@ class JointsPanel final : public QWidget {
   std::vector<const JointRow*> chosen() const;
   /// Makes the row of this body's joint of this kind the only chosen one. False: there is none.
   bool choose(JointKind kind, const std::string& body);
+  /// Goes to the first row about one of these bodies, which were chosen elsewhere; emits nothing about it.
+  void showBodies(const QSet<QString>& ids);
 
  signals:
   void chosenChanged();

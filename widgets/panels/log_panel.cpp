@@ -26,8 +26,8 @@ LogPanel::LogPanel(const MessageLog& log, const ActionCatalogue& actions, QWidge
   table_->setObjectName(QStringLiteral("log-messages"));
   table_->header()->setSectionResizeMode(LogTime, QHeaderView::ResizeToContents);
   table_->header()->setSectionResizeMode(LogLevelColumn, QHeaderView::ResizeToContents);
-  auto* row = makeActionRow(actions, {"log.copy"}, this);
-  row->insertWidget(0, level_);
+  QLayout* row = makeActionFlow(actions, {"log.copy"}, this);
+  row->addWidget(level_);
   auto* column = new QVBoxLayout(this);
   column->addLayout(row);
   column->addWidget(table_, 1);

@@ -122,7 +122,7 @@ void PlanPanel::setPlan(const CoarsePlanPtr& plan, const QString& whyNone) {
   if (plan_) {
     showSummary();
   } else {
-    summary_->setText(whyNone.isEmpty() ? tr("No coarse plan: choose strategy GT or GTS and start.") : whyNone);
+    summary_->setText(whyNone.isEmpty() ? tr("No coarse plan: choose the strategy Layers and start.") : whyNone);
   }
 }
 

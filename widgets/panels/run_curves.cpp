@@ -162,7 +162,7 @@ void RunCurves::paintTimes(QPainter& painter) const {
   const QRectF axis(plot.left(), height() - line, plot.width(), line);
   painter.setPen(palette().color(QPalette::WindowText));
   painter.drawText(axis, Qt::AlignLeft | Qt::AlignVCenter, QStringLiteral("0 s"));
-  painter.drawText(axis, Qt::AlignHCenter | Qt::AlignVCenter, tr("Time"));
+  painter.drawText(axis, Qt::AlignHCenter | Qt::AlignVCenter, tr("Computing time"));
   painter.drawText(axis, Qt::AlignRight | Qt::AlignVCenter,
                    QLocale().toString(history_.samples().back().seconds, 'f', 1) + QStringLiteral(" s"));
 }

@@ -229,6 +229,11 @@ void ScenePanel::showSelection(const QSet<QString>& bodyIds, const std::optional
     collectBodies(**item, bodies);
     (*item)->setSelected(bodyIds.contains(bodies));
   }
+  const QList<QTreeWidgetItem*> selected = selectedItems();
+  const auto isSeen = [this](const QTreeWidgetItem* item) {
+    return visualItemRect(item).intersects(viewport()->rect());
+  };
+  if (!selected.isEmpty() && std::none_of(selected.begin(), selected.end(), isSeen)) scrollToItem(selected.front());
   viewport()->update();
 }
 

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "engine/sequence/step_cost.h"
+#include "widgets/panels/row_search.h"
 
 namespace glissade {
 namespace {
@@ -253,6 +254,7 @@ void SequencePanel::showRow(const QTreeWidgetItem* row) {
   if (row == nullptr) return;
   if (const auto step = chosenStep()) {
     showTime(static_cast<double>(*step) + kOnTheWay);
+    emit stepChosen(static_cast<int>(*step));
   } else {
     emit stuckChosen(QString::fromStdString(chosenStuck()));
   }
@@ -287,6 +289,16 @@ void SequencePanel::chooseBody(const std::string& id) {
   for (int i = 0; i < table_->topLevelItemCount(); ++i) {
     if (StepTable::stuckOf(table_->topLevelItem(i)) == id) table_->setCurrentItem(table_->topLevelItem(i));
   }
+}
+
+void SequencePanel::showBodies(const QSet<QString>& ids) {
+  const auto isAbout = [&](const QTreeWidgetItem& row) {
+    const auto step = StepTable::stepOf(&row);
+    const auto bodies = step ? shown_.plan->steps[*step].bodies() : std::vector<std::string>{StepTable::stuckOf(&row)};
+    return std::any_of(bodies.begin(), bodies.end(),
+                       [&ids](const std::string& id) { return ids.contains(QString::fromStdString(id)); });
+  };
+  if (goToRow(*table_, isAbout)) emit selectionChanged();
 }
 
 bool SequencePanel::selectSteps(const std::vector<std::size_t>& steps) {

@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QMenu>
+#include <QSet>
 #include <QWidget>
 
 #include <optional>
@@ -51,6 +52,8 @@ class SequencePanel final : public QWidget {
   std::string chosenBody() const;
   /// Makes the row of the step that the body leaves in, or of the stuck body, the current one.
   void chooseBody(const std::string& id);
+  /// Goes to the first row about one of these bodies, which were chosen elsewhere. The scene stays at its step.
+  void showBodies(const QSet<QString>& ids);
   /// All that are selected, in the order of removal.
   std::vector<std::size_t> selectedSteps() const { return table_->selectedSteps(); }
   bool selectSteps(const std::vector<std::size_t>& steps);
@@ -64,6 +67,8 @@ class SequencePanel final : public QWidget {
   void playbackEnded();
   /// The current row is another one; a stuck part and who blocks it are to be shown.
   void stuckChosen(const QString& bodyId);
+  /// A person has chosen the row of this step (its index in the plan); it is shown.
+  void stepChosen(int step);
   void selectionChanged();
   /// A person wants the step where the other one is; indices in the plan.
   void stepMoved(int from, int to);

@@ -12,6 +12,7 @@
 #include <QStyledItemDelegate>
 
 #include <algorithm>
+#include <climits>
 
 #include "engine/sequence/demand_edits.h"
 #include "engine/study/plan_tasks.h"
@@ -29,8 +30,14 @@ constexpr int kStuckRole = Qt::UserRole + 1;    // id of a stuck part
 constexpr int kPictureRole = Qt::UserRole + 2;  // id of the body that the picture is of
 constexpr int kPartColumn = 184;
 constexpr int kPictureSize = 32;
+constexpr int kWrappedMargin = 16;  ///< about the text beside a picture, and between them
 
 QString twoLines(const QString& upper, const QString& lower) { return upper + QLatin1Char('\n') + lower; }
+
+/// "no motion was found" as "No motion was found."
+QString sentence(const QString& text) {
+  return text.left(1).toUpper() + text.mid(1) + (text.endsWith(QLatin1Char('.')) ? QString() : QStringLiteral("."));
+}
 
 QString joinedTexts(const std::vector<std::string>& texts, const QString& separator) {
   QStringList list;
@@ -41,7 +48,7 @@ QString joinedTexts(const std::vector<std::string>& texts, const QString& separa
 QString largestAllowanceText(const AssemblyStep& step) {
   double largest = 0.0;
   for (const StepAllowance& allowance : step.allowances) largest = std::max(largest, allowance.allowance);
-  return largest > 0.0 ? lengthText(largest) : QStringLiteral("–");
+  return largest > 0.0 ? columnLengthText(largest) : QStringLiteral("–");
 }
 
 QString checkText(StepCheck check) {
@@ -74,6 +81,30 @@ class BeginningDelegate final : public QStyledItemDelegate {
   }
 };
 
+/// Rows of stuck parts: their text has as many lines as it needs.
+class WrappedDelegate final : public QStyledItemDelegate {
+ public:
+  explicit WrappedDelegate(QTreeView* table) : QStyledItemDelegate(table), table_(table) {}
+
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    QSize size = QStyledItemDelegate::sizeHint(option, index);
+    if (!index.data(kStuckRole).isValid()) return size;
+    const int width = table_->viewport()->width() - table_->iconSize().width() - kWrappedMargin;
+    const QRect box = table_->fontMetrics().boundingRect(QRect(0, 0, std::max(1, width), INT_MAX / 2), Qt::TextWordWrap,
+                                                         index.data().toString());
+    return {size.width(), std::max(size.height(), box.height() + kWrappedMargin / 2)};
+  }
+
+ protected:
+  void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+    QStyledItemDelegate::initStyleOption(option, index);
+    if (index.data(kStuckRole).isValid()) option->features |= QStyleOptionViewItem::WrapText;
+  }
+
+ private:
+  QTreeView* table_;
+};
+
 /// What a person has done to the step: "locked", "by hand".
 QString markOf(const StepDemands& demands, const AssemblyStep& step) {
   QStringList marks;
@@ -102,13 +133,12 @@ StepTable::StepTable(IconOf iconOf, QWidget* parent) : QTreeWidget(parent), icon
   headerItem()->setToolTip(StepTools, tr("Above: the tool that turns the fastener, and what it cannot be brought past. "
                                          "Below: parts that would tip or fall, or what a forced step does not keep"));
   headerItem()->setToolTip(StepState,
-                           tr("Above: whether the motion is proved. Below: what a person has done to the step, or the "
-                              "seconds after which it was found"));
+                           tr("Above: whether the motion is proved. Below: what a person has done to the step"));
   setRootIsDecorated(false);
-  setUniformRowHeights(true);
   setAlternatingRowColors(true);
   setIconSize({kPictureSize, kPictureSize});
   setTextElideMode(Qt::ElideMiddle);
+  setItemDelegateForColumn(StepNumber, new WrappedDelegate(this));
   setItemDelegateForColumn(StepTools, new BeginningDelegate(this));
   setAccessibleName(tr("Steps of the sequence"));
   header()->setSectionResizeMode(QHeaderView::Interactive);
@@ -159,7 +189,8 @@ void StepTable::show(const ShownPlan& shown, PlanOrder order) {
 void StepTable::setIcon(QTreeWidgetItem& row, const std::string& bodyId) {
   row.setData(StepNumber, kPictureRole, QString::fromStdString(bodyId));
   const auto body = shown_.product->indexOf(bodyId);
-  if (body) row.setIcon(StepPart, iconOf_(shown_.product->bodies[*body]));
+  const int column = row.isFirstColumnSpanned() ? StepNumber : StepPart;
+  if (body) row.setIcon(column, iconOf_(shown_.product->bodies[*body]));
 }
 
 void StepTable::takeIcons() {
@@ -189,7 +220,7 @@ void StepTable::addStep(std::size_t place) {
   const QString told = work == motion ? motion : twoLines(work, motion);
   row->setToolTip(StepPart, twoLines(allNames(step.bodies()), told));
   const bool isNear = !step.proof.nearest.empty();
-  row->setText(StepGaps, twoLines(isNear ? lengthText(step.proof.minClearance) : QStringLiteral("–"),
+  row->setText(StepGaps, twoLines(isNear ? columnLengthText(step.proof.minClearance) : QStringLiteral("–"),
                                   largestAllowanceText(step)));
   row->setTextAlignment(StepGaps, Qt::AlignRight | Qt::AlignVCenter);
   QStringList gaps;
@@ -209,34 +240,32 @@ void StepTable::addStep(std::size_t place) {
                                  .join(QLatin1Char('\n'))
                                  .trimmed());
   const auto after = i < shown_.foundAfter.size() ? shown_.foundAfter[i] : std::nullopt;
-  const QString seconds = after ? QLocale().toString(*after, 'f', 1) + QStringLiteral(" s") : QStringLiteral("–");
   const StepCheck check = i < shown_.checks.size() ? shown_.checks[i] : StepCheck::NotAsked;
   const QString mark = markOf(demandsOn(step.bodies(), shown_.plan->demands), step);
-  row->setText(StepState, twoLines(checkText(check), mark.isEmpty() ? seconds : mark));
-  row->setToolTip(StepState, (QStringList{checkTip(check), tr("found by %1").arg(QString::fromStdString(step.method)),
-                                          tr("found after %1").arg(seconds)})
-                                 .join(QLatin1Char('\n')));
+  row->setText(StepState, twoLines(checkText(check), mark));
+  QStringList tips{checkTip(check), tr("found by %1").arg(QString::fromStdString(step.method))};
+  if (after) tips << tr("found after %1 s of computing").arg(QLocale().toString(*after, 'f', 1));
+  row->setToolTip(StepState, tips.join(QLatin1Char('\n')));
 }
 
+/// The reason in full, and what to do next, over all columns.
 void StepTable::addStuck(const StuckBody& stuck) {
   auto* row = new QTreeWidgetItem(this);
+  row->setFirstColumnSpanned(true);
   row->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
-  const QString name = nameOf(stuck.body);
   row->setData(StepNumber, kStuckRole, QString::fromStdString(stuck.body));
-  row->setText(StepNumber, QStringLiteral("–"));
-  row->setTextAlignment(StepNumber, Qt::AlignRight | Qt::AlignVCenter);
   setIcon(*row, stuck.body);
-  const QString blocked =
-      stuck.blockedBy.empty() ? tr("no motion found") : tr("blocked by %1").arg(shortNames(stuck.blockedBy));
-  row->setText(StepPart, twoLines(shortNames({stuck.body}), blocked));
-  QStringList names{name, blocked};
-  for (const std::string& other : stuck.blockedBy) names << nameOf(other);
-  if (!stuck.reason.empty()) names << engineText(stuck.reason);
-  row->setToolTip(StepPart, names.join(QLatin1Char('\n')));
-  QFont bold = font();
-  bold.setBold(true);
-  row->setText(StepState, tr("stuck"));
-  row->setFont(StepState, bold);
+  QStringList sentences{tr("%1 is stuck.").arg(shortNames({stuck.body}))};
+  if (!stuck.blockedBy.empty()) sentences << tr("Blocked by %1.").arg(shortNames(stuck.blockedBy));
+  if (!stuck.reason.empty()) sentences << sentence(engineText(stuck.reason));
+  sentences << tr("Next: move it by hand (menu of the row), or look at the order as a graph.");
+  row->setText(StepNumber, sentences.join(QLatin1Char(' ')));
+  row->setToolTip(StepNumber, twoLines(nameOf(stuck.body), allNames(stuck.blockedBy)).trimmed());
+}
+
+void StepTable::resizeEvent(QResizeEvent* event) {
+  QTreeWidget::resizeEvent(event);
+  scheduleDelayedItemsLayout();  // texts of stuck parts are wrapped
 }
 
 std::optional<std::size_t> StepTable::stepOf(const QTreeWidgetItem* row) {

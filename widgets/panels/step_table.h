@@ -20,7 +20,8 @@ struct ShownPlan {
   std::vector<StepCheck> checks;                  ///< of each step; empty: not asked
 };
 
-/// Steps and stuck parts of an assembly plan, two lines a row. Steps can be dragged to another row.
+/// Steps of an assembly plan, two lines a row, and stuck parts with the whole reason. Steps can be dragged to another
+/// row.
 class StepTable final : public QTreeWidget {
   Q_OBJECT
 
@@ -53,6 +54,7 @@ class StepTable final : public QTreeWidget {
   void changeEvent(QEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void addStep(std::size_t place);

@@ -3,8 +3,6 @@
 namespace glissade {
 namespace {
 
-bool beginsWith(const std::string& text, const char* beginning) { return text.rfind(beginning, 0) == 0; }
-
 /// Samples on the tangent plane of an obstacle; strategies in a loop may choose such a planner for a place.
 bool samplesContacts(const PlannerEntry& strategy) {
   return strategy.usesOperator && strategy.id != "interactive-birrt";
@@ -17,10 +15,8 @@ bool isGuided(const std::string& deviceId) {
 
 }  // namespace
 
-StrategyGroup strategyGroup(const std::string& plannerId) {
-  if (plannerId == "auto" || plannerId == "contact-birrt") return StrategyGroup::Main;
-  if (beginsWith(plannerId, "ompl-") || beginsWith(plannerId, "peer-")) return StrategyGroup::Ompl;
-  return plannerId.find("birrt") != std::string::npos ? StrategyGroup::FirstPaper : StrategyGroup::SecondPaper;
+bool isMainStrategy(const std::string& plannerId) {
+  return plannerId == "auto" || plannerId == "contact-birrt" || plannerId == "gts";
 }
 
 std::set<ParameterId> parametersInUse(const PlannerEntry& strategy, const std::string& deviceId) {

@@ -8,9 +8,8 @@
 
 namespace glissade {
 
-/// How strategies are listed: those for daily use first.
-enum class StrategyGroup { Main, FirstPaper, SecondPaper, Ompl };
-StrategyGroup strategyGroup(const std::string& plannerId);
+/// For daily use: it is listed first. The others are listed under "Advanced".
+bool isMainStrategy(const std::string& plannerId);
 
 /// The live parameters that have an effect with this strategy while this device holds the object, apart from the pace,
 /// which every run has.

@@ -24,8 +24,9 @@ constexpr float kGhostFill = 0.16F;
 /// More ghosts than these fade.
 constexpr double kPlainGhosts = 6.0;
 constexpr double kFaintestGhost = 0.12;
-/// Of the part of the moved object that other bodies hide.
+/// Of the part of the moved object that other bodies hide, and of a ghost.
 constexpr float kHiddenFill = 0.45F;
+constexpr float kHiddenGhostFill = 0.40F;
 constexpr float kHiddenEdges = 0.30F;
 /// OSG draws bins by their number: opaque bodies are in 0, transparent ones in 10.
 constexpr int kHiddenSilhouetteBin = 1;
@@ -89,9 +90,9 @@ osg::ref_ptr<osg::Geode> hiddenEdgesOf(const BodyShape& shape, const ScenePalett
 
 /// What other bodies hide of a body: flat, drawn before the body's own surface is.
 osg::ref_ptr<osg::Group> hiddenSilhouetteOf(const BodyShape& shape, const osg::Vec4& colour,
-                                            const ScenePalette& palette) {
+                                            const ScenePalette& palette, float opacity = kHiddenFill) {
   osg::ref_ptr<osg::Group> group = new osg::Group;
-  osg::ref_ptr<osg::Group> fill = surfaceOf(shape, withOpacity(colour, kHiddenFill));
+  osg::ref_ptr<osg::Group> fill = surfaceOf(shape, withOpacity(colour, opacity));
   fill->getOrCreateStateSet()->setAttributeAndModes(new osg::CullFace(osg::CullFace::BACK));
   group->addChild(fill);
   group->addChild(edgesOf(shape, withOpacity(palette.lines, kHiddenEdges), palette.pixelScale));
@@ -140,6 +141,13 @@ osg::ref_ptr<osg::MatrixTransform> makeGhost(const BodyShape& shape, const Pose&
                                              const ScenePalette& palette) {
   osg::ref_ptr<osg::MatrixTransform> transform = new osg::MatrixTransform(toOsg(X_WB));
   transform->addChild(ghostOf(shape, colour, palette));
+  return transform;
+}
+
+osg::ref_ptr<osg::MatrixTransform> makeSeenGhost(const BodyShape& shape, const Pose& X_WB, const osg::Vec4& colour,
+                                                 const ScenePalette& palette) {
+  osg::ref_ptr<osg::MatrixTransform> transform = makeGhost(shape, X_WB, colour, palette);
+  transform->addChild(hiddenSilhouetteOf(shape, colour, palette, kHiddenGhostFill));
   return transform;
 }
 

@@ -20,7 +20,11 @@ osg::ref_ptr<osg::MatrixTransform> makeBody(const BodyShape& shape, const Pose& 
 osg::ref_ptr<osg::MatrixTransform> makeGhost(const BodyShape& shape, const Pose& X_WB, const osg::Vec4& colour,
                                              const ScenePalette& palette);
 
-/// The same at many poses, all of one drawing: each is fainter the more there are, so that they do not hide what they
+/// A ghost whose silhouette shows through the bodies before it.
+osg::ref_ptr<osg::MatrixTransform> makeSeenGhost(const BodyShape& shape, const Pose& X_WB, const osg::Vec4& colour,
+                                                 const ScenePalette& palette);
+
+/// Ghosts at many poses, all of one drawing: each is fainter the more there are, so that they do not hide what they
 /// stand beside.
 osg::ref_ptr<osg::Group> makeGhosts(const BodyShape& shape, const std::vector<Pose>& poses, const osg::Vec4& colour,
                                     const ScenePalette& palette);

@@ -58,6 +58,14 @@ osg::Vec4 colourOfStep(std::size_t step) {
   return colours[step % colours.size()];
 }
 
+osg::Vec4 cellColour(CellKind kind, const osg::Vec4& lines) {
+  switch (kind) {
+    case CellKind::Free: return toOsg(Colour{0.0, 0.62, 0.45}, 0.35);
+    case CellKind::Mobile: return toOsg(Colour{0.90, 0.62, 0.0}, 0.7);
+    default: return {lines.r(), lines.g(), lines.b(), 0.35F};
+  }
+}
+
 osg::ref_ptr<osg::Group> makeCells(const Octree& octree, CellKind kind, int finestLevel, const ScenePalette& palette) {
   std::vector<Cell> cells;
   octree.forEachLeaf([&](const Octree::Leaf& leaf) {
@@ -71,11 +79,7 @@ osg::ref_ptr<osg::Group> makeCells(const Octree& octree, CellKind kind, int fine
     const std::vector<Vector3> edges = boxEdges(box);
     points.insert(points.end(), edges.begin(), edges.end());
   }
-  osg::Vec4 colour = kind == CellKind::Free ? toOsg(Colour{0.0, 0.62, 0.45}, 0.35)
-                     : kind == CellKind::Mobile
-                         ? toOsg(Colour{0.90, 0.62, 0.0}, 0.7)
-                         : osg::Vec4(palette.lines.r(), palette.lines.g(), palette.lines.b(), 0.35F);
-  return groupOf(makeLines(points, LineKind::Segments, colour, palette.pixelScale));
+  return groupOf(makeLines(points, LineKind::Segments, cellColour(kind, palette.lines), palette.pixelScale));
 }
 
 osg::ref_ptr<osg::Group> makePlaces(const EnvironmentPicture& picture, const ScenePalette& palette) {
@@ -113,7 +117,7 @@ osg::ref_ptr<osg::Group> makeBorders(const TopologicalMap& map, const ScenePalet
         surfaceOf(map.grid, map.places[place].cells, [&](std::size_t, std::optional<std::size_t> beyond) {
           return beyond && map.placeOf[*beyond] > static_cast<int>(place);
         });
-    if (!faces.empty()) group->addChild(transparentFaces(faces, osg::Vec4(0.80F, 0.47F, 0.65F, 0.55F)));
+    if (!faces.empty()) group->addChild(transparentFaces(faces, kBorderColour));
   }
   return group;
 }
@@ -144,18 +148,19 @@ osg::ref_ptr<osg::Group> makeCoarsePath(const CoarsePlan& plan, const ScenePalet
   for (const int node : plan.nodes) way.push_back(plan.graph->nodes[static_cast<std::size_t>(node)].p_W);
   osg::ref_ptr<osg::Group> group = new osg::Group;
   if (way.empty()) return group;
-  const osg::Vec4 blue(0.0F, 0.38F, 0.85F, 0.9F);
-  group->addChild(groupOf(makeLines(way, LineKind::Strip, blue, 3.0F * palette.pixelScale)));
-  group->addChild(groupOf(makePoints(way, blue, 10.0F * palette.pixelScale)));
+  group->addChild(groupOf(makeLines(way, LineKind::Strip, kCoarsePathColour, 3.0F * palette.pixelScale)));
+  group->addChild(groupOf(makePoints(way, kCoarsePathColour, 10.0F * palette.pixelScale)));
   makeOverlay(*group);
   return group;
 }
 
+bool isMilestoneDrawn(const TopologicalStep& step) { return step.milestone && step.border >= 0; }
+
 osg::ref_ptr<osg::Group> makeMilestones(const CoarsePlan& plan, const BodyShape& object, const ScenePalette& palette) {
   osg::ref_ptr<osg::Group> group = new osg::Group;
   for (const TopologicalStep& step : plan.steps) {
-    if (!step.milestone || step.border < 0) continue;
-    group->addChild(makeGhost(object, step.to, osg::Vec4(0.84F, 0.15F, 0.15F, 1), palette));
+    if (!isMilestoneDrawn(step)) continue;
+    group->addChild(makeGhost(object, step.to, kMilestoneColour, palette));
   }
   return group;
 }

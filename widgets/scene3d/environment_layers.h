@@ -12,6 +12,10 @@
 
 namespace glissade {
 
+inline const osg::Vec4 kBorderColour(0.80F, 0.47F, 0.65F, 0.55F);
+inline const osg::Vec4 kCoarsePathColour(0.0F, 0.38F, 0.85F, 0.9F);
+inline const osg::Vec4 kMilestoneColour(0.84F, 0.15F, 0.15F, 1.0F);
+
 /// What the layers of the environment model are drawn from, beyond the model itself.
 struct EnvironmentPicture {
   SceneKnowledgePtr knowledge;
@@ -24,6 +28,8 @@ struct EnvironmentPicture {
 
 /// Cells of one kind as boxes of lines, the coarsest first; at most some thousands.
 osg::ref_ptr<osg::Group> makeCells(const Octree& octree, CellKind kind, int finestLevel, const ScenePalette& palette);
+/// Of the lines of these cells; `lines` is the palette's.
+osg::Vec4 cellColour(CellKind kind, const osg::Vec4& lines);
 /// Places as transparent solids in their colours.
 osg::ref_ptr<osg::Group> makePlaces(const EnvironmentPicture& picture, const ScenePalette& palette);
 /// The selected places, outlined.
@@ -34,6 +40,8 @@ osg::ref_ptr<osg::Group> makeBorders(const TopologicalMap& map, const ScenePalet
 osg::ref_ptr<osg::Group> makeGraph(const TopologicalGraph& graph, const ScenePalette& palette);
 /// The coarse path through the graph.
 osg::ref_ptr<osg::Group> makeCoarsePath(const CoarsePlan& plan, const ScenePalette& palette);
+/// The object is drawn at the end of this step.
+bool isMilestoneDrawn(const TopologicalStep& step);
 /// The milestones: the object in the configurations to pass through.
 osg::ref_ptr<osg::Group> makeMilestones(const CoarsePlan& plan, const BodyShape& object, const ScenePalette& palette);
 /// The area that a local planner explores.

@@ -13,25 +13,26 @@ namespace glissade {
 namespace {
 
 constexpr double kLeastForceShown = 0.01;  ///< weaker forces are not shown
-constexpr double kRadiiAtFull = 3.0;       ///< length of the arrow at full strength
-constexpr double kShortest = 0.4;          ///< in radii, so that weak forces have a direction
-constexpr double kShaft = 0.05;            ///< in radii
-constexpr double kHeadRadius = 0.15;       ///< in radii
-constexpr double kHeadLength = 0.35;       ///< in radii
-constexpr float kStrongestTint = 0.75F;    ///< the object's own colour stays recognisable
-constexpr float kTints = 32.0F;            ///< so many are distinguished: a new one is uploaded with the surface
+constexpr double kRadiiAtFull = 2.0;       ///< of the object: length of the arrow at full strength
+constexpr double kMostOfView = 0.20;       ///< of the view's height: the same
+constexpr double kWeakest = 0.15;          ///< of the full length, so that weak forces have a direction
+constexpr double kShaft = 0.017;           ///< these are shares of the full length
+constexpr double kHeadRadius = 0.05;
+constexpr double kHeadLength = 0.12;
+constexpr float kStrongestTint = 0.75F;  ///< the object's own colour stays recognisable
+constexpr float kTints = 32.0F;          ///< so many are distinguished: a new one is uploaded with the surface
 constexpr std::uint32_t kSegments = 24;
 
 /// Points to +z from the origin.
-TriangleMesh makeArrow(double length, double radius) {
-  const double shaft = length - kHeadLength * radius;
+TriangleMesh makeArrow(double length, double full) {
+  const double shaft = length - kHeadLength * full;
   TriangleMesh arrow =
-      transformed(makeCylinder(kShaft * radius, shaft, kSegments), Pose::translation({0.0, 0.0, 0.5 * shaft}));
+      transformed(makeCylinder(kShaft * full, shaft, kSegments), Pose::translation({0.0, 0.0, 0.5 * shaft}));
   TriangleMesh head;
   head.vertices = {{0.0, 0.0, length}, {0.0, 0.0, shaft}};
   for (std::uint32_t i = 0; i < kSegments; ++i) {
     const double angle = 2.0 * EIGEN_PI * i / kSegments;
-    head.vertices.emplace_back(kHeadRadius * radius * std::cos(angle), kHeadRadius * radius * std::sin(angle), shaft);
+    head.vertices.emplace_back(kHeadRadius * full * std::cos(angle), kHeadRadius * full * std::sin(angle), shaft);
     const std::uint32_t at = 2 + i;
     const std::uint32_t next = 2 + (i + 1) % kSegments;
     head.triangles.push_back({0, at, next});
@@ -47,15 +48,16 @@ float guidanceStrength(const Wrench& guidance) {
   return static_cast<float>(std::min(1.0, std::max(guidance.force_W.norm(), guidance.torque_W.norm())));
 }
 
-osg::ref_ptr<osg::MatrixTransform> makeGuidance(const OperatorSample& device, double objectRadius,
+osg::ref_ptr<osg::MatrixTransform> makeGuidance(const OperatorSample& device, const MarkScale& scale,
                                                 const ScenePalette& palette) {
   const Vector3& force_W = device.guidance.force_W;
   const double strength = force_W.norm();
   if (strength < kLeastForceShown) return nullptr;
-  const double length = std::max(kShortest, kRadiiAtFull * strength) * objectRadius;
+  const double full = scale.length(kRadiiAtFull, kMostOfView);
+  const double length = std::clamp(strength, kWeakest, 1.0) * full;
   const Pose X_WA{device.q_device.position, Quaternion::FromTwoVectors(Vector3::UnitZ(), force_W)};
   osg::ref_ptr<osg::Geode> geode = new osg::Geode;
-  geode->addDrawable(makeFlatSurface(makeArrow(length, objectRadius), palette.guidance));
+  geode->addDrawable(makeFlatSurface(makeArrow(length, full), palette.guidance));
   osg::StateSet* state = geode->getOrCreateStateSet();
   state->setAttributeAndModes(new osg::Depth(osg::Depth::ALWAYS, 0.0, 1.0, false));
   state->setRenderBinDetails(20, "RenderBin");

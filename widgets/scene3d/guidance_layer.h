@@ -4,6 +4,7 @@
 #include <osg/ref_ptr>
 
 #include "engine/planning/operator_sample.h"
+#include "widgets/scene3d/mark_size.h"
 #include "widgets/scene3d/palette.h"
 
 namespace glissade {
@@ -12,8 +13,9 @@ namespace glissade {
 float guidanceStrength(const Wrench& guidance);
 
 /// The force that guides the hand as an arrow from the object's reference point, seen through whatever
-/// lies in front: three radii of the object long at full strength. Null where there is none to speak of.
-osg::ref_ptr<osg::MatrixTransform> makeGuidance(const OperatorSample& device, double objectRadius,
+/// lies in front: as long as two radii of the object at full strength, and never longer than a part of the view. Null
+/// where there is none to speak of.
+osg::ref_ptr<osg::MatrixTransform> makeGuidance(const OperatorSample& device, const MarkScale& scale,
                                                 const ScenePalette& palette);
 
 /// The colour of an object that is guided so strongly.

@@ -10,6 +10,7 @@
 #include "widgets/commands/length_text.h"
 #include "widgets/scene3d/camera_controller.h"
 #include "widgets/scene3d/label_placement.h"
+#include "widgets/scene3d/legend_overlay.h"
 
 namespace glissade {
 namespace {
@@ -31,7 +32,8 @@ QString textOf(const SceneLabel& label) {
 
 }  // namespace
 
-LabelOverlay::LabelOverlay(const SceneView& view, QWidget* scene) : QWidget(scene), view_(view) {
+LabelOverlay::LabelOverlay(const SceneView& view, const LegendOverlay& legend, QWidget* scene)
+    : QWidget(scene), view_(view), legend_(legend) {
   setAttribute(Qt::WA_TransparentForMouseEvents);
   setFocusPolicy(Qt::NoFocus);
   scene->installEventFilter(this);
@@ -52,7 +54,7 @@ void LabelOverlay::paintEvent(QPaintEvent* /*event*/) {
     labels.push_back(label);
     requested.push_back({boxOf(label, *at), label.strong, label.small});
   }
-  const auto places = placeLabels(requested);
+  const auto places = placeLabels(requested, legend_.box());
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   for (std::size_t i = 0; i < labels.size(); ++i) {

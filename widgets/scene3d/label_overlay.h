@@ -7,13 +7,16 @@
 
 namespace glissade {
 
+class LegendOverlay;
+
 /// The scene's labels, painted over the widget that shows it, none on another; takes no part in mouse and keys.
 class LabelOverlay final : public QWidget {
   Q_OBJECT
 
  public:
   /// Covers `scene`, which shows `view`, and follows its size.
-  LabelOverlay(const SceneView& view, QWidget* scene);
+  /// No label is put on what `legend` covers.
+  LabelOverlay(const SceneView& view, const LegendOverlay& legend, QWidget* scene);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -26,6 +29,7 @@ class LabelOverlay final : public QWidget {
   void paint(QPainter& painter, const SceneLabel& label, const QRectF& box) const;
 
   const SceneView& view_;
+  const LegendOverlay& legend_;
 };
 
 }  // namespace glissade

@@ -12,6 +12,8 @@ constexpr double kSteps[][2] = {{0, 0}, {0, 1}, {0, -1}, {1, 0}, {-1, 0}, {1, 1}
 
 class Placement {
  public:
+  explicit Placement(const QRectF& covered) : taken_{covered} {}
+
   std::optional<QRectF> place(const WantedLabel& label) {
     for (const auto& [across, down] : kSteps) {
       if (label.bound && (across != 0 || down != 0)) break;
@@ -36,8 +38,8 @@ class Placement {
 
 }  // namespace
 
-std::vector<std::optional<QRectF>> placeLabels(const std::vector<WantedLabel>& labels) {
-  Placement placement;
+std::vector<std::optional<QRectF>> placeLabels(const std::vector<WantedLabel>& labels, const QRectF& covered) {
+  Placement placement(covered);
   std::vector<std::optional<QRectF>> places(labels.size());
   const auto rank = [](const WantedLabel& label) { return label.strong ? 0 : label.bound ? 2 : 1; };
   for (const int turn : {0, 1, 2}) {

@@ -16,7 +16,7 @@ struct WantedLabel {
 
 /// Where labels go so that none lies on another: each where it wants to be, or beside that by its own size. One
 /// for which there is no room is left out, unless it is strong. Strong ones choose first, then in their order;
-/// bound ones last.
-std::vector<std::optional<QRectF>> placeLabels(const std::vector<WantedLabel>& labels);
+/// bound ones last. `covered` is kept free; it may be empty.
+std::vector<std::optional<QRectF>> placeLabels(const std::vector<WantedLabel>& labels, const QRectF& covered = {});
 
 }  // namespace glissade

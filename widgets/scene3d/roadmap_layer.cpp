@@ -16,9 +16,13 @@ namespace {
 
 /// Vertices in a batch: uploads stay small, draw calls few.
 constexpr int kBatch = 8192;
-/// Larger trees fade, or nothing else could be seen for them.
-constexpr double kOpaqueSegments = 4000.0;
-constexpr double kLeastOpacity = 0.03;
+constexpr float kLineWidth = 1.2F;
+/// Lines that would cover more of their area than this fade.
+constexpr double kMostCovered = 0.6;
+/// Of a batch, beside the next younger one.
+constexpr double kAgeing = 0.7;
+/// Fainter lines cannot be told from what is behind them, and are not drawn.
+constexpr double kFaintest = 0.02;
 /// What is left of the roadmap once the path is the picture.
 constexpr double kFadedShare = 0.12;
 
@@ -33,7 +37,7 @@ RoadmapLayer::RoadmapLayer() : root_(new osg::Group), geode_(new osg::Geode), pa
 void RoadmapLayer::setPalette(const ScenePalette& palette) {
   palette_ = palette;
   osg::StateSet* state = root_->getOrCreateStateSet();
-  state->setAttributeAndModes(new osg::LineWidth(1.2F * palette.pixelScale));
+  state->setAttributeAndModes(new osg::LineWidth(kLineWidth * palette.pixelScale));
   state->setAttributeAndModes(new osg::Point(4.0F * palette.pixelScale));
   const auto recolour = [&](std::size_t vertex, const osg::Vec4ub& colour) {
     (*lines_[vertex / kBatch].colours)[vertex % kBatch] = colour;
@@ -64,15 +68,38 @@ void RoadmapLayer::update(const SessionSnapshot& snapshot) {
   fade();
 }
 
-/// Lines of one opacity, blended by a constant colour: their own colours need not be uploaded again. While faded they
-/// do not hide each other.
+/// A batch has one opacity, blended by a constant colour: the colours of its lines need not be uploaded again.
 void RoadmapLayer::fade() {
-  const double share = kOpaqueSegments / std::max<double>(1.0, static_cast<double>(segmentsDrawn_));
-  const double faded = faded_ ? kFadedShare : 1.0;
-  const auto opacity = static_cast<float>(faded * std::clamp(share, kLeastOpacity, 1.0));
-  if (opacity == opacity_) return;
-  opacity_ = opacity;
-  osg::StateSet* state = root_->getOrCreateStateSet();
+  double covered = 0.0;
+  double age = 1.0;
+  for (auto batch = lines_.rbegin(); batch != lines_.rend(); ++batch, age *= kAgeing) covered += age * coverage(*batch);
+  double opacity = (faded_ ? kFadedShare : 1.0) * std::min(1.0, kMostCovered / std::max(covered, 1e-9));
+  const bool ages = covered > kMostCovered;
+  for (Batch& batch : points_) setOpacity(batch, static_cast<float>(std::max(kFaintest, opacity)));
+  bool newest = true;
+  for (auto batch = lines_.rbegin(); batch != lines_.rend(); ++batch) {
+    const double shown = newest ? std::max(kFaintest, opacity) : opacity;
+    setOpacity(*batch, shown < kFaintest ? 0.0F : static_cast<float>(shown));
+    if (ages) opacity *= kAgeing;
+    newest = false;
+  }
+}
+
+double RoadmapLayer::coverage(const Batch& batch) const {
+  if (pixelsPerMetre_ <= 0.0 || box_.isEmpty()) return 0.0;
+  Vector3 sides = box_.diagonal() * pixelsPerMetre_;
+  std::sort(sides.data(), sides.data() + 3);
+  const double width = kLineWidth * palette_.pixelScale;
+  const double area = std::max(width, sides[1]) * std::max(width, sides[2]);
+  return batch.length * pixelsPerMetre_ * width / area;
+}
+
+/// While faded, lines do not hide each other.
+void RoadmapLayer::setOpacity(Batch& batch, float opacity) {
+  if (opacity == batch.opacity) return;
+  batch.opacity = opacity;
+  batch.geometry->setNodeMask(opacity > 0.0F ? ~0U : 0U);
+  osg::StateSet* state = batch.geometry->getOrCreateStateSet();
   if (opacity == 1.0F) {
     for (const auto type :
          {osg::StateAttribute::BLENDFUNC, osg::StateAttribute::BLENDCOLOR, osg::StateAttribute::DEPTH}) {
@@ -84,6 +111,18 @@ void RoadmapLayer::fade() {
       new osg::BlendFunc(osg::BlendFunc::CONSTANT_ALPHA, osg::BlendFunc::ONE_MINUS_CONSTANT_ALPHA));
   state->setAttributeAndModes(new osg::BlendColor(osg::Vec4(1.0F, 1.0F, 1.0F, opacity)));
   state->setAttributeAndModes(new osg::Depth(osg::Depth::LESS, 0.0, 1.0, false));
+}
+
+void RoadmapLayer::setScale(double pixelsPerMetre) {
+  if (pixelsPerMetre == pixelsPerMetre_) return;
+  pixelsPerMetre_ = pixelsPerMetre;
+  fade();
+}
+
+std::vector<float> RoadmapLayer::opacities() const {
+  std::vector<float> opacities;
+  for (const Batch& batch : lines_) opacities.push_back(batch.opacity);
+  return opacities;
 }
 
 void RoadmapLayer::setFaded(bool faded) {
@@ -100,7 +139,8 @@ void RoadmapLayer::clear() {
   chunksTaken_ = nodesBefore_ = edgesBefore_ = 0;
   droppedTaken_ = 0;
   segmentsDrawn_ = 0;
-  fade();
+  box_ = Box3();
+  content_ = {};
 }
 
 /// What is drawn is the beginning of what is to be shown.
@@ -116,13 +156,20 @@ bool RoadmapLayer::isPrefixOf(const SessionSnapshot& snapshot) const {
 
 void RoadmapLayer::takeNode(const RoadmapNode& node) {
   nodes_.push_back(node);
+  box_.extend(node.q.position);
+  content_.operatorNodes |= node.author == Author::Operator;
+  content_.contactNodes |= node.author == Author::Contact;
   if (node.author != Author::Computer) addVertex(points_, GL_POINTS, node.q.position, colourOf(node, palette_));
 }
 
 void RoadmapLayer::takeEdge(const RoadmapEdge& edge) {
-  const osg::Vec4ub colour = colourOf(nodes_[std::max(edge.from, edge.to)], palette_);
-  addVertex(lines_, GL_LINES, nodes_[edge.from].q.position, colour);
-  addVertex(lines_, GL_LINES, nodes_[edge.to].q.position, colour);
+  const RoadmapNode& later = nodes_[std::max(edge.from, edge.to)];
+  const Vector3& from = nodes_[edge.from].q.position;
+  const Vector3& to = nodes_[edge.to].q.position;
+  addVertex(lines_, GL_LINES, from, colourOf(later, palette_));
+  addVertex(lines_, GL_LINES, to, colourOf(later, palette_));
+  lines_.back().length += (to - from).norm();
+  (later.side == TreeSide::Start ? content_.startTree : content_.goalTree) = true;
   edges_.push_back(edge);
   ++segmentsDrawn_;
 }

@@ -12,9 +12,18 @@
 namespace glissade {
 
 /// The two trees, growing: segments live in preallocated chunks of which only the last is uploaded
-/// again; operator and contact nodes are points besides.
+/// again; operator and contact nodes are points besides. Lines fade where they would cover much of what lies behind
+/// them, the older ones first.
 class RoadmapLayer {
  public:
+  /// What is drawn of the trees.
+  struct Content {
+    bool startTree = false;
+    bool goalTree = false;
+    bool operatorNodes = false;
+    bool contactNodes = false;
+  };
+
   RoadmapLayer();
 
   osg::Group* node() const { return root_; }
@@ -25,7 +34,13 @@ class RoadmapLayer {
   /// Faint lines: something else is the picture.
   void setFaded(bool faded);
 
+  /// The scale of the next picture: lines have a width in pixels.
+  void setScale(double pixelsPerMetre);
+
+  const Content& content() const { return content_; }
   std::size_t segments() const { return segmentsDrawn_; }
+  /// 1: these lines cover what is behind them; 0: they are not drawn. Batches are ordered by age, the oldest first.
+  std::vector<float> opacities() const;
   /// How many chunk uploads there have been: grows with what is new, not with what is there.
   std::size_t uploads() const { return uploads_; }
 
@@ -37,6 +52,8 @@ class RoadmapLayer {
     osg::ref_ptr<osg::Vec4ubArray> colours;
     osg::ref_ptr<osg::DrawArrays> range;
     int used = 0;
+    double length = 0.0;  ///< of the lines, metres
+    float opacity = 1.0F;
   };
 
   bool isPrefixOf(const SessionSnapshot& snapshot) const;
@@ -44,6 +61,9 @@ class RoadmapLayer {
   void takeEdge(const RoadmapEdge& edge);
   void drop(const RoadmapEdge& edge);
   void fade();
+  /// The share of the roadmap's area that the lines of a batch cover, were they side by side.
+  double coverage(const Batch& batch) const;
+  static void setOpacity(Batch& batch, float opacity);
   void addVertex(std::vector<Batch>& batches, GLenum mode, const Vector3& position, const osg::Vec4ub& colour);
   Batch makeBatch(GLenum mode);
 
@@ -57,8 +77,10 @@ class RoadmapLayer {
   std::size_t droppedTaken_ = 0;
   std::size_t segmentsDrawn_ = 0;
   std::size_t uploads_ = 0;
-  float opacity_ = 1.0F;  ///< of the lines
   bool faded_ = false;
+  double pixelsPerMetre_ = 0.0;  ///< 0: not known yet
+  Box3 box_;                     ///< of the nodes
+  Content content_;
   std::vector<RoadmapNode> nodes_;
   std::vector<RoadmapEdge> edges_;  ///< in the order drawn
   std::vector<Batch> lines_;

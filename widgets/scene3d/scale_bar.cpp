@@ -1,6 +1,7 @@
 #include "widgets/scene3d/scale_bar.h"
 
 #include <QEvent>
+#include <QFontMetricsF>
 #include <QPainter>
 
 #include <algorithm>
@@ -65,9 +66,11 @@ void ScaleBar::paintEvent(QPaintEvent* /*event*/) {
   const double y = height() - 5.5;
   painter.drawLine(QPointF(2, y), QPointF(2 + scale.pixels, y));
   for (const double x : {2.0, 2.0 + scale.pixels}) painter.drawLine(QPointF(x, y - 5), QPointF(x, y));
-  painter.drawText(QRectF(2, kAxesSize, scale.pixels, y - 2 - kAxesSize), Qt::AlignCenter, lengthText(scale.metres));
+  const QString length = lengthText(scale.metres);
+  const double across = std::max(scale.pixels, QFontMetricsF(font()).horizontalAdvance(length));
+  painter.drawText(QRectF(2, kAxesSize, across, y - 2 - kAxesSize), Qt::AlignCenter, length);
   if (const auto spacing = view_.gridSpacing()) {
-    painter.drawText(QRectF(scale.pixels + kGridGap, kAxesSize, width(), height() - kAxesSize),
+    painter.drawText(QRectF(across + kGridGap, kAxesSize, width(), height() - kAxesSize),
                      Qt::AlignLeft | Qt::AlignVCenter, tr("grid %1").arg(lengthText(*spacing)));
   }
   paintAxes(painter);

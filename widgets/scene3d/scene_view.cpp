@@ -151,6 +151,8 @@ void SceneView::beginPicture(int width, int height, const PictureDetail& detail)
                                       detail.smooth ? osg::StateAttribute::ON : osg::StateAttribute::OFF);
   impl_->showDepthShading();
   const CameraController& camera = impl_->camera;
+  impl_->roadmap.setScale(height / camera.viewHeight());
+  if (camera.viewHeight() != impl_->markedViewHeight) impl_->showMarks();
   const double across = camera.isOrthographic() ? camera.viewHeight() : camera.viewHeight() / camera.distance();
   impl_->depthShading.prepare(width, height, camera.nearPlane(), camera.farPlane(), camera.isOrthographic(),
                               height / across, pixelScale());
@@ -287,7 +289,7 @@ void SceneView::setPathByAuthor(bool byAuthor) {
 void SceneView::setPlaybackPose(const std::optional<Pose>& X_WB) {
   impl_->playback = X_WB;
   impl_->placeObject();
-  impl_->showGuidance();
+  impl_->showMarks();
 }
 
 void SceneView::setSequence(const SequencePicture& picture) {

@@ -15,6 +15,7 @@
 #include "engine/session/session.h"
 #include "engine/sweep/swept_volume.h"
 #include "widgets/scene3d/display_mode.h"
+#include "widgets/scene3d/scene_legend.h"
 
 namespace osg {
 class Group;
@@ -188,6 +189,8 @@ class SceneView {
   void setDifficulty(std::shared_ptr<const glissade::Difficulty> difficulty);
   /// Texts of the visible layers: names of places, costs of the graph.
   std::vector<SceneLabel> labels() const;
+  /// What is drawn now beside the bodies, in the colours that it is drawn in.
+  std::vector<LegendRow> legend() const;
   /// Draws the roadmap as it is while a path is shown, too; else it is faint then.
   void setRoadmapKept(bool kept);
   /// Colours the path by its clearance, from tight to wide; null: one colour.

@@ -55,6 +55,7 @@ struct SceneView::Impl {
   PathSpacing ghosts;
   std::shared_ptr<const ClearanceProfile> pathProfile;
   std::optional<Pose> playback;
+  double markedViewHeight = 0.0;  ///< that the operator's marks were made for
   EnvironmentPicture environment;
   CoarsePlanPtr drawnPlan;
   std::optional<std::size_t> shownStep;
@@ -350,7 +351,7 @@ struct SceneView::Impl {
     osg::Group& ends = layer(SceneLayer::StartAndGoal);
     ends.addChild(makeGhost(shapes.of(moved.mesh), scenario->problem.start, palette.start, palette));
     if (const Pose* goal = std::get_if<Pose>(&scenario->problem.goal)) {
-      ends.addChild(makeGhost(shapes.of(moved.mesh), *goal, palette.goal, palette));
+      ends.addChild(makeSeenGhost(shapes.of(moved.mesh), *goal, palette.goal, palette));
     }
     layer(SceneLayer::Workspace)
         .addChild(makeLines(boxEdges(scenario->scenario.workspace), LineKind::Segments,
@@ -364,10 +365,18 @@ struct SceneView::Impl {
     roadmap.update(*snapshot);
     roadmap.setFaded(snapshot->path && !roadmapKept);
     showPath();
-    osg::Group& contact = layer(SceneLayer::Contact);
-    contact.removeChildren(0, contact.getNumChildren());
-    if (!playback && !snapshot->path) contact.addChild(makeContact(*snapshot, palette));
     placeObject();
+    showMarks();
+  }
+
+  MarkScale markScale() const { return {scenario->problem.world->objectRadius(), camera.viewHeight()}; }
+
+  /// What is about the operator: its size depends on the view.
+  void showMarks() {
+    if (!object || !snapshot) return;
+    markedViewHeight = camera.viewHeight();
+    const bool shown = !playback && !snapshot->path;
+    fill(SceneLayer::Contact, shown ? makeContact(*snapshot, markScale(), palette) : nullptr);
     showGuidance();
   }
 
@@ -375,8 +384,7 @@ struct SceneView::Impl {
   void showGuidance() {
     if (!object || !snapshot) return;
     const bool shown = visible(SceneLayer::Guidance) && !playback && !snapshot->path;
-    const double radius = scenario->problem.world->objectRadius();
-    fill(SceneLayer::Guidance, shown ? makeGuidance(snapshot->device, radius, palette) : nullptr);
+    fill(SceneLayer::Guidance, shown ? makeGuidance(snapshot->device, markScale(), palette) : nullptr);
     const float strength = shown ? guidanceStrength(snapshot->device.guidance) : 0.0F;
     setBodyColour(*object, guidanceTint(toOsg(scenario->object.colour), strength, palette));
   }

@@ -252,7 +252,7 @@ void MultiLayerPlanner::stepFailed(PlannerHost& host, const std::string& reason)
   milestoneSampler_.reset();
   milestoneDraws_ = 0;
   if (!coarse_->rules().loop) {
-    fail(reason, "Change the semantic attributes, or use strategy GTS.");
+    fail(reason, "Change the semantic attributes, or use the strategy Layers (gts).");
     return;
   }
   // New milestones, too: the old ones may have been what was wrong.

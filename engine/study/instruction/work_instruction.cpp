@@ -180,7 +180,7 @@ class Instructor {
       double seen = 0.0;
       for (const std::size_t body : bodiesOf(step, product_)) {
         coming.extend(boundingBox(*product_.bodies[body].mesh, product_.bodies[body].X_WB));
-        seen = std::max(seen, view_.shareSeen(body, present, panel.view));
+        seen = std::max(seen, view_.shareSeen(body, present, panel.view.toEye()));
       }
       const double whole = box.merged(coming).diagonal().norm();
       if (coming.diagonal().norm() < kSmallShare * whole || seen < kHiddenShare) panel.closeUp = true;

@@ -38,5 +38,15 @@ TEST(QuantityText, WhatIsNoQuantityIsRefused) {
   for (const char* text : {"", "deg", "3 mm", "1 degree", "inf rad"}) EXPECT_FALSE(toRadians(text, 1.0)) << text;
 }
 
+TEST(QuantityText, WritesThreeSignificantDigitsOfMillimetres) {
+  EXPECT_EQ(inMillimetres(0.0), "0 mm");
+  EXPECT_EQ(inMillimetres(5.6e-4), "0.56 mm");
+  EXPECT_EQ(inMillimetres(1.23456e-5), "0.0123 mm");
+  EXPECT_EQ(inMillimetres(0.179), "179 mm");
+  EXPECT_EQ(inMillimetres(0.06327), "63.3 mm");
+  EXPECT_EQ(inMillimetres(1.2348), "1235 mm") << "no exponent, and no digit before the point is lost";
+  EXPECT_EQ(inMillimetres(-2e-3), "-2 mm");
+}
+
 }  // namespace
 }  // namespace glissade

@@ -58,5 +58,19 @@ TEST(StepView, TheProductIsTurnedOverWhereOnlyThatShowsThePart) {
   EXPECT_LT(from.up().z(), 0.0);
 }
 
+TEST(StepView, TheEyeGoesToWhereThePartIsSeenAndStaysWhereItIs) {
+  const AssembledProduct product =
+      test::productOf({boxBody("plate", {20.0, 20.0, 0.1}, Pose::identity()),
+                       boxBody("box", {0.5, 0.5, 0.5}, Pose::translation({0.0, 0.0, -1.0}))});
+  const AssemblyStep step = stepAlong(product, "box", -Vector3::UnitZ());
+  StepView view(product);
+  const auto below = view.betterEye(step, BodySet(2, true), Vector3(1.0, 1.0, 1.0).normalized());
+  ASSERT_TRUE(below);
+  EXPECT_LT(below->z(), 0.0);
+  EXPECT_GT(view.shareSeen(1, BodySet(2, true), *below), 0.9);
+  EXPECT_FALSE(view.betterEye(step, BodySet(2, true), *below));
+  EXPECT_FALSE(view.betterEye(step, {false, true}, Vector3(1.0, 1.0, 1.0).normalized())) << "nothing hides it";
+}
+
 }  // namespace
 }  // namespace glissade

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/base/quantity_text.h"
 #include "engine/planning/path_certificate.h"
 #include "engine/study/plan_words.h"
 #include "engine/study/report_html.h"
@@ -33,7 +34,7 @@ class PathReport : public testing::Test {
 
   std::string page(Language language) const {
     const StudyWords words(language);
-    const auto html = reportHtml(pathReport({path_, loaded_, {"auto", 7}, &profile_}, words, lengthInMillimetres));
+    const auto html = reportHtml(pathReport({path_, loaded_, {"auto", 7}, &profile_}, words, inMillimetres));
     EXPECT_TRUE(html.ok());
     return *html;
   }
@@ -46,7 +47,7 @@ class PathReport : public testing::Test {
 TEST_F(PathReport, SaysWhatIsProvedAndWhoIsNear) {
   const std::string text = page(Language::English);
   for (const char* part :
-       {"Shelf &amp; box", "Certificate", "40.0 mm to shelf", "auto", "500.0 mm", "Clearance along the path"}) {
+       {"Shelf &amp; box", "Certificate", "40 mm to shelf", "auto", "500 mm", "Clearance along the path"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part;
   }
 }
@@ -65,7 +66,7 @@ TEST_F(PathReport, IsWhollyFrench) {
 }
 
 TEST_F(PathReport, ACurveHasFewPointsAndTheSmallestClearance) {
-  const StudyReport report = pathReport({path_, loaded_, {}, &profile_}, StudyWords(), lengthInMillimetres);
+  const StudyReport report = pathReport({path_, loaded_, {}, &profile_}, StudyWords(), inMillimetres);
   const Plot* plot = nullptr;
   for (const ReportBlock& block : report.blocks) {
     if (const auto* found = std::get_if<Plot>(&block)) plot = found;

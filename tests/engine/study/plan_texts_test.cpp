@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "engine/base/quantity_text.h"
 #include "engine/study/parts_list.h"
 #include "engine/study/plan_graph.h"
 #include "engine/study/plan_report.h"
@@ -37,7 +38,7 @@ AssemblyPlan somePlan() {
   return plan;
 }
 
-PlanWords wordsIn(Language language) { return PlanWords(language, lengthInMillimetres); }
+PlanWords wordsIn(Language language) { return PlanWords(language, inMillimetres); }
 
 std::vector<std::string> linesOf(const std::string& text) {
   std::vector<std::string> lines;
@@ -49,11 +50,11 @@ std::vector<std::string> linesOf(const std::string& text) {
 TEST(PlanWords, MotionsAreToldInTheOrderThatIsAskedFor) {
   const AssemblyPlan plan = somePlan();
   const PlanWords english = wordsIn(Language::English);
-  EXPECT_EQ(english.motion(plan.steps[0], PlanOrder::Removal), "up (+Z), 500.0 mm");
-  EXPECT_EQ(english.motion(plan.steps[0], PlanOrder::Assembly), "down (−Z), 500.0 mm");
-  EXPECT_EQ(english.motion(plan.steps[1], PlanOrder::Removal), "up (+Z), 250.0 mm, then +X, 100.0 mm");
-  EXPECT_EQ(english.motion(plan.steps[1], PlanOrder::Assembly), "−X, 100.0 mm, then down (−Z), 250.0 mm");
-  EXPECT_EQ(wordsIn(Language::French).motion(plan.steps[0], PlanOrder::Assembly), "bas (−Z), 500.0 mm");
+  EXPECT_EQ(english.motion(plan.steps[0], PlanOrder::Removal), "up (+Z), 500 mm");
+  EXPECT_EQ(english.motion(plan.steps[0], PlanOrder::Assembly), "down (−Z), 500 mm");
+  EXPECT_EQ(english.motion(plan.steps[1], PlanOrder::Removal), "up (+Z), 250 mm, then +X, 100 mm");
+  EXPECT_EQ(english.motion(plan.steps[1], PlanOrder::Assembly), "−X, 100 mm, then down (−Z), 250 mm");
+  EXPECT_EQ(wordsIn(Language::French).motion(plan.steps[0], PlanOrder::Assembly), "bas (−Z), 500 mm");
 }
 
 TEST(PlanWords, AFastenerIsNamedByItsDesignationOrElseByTheSizeOfItsThread) {
@@ -113,7 +114,7 @@ TEST(PlanWords, TurnsAndLongWaysAreSummedUp) {
     way.push_back(Pose::translation({0.1 * x, 0.1 * (i - x), 0.0}));
   }
   const std::string text = english.motion(stepOf("cap", way), PlanOrder::Removal);
-  EXPECT_NE(text.find("around obstacles, 600.0 mm"), std::string::npos) << text;
+  EXPECT_NE(text.find("around obstacles, 600 mm"), std::string::npos) << text;
 }
 
 TEST(PlanWords, NamesAreShort) {
@@ -131,7 +132,7 @@ TEST(PlanTable, HasALineForEachStepAndEachStuckPart) {
   const auto removal = linesOf(planAsCsv(plan, product, PlanOrder::Removal));
   ASSERT_EQ(removal.size(), 4U);
   EXPECT_EQ(removal[1],
-            "2,cap,straight,\"up (+Z), 500.0 mm\",0.5,0,0.000002,0.0003,cabinet,0,0,,hex key,\"hold pin, drawer and 1 "
+            "2,cap,straight,\"up (+Z), 500 mm\",0.5,0,0.000002,0.0003,cabinet,0,0,,hex key,\"hold pin, drawer and 1 "
             "more\",nuts still on it: pin; demanded at another place");
   EXPECT_NE(removal[2].find("\"socket, blocked by drawer\""), std::string::npos) << removal[2];
   EXPECT_EQ(removal[3], ",drawer,,,,,,,,,,cabinet,,,");
@@ -188,7 +189,7 @@ TEST(PlanReport, HasAPageForEachStepInTheOrderOfAssembly) {
   const auto page = reportHtml(report);
   ASSERT_TRUE(page.ok());
   EXPECT_LT(page->find("Step 1 of 2: pin"), page->find("Step 2 of 2: cap"));
-  EXPECT_NE(page->find("taken 0.4100 mm thinner against cabinet (thread)"), std::string::npos);
+  EXPECT_NE(page->find("taken 0.41 mm thinner against cabinet (thread)"), std::string::npos);
   EXPECT_NE(page->find("The independent check agrees with 1 of 2 steps."), std::string::npos);
   EXPECT_NE(page->find("the independent check does not agree"), std::string::npos);
   EXPECT_EQ(countOf("class=\"page\"", *page), 4U);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/base/quantity_text.h"
 #include "engine/study/instruction/work_instruction.h"
 #include "tests/engine/sequence/products.h"
 
@@ -37,7 +38,7 @@ inline InstructedProduct blocksOnABase(std::size_t blocks) {
   return made;
 }
 
-inline PlanWords wordsIn(Language language) { return {language, lengthInMillimetres}; }
+inline PlanWords wordsIn(Language language) { return {language, inMillimetres}; }
 
 inline WorkInstruction instructed(const InstructedProduct& made, Language language = Language::English) {
   return workInstruction(made.plan, made.product, "stand", wordsIn(language));

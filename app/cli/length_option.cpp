@@ -1,4 +1,4 @@
-#include "app/cli/length_text.h"
+#include "app/cli/length_option.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,0 +1,98 @@
+#include "app/window/screen_fit.h"
+
+#include <QBoxLayout>
+#include <QDialogButtonBox>
+#include <QEvent>
+#include <QFileDialog>
+#include <QMainWindow>
+#include <QMessageBox>
+#include <QScreen>
+#include <QScrollArea>
+#include <QStyle>
+
+#include <algorithm>
+
+namespace glissade {
+namespace {
+
+/// Of a window's frame: title and borders. They are not known before the window is shown.
+constexpr QSize kFrame{8, 32};
+
+bool fits(const QSize& size, const QSize& room) {
+  return size.width() <= room.width() && size.height() <= room.height();
+}
+
+/// QMessageBox is never wider on its screen, and cuts its buttons then.
+int widestMessage(const QWidget& message) {
+  constexpr int kSmallScreen = 1024;
+  const int screen = message.screen()->availableGeometry().width();
+  return screen <= kSmallScreen ? screen : std::min(screen - 480, 1000);
+}
+
+void stackButtons(QMessageBox& message, const QSize& room) {
+  auto* buttons = message.findChild<QDialogButtonBox*>();
+  if (buttons == nullptr) return;
+  const QMargins around = message.layout()->contentsMargins();
+  if (buttons->sizeHint().width() + around.left() + around.right() <= std::min(room.width(), widestMessage(message)))
+    return;
+  buttons->setOrientation(Qt::Vertical);
+}
+
+/// The row of buttons that ends a column; null where it does not end with one.
+QDialogButtonBox* buttonsBelow(QLayout& layout) {
+  if (layout.count() == 0) return nullptr;
+  return qobject_cast<QDialogButtonBox*>(layout.itemAt(layout.count() - 1)->widget());
+}
+
+void scrollContent(QWidget& window) {
+  QLayout* inside = window.layout();
+  QDialogButtonBox* buttons = buttonsBelow(*inside);
+  const QMargins around = inside->contentsMargins();
+  if (buttons != nullptr) inside->removeWidget(buttons);
+  auto* content = new QWidget;
+  content->setLayout(inside);
+  auto* scroll = new QScrollArea(&window);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->setWidgetResizable(true);
+  scroll->setWidget(content);
+  auto* column = new QVBoxLayout(&window);
+  column->setContentsMargins(0, 0, 0, buttons != nullptr ? around.bottom() : 0);
+  column->addWidget(scroll, 1);
+  if (buttons == nullptr) return;
+  auto* row = new QHBoxLayout;
+  row->setContentsMargins(around.left(), 0, around.right(), 0);
+  row->addWidget(buttons);
+  column->addLayout(row);
+}
+
+}  // namespace
+
+void fitWindow(QWidget& window, const QSize& room) {
+  if (auto* message = qobject_cast<QMessageBox*>(&window)) {
+    stackButtons(*message, room);
+    return;
+  }
+  window.ensurePolished();
+  const bool isOwn = qobject_cast<QFileDialog*>(&window) == nullptr && window.layout() != nullptr;
+  if (isOwn && !fits(window.minimumSizeHint().expandedTo(window.minimumSize()), room)) {
+    window.setMinimumSize(0, 0);
+    scrollContent(window);
+  }
+  if (!fits(window.size(), room)) window.resize(window.size().boundedTo(room));
+}
+
+QSize roomOn(const QWidget& window) {
+  const QScreen* screen = window.screen();
+  return (screen->availableGeometry().size() - kFrame).expandedTo({1, 1});
+}
+
+bool ScreenFit::eventFilter(QObject* watched, QEvent* event) {
+  auto* window = event->type() == QEvent::Show ? qobject_cast<QWidget*>(watched) : nullptr;
+  const bool isFitted = window != nullptr && qobject_cast<QMainWindow*>(window) == nullptr &&
+                        (window->windowType() == Qt::Dialog || window->windowType() == Qt::Window);
+  if (isFitted) fitWindow(*window, roomOn(*window));
+  return QObject::eventFilter(watched, event);
+}
+
+}  // namespace glissade

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/sequence/assembly_plan.h"
+#include "engine/sequence/body_group.h"
+
+namespace glissade {
+
+/// The motion of a step at constant speed in the metric of its first body. A value.
+class StepWay {
+ public:
+  StepWay(const AssemblyStep& step, const RigidBody& firstBody);
+
+  /// Metres, with turns as the metric counts them.
+  double length() const { return arrival_.empty() ? 0.0 : arrival_.back(); }
+  /// The radius of the metric, metres.
+  double radius() const { return radius_; }
+  /// After so much of the way, from 0 to length(): a body of the step stands at movedAt(way) * X_WB, where X_WB is the
+  /// assembled configuration.
+  Pose movedAt(double way) const;
+
+ private:
+  double radius_;
+  std::vector<Pose> way_;
+  std::vector<double> arrival_;  ///< length from the start to each configuration
+};
+
+}  // namespace glissade

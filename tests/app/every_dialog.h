@@ -1,0 +1,63 @@
+// All dialogs of the window, made as the window makes them.
+#pragma once
+
+#include <QWidget>
+#include <memory>
+#include <vector>
+
+#include "app/window/command_palette.h"
+#include "app/window/main_window.h"
+#include "app/window/named_views_dialog.h"
+#include "app/window/preferences_dialog.h"
+#include "app/window/shortcuts_dialog.h"
+#include "engine/scenario/product_file.h"
+#include "widgets/devices/calibration_dialog.h"
+#include "widgets/editors/attribute_dialog.h"
+#include "widgets/editors/parts_dialog.h"
+#include "widgets/editors/rules_dialog.h"
+#include "widgets/manual/manual_browser.h"
+#include "widgets/panels/compare_paths_dialog.h"
+#include "widgets/panels/joint_dialog.h"
+#include "widgets/panels/joint_draft.h"
+#include "widgets/studies/plan_graph_view.h"
+#include "widgets/studies/study_browser.h"
+#include "widgets/studies/times_view.h"
+
+namespace glissade::test {
+
+class EveryDialog {
+ public:
+  /// Precondition: the window has a scenario open.
+  explicit EveryDialog(MainWindow& window) {
+    const Workbench& bench = window.workbench();
+    const LoadedScenario& loaded = *bench.document.scenario();
+    dialogs_.push_back(std::make_unique<PreferencesDialog>(bench.actions, Preferences{}, &window));
+    dialogs_.push_back(std::make_unique<ShortcutsDialog>(bench.actions, &window));
+    dialogs_.push_back(std::make_unique<CommandPalette>(bench.actions, &window));
+    dialogs_.push_back(std::make_unique<RulesDialog>(StrategyRules{}, AttributeTable{}, &window));
+    dialogs_.push_back(std::make_unique<AttributeDialog>(
+        AttributeOwner::Place, [](const AttributeDefinition&) { return Outcome(Done{}); }, &window));
+    dialogs_.push_back(std::make_unique<PartsDialog>(PartsDialog::Purpose::NewScenario, QStringList{}, true, &window));
+    dialogs_.push_back(std::make_unique<ComparePathsDialog>(
+        std::vector<ComparedPath>(2, {{std::make_shared<const KeptPath>(), {}}, nullptr}), loaded, &window));
+    const auto product = std::make_shared<const AssembledProduct>(productOf(loaded));
+    dialogs_.push_back(std::make_unique<JointDialog>(
+        product, draftJoint(*product, {0, 1, 2}), [](const Joint&) { return Outcome(Done{}); }, &window));
+    dialogs_.push_back(std::make_unique<PlanGraphView>(&window));
+    dialogs_.push_back(std::make_unique<TimesView>(&window));
+    auto times = std::make_unique<TimesView>(&window);
+    times->showTable();
+    dialogs_.push_back(std::move(times));
+    dialogs_.push_back(std::make_unique<CalibrationDialog>(bench.session.hand(), settings_, bench.actions, &window));
+    dialogs_.push_back(std::make_unique<StudyBrowser>(nullptr));
+    dialogs_.push_back(std::make_unique<NamedViewsDialog>(NamedViews{}, &window));
+  }
+
+  const std::vector<std::unique_ptr<QWidget>>& dialogs() const { return dialogs_; }
+
+ private:
+  DeviceSettings settings_;
+  std::vector<std::unique_ptr<QWidget>> dialogs_;
+};
+
+}  // namespace glissade::test

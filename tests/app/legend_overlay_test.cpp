@@ -1,0 +1,119 @@
+#include "widgets/scene3d/legend_overlay.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "engine/scenario/scenario_io.h"
+#include "tests/engine/support/directories.h"
+#include "widgets/scene3d/camera_controller.h"
+#include "widgets/scene3d/contact_layer.h"
+#include "widgets/scene3d/guidance_layer.h"
+#include "widgets/scene3d/label_placement.h"
+#include "widgets/scene3d/scale_bar.h"
+#include "widgets/scene3d/view_cube.h"
+
+namespace glissade {
+namespace {
+
+class LegendOverlayTest : public testing::Test {
+ protected:
+  LegendOverlayTest() {
+    auto loaded = loadScenario(test::sourceDirectory() + "/samples/sliding-plane/scenario.json");
+    view.setScenario(std::make_shared<const LoadedScenario>(std::move(*loaded)));
+    scene.resize(900, 600);
+    legend.resize(scene.size());
+    scene.show();
+  }
+  ~LegendOverlayTest() override { scene.hide(); }
+
+  /// A run whose trees have a node by the operator.
+  void showRun() {
+    auto chunk = std::make_shared<RoadmapChunk>();
+    chunk->nodes.resize(3);
+    chunk->nodes[1].author = Author::Operator;
+    chunk->nodes[2].side = TreeSide::Goal;
+    chunk->edges = {{0, 1}, {1, 2}};
+    auto snapshot = std::make_shared<SessionSnapshot>();
+    snapshot->run = 1;
+    snapshot->roadmap.push_back(chunk);
+    view.setSnapshot(snapshot);
+  }
+
+  SceneView view;
+  QWidget scene;
+  ViewCube cube{view, &scene};
+  ScaleBar scale{view, &scene};
+  LegendOverlay legend{view, &scene};
+};
+
+TEST_F(LegendOverlayTest, ListsWhatIsDrawnNow) {
+  EXPECT_EQ(legend.texts(), (QStringList{"Object that moves", "Start", "Goal", "Workspace"}));
+  showRun();
+  for (const char* row : {"Searched from the start", "Searched from the goal", "By the operator"}) {
+    EXPECT_TRUE(legend.texts().contains(QLatin1String(row))) << row;
+  }
+  EXPECT_FALSE(legend.texts().contains(QStringLiteral("In contact")));
+  view.setLayerVisible(SceneLayer::Roadmap, false);
+  view.setLayerVisible(SceneLayer::StartAndGoal, false);
+  EXPECT_EQ(legend.texts(), (QStringList{"Object that moves", "Workspace"}));
+}
+
+TEST_F(LegendOverlayTest, IsEmptyWithoutAScenarioAndWhereItIsHidden) {
+  EXPECT_FALSE(legend.box().isEmpty());
+  legend.hide();
+  EXPECT_TRUE(legend.box().isEmpty());
+  legend.show();
+  view.setScenario(nullptr);
+  EXPECT_TRUE(legend.box().isEmpty());
+}
+
+TEST_F(LegendOverlayTest, CoversNeitherTheCubeNorTheScaleAtAnySizeOfTextAndScene) {
+  showRun();
+  for (const int pixels : {10, 16, 24, 32}) {
+    QFont font = legend.font();
+    font.setPixelSize(pixels);
+    legend.setFont(font);
+    for (const QSize size : {QSize(320, 240), QSize(640, 360), QSize(1280, 720), QSize(2000, 300)}) {
+      scene.resize(size);
+      const QRect box = legend.box();
+      EXPECT_FALSE(box.intersects(cube.geometry())) << pixels << " " << size.width();
+      EXPECT_FALSE(box.intersects(scale.geometry())) << pixels << " " << size.width();
+      EXPECT_TRUE(box.isEmpty() || scene.rect().contains(box)) << pixels << " " << size.width();
+    }
+  }
+}
+
+TEST(LabelPlacement, KeepsWhatIsCoveredFree) {
+  const QRectF legend(0, 0, 100, 100);
+  const auto places = placeLabels({{QRectF(90, 90, 40, 20), false, false}}, legend);
+  ASSERT_TRUE(places[0]);
+  EXPECT_FALSE(places[0]->intersects(legend));
+}
+
+/// The half width of what is drawn.
+double reachOf(const osg::Node* node) { return node == nullptr ? 0.0 : node->getBound().radius(); }
+
+TEST(OperatorMarks, FollowTheObjectAndNeverFillTheView) {
+  SessionSnapshot snapshot;
+  snapshot.device.nearest.body = 0;
+  snapshot.device.nearest.distance = 1e-3;
+  snapshot.device.nearest.p_WPn = Vector3(0.0, 0.0, 1e-3);
+  snapshot.device.guidance.force_W = Vector3::UnitX();
+  const ScenePalette palette = paletteOf(Theme::Light);
+  for (const double radius : {0.005, 0.05, 5.0}) {
+    for (const double view : {0.05, 1.0, 100.0}) {
+      const MarkScale scale{radius, view};
+      const double disc = reachOf(makeContact(snapshot, scale, palette));
+      const double arrow = reachOf(makeGuidance(snapshot.device, scale, palette));
+      for (const double reach : {disc, arrow}) {
+        EXPECT_LT(reach, 0.2 * view) << radius << " " << view;
+        EXPECT_LT(reach, 3.0 * radius + 2e-3) << radius << " " << view;
+        EXPECT_GT(reach, 0.0);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace glissade
