@@ -8971,6 +8971,29 @@
     </message>
 </context>
 <context>
+    <name>glissade::FinenessBox</name>
+    <message>
+        <source>Fineness of STEP surfaces</source>
+        <translation>Finesse des surfaces STEP</translation>
+    </message>
+    <message>
+        <source>By how much triangles may be off the surfaces of STEP files. Finer ones allow smaller gaps and take longer; by its size, a part has a thousandth of its diagonal, from 0.01 to 0.5 mm</source>
+        <translation>Écart possible entre les triangles et les surfaces des fichiers STEP. Des triangles plus fins permettent des jeux plus petits et prennent plus de temps ; selon sa taille, une pièce a un millième de sa diagonale, de 0,01 à 0,5 mm</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>STEP within </source>
+        <translation>STEP à ± </translation>
+    </message>
+    <message>
+        <source>STEP by size</source>
+        <translation>STEP selon la taille</translation>
+    </message>
+</context>
+<context>
     <name>glissade::FitsController</name>
     <message>
         <source>The fits cannot be found</source>

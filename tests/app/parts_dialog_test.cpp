@@ -111,6 +111,16 @@ TEST_F(PartsPage, PlanarHolesAreClosedOnDemand) {
   EXPECT_TRUE(dialog.parts()[1].closeHoles);
 }
 
+TEST_F(PartsPage, AFinenessIsThatOfStepFiles) {
+  const PartsDialog dialog(Purpose::NewScenario, {files()[0], text(test::stepFile("box.step"))}, true);
+  EXPECT_EQ(dialog.parts().back().deflection, 0.0) << "by the size of each part";
+  auto* box = dialog.findChild<QDoubleSpinBox*>(QStringLiteral("fineness"));
+  ASSERT_NE(box, nullptr);
+  box->setValue(0.05);
+  EXPECT_DOUBLE_EQ(dialog.parts().back().deflection, 5e-5);
+  EXPECT_EQ(dialog.parts().front().deflection, 0.0) << "of a mesh";
+}
+
 TEST_F(PartsPage, GroupsOfAnObjFileAreRowsOnDemand) {
   const QString file = write("two.obj", "g a\n" + tetrahedron(20.0) + "g b\nv 90 0 0\nv 99 0 0\nv 90 9 0\nv 90 0 9\n" +
                                             "f 5 7 6\nf 5 6 8\nf 6 7 8\nf 5 8 7\n");

@@ -12,10 +12,12 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <memory>
 #include <utility>
 
 #include "engine/import/mesh_import.h"
+#include "engine/import/step_import.h"
 #include "widgets/commands/diagnostic_text.h"
 #include "widgets/editors/part_boxes.h"
 
@@ -64,6 +66,7 @@ PartsDialog::PartsDialog(Purpose purpose, const QStringList& files, bool atOnce,
       remove_(new QPushButton(tr("&Remove"), this)),
       closeHoles_(new QCheckBox(tr("Close planar &holes"), this)),
       groups_(new QCheckBox(tr("&Groups are parts"), this)),
+      fineness_(new FinenessBox(this)),
       hint_(new QLabel(this)) {
   setObjectName(QStringLiteral("parts"));
   setWindowTitle(purpose == Purpose::NewScenario ? tr("New scenario from parts") : tr("Add parts"));
@@ -118,8 +121,7 @@ QLayout* PartsDialog::makeFileButtons() {
   row->addWidget(add);
   row->addWidget(remove_);
   row->addStretch(1);
-  row->addWidget(groups_);
-  row->addWidget(closeHoles_);
+  for (QWidget* option : std::initializer_list<QWidget*>{fineness_, groups_, closeHoles_}) row->addWidget(option);
   groups_->setObjectName(QStringLiteral("groups"));
   groups_->setToolTip(tr("Takes each group of an OBJ file as a part of its own"));
   connect(groups_, &QCheckBox::toggled, this, &PartsDialog::readGroups);
@@ -482,6 +484,7 @@ std::vector<PartFile> PartsDialog::parts() const {
   std::vector<PartFile> parts;
   for (const Row& row : rows_) {
     parts.push_back(row.part);
+    parts.back().deflection = isStepFile(row.part.path) ? fineness_->metres() : 0.0;
     parts.back().closeHoles = closeHoles_->isChecked() && isMeshFile(row.part.path);
   }
   return parts;

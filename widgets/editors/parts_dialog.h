@@ -12,6 +12,7 @@
 #include "engine/scenario/part_files.h"
 #include "engine/scenario/unit_guess.h"
 #include "widgets/bridge/background_task.h"
+#include "widgets/editors/fineness_box.h"
 
 namespace glissade {
 
@@ -94,6 +95,7 @@ class PartsDialog final : public QDialog {
   QPushButton* remove_;
   QCheckBox* closeHoles_;
   QCheckBox* groups_;
+  FinenessBox* fineness_;
   QLabel* hint_;
   QPushButton* accept_ = nullptr;
   BackgroundTask measuring_;
