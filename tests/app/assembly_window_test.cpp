@@ -9,9 +9,9 @@ using namespace glissade::test;
 
 class AssemblyWindow : public WindowTest {
  protected:
-  void expectGood(const RunResult& result) { EXPECT_EQ(result.exitCode, 0) << result.errors.toStdString(); }
+  void expectGood(const WindowResult& result) { EXPECT_EQ(result.exitCode, 0) << result.errors.toStdString(); }
   void expectRefused(const QString& scenario, const QString& script, const char* why) {
-    const RunResult result = run(scenario, script);
+    const WindowResult result = run(scenario, script);
     EXPECT_NE(result.exitCode, 0) << script.toStdString();
     EXPECT_TRUE(result.errors.contains(QLatin1String(why))) << result.errors.toStdString();
   }

@@ -607,7 +607,7 @@ TEST_F(Cli, AProductInOneStepFileIsPlannedPartByPart) {
   const Finished plan = run("plan " + made + " --out " + path);
   ASSERT_EQ(plan.exitCode, 0);
   std::ostringstream deviation;
-  deviation << "within +/- " << inMillimetres(pin + largest) << " of the CAD surfaces";
+  deviation << "within +/- " << glissade::inMillimetres(pin + largest) << " of the CAD surfaces";
   EXPECT_NE(plan.out.find(deviation.str()), std::string::npos) << plan.out;
   const Json check = Json::parse(run("check " + made + " " + path + " --json").out);
   EXPECT_EQ(check["valid"], true);

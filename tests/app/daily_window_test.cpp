@@ -9,7 +9,7 @@ using namespace glissade::test;
 
 class DailyWindow : public WindowTest {
  protected:
-  void expectGood(const RunResult& result) { EXPECT_EQ(result.exitCode, 0) << result.errors.toStdString(); }
+  void expectGood(const WindowResult& result) { EXPECT_EQ(result.exitCode, 0) << result.errors.toStdString(); }
 
   /// A cube of 0.2 m that starts at x, between two blocks that leave it no more than 0.2 m.
   QString scenarioWithCubeAt(double x) {

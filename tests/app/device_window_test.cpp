@@ -12,15 +12,15 @@ class DeviceWindow : public WindowTest {
 };
 
 TEST_F(DeviceWindow, AMouseMovesTheObjectAndAButtonGivesItTheCamera) {
-  const RunResult outcome = run(QStringLiteral("sliding-plane"),
-                                QStringLiteral("screenshot %1/none.png\nplug mouse6d SpaceNavigator\n"
-                                               "expect-steering object\ndeflect mouse6d 0 1 0 0 0 0\nsteps 60\n"
-                                               "deflect mouse6d 0 0 0 0 0 0\nscreenshot %1/object.png\n"
-                                               "press mouse6d 0\nexpect-steering camera\nscreenshot %1/camera.png\n"
-                                               "deflect mouse6d 0 0 1 0 1 0\nsteps 60\nscreenshot %1/moved.png\n"
-                                               "deflect mouse6d 0 0 0 0 0 0\npress mouse6d 1\nsteps 60\n"
-                                               "action operator.camera\nexpect-steering object\n")
-                                    .arg(folder.path()));
+  const WindowResult outcome = run(QStringLiteral("sliding-plane"),
+                                   QStringLiteral("screenshot %1/none.png\nplug mouse6d SpaceNavigator\n"
+                                                  "expect-steering object\ndeflect mouse6d 0 1 0 0 0 0\nsteps 60\n"
+                                                  "deflect mouse6d 0 0 0 0 0 0\nscreenshot %1/object.png\n"
+                                                  "press mouse6d 0\nexpect-steering camera\nscreenshot %1/camera.png\n"
+                                                  "deflect mouse6d 0 0 1 0 1 0\nsteps 60\nscreenshot %1/moved.png\n"
+                                                  "deflect mouse6d 0 0 0 0 0 0\npress mouse6d 1\nsteps 60\n"
+                                                  "action operator.camera\nexpect-steering object\n")
+                                       .arg(folder.path()));
   ASSERT_EQ(outcome.exitCode, 0) << outcome.errors.toStdString();
   EXPECT_GT(changed("none.png", "object.png"), 0.2);
   EXPECT_GT(changed("object.png", "camera.png"), 0.0);  // what moves is shown
@@ -28,11 +28,11 @@ TEST_F(DeviceWindow, AMouseMovesTheObjectAndAButtonGivesItTheCamera) {
 }
 
 TEST_F(DeviceWindow, TheCalibrationPageShowsTheAxesLive) {
-  const RunResult outcome = run(QStringLiteral("environment-1"),
-                                QStringLiteral("plug mouse6d SpaceNavigator\naction operator.devices\n"
-                                               "screenshot %1/rest.png\ndeflect mouse6d 0.6 -0.3 0.9 0.03 0.2 -1\n"
-                                               "screenshot %1/live.png\nunplug mouse6d\nscreenshot %1/gone.png\n")
-                                    .arg(folder.path()));
+  const WindowResult outcome = run(QStringLiteral("environment-1"),
+                                   QStringLiteral("plug mouse6d SpaceNavigator\naction operator.devices\n"
+                                                  "screenshot %1/rest.png\ndeflect mouse6d 0.6 -0.3 0.9 0.03 0.2 -1\n"
+                                                  "screenshot %1/live.png\nunplug mouse6d\nscreenshot %1/gone.png\n")
+                                       .arg(folder.path()));
   ASSERT_EQ(outcome.exitCode, 0) << outcome.errors.toStdString();
   EXPECT_GT(changed("rest.png", "live.png"), 0.2);
   EXPECT_GT(changed("live.png", "gone.png"), 0.2);

@@ -35,7 +35,7 @@ TEST_F(DifficultyWindow, TellsWhatStandsInTheWayAndShowsIt) {
   const QString before = folder.filePath(QStringLiteral("before.png"));
   const QString after = folder.filePath(QStringLiteral("after.png"));
   const QString hidden = folder.filePath(QStringLiteral("hidden.png"));
-  const RunResult result =
+  const WindowResult result =
       run(tooNarrow(), QStringLiteral("action run.start\nsteps 800\naction run.stop\nscreenshot %1\n"
                                       "action difficulty.find\nshow-difficulty least\nshow-difficulty tightest\n"
                                       "show-difficulty frontier\nscreenshot %2\n"
@@ -48,7 +48,7 @@ TEST_F(DifficultyWindow, TellsWhatStandsInTheWayAndShowsIt) {
 }
 
 TEST_F(DifficultyWindow, IsAskedOnlyWhereThereIsNoPath) {
-  const RunResult idle = run(tooNarrow(), QStringLiteral("action difficulty.find\n"));
+  const WindowResult idle = run(tooNarrow(), QStringLiteral("action difficulty.find\n"));
   EXPECT_EQ(idle.exitCode, 3);
   EXPECT_TRUE(idle.errors.contains(QStringLiteral("not possible now"))) << idle.errors.toStdString();
   EXPECT_EQ(run(tooNarrow(), QStringLiteral("show-difficulty least\n")).exitCode, 3);

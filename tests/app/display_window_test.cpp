@@ -61,7 +61,7 @@ TEST_F(DisplayWindow, SectionsAreAddedDraggedAndRemovedAndAGridIsShown) {
                              "action section.remove-all\nexpect-sections 0\naction panel.scene\n"
                              "screenshot %1/again.png\naction layer.grid\nscreenshot %1/grid.png\n")
                              .arg(folder.path());
-  const RunResult outcome = run(QStringLiteral("environment-1"), script);
+  const WindowResult outcome = run(QStringLiteral("environment-1"), script);
   ASSERT_EQ(outcome.exitCode, 0) << outcome.errors.toStdString();
   EXPECT_GT(change("set", "dragged"), 0.005);
   EXPECT_LT(change("whole", "again"), 0.002) << "only the focus is elsewhere";
@@ -76,7 +76,7 @@ TEST_F(DisplayWindow, TheRoadmapIsFaintOnceAPathIsShownAndAWishBringsItBack) {
                              "ghosts 40\nscreenshot %1/many.png\nghosts none\nscreenshot %1/none.png\n"
                              "ghosts 200mm\nscreenshot %1/spaced.png\n")
                              .arg(folder.path());
-  const RunResult outcome =
+  const WindowResult outcome =
       run(QStringLiteral("environment-2"), script, {QStringLiteral("--seed"), QStringLiteral("6")});
   ASSERT_EQ(outcome.exitCode, 0) << outcome.errors.toStdString();
   EXPECT_GT(change("faint", "kept"), 0.01);

@@ -21,7 +21,7 @@ class EnvironmentWindow : public WindowTest {
     return to.filePath(scenario);
   }
 
-  void expectGood(const RunResult& result) { EXPECT_EQ(result.exitCode, 0) << result.errors.toStdString(); }
+  void expectGood(const WindowResult& result) { EXPECT_EQ(result.exitCode, 0) << result.errors.toStdString(); }
 };
 
 TEST_F(EnvironmentWindow, AComplexityChangesTheCoarsePathIsUndoneSavedAndThereAgain) {
@@ -89,7 +89,7 @@ TEST_F(EnvironmentWindow, AttributesOfOnesOwnAreKeptAndBadValuesRefused) {
                                           "select place P2\nexpect-attribute fragile yes\n"
                                           "select body O1\nexpect-attribute shape wall\n")
                                .arg(scenario)));
-  const RunResult refused = run(scenario, QStringLiteral("select place P2\nattribute compatibility 2\n"));
+  const WindowResult refused = run(scenario, QStringLiteral("select place P2\nattribute compatibility 2\n"));
   EXPECT_EQ(refused.exitCode, 3);
   EXPECT_TRUE(refused.errors.contains(QStringLiteral("line 2: 'compatibility' is 2, which is out of range")))
       << refused.errors.toStdString();
@@ -114,7 +114,7 @@ TEST_F(EnvironmentWindow, ABodyThatIsHiddenIsNotDrawnAndComesBack) {
   const QString all = folder.filePath(QStringLiteral("all.png"));
   const QString fewer = folder.filePath(QStringLiteral("fewer.png"));
   const QString again = folder.filePath(QStringLiteral("again.png"));
-  const RunResult result =
+  const WindowResult result =
       run(QStringLiteral("teaching"), QStringLiteral("screenshot %1\nshow-body O2 no\nscreenshot %2\n"
                                                      "action body.show-all\nscreenshot %3\nselect body O1\n"
                                                      "action body.isolate\naction body.hide\n")

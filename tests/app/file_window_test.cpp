@@ -7,7 +7,7 @@ using namespace glissade::test;
 
 class FileWindow : public WindowTest {
  protected:
-  void expectGood(const RunResult& result) { EXPECT_EQ(result.exitCode, 0) << result.errors.toStdString(); }
+  void expectGood(const WindowResult& result) { EXPECT_EQ(result.exitCode, 0) << result.errors.toStdString(); }
   QByteArray content(const QString& name) const {
     QFile file(folder.filePath(name));
     EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << name.toStdString();
@@ -27,7 +27,7 @@ TEST_F(FileWindow, AScenarioSavedIntoAnotherFolderOpensAndPlansTheSame) {
 }
 
 TEST_F(FileWindow, ASecondFileIsAnErrorAndNotForgotten) {
-  const RunResult two = run(QStringLiteral("environment-1"), QString(), {QStringLiteral("another.json")});
+  const WindowResult two = run(QStringLiteral("environment-1"), QString(), {QStringLiteral("another.json")});
   EXPECT_EQ(two.exitCode, 2) << two.errors.toStdString();
   EXPECT_TRUE(two.errors.contains(QStringLiteral("another.json"))) << two.errors.toStdString();
 }
@@ -69,7 +69,7 @@ TEST_F(FileWindow, ThePathIsExportedInEveryFormatOfTheRegistryAndInNoOther) {
   EXPECT_TRUE(content(QStringLiteral("a.csv")).startsWith("index,"));
   EXPECT_TRUE(content(QStringLiteral("a.json")).startsWith("{"));
   EXPECT_TRUE(content(QStringLiteral("a.glb")).startsWith("glTF"));
-  const RunResult refused = run(QStringLiteral("sliding-plane"), solve + QStringLiteral("export a.xyz\n"));
+  const WindowResult refused = run(QStringLiteral("sliding-plane"), solve + QStringLiteral("export a.xyz\n"));
   EXPECT_EQ(refused.exitCode, 2);
   EXPECT_TRUE(refused.errors.contains(QStringLiteral("OMPL columns (.path), Animation (.glb)")))
       << refused.errors.toStdString();

@@ -9,7 +9,7 @@ using namespace glissade::test;
 class FitsWindow : public WindowTest {
  protected:
   /// The product with one of its parts as the object; then `script`.
-  RunResult runWith(const char* part, const QString& script) {
+  WindowResult runWith(const char* part, const QString& script) {
     const QString product = QString::fromStdString(stepFile("fits.step"));
     const QString open = QStringLiteral("new-scenario %1:%2 1 Z\nadd-part %1 static 1 Z\naction fits.find\n");
     return run(QString(), open.arg(product, QLatin1String(part)) + script);
@@ -17,34 +17,34 @@ class FitsWindow : public WindowTest {
 };
 
 TEST_F(FitsWindow, TheTableHasThePairsOfTheProduct) {
-  const RunResult outcome = runWith("screw", QStringLiteral("expect-fits thread 1\nexpect-fits press 1\n"
-                                                            "expect-fits clash 1\nselect-fit screw plate\n"
-                                                            "action fits.isolate\n"));
+  const WindowResult outcome = runWith("screw", QStringLiteral("expect-fits thread 1\nexpect-fits press 1\n"
+                                                               "expect-fits clash 1\nselect-fit screw plate\n"
+                                                               "action fits.isolate\n"));
   EXPECT_EQ(outcome.exitCode, 0) << outcome.errors.toStdString();
 }
 
 TEST_F(FitsWindow, WhatFitsDoesNotStopTheWork) {
-  const RunResult outcome =
+  const WindowResult outcome =
       runWith("bolt", QStringLiteral("action run.start\nwait ended 20000\nexpect solved\nexpect-path certified\n"));
   EXPECT_EQ(outcome.exitCode, 0) << outcome.errors.toStdString();
 }
 
 TEST_F(FitsWindow, WhatAPersonSaysIsUndoneAndKeptByTheFile) {
   const QString saved = folder.filePath(QStringLiteral("fits.json"));
-  const RunResult outcome = runWith("bolt", QStringLiteral("select-fit bolt nut\naction fits.thread\n"
-                                                           "expect-fits thread 2\naction edit.undo\n"
-                                                           "expect-fits thread 1\naction edit.redo\nsave %1\n"
-                                                           "open %1\naction fits.find\nexpect-fits thread 2\n"
-                                                           "select-fit bolt nut\naction fits.as-measured\n"
-                                                           "expect-fits thread 1\n")
-                                                .arg(saved));
+  const WindowResult outcome = runWith("bolt", QStringLiteral("select-fit bolt nut\naction fits.thread\n"
+                                                              "expect-fits thread 2\naction edit.undo\n"
+                                                              "expect-fits thread 1\naction edit.redo\nsave %1\n"
+                                                              "open %1\naction fits.find\nexpect-fits thread 2\n"
+                                                              "select-fit bolt nut\naction fits.as-measured\n"
+                                                              "expect-fits thread 1\n")
+                                                   .arg(saved));
   EXPECT_EQ(outcome.exitCode, 0) << outcome.errors.toStdString();
 }
 
 /// The table, and the two bodies of the chosen row as the view marks them.
 TEST_F(FitsWindow, TheFitsOfAProductLookAsTheyDid) {
   const QString picture = folder.filePath(QStringLiteral("fits.png"));
-  const RunResult outcome = runWith("bolt", QStringLiteral("select-fit screw plate\nscreenshot %1\n").arg(picture));
+  const WindowResult outcome = runWith("bolt", QStringLiteral("select-fit screw plate\nscreenshot %1\n").arg(picture));
   ASSERT_EQ(outcome.exitCode, 0) << outcome.errors.toStdString();
   expectLike(picture, QStringLiteral("fits"));
 }

@@ -9,7 +9,7 @@ using namespace glissade::test;
 
 class HelpWindow : public WindowTest {
  protected:
-  void expectGood(const RunResult& result) { EXPECT_EQ(result.exitCode, 0) << result.errors.toStdString(); }
+  void expectGood(const WindowResult& result) { EXPECT_EQ(result.exitCode, 0) << result.errors.toStdString(); }
 };
 
 TEST(Tour, ItsStepsSayWhatToDoAndNameWhatIsThere) {

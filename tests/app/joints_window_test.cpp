@@ -9,12 +9,12 @@ using namespace glissade::test;
 class JointsWindow : public WindowTest {
  protected:
   /// The product with its bolt as the object, its joints found; then `script`.
-  RunResult runOnProduct(const QString& script, const QStringList& options = {}) {
+  WindowResult runOnProduct(const QString& script, const QStringList& options = {}) {
     const QString product = QString::fromStdString(stepFile("fits.step"));
     const QString open = QStringLiteral("new-scenario %1:bolt 1 Z\nadd-part %1 static 1 Z\naction joints.find\n");
     return run(QString(), open.arg(product) + script, options);
   }
-  void expectGood(const RunResult& result) { EXPECT_EQ(result.exitCode, 0) << result.errors.toStdString(); }
+  void expectGood(const WindowResult& result) { EXPECT_EQ(result.exitCode, 0) << result.errors.toStdString(); }
 };
 
 TEST_F(JointsWindow, TheTableHasTheJointsOfTheProduct) {
@@ -49,7 +49,7 @@ TEST_F(JointsWindow, AJointIsMadeOfTheSelectedBodiesAndGoesAgain) {
 }
 
 TEST_F(JointsWindow, AJointThatCannotBeIsRefusedBeforeAnythingChanges) {
-  const RunResult outcome = runOnProduct(QStringLiteral("select body block\nmake-joint pin\n"));
+  const WindowResult outcome = runOnProduct(QStringLiteral("select body block\nmake-joint pin\n"));
   EXPECT_EQ(outcome.exitCode, 2) << outcome.errors.toStdString();
   EXPECT_TRUE(outcome.errors.contains(QStringLiteral("one body only"))) << outcome.errors.toStdString();
 }

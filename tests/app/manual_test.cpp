@@ -127,11 +127,11 @@ class ManualOnDisk : public WindowTest, public testing::WithParamInterface<const
 };
 
 TEST_P(ManualOnDisk, LinksAndPicturesExistAndNothingIsMissing) {
-  const RunResult outcome = run(QString(),
-                                "action panel.semantics\naction help.panel\nexpect-manual panels#panel-semantics\n"
-                                "action help.manual\nshow-manual panels#panel-run\nexpect-manual panels#panel-run\n"
-                                "find-in-manual AP214\nexpect-manual formats\n",
-                                {"--language", language(), "--write-manual", folder.path()});
+  const WindowResult outcome = run(QString(),
+                                   "action panel.semantics\naction help.panel\nexpect-manual panels#panel-semantics\n"
+                                   "action help.manual\nshow-manual panels#panel-run\nexpect-manual panels#panel-run\n"
+                                   "find-in-manual AP214\nexpect-manual formats\n",
+                                   {"--language", language(), "--write-manual", folder.path()});
   ASSERT_EQ(outcome.exitCode, 0) << outcome.errors.toStdString();
   EXPECT_TRUE(QFile::exists(folder.filePath("manual.css")));
   for (const QString& name : manualPageNames()) {

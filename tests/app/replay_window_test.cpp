@@ -9,7 +9,7 @@ using namespace glissade::test;
 
 class ReplayWindow : public WindowTest {
  protected:
-  void expectGood(const RunResult& result) { EXPECT_EQ(result.exitCode, 0) << result.errors.toStdString(); }
+  void expectGood(const WindowResult& result) { EXPECT_EQ(result.exitCode, 0) << result.errors.toStdString(); }
   QString record() const { return folder.filePath(QStringLiteral("run.json")); }
 };
 
@@ -61,13 +61,13 @@ TEST_F(ReplayWindow, ARecordingThatWasTamperedWithDiffers) {
   file.close();
   expectGood(
       run(QStringLiteral("environment-1"), QStringLiteral("replay %1\nexpect-replay different\n").arg(record())));
-  const RunResult unmet =
+  const WindowResult unmet =
       run(QStringLiteral("environment-1"), QStringLiteral("replay %1\nexpect-replay same\n").arg(record()));
   EXPECT_EQ(unmet.exitCode, 1);
 }
 
 TEST_F(ReplayWindow, WhatCannotBeReplayedIsSaid) {
-  const RunResult missing = run(QStringLiteral("environment-1"), QStringLiteral("replay /nowhere/run.json\n"));
+  const WindowResult missing = run(QStringLiteral("environment-1"), QStringLiteral("replay /nowhere/run.json\n"));
   EXPECT_EQ(missing.exitCode, 3);
   EXPECT_TRUE(missing.errors.contains(QStringLiteral("line 1"))) << missing.errors.toStdString();
   EXPECT_EQ(run(QStringLiteral("environment-1"), QStringLiteral("save-recording %1\n").arg(record())).exitCode, 2);

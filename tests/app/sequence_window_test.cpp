@@ -12,8 +12,8 @@ using namespace glissade::test;
 
 class SequenceWindow : public WindowTest {
  protected:
-  void expectGood(const RunResult& result) { EXPECT_EQ(result.exitCode, 0) << result.errors.toStdString(); }
-  RunResult runOnStand(const QString& script, const QStringList& options = {}) {
+  void expectGood(const WindowResult& result) { EXPECT_EQ(result.exitCode, 0) << result.errors.toStdString(); }
+  WindowResult runOnStand(const QString& script, const QStringList& options = {}) {
     return run(QStringLiteral("roller-stand"), script, options);
   }
   QString file(const char* name) const { return folder.filePath(QLatin1String(name)); }

@@ -63,9 +63,9 @@ TEST_F(StudyWindow, ThePageIsWellFormedAndHasAPlotForEachQuantity) {
 
 TEST_F(StudyWindow, ARunIsShownAgainAndEndsAsInTheStudy) {
   const QString picture = folder.filePath(QStringLiteral("browser.png"));
-  const RunResult result = run({}, QStringLiteral("study %1\nstudy-cell 3\nstudy-run 3 2\nwait ended 1000\n"
-                                                  "study-plot 3\nstudy-screenshot %2\n")
-                                       .arg(out(), picture));
+  const WindowResult result = run({}, QStringLiteral("study %1\nstudy-cell 3\nstudy-run 3 2\nwait ended 1000\n"
+                                                     "study-plot 3\nstudy-screenshot %2\n")
+                                          .arg(out(), picture));
   EXPECT_EQ(result.exitCode, 0) << result.errors.toStdString();
   EXPECT_EQ(QImage(picture).size(), QSize(1280, 720));
 }
@@ -144,7 +144,7 @@ TEST_F(StudyWindow, APlotIsSavedAsItIsSeen) {
   const QString drawing = folder.filePath(QStringLiteral("plot.svg"));
   const QString picture = folder.filePath(QStringLiteral("plot.png"));
   const QString part = folder.filePath(QStringLiteral("part.png"));
-  const RunResult result =
+  const WindowResult result =
       run({}, QStringLiteral("study %1\nstudy-save-plot %2\nstudy-save-plot %3\nstudy-zoom 0.5 0.5 1 1\n"
                              "study-save-plot %4\naction study.zoom-out\naction study.copy-plot\n")
                   .arg(out(), drawing, picture, part));
@@ -162,7 +162,7 @@ TEST_F(StudyWindow, WhatIsNotThereIsSaid) {
   EXPECT_NE(run({}, QStringLiteral("study /nowhere\n")).exitCode, 0);
   EXPECT_NE(run({}, QStringLiteral("study-cell 1\n")).exitCode, 0);
   for (const char* wrong : {"study-cell 5", "study-cell x", "study-plot 9", "study-run 1 99", "study-run 0 1"}) {
-    const RunResult result = run({}, QStringLiteral("study %1\n%2\n").arg(out(), QLatin1String(wrong)));
+    const WindowResult result = run({}, QStringLiteral("study %1\n%2\n").arg(out(), QLatin1String(wrong)));
     EXPECT_EQ(result.exitCode, 3) << wrong;
     EXPECT_TRUE(result.errors.contains(QStringLiteral("line 2"))) << result.errors.toStdString();
   }
@@ -170,7 +170,7 @@ TEST_F(StudyWindow, WhatIsNotThereIsSaid) {
 
 TEST_F(StudyWindow, PicturesOfTypicalRunsComeIntoTheReports) {
   // The pictures refuse a run that ends otherwise than in the study, so they prove each cell's.
-  const RunResult taken =
+  const WindowResult taken =
       run({}, {}, {QStringLiteral("--study-pictures"), out(), QStringLiteral("--report-pdf"), out()});
   EXPECT_EQ(taken.exitCode, 0) << taken.errors.toStdString();
   const QStringList pictures = QDir(out() + QStringLiteral("/pictures")).entryList({QStringLiteral("*.png")});

@@ -11,7 +11,7 @@ using namespace glissade::test;
 class TuningWindow : public WindowTest {
  protected:
   void expectGood(const QString& script) {
-    const RunResult result = run(QStringLiteral("environment-1"), script);
+    const WindowResult result = run(QStringLiteral("environment-1"), script);
     EXPECT_EQ(result.exitCode, 0) << result.errors.toStdString();
   }
   void expectBad(const QString& script) { EXPECT_NE(run(QStringLiteral("environment-1"), script).exitCode, 0); }

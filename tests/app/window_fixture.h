@@ -40,7 +40,7 @@ inline Difference difference(const QImage& a, const QImage& b) {
   return {sum / pixels, visible / pixels};
 }
 
-struct RunResult {
+struct WindowResult {
   int exitCode = -1;
   QString errors;
 };
@@ -48,7 +48,7 @@ struct RunResult {
 class WindowTest : public testing::Test {
  protected:
   /// Runs the window on a sample, or on a scenario file (ending in .json), with a script.
-  RunResult run(const QString& scenario, const QString& script, const QStringList& options = {}) {
+  WindowResult run(const QString& scenario, const QString& script, const QStringList& options = {}) {
     QFile file(folder.filePath(QStringLiteral("test.script")));
     EXPECT_TRUE(file.open(QIODevice::WriteOnly));
     file.write(script.toUtf8());

@@ -20,13 +20,13 @@ class WindowLocale : public WindowTest {
   void planAndSave(const char* locale, const QString& language) {
     qputenv("LC_ALL", locale);
     const QString files = folder.filePath(QLatin1String(locale));
-    const RunResult outcome = run(QStringLiteral("sliding-plane"),
-                                  QStringLiteral("set alpha 0.9\nplace wall 10,0,600 0,0,0\naction run.start\n"
-                                                 "wait solved 20000\nexport %1.csv\nexport %1.json\n"
-                                                 "save %1.scenario.json\nopen %1.scenario.json\n"
-                                                 "open-path %1.csv\nexpect-path certified\n")
-                                      .arg(files),
-                                  {QStringLiteral("--language"), language});
+    const WindowResult outcome = run(QStringLiteral("sliding-plane"),
+                                     QStringLiteral("set alpha 0.9\nplace wall 10,0,600 0,0,0\naction run.start\n"
+                                                    "wait solved 20000\nexport %1.csv\nexport %1.json\n"
+                                                    "save %1.scenario.json\nopen %1.scenario.json\n"
+                                                    "open-path %1.csv\nexpect-path certified\n")
+                                         .arg(files),
+                                     {QStringLiteral("--language"), language});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.errors.toStdString();
   }
 };

@@ -21,7 +21,7 @@ TEST_F(WindowPictures, EverySampleIdleGrowingAndSolved) {
                          "screenshot %1-growing.png\nwait ended 24000\nexpect solved\n"
                          "screenshot %1-solved.png\n")
                          .arg(base, growing);
-    const RunResult outcome = run(sample, script, {QStringLiteral("--seed"), QStringLiteral("6")});
+    const WindowResult outcome = run(sample, script, {QStringLiteral("--seed"), QStringLiteral("6")});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.errors.toStdString();
     for (const char* state : {"idle", "growing", "solved"}) {
       const QString name = sample + QStringLiteral("-") + QLatin1String(state);
@@ -43,10 +43,10 @@ TEST_F(WindowPictures, SteeringByKeysMovesTheObjectAndThePathIsExported) {
   const QString path = folder.filePath(QStringLiteral("path.csv"));
   const QString before = folder.filePath(QStringLiteral("before.png"));
   const QString after = folder.filePath(QStringLiteral("after.png"));
-  const RunResult outcome = run(QStringLiteral("sliding-plane"),
-                                QStringLiteral("screenshot %1\nkey press W\nsteps 60\nkey release W\nscreenshot %2\n"
-                                               "set alpha 0.9\naction run.start\nwait solved 20000\nexport %3\n")
-                                    .arg(before, after, path));
+  const WindowResult outcome = run(QStringLiteral("sliding-plane"),
+                                   QStringLiteral("screenshot %1\nkey press W\nsteps 60\nkey release W\nscreenshot %2\n"
+                                                  "set alpha 0.9\naction run.start\nwait solved 20000\nexport %3\n")
+                                       .arg(before, after, path));
   ASSERT_EQ(outcome.exitCode, 0) << outcome.errors.toStdString();
   EXPECT_GT(difference(QImage(before), QImage(after)).mean, 0.2);
   QFile csv(path);
@@ -60,7 +60,7 @@ TEST_F(WindowPictures, ThePathIsSmoothedAndShownAsPlannedAgain) {
     EXPECT_TRUE(file.open(QIODevice::ReadOnly));
     return file.readAll();
   };
-  const RunResult outcome =
+  const WindowResult outcome =
       run(QStringLiteral("environment-1"),
           QStringLiteral("set required_clearance 0.0004\nselect-operator expert\naction run.start\nwait solved 24000\n"
                          "export %1/a.csv\naction path.smooth\nsteps 1\nexport %1/b.csv\n"
@@ -72,7 +72,7 @@ TEST_F(WindowPictures, ThePathIsSmoothedAndShownAsPlannedAgain) {
 }
 
 TEST_F(WindowPictures, ScriptsSayWhereTheyGoWrong) {
-  const RunResult unknown = run(QStringLiteral("sliding-plane"), QStringLiteral("steps 1\naction no.such\n"));
+  const WindowResult unknown = run(QStringLiteral("sliding-plane"), QStringLiteral("steps 1\naction no.such\n"));
   EXPECT_EQ(unknown.exitCode, 3);
   EXPECT_TRUE(unknown.errors.contains(QStringLiteral("line 2")));
   EXPECT_EQ(run(QStringLiteral("sliding-plane"), QStringLiteral("expect solved\n")).exitCode, 1);
