@@ -127,10 +127,12 @@ TEST_F(OpenWindow, AFilmIsNotEndedWithoutAQuestion) {
 
 /// A box with this edge, millimetres, at a place of a grid.
 std::string boxAt(int number, double edge) {
+  const int column = number % 32;
+  const int row = number / 32;
   std::string text;
   for (const int corner : {0, 1, 2, 3, 4, 5, 6, 7}) {
-    const double x = 30.0 * (number % 32) + (corner & 1 ? edge : 0.0);
-    const double y = 30.0 * (number / 32) + (corner & 2 ? edge : 0.0);
+    const double x = 30.0 * column + (corner & 1 ? edge : 0.0);
+    const double y = 30.0 * row + (corner & 2 ? edge : 0.0);
     text += "v " + std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(corner & 4 ? edge : 0.0) + "\n";
   }
   return text + "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";

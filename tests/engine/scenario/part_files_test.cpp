@@ -242,7 +242,7 @@ TEST(WithParts, RefusesWhatItCannotAdd) {
 }
 
 /// Two boxes as groups of one OBJ file, the second one in two pieces.
-std::string writeGroups(const TemporaryFolder& folder) {
+std::string writeGroups(const test::TemporaryFolder& folder) {
   const std::string v =
       "v 0 0 0\nv 10 0 0\nv 0 10 0\nv 10 10 0\nv 0 0 10\nv 10 0 10\nv 0 10 10\nv 10 10 10\n"
       "v 20 0 0\nv 50 0 0\nv 20 30 0\nv 50 30 0\nv 20 0 30\nv 50 0 30\nv 20 30 30\nv 50 30 30\n";
@@ -252,7 +252,7 @@ std::string writeGroups(const TemporaryFolder& folder) {
 }
 
 TEST(PartFiles, GroupsOfAnObjFileArePartsOnDemand) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   PartFile whole = partOf(writeGroups(folder));
   PartFile moving = usualPart(whole.path + ":lid.top");
   moving.role = PartRole::Moves;
