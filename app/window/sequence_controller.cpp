@@ -195,8 +195,8 @@ void SequenceController::keepPlan(const ShownPlan& shown) {
 void SequenceController::setPlan(const ShownPlan& shown) {
   film_.cancel();
   const bool there = shown.product && shown.plan;
+  if (shown.product != this->shown().product || shown.plan != this->shown().plan) exploded_.reset();
   playback_ = there ? PlanPlayback(*shown.product, *shown.plan) : PlanPlayback();
-  exploded_ = there ? ExplodedView(*shown.product, *shown.plan) : ExplodedView();
   panel_->setAtOnce(bench_.work.isAtOnce());
   panel_->setPlan(shown);
   updateGraph();
@@ -361,7 +361,8 @@ void SequenceController::showScene(double time, double exploded) {
   SequencePicture picture;
   if (plan.plan && !plan.plan->steps.empty() && (time > 0.0 || exploded > 0.0)) {
     const std::vector<PlayedBody> played = playback_.at(time);
-    const std::vector<Pose> apart = exploded_.at(exploded);
+    if (exploded > 0.0 && !exploded_) exploded_.emplace(*plan.product, *plan.plan);
+    const std::vector<Pose> apart = exploded > 0.0 ? exploded_->at(exploded) : std::vector<Pose>();
     const bool aside = bench_.actions["sequence.aside"]->isChecked();
     const LoadedScenario& scenario = *bench_.document.scenario();
     for (std::size_t i = 0; i < played.size(); ++i) {

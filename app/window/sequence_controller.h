@@ -107,7 +107,7 @@ class SequenceController final : public QObject {
   WorkTimesStore workTimes_;
   std::size_t knownSteps_ = 0;  ///< of the plan that planning has begun with
   PlanPlayback playback_;
-  ExplodedView exploded_;
+  std::optional<ExplodedView> exploded_;  ///< of the plan that is shown, once it was moved apart
   PlanGraphView* graph_ = nullptr;
   InstructionController* instructions_;
   FilmJob film_;

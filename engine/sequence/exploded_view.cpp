@@ -16,6 +16,8 @@ constexpr double kGapShare = 0.025;
 constexpr double kSampleRadii = 0.33;
 constexpr double kFewestSamples = 32.0;
 constexpr double kMostSamples = 400.0;
+/// Boxes become one where that takes at most so much more room: a turn has hundreds of them.
+constexpr double kMoreRoom = 1.15;
 
 Box3 widened(const Box3& box, double by) {
   return {box.min() - Vector3::Constant(by), box.max() + Vector3::Constant(by)};
@@ -147,11 +149,11 @@ class ExplodedView::Placement {
     }
   }
 
-  /// Pieces of straight motions along an axis are one box.
+  /// Pieces of straight motions along an axis are one box, and those of turns about it are few.
   void takePiece(const Box3& piece) {
     const Box3 both = taken_.back().merged(piece);
     const double room = taken_.back().volume() + piece.volume() - taken_.back().intersection(piece).volume();
-    if (both.volume() <= room * (1.0 + 1e-9)) {
+    if (both.volume() <= kMoreRoom * room) {
       taken_.back() = both;
     } else {
       taken_.push_back(piece);
