@@ -28,7 +28,7 @@ constexpr std::array<ParameterSpec, kParameterCount> kTable{{
      "Gap that contact samples keep to the surface, so that they touch without penetrating."},
     {Id::RequiredClearance, "required_clearance", "--required-clearance", "", "Required clearance", "m", 1e-7, 0.1,
      tolerance::kRequiredClearance, Scale::ObjectRadius, false, true,
-     "Clearance that a delivered path is proved to keep."},
+     "Clearance that a delivered path is proved to keep.", true},
     {Id::GrowthStep, "growth_step", "--growth-step", "", "Growth step", "m", 1e-4, 0.1, tolerance::kGrowthStep,
      Scale::ObjectRadius, false, false, "Sampling step of edges while the trees grow (delivered edges are certified)."},
     {Id::ExtensionStep, "extension_step", "--extension-step", "", "Extension step", "m", 1e-3, 1.0,
@@ -83,9 +83,10 @@ Diagnostic outOfRange(const ParameterSpec& spec, double value, const ParameterRa
   return {ErrorKind::Usage, "", std::string(spec.key), reason.str(), advice.str()};
 }
 
-/// The largest of 1, 2 and 5 times a power of ten that is not above the value, which is above 0: as a person writes it.
-/// A value that is below such a number by rounding only is that number.
+/// The largest of 1, 2 and 5 times a power of ten that is not above the value: as a person writes it. A value that is
+/// below such a number by rounding only is that number. Of 0 and what is not finite: the value itself.
 double roundNumberBelow(double value) {
+  if (!(value > 0.0) || !std::isfinite(value)) return value;
   const double most = value * (1.0 + 1e-9);
   const double decade = std::pow(10.0, std::floor(std::log10(most)));
   double best = decade;
@@ -116,10 +117,9 @@ ParameterRange rangeOf(ParameterId id, double objectRadius) {
 ParameterValues::ParameterValues(double objectRadius) : radius_(objectRadius) {
   for (const ParameterSpec& spec : kTable) {
     const double unit = spec.scale == Scale::ObjectRadius ? objectRadius : 1.0;
-    values_[static_cast<std::size_t>(spec.id)] = spec.defaultValue * unit;
+    const double value = spec.defaultValue * unit;
+    values_[static_cast<std::size_t>(spec.id)] = spec.roundDefault ? roundNumberBelow(value) : value;
   }
-  double& clearance = values_[static_cast<std::size_t>(Id::RequiredClearance)];
-  if (clearance > 0.0 && std::isfinite(clearance)) clearance = roundNumberBelow(clearance);
 }
 
 int ParameterValues::integer(ParameterId id) const { return static_cast<int>(std::lround((*this)[id])); }

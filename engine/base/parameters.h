@@ -59,6 +59,7 @@ struct ParameterSpec {
   bool integer;
   bool live;  ///< may change while a planner runs (a slider in the window)
   std::string_view help;
+  bool roundDefault = false;  ///< the default is 1, 2 or 5 times a power of ten, at most defaultValue
 };
 
 const std::array<ParameterSpec, kParameterCount>& parameterTable();

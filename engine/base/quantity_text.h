@@ -14,8 +14,8 @@ std::optional<double> toMetres(std::string_view text, double unit);
 /// Nothing where the text is no angle.
 std::optional<double> toRadians(std::string_view text, double unit);
 
-/// "0.41 mm": three significant digits without zeros at the end. Every length in the engine's sentences, and in what
-/// the command line prints for people, is written by this function.
+/// "0.41 mm": three significant digits without zeros at the end. Lengths in the engine's sentences, and in what the
+/// command line prints of plans and fits, are written by this function; proved clearances of a path are written in full.
 std::string inMillimetres(double metres);
 
 /// "0.41mm": an option's value that is not below the length, in hundredths.

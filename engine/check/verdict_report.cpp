@@ -1,11 +1,11 @@
 #include "engine/check/verdict_report.h"
-#include "engine/base/quantity_text.h"
 
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "engine/base/quantity_text.h"
 #include "engine/check/verdict_words.h"
 #include "engine/import/json_reader.h"
 

@@ -19,7 +19,7 @@ namespace {
 
 /// Of the assembled gap: the clearance that paths keep.
 constexpr double kPathShare = 0.25;
-/// The least clearance where they begin.
+/// Of the same gap: the least clearance where paths begin.
 constexpr double kStartShare = 0.3;
 constexpr std::array<double, 2> kBothWays{1.0, -1.0};
 

@@ -65,8 +65,9 @@ std::vector<BodyGroup> StraightRemoval::groups(const GroupQuestion& question,
   for (const Vector3& direction : directions) {
     for (const std::size_t body : leaving) lineAlong(body, direction);
   }
+  const std::set<std::pair<std::size_t, std::size_t>> linked(links.begin(), links.end());
   std::vector<std::vector<BodyGroup>> along(directions.size());
-  team.run(directions.size(), [&](std::size_t i) { along[i] = groupsAlong(directions[i], question, links, stop); });
+  team.run(directions.size(), [&](std::size_t i) { along[i] = groupsAlong(directions[i], question, linked, stop); });
   if (stop.stopRequested()) return {};
   std::vector<BodyGroup> found;
   for (std::vector<BodyGroup>& groups : along) std::move(groups.begin(), groups.end(), std::back_inserter(found));
@@ -75,7 +76,7 @@ std::vector<BodyGroup> StraightRemoval::groups(const GroupQuestion& question,
 
 /// The lines of all bodies along the direction are known.
 std::vector<BodyGroup> StraightRemoval::groupsAlong(const Vector3& direction, const GroupQuestion& question,
-                                                    const std::vector<std::pair<std::size_t, std::size_t>>& links,
+                                                    const std::set<std::pair<std::size_t, std::size_t>>& linked,
                                                     const StopToken& stop) {
   BodySet staying = question.staying;
   std::vector<Line*> lines(staying.size(), nullptr);
@@ -85,8 +86,7 @@ std::vector<BodyGroup> StraightRemoval::groupsAlong(const Vector3& direction, co
   }
   const auto candidates = [&](std::size_t blocked) -> const std::vector<std::size_t>& { return lines_[blocked].order; };
   const auto blocks = [&](std::size_t blocker, std::size_t blocked) {
-    const bool linked = std::find(links.begin(), links.end(), std::pair(blocker, blocked)) != links.end();
-    return linked || isBlocking(blocker, blocked, *lines[blocked], stop);
+    return linked.count({blocker, blocked}) != 0 || isBlocking(blocker, blocked, *lines[blocked], stop);
   };
   return BlockingGraph(std::move(staying), {candidates, blocks}).groups(question.units, question.most);
 }

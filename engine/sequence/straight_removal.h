@@ -4,6 +4,7 @@
 #include <deque>
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "engine/sequence/motion_world.h"
@@ -55,7 +56,7 @@ class StraightRemoval {
                                        const StopToken& stop);
   std::optional<std::size_t> blockerOf(std::size_t body, Line& line, const BodySet& others, const StopToken& stop);
   std::vector<BodyGroup> groupsAlong(const Vector3& direction, const GroupQuestion& question,
-                                     const std::vector<std::pair<std::size_t, std::size_t>>& links,
+                                     const std::set<std::pair<std::size_t, std::size_t>>& linked,
                                      const StopToken& stop);
   bool isBlocking(std::size_t other, std::size_t body, Line& line, const StopToken& stop);
   bool mayLeaveAlong(const Vector3& direction, std::size_t body) const;
