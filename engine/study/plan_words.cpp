@@ -23,16 +23,23 @@ std::string decimals(double value, int digits) {
   return text.data();
 }
 
+/// With the decimal sign of the language.
+std::string decimals(double value, int digits, Language language) {
+  std::string text = decimals(value, digits);
+  if (language == Language::French) std::replace(text.begin(), text.end(), '.', ',');
+  return text;
+}
+
 std::string degrees(double radians) { return decimals(radians * 180.0 / std::acos(-1.0), 0) + "°"; }
 
 /// Across the flats of the hexagon that the tool turns, in millimetres: " 2.5"; empty where it is not known.
-std::string sizeOfTool(const AssemblyStep& step) {
+std::string sizeOfTool(const AssemblyStep& step, Language language) {
   constexpr double kTenths = 1e4;  // of a millimetre, in metres
   for (const StepJoint& joint : step.joints) {
     const bool isHexagon = joint.drive == DriveKind::HexSocket || joint.drive == DriveKind::HexOutside;
     if (joint.body != step.body || !isHexagon || joint.driveSize <= 0.0) continue;
     const double tenths = std::round(kTenths * joint.driveSize);
-    return " " + decimals(0.1 * tenths, std::fmod(tenths, 10.0) == 0.0 ? 0 : 1);
+    return " " + decimals(0.1 * tenths, std::fmod(tenths, 10.0) == 0.0 ? 0 : 1, language);
   }
   return {};
 }
@@ -68,7 +75,7 @@ std::string PlanWords::someOf(const std::vector<std::string>& ids, const Assembl
 std::string PlanWords::toolName(const AssemblyStep& step) const {
   static constexpr std::array<const char*, 5> kTools{"", "hex key", "socket", "screwdriver", "open wrench"};
   if (step.tool.kind == ToolKind::None) return {};
-  return words_(kTools[static_cast<std::size_t>(step.tool.kind)]) + sizeOfTool(step);
+  return words_(kTools[static_cast<std::size_t>(step.tool.kind)]) + sizeOfTool(step, words_.language());
 }
 
 std::string PlanWords::tool(const AssemblyStep& step, const AssembledProduct& product) const {
@@ -127,7 +134,7 @@ std::string PlanWords::joint(const StepJoint& joint, const AssemblyStep& step, c
   const std::vector<std::string> bodies = step.bodies();
   const bool isOwn = std::find(bodies.begin(), bodies.end(), joint.body) != bodies.end();
   const std::string what = isOwn ? fastenerText(joint, product) : shownNameOf(joint.body, product);
-  const std::string turns = decimals(joint.turns, 1);
+  const std::string turns = decimals(joint.turns, 1, words_.language());
   switch (joint.kind) {
     case JointKind::Screw:
     case JointKind::Nut: {
@@ -151,7 +158,7 @@ std::string PlanWords::joint(const StepJoint& joint, const AssemblyStep& step, c
 /// The turns of a screw motion are one leg.
 std::string PlanWords::turnedMotion(const AssemblyStep& step, PlanOrder order) const {
   const MotionLeg last = legsOf(step.path).back();
-  const std::string turns = decimals(step.joints.front().turns, 1);
+  const std::string turns = decimals(step.joints.front().turns, 1, words_.language());
   const bool removal = order == PlanOrder::Removal;
   const Vector3 way = removal ? last.direction : Vector3(-last.direction);
   const std::string straight = direction(way) + ", " + length_(last.length);

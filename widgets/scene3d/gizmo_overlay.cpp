@@ -1,6 +1,5 @@
 #include "widgets/scene3d/gizmo_overlay.h"
 
-#include <QEvent>
 #include <QFontMetrics>
 #include <QPainter>
 
@@ -32,17 +31,8 @@ QColor colourOf(int axis, double alpha = 1.0) {
 
 }  // namespace
 
-GizmoOverlay::GizmoOverlay(const SceneView& view, QWidget* scene) : QWidget(scene), view_(view) {
+GizmoOverlay::GizmoOverlay(const SceneView& view, QWidget* scene) : SceneOverlay(view, scene) {
   setObjectName(QStringLiteral("gizmo"));
-  setAttribute(Qt::WA_TransparentForMouseEvents);
-  setFocusPolicy(Qt::NoFocus);
-  scene->installEventFilter(this);
-  resize(scene->size());
-}
-
-bool GizmoOverlay::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::Resize) resize(static_cast<QWidget*>(watched)->size());
-  return QWidget::eventFilter(watched, event);
 }
 
 void GizmoOverlay::setPicture(const std::optional<GizmoPicture>& picture) {
@@ -51,7 +41,7 @@ void GizmoOverlay::setPicture(const std::optional<GizmoPicture>& picture) {
 }
 
 Gizmo GizmoOverlay::gizmoOf(const Pose& X_WG) const {
-  return gizmoAt(X_WG, view_.camera(), kArmPixels / std::max(1, height()));
+  return gizmoAt(X_WG, view().camera(), kArmPixels / std::max(1, height()));
 }
 
 Gizmo GizmoOverlay::gizmo() const { return gizmoOf(picture_->X_WG); }
@@ -60,23 +50,17 @@ std::optional<GizmoHandle> GizmoOverlay::handleAt(const QPointF& position) const
   if (!picture_) return std::nullopt;
   const double pixels = std::max(1, height());
   const Eigen::Vector2d pointer((position.x() - width() / 2.0) / pixels, (position.y() - height() / 2.0) / pixels);
-  return glissade::handleAt(gizmo(), view_.camera(), pointer, kMarginPixels / pixels);
+  return glissade::handleAt(gizmo(), view().camera(), pointer, kMarginPixels / pixels);
 }
 
 std::optional<QPointF> GizmoOverlay::pointOn(const GizmoHandle& handle) const {
-  if (!picture_ || !isUsable(handle, gizmo(), view_.camera())) return std::nullopt;
+  if (!picture_ || !isUsable(handle, gizmo(), view().camera())) return std::nullopt;
   const std::vector<Vector3> outline = outlineOf(handle, gizmo());
   for (std::size_t i = 0; i + 1 < outline.size(); ++i) {
     const auto at = onScreen(handle.kind == Kind::Ring ? outline[i] : 0.5 * (outline[i] + outline[i + 1]));
     if (at && handleAt(*at) == handle) return at;
   }
   return std::nullopt;
-}
-
-std::optional<QPointF> GizmoOverlay::onScreen(const Vector3& p_W) const {
-  const auto at = view_.camera().project(p_W);
-  if (!at) return std::nullopt;
-  return QPointF(width() / 2.0 + at->x() * height(), height() / 2.0 + at->y() * height());
 }
 
 bool GizmoOverlay::isMarked(const GizmoHandle& handle) const {
@@ -89,7 +73,7 @@ void GizmoOverlay::paintEvent(QPaintEvent* /*event*/) {
   painter.setRenderHint(QPainter::Antialiasing);
   if (picture_->held && picture_->held->handle.kind == Kind::Ring) paintTurn(painter, *picture_->held);
   for (auto handle = kGizmoHandles.rbegin(); handle != kGizmoHandles.rend(); ++handle) {
-    if (!isUsable(*handle, gizmo(), view_.camera())) continue;
+    if (!isUsable(*handle, gizmo(), view().camera())) continue;
     const bool others = picture_->held && !isMarked(*handle);
     painter.setOpacity(others ? kFaint : 1.0);
     switch (handle->kind) {
@@ -111,7 +95,7 @@ void GizmoOverlay::paintRing(QPainter& painter, const GizmoHandle& handle) const
     const auto at = onScreen(p_W);
     if (!at) return;
     back << *at;
-    if (isBeforeCentre(p_W, gizmo, view_.camera())) {
+    if (isBeforeCentre(p_W, gizmo, view().camera())) {
       front.back() << *at;
     } else if (!front.back().isEmpty()) {
       front.emplace_back();

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <QWidget>
-
 #include "widgets/scene3d/gizmo_drag.h"
-#include "widgets/scene3d/scene_view.h"
+#include "widgets/scene3d/scene_overlay.h"
 
 namespace glissade {
 
@@ -26,7 +24,7 @@ struct GizmoPicture {
 /// The gizmo, painted over the widget that shows the scene: it has one size on the screen, nothing hides it, and
 /// pictures and films of the scene do not have it. Takes no part in mouse and keys: what is under the pointer is for
 /// its owner to ask.
-class GizmoOverlay final : public QWidget {
+class GizmoOverlay final : public SceneOverlay {
   Q_OBJECT
 
  public:
@@ -45,11 +43,9 @@ class GizmoOverlay final : public QWidget {
 
  protected:
   void paintEvent(QPaintEvent* event) override;
-  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   Gizmo gizmoOf(const Pose& X_WG) const;
-  std::optional<QPointF> onScreen(const Vector3& p_W) const;
   bool isMarked(const GizmoHandle& handle) const;
   void paintRing(QPainter& painter, const GizmoHandle& handle) const;
   void paintSquare(QPainter& painter, const GizmoHandle& handle) const;
@@ -57,7 +53,6 @@ class GizmoOverlay final : public QWidget {
   void paintLetter(QPainter& painter, int axis, bool marked) const;
   void paintTurn(QPainter& painter, const GizmoPicture::Held& held) const;
 
-  const SceneView& view_;
   std::optional<GizmoPicture> picture_;
 };
 

@@ -1,6 +1,5 @@
 #include "widgets/scene3d/label_overlay.h"
 
-#include <QEvent>
 #include <QFontMetrics>
 #include <QLocale>
 #include <QPainter>
@@ -16,12 +15,6 @@ namespace glissade {
 namespace {
 
 /// Where a point of the scene is in a widget of the given size; nothing behind the eye.
-std::optional<QPointF> project(const CameraController& camera, const Vector3& p_W, const QSize& size) {
-  const auto at = camera.project(p_W);
-  if (!at) return std::nullopt;
-  return QPointF(size.width() / 2.0 + at->x() * size.height(), size.height() / 2.0 + at->y() * size.height());
-}
-
 constexpr int kDigits = 3;
 constexpr double kSmall = 0.85;  ///< of the usual size
 
@@ -33,23 +26,13 @@ QString textOf(const SceneLabel& label) {
 }  // namespace
 
 LabelOverlay::LabelOverlay(const SceneView& view, const LegendOverlay& legend, QWidget* scene)
-    : QWidget(scene), view_(view), legend_(legend) {
-  setAttribute(Qt::WA_TransparentForMouseEvents);
-  setFocusPolicy(Qt::NoFocus);
-  scene->installEventFilter(this);
-  resize(scene->size());
-}
-
-bool LabelOverlay::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::Resize) resize(static_cast<QWidget*>(watched)->size());
-  return QWidget::eventFilter(watched, event);
-}
+    : SceneOverlay(view, scene), legend_(legend) {}
 
 void LabelOverlay::paintEvent(QPaintEvent* /*event*/) {
   std::vector<SceneLabel> labels;
   std::vector<WantedLabel> requested;
-  for (const SceneLabel& label : view_.labels()) {
-    const auto at = project(view_.camera(), label.p_W, size());
+  for (const SceneLabel& label : view().labels()) {
+    const auto at = onScreen(label.p_W);
     if (!at) continue;
     labels.push_back(label);
     requested.push_back({boxOf(label, *at), label.strong, label.small});

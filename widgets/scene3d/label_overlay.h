@@ -1,16 +1,15 @@
 #pragma once
 
 #include <QPainter>
-#include <QWidget>
 
-#include "widgets/scene3d/scene_view.h"
+#include "widgets/scene3d/scene_overlay.h"
 
 namespace glissade {
 
 class LegendOverlay;
 
 /// The scene's labels, painted over the widget that shows it, none on another; takes no part in mouse and keys.
-class LabelOverlay final : public QWidget {
+class LabelOverlay final : public SceneOverlay {
   Q_OBJECT
 
  public:
@@ -20,7 +19,6 @@ class LabelOverlay final : public QWidget {
 
  protected:
   void paintEvent(QPaintEvent* event) override;
-  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   QFont fontOf(const SceneLabel& label) const;
@@ -28,7 +26,6 @@ class LabelOverlay final : public QWidget {
   QRectF boxOf(const SceneLabel& label, const QPointF& at) const;
   void paint(QPainter& painter, const SceneLabel& label, const QRectF& box) const;
 
-  const SceneView& view_;
   const LegendOverlay& legend_;
 };
 

@@ -1,6 +1,5 @@
 #include "widgets/scene3d/legend_overlay.h"
 
-#include <QEvent>
 #include <QFontMetrics>
 #include <QPainter>
 
@@ -67,17 +66,8 @@ QString textOf(LegendItem item) {
 
 }  // namespace
 
-LegendOverlay::LegendOverlay(const SceneView& view, QWidget* scene) : QWidget(scene), view_(view) {
+LegendOverlay::LegendOverlay(const SceneView& view, QWidget* scene) : SceneOverlay(view, scene) {
   setObjectName(QStringLiteral("legend"));
-  setAttribute(Qt::WA_TransparentForMouseEvents);
-  setFocusPolicy(Qt::NoFocus);
-  scene->installEventFilter(this);
-  resize(scene->size());
-}
-
-bool LegendOverlay::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::Resize) resize(static_cast<QWidget*>(watched)->size());
-  return QWidget::eventFilter(watched, event);
 }
 
 int LegendOverlay::rowHeight() const { return fontMetrics().height() + 2; }
@@ -118,7 +108,7 @@ QRect LegendOverlay::boxOf(const std::vector<LegendRow>& rows) const {
 }
 
 std::vector<LegendRow> LegendOverlay::rows() const {
-  std::vector<LegendRow> rows = view_.legend();
+  std::vector<LegendRow> rows = view().legend();
   const int room = std::min(static_cast<int>(kMostOfHeight * height()), floor() - ceiling()) - 2 * kLegendPadding;
   const auto most = static_cast<std::size_t>(std::max(0, room / rowHeight()));
   if (rows.size() > most) rows.resize(most);

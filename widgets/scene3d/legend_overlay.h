@@ -1,14 +1,12 @@
 #pragma once
 
-#include <QWidget>
-
-#include "widgets/scene3d/scene_view.h"
+#include "widgets/scene3d/scene_overlay.h"
 
 namespace glissade {
 
 /// What the colours of the scene mean: a row for each thing that is drawn now, in the lower right corner of the widget
 /// that shows the scene. It has no rows for which there is no room, and takes no part in mouse and keys.
-class LegendOverlay final : public QWidget {
+class LegendOverlay final : public SceneOverlay {
   Q_OBJECT
 
  public:
@@ -22,7 +20,6 @@ class LegendOverlay final : public QWidget {
 
  protected:
   void paintEvent(QPaintEvent* event) override;
-  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   /// The rows for which there is room.
@@ -34,8 +31,6 @@ class LegendOverlay final : public QWidget {
   int swatchWidth() const;
   QRect boxOf(const std::vector<LegendRow>& rows) const;
   void paintSwatch(QPainter& painter, const LegendRow& row, const QRectF& box) const;
-
-  const SceneView& view_;
 };
 
 }  // namespace glissade

@@ -1,6 +1,5 @@
 #include "widgets/scene3d/section_overlay.h"
 
-#include <QEvent>
 #include <QPainter>
 
 #include <algorithm>
@@ -39,17 +38,8 @@ double distanceToLine(const QPointF& p, const QLineF& line) {
 
 }  // namespace
 
-SectionOverlay::SectionOverlay(const SceneView& view, QWidget* scene) : QWidget(scene), view_(view) {
+SectionOverlay::SectionOverlay(const SceneView& view, QWidget* scene) : SceneOverlay(view, scene) {
   setObjectName(QStringLiteral("sections-overlay"));
-  setAttribute(Qt::WA_TransparentForMouseEvents);
-  setFocusPolicy(Qt::NoFocus);
-  scene->installEventFilter(this);
-  resize(scene->size());
-}
-
-bool SectionOverlay::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::Resize) resize(static_cast<QWidget*>(watched)->size());
-  return QWidget::eventFilter(watched, event);
 }
 
 void SectionOverlay::setSections(const std::vector<SectionPlane>& sections, const Box3& box) {
@@ -70,19 +60,13 @@ void SectionOverlay::setHeld(const std::optional<Held>& held) {
   update();
 }
 
-std::optional<QPointF> SectionOverlay::onScreen(const Vector3& p_W) const {
-  const auto at = view_.camera().project(p_W);
-  if (!at) return std::nullopt;
-  return QPointF(width() / 2.0 + at->x() * height(), height() / 2.0 + at->y() * height());
-}
-
 std::optional<QLineF> SectionOverlay::shaftOf(std::size_t section) const {
   if (!sections_[section].on || box_.isEmpty()) return std::nullopt;
   const SectionHandle handle = this->handle(section);
   const auto middle = onScreen(handle.middle);
   if (!middle) return std::nullopt;
-  if (isKnob(handle, view_.camera())) return QLineF(*middle, *middle);
-  const auto tip = onScreen(tipOf(handle, view_.camera(), kSectionArrowPixels / std::max(1, height())));
+  if (isKnob(handle, view().camera())) return QLineF(*middle, *middle);
+  const auto tip = onScreen(tipOf(handle, view().camera(), kSectionArrowPixels / std::max(1, height())));
   return tip ? std::make_optional(QLineF(*middle, *tip)) : std::nullopt;
 }
 

@@ -1,18 +1,16 @@
 #pragma once
 
-#include <QWidget>
-
 #include <optional>
 #include <vector>
 
-#include "widgets/scene3d/scene_view.h"
+#include "widgets/scene3d/scene_overlay.h"
 #include "widgets/scene3d/section_drag.h"
 
 namespace glissade {
 
 /// The outlines and the handles of sections, painted over the widget that shows the scene: pictures and films of the
 /// scene do not have them. Takes no part in mouse and keys.
-class SectionOverlay final : public QWidget {
+class SectionOverlay final : public SceneOverlay {
   Q_OBJECT
 
  public:
@@ -40,17 +38,14 @@ class SectionOverlay final : public QWidget {
 
  protected:
   void paintEvent(QPaintEvent* event) override;
-  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  std::optional<QPointF> onScreen(const Vector3& p_W) const;
   /// From the middle to the tip; of a knob both are the middle.
   std::optional<QLineF> shaftOf(std::size_t section) const;
   bool isMarked(std::size_t section) const;
   void paintOutline(QPainter& painter, std::size_t section) const;
   void paintHandle(QPainter& painter, std::size_t section) const;
 
-  const SceneView& view_;
   std::vector<SectionPlane> sections_;
   Box3 box_;
   std::optional<std::size_t> hovered_;

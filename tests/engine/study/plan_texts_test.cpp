@@ -66,6 +66,8 @@ TEST(PlanWords, AFastenerIsNamedByItsDesignationOrElseByTheSizeOfItsThread) {
   EXPECT_EQ(work(), "screw on nut cap, 2.7 turns");
   step.joints.back().diameter = 0.009997;
   EXPECT_EQ(work(), "screw on nut M10, 2.7 turns");
+  const std::string french = wordsIn(Language::French).work(step, product, PlanOrder::Assembly);
+  EXPECT_NE(french.find("2,7 tours"), std::string::npos) << french;
   step.joints.back().designation = "ISO 4032 M10";
   EXPECT_EQ(work(), "screw on nut ISO 4032 M10, 2.7 turns");
   step.body = "pin";
