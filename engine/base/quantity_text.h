@@ -15,7 +15,8 @@ std::optional<double> toMetres(std::string_view text, double unit);
 std::optional<double> toRadians(std::string_view text, double unit);
 
 /// "0.41 mm": three significant digits without zeros at the end. Lengths in the engine's sentences, and in what the
-/// command line prints of plans and fits, are written by this function; proved clearances of a path are written in full.
+/// command line prints of plans and fits, are written by this function; proved clearances of a path are written in
+/// full.
 std::string inMillimetres(double metres);
 
 /// "0.41mm": an option's value that is not below the length, in hundredths.
