@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "engine/assembly/unique_names.h"
 #include "engine/base/file.h"
 #include "engine/base/number_text.h"
 #include "engine/base/overloaded.h"
@@ -289,17 +290,15 @@ std::optional<Occurrence> solidOf(TriangleMesh inFile, const Asset& asset, const
   return solid;
 }
 
-/// The triangles of each group by its name; '/' has its meaning in names of parts.
+/// The triangles of each group by its name in the file.
 std::map<std::string, TriangleMesh> groupsOf(const ImportedMesh& imported) {
   std::map<std::string, TriangleMesh> meshes;
   std::map<std::string, std::map<std::uint32_t, std::uint32_t>> vertices;  // of the groups, by those of the file
   auto next = imported.mesh.triangles.begin();
   for (const GroupRun& run : imported.groups) {
-    std::string name = run.name.empty() ? "group" : run.name;
-    std::replace(name.begin(), name.end(), '/', '.');
     if (run.triangles == 0) continue;
-    TriangleMesh& mesh = meshes[name];
-    std::map<std::uint32_t, std::uint32_t>& known = vertices[name];
+    TriangleMesh& mesh = meshes[run.name];
+    std::map<std::uint32_t, std::uint32_t>& known = vertices[run.name];
     for (const auto end = next + run.triangles; next != end; ++next) {
       TriangleIndices triangle = *next;
       for (std::uint32_t& corner : triangle) {
@@ -311,8 +310,14 @@ std::map<std::string, TriangleMesh> groupsOf(const ImportedMesh& imported) {
     }
   }
   if (meshes.empty()) meshes[""] = imported.mesh;
-  if (meshes.size() == 1) return {{"", std::move(meshes.begin()->second)}};
   return meshes;
+}
+
+/// As a step of a path, in which '/' has its meaning.
+std::string stepOf(const std::string& group) {
+  std::string step = group.empty() ? "group" : group;
+  std::replace(step.begin(), step.end(), '/', '.');
+  return step;
 }
 
 }  // namespace
@@ -330,10 +335,11 @@ Result<LoadedGeometry> GeometryLoader::readMesh(const Asset& asset, bool groups)
   } else {
     meshes[""] = std::move(imported->mesh);
   }
+  UniqueNames steps;
   for (auto& [name, mesh] : meshes) {
     auto solid = solidOf(std::move(mesh), asset, file, geometry.warnings);
     if (!solid) continue;
-    solid->path = name;
+    if (meshes.size() > 1) solid->path = steps.take(stepOf(name));
     solid->coordinateSpacing += asset.unit * imported->coordinateSpacing;
     geometry.parts.push_back(std::move(*solid));
   }

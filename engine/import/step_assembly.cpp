@@ -17,10 +17,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 #include <stdexcept>
 
 #include "engine/assembly/body_path.h"
+#include "engine/assembly/unique_names.h"
 #include "engine/base/printable_text.h"
 #include "engine/import/import_protocol.h"
 #include "engine/import/step_external_files.h"
@@ -52,24 +52,6 @@ std::string asStep(std::string name) {
   if (first == std::string::npos) return {};
   return name.substr(first, name.find_last_not_of(' ') - first + 1);
 }
-
-/// Names that are each given once: the second "pin" is "pin#2".
-class UniqueNames {
- public:
-  std::string take(const std::string& name) {
-    if (taken_.insert(name).second) return name;
-    int& number = numbers_.try_emplace(name, 1).first->second;
-    std::string unique;
-    do {
-      unique = name + "#" + std::to_string(++number);
-    } while (!taken_.insert(unique).second);
-    return unique;
-  }
-
- private:
-  std::set<std::string> taken_;
-  std::map<std::string, int> numbers_;  ///< the last one of each name that was given several times
-};
 
 /// The names of a product and of its use, where one of them is said.
 struct StepName {

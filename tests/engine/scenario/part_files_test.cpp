@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "engine/base/file.h"
 #include "engine/scenario/scenario_io.h"
 #include "engine/session/start_check.h"
@@ -249,6 +251,22 @@ std::string writeGroups(const test::TemporaryFolder& folder) {
   return folder.write("two.obj", v + "g lid/top\nf 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n"
                                      "g base\nf 9 11 12 10\nf 13 14 16 15\nf 9 10 14 13\ng other\ng base\n"
                                      "f 11 15 16 12\nf 9 13 15 11\nf 10 12 16 14\n");
+}
+
+/// '/' has its meaning in paths of parts, and triangles before the first statement are in a group without a name.
+TEST(PartFiles, GroupsOfDifferentNamesAreDifferentParts) {
+  const test::TemporaryFolder folder;
+  std::string text;
+  for (const char* statement : {"", "g group\n", "g a/b\n", "g a.b\n"}) {
+    text +=
+        std::string(statement) + "v 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\nf -4 -2 -3\nf -4 -3 -1\nf -3 -2 -1\nf -4 -1 -2\n";
+  }
+  GeometryCache read;
+  const auto parts = partsInFile(folder.write("groups.obj", text), read, {}, true);
+  ASSERT_TRUE(parts) << toString(parts.error());
+  std::set<std::string> names;
+  for (const MeasuredPart& part : *parts) names.insert(part.part);
+  EXPECT_EQ(names, (std::set<std::string>{"group", "group#2", "a.b", "a.b#2"}));
 }
 
 TEST(PartFiles, GroupsOfAnObjFileArePartsOnDemand) {
