@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cmath>
 #include <limits>
 
 #include "engine/base/random_stream.h"
@@ -140,7 +141,7 @@ std::pair<AssembledProduct, AssemblyPlan> blocksThatLeave(int count, bool turns)
     RigidBody body;
     body.id = "block" + std::to_string(i);
     body.mesh = mesh;
-    body.X_WB = Pose::translation({0.011 * (i % 20), 0.011 * (i / 20), 0.0});
+    body.X_WB = Pose::translation({0.011 * (i % 20), 0.011 * std::floor(i / 20.0), 0.0});
     product.bodies.push_back(body);
   }
   for (int i = count - 1; i > 0; --i) {
