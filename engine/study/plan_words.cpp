@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "engine/product/contact_report.h"
+#include "engine/product/key_sizes.h"
 #include "engine/product/thread_pitch.h"
 #include "engine/sequence/step_motion.h"
 
@@ -32,13 +33,16 @@ std::string decimals(double value, int digits, Language language) {
 
 std::string degrees(double radians) { return decimals(radians * 180.0 / std::acos(-1.0), 0) + "°"; }
 
-/// Across the flats of the hexagon that the tool turns, in millimetres: " 2.5"; empty where it is not known.
+/// The size of the tool for the hexagon that it turns, in millimetres or inches: " 2.5", " 3/16″"; the hexagon's
+/// own where no tool has that size; empty where it is not known.
 std::string sizeOfTool(const AssemblyStep& step, Language language) {
   constexpr double kTenths = 1e4;  // of a millimetre, in metres
   for (const StepJoint& joint : step.joints) {
     const bool isHexagon = joint.drive == DriveKind::HexSocket || joint.drive == DriveKind::HexOutside;
     if (joint.body != step.body || !isHexagon || joint.driveSize <= 0.0) continue;
-    const double tenths = std::round(kTenths * joint.driveSize);
+    const auto key = keyFor(joint.drive, joint.driveSize);
+    if (key && key->inches[0] != '\0') return std::string(" ") + key->inches + "″";
+    const double tenths = std::round(kTenths * (key ? key->size : joint.driveSize));
     return " " + decimals(0.1 * tenths, std::fmod(tenths, 10.0) == 0.0 ? 0 : 1, language);
   }
   return {};

@@ -93,6 +93,10 @@ TEST(PlanWords, AToolHasTheSizeOfTheHexagonThatItTurns) {
   EXPECT_EQ(wordsIn(Language::English).tool(step, product), "hex key 2.5");
   step.joints.back().driveSize = 0.013;
   EXPECT_EQ(wordsIn(Language::English).tool(step, product), "hex key 13");
+  step.joints.back().driveSize = 0.0031;
+  EXPECT_EQ(wordsIn(Language::English).tool(step, product), "hex key 3") << "as one buys it";
+  step.joints.back().driveSize = 0.0047625;
+  EXPECT_EQ(wordsIn(Language::English).tool(step, product), "hex key 3/16″");
   step.joints.back().drive = DriveKind::Cross;
   EXPECT_EQ(wordsIn(Language::English).tool(step, product), "hex key") << "the width of a cross is no size";
 }
