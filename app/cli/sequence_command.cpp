@@ -19,7 +19,6 @@
 #include "engine/sequence/fasteners.h"
 #include "engine/sequence/sequence_run.h"
 #include "engine/sequence/step_motion.h"
-#include "engine/sequence/step_precedence.h"
 #include "engine/sequence/subassembly_lines.h"
 #include "engine/study/plan_tasks.h"
 #include "engine/study/plan_words.h"
@@ -40,12 +39,12 @@ class ProgressHost final : public SequenceHost {
   const StopToken& stopToken() const override { return stop_; }
   ThreadTeam& team() override { return team_; }
 
-  /// From now on what is found is written every few seconds. `like`: strategy, demands and deflection of the plan.
-  void keepIn(const SequenceOptions& options, AssemblyPlan like) {
+  /// From now on what is found is written every few seconds. `deflection`: as AssemblyPlan::deflection.
+  void keepIn(const SequenceOptions& options, double deflection) {
     file_ = options.out;
     every_ = options.saveEvery;
     productName_ = options.file;
-    like_ = std::move(like);
+    deflection_ = deflection;
   }
   const AssembledProduct& product() const { return product_; }
 
@@ -78,10 +77,7 @@ class ProgressHost final : public SequenceHost {
   void keep() {
     constexpr double kWriting = 20.0;  // so many times longer than writing takes
     if (!unkept_ || secondsSince(kept_) < std::max(every_, kWriting * writing_)) return;
-    unkept_->strategy = like_.strategy;
-    unkept_->demands = like_.demands;
-    unkept_->deflection = like_.deflection;
-    demandAllEarlier(*unkept_);
+    unkept_->deflection = deflection_;
     kept_ = Clock::now();
     if (const Outcome saved = savePlan(*unkept_, productName_, file_); !saved) reportWarnings({saved.error()});
     writing_ = secondsSince(kept_);
@@ -100,7 +96,7 @@ class ProgressHost final : public SequenceHost {
   std::size_t reported_ = 0;
   std::string file_;  ///< empty: nothing is written meanwhile
   std::string productName_;
-  AssemblyPlan like_;
+  double deflection_ = 0.0;
   std::optional<AssemblyPlan> unkept_;
   Clock::time_point kept_ = Clock::now();
   double every_ = 0.0;    ///< seconds
@@ -423,12 +419,9 @@ int runSequence(const SequenceOptions& options) {
   reportWarnings(loaded->warnings);
   ProgressHost host(stop, team, product, begin);
   if (earlier) host.skip(earlier->steps.size());
-  AssemblyPlan like;
   const std::string usual = options.strategy.empty() ? kUsualStrategy : options.strategy;
-  like.strategy = earlier ? earlier->strategy : usual;
-  like.demands = *demands;
-  like.deflection = deflection;
-  SequenceRequest request{*staying, like.strategy, seed, *demands, earlier ? &*earlier : nullptr};
+  const std::string strategy = earlier ? earlier->strategy : usual;
+  SequenceRequest request{*staying, strategy, seed, *demands, earlier ? &*earlier : nullptr};
   request.joints = &*joints;
   if (outOfTime) {
     reportWarnings({{ErrorKind::LimitReached, options.file, "--time-limit", "was reached while fits were searched",
@@ -436,7 +429,7 @@ int runSequence(const SequenceOptions& options) {
   } else {
     reportWarnings(fits->warnings());
     reportWarnings(warningsOf(findAlternatives(product.bodies, stop), product.bodies));
-    if (!options.out.empty()) host.keepIn(options, std::move(like));
+    if (!options.out.empty()) host.keepIn(options, deflection);
   }
   auto planned = outOfTime ? planWithout(product, request) : planSequence(product, *fits, request, host);
   if (!planned) return reportError(ofOptions(planned.error(), options), options.format);

@@ -9,6 +9,7 @@
 #include "engine/sequence/motion_trial.h"
 #include "engine/sequence/standing.h"
 #include "engine/sequence/step_joints.h"
+#include "engine/sequence/step_precedence.h"
 #include "engine/sequence/step_tools.h"
 #include "engine/sequence/subassembly_lines.h"
 
@@ -58,6 +59,27 @@ Result<Joints> jointsOf(const AssembledProduct& product, const SequenceRequest& 
   return countingJoints(*joints, use);
 }
 
+/// Passes on plans that can be saved and resumed: strategies do not know what is asked for in words.
+class SavableHost final : public SequenceHost {
+ public:
+  SavableHost(const SequenceRequest& request, SequenceHost& host) : request_(request), host_(host) {}
+
+  const StopToken& stopToken() const override { return host_.stopToken(); }
+  ThreadTeam& team() override { return host_.team(); }
+  void asking(std::size_t bodies, int effort) override { host_.asking(bodies, effort); }
+  void stepFound(const AssemblyPlan& plan) override {
+    AssemblyPlan savable = plan;
+    savable.strategy = request_.strategy;
+    savable.demands = request_.demands;
+    demandAllEarlier(savable);
+    host_.stepFound(savable);
+  }
+
+ private:
+  const SequenceRequest& request_;
+  SequenceHost& host_;
+};
+
 }  // namespace
 
 Result<AssemblyPlan> planSequence(const AssembledProduct& product, const ProductFits& fits,
@@ -94,7 +116,8 @@ Result<AssemblyPlan> planSequence(const AssembledProduct& product, const Product
                                   trial,     request.resumed, *rules,
                                   fasteners, &standing,       fragileBodies(product, request.demands),
                                   *tools,    &*cost,          counting};
-  AssemblyPlan plan = strategy->make()->plan(question, host);
+  SavableHost savable(request, host);
+  AssemblyPlan plan = strategy->make()->plan(question, savable);
   addJoints(plan, question);
   addLines(plan, question, host);
   addTools(plan, question, host);
