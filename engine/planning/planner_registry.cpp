@@ -119,6 +119,10 @@ PlannerRegistry allWholePlanners() {
   registry.add(interactive("interactive-birrt", "Interactive without contact",
                            "Operator and computer share authority, no contact sampling (Blin et al. 2016, table I).",
                            OperatorUse::Guide));
+  registry.add(interactive("contact-following-birrt", "Interactive, contact that follows",
+                           "Near an obstacle the object follows its surfaces from one contact to the next, and turns "
+                           "as they make it turn.",
+                           OperatorUse::GuideAndFollow));
   registry.add(interactive("contact-first-birrt", "Interactive, contact first",
                            "As the papers' software of 2016: near an obstacle contact sampling pre-empts the "
                            "authority draw.",

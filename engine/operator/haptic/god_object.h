@@ -1,7 +1,6 @@
 #pragma once
 
-#include <vector>
-
+#include "engine/collision/contact_planes.h"
 #include "engine/operator/haptic/surroundings.h"
 
 namespace glissade {
@@ -32,31 +31,13 @@ class GodObject {
   NearestObstacle nearest() const;
 
  private:
-  /// A tangent plane of an obstacle and the point of the object that touches it.
-  struct Contact {
-    Pose learntAt;
-    Vector3 p_WPo;
-    Vector3 normal_W;
-    Vector3 p_BPn;
-  };
-  /// A small motion: metres, and radians times the object's radius.
-  struct Step {
-    Vector3 translation;
-    Vector3 rotation;
-  };
-
-  double reach(const Pose& a, const Pose& b) const;
-  double gap(const Contact& contact) const;
-  void forgetFarContacts();
-  Step stepTo(const Pose& X_WD) const;
-  Step alongContacts(const Step& requested) const;
-  Pose moved(const Step& step) const;
+  SmallMotion stepTo(const Pose& X_WD) const;
 
   double radius_;
   Pose q_;
   bool known_ = false;
   Surroundings surroundings_;
-  std::vector<Contact> contacts_;
+  ContactPlanes contacts_;
 };
 
 }  // namespace glissade

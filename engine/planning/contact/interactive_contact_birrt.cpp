@@ -20,6 +20,7 @@ InteractiveContactBirrt::InteractiveContactBirrt(const Problem& problem, std::ui
       authorityStream_(seed, "authority"),
       randomShooter_(problem, seed),
       contactSampler_(seed),
+      contactFollower_(problem.world->objectRadius(), seed),
       tuner_(problem.world->objectRadius()) {
   addGoalRoots();
   updateCounts();
@@ -84,7 +85,13 @@ bool InteractiveContactBirrt::nearContact(const OperatorSample& device, double c
 void InteractiveContactBirrt::enterContactSampling(const OperatorSample& device, PlannerHost& host) {
   const ParameterValues& parameters = host.parameters();
   contactClearance_ = device.nearest.distance;
-  contactSampler_.enter(device, parameters[ParameterId::ContactGap], parameters[ParameterId::ContactRadius]);
+  const double gap = parameters[ParameterId::ContactGap];
+  const double reach = parameters[ParameterId::ContactRadius];
+  if (operatorUse_ == OperatorUse::GuideAndFollow) {
+    contactFollower_.enter(device, gap, reach);
+  } else {
+    contactSampler_.enter(device, gap, reach);
+  }
   contactSamplesLeft_ = settings(parameters).contactSamples;
 }
 
@@ -124,7 +131,8 @@ void InteractiveContactBirrt::contactSampling(PlannerHost& host) {
   --contactSamplesLeft_;
   ++counts_.contactConfigurations;
   ++usedAtRest_;
-  const Pose q = contactSampler_.sample();
+  const bool follows = operatorUse_ == OperatorUse::GuideAndFollow;
+  const Pose q = follows ? contactFollower_.sample(*query_) : contactSampler_.sample();
   if (problem_.bounds.contains(q.position)) {
     addTree(q, Author::Contact, host);
   } else {

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "engine/planning/contact/contact_follower.h"
 #include "engine/planning/contact/contact_sampler.h"
 #include "engine/planning/contact/interaction_report.h"
 #include "engine/planning/contact/interaction_tuner.h"
@@ -15,6 +16,7 @@ enum class OperatorUse {
   None,             ///< plain BiRRT: alpha is 1 whatever the parameter says
   Guide,            ///< q_device only (paper 1, table I: interactive, no contact)
   GuideAndContact,  ///< Algorithm 1 as printed
+  GuideAndFollow,   ///< Algorithm 1, with contact samples that follow the surfaces
   ContactFirst      ///< as the software of 2016: near an obstacle contact sampling pre-empts the draw
 };
 
@@ -58,6 +60,7 @@ class InteractiveContactBirrt final : public TreePlanner, public ReportsInteract
   RandomStream authorityStream_;
   RandomShooter randomShooter_;
   ContactSampler contactSampler_;
+  ContactFollower contactFollower_;
 
   Author authority_ = Author::Computer;
   int contactSamplesLeft_ = 0;

@@ -1,0 +1,97 @@
+#include "engine/planning/contact/contact_follower.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace glissade {
+namespace {
+
+/// The object is pressed against its plane by this share of each step.
+constexpr double kPress = 0.5;
+/// A leg is made of so many steps, and asks for so many distances at most.
+constexpr int kSteps = 6;
+constexpr int kMostQueries = 30;
+/// A step that is blocked is tried again this much shorter, down to the shortest: there the object learns what is in
+/// its way.
+constexpr double kShorter = 0.25;
+constexpr double kShortest = 1.0 / 1024.0;
+/// Surfaces are followed: a plane holds farther than where the object touches it, in radii of the object.
+constexpr double kMemory = 1.0;
+/// The object turns easily: a radian counts as much as this way, in radii.
+constexpr double kTurning = 0.4;
+/// Another plane is one whose normal differs by more than 15 degrees (cosine).
+constexpr double kSamePlane = 0.966;
+/// What comes nearer than this share of the gap is in the way. The object is moved off by the rest of the gap, so that
+/// it keeps half of the gap to all else.
+constexpr double kLeastGap = 0.75;
+
+}  // namespace
+
+ContactFollower::ContactFollower(double objectRadius, std::uint64_t seed)
+    : radius_(objectRadius), stream_(seed, "contact follower"), planes_({}) {}
+
+void ContactFollower::enter(const OperatorSample& operatorSample, double gap, double longest) {
+  const Vector3 n = operatorSample.nearest.normal_W();
+  const Vector3 device = operatorSample.q_device.position;
+  const Vector3 gone = device - device_.value_or(device);
+  device_ = device;
+  hand_ = {operatorSample.q_device, n};
+  hand_.q.position -= n * (operatorSample.nearest.distance - gap);
+  way_ = gone.norm() > gap ? Vector3(gone.normalized()) : Vector3(Vector3::Zero());
+  gap_ = gap;
+  longest_ = longest;
+  returns_ = true;
+}
+
+const Pose& ContactFollower::sample(CollisionQuery& query) {
+  if (returns_) {
+    at_ = hand_;
+    planes_ = ContactPlanes({radius_, gap_, kMemory * radius_, kTurning * radius_});
+    planes_.learn(at_.q, query.nearestObstacle(at_.q));
+  }
+  if (way_.isZero()) way_ = nextDirection(at_.normal_W);
+  const Pose from = at_.q;
+  const Vector3 pressedOn = at_.normal_W;
+  const double length = longest_ * std::sqrt(stream_.uniform());
+  double left = 1.0;
+  queries_ = 0;
+  while (left > 0.0 && queries_ < kMostQueries) {
+    const double made = step(std::min(left, 1.0 / kSteps) * length, query);
+    left -= made / length;
+    if (made <= 0.0 || at_.normal_W.dot(pressedOn) < kSamePlane) break;
+  }
+  returns_ = longestWay(from, at_.q, radius_) < 0.1 * length;
+  way_.setZero();
+  return at_.q;
+}
+
+/// Uniform in the plane.
+Vector3 ContactFollower::nextDirection(const Vector3& normal_W) {
+  const double height = 2.0 * stream_.uniform() - 1.0;
+  const double angle = 2.0 * std::numbers::pi * stream_.uniform();
+  const double width = std::sqrt(1.0 - height * height);
+  const Vector3 any(width * std::cos(angle), width * std::sin(angle), height);
+  const Vector3 along = any - any.dot(normal_W) * normal_W;
+  return along.norm() > 1e-3 ? Vector3(along.normalized()) : any;
+}
+
+/// One step of the leg, retracted to the gap: as long as nothing is in the way. Returns what was made of its length.
+double ContactFollower::step(double length, CollisionQuery& query) {
+  planes_.forgetFarFrom(at_.q);
+  const SmallMotion motion = planes_.along(at_.q, {length * (way_ - kPress * at_.normal_W), Vector3::Zero()});
+  for (double share = 1.0; share >= kShortest; share *= kShorter) {
+    Pose q = moved(at_.q, {share * motion.translation, share * motion.rotation});
+    const NearestObstacle nearest = query.nearestObstacle(q);
+    ++queries_;
+    if (nearest.body < 0 || nearest.distance < kLeastGap * gap_) continue;
+    planes_.learn(q, nearest);
+    // No point comes nearer to anything by more than it is moved.
+    q.position -= nearest.normal_W() * (nearest.distance - gap_);
+    at_ = {q, nearest.normal_W()};
+    return share * length;
+  }
+  return 0.0;
+}
+
+}  // namespace glissade

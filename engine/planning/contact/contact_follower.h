@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "engine/base/random_stream.h"
+#include "engine/collision/contact_planes.h"
+#include "engine/planning/operator_sample.h"
+
+namespace glissade {
+
+/// Contact sampling that follows surfaces, which paper 1 names as its next step (section V): from one contact to the
+/// next, along several planes one after the other, the orientation left to the contacts.
+///
+/// Each sample is the end of a leg on the surfaces. The first leg begins where the hand would touch and goes the way
+/// that the hand has gone; the others begin where the last one has ended and go in random directions. The object is
+/// pressed against the plane it touches: what it meets beside its middle turns it, so that a face comes to lie flat, an
+/// edge rolls over, and two planes guide it along their line (ContactPlanes). Every configuration on the way is
+/// retracted to the gap by the distance that is measured there. A leg ends where another plane is met, so that the
+/// straight motion between two samples lies on a surface. A leg that is blocked at once is followed by one from the
+/// hand.
+class ContactFollower {
+ public:
+  ContactFollower(double objectRadius, std::uint64_t seed);
+
+  /// Begins at the hand. `gap`: kept to the surfaces; `longest`: of a leg; metres. Precondition:
+  /// operatorSample.nearest.distance > 0.
+  void enter(const OperatorSample& operatorSample, double gap, double longest);
+  /// The end of the next leg; half of the gap or more is free there.
+  const Pose& sample(CollisionQuery& query);
+
+ private:
+  struct Place {
+    Pose q;
+    Vector3 normal_W;  ///< of the plane that the object is pressed against
+  };
+
+  Vector3 nextDirection(const Vector3& normal_W);
+  double step(double length, CollisionQuery& query);
+
+  double radius_;
+  RandomStream stream_;
+  ContactPlanes planes_;
+  std::optional<Vector3> device_;  ///< position of the hand when it was entered last
+  Place hand_;                     ///< where the hand would touch
+  Place at_;
+  Vector3 way_ = Vector3::Zero();  ///< unit, of the leg; zero: the next leg draws one
+  double gap_ = 0.0;
+  double longest_ = 0.0;
+  int queries_ = 0;       ///< distances that the leg has asked for
+  bool returns_ = false;  ///< the next leg begins at the hand
+};
+
+}  // namespace glissade
