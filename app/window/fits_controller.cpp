@@ -66,8 +66,7 @@ void FitsController::find() {
   bench_.actions["panel.fits"]->trigger();
   bench_.work.run(tr("Looking for fits"), [this, scenario](const WorkWatch& watch) -> BackgroundTask::Delivery {
     ThreadTeam alone(0);
-    const auto table =
-        std::make_shared<const Result<FitTable>>(FitTable::find(productOf(*scenario), alone, watch.stop));
+    const auto table = std::make_shared<const Result<FitTable>>(FitTable::find(productOf(*scenario), alone, watch));
     return [this, scenario, table] {
       if (bench_.document.scenario() != scenario) return;
       if (!*table) {

@@ -1,5 +1,6 @@
 #include "engine/product/contact_report.h"
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <utility>
@@ -17,6 +18,13 @@ constexpr std::array<std::pair<ContactKind, const char*>, 8> kKindNames{{{Contac
                                                                          {ContactKind::Overlap, "overlap"},
                                                                          {ContactKind::Contact, "contact"},
                                                                          {ContactKind::Clash, "clash"}}};
+
+/// Of all pairs of so many bodies, the share that comes before the pairs of this one.
+double shareOfPairs(std::size_t body, std::size_t bodies) {
+  const auto count = static_cast<double>(bodies);
+  const auto rest = static_cast<double>(bodies - body);
+  return 1.0 - rest * (rest - 1.0) / std::max(1.0, count * (count - 1.0));
+}
 
 /// Prepares each body once, and the surfaces of each mesh once.
 class Preparation {
@@ -55,7 +63,8 @@ class Preparation {
 
 }  // namespace
 
-ContactReport findContacts(const std::vector<ContactBody>& bodies, const ContactLimits& limits, const StopToken& stop) {
+ContactReport findContacts(const std::vector<ContactBody>& bodies, const ContactLimits& limits,
+                           const WorkWatch& watch) {
   ContactReport report;
   std::vector<Box3> boxes;
   for (const ContactBody& body : bodies) {
@@ -66,7 +75,8 @@ ContactReport findContacts(const std::vector<ContactBody>& bodies, const Contact
   }
   Preparation prepared(bodies);
   for (std::size_t a = 0; a < bodies.size(); ++a) {
-    for (std::size_t b = a + 1; b < bodies.size() && !stop.stopRequested(); ++b) {
+    watch.report(shareOfPairs(a, bodies.size()));
+    for (std::size_t b = a + 1; b < bodies.size() && !watch.stop.stopRequested(); ++b) {
       if (limits.only && a != *limits.only && b != *limits.only) continue;
       if (!boxes[a].intersects(boxes[b])) continue;
       auto contact = contactOf(prepared[a], prepared[b], limits);

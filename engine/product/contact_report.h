@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/base/stop_token.h"
+#include "engine/base/work_watch.h"
 #include "engine/environment/rigid_body.h"
 #include "engine/product/fit_settings.h"
 
@@ -57,7 +57,7 @@ struct ContactLimits {
 /// that are stated or fitted (findSurfaceRegions()) are compared exactly, what else is near is measured on the
 /// triangles. Overlaps are found between closed meshes only. After a stop the report is incomplete.
 ContactReport findContacts(const std::vector<ContactBody>& bodies, const ContactLimits& limits = {},
-                           const StopToken& stop = {});
+                           const WorkWatch& watch = {});
 
 /// "planar", "thread", ...
 const char* kindName(ContactKind kind);

@@ -1,6 +1,7 @@
 #include "engine/product/fit_table.h"
 
 #include <algorithm>
+#include <mutex>
 #include <tuple>
 
 #include "engine/product/giving_way.h"
@@ -25,6 +26,23 @@ const Diagnostic* warningOf(const ObjectFits& object, std::size_t obstacle) {
   }
   return nullptr;
 }
+
+/// Tells which share of so many parts of a work is done. Any thread may add one.
+class PartCount {
+ public:
+  PartCount(WorkWatch watch, std::size_t parts) : watch_(std::move(watch)), parts_(parts) {}
+
+  void add() {
+    const std::lock_guard lock(mutex_);
+    watch_.report(static_cast<double>(++done_) / static_cast<double>(parts_));
+  }
+
+ private:
+  WorkWatch watch_;
+  std::size_t parts_;
+  std::mutex mutex_;
+  std::size_t done_ = 0;
+};
 
 }  // namespace
 
@@ -58,17 +76,22 @@ std::vector<std::string> PairFit::thinner() const {
   return ids;
 }
 
-Result<FitTable> FitTable::find(const AssembledProduct& product, ThreadTeam& team, const StopToken& stop,
+Result<FitTable> FitTable::find(const AssembledProduct& product, ThreadTeam& team, const WorkWatch& watch,
                                 const ContactLimits& limits) {
+  constexpr double kContactsShare = 0.5;  // of the work
   FitTable table;
-  const std::vector<Contact> contacts = findContacts(contactBodiesOf(product), limits, stop).contacts;
+  const StopToken& stop = watch.stop;
+  const WorkWatch forContacts = watch.part(0.0, kContactsShare);
+  const std::vector<Contact> contacts = findContacts(contactBodiesOf(product), limits, forContacts).contacts;
   table.prepared_ = std::make_shared<PreparedBodies>(product.bodies);
   FitTools tools;
   tools.prepared = table.prepared_;
   std::vector<Result<ObjectFits>> objects(product.bodies.size(), ObjectFits());
+  PartCount done(watch.part(kContactsShare, 1.0), objects.size());
   team.run(objects.size(), [&](std::size_t body) {
     if (!stop.stopRequested()) {
       objects[body] = findObjectFits({product, body, {}, &contacts, limits, nullptr, &tools}, stop);
+      done.add();
     }
   });
   if (stop.stopRequested()) {

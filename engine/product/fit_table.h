@@ -52,9 +52,9 @@ struct PairFit {
 /// by threads.
 class FitTable {
  public:
-  /// Compares each pair of bodies once, whether the product's fits are on or not. Errors: as of findObjectFits();
-  /// Interrupted.
-  static Result<FitTable> find(const AssembledProduct& product, ThreadTeam& team, const StopToken& stop,
+  /// Compares each pair of bodies once, whether the product's fits are on or not. `watch` is told the share that is
+  /// done, by one thread at a time. Errors: as of findObjectFits(); Interrupted.
+  static Result<FitTable> find(const AssembledProduct& product, ThreadTeam& team, const WorkWatch& watch,
                                const ContactLimits& limits = {});
 
   /// Pairs that touch, overlap or are nearer than was asked for, by a, then by b.

@@ -125,8 +125,8 @@ check::Path judgedPath(const std::vector<PathPoint>& points, const LoadedScenari
 }
 
 check::PlanVerdict judgePlan(const AssemblyPlan& plan, const AssembledProduct& product, std::optional<double> required,
-                             const StopToken& stop) {
-  return check::judgePlan(judgedProduct(product), judgedPlan(plan), required, WorkWatch(stop));
+                             const WorkWatch& watch) {
+  return check::judgePlan(judgedProduct(product), judgedPlan(plan), required, watch);
 }
 
 }  // namespace glissade

@@ -22,6 +22,6 @@ check::Path judgedPath(const std::vector<PathPoint>& points, const LoadedScenari
 
 /// `required`: clearance, metres; nothing: the usual one for the size of each body.
 check::PlanVerdict judgePlan(const AssemblyPlan& plan, const AssembledProduct& product, std::optional<double> required,
-                             const StopToken& stop = {});
+                             const WorkWatch& watch = {});
 
 }  // namespace glissade

@@ -29,14 +29,14 @@ const MeshPtr* thinnedOf(const std::vector<Fit>& fits, std::size_t obstacle, boo
 
 }  // namespace
 
-Result<ProductFits> ProductFits::find(const AssembledProduct& product, ThreadTeam& team, const StopToken& stop) {
+Result<ProductFits> ProductFits::find(const AssembledProduct& product, ThreadTeam& team, const WorkWatch& watch) {
   ProductFits found;
   for (const RigidBody& body : product.bodies) found.moving_.push_back({{}, {}, body.mesh});
   if (!product.fits.on) {
     found.prepared_ = std::make_shared<PreparedBodies>(product.bodies);
     return found;
   }
-  const auto table = FitTable::find(product, team, stop);
+  const auto table = FitTable::find(product, team, watch);
   if (!table) return table.error();
   for (std::size_t body = 0; body < found.moving_.size(); ++body) {
     found.moving_[body].fits = table->objects()[body].allowed;

@@ -18,8 +18,8 @@ struct BodyFit {
 /// fits. Immutable, shared by threads.
 class ProductFits {
  public:
-  /// Errors: as of FitTable::find().
-  static Result<ProductFits> find(const AssembledProduct& product, ThreadTeam& team, const StopToken& stop);
+  /// `watch` and errors: as of FitTable::find().
+  static Result<ProductFits> find(const AssembledProduct& product, ThreadTeam& team, const WorkWatch& watch);
 
   /// Of the body with others.
   const std::vector<Fit>& fitsOf(std::size_t body) const { return moving_[body].fits; }

@@ -97,7 +97,7 @@ std::size_t helpers() { return std::max(1U, std::thread::hardware_concurrency())
 
 using FitsPtr = std::shared_ptr<const ProductFits>;
 /// What is found of a product before it is planned.
-using FindFits = std::function<Result<FitsPtr>(const Joints& joints, ThreadTeam& team)>;
+using FindFits = std::function<Result<FitsPtr>(const Joints& joints, ThreadTeam& team, const WorkWatch& watch)>;
 using FindJoints = std::function<Result<Joints>()>;
 
 Result<GrownPlan> planOf(const SequenceJob& job, const WorkWatch& watch, const StopSource& stop,
@@ -107,7 +107,7 @@ Result<GrownPlan> planOf(const SequenceJob& job, const WorkWatch& watch, const S
   const AssembledProduct& product = *job.product;
   const auto joints = findJoints();
   if (!joints) return joints.error();
-  const auto found = findFits(*joints, team);
+  const auto found = findFits(*joints, team, watch.part(0.0, kFitsShare));
   if (!found) return found.error();
   const ProductFits& fits = **found;
   watch.report(kFitsShare);
@@ -140,12 +140,12 @@ void SequencePlanner::deliver(const std::function<void()>& signal, std::uint64_t
 
 /// Of the product with the bends of the joints that count.
 Result<FitsPtr> SequencePlanner::fitsOf(KnownProduct& known, const SequenceJob& job, const Joints& joints,
-                                        ThreadTeam& team, const StopToken& stop) {
+                                        ThreadTeam& team, const WorkWatch& watch) {
   AssembledProduct bent = *job.product;
   bent.snaps = bendsOf(countingJoints(joints, job.demands.jointUse), bent);
   const std::lock_guard lock(known.mutex);
   if (known.product == job.product && known.fits && known.bends == bent.snaps) return known.fits;
-  auto fits = ProductFits::find(bent, team, stop);
+  auto fits = ProductFits::find(bent, team, watch);
   if (!fits) return fits.error();
   auto found = std::make_shared<const ProductFits>(std::move(*fits));
   if (known.product != job.product) return found;
@@ -186,8 +186,9 @@ void SequencePlanner::plan(const SequenceJob& job, bool atOnce) {
   const auto announce = [this, request](const GrownPlan& grown) {
     deliver([this, grown] { emit this->grown(grown); }, request);
   };
-  const auto findFits = [known = known_, job, stop = stop_](const Joints& joints, ThreadTeam& team) {
-    return fitsOf(*known, job, joints, team, stop.token());
+  const auto findFits = [known = known_, job, stop = stop_](const Joints& joints, ThreadTeam& team,
+                                                            const WorkWatch& watch) {
+    return fitsOf(*known, job, joints, team, {stop.token(), watch.progressed});
   };
   const auto findJoints = [known = known_, job, stop = stop_] { return jointsOf(*known, job, stop.token()); };
   planning_ = true;
@@ -213,8 +214,8 @@ void SequencePlanner::judge(const ProductPtr& product, const PlanPtr& plan, bool
   stop_ = StopSource();
   task_.start(
       "checking the sequence",
-      [this, product, plan, stop = stop_.token()](const WorkWatch&) -> BackgroundTask::Delivery {
-        const check::PlanVerdict verdict = judgePlan(*plan, *product, std::nullopt, stop);
+      [this, product, plan, stop = stop_.token()](const WorkWatch& watch) -> BackgroundTask::Delivery {
+        const check::PlanVerdict verdict = judgePlan(*plan, *product, std::nullopt, {stop, watch.progressed});
         if (stop.stopRequested()) return [] {};
         std::vector<bool> agreed;
         for (const check::StepVerdict& step : verdict.steps) agreed.push_back(step.valid());

@@ -84,7 +84,7 @@ class SequencePlanner final : public QObject {
   };
   static Result<std::shared_ptr<const ProductFits>> fitsOf(KnownProduct& known, const SequenceJob& job,
                                                            const Joints& joints, ThreadTeam& team,
-                                                           const StopToken& stop);
+                                                           const WorkWatch& watch);
   static void know(KnownProduct& known, const ProductPtr& product);
   static Result<Joints> jointsOf(KnownProduct& known, const SequenceJob& job, const StopToken& stop);
 
