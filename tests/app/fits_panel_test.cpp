@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <QApplication>
+#include <QFocusEvent>
 #include <QSignalSpy>
 
 namespace glissade {
@@ -51,6 +53,16 @@ TEST_F(FitsPanelTest, AllPairsAreRowsAndTheFilterLeavesSome) {
   EXPECT_EQ(shown(), 1);
   filter->clear();
   EXPECT_EQ(shown(), 3);
+}
+
+TEST_F(FitsPanelTest, ADialogThatClosesChoosesNoRow) {
+  const QSignalSpy chosen(&panel, &FitsPanel::chosenChanged);
+  QFocusEvent back(Qt::FocusIn, Qt::ActiveWindowFocusReason);
+  QApplication::sendEvent(&table(), &back);
+  EXPECT_EQ(chosen.size(), 0);
+  QFocusEvent byTab(Qt::FocusIn, Qt::TabFocusReason);
+  QApplication::sendEvent(&table(), &byTab);
+  EXPECT_EQ(chosen.size(), 1) << "a person who goes there with Tab sees where they are";
 }
 
 TEST_F(FitsPanelTest, TipsSayWhichBodyGivesWayAndWhyNothingPasses) {

@@ -81,6 +81,16 @@ TEST_F(SequencePanelTest, ARowShowsItsStep) {
   EXPECT_FALSE(panel.chooseStep(2));
 }
 
+TEST_F(SequencePanelTest, AClickOnARowAnnouncesThatItsStepIsSelected) {
+  panel.resize(600, 500);
+  panel.show();
+  std::vector<std::size_t> announced;
+  QObject::connect(&panel, &SequencePanel::selectionChanged, [&] { announced = panel.selectedSteps(); });
+  const QRect row = table().visualItemRect(table().topLevelItem(1));
+  QTest::mouseClick(table().viewport(), Qt::LeftButton, {}, row.center());
+  EXPECT_EQ(announced, std::vector<std::size_t>{1});
+}
+
 TEST_F(SequencePanelTest, ADraggedStepIsAnnouncedAndStaysUntilThePlanIsAnother) {
   QSignalSpy moved(&panel, &SequencePanel::stepMoved);
   drag(1, 0, false);
@@ -114,6 +124,18 @@ TEST_F(SequencePanelTest, KeysMoveTheStepAndNotTheSelection) {
   QTest::keyClick(&table(), Qt::Key_Up, Qt::AltModifier | Qt::KeypadModifier);
   EXPECT_EQ(up.size(), 2);
   EXPECT_EQ(panel.chosenStep(), std::optional<std::size_t>(1));
+}
+
+TEST_F(SequencePanelTest, KeysOfACommandThatIsOffDoNothing) {
+  panel.show();
+  panel.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&panel));
+  table().setFocus();
+  QAction* byHand = actions["sequence.by-hand"];
+  const QSignalSpy triggered(byHand, &QAction::triggered);
+  byHand->setEnabled(false);
+  QTest::keyClick(&table(), Qt::Key_M, Qt::ControlModifier | Qt::AltModifier);
+  EXPECT_EQ(triggered.size(), 0);
 }
 
 TEST_F(SequencePanelTest, ARowSaysWhatAPersonHasDoneAndWhatIsForced) {

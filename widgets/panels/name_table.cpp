@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "widgets/panels/quiet_focus.h"
+
 namespace glissade {
 namespace {
 
@@ -21,6 +23,7 @@ bool SortedRow::operator<(const QTreeWidgetItem& other) const {
 }
 
 NameTable::NameTable(std::vector<Names> names, QWidget* parent) : QTreeWidget(parent), names_(std::move(names)) {
+  keepUnchosen(*this);
   setRootIsDecorated(false);
   setUniformRowHeights(true);
   setAlternatingRowColors(true);

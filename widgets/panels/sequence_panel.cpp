@@ -190,6 +190,7 @@ void SequencePanel::setPlan(const ShownPlan& shown) {
     explode_->setValue(0);
   }
   showTime(samePlan ? std::min(before, static_cast<double>(steps)) : 0.0);
+  if (!shown.growing && !chosen) table_->scrollToTop();
   if (samePlan && chosen && table_->currentItem() == nullptr) chooseStep(std::min(*chosen, steps - 1));
   emit selectionChanged();
 }
@@ -244,10 +245,13 @@ void SequencePanel::markRow() {
   // A stuck part is shown when all that leave have left.
   if (!chosenStuck().empty() && time() > static_cast<double>(steps) - 1e-3) return;
   const auto current = static_cast<int>(std::ceil(done - 1e-3)) - 1;
-  const QSignalBlocker block(table_);
-  if (current >= 0 && current < table_->topLevelItemCount() && done > 0.0) {
+  if (current < 0 || current >= table_->topLevelItemCount() || done <= 0.0) return;
+  const auto before = selectedSteps();
+  {
+    const QSignalBlocker block(table_);
     table_->setCurrentItem(table_->topLevelItem(current));
   }
+  if (selectedSteps() != before) emit selectionChanged();
 }
 
 void SequencePanel::showRow(const QTreeWidgetItem* row) {

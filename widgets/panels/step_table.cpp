@@ -19,6 +19,7 @@
 #include "widgets/commands/diagnostic_text.h"
 #include "widgets/commands/length_text.h"
 #include "widgets/commands/window_language.h"
+#include "widgets/panels/quiet_focus.h"
 
 namespace glissade {
 namespace {
@@ -125,6 +126,7 @@ PlanWords windowPlanWords() {
 
 StepTable::StepTable(IconOf iconOf, QWidget* parent) : QTreeWidget(parent), iconOf_(std::move(iconOf)) {
   setObjectName(QStringLiteral("sequence"));
+  keepUnchosen(*this);
   setColumnCount(StepColumns);
   setHeaderLabels({tr("No."), twoLines(tr("Part"), tr("Motion")), twoLines(tr("Clearance"), tr("Allowance")),
                    twoLines(tr("Tool"), tr("Standing")), tr("State")});
@@ -320,7 +322,7 @@ void StepTable::keyPressEvent(QKeyEvent* event) {
   const QKeySequence keys(event->key() | modifiers);
   for (QAction* action : actions()) {
     if (modifiers == 0 || action->shortcut() != keys) continue;
-    action->trigger();
+    if (action->isEnabled()) action->trigger();  // trigger() itself does not ask
     return;
   }
   QTreeWidget::keyPressEvent(event);
