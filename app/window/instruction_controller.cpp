@@ -11,7 +11,12 @@ namespace glissade {
 
 InstructionController::InstructionController(const Workbench& bench, SequenceController& sequence)
     : QObject(&sequence), bench_(bench), sequence_(sequence), job_(new InstructionJob(bench, sequence)) {
-  bench.onAction("sequence.report", this, [this] { chooseReport(); });
+  bench.onAction("sequence.instruction", this, [this] {
+    choose(PlanDocument::Instruction, tr("Save the work instruction"), QStringLiteral("instruction.pdf"));
+  });
+  bench.onAction("sequence.report", this, [this] {
+    choose(PlanDocument::Report, tr("Save the report of the sequence"), QStringLiteral("sequence-report.html"));
+  });
   bench.onAction("instruction.template", this, [this] { chooseTemplate(); });
   bench.onAction("instruction.no-template", this, [this] { (void)setTemplate({}); });
   addCommands();
@@ -80,17 +85,19 @@ void InstructionController::remember(WindowMemory& memory) {
 }
 
 void InstructionController::enableActions() {
-  bench_.enable("sequence.report", bench_.actions["sequence.export"]->isEnabled());
+  for (const char* action : {"sequence.instruction", "sequence.report"}) {
+    bench_.enable(action, bench_.actions["sequence.export"]->isEnabled());
+  }
   bench_.enable("instruction.no-template", !file_.isEmpty());
 }
 
-void InstructionController::chooseReport() {
+void InstructionController::choose(PlanDocument document, const QString& title, const QString& proposed) {
+  const bool webFirst = proposed.endsWith(QLatin1String(".html"));
+  const QString types = webFirst ? tr("Web page (*.html);;PDF (*.pdf)") : tr("PDF (*.pdf);;Web page (*.html)");
   const QString file =
-      bench_.dialogs.save(FilePurpose::Report, tr("Save the report of the sequence"),
-                          proposedFile(*bench_.document.scenario(), QStringLiteral("sequence-report.html")),
-                          tr("Web page (*.html);;PDF (*.pdf)"));
+      bench_.dialogs.save(FilePurpose::Report, title, proposedFile(*bench_.document.scenario(), proposed), types);
   if (file.isEmpty()) return;
-  write(PlanDocument::Report, file, [this, file](const SaveResult& saved) { sequence_.tell(file, saved); });
+  write(document, file, [this, file](const SaveResult& saved) { sequence_.tell(file, saved); });
 }
 
 void InstructionController::chooseTemplate() {

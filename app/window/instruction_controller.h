@@ -28,7 +28,8 @@ class InstructionController final : public QObject {
 
  private:
   void addCommands();
-  void chooseReport();
+  /// Asks for the file and writes the document. `proposed`: what follows the product's name, with the usual ending.
+  void choose(PlanDocument document, const QString& title, const QString& proposed);
   void chooseTemplate();
 
   const Workbench& bench_;

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "app/window/joints_script.h"
-#include "app/window/panel_docks.h"
 #include "engine/product/joint_finder.h"
 #include "engine/scenario/product_file.h"
 #include "engine/scenario/scenario_fits.h"
@@ -73,7 +72,6 @@ JointsController::JointsController(const Workbench& bench)
 void JointsController::connectActions() {
   bench_.onAction("joints.find", this, [this] {
     bench_.actions["panel.joints"]->trigger();
-    makeRoomForTable(*panel_, bench_.window);
     find();
   });
   bench_.onAction("joints.isolate", this, [this] { isolateChosen(); });

@@ -94,20 +94,6 @@ QList<QDockWidget*> docksInOrder(const QMainWindow& window) {
   return docks;
 }
 
-void makeRoomForTable(QWidget& panel, QMainWindow& window) {
-  constexpr int kWidth = 455;
-  constexpr double kHeight = 0.57;  // of the window
-  constexpr const char* kHasRoom = "has-room";
-  QWidget* widget = &panel;
-  while (widget != nullptr && qobject_cast<QDockWidget*>(widget) == nullptr) widget = widget->parentWidget();
-  auto* dock = qobject_cast<QDockWidget*>(widget);
-  if (dock == nullptr || dock->isFloating() || dock->property(kHasRoom).toBool()) return;
-  dock->setProperty(kHasRoom, true);
-  const int height = static_cast<int>(kHeight * window.height());
-  window.resizeDocks({dock}, {std::max(dock->width(), kWidth)}, Qt::Horizontal);
-  window.resizeDocks({dock}, {std::max(dock->height(), height)}, Qt::Vertical);
-}
-
 PanelDocks::PanelDocks(QMainWindow& window, const ActionCatalogue& actions) : window_(window), actions_(actions) {
   window.installEventFilter(new WholeTabNames(&window));
 }
@@ -124,8 +110,24 @@ void PanelDocks::add(const Panel& panel) {
       if (auto* list = content->findChild<QTreeView*>()) list->setFocus(Qt::ShortcutFocusReason);
     });
   }
+  if (panel.scrolling == Scrolling::Own) {
+    QObject::connect(dock, &QDockWidget::visibilityChanged, dock, [this, dock](bool visible) {
+      if (visible && window_.isVisible()) makeRoomForTable(*dock);
+    });
+  }
   dock->setWidget(scrolled(panel, dock));
   docks_.push_back({panel, dock});
+}
+
+void PanelDocks::makeRoomForTable(QDockWidget& dock) {
+  constexpr int kWidth = 455;
+  constexpr double kHeight = 0.57;  // of the window
+  constexpr const char* kHasRoom = "has-room";
+  if (inOneColumn_ || dock.isFloating() || dock.property(kHasRoom).toBool()) return;
+  dock.setProperty(kHasRoom, true);
+  const int height = static_cast<int>(kHeight * window_.height());
+  window_.resizeDocks({&dock}, {std::max(dock.width(), kWidth)}, Qt::Horizontal);
+  window_.resizeDocks({&dock}, {std::max(dock.height(), height)}, Qt::Vertical);
 }
 
 void PanelDocks::orderTabStops() {

@@ -16,10 +16,6 @@ inline constexpr const char* kPanelNumber = "number";
 /// The docks in the order in which they were added.
 QList<QDockWidget*> docksInOrder(const QMainWindow& window);
 
-/// Makes the dock of a panel large enough for a table of some rows with buttons, unless it floats. Once for each panel:
-/// afterwards its size is the person's.
-void makeRoomForTable(QWidget& panel, QMainWindow& window);
-
 /// Where a panel is at first. Panels of one place share it as tabs, in the order in which they were added.
 enum class DockPlace { Left, UpperRight, LowerRight };
 
@@ -59,6 +55,9 @@ class PanelDocks final {
   int usualRightWidth() const;
   void tabify(QDockWidget* first, DockPlace place);
   bool isSmall() const;
+  /// Makes a dock that comes to the front large enough for a table of some rows with buttons, unless it floats. Once for
+  /// each dock: afterwards its size is the person's.
+  void makeRoomForTable(QDockWidget& dock);
   void showTitles();
   /// Sizes of texts beside the usual one.
   double textScale() const;

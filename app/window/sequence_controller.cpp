@@ -9,7 +9,6 @@
 
 #include "app/window/film_dialog.h"
 #include "app/window/instruction_controller.h"
-#include "app/window/panel_docks.h"
 #include "app/window/proposed_file.h"
 #include "app/window/sequence_output.h"
 #include "app/window/sequence_script.h"
@@ -74,7 +73,9 @@ SequenceController::SequenceController(const Workbench& bench)
   connect(&planner_.task(), &BackgroundTask::started, this, &SequenceController::enableActions);
   connect(&planner_.task(), &BackgroundTask::ended, this, &SequenceController::enableActions);
   bench.work.show(
-      planner_.task(), [] { return tr("Planning the sequence"); }, [this] { planner_.stop(); });
+      planner_.task(),
+      [this] { return planner_.isPlanning() ? tr("Planning the sequence") : tr("Proving the sequence again"); },
+      [this] { planner_.stop(); });
   connect(panel_, &SequencePanel::sceneChanged, this, &SequenceController::showPanelsScene);
   connect(panel_, &SequencePanel::stuckChosen, this, &SequenceController::showStuck);
   connect(panel_, &SequencePanel::playbackEnded, this, [this] { bench_.actions["sequence.play"]->setChecked(false); });
@@ -326,10 +327,7 @@ bool SequenceController::isEditable() const {
   return shown().plan && shown().product && !shown().plan->bodies.empty() && !planner_.isPlanning() && !shown().growing;
 }
 
-void SequenceController::bringToFront() {
-  bench_.actions["panel.sequence"]->trigger();
-  makeRoomForTable(*panel_, bench_.window);
-}
+void SequenceController::bringToFront() { bench_.actions["panel.sequence"]->trigger(); }
 
 std::optional<Diagnostic> SequenceController::open(const QString& file) {
   const std::string name = file.toStdString();

@@ -1914,6 +1914,14 @@
         <source>Say what the colours in the scene mean: a row for each thing that is drawn now</source>
         <translation>Dire ce que signifient les couleurs de la scène&#xa0;: une ligne par chose dessinée en ce moment</translation>
     </message>
+    <message>
+        <source>&amp;Work instruction...</source>
+        <translation>&amp;Gamme de montage...</translation>
+    </message>
+    <message>
+        <source>Save the pages for the line: what is done, with which tool and which parts</source>
+        <translation>Enregistrer les pages pour la ligne : ce qu&apos;il faut faire, avec quel outil et quelles pièces</translation>
+    </message>
 </context>
 <context>
     <name>Arranging</name>
@@ -9212,6 +9220,14 @@
         <source>Templates (*.json);;All files (*)</source>
         <translation>Modèles (*.json);;Tous les fichiers (*)</translation>
     </message>
+    <message>
+        <source>Save the work instruction</source>
+        <translation>Enregistrer la gamme de montage</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf);;Web page (*.html)</source>
+        <translation>PDF (*.pdf);;Page web (*.html)</translation>
+    </message>
 </context>
 <context>
     <name>glissade::InstructionJob</name>
@@ -10388,6 +10404,10 @@
         <source>The files are being read: %1 of %2.</source>
         <translation>Lecture des fichiers : %1 sur %2.</translation>
     </message>
+    <message>
+        <source>file&apos;s</source>
+        <translation>du fichier</translation>
+    </message>
 </context>
 <context>
     <name>glissade::PathController</name>
@@ -11562,6 +11582,10 @@
     <message>
         <source>Film the sequence</source>
         <translation>Filmer la séquence</translation>
+    </message>
+    <message>
+        <source>Proving the sequence again</source>
+        <translation>Nouvelle preuve de la séquence</translation>
     </message>
 </context>
 <context>

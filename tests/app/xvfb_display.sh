@@ -7,7 +7,7 @@ work=$(mktemp -d)
 mkdir "$work/frame"
 display=:$((90 + RANDOM % 900))
 # Without -noreset it starts anew when a client was the last to leave, and refuses others for that moment.
-Xvfb "$display" -screen 0 1280x800x24 -nolisten tcp -noreset -fbdir "$work/frame" >"$work/xvfb.log" 2>&1 &
+Xvfb "$display" -screen 0 "${SCREEN:-1280x800}x24" -nolisten tcp -noreset -fbdir "$work/frame" >"$work/xvfb.log" 2>&1 &
 server=$!
 trap 'kill -9 $window 2>/dev/null; kill $server 2>/dev/null; rm -rf "$work"' EXIT
 window=

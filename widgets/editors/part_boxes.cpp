@@ -30,6 +30,14 @@ QComboBox* makeBox(const char* id, const QString& name, const QString& tip) {
 
 }  // namespace
 
+void leaveToFile(QComboBox& unit, QComboBox& up) {
+  unit.setItemText(0, PartsDialog::tr("file's"));
+  for (QComboBox* box : {&unit, &up}) {
+    box->setEnabled(false);
+    box->setToolTip(PartsDialog::tr("The file says its unit itself; Z is up"));
+  }
+}
+
 QWidget* cellOf(QComboBox* box) {
   auto* cell = new QWidget;
   auto* layout = new QHBoxLayout(cell);

@@ -11,6 +11,9 @@ QComboBox* makeRoleBox(const QString& part, bool mayMove);
 QComboBox* makeUnitBox(const QString& part);
 QComboBox* makeUpBox(const QString& part);
 
+/// Says that the file itself states both; nobody may choose them.
+void leaveToFile(QComboBox& unit, QComboBox& up);
+
 /// Room about a box, which has to be filled: the column is measured with it.
 QWidget* cellOf(QComboBox* box);
 

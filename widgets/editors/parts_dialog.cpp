@@ -113,6 +113,7 @@ void PartsDialog::resizeEvent(QResizeEvent* event) {
 QLayout* PartsDialog::makeFileButtons() {
   auto* add = new QPushButton(tr("Add &files…"), this);
   add->setObjectName(QStringLiteral("add-files"));
+  for (QPushButton* button : {add, remove_}) button->setAutoDefault(false);  // Return creates
   add->setToolTip(tr("Meshes (STL, OBJ, Collada, glTF), STEP or URDF files"));
   remove_->setObjectName(QStringLiteral("remove"));
   remove_->setEnabled(false);
@@ -185,14 +186,16 @@ void PartsDialog::makeBoxesInSight() {
 }
 
 QString PartsDialog::nameOf(const PartFile& part) const {
-  const QString name = QFileInfo(QString::fromStdString(part.path)).fileName();
-  return part.part.empty() ? name : name + QStringLiteral(": ") + QString::fromStdString(part.part);
+  const QString file = QFileInfo(QString::fromStdString(part.path)).fileName();
+  const QString name = QString::fromStdString(part.part);
+  if (name.isEmpty()) return file;
+  const bool oneFile = rows_.front().part.path == rows_.back().part.path;  // the rows of a file are together
+  return oneFile ? name : file + QStringLiteral(": ") + name;
 }
 
 void PartsDialog::makeRow(int row) {
   const PartFile& part = rows_[row].part;
   for (const Column column : {kPart, kSize}) table_->setItem(row, column, new QTableWidgetItem);
-  table_->item(row, kPart)->setText(nameOf(part));
   table_->item(row, kPart)->setToolTip(QDir::toNativeSeparators(QString::fromStdString(part.path)));
   showSize(row);
 }
@@ -206,11 +209,7 @@ void PartsDialog::makeBoxes(int row) {
   for (const auto& [column, combo] : {std::pair(kRole, role), std::pair(kUnit, unit), std::pair(kUp, up)}) {
     table_->setCellWidget(row, column, cellOf(combo));
   }
-  for (QComboBox* fixed : {unit, up}) {
-    if (!saysItsUnit(part.path)) break;
-    fixed->setEnabled(false);
-    fixed->setToolTip(tr("The file says its unit itself; Z is up"));
-  }
+  if (saysItsUnit(part.path)) leaveToFile(*unit, *up);
   showRow(row);
   if (row > 0) return;
   table_->resizeRowToContents(row);
@@ -434,6 +433,8 @@ void PartsDialog::refresh() {
 /// What its boxes and its name say.
 void PartsDialog::showRow(int row) {
   const PartFile& part = rows_[row].part;
+  QTableWidgetItem& item = *table_->item(row, kPart);
+  if (const QString name = nameOf(part); item.text() != name) item.setText(name);
   const auto show = [this, row](Column column, const QVariant& value) {
     if (table_->cellWidget(row, column) == nullptr) return;
     auto* combo = table_->cellWidget(row, column)->findChild<QComboBox*>();
@@ -444,7 +445,7 @@ void PartsDialog::showRow(int row) {
   show(kUp, static_cast<int>(part.up));
   QFont font = table_->font();
   font.setBold(part.role == PartRole::Moves);
-  if (table_->item(row, kPart)->font() != font) table_->item(row, kPart)->setFont(font);
+  if (item.font() != font) item.setFont(font);
 }
 
 void PartsDialog::showSize(int row) {
