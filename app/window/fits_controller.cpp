@@ -2,24 +2,12 @@
 
 #include <algorithm>
 
+#include "engine/product/fit_edits.h"
 #include "engine/product/fit_table.h"
 #include "engine/scenario/product_file.h"
 
 namespace glissade {
 namespace {
-
-bool isAbout(const FitEdit& edit, const PairFit& fit) {
-  return (edit.a == fit.a && edit.b == fit.b) || (edit.a == fit.b && edit.b == fit.a);
-}
-
-/// What is said about the pair; a new entry where nothing was.
-FitEdit& editOfPair(FitSettings& settings, const PairFit& fit) {
-  const auto found = std::find_if(settings.pairs.begin(), settings.pairs.end(),
-                                  [&fit](const FitEdit& edit) { return isAbout(edit, fit); });
-  if (found != settings.pairs.end()) return *found;
-  settings.pairs.push_back({fit.a, fit.b, std::nullopt, std::nullopt, false});
-  return settings.pairs.back();
-}
 
 bool saysNothing(const FitEdit& edit) {
   return !edit.kind && !edit.allowance && !edit.accepted && !edit.pitch && edit.turned.empty();
@@ -99,7 +87,7 @@ void FitsController::editChosen(const QString& text, const std::function<void(Fi
   const PairFit* fit = panel_->chosen();
   if (fit == nullptr) return;
   const auto changeFits = [fit = *fit, change](Scenario& scenario) {
-    change(editOfPair(scenario.fits, fit));
+    change(editOf(fit.a, fit.b, scenario.fits));
     auto& pairs = scenario.fits.pairs;
     pairs.erase(std::remove_if(pairs.begin(), pairs.end(), saysNothing), pairs.end());
     return Outcome(Done{});

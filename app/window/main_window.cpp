@@ -133,17 +133,18 @@ void MainWindow::addParts() {
   docks_.add({tr("Scene"), "scene-tree", assembly->panel(), DockPlace::UpperRight, "panel.scene"});
   docks_.add({tr("Semantics"), "semantics", environment->semanticsPanel(), DockPlace::UpperRight, "panel.semantics",
               Scrolling::Own});
-  docks_.add({tr("Fits"), "fits", fits->panel(), DockPlace::UpperRight, "panel.fits", Scrolling::Own});
-  docks_.add({tr("Joints"), "joints", joints->panel(), DockPlace::UpperRight, "panel.joints", Scrolling::Own,
+  docks_.add({tr("Fits"), "fits", fits->panel(), DockPlace::UpperRight, "panel.fits", Scrolling::Table});
+  docks_.add({tr("Joints"), "joints", joints->panel(), DockPlace::UpperRight, "panel.joints", Scrolling::Table,
               [joints] { return joints->panel()->table() != nullptr; }});
   docks_.add({tr("Section"), "section", sections->panel(), DockPlace::UpperRight, "panel.section"});
   docks_.add({tr("Run"), "run", run->countsPanel(), DockPlace::LowerRight, "panel.run"});
   docks_.add({tr("Plan"), "plan", environment->planPanel(), DockPlace::LowerRight, "panel.plan", Scrolling::Own});
   docks_.add({tr("Path"), "path", path_->panel(), DockPlace::LowerRight, "panel.path"});
-  docks_.add({tr("Paths"), "paths", kept->panel(), DockPlace::LowerRight, "panel.paths", Scrolling::Own});
+  docks_.add({tr("Paths"), "paths", kept->panel(), DockPlace::LowerRight, "panel.paths", Scrolling::Table});
   docks_.add(
       {tr("Log"), "log", log->panel(), DockPlace::LowerRight, "panel.log", Scrolling::Own, [] { return false; }});
-  docks_.add({tr("Sequence"), "sequence", sequence_->panel(), DockPlace::LowerRight, "panel.sequence", Scrolling::Own});
+  docks_.add(
+      {tr("Sequence"), "sequence", sequence_->panel(), DockPlace::LowerRight, "panel.sequence", Scrolling::Table});
   docks_.add({tr("Difficulty"), "difficulty", difficulty->panel(), DockPlace::LowerRight, "panel.difficulty",
               Scrolling::Own, [difficulty] { return difficulty->difficulty() != nullptr; }});
   docks_.orderTabStops();

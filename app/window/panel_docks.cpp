@@ -110,7 +110,7 @@ void PanelDocks::add(const Panel& panel) {
       if (auto* list = content->findChild<QTreeView*>()) list->setFocus(Qt::ShortcutFocusReason);
     });
   }
-  if (panel.scrolling == Scrolling::Own) {
+  if (panel.scrolling == Scrolling::Table) {
     QObject::connect(dock, &QDockWidget::visibilityChanged, dock, [this, dock](bool visible) {
       if (visible && window_.isVisible()) makeRoomForTable(*dock);
     });

@@ -19,8 +19,9 @@ QList<QDockWidget*> docksInOrder(const QMainWindow& window);
 /// Where a panel is at first. Panels of one place share it as tabs, in the order in which they were added.
 enum class DockPlace { Left, UpperRight, LowerRight };
 
-/// Panels of fixed rows are scrolled as a whole; those with lists scroll these.
-enum class Scrolling { Whole, Own };
+/// Panels of fixed rows are scrolled as a whole; those with lists scroll these. A table of many columns gets room when
+/// it comes to the front.
+enum class Scrolling { Whole, Own, Table };
 
 struct Panel {
   QString title;
@@ -55,8 +56,8 @@ class PanelDocks final {
   int usualRightWidth() const;
   void tabify(QDockWidget* first, DockPlace place);
   bool isSmall() const;
-  /// Makes a dock that comes to the front large enough for a table of some rows with buttons, unless it floats. Once for
-  /// each dock: afterwards its size is the person's.
+  /// Makes a dock that comes to the front large enough for a table of some rows with buttons, unless it floats. Once
+  /// for each dock: afterwards its size is the person's.
   void makeRoomForTable(QDockWidget& dock);
   void showTitles();
   /// Sizes of texts beside the usual one.

@@ -32,8 +32,9 @@ void SequenceHand::begin() {
     for (const std::string& id : steps[i].bodies()) gone.push_back(id);
   }
   run_ = run;
-  const auto change = [this, bodies = run.bodies, gone](Scenario& scenario) {
-    return prepareHandRun(bodies, gone, *bench_.document.scenario(), scenario);
+  const auto joints = run.step ? steps[*run.step].joints : std::vector<StepJoint>();
+  const auto change = [this, bodies = run.bodies, gone, joints](Scenario& scenario) {
+    return prepareHandRun(bodies, gone, *bench_.document.scenario(), joints, scenario);
   };
   const Outcome edited = bench_.document.edit(tr("Move %1 by hand").arg(nameOf(run)), change);
   if (!edited) {

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "engine/product/fit_edits.h"
 #include "engine/scenario/assembly_edits.h"
 #include "engine/scenario/object_geometry.h"
 #include "engine/scenario/scenario_bodies.h"
@@ -56,10 +57,25 @@ void turnAbout(const Vector3& point_W, const LoadedScenario& loaded, Scenario& s
   scenario.start = X_WG * Pose::translation(object.referencePoint);
 }
 
+/// A thread that the plan knows by a joint comes apart in the hand as it does in the plan.
+void markThreads(const std::vector<StepJoint>& joints, const std::vector<std::string>& gone, FitSettings& fits) {
+  for (const StepJoint& joint : joints) {
+    if (joint.pitch == 0.0 || joint.turns <= 0.0) continue;
+    for (const std::string& other : joint.others) {
+      if (std::find(gone.begin(), gone.end(), other) != gone.end()) continue;
+      FitEdit& edit = editOf(joint.body, other, fits);
+      if (edit.kind) continue;
+      edit.kind = ContactKind::Thread;
+      edit.pitch = joint.pitch;
+      edit.turned = joint.body;
+    }
+  }
+}
+
 }  // namespace
 
 Outcome prepareHandRun(const std::vector<std::string>& moving, const std::vector<std::string>& gone,
-                       const LoadedScenario& loaded, Scenario& scenario) {
+                       const LoadedScenario& loaded, const std::vector<StepJoint>& joints, Scenario& scenario) {
   for (const auto& ids : {moving, gone}) {
     if (const Outcome whole = checkWhole(ids, loaded); !whole) return whole;
   }
@@ -73,6 +89,7 @@ Outcome prepareHandRun(const std::vector<std::string>& moving, const std::vector
     if (!marked) return marked;
   }
   turnAbout(middleOf(bodies), loaded, scenario);
+  markThreads(joints, gone, scenario.fits);
   scenario.goal = GoalOut{};
   return editEach(bodyIdsOf(gone), removeBody, scenario);
 }

@@ -29,7 +29,8 @@ struct SequenceRequest {
 
 /// Plans with all that is known of the product: its fits, its joints, its fasteners, what stands, and the demands. What
 /// is one body with one that stays, stays too. The host is told of plans that can be saved and resumed: each of their
-/// steps demands all earlier ones. Errors: an unknown strategy, demands that name no body or contradict each other, words about joints that are not there.
+/// steps demands all earlier ones. Errors: an unknown strategy, demands that name no body or contradict each other,
+/// words about joints that are not there.
 Result<AssemblyPlan> planSequence(const AssembledProduct& product, const ProductFits& fits,
                                   const SequenceRequest& request, SequenceHost& host);
 

@@ -1915,12 +1915,12 @@
         <translation>Dire ce que signifient les couleurs de la scène&#xa0;: une ligne par chose dessinée en ce moment</translation>
     </message>
     <message>
-        <source>&amp;Work instruction...</source>
-        <translation>&amp;Gamme de montage...</translation>
-    </message>
-    <message>
         <source>Save the pages for the line: what is done, with which tool and which parts</source>
         <translation>Enregistrer les pages pour la ligne : ce qu&apos;il faut faire, avec quel outil et quelles pièces</translation>
+    </message>
+    <message>
+        <source>Work instru&amp;ction...</source>
+        <translation>Gamme de mo&amp;ntage...</translation>
     </message>
 </context>
 <context>
@@ -7078,6 +7078,14 @@
     <message>
         <source>Geometry, places and semantics (GTS): the object goes through the passages that it fits best, and takes the next best way where one fails.</source>
         <translation>Géométrie, lieux et sémantique (GTS)&#xa0;: l&apos;objet prend les passages qui lui conviennent le mieux, et le meilleur trajet suivant quand l&apos;un échoue.</translation>
+    </message>
+    <message>
+        <source>Interactive, contact that follows</source>
+        <translation>Interactif, contact suivi</translation>
+    </message>
+    <message>
+        <source>Near an obstacle the object follows its surfaces from one contact to the next, and turns as they make it turn.</source>
+        <translation>Près d&apos;un obstacle, l&apos;objet suit ses surfaces d&apos;un contact au suivant et tourne comme elles le font tourner.</translation>
     </message>
 </context>
 <context>

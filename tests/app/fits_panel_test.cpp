@@ -57,10 +57,10 @@ TEST_F(FitsPanelTest, AllPairsAreRowsAndTheFilterLeavesSome) {
 
 TEST_F(FitsPanelTest, ADialogThatClosesChoosesNoRow) {
   const QSignalSpy chosen(&panel, &FitsPanel::chosenChanged);
-  QFocusEvent back(Qt::FocusIn, Qt::ActiveWindowFocusReason);
+  QFocusEvent back(QEvent::FocusIn, Qt::ActiveWindowFocusReason);
   QApplication::sendEvent(&table(), &back);
   EXPECT_EQ(chosen.size(), 0);
-  QFocusEvent byTab(Qt::FocusIn, Qt::TabFocusReason);
+  QFocusEvent byTab(QEvent::FocusIn, Qt::TabFocusReason);
   QApplication::sendEvent(&table(), &byTab);
   EXPECT_EQ(chosen.size(), 1) << "a person who goes there with Tab sees where they are";
 }

@@ -327,7 +327,7 @@ void WordInSituation::look(Situation situation) {
     }
     case Situation::MovedByHand: {
       const auto change = [&](Scenario& scenario) {
-        return prepareHandRun({"O3"}, {"O2"}, *document.scenario(), scenario);
+        return prepareHandRun({"O3"}, {"O2"}, *document.scenario(), {}, scenario);
       };
       ASSERT_TRUE(document.edit(QStringLiteral("By hand"), change).ok());
       document.undoStack().undo();

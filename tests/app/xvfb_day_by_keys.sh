@@ -66,6 +66,7 @@ open_window() {
 }
 for _ in $(seq 50); do xdotool getdisplaygeometry >/dev/null 2>&1 && break; sleep 0.1; done
 
+ended='"end": "\(complete\|stuck\)"'
 open_window "$product"
 sleep 3
 look parts
@@ -88,7 +89,7 @@ saved '"paths"'
 keys ctrl+j
 # Saving works while the plan grows, too.
 saved '"plan"'
-saved '"end": "\(complete\|stuck\)"'
+saved "$ended"
 look sequence
 keys Home
 look step
@@ -97,11 +98,17 @@ sleep 2
 look by-hand
 keys F5
 saved '"motions"'
+sleep 1
+saved "$ended"
+look taken
 
-keys ctrl+j Home
+keys alt+9 Home
 keys alt+Down
 saved '"places"'
-keys ctrl+j Down Menu
+sleep 1
+saved "$ended"
+keys alt+9 Home
+keys Menu
 look menu
 keys Escape
 keys ctrl+k
@@ -109,6 +116,8 @@ xdotool type --delay 15 "$([ "$language" = fr ] && echo "interdire cette directi
 look palette
 keys Return
 saved '"forbidden"'
+sleep 1
+saved "$ended"
 keys ctrl+shift+i
 answer "$work/instruction.pdf"
 keys ctrl+k

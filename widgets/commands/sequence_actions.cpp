@@ -16,7 +16,7 @@ const std::vector<ActionSpec>& sequenceActionSpecs() {
        QT_TRANSLATE_NOOP("Actions", "Read an assembly plan of this product, and prove each step again"), false},
       {"sequence.export", QT_TRANSLATE_NOOP("Actions", "&Save the sequence..."), "Ctrl+Alt+E",
        QT_TRANSLATE_NOOP("Actions", "Save the plan, its work instruction, its table of steps or its animation"), false},
-      {"sequence.instruction", QT_TRANSLATE_NOOP("Actions", "&Work instruction..."), "Ctrl+Shift+I",
+      {"sequence.instruction", QT_TRANSLATE_NOOP("Actions", "Work instru&ction..."), "Ctrl+Shift+I",
        QT_TRANSLATE_NOOP("Actions", "Save the pages for the line: what is done, with which tool and which parts"),
        false},
       {"sequence.report", QT_TRANSLATE_NOOP("Actions", "Report of the se&quence..."), "Ctrl+Alt+Q",

@@ -80,6 +80,7 @@ inline constexpr const char* kEngineTexts[] = {
     QT_TRANSLATE_NOOP("Planners", "Interactive with contact"),
     QT_TRANSLATE_NOOP("Planners", "Interactive without contact"),
     QT_TRANSLATE_NOOP("Planners", "Two trees, without you"),
+    QT_TRANSLATE_NOOP("Planners", "Interactive, contact that follows"),
     QT_TRANSLATE_NOOP("Planners", "Interactive, contact first"),
     QT_TRANSLATE_NOOP("Planners", "One tree (G)"),
     QT_TRANSLATE_NOOP("Planners", "Shortest way through places (GT)"),
@@ -104,6 +105,10 @@ inline constexpr const char* kEngineTexts[] = {
                       "You steer the object and the computer searches with you; near an obstacle the object slides on "
                       "it (Blin et al. 2016, Algorithm 1)."),
     QT_TRANSLATE_NOOP("Planners", "The computer alone: the same planner with an authority of 1."),
+    QT_TRANSLATE_NOOP(
+        "Planners",
+        "Near an obstacle the object follows its surfaces from one contact to the next, and turns as they "
+        "make it turn."),
     QT_TRANSLATE_NOOP("Planners",
                       "Operator and computer share authority, no contact sampling (Blin et al. 2016, table I)."),
     QT_TRANSLATE_NOOP(

@@ -20,6 +20,11 @@ constexpr double kShortest = 1.0 / 1024.0;
 constexpr double kMemory = 1.0;
 /// The object turns easily: a radian counts as much as this way, in radii.
 constexpr double kTurning = 0.4;
+/// It does not turn.
+constexpr double kStiff = 1e3;
+/// Shares of the legs that begin at the hand, and that keep the orientation.
+constexpr double kFromHand = 0.5;
+constexpr double kKeepingOrientation = 0.5;
 /// Another plane is one whose normal differs by more than 15 degrees (cosine).
 constexpr double kSamePlane = 0.966;
 /// What comes nearer than this share of the gap is in the way. The object is moved off by the rest of the gap, so that
@@ -29,7 +34,7 @@ constexpr double kLeastGap = 0.75;
 }  // namespace
 
 ContactFollower::ContactFollower(double objectRadius, std::uint64_t seed)
-    : radius_(objectRadius), stream_(seed, "contact follower"), planes_({}) {}
+    : radius_(objectRadius), stream_(seed, "contact follower"), plane_(seed), planes_({}) {}
 
 void ContactFollower::enter(const OperatorSample& operatorSample, double gap, double longest) {
   const Vector3 n = operatorSample.nearest.normal_W();
@@ -42,14 +47,18 @@ void ContactFollower::enter(const OperatorSample& operatorSample, double gap, do
   gap_ = gap;
   longest_ = longest;
   returns_ = true;
+  drawn_ = 0;
+  plane_.enter(operatorSample, gap, longest);
 }
 
-const Pose& ContactFollower::sample(CollisionQuery& query) {
-  if (returns_) {
-    at_ = hand_;
-    planes_ = ContactPlanes({radius_, gap_, kMemory * radius_, kTurning * radius_});
-    planes_.learn(at_.q, query.nearestObstacle(at_.q));
-  }
+Pose ContactFollower::sample(CollisionQuery& query) { return drawn_++ % 2 == 0 ? leg(query) : plane_.sample(); }
+
+Pose ContactFollower::leg(CollisionQuery& query) {
+  const bool first = drawn_ == 1;
+  if (returns_ || stream_.uniform() < kFromHand) at_ = hand_;
+  const bool turns = first || stream_.uniform() >= kKeepingOrientation;
+  planes_ = ContactPlanes({radius_, gap_, kMemory * radius_, (turns ? kTurning : kStiff) * radius_});
+  planes_.learn(at_.q, query.nearestObstacle(at_.q));
   if (way_.isZero()) way_ = nextDirection(at_.normal_W);
   const Pose from = at_.q;
   const Vector3 pressedOn = at_.normal_W;

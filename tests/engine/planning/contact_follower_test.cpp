@@ -37,7 +37,14 @@ double tilt(const Pose& q) {
   return std::acos(std::min(1.0, best));
 }
 
-TEST(ContactFollower, NoSamplePenetratesAnythingByFcl) {
+/// Every other sample is the paper's.
+Pose nextLeg(ContactFollower& follower, CollisionQuery& query) {
+  const Pose leg = follower.sample(query);
+  (void)follower.sample(query);
+  return leg;
+}
+
+TEST(ContactFollower, NoLegEndsInAnythingByFcl) {
   RandomStream stream(11, "clutter");
   for (int trial = 0; trial < 40; ++trial) {
     std::vector<RigidBody> bodies;
@@ -52,7 +59,7 @@ TEST(ContactFollower, NoSamplePenetratesAnythingByFcl) {
     while (hand.nearest.distance <= 0.0) hand = handAt(*world, randomPose(stream, 3.0));
     ContactFollower follower(world->objectRadius(), static_cast<std::uint64_t>(trial));
     follower.enter(hand, kGap, 0.5);
-    for (int i = 0; i < 30; ++i) EXPECT_GE(oracle->nearestObstacle(follower.sample(*query)).distance, 0.4 * kGap);
+    for (int i = 0; i < 30; ++i) EXPECT_GE(oracle->nearestObstacle(nextLeg(follower, *query)).distance, 0.4 * kGap);
   }
 }
 
@@ -65,7 +72,7 @@ TEST(ContactFollower, AFaceComesToLieFlatOnThePlaneItMeets) {
   follower.enter(handAt(*world, q), kGap, 0.3);
   ASSERT_GT(tilt(q), 0.3);
   double least = tilt(q);
-  for (int i = 0; i < 20; ++i) least = std::min(least, tilt(follower.sample(*query)));
+  for (int i = 0; i < 60; ++i) least = std::min(least, tilt(nextLeg(follower, *query)));
   EXPECT_LT(least, 0.02);
 }
 
@@ -76,8 +83,8 @@ TEST(ContactFollower, TwoPlanesGuideTheObjectAlongTheirLine) {
   follower.enter(handAt(*world, Pose::translation({0.4, 0.0, 0.25})), kGap, 0.5);
   double least = 6.0;
   double most = -6.0;
-  for (int i = 0; i < 200; ++i) {
-    const Pose q = follower.sample(*query);
+  for (int i = 0; i < 300; ++i) {
+    const Pose q = nextLeg(follower, *query);
     const bool inCorner = q.position.x() < 0.21 && q.position.z() < 0.21;
     if (!inCorner) continue;
     least = std::min(least, q.position.y());
@@ -108,7 +115,7 @@ TEST(ContactFollower, ItGoesFromOnePlaneToTheNextAndThePapersSamplingDoesNot) {
   const auto query = world->makeQuery();
   ContactFollower follower(world->objectRadius(), 7);
   follower.enter(hand, kGap, 1.0);
-  EXPECT_GE(planesTouched(*world, [&] { return follower.sample(*query); }), 3U);
+  EXPECT_GE(planesTouched(*world, [&] { return nextLeg(follower, *query); }), 3U);
   ContactSampler sampler(7);
   sampler.enter(hand, kGap, 1.0);
   EXPECT_EQ(planesTouched(*world, [&] { return sampler.sample(); }), 1U);
@@ -121,7 +128,24 @@ TEST(ContactFollower, TheFirstLegGoesTheWayOfTheHand) {
     ContactFollower follower(world->objectRadius(), 9);
     follower.enter(handAt(*world, Pose::translation({2.0, 0.0, 0.23})), kGap, 0.5);
     follower.enter(handAt(*world, Pose::translation({2.0, 0.1 * direction, 0.23})), kGap, 0.5);
-    EXPECT_GT(direction * (follower.sample(*query).position.y() - 0.1 * direction), 0.05);
+    EXPECT_GT(direction * (nextLeg(follower, *query).position.y() - 0.1 * direction), 0.05);
+  }
+}
+
+TEST(ContactFollower, EveryOtherSampleIsOnThePlaneOfTheHandAndKeepsItsOrientation) {
+  const auto world = corner();
+  const auto query = world->makeQuery();
+  Pose q = Pose::translation({1.5, 0.0, 0.5});
+  q.orientation = fromRollPitchYaw(0.3, 0.25, 0.1);
+  const OperatorSample hand = handAt(*world, q);
+  ContactFollower follower(world->objectRadius(), 3);
+  follower.enter(hand, kGap, 0.3);
+  const Vector3 n = hand.nearest.normal_W();
+  for (int i = 0; i < 20; ++i) {
+    (void)follower.sample(*query);
+    const Pose sample = follower.sample(*query);
+    EXPECT_EQ(sample.orientation.coeffs(), q.orientation.coeffs());
+    EXPECT_NEAR(n.dot(sample.position - q.position), kGap - hand.nearest.distance, 1e-12);
   }
 }
 

@@ -25,7 +25,7 @@ Scenario threeBoxes() {
 TEST(HandRun, HasThePartInTheHandAndWhatIsThereAtItsStep) {
   const LoadedScenario loaded = test::loadedFrom(threeBoxes());
   Scenario scenario = loaded.scenario;
-  ASSERT_TRUE(prepareHandRun({"right"}, {"left", "object"}, loaded, scenario).ok());
+  ASSERT_TRUE(prepareHandRun({"right"}, {"left", "object"}, loaded, {}, scenario).ok());
   const LoadedScenario run = test::loadedFrom(scenario);
   EXPECT_EQ(run.object.id, "right");
   ASSERT_EQ(run.obstacles.size(), 1U);
@@ -37,22 +37,38 @@ TEST(HandRun, HasThePartInTheHandAndWhatIsThereAtItsStep) {
   Scenario beside = loaded.scenario;
   beside.object.referencePoint = {0.05, 0.05, 0.0};
   const LoadedScenario turned = test::loadedFrom(beside);
-  ASSERT_TRUE(prepareHandRun({"object"}, {}, turned, beside).ok());
+  ASSERT_TRUE(prepareHandRun({"object"}, {}, turned, {}, beside).ok());
   EXPECT_LT((test::loadedFrom(beside).problem.start.position - Vector3(-0.05, -0.05, 0.3)).norm(), 1e-12);
   EXPECT_LT((test::worldBox(test::loadedFrom(beside), "object").min() - test::worldBox(turned, "object").min()).norm(),
             1e-12);
 
   Scenario own = loaded.scenario;
-  ASSERT_TRUE(prepareHandRun({"object"}, {"left"}, loaded, own).ok());
+  ASSERT_TRUE(prepareHandRun({"object"}, {"left"}, loaded, {}, own).ok());
   EXPECT_EQ(own.object.first().id, "object");
   EXPECT_EQ(own.bodies.size(), 2U);
   EXPECT_TRUE(std::holds_alternative<GoalOut>(own.goal));
 }
 
+TEST(HandRun, ThreadsOfTheStepsJointsAreMarkedWhereNobodySaysAnything) {
+  const LoadedScenario loaded = test::loadedFrom(threeBoxes());
+  StepJoint joint{JointKind::Nut, "right", {"base", "left", "object"}};
+  joint.pitch = 1.25e-3;
+  joint.turns = 6.0;
+  Scenario scenario = loaded.scenario;
+  scenario.fits.pairs.push_back({"object", "right", ContactKind::Cylindrical, std::nullopt, false});
+  ASSERT_TRUE(prepareHandRun({"right"}, {"left"}, loaded, {joint}, scenario).ok());
+  ASSERT_EQ(scenario.fits.pairs.size(), 2U) << "left is gone";
+  EXPECT_EQ(scenario.fits.pairs[0].kind, ContactKind::Cylindrical) << "a person's word stays";
+  EXPECT_EQ(scenario.fits.pairs[1].b, "base");
+  EXPECT_EQ(scenario.fits.pairs[1].kind, ContactKind::Thread);
+  EXPECT_EQ(scenario.fits.pairs[1].pitch, 1.25e-3);
+  EXPECT_EQ(scenario.fits.pairs[1].turned, "right");
+}
+
 TEST(HandRun, HasAGroupInTheHandAboutItsMiddle) {
   const LoadedScenario loaded = test::loadedFrom(threeBoxes());
   Scenario scenario = loaded.scenario;
-  ASSERT_TRUE(prepareHandRun({"left", "base"}, {"object"}, loaded, scenario).ok());
+  ASSERT_TRUE(prepareHandRun({"left", "base"}, {"object"}, loaded, {}, scenario).ok());
   const LoadedScenario run = test::loadedFrom(scenario);
   ASSERT_EQ(run.objectBodies.size(), 2U);
   ASSERT_EQ(run.obstacles.size(), 1U);
@@ -73,8 +89,8 @@ TEST(HandRun, RefusesAPartOfABodyOfSeveral) {
   loaded.obstacles[0].id = "robot/arm";
   loaded.obstacles[1].id = "robot/hand";
   Scenario scenario = loaded.scenario;
-  for (const auto& outcome : {prepareHandRun({"robot/arm"}, {}, loaded, scenario),
-                              prepareHandRun({"right"}, {"robot/hand"}, loaded, scenario)}) {
+  for (const auto& outcome : {prepareHandRun({"robot/arm"}, {}, loaded, {}, scenario),
+                              prepareHandRun({"right"}, {"robot/hand"}, loaded, {}, scenario)}) {
     ASSERT_FALSE(outcome.ok());
     EXPECT_EQ(outcome.error().location, "body 'robot'");
     EXPECT_FALSE(outcome.error().advice.empty());
