@@ -14,6 +14,8 @@ namespace {
 /// Steps of the hand that grow nothing, until it has most of its authority no more; and what is left of it.
 constexpr std::uint64_t kPatience = 400;
 constexpr double kLeftInVain = 0.1;
+/// Share of the computer's steps that grow the trees which the hand draws.
+constexpr double kFollowersShare = 0.75;
 /// Moves of the hand in a round. With more the next rounds are shorter, so that it need not wait.
 constexpr std::uint64_t kMostMoves = 4;
 /// Queries of the first repair of the way; the next ones follow Luby's sequence.
@@ -61,13 +63,23 @@ bool HandPartner::takesTurn(PlannerHost& host) {
   if (!sample) return false;
   noteMoves(sample->moves);
   publish(host.parameters());
-  if (!follower_->hasWork(*sample, account_.covers())) return false;
-  const double hands = share(host.parameters());
-  while (authorityStream_.uniform() <= 1.0 - hands) {
+  const bool covered = account_.covers();
+  const bool handHasWork = follower_->hasWork(*sample, covered);
+  const bool shown = follower_->way().size() > 0;
+  if (!handHasWork && !(shown && covered)) return false;
+  const double hands = handHasWork ? share(host.parameters()) : 0.0;
+  for (;;) {
+    if (authorityStream_.uniform() < hands) {
+      follower_->setTurn(HandFollower::Turn::Hand);
+      return true;
+    }
+    if (shown && covered && authorityStream_.uniform() < kFollowersShare) {
+      follower_->setTurn(HandFollower::Turn::Computer);
+      return true;
+    }
     if (prepaid_ == 0) return false;
     --prepaid_;
   }
-  return true;
 }
 
 /// The operator's share, 1 - alpha.
@@ -97,7 +109,10 @@ void HandPartner::publish(const ParameterValues& parameters) {
       way.way(hands, {inForce.contactSamples, inForce.contactDistance, parameters[ParameterId::ContactGap]}));
 }
 
-void HandPartner::turnDone(std::uint64_t work) { account_.charge(work, work); }
+void HandPartner::turnDone(std::uint64_t work) {
+  account_.charge(work, work);
+  account_.credit(follower_->handReport().shown);
+}
 
 void HandPartner::roundDone(const RoundOutcome& outcome) {
   afterRound_ = true;

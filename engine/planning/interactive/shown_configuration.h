@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "engine/base/random_stream.h"
 #include "engine/planning/automatic/eroded_worlds.h"
 
 namespace glissade {
@@ -11,9 +12,10 @@ namespace glissade {
 class ShownConfiguration {
  public:
   /// No configuration is moved by more than this, in radii of the object, in the metric.
-  static constexpr double kMostMoved = 0.3;
+  static constexpr double kMostMoved = 0.5;
 
-  ShownConfiguration(const Problem& problem, std::shared_ptr<ErodedWorlds> worlds);
+  /// `attempts`: of a configuration that cannot be retracted, so many others near by are tried.
+  ShownConfiguration(const Problem& problem, std::shared_ptr<ErodedWorlds> worlds, std::uint64_t seed, int attempts);
 
   struct Freed {
     Pose q;
@@ -28,12 +30,14 @@ class ShownConfiguration {
   QueryCounts counts() const;
 
  private:
-  std::optional<Pose> retractedFrom(const Pose& q, double clearance);
+  std::optional<Pose> retractedFrom(const Pose& q, const Pose& shown, double clearance);
 
   CollisionWorldPtr world_;
   Box3 bounds_;
   Se3Metric metric_;
   std::shared_ptr<ErodedWorlds> worlds_;
+  RandomStream stream_;
+  int attempts_;
   std::unique_ptr<CollisionQuery> query_;
   std::vector<std::unique_ptr<CollisionQuery>> eroded_;  ///< per depth; null until it is needed
 };
