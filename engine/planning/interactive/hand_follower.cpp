@@ -13,7 +13,7 @@ namespace {
 constexpr double kSame = 0.05;
 /// Steps about a gap of the way, for each movement of the hand; and of a search until it begins with another target.
 constexpr int kGapSamples = 8;
-constexpr std::uint64_t kGapSteps = 150;
+constexpr std::uint64_t kGapSteps = 100;
 /// Configurations near the one that is shown, where that cannot be retracted.
 constexpr int kAttempts = 8;
 /// Share of the computer's steps that search a gap of the way, while there is one.
@@ -155,9 +155,12 @@ void HandFollower::sampleContact(PlannerHost& host) {
 
 /// Local planning from the start's tree to a point of the way that it has not reached.
 void HandFollower::searchGap(PlannerHost& host) {
-  passStep(Author::Operator);
   if (!gap_ || gap_->steps() >= kGapSteps || startTreeIsAt(gap_->target())) beginGap();
-  if (!gap_) return;
+  if (!gap_) {
+    sampleGap(host);
+    return;
+  }
+  passStep(Author::Operator);
   const auto bridge = gap_->step(host);
   if (!bridge) return;
   Node at = gapFrom_;
@@ -185,6 +188,21 @@ void HandFollower::beginGap() {
   gapFrom_ = near.index;
   const double deviation = std::max(way_.spread(), kDeviation * near.distance);
   gap_.emplace(problem_, roadmap_.nodes()[near.index].q, target, deviation, stream_.bits(), worlds_);
+}
+
+/// Where no configuration beyond the gap is free: one near a point of the way, or between that and the tree.
+void HandFollower::sampleGap(PlannerHost& host) {
+  const auto& points = way_.points();
+  const std::uint64_t missing = std::min<std::uint64_t>(way_.version() - reached_, points.size());
+  const std::uint64_t back = 1 + static_cast<std::uint64_t>(stream_.uniform() * static_cast<double>(missing));
+  const Pose& target = points[points.size() - std::min(back, missing)].q;
+  const auto near = roadmap_.nearest(roadmap_.componentOf(startRoot_), target);
+  const Pose between = interpolate(roadmap_.nodes()[near.index].q, target, std::sqrt(stream_.uniform()));
+  const double deviation = std::max(kSame * metric_.radius(), kDeviation * near.distance) * stream_.uniform();
+  const Pose q = perturbed(between, deviation, metric_.radius(), problem_.bounds, stream_);
+  addTree(q, Author::Operator, host);
+  slide(q, host);
+  noteReached();
 }
 
 void HandFollower::endGap() {

@@ -46,6 +46,7 @@ class HandFollower final : public AddTreePlanner, public ReportsInteraction, pub
   void follow(const Pose& q, PlannerHost& host);
   void sampleContact(PlannerHost& host);
   void searchGap(PlannerHost& host);
+  void sampleGap(PlannerHost& host);
   void beginGap();
   void endGap();
   void sampleForComputer(PlannerHost& host);

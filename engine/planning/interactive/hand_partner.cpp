@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint64_t kPatience = 400;
 constexpr double kLeftInVain = 0.1;
 /// Share of the computer's steps that grow the trees which the hand draws.
-constexpr double kFollowersShare = 0.75;
+constexpr double kFollowersShare = 0.9;
 /// Moves of the hand in a round. With more the next rounds are shorter, so that it need not wait.
 constexpr std::uint64_t kMostMoves = 4;
 /// Queries of the first repair of the way; the next ones follow Luby's sequence.
