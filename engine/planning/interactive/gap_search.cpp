@@ -21,8 +21,7 @@ class FreedSampler final : public ConfigurationSampler {
 
   Pose draw() override {
     const Pose q = from_->draw();
-    const auto freed = configuration_->freed(q, clearance_);
-    return freed ? freed->q : q;
+    return configuration_->freedPose(q, clearance_).value_or(q);
   }
 
  private:

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/base/tolerances.h"
+#include "engine/planning/automatic/portfolio.h"
 #include "engine/planning/automatic/tube_sampler.h"
 
 namespace glissade {
@@ -13,7 +14,7 @@ namespace {
 constexpr double kSame = 0.05;
 /// Steps about a gap of the way, for each movement of the hand; and of a search until it begins with another target.
 constexpr int kGapSamples = 8;
-constexpr std::uint64_t kGapSteps = 100;
+constexpr std::uint64_t kGapSteps = 100;  // the first time; the next ones follow Luby's sequence
 /// Configurations near the one that is shown, where that cannot be retracted.
 constexpr int kAttempts = 8;
 /// Share of the computer's steps that search a gap of the way, while there is one.
@@ -128,13 +129,18 @@ void HandFollower::follow(const Pose& q, PlannerHost& host) {
   contactSamplesLeft_ = inForce.contactSamples;
 }
 
-/// Goes on along the way as far as the start's tree has got meanwhile.
+/// Goes on along the way as far as the start's tree has got by the nodes since the last time.
 void HandFollower::noteReached() {
   const auto& points = way_.points();
   const std::uint64_t first = way_.version() - points.size();
   reached_ = std::max(reached_, first);
-  for (std::uint64_t i = way_.version(); i > reached_; --i) {
-    if (startTreeIsAt(points[i - 1 - first].q)) reached_ = i;
+  const ComponentId start = roadmap_.componentOf(startRoot_);
+  for (; nodesSeen_ < roadmap_.nodes().size(); ++nodesSeen_) {
+    if (roadmap_.componentOf(static_cast<Node>(nodesSeen_)) != start) continue;
+    const Pose& q = roadmap_.nodes()[nodesSeen_].q;
+    for (std::uint64_t i = way_.version(); i > reached_; --i) {
+      if (metric_.distance(points[i - 1 - first].q, q) <= kSame * metric_.radius()) reached_ = i;
+    }
   }
 }
 
@@ -155,7 +161,7 @@ void HandFollower::sampleContact(PlannerHost& host) {
 
 /// Local planning from the start's tree to a point of the way that it has not reached.
 void HandFollower::searchGap(PlannerHost& host) {
-  if (!gap_ || gap_->steps() >= kGapSteps || startTreeIsAt(gap_->target())) beginGap();
+  if (!gap_ || gap_->steps() >= kGapSteps * lubyTerm(gapsInVain_) || startTreeIsAt(gap_->target())) beginGap();
   if (!gap_) {
     sampleGap(host);
     return;
@@ -168,11 +174,13 @@ void HandFollower::searchGap(PlannerHost& host) {
     at = roadmap_.addChild(at, {(*bridge)[i], Author::Operator, roadmap_.nodes()[gapFrom_].side});
   }
   endGap();
+  gapsInVain_ = 0;
   noteReached();
 }
 
 void HandFollower::beginGap() {
   endGap();
+  ++gapsInVain_;
   const auto& points = way_.points();
   const std::uint64_t first = way_.version() - points.size();
   std::vector<Pose> targets;
@@ -240,13 +248,13 @@ void HandFollower::slide(const Pose& q, PlannerHost& host) {
     auto near = roadmap_.nearest(component, q);
     for (int i = 0; i < kPieces && near.distance > piece && !host.stopToken().stopRequested(); ++i) {
       const Pose from = roadmap_.nodes()[near.index].q;
-      const auto freed = configuration_.freed(interpolate(from, q, piece / near.distance), gap);
+      const auto freed = configuration_.freedPose(interpolate(from, q, piece / near.distance), gap);
       if (!freed) break;
-      const double left = metric_.distance(freed->q, q);
+      const double left = metric_.distance(*freed, q);
       if (left > near.distance - kProgress * piece) break;
       const double step = host.parameters()[ParameterId::GrowthStep];
-      if (freeFraction(*query_, from, freed->q, step, host.stopToken()) < 1.0) break;
-      const auto node = roadmap_.addChild(near.index, {freed->q, Author::Contact, roadmap_.nodes()[near.index].side});
+      if (freeFraction(*query_, from, *freed, step, host.stopToken()) < 1.0) break;
+      const auto node = roadmap_.addChild(near.index, {*freed, Author::Contact, roadmap_.nodes()[near.index].side});
       near = {node, left};
     }
   }

@@ -70,9 +70,11 @@ class HandFollower final : public AddTreePlanner, public ReportsInteraction, pub
   int contactSamplesLeft_ = 0;
   int gapSamplesLeft_ = 0;
   std::uint64_t reached_ = 0;  ///< points of the way up to the last one that the start's tree has reached
+  std::size_t nodesSeen_ = 0;  ///< by noteReached()
   std::optional<GapSearch> gap_;
-  Node gapFrom_ = 0;      ///< of the start's tree, where the search begins
-  QueryCounts pastGaps_;  ///< of searches that are over
+  std::uint64_t gapsInVain_ = 0;  ///< searches since one found a way, the present one with them
+  Node gapFrom_ = 0;              ///< of the start's tree, where the search begins
+  QueryCounts pastGaps_;          ///< of searches that are over
   Turn turn_ = Turn::Hand;
   bool gapNext_ = false;  ///< while the hand moves and the trees lag, its configurations and the gap's take turns
   double contactClearance_ = 0.0;

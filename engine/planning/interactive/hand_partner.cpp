@@ -16,14 +16,19 @@ constexpr std::uint64_t kPatience = 400;
 constexpr double kLeftInVain = 0.1;
 /// Share of the computer's steps that grow the trees which the hand draws.
 constexpr double kFollowersShare = 0.9;
-/// Moves of the hand in a round. With more the next rounds are shorter, so that it need not wait.
-constexpr std::uint64_t kMostMoves = 4;
+/// Movement of the hand in a round, in radii of the object. With more the next rounds are shorter, so that it need not
+/// wait; with little they become longer.
+constexpr double kMostMovement = 0.05;
+constexpr double kLittleMovement = 0.01;
 /// Queries of the first repair of the way; the next ones follow Luby's sequence.
 constexpr std::uint64_t kRepairWork = 40'000;
 /// Points of the way that are nearer than this lie side by side. In radii of the object.
 constexpr double kBesides = 0.06;
 /// What is nearer to the way than this runs along it. In radii of the object.
 constexpr double kAlong = 0.2;
+/// A path that runs along the way for less of its length is the computer's.
+constexpr double kLeastFollowed = 0.1;
+constexpr const char* kWayMember = "hand-way";
 /// Share of the draws of the member that grows trees in the tube.
 constexpr double kTubeShare = 0.9;
 
@@ -61,19 +66,21 @@ bool HandPartner::takesTurn(PlannerHost& host) {
   const auto sample = host.operatorSample();
   held_ = sample.has_value();
   if (!sample) return false;
-  noteMoves(sample->moves);
+  noteMovement(sample->q_device);
+  beforeRound_ = sample->q_device;
   publish(host.parameters());
   const bool covered = account_.covers();
   const bool handHasWork = follower_->hasWork(*sample, covered);
   const bool shown = follower_->way().size() > 0;
-  if (!handHasWork && !(shown && covered)) return false;
+  const bool grows = shown && account_.stepsAreScarce();  // the computer's steps, too, grow the hand's trees
+  if (!handHasWork && !grows) return false;
   const double hands = handHasWork ? share(host.parameters()) : 0.0;
   for (;;) {
     if (authorityStream_.uniform() < hands) {
       follower_->setTurn(HandFollower::Turn::Hand);
       return true;
     }
-    if (shown && covered && authorityStream_.uniform() < kFollowersShare) {
+    if (grows && authorityStream_.uniform() < kFollowersShare) {
       follower_->setTurn(HandFollower::Turn::Computer);
       return true;
     }
@@ -88,13 +95,12 @@ double HandPartner::share(const ParameterValues& parameters) const {
   return follower_->stepsInVain() > kPatience ? kLeftInVain * share : share;
 }
 
-/// Where the hand moves a lot in a round, as in lockstep, rounds become short.
-void HandPartner::noteMoves(std::uint64_t moves) {
-  const std::uint64_t moved = moves - movesSeen_;
-  movesSeen_ = moves;
+/// Where the hand gets on in a round, as in lockstep, rounds become short.
+void HandPartner::noteMovement(const Pose& q) {
   if (!std::exchange(afterRound_, false)) return;
-  if (moved > kMostMoves) mostWork_ = std::max<std::uint64_t>(1, mostWork_ / 2);
-  if (moved <= 1) mostWork_ = std::min(kMostWork, 2 * mostWork_);
+  const double moved = problem_.metric().distance(q, beforeRound_) / problem_.world->objectRadius();
+  if (moved > kMostMovement) mostWork_ = std::max<std::uint64_t>(1, mostWork_ / 2);
+  if (moved < kLittleMovement) mostWork_ = std::min(kMostWork, 2 * mostWork_);
 }
 
 void HandPartner::publish(const ParameterValues& parameters) {
@@ -110,8 +116,8 @@ void HandPartner::publish(const ParameterValues& parameters) {
 }
 
 void HandPartner::turnDone(std::uint64_t work) {
-  account_.charge(work, work);
-  account_.credit(follower_->handReport().shown);
+  account_.charge(1, work, work);
+  account_.noteShown(follower_->handReport().shown);
 }
 
 void HandPartner::roundDone(const RoundOutcome& outcome) {
@@ -120,7 +126,7 @@ void HandPartner::roundDone(const RoundOutcome& outcome) {
   const double shared = board_->current() ? board_->current()->share : 0.0;
   const double hands =
       static_cast<double>(outcome.partnersWork) + shared * static_cast<double>(outcome.work - outcome.partnersWork);
-  account_.charge(outcome.work, static_cast<std::uint64_t>(hands));
+  account_.charge(outcome.turns, outcome.work, static_cast<std::uint64_t>(hands));
   if (held_) follower_->computerHadTurn(outcome.reach);
 }
 
@@ -138,7 +144,7 @@ std::vector<Member> HandPartner::members() {
   constexpr double kTreesShare = 3.0;
   constexpr std::uint64_t kFirstLife = 2'500'000;
   return {
-      {"hand-way",
+      {kWayMember,
        {kWayShare, 0, 0, Restart::Luby, kNoEntry},
        [problem = problem_, board = board_](std::uint64_t seed, std::uint64_t life) -> std::unique_ptr<Planner> {
          const PathRepair::Options options{problem.world, 0.0, treesOf(problem, life), kRepairWork * lubyTerm(life)};
@@ -154,7 +160,9 @@ std::vector<Member> HandPartner::members() {
 }
 
 void HandPartner::solved(const Path& path, const std::string& solver) {
-  follower_->pathFound(solver.empty() || solver == "hand-way", followedShare(path));
+  const double followed = followedShare(path);
+  const bool hands = solver.empty() || solver == kWayMember;
+  follower_->pathFound(hands && followed >= kLeastFollowed, followed);
 }
 
 /// By length, in the metric.

@@ -34,7 +34,7 @@ class HandPartner final : public PortfolioPartner {
   const HandAccount& account() const { return account_; }
 
  private:
-  void noteMoves(std::uint64_t moves);
+  void noteMovement(const Pose& q);
   void publish(const ParameterValues& parameters);
   double share(const ParameterValues& parameters) const;
   double followedShare(const Path& path) const;
@@ -47,7 +47,7 @@ class HandPartner final : public PortfolioPartner {
   SubPlanner planner_;
   HandAccount account_;
   std::uint64_t prepaid_ = 0;  ///< steps of the computer's that were taken at once
-  std::uint64_t movesSeen_ = 0;
+  Pose beforeRound_;           ///< where the hand was then
   std::uint64_t mostWork_ = kMostWork;
   std::uint64_t published_ = 0;  ///< version of the way on the board
   bool held_ = false;            ///< somebody held the object when the round began

@@ -9,7 +9,7 @@ namespace glissade {
 namespace {
 
 /// Depths of erosion, in radii of the object, the least first: its edges move least off.
-constexpr std::array<double, 4> kDepths{0.01, 0.03, 0.07, 0.14};
+constexpr std::array<double, 3> kDepths{0.02, 0.06, 0.14};
 /// Edges of an eroded object have moved by more than its faces.
 constexpr std::array<double, 2> kDemands{1.05, 1.6};
 /// How far the last of the others near by is moved at random, for each direction. In radii of the object.
@@ -29,15 +29,19 @@ ShownConfiguration::ShownConfiguration(const Problem& problem, std::shared_ptr<E
       eroded_(kDepths.size()) {}
 
 std::optional<ShownConfiguration::Freed> ShownConfiguration::freed(const Pose& q, double clearance) {
-  const NearestObstacle shown = query_->nearestObstacle(q);
-  if (shown.distance > 0.0) return Freed{q, shown, 0.0};
+  const auto found = freedPose(q, clearance);
+  if (!found) return std::nullopt;
+  return Freed{*found, query_->nearestObstacle(*found), metric_.distance(q, *found)};
+}
+
+std::optional<Pose> ShownConfiguration::freedPose(const Pose& q, double clearance) {
+  if (!query_->collides(q)) return q;
   auto found = retractedFrom(q, q, clearance);
   for (int attempt = 1; !found && attempt <= attempts_; ++attempt) {
     const double deviation = kAround * metric_.radius() * attempt / attempts_;
     found = retractedFrom(perturbed(q, deviation, metric_.radius(), bounds_, stream_), q, clearance);
   }
-  if (!found) return std::nullopt;
-  return Freed{*found, query_->nearestObstacle(*found), metric_.distance(q, *found)};
+  return found;
 }
 
 std::optional<Pose> ShownConfiguration::retractedFrom(const Pose& q, const Pose& shown, double clearance) {

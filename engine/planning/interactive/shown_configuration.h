@@ -25,6 +25,8 @@ class ShownConfiguration {
   /// Nothing where no free configuration was found within the bound. `clearance` in metres is what a retracted one
   /// keeps.
   std::optional<Freed> freed(const Pose& q, double clearance);
+  /// The same without what is near: cheaper where q is free.
+  std::optional<Pose> freedPose(const Pose& q, double clearance);
 
   /// Of all its queries.
   QueryCounts counts() const;
