@@ -67,7 +67,7 @@ struct Scenario {
   Goal goal;
   Box3 workspace;
   WayPoints wayPoints;
-  std::string planner = "interactive";
+  std::string planner = "contact-birrt";
   std::map<ParameterId, double> parameters;  ///< only what differs from the defaults
   EnvironmentOptions environment;
   std::vector<AttributeDefinition> attributeDefinitions;  ///< the user's own attributes

@@ -118,7 +118,7 @@ inline double valueInForce(const SessionSnapshot& snapshot, ParameterId id) {
 struct SessionConfig {
   Problem problem;
   ParameterValues parameters;
-  std::string plannerId = "interactive";
+  std::string plannerId = "contact-birrt";
   std::uint64_t seed = 1;
   std::unique_ptr<OperatorDevice> device;  ///< null: no operator
 };
