@@ -95,7 +95,7 @@ void AutomaticPlanner::round(PlannerHost& host) {
   }
   deliver();
   for (const Part& part : parts_) settle(part);
-  if (partner_) tellPartner(edgesBefore);
+  if (partner_) tellPartner(quantum, edgesBefore);
   quantum_ = std::min(2 * quantum_, kQuantum);
 }
 
@@ -111,8 +111,9 @@ void AutomaticPlanner::partnersTurn(PlannerHost& host) {
   solver_ = kPartner;
 }
 
-void AutomaticPlanner::tellPartner(std::size_t edgesBefore) {
+void AutomaticPlanner::tellPartner(std::uint64_t quantum, std::size_t edgesBefore) {
   RoundOutcome outcome;
+  outcome.quantum = quantum;
   for (const Part& part : parts_) {
     outcome.turns += part.result.turns;
     outcome.work += part.result.work;

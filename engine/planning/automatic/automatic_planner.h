@@ -67,7 +67,7 @@ class AutomaticPlanner final : public Planner, public ReportsMembers {
   std::vector<Member> membersOf(const Problem& problem) const;
   void round(PlannerHost& host);
   void partnersTurn(PlannerHost& host);
-  void tellPartner(std::size_t edgesBefore);
+  void tellPartner(std::uint64_t quantum, std::size_t edgesBefore);
   void deal(std::size_t slots, std::uint64_t quantum);
   void runParts(PlannerHost& host, std::size_t slots, std::uint64_t quantum);
   void work(Part& part, PlannerHost& host, std::uint64_t quantum);

@@ -14,6 +14,7 @@ namespace glissade {
 
 /// What a round of a portfolio has brought.
 struct RoundOutcome {
+  std::uint64_t quantum = 0;  ///< work that each slot was dealt
   std::uint64_t turns = 0;
   std::uint64_t work = 0;          ///< of all members
   std::uint64_t partnersWork = 0;  ///< of those that are the partner's

@@ -97,9 +97,13 @@ double HandPartner::share(const ParameterValues& parameters) const {
 
 /// Where the hand gets on in a round, as in lockstep, rounds become short.
 void HandPartner::noteMovement(const Pose& q) {
-  if (!std::exchange(afterRound_, false)) return;
+  const std::uint64_t quantum = std::exchange(lastQuantum_, 0);
+  if (quantum == 0) return;
   const double moved = problem_.metric().distance(q, beforeRound_) / problem_.world->objectRadius();
-  if (moved > kMostMovement) mostWork_ = std::max<std::uint64_t>(1, mostWork_ / 2);
+  if (moved > kMostMovement) {
+    const double work = static_cast<double>(quantum) * kMostMovement / moved;
+    mostWork_ = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(work));
+  }
   if (moved < kLittleMovement) mostWork_ = std::min(kMostWork, 2 * mostWork_);
 }
 
@@ -121,7 +125,7 @@ void HandPartner::turnDone(std::uint64_t work) {
 }
 
 void HandPartner::roundDone(const RoundOutcome& outcome) {
-  afterRound_ = true;
+  lastQuantum_ = outcome.quantum;
   prepaid_ += outcome.turns - 1;
   const double shared = board_->current() ? board_->current()->share : 0.0;
   const double hands =

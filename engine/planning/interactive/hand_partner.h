@@ -49,9 +49,9 @@ class HandPartner final : public PortfolioPartner {
   std::uint64_t prepaid_ = 0;  ///< steps of the computer's that were taken at once
   Pose beforeRound_;           ///< where the hand was then
   std::uint64_t mostWork_ = kMostWork;
-  std::uint64_t published_ = 0;  ///< version of the way on the board
-  bool held_ = false;            ///< somebody held the object when the round began
-  bool afterRound_ = false;
+  std::uint64_t published_ = 0;    ///< version of the way on the board
+  bool held_ = false;              ///< somebody held the object when the round began
+  std::uint64_t lastQuantum_ = 0;  ///< of the round before; 0: it was looked at
 
   static constexpr std::uint64_t kMostWork = 10'000;
 };
