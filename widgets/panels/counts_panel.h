@@ -44,7 +44,7 @@ class CountsPanel final : public QWidget {
   QLabel* mode_;
   QLabel* nearest_;
   QLabel* distance_;
-  QLabel* hand_;  ///< what came of what the hand has shown
+  QLabel* hand_;                         ///< what came of what the hand has shown
   std::optional<double> shownDistance_;  ///< metres; none: not known
 };
 
