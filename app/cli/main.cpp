@@ -101,7 +101,10 @@ CLI::App* addPlan(CLI::App& app, PlanOptions& options) {
       "Collision checker: kernel or fcl (default: kernel)");
   addFitOptions(*plan, options.fits, "the scenario's");
   plan->add_option("--operator", options.operatorName,
-                   "Operator: none, novice, default, expert, simulated-haptic or replay:FILE");
+                   "Operator: none, novice, default, expert, simulated-haptic, task-novice, task-expert, misleading or "
+                   "replay:FILE");
+  plan->add_option("--way", options.way,
+                   "A simulated operator shows the way of this path, not the scenario's way-points");
   addParameters(*plan, options.parameters);
   plan->add_flag_callback(
       "--smooth", [&options] { options.parameters.try_emplace(ParameterId::Smoothing, kUsualShortcuts); },

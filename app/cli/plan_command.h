@@ -13,7 +13,8 @@ struct PlanOptions {
   std::string scenario;
   std::optional<std::string> strategy;  ///< planner id; the scenario's where absent
   CollisionBackend collision = CollisionBackend::Kernel;
-  std::string operatorName = "none";         ///< none, novice, default, expert or replay:FILE
+  std::string operatorName = "none";         ///< none, novice, default, expert, task-expert, ... or replay:FILE
+  std::string way;                           ///< path file that a simulated operator's way-points are of; empty: none
   std::map<ParameterId, double> parameters;  ///< what overrides the scenario's
   FitOptions fits;
   std::optional<std::uint64_t> seed;

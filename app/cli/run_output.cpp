@@ -92,6 +92,25 @@ Json toJson(const InteractionSettings& settings, int tuned) {
   return json;
 }
 
+Json toJson(const HandReport& hand, bool found) {
+  Json json{{"shown", hand.shown}, {"in_collision", hand.collided}, {"moved_to_contact", hand.movedToContact}};
+  if (found) json.update({{"joined", hand.joined}, {"followed", hand.followed}});
+  return json;
+}
+
+/// What came of what the hand has shown.
+void printHand(const HandReport& hand, bool found) {
+  std::cout << "your hand showed " << hand.shown << " configurations; " << hand.collided << " were in collision, "
+            << hand.movedToContact << " of these were moved to contact\n";
+  if (!found) return;
+  if (hand.joined) {
+    std::cout << "your way joined start and goal\n";
+  } else {
+    std::cout << "the computer joined start and goal\n";
+  }
+  std::cout << "the path follows your way for " << percent(hand.followed) << " of its length\n";
+}
+
 Json toJson(const SessionSnapshot& end, const CollisionWorld& world, bool edges) {
   const PlannerCounts& counts = end.counts;
   Json report;
@@ -134,6 +153,7 @@ Json toJson(const SessionSnapshot& end, const CollisionWorld& world, bool edges)
     const int tuned = end.parameters.integer(ParameterId::Tuning);
     report["tuning"] = {{"final", toJson(end.tuning->now, tuned)}, {"median", toJson(end.tuning->median, tuned)}};
   }
+  if (end.hand) report["hand"] = toJson(*end.hand, end.path != nullptr);
   report["seed"] = end.seed;
   report["version"] = kVersion;
   if (end.problem) report["error"] = cli::toJson(*end.problem);
@@ -157,6 +177,7 @@ void printText(const SessionSnapshot& end, const CollisionWorld& world) {
                 << step.randomConfigurations << " random configurations (" << step.why << ")\n";
     }
   }
+  if (end.hand) printHand(*end.hand, end.path != nullptr);
   if (!end.path) return;
   std::cout << "path of " << end.path->points.size() << " configurations, " << end.path->length() << " m, "
             << end.path->rotation() << " rad\n"

@@ -4,6 +4,8 @@
 #include <cctype>
 
 #include "engine/operator/device_registry.h"
+#include "engine/operator/task_operator.h"
+#include "engine/scenario/path_reader.h"
 #include "engine/scenario/run_record.h"
 #include "engine/session/replay_session.h"
 
@@ -12,8 +14,16 @@ namespace {
 
 constexpr const char* kReplay = "replay:";
 
-/// The way of a simulated operator: the scenario's way-points, then the goal if it is a configuration.
-std::vector<Pose> routeOf(const LoadedScenario& scenario) {
+/// The way of a simulated operator: that of a path, where one is given; else the scenario's way-points, then the goal
+/// if it is a configuration.
+Result<std::vector<Pose>> routeOf(const PlanOptions& options, const LoadedScenario& scenario) {
+  if (!options.way.empty()) {
+    const auto points = readPath(options.way);
+    if (!points) return points.error();
+    std::vector<Pose> path;
+    for (const PathPoint& point : *points) path.push_back(point.q);
+    return taskRoute(path, scenario.problem.metric());
+  }
   std::vector<Pose> route = scenario.scenario.wayPoints;
   if (const Pose* goal = std::get_if<Pose>(&scenario.problem.goal)) route.push_back(*goal);
   return route;
@@ -61,9 +71,15 @@ Result<std::unique_ptr<LockstepSession>> setUpReplay(const PlanOptions& options,
                                                             another ? ReplayEnd::GoOn : ReplayEnd::WithTheLog));
 }
 
+DeviceRegistry simulatedOperators() {
+  DeviceRegistry registry = makeDeviceRegistry();
+  addTaskOperators(registry);
+  return registry;
+}
+
 Diagnostic unknownOperator(const std::string& name) {
   std::string known = "none";
-  const DeviceRegistry registry = makeDeviceRegistry();
+  const DeviceRegistry registry = simulatedOperators();
   for (const DeviceEntry& entry : registry.entries()) {
     if (entry.simulated) known += ", " + entry.id;
   }
@@ -89,11 +105,13 @@ Result<std::unique_ptr<LockstepSession>> setUpRun(const PlanOptions& options, co
   if (!planner) return planner.error();
   if (name == "none") return makeLockstepSession(std::move(config));
 
-  const DeviceRegistry registry = makeDeviceRegistry();
+  const DeviceRegistry registry = simulatedOperators();
   const DeviceEntry* entry = registry.find(name);
   if (entry == nullptr || !entry->simulated) return unknownOperator(name);
+  auto route = routeOf(options, scenario);
+  if (!route) return route.error();
   config.device =
-      entry->make({routeOf(scenario), scenario.problem.metric(), config.seed, nullptr, scenario.problem.world});
+      entry->make({std::move(*route), scenario.problem.metric(), config.seed, nullptr, scenario.problem.world});
   return makeLockstepSession(std::move(config));
 }
 

@@ -5,6 +5,7 @@
 #include "app/window/run_script.h"
 #include "app/window/status_text.h"
 #include "widgets/editors/rules_dialog.h"
+#include "widgets/panels/strategy_use.h"
 
 namespace glissade {
 
@@ -32,7 +33,7 @@ RunController::RunController(const Workbench& bench)
   connect(&bench.run, &ShownRun::liveChanged, this, [this](bool live) { interaction_->setReplayed(!live); });
   connect(interaction_, &InteractionPanel::commanded, &bench.session, &SessionBridge::post);
   connect(interaction_, &InteractionPanel::deviceChosen, this,
-          [this](const QString& id) { bench_.session.setDevice(id.toStdString()); });
+          [this](const QString& id) { chooseDevice(id.toStdString()); });
   connectActions();
   enableActions(nullptr);
   addRunCommands(bench);
@@ -100,6 +101,14 @@ void RunController::enableActions(const SessionSnapshot* snapshot) {
   const bool tuned = snapshot != nullptr && snapshot->parameters[ParameterId::Tuning] > 0.0;
   bench_.actions["run.tuning"]->setChecked(tuned);
   bench_.actions["run.pause"]->setChecked(live && snapshot->state == SessionState::Paused);
+}
+
+/// Whoever takes the object in his hand means to take part in the search.
+void RunController::chooseDevice(const std::string& id) {
+  bench_.session.setDevice(id);
+  const std::string& strategy = bench_.document.settings().strategy;
+  const std::string withHand = strategyWithHand(strategy, id);
+  if (withHand != strategy) bench_.session.post(command::SetPlanner{withHand});
 }
 
 void RunController::restart(std::uint64_t seed) {

@@ -27,6 +27,7 @@ class RunController final : public QObject {
   void takeSnapshot(const SessionSnapshot& snapshot);
   void showRun(const SnapshotPtr& snapshot);
   void enableActions(const SessionSnapshot* snapshot);
+  void chooseDevice(const std::string& id);
   void restart(std::uint64_t seed);
   /// Shows the rules of the strategy; changed, they become the scenario's own.
   void editRules();

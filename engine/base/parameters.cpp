@@ -34,7 +34,7 @@ constexpr std::array<ParameterSpec, kParameterCount> kTable{{
     {Id::ExtensionStep, "extension_step", "--extension-step", "", "Extension step", "m", 1e-3, 1.0,
      tolerance::kRandomExtensionStep, Scale::ObjectRadius, false, false,
      "A blocked extension towards a random configuration ends at a multiple of this, off the obstacle."},
-    {Id::StepsPerSecond, "steps_per_second", "--steps-per-second", "", "Steps per second", "1/s", 1.0, 10000.0, 40.0,
+    {Id::StepsPerSecond, "steps_per_second", "--steps-per-second", "", "Steps per second", "1/s", 1.0, 1e6, 40.0,
      Scale::Absolute, false, false,
      "Lockstep clock: planner steps in one second of the simulated or recorded operator."},
     {Id::MaxSteps, "max_steps", "--max-steps", "", "Step limit", "", 0.0, 1e9, 0.0, Scale::Absolute, true, false,

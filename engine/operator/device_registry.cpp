@@ -7,6 +7,7 @@
 #include "engine/operator/haptic/simulated_haptic_device.h"
 #include "engine/operator/shaped_device.h"
 #include "engine/operator/simulated_operator.h"
+#include "engine/operator/task_operator.h"
 
 namespace glissade {
 namespace {
@@ -66,6 +67,15 @@ DeviceRegistry makeDeviceRegistry() {
                            "Draws the object along the way-points and feels the obstacles.", true,
                            makeSimulatedHaptic));
   return registry;
+}
+
+void addTaskOperators(DeviceRegistry& registry) {
+  for (const TaskLevel& level : taskLevels()) {
+    registry.add({std::string(level.id), std::string(level.id), "Shows a way at the level of a task.", true,
+                  [level](const DeviceContext& context) -> std::unique_ptr<OperatorDevice> {
+                    return std::make_unique<TaskOperator>(level, context.route, context.metric, context.seed);
+                  }});
+  }
 }
 
 }  // namespace glissade

@@ -45,4 +45,7 @@ class DeviceRegistry {
 /// hand (all that a person can hold together), keyboard, mouse6d, gamepad, expert, default, novice, simulated-haptic.
 DeviceRegistry makeDeviceRegistry();
 
+/// Adds the simulated persons of studies, who show a way at the level of a task (task_operator.h).
+void addTaskOperators(DeviceRegistry& registry);
+
 }  // namespace glissade

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/operator/minimum_jerk.h"
+
 namespace glissade {
 namespace {
 
@@ -10,8 +12,6 @@ namespace {
 constexpr double kReached = 0.3 / 1.536;  ///< times r: the tree is this near a way-point
 constexpr double kLagging = 0.9 / 1.536;  ///< times r: the tree is this far behind the hand
 
-constexpr double kPeakOverMean = 1.875;      ///< of the speed of a minimum-jerk movement
-constexpr double kShortestMovement = 0.3;    ///< s
 constexpr double kLongestReach = 2.0;        ///< m (and rad) covered by one sub-movement
 constexpr double kWaitForTree = 3.0;         ///< s of waiting for the tree before he fetches it
 constexpr double kLinger = 3.0;              ///< s at a way-point before he goes on without the tree
@@ -25,9 +25,6 @@ constexpr std::array<OperatorLevel, 3> kLevels{{
     {"default", 0.6, 0.9, 0.25, 0.10, 0.18, 0.03, 0.06, 0.05},
     {"novice", 0.35, 0.5, 0.40, 0.18, 0.30, 0.03, 0.06, 0.30},
 }};
-
-/// Share of a minimum-jerk movement done after the share s of its time.
-double minimumJerk(double s) { return s * s * s * (10.0 + s * (-15.0 + s * 6.0)); }
 
 Vector3 shortened(const Vector3& v, double longest) {
   const double length = v.norm();
@@ -128,16 +125,17 @@ void SimulatedOperator::beginSubMovement() {
   const Quaternion turnedTo = fromRotationVector(noise(level_.aimErrorAngle)) * target.orientation;
   movement_.translation = shortened(aimedAt - aimed_.position, kLongestReach);
   movement_.rotation = shortened(rotationVector(aimed_.orientation, turnedTo), kLongestReach);
-  movement_.duration = std::max({kShortestMovement, kPeakOverMean * movement_.translation.norm() / level_.linearSpeed,
-                                 kPeakOverMean * movement_.rotation.norm() / level_.angularSpeed});
+  movement_.duration = std::max({minimum_jerk::kShortest,
+                                 minimum_jerk::kPeakOverMean * movement_.translation.norm() / level_.linearSpeed,
+                                 minimum_jerk::kPeakOverMean * movement_.rotation.norm() / level_.angularSpeed});
   movement_.elapsed = 0.0;
 }
 
 Twist SimulatedOperator::follow(double dt) {
   if (movement_.elapsed >= movement_.duration) beginSubMovement();
-  const double before = minimumJerk(movement_.elapsed / movement_.duration);
+  const double before = minimum_jerk::share(movement_.elapsed / movement_.duration);
   movement_.elapsed = std::min(movement_.duration, movement_.elapsed + dt);
-  const double share = (minimumJerk(movement_.elapsed / movement_.duration) - before) / dt;
+  const double share = (minimum_jerk::share(movement_.elapsed / movement_.duration) - before) / dt;
   if (movement_.elapsed >= movement_.duration) rest_ = level_.delay;
   return {share * movement_.translation, share * movement_.rotation};
 }

@@ -5,6 +5,7 @@
 #include "engine/planning/contact/interactive_contact_birrt.h"
 #include "engine/planning/direct_planner.h"
 #include "engine/planning/fine/multi_layer_planner.h"
+#include "engine/planning/interactive/hand_partner.h"
 #include "engine/planning/ompl/ompl_planner.h"
 #include "engine/planning/planner.h"
 #include "engine/planning/rrt.h"
@@ -39,7 +40,7 @@ PlannerEntry multiLayer(const std::string& id, std::string label, std::string de
 
 void addFirstPapersPlanners(PlannerRegistry& registry) {
   registry.add(
-      interactive("contact-birrt", "Interactive with contact",
+      interactive("contact-birrt", "Interactive with contact (paper)",
                   "You steer the object and the computer searches with you; near an obstacle the object slides "
                   "on it (Blin et al. 2016, Algorithm 1).",
                   OperatorUse::GuideAndContact));
@@ -115,6 +116,14 @@ PlannerRegistry allWholePlanners() {
                 false, true, [](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {
                   return std::make_unique<AutomaticPlanner>(problem, seed);
                 }});
+  registry.add(
+      {"interactive", "Interactive",
+       "You steer the object, and the automatic planners search along the way that you show. Without your hand "
+       "it is the automatic strategy.",
+       true, true, [](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {
+         return std::make_unique<AutomaticPlanner>(problem, seed, std::thread::hardware_concurrency(),
+                                                   std::make_unique<HandPartner>(problem, seed));
+       }});
   addFirstPapersPlanners(registry);
   registry.add(interactive("interactive-birrt", "Interactive without contact",
                            "Operator and computer share authority, no contact sampling (Blin et al. 2016, table I).",

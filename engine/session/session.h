@@ -11,6 +11,7 @@
 #include "engine/operator/run_log.h"
 #include "engine/planning/coarse/coarse_plan.h"
 #include "engine/planning/contact/interaction_settings.h"
+#include "engine/planning/interactive/hand_report.h"
 #include "engine/planning/path_examination.h"
 #include "engine/planning/planner.h"
 
@@ -98,6 +99,7 @@ struct SessionSnapshot {
   RunLogParts log;                     ///< what shaped the run: at most a second old, and whole once it has ended
   std::string member;                  ///< of the automatic planner: whose turn it is, or who found the path
   std::optional<TuningReport> tuning;  ///< what has set itself; `parameters` stay the user's own
+  std::optional<HandReport> hand;      ///< what came of what the hand has shown; nothing: no strategy asks for it
 };
 using SnapshotPtr = std::shared_ptr<const SessionSnapshot>;
 

@@ -363,6 +363,7 @@ void SessionCore::describe(SessionSnapshot& snapshot) {
     snapshot.coarsePlan = coarsePlanOf(*planner_);
     snapshot.member = memberOf(*planner_);
     snapshot.tuning = tuningOf(*planner_);
+    snapshot.hand = handReportOf(*planner_);
   }
   snapshot.roadmap = roadmap_.chunks();
   snapshot.nodesByAuthor = roadmap_.nodesByAuthor();

@@ -6924,10 +6924,6 @@
         <translation>Automatique</translation>
     </message>
     <message>
-        <source>Interactive with contact</source>
-        <translation>Interactif avec contact</translation>
-    </message>
-    <message>
         <source>Several planners work side by side; those that make progress get more time. No settings are needed.</source>
         <translation>Plusieurs planificateurs travaillent en parallèle&#xa0;; ceux qui progressent reçoivent plus de temps. Aucun réglage n&apos;est nécessaire.</translation>
     </message>
@@ -7086,6 +7082,18 @@
     <message>
         <source>Near an obstacle the object follows its surfaces from one contact to the next, and turns as they make it turn.</source>
         <translation>Près d&apos;un obstacle, l&apos;objet suit ses surfaces d&apos;un contact au suivant et tourne comme elles le font tourner.</translation>
+    </message>
+    <message>
+        <source>Interactive</source>
+        <translation>Interactif</translation>
+    </message>
+    <message>
+        <source>You steer the object, and the automatic planners search along the way that you show. Without your hand it is the automatic strategy.</source>
+        <translation>Vous guidez l&apos;objet, et les planificateurs automatiques cherchent le long du trajet que vous montrez. Sans votre main, c&apos;est la stratégie automatique.</translation>
+    </message>
+    <message>
+        <source>Interactive with contact (paper)</source>
+        <translation>Interactif avec contact (article)</translation>
     </message>
 </context>
 <context>
@@ -8753,6 +8761,22 @@
     <message>
         <source>Computing time</source>
         <translation>Temps de calcul</translation>
+    </message>
+    <message>
+        <source>Your hand showed %1 configurations. In collision: %2; moved to contact: %3.</source>
+        <translation>Votre main a montré %1 configurations. En collision&#xa0;: %2&#xa0;; ramenées au contact&#xa0;: %3.</translation>
+    </message>
+    <message>
+        <source>Your way joined start and goal.</source>
+        <translation>Votre trajet a relié le départ et le but.</translation>
+    </message>
+    <message>
+        <source>The computer joined start and goal.</source>
+        <translation>L&apos;ordinateur a relié le départ et le but.</translation>
+    </message>
+    <message>
+        <source>The path follows your way for %1 % of its length.</source>
+        <translation>Le chemin suit votre trajet sur %1&#xa0;% de sa longueur.</translation>
     </message>
 </context>
 <context>

@@ -435,6 +435,26 @@ TEST_F(Cli, ARecordedOperatorMeetsOtherParameters) {
   EXPECT_GT(report["nodes_by_author"]["computer"].get<int>(), report["nodes_by_author"]["operator"].get<int>());
 }
 
+TEST_F(Cli, TheRunOfAStrategyWithAPersonSaysWhatTheHandDidAndReplaysBitByBit) {
+  const std::string record = (folder / "hand.json").string();
+  const std::string first = (folder / "hand.csv").string();
+  const std::string again = (folder / "again.csv").string();
+  const std::string plan = "plan " + sample("environment-1") + " --strategy interactive --json ";
+  const Json report = Json::parse(run(plan + "--operator novice --seed 4 --record " + record + " --out " + first).out);
+  ASSERT_TRUE(report["solved"].get<bool>());
+  EXPECT_GT(report["hand"]["shown"].get<int>(), 0);
+  EXPECT_LE(report["hand"]["moved_to_contact"].get<int>(), report["hand"]["in_collision"].get<int>());
+  EXPECT_EQ(run("replay " + record).exitCode, 0);
+  EXPECT_EQ(run(plan + "--operator replay:" + record + " --out " + again).exitCode, 0);
+  EXPECT_EQ(read(first), read(again));
+  EXPECT_EQ(run("check " + sample("environment-1") + " " + first).exitCode, 0);
+  // Nobody there: no word about a hand. A person shows the way of another run's path.
+  EXPECT_FALSE(Json::parse(run(plan + "--seed 4").out).contains("hand"));
+  const Json shown = Json::parse(run(plan + "--operator task-expert --seed 5 --way " + first).out);
+  EXPECT_TRUE(shown["solved"].get<bool>());
+  EXPECT_GT(shown["hand"]["shown"].get<int>(), 0);
+}
+
 TEST_F(Cli, SharesOfTheAuthorsAddUp) {
   const Finished plan = run("plan " + sample("environment-1") + " --operator expert --json");
   ASSERT_EQ(plan.exitCode, 0) << plan.err;

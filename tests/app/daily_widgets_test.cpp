@@ -115,6 +115,14 @@ TEST(StrategyUse, EveryStrategyHasItsGroupAndItsParameters) {
   EXPECT_EQ(parametersInUse(*planners.find("interactive-birrt"), "expert").count(ParameterId::ContactSamples), 0U);
 }
 
+TEST(StrategyUse, AHandTakesPartInTheAutomaticStrategy) {
+  EXPECT_EQ(strategyWithHand("auto", "hand"), "interactive");
+  EXPECT_EQ(strategyWithHand("auto", "expert"), "interactive");
+  EXPECT_EQ(strategyWithHand("auto", "none"), "auto");
+  for (const char* chosen : {"interactive", "contact-birrt", "gts"})
+    EXPECT_EQ(strategyWithHand(chosen, "hand"), chosen);
+}
+
 TEST(CommandPalette, FindsByPartsOfANameAndCarriesOut) {
   QObject parent;
   ActionCatalogue actions(&parent);

@@ -48,6 +48,9 @@ constexpr const char* kNotForTheWindow[] = {
     "of %1",
     "held by ",
     "simulated operator",
+    "task operator",
+    "shown configuration",
+    "Shows a way at the level of a task.",  // of studies, on the command line only
     "random shooter",
     "goal bias",
     "%1 life %2",

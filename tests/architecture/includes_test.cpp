@@ -134,6 +134,7 @@ const std::map<std::string, std::set<std::string>>& allowedPlanningRooms() {
       {"fine", {"coarse", "contact"}},
       {"automatic", {"fine", "contact", "ompl"}},
       {"difficulty", {"automatic"}},
+      {"interactive", {"automatic", "fine", "contact"}},
   };
   return allowed;
 }

@@ -31,6 +31,12 @@ CountsPanel::CountsPanel(QWidget* parent) : QWidget(parent), layout_(new QFormLa
   nearest_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // no name widens the panel
   layout_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   distance_ = addRow(tr("Distance"), tr("To the nearest obstacle"));
+  hand_ = new QLabel(this);
+  hand_->setObjectName(QStringLiteral("hand-report"));
+  hand_->setWordWrap(true);
+  hand_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  hand_->hide();
+  layout_->addRow(hand_);
 }
 
 QLabel* CountsPanel::addRow(const QString& label, const QString& tip) {
@@ -71,6 +77,18 @@ void CountsPanel::setSnapshot(const SessionSnapshot& snapshot, const LoadedScena
   nearest_->setToolTip(known ? nearest_->text() : QString());
   shownDistance_ = known ? std::optional<double>(nearest.distance) : std::nullopt;
   showDistance();
+  hand_->setVisible(snapshot.hand.has_value());
+  if (snapshot.hand) hand_->setText(handText(*snapshot.hand, snapshot.path != nullptr));
+}
+
+QString CountsPanel::handText(const HandReport& hand, bool found) {
+  QString text = tr("Your hand showed %1 configurations. In collision: %2; moved to contact: %3.")
+                     .arg(count(hand.shown), count(hand.collided), count(hand.movedToContact));
+  if (!found) return text;
+  text += QLatin1Char('\n') +
+          (hand.joined ? tr("Your way joined start and goal.") : tr("The computer joined start and goal."));
+  const QString share = QLocale().toString(100.0 * hand.followed, 'f', 0);
+  return text + QLatin1Char('\n') + tr("The path follows your way for %1 % of its length.").arg(share);
 }
 
 void CountsPanel::showDistance() {

@@ -26,6 +26,7 @@ class CountsPanel final : public QWidget {
   void changeEvent(QEvent* event) override;
 
  private:
+  static QString handText(const HandReport& hand, bool found);
   void showDistance();
   QLabel* addRow(const QString& label, const QString& tip);
 
@@ -43,6 +44,7 @@ class CountsPanel final : public QWidget {
   QLabel* mode_;
   QLabel* nearest_;
   QLabel* distance_;
+  QLabel* hand_;                         ///< what came of what the hand has shown
   std::optional<double> shownDistance_;  ///< metres; none: not known
 };
 

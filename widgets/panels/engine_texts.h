@@ -77,7 +77,11 @@ inline constexpr const char* kEngineTexts[] = {
     QT_TRANSLATE_NOOP("Parameters",
                       "Planners of strategy auto that work at the same time, on as many of the machine's cores. "
                       "Another number is another search; the cores do not change it."),
-    QT_TRANSLATE_NOOP("Planners", "Interactive with contact"),
+    QT_TRANSLATE_NOOP("Planners", "Interactive"),
+    QT_TRANSLATE_NOOP("Planners",
+                      "You steer the object, and the automatic planners search along the way that you show. Without "
+                      "your hand it is the automatic strategy."),
+    QT_TRANSLATE_NOOP("Planners", "Interactive with contact (paper)"),
     QT_TRANSLATE_NOOP("Planners", "Interactive without contact"),
     QT_TRANSLATE_NOOP("Planners", "Two trees, without you"),
     QT_TRANSLATE_NOOP("Planners", "Interactive, contact that follows"),

@@ -16,7 +16,11 @@ bool isGuided(const std::string& deviceId) {
 }  // namespace
 
 bool isMainStrategy(const std::string& plannerId) {
-  return plannerId == "auto" || plannerId == "contact-birrt" || plannerId == "gts";
+  return plannerId == "auto" || plannerId == "interactive" || plannerId == "gts";
+}
+
+std::string strategyWithHand(const std::string& plannerId, const std::string& deviceId) {
+  return plannerId == "auto" && deviceId != "none" ? "interactive" : plannerId;
 }
 
 std::set<ParameterId> parametersInUse(const PlannerEntry& strategy, const std::string& deviceId) {

@@ -20,13 +20,18 @@ std::vector<Contender> contendersOf(const std::vector<Member>& members) {
 /// that what is easy need not wait for the others' milliseconds.
 constexpr std::uint64_t kQuantum = 10'000;
 constexpr std::uint64_t kFirstQuantum = 300;
+/// The name of the partner's own planner beside those of the members.
+constexpr const char* kPartner = "hand";
 
 }  // namespace
 
-AutomaticPlanner::AutomaticPlanner(const Problem& problem, std::uint64_t seed, std::size_t mostThreads)
+AutomaticPlanner::AutomaticPlanner(const Problem& problem, std::uint64_t seed, std::size_t mostThreads,
+                                   std::unique_ptr<PortfolioPartner> partner)
     : seed_(seed),
       mostThreads_(std::max<std::size_t>(1, mostThreads)),
-      members_(makeMembers(problem)),
+      metric_(problem.metric()),
+      partner_(std::move(partner)),
+      members_(membersOf(problem)),
       portfolio_(contendersOf(members_)),
       lives_(members_.size()),
       livesBegun_(members_.size(), 0),
@@ -41,6 +46,16 @@ AutomaticPlanner::AutomaticPlanner(const Problem& problem, std::uint64_t seed, s
 }
 
 AutomaticPlanner::~AutomaticPlanner() = default;
+
+/// The partner's come last: the others draw and are dealt work as without them.
+std::vector<Member> AutomaticPlanner::membersOf(const Problem& problem) const {
+  if (!partner_) return makeMembers(problem);
+  auto members = makeMembers(problem, partner_->worlds(), [partner = partner_.get()](auto own, std::uint64_t seed) {
+    return partner->sampler(std::move(own), seed);
+  });
+  for (Member& member : partner_->members()) members.push_back(std::move(member));
+  return members;
+}
 
 std::string AutomaticPlanner::member() const {
   if (path_) return solver_;
@@ -62,9 +77,15 @@ bool AutomaticPlanner::solve(PlannerHost& host) {
 }
 
 void AutomaticPlanner::round(PlannerHost& host) {
+  if (partner_ && partner_->takesTurn(host)) {
+    partnersTurn(host);
+    return;
+  }
   const auto slots = static_cast<std::size_t>(host.parameters().integer(ParameterId::Slots));
-  deal(slots);
-  runParts(host, slots);
+  const std::uint64_t quantum = partner_ ? std::min(quantum_, partner_->mostWork()) : quantum_;
+  const std::size_t edgesBefore = roadmap_.edges.size();
+  deal(slots, quantum);
+  runParts(host, slots, quantum);
   for (const Part& part : parts_) {
     Life& life = lifeOf(part);
     life.planner->collect(roadmap_);
@@ -74,19 +95,51 @@ void AutomaticPlanner::round(PlannerHost& host) {
   }
   deliver();
   for (const Part& part : parts_) settle(part);
+  if (partner_) tellPartner(quantum, edgesBefore);
   quantum_ = std::min(2 * quantum_, kQuantum);
 }
 
+void AutomaticPlanner::partnersTurn(PlannerHost& host) {
+  SubPlanner& planner = partner_->planner();
+  const SlotResult result = runSlot(planner, host, 0);
+  planner.collect(roadmap_);
+  owedTurns_ += result.turns;
+  partner_->turnDone(result.work);
+  if (result.state != SubPlanner::State::Solved) return;
+  path_ = *planner.planner().path();
+  partner_->solved(*path_, "");
+  solver_ = kPartner;
+}
+
+void AutomaticPlanner::tellPartner(std::uint64_t quantum, std::size_t edgesBefore) {
+  RoundOutcome outcome;
+  outcome.quantum = quantum;
+  for (const Part& part : parts_) {
+    outcome.turns += part.result.turns;
+    outcome.work += part.result.work;
+    if (members_[part.member].contender.entry == kNoEntry) outcome.partnersWork += part.result.work;
+  }
+  for (std::size_t i = edgesBefore; i < roadmap_.edges.size(); ++i) {
+    const RoadmapEdge& edge = roadmap_.edges[i];
+    outcome.reach = std::max(outcome.reach, metric_.distance(roadmap_.nodes[edge.from].q, roadmap_.nodes[edge.to].q));
+  }
+  partner_->roundDone(outcome);
+  if (path_) partner_->solved(*path_, solver_);
+}
+
 /// Of a member's lives those that have got on farthest come first.
-void AutomaticPlanner::deal(std::size_t slots) {
+void AutomaticPlanner::deal(std::size_t slots, std::uint64_t quantum) {
   const auto stages = [](const Life& life) { return life.planner ? stagesDoneOf(life.planner->planner()) : 0; };
   for (std::vector<Life>& lives : lives_) {
     if (lives.size() < 2) continue;
     std::stable_sort(lives.begin(), lives.end(), [&](const Life& a, const Life& b) { return stages(a) > stages(b); });
   }
+  for (std::size_t i = 0; partner_ && i < members_.size(); ++i) {
+    if (members_[i].contender.entry == kNoEntry) portfolio_.admit(i, partner_->membersTakePart());
+  }
   std::vector<std::size_t> dealt(members_.size(), 0);
   parts_.clear();
-  for (const std::size_t member : portfolio_.next(slots, quantum_)) {
+  for (const std::size_t member : portfolio_.next(slots, quantum)) {
     const Part& part = parts_.emplace_back(Part{member, dealt[member]++, {}});
     if (part.index == lives_[member].size()) lives_[member].emplace_back();
     Life& life = lifeOf(part);
@@ -95,14 +148,14 @@ void AutomaticPlanner::deal(std::size_t slots) {
 }
 
 /// A single slot has turns of one step.
-void AutomaticPlanner::runParts(PlannerHost& host, std::size_t slots) {
+void AutomaticPlanner::runParts(PlannerHost& host, std::size_t slots, std::uint64_t quantum) {
   if (slots == 1) {
     work(parts_.front(), host, 0);
     return;
   }
   if (!team_) team_ = std::make_unique<ThreadTeam>(std::min(slots, mostThreads_) - 1);
   RoundHost roundHost(host);
-  team_->run(parts_.size(), [&](std::size_t i) { work(parts_[i], roundHost, quantum_); });
+  team_->run(parts_.size(), [&](std::size_t i) { work(parts_[i], roundHost, quantum); });
 }
 
 void AutomaticPlanner::work(Part& part, PlannerHost& host, std::uint64_t quantum) {

@@ -7,6 +7,7 @@
 #include "engine/base/thread_team.h"
 #include "engine/planning/automatic/member.h"
 #include "engine/planning/automatic/portfolio.h"
+#include "engine/planning/automatic/portfolio_partner.h"
 #include "engine/planning/automatic/portfolio_report.h"
 #include "engine/planning/automatic/slot.h"
 
@@ -26,11 +27,14 @@ namespace glissade {
 /// The roadmap is that of all members, in the order in which it was collected, also of lives that are
 /// over; of members that plan with another object than the given one, only what holds for the given one.
 /// Counts are summed over all members and lives.
+///
+/// A partner takes turns between the rounds, each of one step. What it reports is reported in place of this planner's.
 class AutomaticPlanner final : public Planner, public ReportsMembers {
  public:
-  /// At most so many threads, the calling one included, carry out the slots.
+  /// At most so many threads, the calling one included, carry out the slots. Partner: null for none.
   AutomaticPlanner(const Problem& problem, std::uint64_t seed,
-                   std::size_t mostThreads = std::thread::hardware_concurrency());
+                   std::size_t mostThreads = std::thread::hardware_concurrency(),
+                   std::unique_ptr<PortfolioPartner> partner = nullptr);
   ~AutomaticPlanner() override;
 
   bool solve(PlannerHost& host) override;
@@ -42,6 +46,7 @@ class AutomaticPlanner final : public Planner, public ReportsMembers {
   const PlannerCounts& counts() const override { return counts_; }
   const Path* path() const override { return path_ ? &*path_ : nullptr; }
   std::optional<Diagnostic> failure() const override { return failure_; }
+  const Planner* inner() const override { return partner_ ? &partner_->planner().planner() : nullptr; }
   std::string member() const override;
   double helpersCpuSeconds() const override { return team_ ? team_->helpersCpuSeconds() : 0.0; }
 
@@ -59,9 +64,12 @@ class AutomaticPlanner final : public Planner, public ReportsMembers {
     SlotResult result;
   };
 
+  std::vector<Member> membersOf(const Problem& problem) const;
   void round(PlannerHost& host);
-  void deal(std::size_t slots);
-  void runParts(PlannerHost& host, std::size_t slots);
+  void partnersTurn(PlannerHost& host);
+  void tellPartner(std::uint64_t quantum, std::size_t edgesBefore);
+  void deal(std::size_t slots, std::uint64_t quantum);
+  void runParts(PlannerHost& host, std::size_t slots, std::uint64_t quantum);
   void work(Part& part, PlannerHost& host, std::uint64_t quantum);
   void settle(const Part& part);
   void deliver();
@@ -71,6 +79,8 @@ class AutomaticPlanner final : public Planner, public ReportsMembers {
 
   std::uint64_t seed_;
   std::size_t mostThreads_;
+  Se3Metric metric_;
+  std::unique_ptr<PortfolioPartner> partner_;  ///< null: none
   std::vector<Member> members_;
   Portfolio portfolio_;
   std::vector<std::vector<Life>> lives_;   ///< per member: as many as had turns at the same time

@@ -7,7 +7,6 @@
 #include "engine/planning/automatic/direct_motions.h"
 #include "engine/planning/automatic/direct_then_trees.h"
 #include "engine/planning/automatic/modelled_threads.h"
-#include "engine/planning/automatic/rrt_connect.h"
 #include "engine/planning/automatic/shrink_repair.h"
 #include "engine/planning/contact/interactive_contact_birrt.h"
 #include "engine/planning/fine/multi_layer_planner.h"
@@ -64,12 +63,18 @@ Member birrt(const Problem& problem) {
           }};
 }
 
+std::unique_ptr<ConfigurationSampler> shared(std::unique_ptr<ConfigurationSampler> own, std::uint64_t seed,
+                                             const SamplerMaker& sampler) {
+  return sampler ? sampler(std::move(own), seed) : std::move(own);
+}
+
 Member rrtConnect(std::string name, const Contender& contender, const Problem& problem,
-                  const RrtConnect::Options& options) {
-  return {
-      std::move(name), contender, [problem, options](std::uint64_t seed, std::uint64_t) -> std::unique_ptr<Planner> {
-        return std::make_unique<RrtConnect>(problem, seed, options, std::make_unique<UniformSampler>(problem, seed));
-      }};
+                  const RrtConnect::Options& options, const SamplerMaker& sampler) {
+  return {std::move(name), contender,
+          [problem, options, sampler](std::uint64_t seed, std::uint64_t) -> std::unique_ptr<Planner> {
+            auto own = std::make_unique<UniformSampler>(problem, seed);
+            return std::make_unique<RrtConnect>(problem, seed, options, shared(std::move(own), seed, sampler));
+          }};
 }
 
 /// The quickest where space is open but for a few bars and walls.
@@ -81,20 +86,12 @@ Member bkpiece(const Problem& problem) {
           }};
 }
 
-/// Rotations weigh little in these: an extension turns far while it moves little, and the nearest
-/// configuration is the one at the nearest place.
-RrtConnect::Options turning(const Problem& problem, double range, double turnWeight) {
-  RrtConnect::Options options;
-  options.turnWeight = turnWeight;
-  options.range = searchRange(problem, range, turnWeight);
-  return options;
-}
-
 /// One tree from the start, out of an assembly.
-Member turningRrt(const Problem& problem) {
+Member turningRrt(const Problem& problem, const SamplerMaker& sampler) {
   RrtConnect::Options options = turning(problem, 0.03, 0.02);
   options.growth = RrtConnect::Growth::FromStart;
-  return rrtConnect("turning-rrt", {2.0, kFirstLife, kFirstLife, Restart::Luby, headStart(problem)}, problem, options);
+  return rrtConnect("turning-rrt", {2.0, kFirstLife, kFirstLife, Restart::Luby, headStart(problem)}, problem, options,
+                    sampler);
 }
 
 /// Two trees that are not trapped for long.
@@ -104,28 +101,28 @@ RrtConnect::Options twoTrees(const Problem& problem) {
   return options;
 }
 
-Member dynamicDomain(const Problem& problem) {
+Member dynamicDomain(const Problem& problem, const SamplerMaker& sampler) {
   return rrtConnect("dynamic-domain", {3.0, kLongFirstLife, kLongFirstLife, Restart::Luby, 0}, problem,
-                    twoTrees(problem));
+                    twoTrees(problem), sampler);
 }
 
 /// Two trees of short extensions, for tunnels in which both moves and turns are small. The others' extensions end at
 /// their walls.
-Member shortSteps(const Problem& problem) {
+Member shortSteps(const Problem& problem, const SamplerMaker& sampler) {
   return rrtConnect("short-steps", {3.0, kLongFirstLife, kLongFirstLife, Restart::Luby, kTunnelEntry}, problem,
-                    turning(problem, 0.005, 0.3));
+                    turning(problem, 0.005, 0.3), sampler);
 }
 
-Member contactSlide(const Problem& problem, const Worlds& worlds) {
+Member contactSlide(const Problem& problem, const Worlds& worlds, const SamplerMaker& maker) {
   RrtConnect::Options options;
   options.range = searchRange(problem, 0.03);
   return {"contact-slide",
           {0.5, kFirstLife, kFirstLife, Restart::Luby, kHardEntry},
-          [problem, worlds, options](std::uint64_t seed, std::uint64_t) -> std::unique_ptr<Planner> {
+          [problem, worlds, options, maker](std::uint64_t seed, std::uint64_t) -> std::unique_ptr<Planner> {
             const double r = problem.world->objectRadius();
             auto sampler =
                 std::make_unique<ContactSlideSampler>(problem, seed, *worlds, 0.05 * r, tolerance::kContactGap * r);
-            return std::make_unique<RrtConnect>(problem, seed, options, std::move(sampler));
+            return std::make_unique<RrtConnect>(problem, seed, options, shared(std::move(sampler), seed, maker));
           }};
 }
 
@@ -187,14 +184,29 @@ Member screwMotions(const Problem& problem) {
 
 }  // namespace
 
-std::vector<Member> makeMembers(const Problem& problem) {
-  const auto worlds = std::make_shared<ErodedWorlds>(problem.world);
-  std::vector<Member> members{
-      directMotions(problem), dynamicDomain(problem), turningRrt(problem),           bkpiece(problem),
-      birrt(problem),         shortSteps(problem),    contactSlide(problem, worlds), shrinkRepair(problem, worlds),
-      multiLayer(problem)};
+RrtConnect::Options turning(const Problem& problem, double range, double turnWeight) {
+  RrtConnect::Options options;
+  options.turnWeight = turnWeight;
+  options.range = searchRange(problem, range, turnWeight);
+  return options;
+}
+
+std::vector<Member> makeMembers(const Problem& problem, const Worlds& worlds, const SamplerMaker& sampler) {
+  std::vector<Member> members{directMotions(problem),
+                              dynamicDomain(problem, sampler),
+                              turningRrt(problem, sampler),
+                              bkpiece(problem),
+                              birrt(problem),
+                              shortSteps(problem, sampler),
+                              contactSlide(problem, worlds, sampler),
+                              shrinkRepair(problem, worlds),
+                              multiLayer(problem)};
   if (beginsInThread(problem)) members.push_back(screwMotions(problem));
   return members;
+}
+
+std::vector<Member> makeMembers(const Problem& problem) {
+  return makeMembers(problem, std::make_shared<ErodedWorlds>(problem.world), nullptr);
 }
 
 }  // namespace glissade

@@ -34,6 +34,16 @@ struct InteractionSettings {
   }
 };
 
+/// The user's values, but what sets itself.
+inline InteractionSettings settingsInForce(const ParameterValues& parameters, const InteractionSettings& tuned) {
+  const int bits = parameters.integer(ParameterId::Tuning);
+  InteractionSettings inForce = tuned;
+  if ((bits & kTunedAlpha) == 0) inForce.alpha = parameters[ParameterId::Alpha];
+  if ((bits & kTunedContactSamples) == 0) inForce.contactSamples = parameters.integer(ParameterId::ContactSamples);
+  if ((bits & kTunedContactDistance) == 0) inForce.contactDistance = parameters[ParameterId::ContactDistance];
+  return inForce;
+}
+
 /// What a tuner has set in a run. Of what it was not asked to set: what it would have.
 struct TuningReport {
   InteractionSettings now;

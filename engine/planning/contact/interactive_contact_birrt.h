@@ -2,12 +2,15 @@
 
 #include <optional>
 
+<<<<<<< HEAD
 #include "engine/planning/contact/contact_follower.h"
+=======
+#include "engine/planning/contact/add_tree_planner.h"
+>>>>>>> h1/main
 #include "engine/planning/contact/contact_sampler.h"
 #include "engine/planning/contact/interaction_report.h"
 #include "engine/planning/contact/interaction_tuner.h"
 #include "engine/planning/random_shooter.h"
-#include "engine/planning/tree_planner.h"
 
 namespace glissade {
 
@@ -27,13 +30,13 @@ enum class OperatorUse {
 /// here, so that a stop, a pause or a changed parameter is seen between any two; near-duplicates of
 /// the operator's samples are not kept, and an operator at rest cedes his authority once he has had
 /// kRestBudget configurations from one pose; every delivered path is certified.
-class InteractiveContactBirrt final : public TreePlanner, public ReportsInteraction {
+class InteractiveContactBirrt final : public AddTreePlanner, public ReportsInteraction {
  public:
   InteractiveContactBirrt(const Problem& problem, std::uint64_t seed, OperatorUse operatorUse);
 
   bool solve(PlannerHost& host) override;
 
-  Author authority() const override { return authority_; }
+  Author authority() const override { return lastAuthor(); }
   bool inContactMode() const override { return contactSamplesLeft_ > 0; }
   std::optional<TuningReport> tuning() const override;
 
@@ -46,15 +49,7 @@ class InteractiveContactBirrt final : public TreePlanner, public ReportsInteract
   void operatorShooter(const OperatorSample& device, PlannerHost& host);
   void randomShooter(PlannerHost& host);
 
-  void addTree(const Pose& q, Author author, PlannerHost& host);
-  std::optional<Node> extend(ComponentId component, const Pose& q, Author author, std::optional<Node>& reached,
-                             PlannerHost& host);
-  void connect(const std::vector<Node>& added, PlannerHost& host);
-  bool isDuplicate(ComponentId component, const Pose& q, Author author) const;
-  void deliverPath(PlannerHost& host);
-  InteractionSettings settings(const ParameterValues& parameters) const;
   void observeStep(std::size_t edgesBefore, PlannerHost& host);
-  double longestEdge(std::size_t first) const;
 
   OperatorUse operatorUse_;
   RandomStream authorityStream_;
@@ -62,7 +57,6 @@ class InteractiveContactBirrt final : public TreePlanner, public ReportsInteract
   ContactSampler contactSampler_;
   ContactFollower contactFollower_;
 
-  Author authority_ = Author::Computer;
   int contactSamplesLeft_ = 0;
   std::uint64_t restingAt_ = 0;   ///< OperatorSample::moves of the pose the operator was last used at
   std::uint64_t usedAtRest_ = 0;  ///< configurations shot from that pose

@@ -11,8 +11,14 @@
 namespace glissade {
 namespace {
 
+DeviceRegistry allDevices() {
+  DeviceRegistry registry = makeDeviceRegistry();
+  addTaskOperators(registry);
+  return registry;
+}
+
 std::vector<std::string> deviceIds() {
-  const DeviceRegistry registry = makeDeviceRegistry();
+  const DeviceRegistry registry = allDevices();
   std::vector<std::string> ids;
   for (const DeviceEntry& entry : registry.entries()) ids.push_back(entry.id);
   return ids;
@@ -26,7 +32,7 @@ class DeviceConformance : public testing::TestWithParam<std::string> {
     context.metric = Se3Metric(1.0);
     context.hand = std::make_shared<HandInputs>();
     context.world = windowProblem().world;
-    return makeDeviceRegistry().find(GetParam())->make(context);
+    return allDevices().find(GetParam())->make(context);
   }
 };
 

@@ -32,7 +32,9 @@ std::vector<Entry> allEntries() {
   };
   addFrom(makePlannerRegistry, "whole");
   addFrom(makeLocalPlannerRegistry, "local");
-  for (const int slots : {2, 4}) all.push_back({makePlannerRegistry, "whole", "auto", slots});
+  for (const int slots : {2, 4}) {
+    for (const char* id : {"auto", "interactive"}) all.push_back({makePlannerRegistry, "whole", id, slots});
+  }
   return all;
 }
 

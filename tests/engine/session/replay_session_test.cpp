@@ -20,7 +20,8 @@ class Fiddler {
   SessionConfig config() {
     SessionConfig config = sessionConfig(problem_);
     const auto planners = idsOf(makePlannerRegistry());
-    config.plannerId = random_.uniform() < 0.75 ? "contact-birrt" : planners[index(planners.size())];
+    const double draw = random_.uniform();
+    config.plannerId = draw < 0.5 ? "contact-birrt" : draw < 0.75 ? "interactive" : planners[index(planners.size())];
     config.seed = 1 + index(1000);
     const std::vector<std::string> operators{"expert", "default", "novice"};
     if (random_.uniform() < 0.8) {

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "engine/planning/fine/sub_planner.h"
+#include "engine/planning/interactive/shown_configuration.h"
+#include "engine/planning/interactive/shown_way.h"
+
+namespace glissade {
+
+/// Local planning between two configurations of a way: two trees whose configurations are drawn from a tube between
+/// them and made free, so that they lie in contact where the passage is narrow.
+class GapSearch {
+ public:
+  /// `deviation` of the tube in metres of the metric.
+  GapSearch(const Problem& problem, const Pose& from, const Pose& to, double deviation, std::uint64_t seed,
+            std::shared_ptr<ErodedWorlds> worlds);
+
+  /// One step. The way from end to end, once it is found.
+  std::optional<std::vector<Pose>> step(PlannerHost& host);
+  std::uint64_t steps() const { return search_.planner().counts().steps; }
+  const Pose& target() const { return target_; }
+  /// Of all queries.
+  QueryCounts queries() const;
+
+ private:
+  Pose target_;
+  std::shared_ptr<ShownConfiguration> configuration_;
+  SubPlanner search_;
+};
+
+}  // namespace glissade

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+
+namespace glissade {
+
+/// What a hand may cost. A pure value: it counts work and steps, never seconds.
+///
+/// On a machine at full speed thousands of steps fall on each configuration that a hand shows (they are a twentieth of
+/// the object's radius apart). There the hand is limited by work: a small share of all, and a credit at the beginning
+/// and for each configuration. At the pace of the first paper a dozen steps fall on it. Steps are scarce there, work is
+/// not, and alpha alone decides.
+class HandAccount {
+ public:
+  static constexpr std::uint64_t kFirstCredit = 200'000;
+  static constexpr std::uint64_t kCredit = 10'000;  ///< for each configuration
+  static constexpr double kShare = 0.03;
+
+  /// Steps and work of a turn or a round; `hand`: what the hand has caused of the work.
+  void charge(std::uint64_t steps, std::uint64_t all, std::uint64_t hand) {
+    all_ += all;
+    hand_ += hand;
+    sinceShown_ += steps;
+  }
+  /// So many configurations have been shown in all.
+  void noteShown(std::uint64_t shown) {
+    for (; shown_ < shown; ++shown_) {
+      stepsPerShown_ += (static_cast<double>(sinceShown_) - stepsPerShown_) / kMemory;
+      sinceShown_ = 0;
+    }
+  }
+  bool stepsAreScarce() const { return stepsPerShown_ < kScarce && sinceShown_ < kMemory * kScarce; }
+  bool covers() const {
+    const double credit = kFirstCredit + static_cast<double>(kCredit) * static_cast<double>(shown_);
+    return stepsAreScarce() || static_cast<double>(hand_) <= credit + kShare * static_cast<double>(all_);
+  }
+  std::uint64_t all() const { return all_; }
+  std::uint64_t hand() const { return hand_; }
+
+ private:
+  static constexpr double kScarce = 100.0;  ///< steps for a configuration
+  static constexpr double kMemory = 10.0;   ///< configurations
+
+  std::uint64_t all_ = 0;  ///< work, the hand's with it
+  std::uint64_t hand_ = 0;
+  std::uint64_t shown_ = 0;
+  std::uint64_t sinceShown_ = 0;  ///< steps
+  double stepsPerShown_ = kScarce;
+};
+
+}  // namespace glissade

@@ -1,0 +1,194 @@
+#include "engine/planning/interactive/hand_partner.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "engine/planning/automatic/path_repair.h"
+#include "engine/planning/goal_roots.h"
+#include "engine/planning/interactive/way_sampler.h"
+#include "engine/planning/nearest_neighbours.h"
+
+namespace glissade {
+namespace {
+
+/// Steps of the hand that grow nothing, until it has most of its authority no more; and what is left of it.
+constexpr std::uint64_t kPatience = 400;
+constexpr double kLeftInVain = 0.1;
+/// Share of the computer's steps that grow the trees which the hand draws.
+constexpr double kFollowersShare = 0.9;
+/// Movement of the hand in a round, in radii of the object. With more the next rounds are shorter, so that it need not
+/// wait; with little they become longer.
+constexpr double kMostMovement = 0.05;
+constexpr double kLittleMovement = 0.01;
+/// Queries of the first repair of the way; the next ones follow Luby's sequence.
+constexpr std::uint64_t kRepairWork = 40'000;
+/// Points of the way that are nearer than this lie side by side. In radii of the object.
+constexpr double kBesides = 0.06;
+/// What is nearer to the way than this runs along it. In radii of the object.
+constexpr double kAlong = 0.2;
+/// A path that runs along the way for less of its length is the computer's.
+constexpr double kLeastFollowed = 0.1;
+constexpr const char* kWayMember = "hand-way";
+/// Share of the draws of the member that grows trees in the tube.
+constexpr double kTubeShare = 0.9;
+
+/// Two trees, by turns with short steps for tunnels and with longer ones.
+RrtConnect::Options treesOf(const Problem& problem, std::uint64_t life) {
+  if (life % 2 == 1) return turning(problem, 0.005, 0.3);
+  RrtConnect::Options options = turning(problem, 0.02, 0.1);
+  options.domain = 10.0;
+  return options;
+}
+
+/// From the start along the way to the nearest of the goal's configurations.
+std::vector<Pose> fromStartToGoal(const Problem& problem, const ShownWay& shown) {
+  const Se3Metric metric = problem.metric();
+  std::vector<Pose> way = shown.withoutLoops(metric, kBesides * metric.radius());
+  way.insert(way.begin(), problem.start);
+  const auto query = problem.world->makeQuery();
+  const std::vector<Pose> goals = goalRoots(problem, *query);
+  way.push_back(*std::min_element(goals.begin(), goals.end(), [&](const Pose& a, const Pose& b) {
+    return metric.distance(way.back(), a) < metric.distance(way.back(), b);
+  }));
+  return way;
+}
+
+}  // namespace
+
+HandPartner::HandPartner(const Problem& problem, std::uint64_t seed)
+    : problem_(problem),
+      worlds_(std::make_shared<ErodedWorlds>(problem.world)),
+      authorityStream_(seed, "authority"),
+      follower_(new HandFollower(problem, seed, worlds_)),
+      planner_(std::unique_ptr<Planner>(follower_), std::numeric_limits<std::uint64_t>::max(), nullptr) {}
+
+bool HandPartner::takesTurn(PlannerHost& host) {
+  const auto sample = host.operatorSample();
+  held_ = sample.has_value();
+  if (!sample) return false;
+  noteMovement(sample->q_device);
+  beforeRound_ = sample->q_device;
+  publish(host.parameters());
+  const bool covered = account_.covers();
+  const bool handHasWork = follower_->hasWork(*sample, covered);
+  const bool shown = follower_->way().size() > 0;
+  const bool grows = shown && account_.stepsAreScarce();  // the computer's steps, too, grow the hand's trees
+  if (!handHasWork && !grows) return false;
+  const double hands = handHasWork ? share(host.parameters()) : 0.0;
+  for (;;) {
+    if (authorityStream_.uniform() < hands) {
+      follower_->setTurn(HandFollower::Turn::Hand);
+      return true;
+    }
+    if (grows && authorityStream_.uniform() < kFollowersShare) {
+      follower_->setTurn(HandFollower::Turn::Computer);
+      return true;
+    }
+    if (prepaid_ == 0) return false;
+    --prepaid_;
+  }
+}
+
+/// The operator's share, 1 - alpha.
+double HandPartner::share(const ParameterValues& parameters) const {
+  const double share = 1.0 - follower_->settings(parameters).alpha;
+  return follower_->stepsInVain() > kPatience ? kLeftInVain * share : share;
+}
+
+/// Where the hand gets on in a round, as in lockstep, rounds become short.
+void HandPartner::noteMovement(const Pose& q) {
+  const std::uint64_t quantum = std::exchange(lastQuantum_, 0);
+  if (quantum == 0) return;
+  const double moved = problem_.metric().distance(q, beforeRound_) / problem_.world->objectRadius();
+  if (moved > kMostMovement) {
+    const double work = static_cast<double>(quantum) * kMostMovement / moved;
+    mostWork_ = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(work));
+  }
+  if (moved < kLittleMovement) mostWork_ = std::min(kMostWork, 2 * mostWork_);
+}
+
+void HandPartner::publish(const ParameterValues& parameters) {
+  const WayRecorder& way = follower_->way();
+  if (way.size() == 0) return;
+  const double hands = account_.covers() ? share(parameters) : 0.0;
+  const bool known = board_->current() && published_ == way.version() && board_->current()->share == hands;
+  if (known) return;
+  const InteractionSettings inForce = follower_->settings(parameters);
+  published_ = way.version();
+  board_->publish(
+      way.way(hands, {inForce.contactSamples, inForce.contactDistance, parameters[ParameterId::ContactGap]}));
+}
+
+void HandPartner::turnDone(std::uint64_t work) {
+  account_.charge(1, work, work);
+  account_.noteShown(follower_->handReport().shown);
+}
+
+void HandPartner::roundDone(const RoundOutcome& outcome) {
+  lastQuantum_ = outcome.quantum;
+  prepaid_ += outcome.turns - 1;
+  const double shared = board_->current() ? board_->current()->share : 0.0;
+  const double hands =
+      static_cast<double>(outcome.partnersWork) + shared * static_cast<double>(outcome.work - outcome.partnersWork);
+  account_.charge(outcome.turns, outcome.work, static_cast<std::uint64_t>(hands));
+  if (held_) follower_->computerHadTurn(outcome.reach);
+}
+
+bool HandPartner::membersTakePart() const {
+  return board_->current() && board_->current()->points.size() > 1 && account_.covers();
+}
+
+std::unique_ptr<ConfigurationSampler> HandPartner::sampler(std::unique_ptr<ConfigurationSampler> own,
+                                                           std::uint64_t seed) const {
+  return std::make_unique<WaySampler>(problem_, std::move(own), seed, board_);
+}
+
+std::vector<Member> HandPartner::members() {
+  constexpr double kWayShare = 4.0;
+  constexpr double kTreesShare = 3.0;
+  constexpr std::uint64_t kFirstLife = 2'500'000;
+  return {
+      {kWayMember,
+       {kWayShare, 0, 0, Restart::Luby, kNoEntry},
+       [problem = problem_, board = board_](std::uint64_t seed, std::uint64_t life) -> std::unique_ptr<Planner> {
+         const PathRepair::Options options{problem.world, 0.0, treesOf(problem, life), kRepairWork * lubyTerm(life)};
+         return std::make_unique<PathRepair>(problem, seed, fromStartToGoal(problem, *board->current()), options);
+       }},
+      {"hand-tube",
+       {kTreesShare, 0, kFirstLife, Restart::Luby, kNoEntry},
+       [problem = problem_, board = board_](std::uint64_t seed, std::uint64_t life) -> std::unique_ptr<Planner> {
+         auto own = std::make_unique<UniformSampler>(problem, seed);
+         auto sampler = std::make_unique<WaySampler>(problem, std::move(own), seed, board, kTubeShare);
+         return std::make_unique<RrtConnect>(problem, seed, treesOf(problem, life), std::move(sampler));
+       }}};
+}
+
+void HandPartner::solved(const Path& path, const std::string& solver) {
+  const double followed = followedShare(path);
+  const bool hands = solver.empty() || solver == kWayMember;
+  follower_->pathFound(hands && followed >= kLeastFollowed, followed);
+}
+
+/// By length, in the metric.
+double HandPartner::followedShare(const Path& path) const {
+  const Se3Metric metric = problem_.metric();
+  NearestNeighbours way(metric);
+  std::uint32_t index = 0;
+  for (const ShownWay::Point& point : follower_->way().points()) way.add(index++, point.q);
+  double all = 0.0;
+  double along = 0.0;
+  for (std::size_t i = 1; i < path.points.size(); ++i) {
+    const Pose& from = path.points[i - 1].q;
+    const Pose& to = path.points[i].q;
+    const double length = metric.distance(from, to);
+    const int pieces = 1 + static_cast<int>(length / (kAlong * metric.radius()));
+    for (int piece = 0; piece < pieces; ++piece) {
+      const auto near = way.nearest(interpolate(from, to, (piece + 0.5) / pieces));
+      all += length / pieces;
+      if (near && near->distance <= kAlong * metric.radius()) along += length / pieces;
+    }
+  }
+  return all > 0.0 ? along / all : 0.0;
+}
+
+}  // namespace glissade

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "engine/planning/automatic/portfolio_partner.h"
+#include "engine/planning/interactive/hand_account.h"
+#include "engine/planning/interactive/hand_follower.h"
+
+namespace glissade {
+
+/// A person as the partner of the portfolio.
+///
+/// Authority is that of Algorithm 1 (paper 1), step by step: a number a is drawn, and for a > alpha the step is the
+/// hand's, where it has shown something new. Steps of a round that side by side have taken at once are the computer's
+/// next ones. Members draw from the tube about the hand's way, and two members are the hand's own: one repairs its way
+/// from start to goal, one grows trees in the tube. What these cost is limited (HandAccount). The hand loses most of
+/// its authority while its steps grow nothing. Without a hand no random number is drawn and nothing is shared: the
+/// portfolio does what it does alone, bit by bit.
+class HandPartner final : public PortfolioPartner {
+ public:
+  HandPartner(const Problem& problem, std::uint64_t seed);
+
+  bool takesTurn(PlannerHost& host) override;
+  SubPlanner& planner() override { return planner_; }
+  const SubPlanner& planner() const override { return planner_; }
+  void turnDone(std::uint64_t work) override;
+  void roundDone(const RoundOutcome& outcome) override;
+  void solved(const Path& path, const std::string& solver) override;
+
+  std::vector<Member> members() override;
+  bool membersTakePart() const override;
+  std::uint64_t mostWork() const override { return mostWork_; }
+  std::unique_ptr<ConfigurationSampler> sampler(std::unique_ptr<ConfigurationSampler> own,
+                                                std::uint64_t seed) const override;
+  const std::shared_ptr<ErodedWorlds>& worlds() const override { return worlds_; }
+  const HandAccount& account() const { return account_; }
+
+ private:
+  void noteMovement(const Pose& q);
+  void publish(const ParameterValues& parameters);
+  double share(const ParameterValues& parameters) const;
+  double followedShare(const Path& path) const;
+
+  Problem problem_;
+  std::shared_ptr<ErodedWorlds> worlds_;
+  RandomStream authorityStream_;
+  std::shared_ptr<WayBoard> board_ = std::make_shared<WayBoard>();
+  HandFollower* follower_;  ///< in planner_
+  SubPlanner planner_;
+  HandAccount account_;
+  std::uint64_t prepaid_ = 0;  ///< steps of the computer's that were taken at once
+  Pose beforeRound_;           ///< where the hand was then
+  std::uint64_t mostWork_ = kMostWork;
+  std::uint64_t published_ = 0;    ///< version of the way on the board
+  bool held_ = false;              ///< somebody held the object when the round began
+  std::uint64_t lastQuantum_ = 0;  ///< of the round before; 0: it was looked at
+
+  static constexpr std::uint64_t kMostWork = 10'000;
+};
+
+}  // namespace glissade

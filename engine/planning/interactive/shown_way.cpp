@@ -1,0 +1,56 @@
+#include "engine/planning/interactive/shown_way.h"
+
+#include <cmath>
+
+namespace glissade {
+namespace {
+
+// In radii of the object.
+constexpr double kSpacing = 0.05;      ///< of two points
+constexpr double kStride = 0.5;        ///< what is farther is no movement, but another place
+constexpr double kLeastSpread = 0.02;  ///< also an exact hand leaves something to search
+/// Points that are kept. When they are full the older half is forgotten.
+constexpr std::size_t kMostPoints = 1500;
+/// Configurations that the spread is the mean of.
+constexpr double kMemory = 50.0;
+
+}  // namespace
+
+std::vector<Pose> ShownWay::withoutLoops(const Se3Metric& metric, double near) const {
+  std::vector<Pose> free;
+  for (const Point& point : points) {
+    if (point.nearest.distance > 0.0) free.push_back(point.q);
+  }
+  std::vector<Pose> way;
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    way.push_back(free[i]);
+    std::size_t last = i;
+    for (std::size_t j = i + 1; j < free.size(); ++j) {
+      if (metric.distance(free[i], free[j]) <= near) last = j;
+    }
+    if (last > i + 1) i = last - 1;
+  }
+  return way;
+}
+
+void WayRecorder::add(const Pose& q, const NearestObstacle& nearest, double moved) {
+  meanSquare_ += (moved * moved - meanSquare_) / kMemory;
+  const double step = points_.empty() ? 0.0 : metric_.distance(points_.back().q, q);
+  if (!points_.empty() && step < kSpacing * metric_.radius()) return;
+  if (points_.size() == kMostPoints) points_.erase(points_.begin(), points_.begin() + kMostPoints / 2);
+  points_.push_back({q, nearest, !points_.empty() && step <= kStride * metric_.radius()});
+  ++version_;
+}
+
+double WayRecorder::spread() const { return std::hypot(kLeastSpread * metric_.radius(), std::sqrt(meanSquare_)); }
+
+std::shared_ptr<const ShownWay> WayRecorder::way(double share, const ShownWay::ContactRule& contact) const {
+  auto way = std::make_shared<ShownWay>();
+  way->points = points_;
+  way->contact = contact;
+  way->spread = spread();
+  way->share = share;
+  return way;
+}
+
+}  // namespace glissade

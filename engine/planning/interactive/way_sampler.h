@@ -1,0 +1,33 @@
+#pragma once
+
+#include "engine/planning/automatic/configuration_sampler.h"
+#include "engine/planning/contact/contact_sampler.h"
+#include "engine/planning/interactive/shown_way.h"
+
+namespace glissade {
+
+/// A member's share in what the hand shows: a number a from [0, 1) is drawn as in line 3 of Algorithm 1 (paper 1). The
+/// computer's own sampler draws for a at or below its share, else the configuration is from the tube about the hand's
+/// way: a point of it, moved at random. Where that point is nearer to an obstacle than d, N of N + 1 such draws are on
+/// the tangent plane there. While nothing is shown it draws as its own sampler, and no random number is used up.
+class WaySampler final : public ConfigurationSampler {
+ public:
+  /// `leastShare`: of the hand, whatever the way says; for members that are the hand's.
+  WaySampler(const Problem& problem, std::unique_ptr<ConfigurationSampler> own, std::uint64_t seed,
+             std::shared_ptr<const WayBoard> board, double leastShare = 0.0);
+
+  Pose draw() override;
+
+ private:
+  Pose fromTube(const ShownWay& way);
+
+  std::unique_ptr<ConfigurationSampler> own_;
+  RandomStream stream_;
+  ContactSampler contactSampler_;
+  std::shared_ptr<const WayBoard> board_;
+  Box3 bounds_;
+  double radius_;
+  double leastShare_;
+};
+
+}  // namespace glissade

@@ -1,0 +1,98 @@
+#include "engine/planning/interactive/shown_configuration.h"
+
+#include <gtest/gtest.h>
+
+#include "engine/planning/interactive/hand_account.h"
+#include "engine/planning/interactive/way_sampler.h"
+#include "tests/engine/support/random_pose.h"
+#include "tests/engine/support/test_worlds.h"
+
+namespace glissade {
+namespace {
+
+/// The oracle shares no code with the kernel that the configurations were freed by.
+TEST(ShownConfiguration, WhatIsFreedDoesNotPenetrateAndIsNear) {
+  Problem problem = windowProblem();
+  problem.world = problem.world->withObject(makeL());
+  const auto oracle = problem.world->withBackend(CollisionBackend::Fcl)->makeQuery();
+  ShownConfiguration configuration(problem, std::make_shared<ErodedWorlds>(problem.world), 1, 4);
+  RandomStream stream(1, "shown");
+  const double radius = problem.world->objectRadius();
+  int collided = 0;
+  int freed = 0;
+  for (int i = 0; i < 400; ++i) {
+    Pose q = randomPose(stream, 1.0);
+    q.position.x() = stream.uniform(-0.5, 0.5);
+    const bool collides = oracle->collides(q);
+    const auto found = configuration.freed(q, 1e-3 * radius);
+    collided += collides ? 1 : 0;
+    if (!found) {
+      EXPECT_TRUE(collides);
+      continue;
+    }
+    freed += collides ? 1 : 0;
+    EXPECT_FALSE(oracle->collides(found->q));
+    EXPECT_GT(oracle->nearestObstacle(found->q).distance, 0.0);
+    EXPECT_LE(found->moved, ShownConfiguration::kMostMoved * radius);
+    EXPECT_EQ(found->moved > 0.0, collides);
+    EXPECT_NEAR(found->nearest.distance, oracle->nearestObstacle(found->q).distance, 1e-6);
+  }
+  EXPECT_GT(collided, 100);
+  EXPECT_GT(freed, collided / 4);
+}
+
+TEST(ShownWay, LeavesLoopsOut) {
+  const Se3Metric metric(1.0);
+  ShownWay way;
+  NearestObstacle far;
+  far.distance = 1.0;
+  for (const double x : {0.0, 0.5, 1.0, 1.5, 1.0, 0.5, 0.51, 2.0}) {
+    way.points.push_back({Pose::translation({x, 0, 0}), far, true});
+  }
+  way.points.push_back({Pose::translation({9, 0, 0}), NearestObstacle(), true});  // collides
+  const std::vector<Pose> left = way.withoutLoops(metric, 0.1);
+  ASSERT_EQ(left.size(), 4U);
+  EXPECT_EQ(left[1].position.x(), 0.5);
+  EXPECT_EQ(left[2].position.x(), 0.51);
+  EXPECT_EQ(left[3].position.x(), 2.0);
+}
+
+TEST(WaySampler, DrawsTheHandsShareFromTheTube) {
+  const Problem problem = windowProblem();
+  const auto board = std::make_shared<WayBoard>();
+  const auto sampler = [&] { return WaySampler(problem, std::make_unique<UniformSampler>(problem, 1), 1, board); };
+  UniformSampler own(problem, 1);
+  WaySampler nothingShown = sampler();
+  for (int i = 0; i < 50; ++i) EXPECT_EQ(nothingShown.draw(), own.draw());
+  auto way = std::make_shared<ShownWay>();
+  way->points.push_back({Pose::translation({-1.2, 0.3, 0.2}),
+                         problem.world->makeQuery()->nearestObstacle(Pose::translation({-1.2, 0.3, 0.2})), false});
+  way->spread = 0.01;
+  way->share = 0.75;
+  board->publish(way);
+  WaySampler shown = sampler();
+  int near = 0;
+  for (int i = 0; i < 400; ++i) near += (shown.draw().position - way->points[0].q.position).norm() < 0.1 ? 1 : 0;
+  EXPECT_NEAR(near, 300, 40);
+}
+
+TEST(HandAccount, LimitsTheHandByWorkUnlessStepsAreScarce) {
+  HandAccount account;
+  EXPECT_TRUE(account.covers());
+  account.charge(100'000, 1'000'000, 0);
+  account.charge(1, 400'000, 400'000);
+  EXPECT_FALSE(account.covers());
+  account.noteShown(20);  // each is worth something
+  EXPECT_TRUE(account.covers());
+  account.charge(1, 2'000'000, 2'000'000);
+  EXPECT_FALSE(account.covers());
+  for (std::uint64_t shown = 21; shown < 80; ++shown) {  // a dozen steps each, as in lockstep
+    account.charge(12, 60'000, 60'000);
+    account.noteShown(shown);
+  }
+  EXPECT_TRUE(account.stepsAreScarce());
+  EXPECT_TRUE(account.covers());
+}
+
+}  // namespace
+}  // namespace glissade
