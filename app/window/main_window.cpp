@@ -1,6 +1,7 @@
 #include "app/window/main_window.h"
 
 #include <QCloseEvent>
+#include <QScreen>
 #include <QSignalBlocker>
 #include <QStatusBar>
 
@@ -15,6 +16,7 @@
 #include "app/window/document_controller.h"
 #include "app/window/editor_in_use.h"
 #include "app/window/environment_controller.h"
+#include "app/window/eye_place_keeper.h"
 #include "app/window/fits_controller.h"
 #include "app/window/help_controller.h"
 #include "app/window/icons.h"
@@ -34,6 +36,7 @@
 #include "app/window/section_controller.h"
 #include "app/window/sequence_controller.h"
 #include "app/window/step_camera.h"
+#include "app/window/stereo_controller.h"
 #include "app/window/study_controller.h"
 #include "app/window/sweep_controller.h"
 #include "app/window/theme.h"
@@ -92,6 +95,11 @@ void MainWindow::addParts() {
   views_ = new NamedViewsController(bench_);
   connect(views_, &NamedViewsController::cameraMoved, view, &ViewController::publishOperatorFrame);
   new NavigationController(bench_);
+  // Without a display the window is the screen.
+  const auto screenPixels = [this] {
+    return session_->clock() == SessionClock::Lockstep ? width() : screen()->size().width();
+  };
+  stereo_ = new StereoController(bench_, *new EyePlaceKeeper(*scene_, screenPixels, this));
   auto* fits = new FitsController(bench_);
   auto* joints = new JointsController(bench_);
   auto* environment = new EnvironmentController(bench_);
@@ -192,6 +200,7 @@ void MainWindow::remember(std::unique_ptr<WindowMemory> memory, bool sizeToo) {
   views_->setMemory(memory_.get());
   path_->remember(*memory_);
   sequence_->remember(*memory_);
+  stereo_->remember(*memory_);
   memory_->restoreLayout(*this, sizeToo);
   room_.fit(room_.room());
   memory_->restoreChoices(actions_);

@@ -14,6 +14,7 @@ class NamedViewsController;
 class PreferencesController;
 class RecordingController;
 class SequenceController;
+class StereoController;
 class WindowMemory;
 
 /// The workbench: the 3D view in the middle, panels around it, one document and one session behind it. It makes the
@@ -70,6 +71,7 @@ class MainWindow final : public QMainWindow {
   RecordingController* recordings_ = nullptr;
   PreferencesController* preferences_ = nullptr;
   SequenceController* sequence_ = nullptr;
+  StereoController* stereo_ = nullptr;
   QWidget* replayBar_ = nullptr;
   std::unique_ptr<WindowMemory> memory_;  ///< null: nothing is remembered
 };

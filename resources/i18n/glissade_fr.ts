@@ -1914,6 +1914,110 @@
         <source>Say what the colours in the scene mean: a row for each thing that is drawn now</source>
         <translation>Dire ce que signifient les couleurs de la scène&#xa0;: une ligne par chose dessinée en ce moment</translation>
     </message>
+    <message>
+        <source>&amp;No stereo</source>
+        <translation>Sans stéré&amp;o</translation>
+    </message>
+    <message>
+        <source>Draw the scene for both eyes alike</source>
+        <translation>Dessiner la scène de la même façon pour les deux yeux</translation>
+    </message>
+    <message>
+        <source>&amp;Anaglyph, red and cyan</source>
+        <translation>&amp;Anaglyphe, rouge et cyan</translation>
+    </message>
+    <message>
+        <source>Draw the scene for glasses with a red and a cyan filter; colours stay</source>
+        <translation>Dessiner la scène pour des lunettes à filtres rouge et cyan ; les couleurs restent</translation>
+    </message>
+    <message>
+        <source>S&amp;ide by side</source>
+        <translation>&amp;Côte à côte</translation>
+    </message>
+    <message>
+        <source>Draw the left half for one eye, the right half for the other</source>
+        <translation>Dessiner la moitié gauche pour un œil, la moitié droite pour l&apos;autre</translation>
+    </message>
+    <message>
+        <source>&amp;Top and bottom</source>
+        <translation>En &amp;haut et en bas</translation>
+    </message>
+    <message>
+        <source>Draw the upper half for one eye, the lower half for the other</source>
+        <translation>Dessiner la moitié haute pour un œil, la moitié basse pour l&apos;autre</translation>
+    </message>
+    <message>
+        <source>Int&amp;erlaced</source>
+        <translation>&amp;Entrelacé</translation>
+    </message>
+    <message>
+        <source>Draw the rows of the screen for one eye and the other in turn</source>
+        <translation>Dessiner les lignes de l&apos;écran tour à tour pour un œil et pour l&apos;autre</translation>
+    </message>
+    <message>
+        <source>&amp;Checkerboard</source>
+        <translation>&amp;Damier</translation>
+    </message>
+    <message>
+        <source>Draw the pixels of the screen for one eye and the other in turn</source>
+        <translation>Dessiner les pixels de l&apos;écran tour à tour pour un œil et pour l&apos;autre</translation>
+    </message>
+    <message>
+        <source>&amp;Quad buffer</source>
+        <translation>&amp;Quatre tampons</translation>
+    </message>
+    <message>
+        <source>Let the driver show each eye its picture: shutter glasses</source>
+        <translation>Laisser le pilote montrer à chaque œil son image : lunettes à obturateurs</translation>
+    </message>
+    <message>
+        <source>&amp;Left eye only</source>
+        <translation>Œil &amp;gauche seul</translation>
+    </message>
+    <message>
+        <source>Draw the scene as the left eye sees it</source>
+        <translation>Dessiner la scène comme l&apos;œil gauche la voit</translation>
+    </message>
+    <message>
+        <source>&amp;Right eye only</source>
+        <translation>Œil d&amp;roit seul</translation>
+    </message>
+    <message>
+        <source>Draw the scene as the right eye sees it</source>
+        <translation>Dessiner la scène comme l&apos;œil droit la voit</translation>
+    </message>
+    <message>
+        <source>&amp;Swap the eyes</source>
+        <translation>Échanger les &amp;yeux</translation>
+    </message>
+    <message>
+        <source>Show the picture of the left eye to the right one, and the other way round</source>
+        <translation>Montrer l&apos;image de l&apos;œil gauche à l&apos;œil droit, et inversement</translation>
+    </message>
+    <message>
+        <source>Stereo an&amp;d screen...</source>
+        <translation>Stéréo et écra&amp;n...</translation>
+    </message>
+    <message>
+        <source>Size and distance of the screen, separation of the eyes, what lies in its plane</source>
+        <translation>Taille et distance de l&apos;écran, écart des yeux, ce qui se trouve dans son plan</translation>
+    </message>
+    <message>
+        <source>Show at true si&amp;ze</source>
+        <translation>Montrer à la &amp;taille vraie</translation>
+    </message>
+    <message>
+        <source>What is in the middle of the view has its true size on the screen</source>
+        <translation>Ce qui est au milieu de la vue a sa taille vraie à l&apos;écran</translation>
+    </message>
+    <message>
+        <source>&amp;Full screen</source>
+        <translation>&amp;Plein écran</translation>
+    </message>
+    <message>
+        <source>Show the scene alone on a whole display; commands keep their keys</source>
+        <translation>Montrer la scène seule sur un écran entier ; les commandes gardent leurs touches</translation>
+    </message>
 </context>
 <context>
     <name>Arranging</name>
@@ -6671,6 +6775,10 @@
     <message>
         <source>Chosen j&amp;oint</source>
         <translation>Liaiso&amp;n choisie</translation>
+    </message>
+    <message>
+        <source>Ster&amp;eo</source>
+        <translation>Stéré&amp;o</translation>
     </message>
 </context>
 <context>
@@ -11945,6 +12053,92 @@
     <message>
         <source>Next: move it by hand (menu of the row), or look at the order as a graph.</source>
         <translation>Ensuite&#xa0;: déplacez-le à la main (menu de la ligne), ou regardez l&apos;ordre en graphe.</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::StereoController</name>
+    <message>
+        <source>The graphics driver has no buffers of their own for each eye</source>
+        <translation>Le pilote graphique n&apos;a pas de tampons propres à chaque œil</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::StereoDialog</name>
+    <message>
+        <source>Of the whole screen, measured with a ruler</source>
+        <translation>De l&apos;écran entier, mesurée à la règle</translation>
+    </message>
+    <message>
+        <source>From the eyes to the screen</source>
+        <translation>Des yeux à l&apos;écran</translation>
+    </message>
+    <message>
+        <source>From pupil to pupil; 63 mm is the mean of adults</source>
+        <translation>D&apos;une pupille à l&apos;autre ; 63 mm est la moyenne des adultes</translation>
+    </message>
+    <message>
+        <source>Stereo and screen</source>
+        <translation>Stéréo et écran</translation>
+    </message>
+    <message>
+        <source>&amp;Mode</source>
+        <translation>&amp;Mode</translation>
+    </message>
+    <message>
+        <source>&amp;Width of the screen</source>
+        <translation>&amp;Largeur de l&apos;écran</translation>
+    </message>
+    <message>
+        <source>&amp;Distance of the eyes</source>
+        <translation>&amp;Distance des yeux</translation>
+    </message>
+    <message>
+        <source>In the &amp;plane of the screen</source>
+        <translation>Dans le &amp;plan de l&apos;écran</translation>
+    </message>
+    <message>
+        <source>&amp;Full screen on</source>
+        <translation>Plein écran s&amp;ur</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Fermer</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>the middle of the view</source>
+        <translation>le milieu de la vue</translation>
+    </message>
+    <message>
+        <source>the object</source>
+        <translation>l&apos;objet</translation>
+    </message>
+    <message>
+        <source>what the pointer rests on</source>
+        <translation>ce sur quoi le pointeur s&apos;est posé</translation>
+    </message>
+    <message>
+        <source>What neither stands out of the screen nor lies behind it</source>
+        <translation>Ce qui ne sort pas de l&apos;écran et n&apos;est pas derrière lui</translation>
+    </message>
+    <message>
+        <source>the display of the window</source>
+        <translation>l&apos;écran de la fenêtre</translation>
+    </message>
+    <message>
+        <source>The scene is then %L1 × %L2 mm large.</source>
+        <translation>La scène mesure alors %L1 × %L2 mm.</translation>
+    </message>
+    <message>
+        <source>&amp;Swap the eyes</source>
+        <translation>Échanger les &amp;yeux</translation>
+    </message>
+    <message>
+        <source>Separa&amp;tion of the eyes</source>
+        <translation>Écar&amp;t des yeux</translation>
     </message>
 </context>
 <context>

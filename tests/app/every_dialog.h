@@ -10,6 +10,7 @@
 #include "app/window/named_views_dialog.h"
 #include "app/window/preferences_dialog.h"
 #include "app/window/shortcuts_dialog.h"
+#include "app/window/stereo_dialog.h"
 #include "engine/scenario/product_file.h"
 #include "widgets/devices/calibration_dialog.h"
 #include "widgets/editors/attribute_dialog.h"
@@ -32,6 +33,9 @@ class EveryDialog {
     const Workbench& bench = window.workbench();
     const LoadedScenario& loaded = *bench.document.scenario();
     dialogs_.push_back(std::make_unique<PreferencesDialog>(bench.actions, Preferences{}, &window));
+    auto stereo = std::make_unique<StereoDialog>(bench.actions, StereoSettings{}, &window);
+    stereo->showPictureSize({0.3, 0.2});
+    dialogs_.push_back(std::move(stereo));
     dialogs_.push_back(std::make_unique<ShortcutsDialog>(bench.actions, &window));
     dialogs_.push_back(std::make_unique<CommandPalette>(bench.actions, &window));
     dialogs_.push_back(std::make_unique<RulesDialog>(StrategyRules{}, AttributeTable{}, &window));

@@ -14,7 +14,7 @@ const QStringList& manualPageNames() {
       QStringLiteral("index"),          QStringLiteral("installation"), QStringLiteral("first-motion"),
       QStringLiteral("arranging"),      QStringLiteral("fits"),         QStringLiteral("planning"),
       QStringLiteral("results"),        QStringLiteral("certificate"),  QStringLiteral("sequences"),
-      QStringLiteral("places"),         QStringLiteral("panels"),       QStringLiteral("parameters"),
+      QStringLiteral("places"),         QStringLiteral("stereo"),       QStringLiteral("panels"),       QStringLiteral("parameters"),
       QStringLiteral("commands"),       QStringLiteral("command-line"), QStringLiteral("formats"),
       QStringLiteral("troubleshooting")};
   return names;

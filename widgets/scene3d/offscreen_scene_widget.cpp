@@ -43,11 +43,24 @@ class OffscreenSceneWidget final : public QWidget, public SceneWidget {
     view_.camera() = before;
     return context_->read().scaled(pixels, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
   }
+  std::vector<QImage> picturesFrom(const std::vector<EyePlace>& eyePlaces) override {
+    const EyePlace before = view_.camera().eyePlace();
+    std::vector<QImage> pictures;
+    for (const EyePlace& eyePlace : eyePlaces) {
+      view_.camera().setEyePlace(eyePlace);
+      pictures.push_back(picture(size()));
+    }
+    view_.camera().setEyePlace(before);
+    covering_ = pictures.back();
+    return pictures;
+  }
+  void setCovered(bool covered) override { covered_ = covered; }
+  std::unique_ptr<QuadBuffer> makeQuadBuffer(QWidget* /*parent*/) override { return nullptr; }
   void setNavigationStyle(NavigationStyle style) override { mouse_.setStyle(style); }
   void onCameraMoved(std::function<void()> callback) override { cameraMoved_ = std::move(callback); }
 
  protected:
-  void paintEvent(QPaintEvent* /*event*/) override { QPainter(this).drawImage(0, 0, picture()); }
+  void paintEvent(QPaintEvent* /*event*/) override { QPainter(this).drawImage(0, 0, covered_ ? covering_ : picture()); }
   void resizeEvent(QResizeEvent* /*event*/) override {
     view_.camera().setAspect(double(width()) / std::max(1, height()));
   }
@@ -70,6 +83,8 @@ class OffscreenSceneWidget final : public QWidget, public SceneWidget {
   MouseNavigation mouse_;
   QImage image_;
   bool stale_ = true;
+  bool covered_ = false;
+  QImage covering_;  ///< what the covering widget was given last
   std::function<void()> cameraMoved_;
 };
 
