@@ -167,7 +167,7 @@ const std::vector<MenuSpec>& menuTable() {
         "replay.close"}},
       {"menu.operator",
        QT_TRANSLATE_NOOP("Menus", "&Operator"),
-       {"operator.camera", "operator.camera-roll", "", "operator.devices"}},
+       {"operator.camera", "operator.camera-roll", "operator.head", "", "operator.devices", "operator.head-page"}},
       {"menu.study",
        QT_TRANSLATE_NOOP("Menus", "&Study"),
        {"study.open", "", "study.zoom-out", "study.copy-plot", "study.save-plot", "", "study.report-pdf"}},

@@ -2018,6 +2018,22 @@
         <source>Show the scene alone on a whole display; commands keep their keys</source>
         <translation>Montrer la scène seule sur un écran entier ; les commandes gardent leurs touches</translation>
     </message>
+    <message>
+        <source>&amp;Follow the head</source>
+        <translation>&amp;Suivre la tête</translation>
+    </message>
+    <message>
+        <source>The view follows a head that a tracker (OpenTrack) sees before the screen</source>
+        <translation>La vue suit une tête qu&apos;un capteur (OpenTrack) voit devant l&apos;écran</translation>
+    </message>
+    <message>
+        <source>Calibrate the &amp;head tracker...</source>
+        <translation>Étalonner le capteur de &amp;tête...</translation>
+    </message>
+    <message>
+        <source>Port, axes, signs, rest and delay of the head tracker, with live values</source>
+        <translation>Port, axes, signes, repos et retard du capteur de tête, avec les valeurs en direct</translation>
+    </message>
 </context>
 <context>
     <name>Arranging</name>
@@ -6778,7 +6794,7 @@
     </message>
     <message>
         <source>Ster&amp;eo</source>
-        <translation>Stéré&amp;o</translation>
+        <translation>Stéréo (relie&amp;f)</translation>
     </message>
 </context>
 <context>
@@ -9288,6 +9304,184 @@
     <message>
         <source>Ghosts</source>
         <translation>Fantômes</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::HeadController</name>
+    <message>
+        <source>The head cannot be tracked</source>
+        <translation>La tête ne peut pas être suivie</translation>
+    </message>
+    <message>
+        <source>The head is not tracked: nothing comes to port %1</source>
+        <translation>La tête n&apos;est pas suivie : rien n&apos;arrive au port %1</translation>
+    </message>
+    <message>
+        <source>cannot be used: %1</source>
+        <translation>ne peut pas être utilisé : %1</translation>
+    </message>
+    <message>
+        <source>Choose another port, and set it in the tracker, too.</source>
+        <translation>Choisissez un autre port, et réglez-le aussi dans le capteur.</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::HeadDialog</name>
+    <message>
+        <source>%1 cm</source>
+        <translation>%1 cm</translation>
+    </message>
+    <message>
+        <source>Receive from &amp;other machines, too</source>
+        <translation>Recevoir aussi d&apos;&amp;autres machines</translation>
+    </message>
+    <message>
+        <source>Head tracker</source>
+        <translation>Capteur de tête</translation>
+    </message>
+    <message>
+        <source>&amp;I sit straight before the screen</source>
+        <translation>&amp;Je suis droit devant l&apos;écran</translation>
+    </message>
+    <message>
+        <source>What the tracker sends now is the head at rest: press it while you look at the middle</source>
+        <translation>Ce que le capteur envoie maintenant est la tête au repos : appuyez en regardant le milieu</translation>
+    </message>
+    <message>
+        <source>&amp;Reset</source>
+        <translation>&amp;Réinitialiser</translation>
+    </message>
+    <message>
+        <source>Use the original axes, signs, delay and port again</source>
+        <translation>Reprendre les axes, les signes, le retard et le port d&apos;origine</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Fermer</translation>
+    </message>
+    <message>
+        <source>Otherwise only programs of this machine can move the view</source>
+        <translation>Sinon, seuls les programmes de cette machine peuvent bouger la vue</translation>
+    </message>
+    <message>
+        <source>&amp;Port</source>
+        <translation>&amp;Port</translation>
+    </message>
+    <message>
+        <source>Head</source>
+        <translation>Tête</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>D&apos;après</translation>
+    </message>
+    <message>
+        <source>Tracker sends</source>
+        <translation>Le capteur envoie</translation>
+    </message>
+    <message>
+        <source>Head has moved</source>
+        <translation>La tête a bougé de</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Droite</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Haut</translation>
+    </message>
+    <message>
+        <source>Towards you</source>
+        <translation>Vers vous</translation>
+    </message>
+    <message>
+        <source>Turn left</source>
+        <translation>Tourner à gauche</translation>
+    </message>
+    <message>
+        <source>Look up</source>
+        <translation>Lever la tête</translation>
+    </message>
+    <message>
+        <source>Tilt left</source>
+        <translation>Pencher à gauche</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>yaw</source>
+        <translation>lacet</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation>tangage</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>roulis</translation>
+    </message>
+    <message>
+        <source>inverted</source>
+        <translation>inversé</translation>
+    </message>
+    <message>
+        <source>The number of the tracker that this comes from</source>
+        <translation>Le nombre du capteur dont cela provient</translation>
+    </message>
+    <message>
+        <source>%1, inverted</source>
+        <translation>%1, inversé</translation>
+    </message>
+    <message>
+        <source>The tracker counts in the other direction</source>
+        <translation>Le capteur compte dans l&apos;autre sens</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> ms</translation>
+    </message>
+    <message>
+        <source>More of it lets a head at rest tremble less; a head that moves is followed faster</source>
+        <translation>Plus il est grand, moins une tête au repos tremble ; une tête qui bouge est suivie plus vite</translation>
+    </message>
+    <message>
+        <source>&amp;Delay of a head at rest</source>
+        <translation>Retar&amp;d d&apos;une tête au repos</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>arrêté</translation>
+    </message>
+    <message>
+        <source>the head is tracked</source>
+        <translation>la tête est suivie</translation>
+    </message>
+    <message>
+        <source>nothing comes</source>
+        <translation>rien n&apos;arrive</translation>
+    </message>
+    <message>
+        <source>now %L1 ms</source>
+        <translation>maintenant %L1 ms</translation>
+    </message>
+    <message>
+        <source>The settings cannot be written: %1</source>
+        <translation>Les réglages ne peuvent pas être écrits : %1</translation>
+    </message>
+    <message>
+        <source>; dropped: %L1</source>
+        <translation> ; rejetés : %L1</translation>
     </message>
 </context>
 <context>

@@ -13,6 +13,7 @@
 #include "app/window/stereo_dialog.h"
 #include "engine/scenario/product_file.h"
 #include "widgets/devices/calibration_dialog.h"
+#include "widgets/devices/head_dialog.h"
 #include "widgets/editors/attribute_dialog.h"
 #include "widgets/editors/parts_dialog.h"
 #include "widgets/editors/rules_dialog.h"
@@ -53,6 +54,8 @@ class EveryDialog {
     times->showTable();
     dialogs_.push_back(std::move(times));
     dialogs_.push_back(std::make_unique<CalibrationDialog>(bench.session.hand(), settings_, bench.actions, &window));
+    dialogs_.push_back(std::make_unique<HeadDialog>(
+        HeadPreferences{}, [] { return HeadState{}; }, &window));
     dialogs_.push_back(std::make_unique<StudyBrowser>(nullptr));
     dialogs_.push_back(std::make_unique<NamedViewsDialog>(NamedViews{}, &window));
   }
