@@ -37,7 +37,8 @@ void FullScreen::enter(const QString& display) {
   if (on_) return;
   on_ = true;
   panels_ = window_.saveState();
-  geometry_ = window_.saveGeometry();
+  geometry_ = window_.geometry();
+  maximized_ = window_.isMaximized();
   // The keys of a command work where a menu that is seen has it, or the window itself.
   for (const ActionSpec& spec : actionSpecs()) window_.addAction(actions_[QLatin1String(spec.id)]);
   for (QWidget* widget : around()) {
@@ -45,23 +46,26 @@ void FullScreen::enter(const QString& display) {
     widget->hide();
     hidden_ << widget;
   }
-  if (QScreen* screen = screenNamed(display)) {
-    if (window_.windowHandle() != nullptr) window_.windowHandle()->setScreen(screen);
-    window_.setGeometry(screen->geometry());
-  }
+  QScreen* named = screenNamed(display);
+  if (named != nullptr && window_.windowHandle() != nullptr) window_.windowHandle()->setScreen(named);
+  window_.setGeometry((named != nullptr ? named : window_.screen())->geometry());
   window_.showFullScreen();
 }
 
 void FullScreen::leave() {
   if (!on_) return;
   on_ = false;
-  window_.showNormal();
+  if (maximized_) {
+    window_.showMaximized();
+  } else {
+    window_.showNormal();
+    window_.setGeometry(geometry_);
+  }
   for (const QPointer<QWidget>& widget : hidden_) {
     if (widget) widget->show();
   }
   hidden_.clear();
   for (const ActionSpec& spec : actionSpecs()) window_.removeAction(actions_[QLatin1String(spec.id)]);
-  window_.restoreGeometry(geometry_);
   window_.restoreState(panels_);
   emit left();
 }

@@ -32,7 +32,8 @@ class FullScreen final : public QObject {
   const ActionCatalogue& actions_;
   bool on_ = false;
   QByteArray panels_;
-  QByteArray geometry_;
+  QRect geometry_;
+  bool maximized_ = false;
   QList<QPointer<QWidget>> hidden_;
 };
 

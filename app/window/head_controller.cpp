@@ -62,6 +62,7 @@ void HeadController::addCommands() {
     for (const double end = scriptTime_ + kScriptHold; scriptTime_ < end; scriptTime_ += 1.0 / kScriptRate) {
       take(*reading);
     }
+    if (dialog_ != nullptr) dialog_->refresh();
     return Done{};
   });
   bench_.scripts.add("head-silent", 1, [this](const Words& words) -> Outcome {
@@ -135,6 +136,10 @@ void HeadController::take(const HeadReading& reading) {
 }
 
 void HeadController::noticeSilence() {
+  if (receiver_.hasMore()) {  // it is the window that was late
+    silence_.start();
+    return;
+  }
   sign_->setText(tr("The head is not tracked: nothing comes to port %1").arg(preferences_.port));
   sign_->adjustSize();
   sign_->show();

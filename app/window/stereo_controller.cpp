@@ -65,7 +65,8 @@ void StereoController::askForQuadBuffer() {
   if (bench_.scene.makeQuadBuffer(nullptr) != nullptr) return;
   QAction* action = bench_.actions["stereo.quad-buffer"];
   action->setEnabled(false);
-  action->setToolTip(tr("The graphics driver has no buffers of their own for each eye"));
+  action->setStatusTip(tr("The graphics driver has no buffers of their own for each eye"));
+  action->setToolTip(action->statusTip());
 }
 
 void StereoController::remember(WindowMemory& memory) {

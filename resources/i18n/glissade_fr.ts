@@ -6794,7 +6794,7 @@
     </message>
     <message>
         <source>Ster&amp;eo</source>
-        <translation>Stéréo (relie&amp;f)</translation>
+        <translation>V&amp;ue stéréo</translation>
     </message>
 </context>
 <context>

@@ -29,7 +29,7 @@ void HeadReceiver::read() {
   std::optional<HeadReading> newest;
   // One byte more than a whole one, so that longer ones are noticed.
   std::array<std::byte, kOpentrackBytes + 1> datagram;
-  for (int i = 0; i < kMostAtOnce && socket_ && socket_->hasPendingDatagrams(); ++i) {
+  for (int i = 0; i < kMostAtOnce && hasMore(); ++i) {
     const qint64 size = socket_->readDatagram(reinterpret_cast<char*>(datagram.data()), datagram.size());
     if (size < 0) continue;
     const auto reading = parseOpentrack(std::span(datagram).first(static_cast<std::size_t>(size)));
@@ -40,8 +40,7 @@ void HeadReceiver::read() {
     }
   }
   if (newest) emit received(*newest);
-  if (socket_ && socket_->hasPendingDatagrams())
-    QMetaObject::invokeMethod(this, &HeadReceiver::read, Qt::QueuedConnection);
+  if (hasMore()) QMetaObject::invokeMethod(this, &HeadReceiver::read, Qt::QueuedConnection);
 }
 
 }  // namespace glissade

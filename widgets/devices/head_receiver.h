@@ -26,6 +26,8 @@ class HeadReceiver final : public QObject {
   int port() const { return socket_ ? socket_->localPort() : 0; }
   QHostAddress address() const { return socket_ ? socket_->localAddress() : QHostAddress(); }
   QString trouble() const { return trouble_; }
+  /// Something has come that was not read yet.
+  bool hasMore() const { return socket_ && socket_->hasPendingDatagrams(); }
   /// Datagrams that were no place of a head, since open().
   std::uint64_t dropped() const { return dropped_; }
 

@@ -29,26 +29,24 @@ class OffscreenSceneWidget final : public QWidget, public SceneWidget {
   }
   QImage picture() override {
     if (stale_ || image_.size() != size()) {
-      image_ = picture(size());
+      image_ = draw(size());
       stale_ = false;
     }
     return image_;
   }
   QImage picture(const QSize& pixels) override {
-    const CameraController before = view_.camera();
-    const QSize rendered = pixels.expandedTo(QSize(1, 1)) * kOversampling;
-    context_->makeCurrent(rendered.width(), rendered.height());
-    renderer_.resize(rendered.width(), rendered.height());
-    renderer_.render(0);
-    view_.camera() = before;
-    return context_->read().scaled(pixels, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    const EyePlace before = view_.camera().eyePlace();
+    view_.camera().setEyePlace({});
+    QImage image = draw(pixels);
+    view_.camera().setEyePlace(before);
+    return image;
   }
   std::vector<QImage> picturesFrom(const std::vector<EyePlace>& eyePlaces) override {
     const EyePlace before = view_.camera().eyePlace();
     std::vector<QImage> pictures;
     for (const EyePlace& eyePlace : eyePlaces) {
       view_.camera().setEyePlace(eyePlace);
-      pictures.push_back(picture(size()));
+      pictures.push_back(draw(size()));
     }
     view_.camera().setEyePlace(before);
     covering_ = pictures.back();
@@ -71,6 +69,16 @@ class OffscreenSceneWidget final : public QWidget, public SceneWidget {
   void wheelEvent(QWheelEvent* event) override { moved(mouse_.wheel(*event, *this, view_)); }
 
  private:
+  QImage draw(const QSize& pixels) {
+    const CameraController before = view_.camera();
+    const QSize rendered = pixels.expandedTo(QSize(1, 1)) * kOversampling;
+    context_->makeCurrent(rendered.width(), rendered.height());
+    renderer_.resize(rendered.width(), rendered.height());
+    renderer_.render(0);
+    view_.camera() = before;
+    return context_->read().scaled(pixels, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+  }
+
   void moved(bool camera) {
     if (!camera) return;
     if (cameraMoved_) cameraMoved_();

@@ -64,6 +64,7 @@ class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
     const auto buffer = makeBuffer(pixels.expandedTo(QSize(1, 1)) * devicePixelRatioF(), kSamples);
     QOpenGLFramebufferObject& target = *buffer;
     target.bind();
+    view_.camera().setEyePlace({});
     renderer_.resize(target.width(), target.height());
     renderer_.render(target.handle());
     const QImage image = target.toImage().scaled(pixels, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);

@@ -2,6 +2,7 @@
 
 #include <QOpenGLContext>
 #include <QOpenGLFunctions_1_1>
+#include <QPointer>
 #include <QWindow>
 
 namespace glissade {
@@ -23,7 +24,8 @@ class QuadBufferWindow final : public QuadBuffer {
     context_.setFormat(stereoFormat());
   }
   ~QuadBufferWindow() override {
-    if (container_ == nullptr) delete window_;
+    delete container_;
+    delete window_;
   }
   QuadBufferWindow(const QuadBufferWindow&) = delete;
   QuadBufferWindow& operator=(const QuadBufferWindow&) = delete;
@@ -57,8 +59,8 @@ class QuadBufferWindow final : public QuadBuffer {
     gl.glDrawPixels(pixels.width(), pixels.height(), GL_BGRA, GL_UNSIGNED_BYTE, pixels.constBits());
   }
 
-  QWindow* window_;  ///< the container's, once there is one
-  QWidget* container_ = nullptr;
+  QPointer<QWindow> window_;  ///< the container's, once there is one
+  QPointer<QWidget> container_;
   QOpenGLContext context_;
 };
 

@@ -65,8 +65,9 @@ void HeadTracking::take(const HeadReading& reading, double time) {
 }
 
 void HeadTracking::passTime(double time) {
-  if (isTracked(time)) return;
-  const double share = std::exp(-std::max(0.0, time - passed_) / kReturn);
+  if (!heard_ || isTracked(time)) return;
+  const double since = std::max(passed_, *heard_ + kSilence);
+  const double share = std::exp(-std::max(0.0, time - since) / kReturn);
   for (double& value : now_) {
     value *= share;
     if (std::abs(value) < kAtRest) value = 0.0;
