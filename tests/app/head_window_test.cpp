@@ -21,10 +21,11 @@ TEST_F(HeadWindow, TheViewFollowsTheHeadAndIsBackAfterASilence) {
   // The sign of a silent tracker is the only difference.
   EXPECT_NE(picture("back.png"), picture("rest.png"));
   EXPECT_LT(difference(picture("back.png"), picture("rest.png")).share, 0.01);
-  EXPECT_EQ(picture("rest-again.png"), picture("rest.png"));
+  const auto expectSame = [](const QImage& a, const QImage& b) { EXPECT_LT(difference(a, b).mean, 0.01); };
+  expectSame(picture("rest-again.png"), picture("rest.png"));
   const QString usual = folder.filePath(QStringLiteral("usual.png"));
   ASSERT_EQ(run(QStringLiteral("teaching"), QStringLiteral("screenshot ") + usual).exitCode, 0);
-  EXPECT_EQ(picture("off.png"), QImage(usual));
+  expectSame(picture("off.png"), QImage(usual));
 }
 
 TEST_F(HeadWindow, ItsPageShowsWhatComesInStereoToo) {
