@@ -34,6 +34,7 @@
 #include "engine/scenario/part_files.h"
 #include "widgets/manual/manual_writer.h"
 #include "widgets/plots/picture_file.h"
+#include "widgets/scene3d/stereo_mode.h"
 
 namespace glissade {
 namespace {
@@ -71,6 +72,10 @@ void addOptions(QCommandLineParser& parser) {
       {"report-pdf", "Write the report of the study (or the page of the benchmarks) in DIR as PDF there", "DIR"},
       {"write-manual", "Write the manual as HTML into DIR, in a folder for the language, and quit", "DIR"},
       {"theme", "light or dark (default: as in the preferences, or the desktop's; light in scripts)", "THEME", "light"},
+      {"stereo",
+       "How the scene is drawn for two eyes: off, anaglyph, side-by-side, top-bottom, interlaced, checkerboard, "
+       "quad-buffer, left-eye or right-eye (default: as it was left; off in scripts)",
+       "MODE"},
       {"language", "en or fr (default: as in the preferences, or the desktop's; en in scripts)", "LANGUAGE"},
       {"seed", "Seed of everything random", "SEED"},
       {"help", "Show this help and quit"},
@@ -128,6 +133,19 @@ int runScriptFile(const std::string& file, const Workbench& bench) {
 
 Theme themeNamed(const QString& name) { return name == "dark" ? Theme::Dark : Theme::Light; }
 
+std::optional<Diagnostic> applyStereo(const QCommandLineParser& parser, const ActionCatalogue& actions) {
+  if (!parser.isSet("stereo")) return std::nullopt;
+  const auto mode = stereoModeNamed(parser.value("stereo").toStdString());
+  if (!mode) {
+    return Diagnostic{ErrorKind::Usage, "", "--stereo", "is not a mode of stereo", "glissade --help names them."};
+  }
+  QAction* action = actions[QLatin1String(entryOf(*mode).action)];
+  if (!action->isEnabled())
+    return Diagnostic{ErrorKind::Usage, "", "--stereo", "is a mode that is not possible here", ""};
+  action->trigger();
+  return std::nullopt;
+}
+
 /// Nobody sits before the window.
 bool isBatch(const QCommandLineParser& parser) {
   return parser.isSet("script") || parser.isSet("screenshot") || parser.isSet("thumbnail") ||
@@ -156,6 +174,7 @@ int runWindow(const QCommandLineParser& parser, MainWindow& window) {
   }
   if (!batch) window.remember(std::make_unique<WindowMemory>(), !parser.isSet("size"));
   if (parser.isSet("theme")) window.setTheme(themeNamed(parser.value("theme")));
+  if (const auto why = applyStereo(parser, window.workbench().actions)) return fail(*why);
   const QStringList files = parser.positionalArguments();
   const QString file = files.value(0);
   const bool asksForParts = !batch && areParts(files);

@@ -15,6 +15,7 @@
 #include "app/window/document_controller.h"
 #include "app/window/editor_in_use.h"
 #include "app/window/environment_controller.h"
+#include "app/window/eyes_controller.h"
 #include "app/window/fits_controller.h"
 #include "app/window/help_controller.h"
 #include "app/window/icons.h"
@@ -46,11 +47,6 @@
 #include "app/window/workspace_notice.h"
 
 namespace glissade {
-namespace {
-
-constexpr QSize kUsualSize{1280, 720};
-
-}  // namespace
 
 MainWindow::MainWindow(const SceneWidgetFactory& makeScene, SessionClock clock)
     : scene_(makeScene(this)),
@@ -92,15 +88,16 @@ void MainWindow::addParts() {
   views_ = new NamedViewsController(bench_);
   connect(views_, &NamedViewsController::cameraMoved, view, &ViewController::publishOperatorFrame);
   new NavigationController(bench_);
+  auto* eyes = new EyesController(bench_);
   auto* fits = new FitsController(bench_);
   auto* joints = new JointsController(bench_);
   auto* environment = new EnvironmentController(bench_);
   auto* parts = new PartImport(bench_);
   auto* assembly = new AssemblyController(bench_, *parts);
   new BodyVisibility(bench_, *assembly->scenePanel());
-  path_ = new PathController(bench_);
+  auto* path = new PathController(bench_);
   auto* difficulty = new DifficultyController(bench_);
-  files_ = new FileController(bench_, *parts, *path_);
+  files_ = new FileController(bench_, *parts, *path);
   new WelcomeController(bench_, *files_);
   auto* replay = new ReplayController(bench_);
   replayBar_ = replay->bar();
@@ -123,11 +120,16 @@ void MainWindow::addParts() {
   new SweepController(bench_);
   auto* kept = new KeptPathsController(bench_);
   auto* log = new LogController(bench_);
-  sequence_ = new SequenceController(bench_);
-  auto* stepCamera = new StepCamera(bench_, *sequence_);
+  auto* sequence = new SequenceController(bench_);
+  auto* stepCamera = new StepCamera(bench_, *sequence);
   connect(stepCamera, &StepCamera::cameraMoved, view, &ViewController::publishOperatorFrame);
-  new TimesController(bench_, *sequence_);
+  new TimesController(bench_, *sequence);
   new ManualController(bench_);
+  remember_ = [this, path, sequence, eyes] {
+    path->remember(*memory_);
+    sequence->remember(*memory_);
+    eyes->remember(*memory_);
+  };
 
   docks_.add({tr("Interaction"), "interaction", run->interactionPanel(), DockPlace::Left});
   docks_.add({tr("Scene"), "scene-tree", assembly->panel(), DockPlace::UpperRight, "panel.scene"});
@@ -139,16 +141,16 @@ void MainWindow::addParts() {
   docks_.add({tr("Section"), "section", sections->panel(), DockPlace::UpperRight, "panel.section"});
   docks_.add({tr("Run"), "run", run->countsPanel(), DockPlace::LowerRight, "panel.run"});
   docks_.add({tr("Plan"), "plan", environment->planPanel(), DockPlace::LowerRight, "panel.plan", Scrolling::Own});
-  docks_.add({tr("Path"), "path", path_->panel(), DockPlace::LowerRight, "panel.path"});
+  docks_.add({tr("Path"), "path", path->panel(), DockPlace::LowerRight, "panel.path"});
   docks_.add({tr("Paths"), "paths", kept->panel(), DockPlace::LowerRight, "panel.paths", Scrolling::Table});
   docks_.add(
       {tr("Log"), "log", log->panel(), DockPlace::LowerRight, "panel.log", Scrolling::Own, [] { return false; }});
   docks_.add(
-      {tr("Sequence"), "sequence", sequence_->panel(), DockPlace::LowerRight, "panel.sequence", Scrolling::Table});
+      {tr("Sequence"), "sequence", sequence->panel(), DockPlace::LowerRight, "panel.sequence", Scrolling::Table});
   docks_.add({tr("Difficulty"), "difficulty", difficulty->panel(), DockPlace::LowerRight, "panel.difficulty",
               Scrolling::Own, [difficulty] { return difficulty->difficulty() != nullptr; }});
   docks_.orderTabStops();
-  resize(kUsualSize);  // the docks share the width that the window has now
+  resize(1280, 720);  // the docks share the width that the window has now
   docks_.arrange();
   makeMenus(*this, actions_, {files_->recentMenu(), files_->saves().versionsMenu(), views_->menu()});
   new ContextMenus(bench_);
@@ -191,8 +193,7 @@ void MainWindow::remember(std::unique_ptr<WindowMemory> memory, bool sizeToo) {
   files_->setMemory(memory_.get());
   dialogs_.setMemory(memory_.get());
   views_->setMemory(memory_.get());
-  path_->remember(*memory_);
-  sequence_->remember(*memory_);
+  remember_();
   memory_->restoreLayout(*this, sizeToo);
   room_.fit(room_.room());
   memory_->restoreChoices(actions_);

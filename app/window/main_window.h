@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "app/window/panel_docks.h"
@@ -9,11 +10,9 @@
 namespace glissade {
 
 class FileController;
-class PathController;
 class NamedViewsController;
 class PreferencesController;
 class RecordingController;
-class SequenceController;
 class WindowMemory;
 
 /// The workbench: the 3D view in the middle, panels around it, one document and one session behind it. It makes the
@@ -66,10 +65,9 @@ class MainWindow final : public QMainWindow {
   WindowRoom room_;
   FileController* files_ = nullptr;
   NamedViewsController* views_ = nullptr;
-  PathController* path_ = nullptr;
   RecordingController* recordings_ = nullptr;
   PreferencesController* preferences_ = nullptr;
-  SequenceController* sequence_ = nullptr;
+  std::function<void()> remember_;  ///< lets parts take what memory_ has, before the layout comes back
   QWidget* replayBar_ = nullptr;
   std::unique_ptr<WindowMemory> memory_;  ///< null: nothing is remembered
 };

@@ -29,6 +29,7 @@ const QLatin1String kColours("preferences/colours/");
 const QLatin1String kGhosts("path/ghosts-");
 const QLatin1String kInstructionTemplate("instruction-template");
 const QLatin1String kWorkTimes("work-times/");
+const QLatin1String kStereo("stereo/");
 const QLatin1String kChoices("choices/");
 const QLatin1String kShortcuts("shortcuts/");
 
@@ -53,6 +54,12 @@ void forEachColour(Colours& colours, Visit visit) {
   visit("start", colours.start);
   visit("goal", colours.goal);
 }
+
+/// The lengths under the names that they are kept by, metres.
+constexpr std::array<std::pair<const char*, double ScreenGeometry::*>, 3> kScreenLengths{
+    {{"screen-width", &ScreenGeometry::width},
+     {"distance", &ScreenGeometry::distance},
+     {"eye-separation", &ScreenGeometry::eyeSeparation}}};
 
 /// Checkable actions that are a user's choice for all scenarios.
 std::vector<QLatin1String> choiceIds() {
@@ -197,6 +204,34 @@ ThemeChoice WindowMemory::theme() const {
   const QVariant dark = settings_.value(kChoices + QLatin1String("view.dark"));
   if (dark.isNull()) return ThemeChoice::Desktop;
   return dark.toBool() ? ThemeChoice::Dark : ThemeChoice::Light;
+}
+
+StereoSettings WindowMemory::stereo() const {
+  StereoSettings settings;
+  const QString mode = settings_.value(kStereo + QLatin1String("mode")).toString();
+  settings.mode = stereoModeNamed(mode.toStdString()).value_or(StereoMode::Off);
+  settings.swapped = settings_.value(kStereo + QLatin1String("swapped")).toBool();
+  const QString convergence = settings_.value(kStereo + QLatin1String("convergence")).toString();
+  for (std::size_t i = 0; i < kConvergenceNames.size(); ++i) {
+    if (convergence == QLatin1String(kConvergenceNames[i])) settings.convergence = static_cast<Convergence>(i);
+  }
+  for (const auto& [name, length] : kScreenLengths) {
+    const double metres = settings_.value(kStereo + QLatin1String(name), settings.screen.*length).toDouble();
+    if (metres >= kLeastScreen.*length && metres <= kMostScreen.*length) settings.screen.*length = metres;
+  }
+  settings.display = settings_.value(kStereo + QLatin1String("display")).toString();
+  return settings;
+}
+
+void WindowMemory::saveStereo(const StereoSettings& settings) {
+  settings_.setValue(kStereo + QLatin1String("mode"), QLatin1String(entryOf(settings.mode).name));
+  settings_.setValue(kStereo + QLatin1String("swapped"), settings.swapped);
+  const auto convergence = static_cast<std::size_t>(settings.convergence);
+  settings_.setValue(kStereo + QLatin1String("convergence"), QLatin1String(kConvergenceNames[convergence]));
+  for (const auto& [name, length] : kScreenLengths) {
+    settings_.setValue(kStereo + QLatin1String(name), settings.screen.*length);
+  }
+  settings_.setValue(kStereo + QLatin1String("display"), settings.display);
 }
 
 Preferences WindowMemory::preferences() const {

@@ -6,6 +6,7 @@
 
 #include "app/window/named_views.h"
 #include "app/window/preferences.h"
+#include "app/window/stereo_settings.h"
 #include "engine/planning/path_spacing.h"
 #include "engine/sequence/work_times.h"
 #include "widgets/commands/action_catalogue.h"
@@ -14,8 +15,8 @@ namespace glissade {
 
 /// What the window remembers from one start to the next: the files opened last, the folders of its dialogs, where its
 /// panels lie, and a user's choices: ghosts along paths, the table of work times, the template of work instructions,
-/// language, size of texts, unit of lengths, colours, theme, navigation, perspective, shortcuts. Kept as the platform
-/// keeps settings. Scripts and pictures have none.
+/// language, size of texts, unit of lengths, colours, theme, navigation, perspective, stereo, shortcuts. Kept as the
+/// platform keeps settings. Scripts and pictures have none.
 class WindowMemory {
  public:
   /// The user's own.
@@ -51,6 +52,10 @@ class WindowMemory {
   /// Absolute path of the template of work instructions; empty: none.
   QString instructionTemplate() const;
   void saveInstructionTemplate(const QString& file);
+
+  /// A value that is out of its range is the default.
+  StereoSettings stereo() const;
+  void saveStereo(const StereoSettings& settings);
 
   Preferences preferences() const;
   void savePreferences(const Preferences& preferences);

@@ -1922,6 +1922,126 @@
         <source>Work instru&amp;ction...</source>
         <translation>Gamme de mo&amp;ntage...</translation>
     </message>
+    <message>
+        <source>&amp;Follow the head</source>
+        <translation>&amp;Suivre la tête</translation>
+    </message>
+    <message>
+        <source>The view follows a head that a tracker (OpenTrack) sees before the screen</source>
+        <translation>La vue suit une tête qu&apos;un capteur (OpenTrack) voit devant l&apos;écran</translation>
+    </message>
+    <message>
+        <source>Calibrate the &amp;head tracker...</source>
+        <translation>Étalonner le capteur de &amp;tête...</translation>
+    </message>
+    <message>
+        <source>Port, axes, signs, rest and delay of the head tracker, with live values</source>
+        <translation>Port, axes, signes, repos et retard du capteur de tête, avec les valeurs en direct</translation>
+    </message>
+    <message>
+        <source>&amp;No stereo</source>
+        <translation>Sans stéré&amp;o</translation>
+    </message>
+    <message>
+        <source>Draw the scene for both eyes alike</source>
+        <translation>Dessiner la scène de la même façon pour les deux yeux</translation>
+    </message>
+    <message>
+        <source>&amp;Anaglyph, red and cyan</source>
+        <translation>&amp;Anaglyphe, rouge et cyan</translation>
+    </message>
+    <message>
+        <source>Draw the scene for glasses with a red and a cyan filter; colours stay</source>
+        <translation>Dessiner la scène pour des lunettes à filtres rouge et cyan ; les couleurs restent</translation>
+    </message>
+    <message>
+        <source>S&amp;ide by side</source>
+        <translation>&amp;Côte à côte</translation>
+    </message>
+    <message>
+        <source>Draw the left half for one eye, the right half for the other</source>
+        <translation>Dessiner la moitié gauche pour un œil, la moitié droite pour l&apos;autre</translation>
+    </message>
+    <message>
+        <source>&amp;Top and bottom</source>
+        <translation>En &amp;haut et en bas</translation>
+    </message>
+    <message>
+        <source>Draw the upper half for one eye, the lower half for the other</source>
+        <translation>Dessiner la moitié haute pour un œil, la moitié basse pour l&apos;autre</translation>
+    </message>
+    <message>
+        <source>Int&amp;erlaced</source>
+        <translation>&amp;Entrelacé</translation>
+    </message>
+    <message>
+        <source>Draw the rows of the screen for one eye and the other in turn</source>
+        <translation>Dessiner les lignes de l&apos;écran tour à tour pour un œil et pour l&apos;autre</translation>
+    </message>
+    <message>
+        <source>&amp;Checkerboard</source>
+        <translation>&amp;Damier</translation>
+    </message>
+    <message>
+        <source>Draw the pixels of the screen for one eye and the other in turn</source>
+        <translation>Dessiner les pixels de l&apos;écran tour à tour pour un œil et pour l&apos;autre</translation>
+    </message>
+    <message>
+        <source>&amp;Quad buffer</source>
+        <translation>&amp;Quatre tampons</translation>
+    </message>
+    <message>
+        <source>Let the driver show each eye its picture: shutter glasses</source>
+        <translation>Laisser le pilote montrer à chaque œil son image : lunettes à obturateurs</translation>
+    </message>
+    <message>
+        <source>&amp;Left eye only</source>
+        <translation>Œil &amp;gauche seul</translation>
+    </message>
+    <message>
+        <source>Draw the scene as the left eye sees it</source>
+        <translation>Dessiner la scène comme l&apos;œil gauche la voit</translation>
+    </message>
+    <message>
+        <source>&amp;Right eye only</source>
+        <translation>Œil d&amp;roit seul</translation>
+    </message>
+    <message>
+        <source>Draw the scene as the right eye sees it</source>
+        <translation>Dessiner la scène comme l&apos;œil droit la voit</translation>
+    </message>
+    <message>
+        <source>&amp;Swap the eyes</source>
+        <translation>Échanger les &amp;yeux</translation>
+    </message>
+    <message>
+        <source>Show the picture of the left eye to the right one, and the other way round</source>
+        <translation>Montrer l&apos;image de l&apos;œil gauche à l&apos;œil droit, et inversement</translation>
+    </message>
+    <message>
+        <source>Stereo an&amp;d screen...</source>
+        <translation>Stéréo et écra&amp;n...</translation>
+    </message>
+    <message>
+        <source>Size and distance of the screen, separation of the eyes, what lies in its plane</source>
+        <translation>Taille et distance de l&apos;écran, écart des yeux, ce qui se trouve dans son plan</translation>
+    </message>
+    <message>
+        <source>Show at true si&amp;ze</source>
+        <translation>Montrer à la &amp;taille vraie</translation>
+    </message>
+    <message>
+        <source>What is in the middle of the view has its true size on the screen</source>
+        <translation>Ce qui est au milieu de la vue a sa taille vraie à l&apos;écran</translation>
+    </message>
+    <message>
+        <source>&amp;Full screen</source>
+        <translation>&amp;Plein écran</translation>
+    </message>
+    <message>
+        <source>Show the scene alone on a whole display; commands keep their keys</source>
+        <translation>Montrer la scène seule sur un écran entier ; les commandes gardent leurs touches</translation>
+    </message>
 </context>
 <context>
     <name>Arranging</name>
@@ -6680,6 +6800,10 @@
         <source>Chosen j&amp;oint</source>
         <translation>Liaiso&amp;n choisie</translation>
     </message>
+    <message>
+        <source>Ster&amp;eo</source>
+        <translation>V&amp;ue stéréo</translation>
+    </message>
 </context>
 <context>
     <name>Messages</name>
@@ -9220,6 +9344,184 @@
     <message>
         <source>Ghosts</source>
         <translation>Fantômes</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::HeadController</name>
+    <message>
+        <source>The head cannot be tracked</source>
+        <translation>La tête ne peut pas être suivie</translation>
+    </message>
+    <message>
+        <source>cannot be used: %1</source>
+        <translation>ne peut pas être utilisé : %1</translation>
+    </message>
+    <message>
+        <source>Choose another port, and set it in the tracker, too.</source>
+        <translation>Choisissez un autre port, et réglez-le aussi dans le capteur.</translation>
+    </message>
+    <message>
+        <source>The head is not tracked: nothing comes to port %1</source>
+        <translation>La tête n&apos;est pas suivie : rien n&apos;arrive au port %1</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::HeadDialog</name>
+    <message>
+        <source>%1 cm</source>
+        <translation>%1 cm</translation>
+    </message>
+    <message>
+        <source>Receive from &amp;other machines, too</source>
+        <translation>Recevoir aussi d&apos;&amp;autres machines</translation>
+    </message>
+    <message>
+        <source>Head tracker</source>
+        <translation>Capteur de tête</translation>
+    </message>
+    <message>
+        <source>&amp;I sit straight before the screen</source>
+        <translation>&amp;Je suis droit devant l&apos;écran</translation>
+    </message>
+    <message>
+        <source>What the tracker sends now is the head at rest: press it while you look at the middle</source>
+        <translation>Ce que le capteur envoie maintenant est la tête au repos : appuyez en regardant le milieu</translation>
+    </message>
+    <message>
+        <source>&amp;Reset</source>
+        <translation>&amp;Réinitialiser</translation>
+    </message>
+    <message>
+        <source>Use the original axes, signs, delay and port again</source>
+        <translation>Reprendre les axes, les signes, le retard et le port d&apos;origine</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Fermer</translation>
+    </message>
+    <message>
+        <source>Otherwise only programs of this machine can move the view</source>
+        <translation>Sinon, seuls les programmes de cette machine peuvent bouger la vue</translation>
+    </message>
+    <message>
+        <source>&amp;Port</source>
+        <translation>&amp;Port</translation>
+    </message>
+    <message>
+        <source>Head</source>
+        <translation>Tête</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>D&apos;après</translation>
+    </message>
+    <message>
+        <source>Tracker sends</source>
+        <translation>Le capteur envoie</translation>
+    </message>
+    <message>
+        <source>Head has moved</source>
+        <translation>La tête a bougé de</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Droite</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Haut</translation>
+    </message>
+    <message>
+        <source>Towards you</source>
+        <translation>Vers vous</translation>
+    </message>
+    <message>
+        <source>Turn left</source>
+        <translation>Tourner à gauche</translation>
+    </message>
+    <message>
+        <source>Look up</source>
+        <translation>Lever la tête</translation>
+    </message>
+    <message>
+        <source>Tilt left</source>
+        <translation>Pencher à gauche</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>yaw</source>
+        <translation>lacet</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation>tangage</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>roulis</translation>
+    </message>
+    <message>
+        <source>inverted</source>
+        <translation>inversé</translation>
+    </message>
+    <message>
+        <source>The number of the tracker that this comes from</source>
+        <translation>Le nombre du capteur dont cela provient</translation>
+    </message>
+    <message>
+        <source>%1, inverted</source>
+        <translation>%1, inversé</translation>
+    </message>
+    <message>
+        <source>The tracker counts in the other direction</source>
+        <translation>Le capteur compte dans l&apos;autre sens</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> ms</translation>
+    </message>
+    <message>
+        <source>More of it lets a head at rest tremble less; a head that moves is followed faster</source>
+        <translation>Plus il est grand, moins une tête au repos tremble ; une tête qui bouge est suivie plus vite</translation>
+    </message>
+    <message>
+        <source>&amp;Delay of a head at rest</source>
+        <translation>Retar&amp;d d&apos;une tête au repos</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>arrêté</translation>
+    </message>
+    <message>
+        <source>the head is tracked</source>
+        <translation>la tête est suivie</translation>
+    </message>
+    <message>
+        <source>nothing comes</source>
+        <translation>rien n&apos;arrive</translation>
+    </message>
+    <message>
+        <source>; dropped: %L1</source>
+        <translation> ; rejetés : %L1</translation>
+    </message>
+    <message>
+        <source>now %L1 ms</source>
+        <translation>maintenant %L1 ms</translation>
+    </message>
+    <message>
+        <source>The settings cannot be written: %1</source>
+        <translation>Les réglages ne peuvent pas être écrits : %1</translation>
     </message>
 </context>
 <context>
@@ -12001,6 +12303,92 @@
     <message>
         <source>Next: move it by hand (menu of the row), or look at the order as a graph.</source>
         <translation>Ensuite&#xa0;: déplacez-le à la main (menu de la ligne), ou regardez l&apos;ordre en graphe.</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::StereoController</name>
+    <message>
+        <source>The graphics driver has no buffers of their own for each eye</source>
+        <translation>Le pilote graphique n&apos;a pas de tampons propres à chaque œil</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::StereoDialog</name>
+    <message>
+        <source>&amp;Swap the eyes</source>
+        <translation>Échanger les &amp;yeux</translation>
+    </message>
+    <message>
+        <source>Of the whole screen, measured with a ruler</source>
+        <translation>De l&apos;écran entier, mesurée à la règle</translation>
+    </message>
+    <message>
+        <source>From the eyes to the screen</source>
+        <translation>Des yeux à l&apos;écran</translation>
+    </message>
+    <message>
+        <source>From pupil to pupil; 63 mm is the mean of adults</source>
+        <translation>D&apos;une pupille à l&apos;autre ; 63 mm est la moyenne des adultes</translation>
+    </message>
+    <message>
+        <source>Stereo and screen</source>
+        <translation>Stéréo et écran</translation>
+    </message>
+    <message>
+        <source>&amp;Mode</source>
+        <translation>&amp;Mode</translation>
+    </message>
+    <message>
+        <source>&amp;Width of the screen</source>
+        <translation>&amp;Largeur de l&apos;écran</translation>
+    </message>
+    <message>
+        <source>&amp;Distance of the eyes</source>
+        <translation>&amp;Distance des yeux</translation>
+    </message>
+    <message>
+        <source>Separa&amp;tion of the eyes</source>
+        <translation>Écar&amp;t des yeux</translation>
+    </message>
+    <message>
+        <source>In the &amp;plane of the screen</source>
+        <translation>Dans le &amp;plan de l&apos;écran</translation>
+    </message>
+    <message>
+        <source>&amp;Full screen on</source>
+        <translation>Plein écran s&amp;ur</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Fermer</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>the middle of the view</source>
+        <translation>le milieu de la vue</translation>
+    </message>
+    <message>
+        <source>the object</source>
+        <translation>l&apos;objet</translation>
+    </message>
+    <message>
+        <source>what the pointer rests on</source>
+        <translation>ce sur quoi le pointeur s&apos;est posé</translation>
+    </message>
+    <message>
+        <source>What neither stands out of the screen nor lies behind it</source>
+        <translation>Ce qui ne sort pas de l&apos;écran et n&apos;est pas derrière lui</translation>
+    </message>
+    <message>
+        <source>the display of the window</source>
+        <translation>l&apos;écran de la fenêtre</translation>
+    </message>
+    <message>
+        <source>The scene is then %L1 × %L2 mm large.</source>
+        <translation>La scène mesure alors %L1 × %L2 mm.</translation>
     </message>
 </context>
 <context>

@@ -32,4 +32,5 @@ expect "gts1 gts2 gts" glissade-cli plan --strategy gts
 expect "on off" glissade-cli plan --fits ""
 expect "--required-clearance" glissade --req
 expect "dark" glissade --theme d
+expect "side-by-side" glissade --stereo s
 exit $failed

@@ -10,8 +10,10 @@
 #include "app/window/named_views_dialog.h"
 #include "app/window/preferences_dialog.h"
 #include "app/window/shortcuts_dialog.h"
+#include "app/window/stereo_dialog.h"
 #include "engine/scenario/product_file.h"
 #include "widgets/devices/calibration_dialog.h"
+#include "widgets/devices/head_dialog.h"
 #include "widgets/editors/attribute_dialog.h"
 #include "widgets/editors/parts_dialog.h"
 #include "widgets/editors/rules_dialog.h"
@@ -32,6 +34,9 @@ class EveryDialog {
     const Workbench& bench = window.workbench();
     const LoadedScenario& loaded = *bench.document.scenario();
     dialogs_.push_back(std::make_unique<PreferencesDialog>(bench.actions, Preferences{}, &window));
+    auto stereo = std::make_unique<StereoDialog>(bench.actions, StereoSettings{}, &window);
+    stereo->showPictureSize({0.3, 0.2});
+    dialogs_.push_back(std::move(stereo));
     dialogs_.push_back(std::make_unique<ShortcutsDialog>(bench.actions, &window));
     dialogs_.push_back(std::make_unique<CommandPalette>(bench.actions, &window));
     dialogs_.push_back(std::make_unique<RulesDialog>(StrategyRules{}, AttributeTable{}, &window));
@@ -49,6 +54,8 @@ class EveryDialog {
     times->showTable();
     dialogs_.push_back(std::move(times));
     dialogs_.push_back(std::make_unique<CalibrationDialog>(bench.session.hand(), settings_, bench.actions, &window));
+    dialogs_.push_back(std::make_unique<HeadDialog>(
+        HeadPreferences{}, [] { return HeadState{}; }, &window));
     dialogs_.push_back(std::make_unique<StudyBrowser>(nullptr));
     dialogs_.push_back(std::make_unique<NamedViewsDialog>(NamedViews{}, &window));
   }

@@ -14,6 +14,13 @@ class UnseenScene final : public SceneWidget {
   void refresh() override {}
   QImage picture() override { return {}; }
   QImage picture(const QSize& /*pixels*/) override { return {}; }
+  std::vector<QImage> picturesFrom(const std::vector<EyePlace>& eyePlaces) override {
+    QImage picture(widget_.size(), QImage::Format_RGB32);
+    picture.fill(Qt::black);
+    return std::vector<QImage>(eyePlaces.size(), picture);
+  }
+  void setCovered(bool /*covered*/) override {}
+  std::unique_ptr<QuadBuffer> makeQuadBuffer(QWidget* /*parent*/) override { return nullptr; }
   void setNavigationStyle(NavigationStyle /*style*/) override {}
   void onCameraMoved(std::function<void()>) override {}
 

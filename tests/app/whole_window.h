@@ -17,6 +17,12 @@ namespace glissade::test {
 
 /// The parameter is the language: "en" or "fr".
 class WholeWindowTest : public testing::TestWithParam<const char*> {
+ public:
+  static QString sample(const char* name) {
+    return QString::fromStdString(sourceDirectory()) + QStringLiteral("/samples/") + QLatin1String(name) +
+           QStringLiteral("/scenario.json");
+  }
+
  protected:
   WholeWindowTest() {
     if (QLatin1String(GetParam()) == QLatin1String("fr")) {
@@ -39,11 +45,6 @@ class WholeWindowTest : public testing::TestWithParam<const char*> {
     window->setTheme(Theme::Light);
     window->resize(1280, 720);
     return window;
-  }
-
-  static QString sample(const char* name) {
-    return QString::fromStdString(sourceDirectory()) + QStringLiteral("/samples/") + QLatin1String(name) +
-           QStringLiteral("/scenario.json");
   }
 
  private:

@@ -46,6 +46,26 @@ TEST_F(Memory, KeepsWhereGhostsAreDrawn) {
   EXPECT_EQ(WindowMemory(file()).ghosts().number, PathSpacing().number);
 }
 
+TEST_F(Memory, KeepsStereoAndIgnoresWhatIsOutOfItsRange) {
+  StereoSettings settings;
+  settings.mode = StereoMode::Checkerboard;
+  settings.swapped = true;
+  settings.convergence = Convergence::Pointer;
+  settings.screen = {0.6, 0.8, 0.06};
+  settings.display = QStringLiteral("HDMI-1");
+  WindowMemory(file()).saveStereo(settings);
+  const StereoSettings kept = WindowMemory(file()).stereo();
+  EXPECT_EQ(kept.mode, settings.mode);
+  EXPECT_TRUE(kept.swapped);
+  EXPECT_EQ(kept.convergence, settings.convergence);
+  EXPECT_EQ(kept.screen, settings.screen);
+  EXPECT_EQ(kept.display, settings.display);
+  QSettings(file(), QSettings::IniFormat).setValue(QStringLiteral("stereo/distance"), -1.0);
+  QSettings(file(), QSettings::IniFormat).setValue(QStringLiteral("stereo/mode"), QStringLiteral("holography"));
+  EXPECT_EQ(WindowMemory(file()).stereo().screen.distance, ScreenGeometry().distance);
+  EXPECT_EQ(WindowMemory(file()).stereo().mode, StereoMode::Off);
+}
+
 TEST_F(Memory, KeepsWorkTimesAndIgnoresThoseOutOfTheirRange) {
   EXPECT_EQ(WindowMemory(file()).workTimes(), WorkTimes());
   WorkTimes times;

@@ -14,6 +14,9 @@ constexpr double kCameraTurnPerHeight = std::numbers::pi;
 constexpr double kNearestShare = 1e-3;
 /// Of the way to a point that is followed, at each picture.
 constexpr double kFollowShare = 0.1;
+/// The picture and the eye before it come no nearer to the eye straight before it than this share of the distance of
+/// the focus.
+constexpr double kNearestPicture = 0.1;
 
 /// The view frame that looks along -z_V with y_V up.
 Quaternion viewAlong(const Vector3& toEye, const Vector3& up) {
@@ -48,7 +51,7 @@ void CameraController::zoomTo(const Box3& box) {
 
 /// The nearest from which every corner of a box about the focus is in view.
 double CameraController::distanceFor(const Box3& box) const {
-  const double tanV = std::tan(0.5 * kFieldOfView);
+  const double tanV = std::tan(0.5 * fieldOfView_);
   const double tanH = tanV * aspect_;
   const Quaternion toView = orientation_.conjugate();
   double needed = 1e-6;
@@ -80,11 +83,30 @@ void CameraController::lookFrom(const Vector3& towardsEye) {
   orientation_ = viewAlong(direction, vertical ? Vector3::UnitY() : Vector3::UnitZ());
 }
 
+double CameraController::usualFieldOfView() { return kFieldOfView; }
+
+CameraPose CameraController::pose() const {
+  const double usual = distance_ * std::tan(0.5 * fieldOfView_) / std::tan(0.5 * kFieldOfView);
+  return {focus_, orientation_, usual, orthographic_};
+}
+
+void CameraController::setFieldOfView(double vertical) {
+  if (vertical == fieldOfView_) return;
+  distance_ *= std::tan(0.5 * fieldOfView_) / std::tan(0.5 * vertical);
+  fieldOfView_ = vertical;
+  if (fitted_) showFitted();
+}
+
+void CameraController::setViewHeight(double metres) {
+  fitted_.reset();
+  distance_ = 0.5 * metres / std::tan(0.5 * fieldOfView_);
+}
+
 void CameraController::setPose(const CameraPose& pose) {
   fitted_.reset();
   focus_ = pose.focus;
   orientation_ = pose.R_WV.normalized();
-  distance_ = pose.distance;
+  distance_ = pose.distance * std::tan(0.5 * kFieldOfView) / std::tan(0.5 * fieldOfView_);
   orthographic_ = pose.orthographic;
 }
 
@@ -131,7 +153,7 @@ void CameraController::zoom(double factor, double x, double y) {
   const double before = distance_;
   distance_ = std::clamp(distance_ / factor, kNearestShare * sceneRadius_, 50.0 * sceneRadius_);
   // The point of the focal plane under the pointer stays there.
-  const double moved = 2.0 * (before - distance_) * std::tan(0.5 * kFieldOfView);
+  const double moved = 2.0 * (before - distance_) * std::tan(0.5 * fieldOfView_);
   focus_ += orientation_ * Vector3(x * moved, -y * moved, 0.0);
 }
 
@@ -148,16 +170,46 @@ void CameraController::setAspect(double widthOverHeight) {
 
 Quaternion CameraController::R_WV() const { return orientation_; }
 
-Vector3 CameraController::eye() const { return focus_ + orientation_ * Vector3(0.0, 0.0, distance_); }
+/// Straight before the middle of the picture.
+Vector3 CameraController::middleEye() const { return focus_ + orientation_ * Vector3(0.0, 0.0, distance_); }
 
-double CameraController::verticalFieldOfView() const { return kFieldOfView; }
+/// From there to the plane in which the picture lies.
+double CameraController::pictureDistance() const {
+  if (!eyePlace_.plane_W) return distance_;
+  const double depth = -(orientation_.conjugate() * (*eyePlace_.plane_W - middleEye())).z();
+  return std::max(depth, kNearestPicture * distance_);
+}
 
-double CameraController::viewHeight() const { return 2.0 * distance_ * std::tan(0.5 * kFieldOfView); }
+/// What the picture's height measures in its plane.
+double CameraController::pictureHeight() const {
+  return orthographic_ ? viewHeight() : 2.0 * pictureDistance() * std::tan(0.5 * fieldOfView_);
+}
+
+/// In the view frame, metres of the scene.
+Vector3 CameraController::eyeOffset() const {
+  Vector3 offset = pictureHeight() * (eyePlace_.head + eyePlace_.eye);
+  offset.z() = std::max(offset.z(), (kNearestPicture - 1.0) * pictureDistance());
+  return offset;
+}
+
+Vector3 CameraController::eye() const { return focus_ + orientation_ * (Vector3(0.0, 0.0, distance_) + eyeOffset()); }
+
+double CameraController::viewHeight() const { return 2.0 * distance_ * std::tan(0.5 * fieldOfView_); }
+
+double CameraController::magnification() const {
+  return orthographic_ ? 1.0 : (pictureDistance() + eyeOffset().z()) / pictureDistance();
+}
+
+Eigen::Vector2d CameraController::shift() const {
+  const Vector3 offset = eyeOffset();
+  const double perMetre = orthographic_ ? 1.0 / (pictureDistance() + offset.z()) : 1.0;
+  return offset.head<2>() * perMetre / pictureHeight();
+}
 
 double CameraController::viewHeightAt(const Vector3& p_W) const {
   if (orthographic_) return viewHeight();
   const double depth = -(orientation_.conjugate() * (p_W - eye())).z();
-  return 2.0 * std::max(depth, nearPlane()) * std::tan(0.5 * kFieldOfView);
+  return 2.0 * std::max(depth, nearPlane()) * std::tan(0.5 * fieldOfView_) / magnification();
 }
 
 double CameraController::nearPlane() const {
@@ -178,7 +230,8 @@ std::optional<Eigen::Vector2d> CameraController::project(const Vector3& p_W) con
   const Vector3 p_V = orientation_.conjugate() * (p_W - eye());
   if (p_V.z() > -nearPlane()) return std::nullopt;
   const double height = viewHeightAt(p_W);
-  return Eigen::Vector2d(p_V.x() / height, -p_V.y() / height);
+  const Eigen::Vector2d shifted = orthographic_ ? Eigen::Vector2d(-p_V.z() * shift()) : shift();
+  return Eigen::Vector2d(p_V.x() / height + shifted.x(), -p_V.y() / height - shifted.y());
 }
 
 }  // namespace glissade

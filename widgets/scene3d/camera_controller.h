@@ -17,6 +17,15 @@ struct CameraPose {
   bool orthographic = false;
 };
 
+/// From where the picture is seen, where it is not from straight before its middle: by one of two eyes, or by a head
+/// that moves before the screen. In heights of the picture: x right, y up, z from the picture to the person.
+struct EyePlace {
+  Vector3 head = Vector3::Zero();  ///< the middle between the eyes, from straight before the middle of the picture
+  Vector3 eye = Vector3::Zero();   ///< the eye, from the middle between the eyes
+  /// The picture is a window in the scene, in the plane of the view through this point, or through the focus.
+  std::optional<Vector3> plane_W = std::nullopt;
+};
+
 /// A camera that orbits a focus, as CAD users expect: drag left to orbit, middle (or Shift+left) to
 /// pan, wheel to zoom about the pointer. Plain geometry, no OSG, no Qt.
 class CameraController {
@@ -28,8 +37,16 @@ class CameraController {
   void setStandardView(StandardView view);
   /// Looks at the focus from this direction (not zero), the horizon level.
   void lookFrom(const Vector3& towardsEye);
-  CameraPose pose() const { return {focus_, orientation_, distance_, orthographic_}; }
+  /// The distance is that of the usual field of view: what is seen does not depend on the person's screen.
+  CameraPose pose() const;
   void setPose(const CameraPose& pose);
+  /// Radians, between 0 and pi; the view's height at the focus stays.
+  void setFieldOfView(double vertical);
+  static double usualFieldOfView();
+  /// Metres that the view's height measures at the focus.
+  void setViewHeight(double metres);
+  void setEyePlace(const EyePlace& eyePlace) { eyePlace_ = eyePlace; }
+  const EyePlace& eyePlace() const { return eyePlace_; }
   /// Without perspective: parallel lines stay parallel, lengths across the view are to scale everywhere.
   void setOrthographic(bool orthographic);
   bool isOrthographic() const { return orthographic_; }
@@ -53,15 +70,22 @@ class CameraController {
 
   /// Orientation of the view frame V: x right, y up, z from the scene to the eye.
   Quaternion R_WV() const;
+  /// Of the place that was set.
   Vector3 eye() const;
   Vector3 focus() const { return focus_; }
   double distance() const { return distance_; }
-  double verticalFieldOfView() const;  ///< radians
+  double verticalFieldOfView() const { return fieldOfView_; }  ///< radians, from straight before the picture
   /// What the view's height measures at the focus, metres.
   double viewHeight() const;
   /// The same in the plane of the view through a point, metres; at the eye and behind it that of the near plane.
   double viewHeightAt(const Vector3& p_W) const;
   double aspect() const { return aspect_; }
+  /// The size of things in the picture, by that which they have for an eye that is straight before it and is not nearer
+  /// or farther.
+  double magnification() const;
+  /// How far the picture is shifted against one of an eye straight before it, in heights of the picture; without
+  /// perspective for each metre of depth from the eye. x right, y up.
+  Eigen::Vector2d shift() const;
   /// Near and far plane that enclose the fitted box from where the eye is now; an orthographic near plane may lie
   /// behind the eye.
   double nearPlane() const;
@@ -74,10 +98,16 @@ class CameraController {
   void showFitted();
   double distanceFor(const Box3& box) const;
   double toCentre() const;
+  Vector3 middleEye() const;
+  double pictureDistance() const;
+  double pictureHeight() const;
+  Vector3 eyeOffset() const;
 
   Vector3 focus_ = Vector3::Zero();
   Quaternion orientation_ = Quaternion::Identity();
   double distance_ = 10.0;
+  double fieldOfView_ = usualFieldOfView();
+  EyePlace eyePlace_;
   double sceneRadius_ = 5.0;
   Vector3 sceneCentre_ = Vector3::Zero();
   double aspect_ = 16.0 / 9.0;

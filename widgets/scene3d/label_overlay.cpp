@@ -23,6 +23,15 @@ QString textOf(const SceneLabel& label) {
   return label.number ? QLocale().toString(*label.number, 'g', kDigits) : QString::fromStdString(label.text);
 }
 
+/// Labels are placed for the middle between two eyes, so that both see them at one height.
+CameraController betweenTheEyes(const CameraController& camera) {
+  CameraController middle = camera;
+  EyePlace eyePlace = camera.eyePlace();
+  eyePlace.eye.setZero();
+  middle.setEyePlace(eyePlace);
+  return middle;
+}
+
 }  // namespace
 
 LabelOverlay::LabelOverlay(const SceneView& view, const LegendOverlay& legend, QWidget* scene)
@@ -30,18 +39,22 @@ LabelOverlay::LabelOverlay(const SceneView& view, const LegendOverlay& legend, Q
 
 void LabelOverlay::paintEvent(QPaintEvent* /*event*/) {
   std::vector<SceneLabel> labels;
+  std::vector<QPointF> shifts;
   std::vector<WantedLabel> requested;
+  const CameraController middle = betweenTheEyes(view().camera());
   for (const SceneLabel& label : view().labels()) {
-    const auto at = onScreen(label.p_W);
-    if (!at) continue;
+    const auto at = onScreen(middle, label.p_W);
+    const auto seen = onScreen(label.p_W);
+    if (!at || !seen) continue;
     labels.push_back(label);
+    shifts.push_back(*seen - *at);
     requested.push_back({boxOf(label, *at), label.strong, label.small});
   }
   const auto places = placeLabels(requested, legend_.box());
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   for (std::size_t i = 0; i < labels.size(); ++i) {
-    if (places[i]) paint(painter, labels[i], *places[i]);
+    if (places[i]) paint(painter, labels[i], places[i]->translated(shifts[i]));
   }
 }
 

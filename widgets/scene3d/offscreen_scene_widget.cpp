@@ -29,25 +29,36 @@ class OffscreenSceneWidget final : public QWidget, public SceneWidget {
   }
   QImage picture() override {
     if (stale_ || image_.size() != size()) {
-      image_ = picture(size());
+      image_ = draw(size());
       stale_ = false;
     }
     return image_;
   }
   QImage picture(const QSize& pixels) override {
-    const CameraController before = view_.camera();
-    const QSize rendered = pixels.expandedTo(QSize(1, 1)) * kOversampling;
-    context_->makeCurrent(rendered.width(), rendered.height());
-    renderer_.resize(rendered.width(), rendered.height());
-    renderer_.render(0);
-    view_.camera() = before;
-    return context_->read().scaled(pixels, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    const EyePlace before = view_.camera().eyePlace();
+    view_.camera().setEyePlace({});
+    QImage image = draw(pixels);
+    view_.camera().setEyePlace(before);
+    return image;
   }
+  std::vector<QImage> picturesFrom(const std::vector<EyePlace>& eyePlaces) override {
+    const EyePlace before = view_.camera().eyePlace();
+    std::vector<QImage> pictures;
+    for (const EyePlace& eyePlace : eyePlaces) {
+      view_.camera().setEyePlace(eyePlace);
+      pictures.push_back(draw(size()));
+    }
+    view_.camera().setEyePlace(before);
+    covering_ = pictures.back();
+    return pictures;
+  }
+  void setCovered(bool covered) override { covered_ = covered; }
+  std::unique_ptr<QuadBuffer> makeQuadBuffer(QWidget* /*parent*/) override { return nullptr; }
   void setNavigationStyle(NavigationStyle style) override { mouse_.setStyle(style); }
   void onCameraMoved(std::function<void()> callback) override { cameraMoved_ = std::move(callback); }
 
  protected:
-  void paintEvent(QPaintEvent* /*event*/) override { QPainter(this).drawImage(0, 0, picture()); }
+  void paintEvent(QPaintEvent* /*event*/) override { QPainter(this).drawImage(0, 0, covered_ ? covering_ : picture()); }
   void resizeEvent(QResizeEvent* /*event*/) override {
     view_.camera().setAspect(double(width()) / std::max(1, height()));
   }
@@ -58,6 +69,16 @@ class OffscreenSceneWidget final : public QWidget, public SceneWidget {
   void wheelEvent(QWheelEvent* event) override { moved(mouse_.wheel(*event, *this, view_)); }
 
  private:
+  QImage draw(const QSize& pixels) {
+    const CameraController before = view_.camera();
+    const QSize rendered = pixels.expandedTo(QSize(1, 1)) * kOversampling;
+    context_->makeCurrent(rendered.width(), rendered.height());
+    renderer_.resize(rendered.width(), rendered.height());
+    renderer_.render(0);
+    view_.camera() = before;
+    return context_->read().scaled(pixels, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+  }
+
   void moved(bool camera) {
     if (!camera) return;
     if (cameraMoved_) cameraMoved_();
@@ -70,6 +91,8 @@ class OffscreenSceneWidget final : public QWidget, public SceneWidget {
   MouseNavigation mouse_;
   QImage image_;
   bool stale_ = true;
+  bool covered_ = false;
+  QImage covering_;  ///< what the covering widget was given last
   std::function<void()> cameraMoved_;
 };
 

@@ -64,6 +64,7 @@ class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
     const auto buffer = makeBuffer(pixels.expandedTo(QSize(1, 1)) * devicePixelRatioF(), kSamples);
     QOpenGLFramebufferObject& target = *buffer;
     target.bind();
+    view_.camera().setEyePlace({});
     renderer_.resize(target.width(), target.height());
     renderer_.render(target.handle());
     const QImage image = target.toImage().scaled(pixels, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
@@ -72,6 +73,26 @@ class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
     doneCurrent();
     return image;
   }
+  std::vector<QImage> picturesFrom(const std::vector<EyePlace>& eyePlaces) override {
+    const EyePlace before = view_.camera().eyePlace();
+    QElapsedTimer timer;
+    timer.start();
+    const PictureDetail detail = detail_.begin(!std::exchange(changed_, false));
+    makeCurrent();
+    std::vector<QImage> pictures;
+    for (const EyePlace& eyePlace : eyePlaces) {
+      view_.camera().setEyePlace(eyePlace);
+      pictures.push_back(draw(detail).toImage().scaled(shownSize(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
+      pictures.back().setDevicePixelRatio(devicePixelRatioF());
+    }
+    doneCurrent();
+    view_.camera().setEyePlace(before);
+    const double each = static_cast<double>(timer.nsecsElapsed()) / 1e9 / static_cast<double>(eyePlaces.size());
+    if (detail_.end(each)) refine_.start(kRefineAfter);
+    return pictures;
+  }
+  void setCovered(bool covered) override { covered_ = covered; }
+  std::unique_ptr<QuadBuffer> makeQuadBuffer(QWidget* parent) override { return makeQuadBufferWindow(parent); }
   void setNavigationStyle(NavigationStyle style) override { mouse_.setStyle(style); }
   void onCameraMoved(std::function<void()> callback) override { cameraMoved_ = std::move(callback); }
 
@@ -85,6 +106,10 @@ class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
     renderer_.resize(qRound(width * devicePixelRatioF()), qRound(height * devicePixelRatioF()));
   }
   void paintGL() override {
+    if (covered_ && !exact_) {
+      if (drawn_ != nullptr) show(*drawn_);
+      return;
+    }
     if (exact_) {
       paint(PictureDetail());
       return;
@@ -108,16 +133,26 @@ class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
     refresh();
   }
 
-  /// Draws into a buffer of the picture's own and copies it: this widget has one sample for each pixel.
-  void paint(const PictureDetail& detail) {
-    const QSize shown(qRound(width() * devicePixelRatioF()), qRound(height() * devicePixelRatioF()));
-    const QSize drawn = (QSizeF(shown) * detail.resolution).toSize().expandedTo(QSize(1, 1));
+  QSize shownSize() const { return {qRound(width() * devicePixelRatioF()), qRound(height() * devicePixelRatioF())}; }
+
+  void paint(const PictureDetail& detail) { show(draw(detail)); }
+
+  /// Draws into a buffer of the picture's own: this widget has one sample for each pixel.
+  QOpenGLFramebufferObject& draw(const PictureDetail& detail) {
+    const QSize drawn = (QSizeF(shownSize()) * detail.resolution).toSize().expandedTo(QSize(1, 1));
     std::unique_ptr<QOpenGLFramebufferObject>& buffer = detail.smooth ? smoothBuffer_ : quickBuffer_;
     if (!buffer || buffer->size() != drawn) buffer = makeBuffer(drawn, detail.smooth ? kSamples : 0);
     buffer->bind();  // OSG binds its target only after passes into buffers of its own
     renderer_.render(buffer->handle(), drawn.width(), drawn.height(), detail);
-    QOpenGLFramebufferObject::blitFramebuffer(nullptr, QRect(QPoint(), shown), buffer.get(), QRect(QPoint(), drawn),
-                                              GL_COLOR_BUFFER_BIT, drawn == shown ? GL_NEAREST : GL_LINEAR);
+    drawn_ = buffer.get();
+    return *buffer;
+  }
+
+  void show(QOpenGLFramebufferObject& buffer) {
+    const QRect drawn(QPoint(), buffer.size());
+    const QRect shown(QPoint(), shownSize());
+    QOpenGLFramebufferObject::blitFramebuffer(nullptr, shown, &buffer, drawn, GL_COLOR_BUFFER_BIT,
+                                              drawn == shown ? GL_NEAREST : GL_LINEAR);
     QOpenGLFramebufferObject::bindDefault();
   }
 
@@ -127,8 +162,10 @@ class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
   DetailControl detail_;
   std::unique_ptr<QOpenGLFramebufferObject> smoothBuffer_;  ///< of several samples for each pixel
   std::unique_ptr<QOpenGLFramebufferObject> quickBuffer_;   ///< of one, often smaller than the picture
-  bool exact_ = false;                                      ///< the next picture is to be in full detail
-  bool changed_ = true;                                     ///< the next picture shows something new
+  QOpenGLFramebufferObject* drawn_ = nullptr;               ///< that of the two which was drawn last
+  bool covered_ = false;
+  bool exact_ = false;   ///< the next picture is to be in full detail
+  bool changed_ = true;  ///< the next picture shows something new
   QTimer refine_;
   std::function<void()> cameraMoved_;
 };

@@ -18,8 +18,10 @@ bool SceneOverlay::eventFilter(QObject* watched, QEvent* event) {
   return QWidget::eventFilter(watched, event);
 }
 
-std::optional<QPointF> SceneOverlay::onScreen(const Vector3& p_W) const {
-  const auto at = view_.camera().project(p_W);
+std::optional<QPointF> SceneOverlay::onScreen(const Vector3& p_W) const { return onScreen(view_.camera(), p_W); }
+
+std::optional<QPointF> SceneOverlay::onScreen(const CameraController& camera, const Vector3& p_W) const {
+  const auto at = camera.project(p_W);
   if (!at) return std::nullopt;
   return QPointF(width() / 2.0 + at->x() * height(), height() / 2.0 + at->y() * height());
 }

@@ -22,6 +22,8 @@ class SceneOverlay : public QWidget {
   const SceneView& view() const { return view_; }
   /// Where a point is seen, in pixels of the widget; nothing where it is behind the camera.
   std::optional<QPointF> onScreen(const Vector3& p_W) const;
+  /// The same for another camera.
+  std::optional<QPointF> onScreen(const CameraController& camera, const Vector3& p_W) const;
 
  private:
   const SceneView& view_;

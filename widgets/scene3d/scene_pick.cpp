@@ -59,13 +59,18 @@ class MeshBoxes {
 }  // namespace
 
 Ray rayThrough(const CameraController& camera, double x, double y) {
+  const Eigen::Vector2d shift = camera.shift();
   if (camera.isOrthographic()) {
     // From the near plane, which may lie behind the eye.
-    const Vector3 origin_V(x * camera.viewHeight(), -y * camera.viewHeight(), -camera.nearPlane());
-    return {camera.eye() + camera.R_WV() * origin_V, camera.R_WV() * Vector3(0.0, 0.0, -1.0)};
+    const double depth = camera.nearPlane();
+    const Vector3 origin_V((x - depth * shift.x()) * camera.viewHeight(),
+                           (-y - depth * shift.y()) * camera.viewHeight(), -depth);
+    const Vector3 direction_V(-shift.x() * camera.viewHeight(), -shift.y() * camera.viewHeight(), -1.0);
+    return {camera.eye() + camera.R_WV() * origin_V, camera.R_WV() * direction_V.normalized()};
   }
-  const double scale = 2.0 * std::tan(camera.verticalFieldOfView() / 2.0);
-  return {camera.eye(), camera.R_WV() * Vector3(x * scale, -y * scale, -1.0).normalized()};
+  const double scale = 2.0 * std::tan(camera.verticalFieldOfView() / 2.0) / camera.magnification();
+  const Vector3 direction_V((x - shift.x()) * scale, (-y - shift.y()) * scale, -1.0);
+  return {camera.eye(), camera.R_WV() * direction_V.normalized()};
 }
 
 std::optional<BodyHit> pickBody(const std::vector<RigidBody>& bodies, const Ray& ray,

@@ -83,6 +83,12 @@ void SceneRenderer::setProjection() {
     camera->setProjectionMatrixAsPerspective(controller.verticalFieldOfView() * 180.0 / std::acos(-1.0),
                                              controller.aspect(), controller.nearPlane(), controller.farPlane());
   }
+  osg::Matrixd projection = camera->getProjectionMatrix();
+  projection(0, 0) *= controller.magnification();
+  projection(1, 1) *= controller.magnification();
+  projection(2, 0) -= 2.0 * controller.shift().x() / controller.aspect();
+  projection(2, 1) -= 2.0 * controller.shift().y();
+  camera->setProjectionMatrix(projection);
 }
 
 }  // namespace glissade

@@ -153,7 +153,8 @@ void SceneView::beginPicture(int width, int height, const PictureDetail& detail)
   const CameraController& camera = impl_->camera;
   impl_->roadmap.setScale(height / camera.viewHeight());
   if (camera.viewHeight() != impl_->markedViewHeight) impl_->showMarks();
-  const double across = camera.isOrthographic() ? camera.viewHeight() : camera.viewHeight() / camera.distance();
+  const double across = camera.isOrthographic() ? camera.viewHeight()
+                                                : camera.viewHeight() / (camera.distance() * camera.magnification());
   impl_->depthShading.prepare(width, height, camera.nearPlane(), camera.farPlane(), camera.isOrthographic(),
                               height / across, pixelScale());
 }

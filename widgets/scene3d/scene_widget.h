@@ -4,8 +4,11 @@
 #include <QWidget>
 #include <functional>
 #include <memory>
+#include <vector>
 
+#include "widgets/scene3d/camera_controller.h"
 #include "widgets/scene3d/navigation_style.h"
+#include "widgets/scene3d/quad_buffer.h"
 #include "widgets/scene3d/scene_view.h"
 
 namespace glissade {
@@ -25,6 +28,13 @@ class SceneWidget {
   virtual QImage picture() = 0;
   /// The scene in another size (pixels), with the same camera but for the ratio of width to height.
   virtual QImage picture(const QSize& pixels) = 0;
+  /// The scene as it is seen from each of these places, at the size and in the device pixels of the widget; as
+  /// exact as what the widget draws itself.
+  virtual std::vector<QImage> picturesFrom(const std::vector<EyePlace>& eyePlaces) = 0;
+  /// Another widget covers this one with picturesFrom(): it draws nothing itself, and shows the last of them again.
+  virtual void setCovered(bool covered) = 0;
+  /// Over another widget; null where the driver has none.
+  virtual std::unique_ptr<QuadBuffer> makeQuadBuffer(QWidget* parent) = 0;
   virtual void setNavigationStyle(NavigationStyle style) = 0;
   /// Called after the user moved the camera (R_WV changed: view-relative steering).
   virtual void onCameraMoved(std::function<void()> callback) = 0;

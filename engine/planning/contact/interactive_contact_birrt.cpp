@@ -20,15 +20,8 @@ InteractiveContactBirrt::InteractiveContactBirrt(const Problem& problem, std::ui
       authorityStream_(seed, "authority"),
       randomShooter_(problem, seed),
       contactSampler_(seed),
-<<<<<<< HEAD
       contactFollower_(problem.world->objectRadius(), seed),
-      tuner_(problem.world->objectRadius()) {
-  addGoalRoots();
-  updateCounts();
-}
-=======
       tuner_(problem.world->objectRadius()) {}
->>>>>>> h1/main
 
 bool InteractiveContactBirrt::solve(PlannerHost& host) {
   while (!path_) {
@@ -89,7 +82,6 @@ bool InteractiveContactBirrt::nearContact(const OperatorSample& device, double c
 void InteractiveContactBirrt::enterContactSampling(const OperatorSample& device, PlannerHost& host) {
   const ParameterValues& parameters = host.parameters();
   contactClearance_ = device.nearest.distance;
-<<<<<<< HEAD
   const double gap = parameters[ParameterId::ContactGap];
   const double reach = parameters[ParameterId::ContactRadius];
   if (operatorUse_ == OperatorUse::GuideAndFollow) {
@@ -97,21 +89,7 @@ void InteractiveContactBirrt::enterContactSampling(const OperatorSample& device,
   } else {
     contactSampler_.enter(device, gap, reach);
   }
-  contactSamplesLeft_ = settings(parameters).contactSamples;
-}
-
-/// The user's values, but what sets itself.
-InteractionSettings InteractiveContactBirrt::settings(const ParameterValues& parameters) const {
-  const int tuned = parameters.integer(ParameterId::Tuning);
-  InteractionSettings inForce = tuner_.settings();
-  if ((tuned & kTunedAlpha) == 0) inForce.alpha = parameters[ParameterId::Alpha];
-  if ((tuned & kTunedContactSamples) == 0) inForce.contactSamples = parameters.integer(ParameterId::ContactSamples);
-  if ((tuned & kTunedContactDistance) == 0) inForce.contactDistance = parameters[ParameterId::ContactDistance];
-  return inForce;
-=======
-  contactSampler_.enter(device, parameters[ParameterId::ContactGap], parameters[ParameterId::ContactRadius]);
   contactSamplesLeft_ = settingsInForce(parameters, tuner_.settings()).contactSamples;
->>>>>>> h1/main
 }
 
 /// Lets the tuner know what the step brought, where it has anything to set and somebody holds the object.

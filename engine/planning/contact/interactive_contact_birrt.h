@@ -2,11 +2,8 @@
 
 #include <optional>
 
-<<<<<<< HEAD
-#include "engine/planning/contact/contact_follower.h"
-=======
 #include "engine/planning/contact/add_tree_planner.h"
->>>>>>> h1/main
+#include "engine/planning/contact/contact_follower.h"
 #include "engine/planning/contact/contact_sampler.h"
 #include "engine/planning/contact/interaction_report.h"
 #include "engine/planning/contact/interaction_tuner.h"

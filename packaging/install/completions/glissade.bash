@@ -4,6 +4,9 @@ _glissade() {
   _init_completion || return
   case $prev in
     --theme) mapfile -t COMPREPLY < <(compgen -W 'light dark' -- "$cur") ;;
+    --stereo)
+      mapfile -t COMPREPLY < <(compgen -W 'off anaglyph side-by-side top-bottom interlaced checkerboard quad-buffer left-eye right-eye' -- "$cur")
+      ;;
     --language) mapfile -t COMPREPLY < <(compgen -W 'en fr' -- "$cur") ;;
     *)
       if [[ $cur == -* ]]; then

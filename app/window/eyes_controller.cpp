@@ -1,0 +1,23 @@
+#include "app/window/eyes_controller.h"
+
+#include <QScreen>
+
+#include "app/window/head_controller.h"
+#include "app/window/stereo_controller.h"
+
+namespace glissade {
+
+EyesController::EyesController(const Workbench& bench) : QObject(&bench.window) {
+  // Without a display the window is the screen.
+  const auto screenPixels = [&bench] {
+    const bool isSeen = bench.session.clock() == SessionClock::RealTime;
+    return isSeen ? bench.window.screen()->size().width() : bench.window.width();
+  };
+  auto* eyePlace = new EyePlaceKeeper(bench.scene, screenPixels, &bench.window);
+  stereo_ = new StereoController(bench, *eyePlace);
+  new HeadController(bench, *eyePlace);
+}
+
+void EyesController::remember(WindowMemory& memory) { stereo_->remember(memory); }
+
+}  // namespace glissade

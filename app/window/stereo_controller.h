@@ -1,0 +1,54 @@
+#pragma once
+
+#include <QTimer>
+
+#include "app/window/eye_place_keeper.h"
+#include "app/window/stereo_settings.h"
+#include "app/window/workbench.h"
+
+namespace glissade {
+
+class FullScreen;
+class StereoDialog;
+class StereoScreen;
+class WindowMemory;
+
+/// Stereo at the desk: the modes, the dialog about them and about the screen, and the full screen.
+class StereoController final : public QObject {
+  Q_OBJECT
+
+ public:
+  StereoController(const Workbench& bench, EyePlaceKeeper& eyePlace);
+
+  /// Takes what is remembered; from now on it is kept there.
+  void remember(WindowMemory& memory);
+  const StereoSettings& settings() const { return settings_; }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void connectActions();
+  void change(const StereoSettings& settings);
+  void apply();
+  void askForQuadBuffer();
+  void showDialog();
+  void setFullScreen(bool on);
+  void showAtTrueSize();
+  /// The point of the scene in the plane of the screen.
+  std::optional<Vector3> planePoint() const;
+  void pickPlanePoint();
+
+  const Workbench& bench_;
+  EyePlaceKeeper& eyePlace_;
+  StereoSettings settings_;
+  StereoScreen* screen_;
+  FullScreen* fullScreen_;
+  StereoDialog* dialog_ = nullptr;
+  WindowMemory* memory_ = nullptr;
+  std::optional<Vector3> pointed_;  ///< what the pointer rested on last
+  QPointF pointer_;
+  QTimer rest_;
+};
+
+}  // namespace glissade

@@ -1,0 +1,31 @@
+#include "engine/operator/head/opentrack_protocol.h"
+
+#include <cmath>
+#include <cstring>
+#include <numbers>
+
+namespace glissade {
+namespace {
+
+constexpr double kFarthest = 10.0;                     ///< metres
+constexpr double kMostTurn = 2.0 * std::numbers::pi;   ///< radians
+constexpr double kMetres = 0.01;                       ///< of a centimetre
+constexpr double kRadians = std::numbers::pi / 180.0;  ///< of a degree
+
+}  // namespace
+
+std::optional<HeadReading> parseOpentrack(std::span<const std::byte> datagram) {
+  HeadReading reading;
+  static_assert(sizeof(reading) == kOpentrackBytes);
+  if (datagram.size() != kOpentrackBytes) return std::nullopt;
+  std::memcpy(reading.data(), datagram.data(), kOpentrackBytes);
+  for (std::size_t i = 0; i < reading.size(); ++i) {
+    const bool isLength = i < 3;
+    reading[i] *= isLength ? kMetres : kRadians;
+    // Written so that it refuses what is not a number.
+    if (!(std::abs(reading[i]) <= (isLength ? kFarthest : kMostTurn))) return std::nullopt;
+  }
+  return reading;
+}
+
+}  // namespace glissade
