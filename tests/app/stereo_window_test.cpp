@@ -9,7 +9,7 @@ using namespace glissade::test;
 
 /// With a section and its arrow, labels, the gizmo of arranging, view cube, legend and scale.
 const QString kScene =
-    QStringLiteral("action layer.graph\nsection x 0.6\naction layer.grid\naction assembly.arrange\nselect body O1\n");
+    QStringLiteral("action layer.graph\nsection x 0.55\naction layer.grid\naction assembly.arrange\nselect body O1\n");
 
 class StereoWindow : public WindowTest {
  protected:
