@@ -1,4 +1,7 @@
 // Stereo in the whole window, run as its user would.
+#include <map>
+#include <vector>
+
 #include "tests/app/window_fixture.h"
 #include "widgets/scene3d/stereo_mode.h"
 
@@ -14,12 +17,28 @@ const QString kScene =
 class StereoWindow : public WindowTest {
  protected:
   QImage pictureOf(const char* mode, const QString& more = {}, const QStringList& options = {}) {
-    const QString file = folder.filePath(QLatin1String(mode) + QStringLiteral(".png"));
+    const QString file = fileOf(mode);
     const WindowResult outcome = run(QStringLiteral("teaching"), kScene + more + QStringLiteral("screenshot ") + file,
                                      options + QStringList{QStringLiteral("--stereo"), QLatin1String(mode)});
     EXPECT_EQ(outcome.exitCode, 0) << outcome.errors.toStdString();
     return QImage(file);
   }
+
+  /// Those of several modes, by one run of the program; before each, `more` is carried out.
+  std::map<std::string, QImage> picturesOf(const std::vector<const char*>& modes, const QString& more = {},
+                                           const QStringList& options = {}) {
+    QString script = kScene;
+    for (const char* mode : modes) {
+      script += QStringLiteral("action stereo.%1\n%2screenshot %3\n").arg(QLatin1String(mode), more, fileOf(mode));
+    }
+    const WindowResult outcome = run(QStringLiteral("teaching"), script, options);
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.errors.toStdString();
+    std::map<std::string, QImage> pictures;
+    for (const char* mode : modes) pictures[mode] = QImage(fileOf(mode));
+    return pictures;
+  }
+
+  QString fileOf(const char* mode) const { return folder.filePath(QLatin1String(mode) + QStringLiteral(".png")); }
 
   /// Holds all pixels that differ.
   static QRect differing(const QImage& a, const QImage& b) {
@@ -35,8 +54,9 @@ class StereoWindow : public WindowTest {
 
 /// What `mode` shows is made of the single pictures of both eyes: pixel by pixel where it takes pixels as they are.
 TEST_F(StereoWindow, EveryModeIsMadeOfTheSinglePicturesOfBothEyes) {
-  const QImage left = pictureOf("left-eye");
-  const QImage right = pictureOf("right-eye");
+  auto pictures = picturesOf({"left-eye", "right-eye", "anaglyph", "interlaced", "checkerboard"});
+  const QImage left = pictures["left-eye"];
+  const QImage right = pictures["right-eye"];
   const QRect scene = differing(left, right);
   ASSERT_GT(scene.width(), 300);
   const auto expectMade = [&](const QImage& picture, const std::string& mode, auto pixel) {
@@ -48,10 +68,10 @@ TEST_F(StereoWindow, EveryModeIsMadeOfTheSinglePicturesOfBothEyes) {
     }
     EXPECT_EQ(differ, 0) << mode;
   };
-  expectMade(pictureOf("anaglyph"), "anaglyph",
+  expectMade(pictures["anaglyph"], "anaglyph",
              [](QRgb l, QRgb r, int, int) { return qRgb(qRed(l), qGreen(r), qBlue(r)); });
-  expectMade(pictureOf("interlaced"), "interlaced", [](QRgb l, QRgb r, int, int y) { return y % 2 == 0 ? l : r; });
-  expectMade(pictureOf("checkerboard"), "checkerboard",
+  expectMade(pictures["interlaced"], "interlaced", [](QRgb l, QRgb r, int, int y) { return y % 2 == 0 ? l : r; });
+  expectMade(pictures["checkerboard"], "checkerboard",
              [](QRgb l, QRgb r, int x, int y) { return (x + y) % 2 == 0 ? l : r; });
   expectMade(pictureOf("anaglyph", QStringLiteral("action stereo.swap\n")), "swapped",
              [](QRgb l, QRgb r, int, int) { return qRgb(qRed(r), qGreen(l), qBlue(l)); });
@@ -59,11 +79,17 @@ TEST_F(StereoWindow, EveryModeIsMadeOfTheSinglePicturesOfBothEyes) {
 
 /// On a full screen the picture is the scene alone: its halves are the single pictures, made smaller.
 TEST_F(StereoWindow, HalvesAreThePicturesOfTheEyes) {
-  const QString fullScreen = QStringLiteral("action view.full-screen\n");
-  const QImage left = pictureOf("left-eye", fullScreen);
-  const QImage right = pictureOf("right-eye", fullScreen);
+  // The full screen is entered once, before the first picture.
+  const QString script = kScene + QStringLiteral("action view.full-screen\n");
+  QString modes;
+  for (const char* mode : {"left-eye", "right-eye", "side-by-side", "top-bottom"}) {
+    modes += QStringLiteral("action stereo.%1\nscreenshot %2\n").arg(QLatin1String(mode), fileOf(mode));
+  }
+  ASSERT_EQ(run(QStringLiteral("teaching"), script + modes).exitCode, 0);
+  const QImage left(fileOf("left-eye"));
+  const QImage right(fileOf("right-eye"));
   for (const bool beside : {true, false}) {
-    const QImage both = pictureOf(beside ? "side-by-side" : "top-bottom", fullScreen);
+    const QImage both(fileOf(beside ? "side-by-side" : "top-bottom"));
     ASSERT_EQ(both.size(), left.size());
     const QSize half(beside ? both.width() / 2 : both.width(), beside ? both.height() : both.height() / 2);
     const QPoint second = beside ? QPoint(half.width(), 0) : QPoint(0, half.height());
@@ -77,14 +103,12 @@ TEST_F(StereoWindow, HalvesAreThePicturesOfTheEyes) {
 }
 
 TEST_F(StereoWindow, PicturesOfAllModes) {
+  const QStringList size{QStringLiteral("--size"), QStringLiteral("960x540")};
+  picturesOf({"anaglyph", "top-bottom", "interlaced", "checkerboard", "left-eye", "right-eye"}, {}, size);
+  picturesOf({"side-by-side"}, QStringLiteral("action view.dark\n"), size);
   for (const StereoModeEntry& entry : kStereoModes) {
     if (entry.mode == StereoMode::Off || entry.mode == StereoMode::QuadBuffer) continue;
-    const bool isDark = entry.mode == StereoMode::SideBySide;
-    const QImage picture = pictureOf(entry.name, isDark ? QStringLiteral("action view.dark\n") : QString(),
-                                     {QStringLiteral("--size"), QStringLiteral("960x540")});
-    EXPECT_FALSE(picture.isNull()) << entry.name;
-    expectLike(folder.filePath(QLatin1String(entry.name) + QStringLiteral(".png")),
-               QStringLiteral("stereo-") + QLatin1String(entry.name));
+    expectLike(fileOf(entry.name), QStringLiteral("stereo-") + QLatin1String(entry.name));
   }
 }
 
