@@ -20,6 +20,12 @@ CountsPanel::CountsPanel(QWidget* parent) : QWidget(parent), layout_(new QFormLa
   nodes_ = addRow(tr("Nodes"), tr("Nodes of the roadmap"));
   authors_ = new AuthorBar(this);
   layout_->addRow(authors_);
+  hand_ = new QLabel(this);
+  hand_->setObjectName(QStringLiteral("hand-report"));
+  hand_->setWordWrap(true);
+  hand_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  hand_->hide();
+  layout_->addRow(hand_);
   edges_ = addRow(tr("Edges"), tr("Both directions, as the papers count"));
   random_ = addRow(tr("Random configurations"), tr("Drawn by the computer, kept or not"));
   operator_ = addRow(tr("Operator configurations"), tr("Where the operator held the object"));
@@ -31,12 +37,6 @@ CountsPanel::CountsPanel(QWidget* parent) : QWidget(parent), layout_(new QFormLa
   nearest_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // no name widens the panel
   layout_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   distance_ = addRow(tr("Distance"), tr("To the nearest obstacle"));
-  hand_ = new QLabel(this);
-  hand_->setObjectName(QStringLiteral("hand-report"));
-  hand_->setWordWrap(true);
-  hand_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  hand_->hide();
-  layout_->addRow(hand_);
 }
 
 QLabel* CountsPanel::addRow(const QString& label, const QString& tip) {

@@ -12,9 +12,9 @@ namespace glissade {
 /// not, and alpha alone decides.
 class HandAccount {
  public:
-  static constexpr std::uint64_t kFirstCredit = 200'000;
-  static constexpr std::uint64_t kCredit = 10'000;  ///< for each configuration
-  static constexpr double kShare = 0.03;
+  static constexpr std::uint64_t kFirstCredit = 100'000;
+  static constexpr std::uint64_t kCredit = 5'000;  ///< for each configuration
+  static constexpr double kShare = 0.02;
 
   /// Steps and work of a turn or a round; `hand`: what the hand has caused of the work.
   void charge(std::uint64_t steps, std::uint64_t all, std::uint64_t hand) {

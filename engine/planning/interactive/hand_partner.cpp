@@ -56,11 +56,18 @@ std::vector<Pose> fromStartToGoal(const Problem& problem, const ShownWay& shown)
 }  // namespace
 
 HandPartner::HandPartner(const Problem& problem, std::uint64_t seed)
+    : HandPartner(problem, seed, std::make_shared<ErodedWorlds>(problem.world)) {}
+
+HandPartner::HandPartner(const Problem& problem, std::uint64_t seed, const std::shared_ptr<ErodedWorlds>& worlds)
+    : HandPartner(problem, seed, worlds, std::make_unique<HandFollower>(problem, seed, worlds)) {}
+
+HandPartner::HandPartner(const Problem& problem, std::uint64_t seed, std::shared_ptr<ErodedWorlds> worlds,
+                         std::unique_ptr<HandFollower> follower)
     : problem_(problem),
-      worlds_(std::make_shared<ErodedWorlds>(problem.world)),
+      worlds_(std::move(worlds)),
       authorityStream_(seed, "authority"),
-      follower_(new HandFollower(problem, seed, worlds_)),
-      planner_(std::unique_ptr<Planner>(follower_), std::numeric_limits<std::uint64_t>::max(), nullptr) {}
+      follower_(follower.get()),
+      planner_(std::move(follower), std::numeric_limits<std::uint64_t>::max(), nullptr) {}
 
 bool HandPartner::takesTurn(PlannerHost& host) {
   const auto sample = host.operatorSample();

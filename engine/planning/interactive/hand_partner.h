@@ -34,6 +34,9 @@ class HandPartner final : public PortfolioPartner {
   const HandAccount& account() const { return account_; }
 
  private:
+  HandPartner(const Problem& problem, std::uint64_t seed, const std::shared_ptr<ErodedWorlds>& worlds);
+  HandPartner(const Problem& problem, std::uint64_t seed, std::shared_ptr<ErodedWorlds> worlds,
+              std::unique_ptr<HandFollower> follower);
   void noteMovement(const Pose& q);
   void publish(const ParameterValues& parameters);
   double share(const ParameterValues& parameters) const;
