@@ -12,6 +12,10 @@
 namespace glissade {
 namespace {
 
+bool isIn(const std::vector<std::string>& ids, const std::string& id) {
+  return std::find(ids.begin(), ids.end(), id) != ids.end();
+}
+
 /// All rigid bodies of the scenario's body are among these, or none is.
 Outcome checkWhole(const std::vector<std::string>& ids, const LoadedScenario& loaded) {
   const std::set<std::string> named(ids.begin(), ids.end());
@@ -33,7 +37,7 @@ std::vector<std::string> bodyIdsOf(const std::vector<std::string>& rigidIds) {
   std::vector<std::string> ids;
   for (const std::string& rigid : rigidIds) {
     const std::string id = bodyIdOf(rigid);
-    if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
+    if (!isIn(ids, id)) ids.push_back(id);
   }
   return ids;
 }
@@ -57,17 +61,21 @@ void turnAbout(const Vector3& point_W, const LoadedScenario& loaded, Scenario& s
   scenario.start = X_WG * Pose::translation(object.referencePoint);
 }
 
-/// A thread that the plan knows by a joint comes apart in the hand as it does in the plan.
-void markThreads(const std::vector<StepJoint>& joints, const std::vector<std::string>& gone, FitSettings& fits) {
+/// A thread between what moves and what stays, which the plan knows by a joint, comes apart in the hand as it does in
+/// the plan: what moves is turned, the other one is held.
+void markThreads(const std::vector<StepJoint>& joints, const std::vector<std::string>& moving,
+                 const std::vector<std::string>& gone, FitSettings& fits) {
   for (const StepJoint& joint : joints) {
     if (joint.pitch == 0.0 || joint.turns <= 0.0) continue;
+    const bool bodyMoves = isIn(moving, joint.body);
     for (const std::string& other : joint.others) {
-      if (std::find(gone.begin(), gone.end(), other) != gone.end()) continue;
+      const std::string& held = bodyMoves ? other : joint.body;
+      if (isIn(moving, other) == bodyMoves || isIn(gone, held)) continue;
       FitEdit& edit = editOf(joint.body, other, fits);
       if (edit.kind) continue;
       edit.kind = ContactKind::Thread;
       edit.pitch = joint.pitch;
-      edit.turned = joint.body;
+      edit.turned = bodyMoves ? joint.body : other;
     }
   }
 }
@@ -81,7 +89,7 @@ Outcome prepareHandRun(const std::vector<std::string>& moving, const std::vector
   }
   std::vector<RigidBody> bodies;
   for (const RigidBody& body : rigidBodiesOf(loaded)) {
-    if (std::find(moving.begin(), moving.end(), body.id) != moving.end()) bodies.push_back(body);
+    if (isIn(moving, body.id)) bodies.push_back(body);
   }
   const std::vector<std::string> chosen = bodyIdsOf(moving);
   if (!isObject(chosen, scenario)) {
@@ -89,7 +97,7 @@ Outcome prepareHandRun(const std::vector<std::string>& moving, const std::vector
     if (!marked) return marked;
   }
   turnAbout(middleOf(bodies), loaded, scenario);
-  markThreads(joints, gone, scenario.fits);
+  markThreads(joints, moving, gone, scenario.fits);
   scenario.goal = GoalOut{};
   return editEach(bodyIdsOf(gone), removeBody, scenario);
 }

@@ -59,6 +59,7 @@ constexpr const char* kNotForTheWindow[] = {
     "level %1",
     "round %1",
     "milestone of %1",
+    "contact follower",
     "contact sampler",
     "milestones, attempt %1",
     "step %1, attempt %2",

@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 #include <QWheelEvent>
 
+#include "engine/import/step_import.h"
 #include "engine/scenario/part_files.h"
 #include "widgets/editors/parts_dialog.h"
 
@@ -30,8 +31,8 @@ QComboBox* makeBox(const char* id, const QString& name, const QString& tip) {
 
 }  // namespace
 
-void leaveToFile(QComboBox& unit, QComboBox& up) {
-  unit.setItemText(0, PartsDialog::tr("file's"));
+void leaveToFile(const std::string& file, QComboBox& unit, QComboBox& up) {
+  if (isStepFile(file)) unit.setItemText(0, PartsDialog::tr("file's"));
   for (QComboBox* box : {&unit, &up}) {
     box->setEnabled(false);
     box->setToolTip(PartsDialog::tr("The file says its unit itself; Z is up"));

@@ -209,7 +209,7 @@ void PartsDialog::makeBoxes(int row) {
   for (const auto& [column, combo] : {std::pair(kRole, role), std::pair(kUnit, unit), std::pair(kUp, up)}) {
     table_->setCellWidget(row, column, cellOf(combo));
   }
-  if (saysItsUnit(part.path)) leaveToFile(*unit, *up);
+  if (saysItsUnit(part.path)) leaveToFile(part.path, *unit, *up);
   showRow(row);
   if (row > 0) return;
   table_->resizeRowToContents(row);

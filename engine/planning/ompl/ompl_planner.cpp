@@ -185,8 +185,10 @@ bool OmplPlanner::solve(PlannerHost& host) {
   while (owedSteps_ > 0 || (!path_ && !failure_)) {
     if (owedSteps_ == 0) guard("planning with OMPL", [&] { grow(host); });
     if (owedSteps_ == 0) break;  // it has failed
-    --owedSteps_;
-    ++counts_.steps;
+    // Once there is a path, nothing may come between the steps of its piece: where the run ends would depend on it.
+    const std::uint64_t taken = path_ ? owedSteps_ : 1;
+    owedSteps_ -= taken;
+    counts_.steps += taken;
     // A piece draws many at once; each is counted with its step.
     counts_.randomConfigurations = engine_->world.draws - std::min(owedSteps_, engine_->world.draws);
     if (!host.afterStep()) break;

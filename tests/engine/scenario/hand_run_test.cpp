@@ -63,6 +63,16 @@ TEST(HandRun, ThreadsOfTheStepsJointsAreMarkedWhereNobodySaysAnything) {
   EXPECT_EQ(scenario.fits.pairs[1].kind, ContactKind::Thread);
   EXPECT_EQ(scenario.fits.pairs[1].pitch, 1.25e-3);
   EXPECT_EQ(scenario.fits.pairs[1].turned, "right");
+
+  // A shaft that is in a nut: the nut is in the hand, and what else the shaft is in stays as it is.
+  StepJoint shaft{JointKind::Screw, "base", {"right", "left"}};
+  shaft.pitch = 1.25e-3;
+  shaft.turns = 6.0;
+  Scenario held = loaded.scenario;
+  ASSERT_TRUE(prepareHandRun({"right"}, {}, loaded, {shaft}, held).ok());
+  ASSERT_EQ(held.fits.pairs.size(), 1U);
+  EXPECT_EQ(held.fits.pairs[0].a, "base");
+  EXPECT_EQ(held.fits.pairs[0].turned, "right");
 }
 
 TEST(HandRun, HasAGroupInTheHandAboutItsMiddle) {

@@ -91,8 +91,8 @@ TEST(PlanWords, AToolHasTheSizeOfTheHexagonThatItTurns) {
   step.joints.back().drive = DriveKind::HexSocket;
   step.joints.back().driveSize = 0.00249998;
   EXPECT_EQ(wordsIn(Language::English).tool(step, product), "hex key 2.5");
-  step.joints.back().driveSize = 0.013;
-  EXPECT_EQ(wordsIn(Language::English).tool(step, product), "hex key 13");
+  step.joints.back().driveSize = 0.014;
+  EXPECT_EQ(wordsIn(Language::English).tool(step, product), "hex key 14");
   step.joints.back().driveSize = 0.0031;
   EXPECT_EQ(wordsIn(Language::English).tool(step, product), "hex key 3") << "as one buys it";
   step.joints.back().driveSize = 0.0047625;
