@@ -154,7 +154,15 @@ void FileController::chooseScenario() {
   if (!file.isEmpty()) openAny({file}, PartsDialog::Purpose::NewScenario);
 }
 
+/// The scenario of a step by hand lacks the parts that have left: it is not the product's.
+bool FileController::isStepInHand() {
+  if (!bench_.actions["sequence.leave-hand"]->isEnabled()) return false;
+  bench_.messages.showStatus(tr("A step is moved by hand: go back to the sequence, then save"));
+  return true;
+}
+
 void FileController::save() {
+  if (isStepInHand()) return;
   const QString file = QString::fromStdString(bench_.document.scenario()->file);
   if (file.endsWith(QLatin1String(".json"))) {
     trySave(file);
@@ -164,6 +172,7 @@ void FileController::save() {
 }
 
 void FileController::chooseSaveFile() {
+  if (isStepInHand()) return;
   const LoadedScenario& scenario = *bench_.document.scenario();
   const QString own = QString::fromStdString(scenario.file);
   const QString usual = QDir(folder()).filePath(proposedFile(scenario, QStringLiteral(".json")));

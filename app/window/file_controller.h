@@ -59,6 +59,7 @@ class FileController final : public QObject {
   bool asksToEndWork();
   void chooseScenario();
   void chooseSaveFile();
+  bool isStepInHand();
   void save();
   SaveController* makeSaves();
   SaveResult write(const QString& file);

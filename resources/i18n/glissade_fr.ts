@@ -9126,6 +9126,10 @@
         <source>&amp;End it</source>
         <translation>&amp;Interrompre</translation>
     </message>
+    <message>
+        <source>A step is moved by hand: go back to the sequence, then save</source>
+        <translation>Une étape est à la main : revenez à la séquence, puis enregistrez</translation>
+    </message>
 </context>
 <context>
     <name>glissade::FilmJob</name>

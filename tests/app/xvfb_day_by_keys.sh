@@ -5,6 +5,7 @@
 # usage: xvfb_day_by_keys.sh GLISSADE STEP_FILE LANGUAGE THEME SCALE
 # Pictures of the stops are kept in GLISSADE_DAY_PICTURES where it is set.
 set -u
+[ -n "${GLISSADE_DAY:-}" ] || { echo "skipped: set GLISSADE_DAY; it takes some minutes"; exit 77; }
 glissade=$1
 product=$2
 language=$3
@@ -42,7 +43,7 @@ answer() {
   xdotool windowfocus --sync "$(top)" 2>/dev/null
   xdotool type --delay 15 "$1"
   keys Return
-  for _ in $(seq 600); do [ -s "$1" ] && return; sleep 0.1; done
+  for _ in $(seq 3000); do [ -s "$1" ] && return; sleep 0.1; done
   look failed
   fail "$1 is not written"
 }
