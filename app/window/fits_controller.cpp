@@ -17,7 +17,10 @@ bool saysNothing(const FitEdit& edit) {
 
 FitsController::FitsController(const Workbench& bench)
     : QObject(&bench.window), bench_(bench), panel_(new FitsPanel(bench.actions, &bench.window)) {
-  bench.onAction("fits.find", this, [this] { find(); });
+  bench.onAction("fits.find", this, [this] {
+    bench_.actions["panel.fits"]->trigger();
+    find();
+  });
   bench.onAction("fits.isolate", this, [this] { isolateChosen(); });
   bench.onAction("fits.accept", this,
                  [this] { editChosen(tr("accept a clash"), [](FitEdit& edit) { edit.accepted = true; }); });
@@ -51,7 +54,6 @@ void FitsController::followDocument(Changes what) {
 void FitsController::find() {
   const ScenarioPtr scenario = bench_.document.scenario();
   if (!scenario) return;
-  bench_.actions["panel.fits"]->trigger();
   bench_.work.run(tr("Looking for fits"), [this, scenario](const WorkWatch& watch) -> BackgroundTask::Delivery {
     ThreadTeam alone(0);
     const auto table = std::make_shared<const Result<FitTable>>(FitTable::find(productOf(*scenario), alone, watch));
