@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/operator/isotropic_noise.h"
 #include "engine/operator/minimum_jerk.h"
 
 namespace glissade {
@@ -121,8 +122,8 @@ bool SimulatedOperator::waitsForTheTree(double dt, const OperatorView& view) {
 
 void SimulatedOperator::beginSubMovement() {
   const Pose& target = route_[target_];
-  const Vector3 aimedAt = target.position + noise(level_.aimError);
-  const Quaternion turnedTo = fromRotationVector(noise(level_.aimErrorAngle)) * target.orientation;
+  const Vector3 aimedAt = target.position + isotropicNoise(stream_, level_.aimError);
+  const Quaternion turnedTo = fromRotationVector(isotropicNoise(stream_, level_.aimErrorAngle)) * target.orientation;
   movement_.translation = shortened(aimedAt - aimed_.position, kLongestReach);
   movement_.rotation = shortened(rotationVector(aimed_.orientation, turnedTo), kLongestReach);
   movement_.duration = std::max({minimum_jerk::kShortest,
@@ -143,18 +144,9 @@ Twist SimulatedOperator::follow(double dt) {
 Pose SimulatedOperator::withTremor(double dt) {
   const double memory = std::exp(-dt / kTremorTime);
   const double fresh = std::sqrt(1.0 - memory * memory);
-  tremor_ = memory * tremor_ + fresh * noise(level_.tremor);
-  tremorAngle_ = memory * tremorAngle_ + fresh * noise(level_.tremorAngle);
+  tremor_ = memory * tremor_ + fresh * isotropicNoise(stream_, level_.tremor);
+  tremorAngle_ = memory * tremorAngle_ + fresh * isotropicNoise(stream_, level_.tremorAngle);
   return {aimed_.position + tremor_, (fromRotationVector(tremorAngle_) * aimed_.orientation).normalized()};
-}
-
-/// Normal in a random direction: the standard deviation is that of the length's components' total.
-Vector3 SimulatedOperator::noise(double sigma) {
-  const double perAxis = sigma / std::sqrt(3.0);
-  const double x = stream_.normal();
-  const double y = stream_.normal();
-  const double z = stream_.normal();
-  return perAxis * Vector3(x, y, z);
 }
 
 }  // namespace glissade

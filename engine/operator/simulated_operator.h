@@ -64,7 +64,6 @@ class SimulatedOperator final : public OperatorDevice {
   void beginSubMovement();
   Twist follow(double dt);
   Pose withTremor(double dt);
-  Vector3 noise(double sigma);
 
   OperatorLevel level_;
   std::vector<Pose> route_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/operator/isotropic_noise.h"
 #include "engine/operator/minimum_jerk.h"
 
 namespace glissade {
@@ -87,23 +88,14 @@ Pose TaskOperator::shownWayPoint(const Box3& bounds) {
     for (int axis = 0; axis < 3; ++axis) {
       anywhere.position[axis] = stream_.uniform(bounds.min()[axis], bounds.max()[axis]);
     }
-    anywhere.orientation = fromRotationVector(noise(kLongestTurn));
+    anywhere.orientation = fromRotationVector(isotropicNoise(stream_, kLongestTurn));
     return anywhere;
   }
   const Pose& point = route_[next_];
   Pose shown;
-  shown.position = point.position + noise(level_.positionError * size_);
-  shown.orientation = (fromRotationVector(noise(level_.angleError)) * point.orientation).normalized();
+  shown.position = point.position + isotropicNoise(stream_, level_.positionError * size_);
+  shown.orientation = (fromRotationVector(isotropicNoise(stream_, level_.angleError)) * point.orientation).normalized();
   return shown;
-}
-
-/// Normal in a random direction: the standard deviation is that of the length's components' total.
-Vector3 TaskOperator::noise(double sigma) {
-  const double perAxis = sigma / std::sqrt(3.0);
-  const double x = stream_.normal();
-  const double y = stream_.normal();
-  const double z = stream_.normal();
-  return perAxis * Vector3(x, y, z);
 }
 
 }  // namespace glissade

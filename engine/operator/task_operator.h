@@ -45,7 +45,6 @@ class TaskOperator final : public OperatorDevice {
  private:
   void beginMovement(const Pose& from, const Box3& bounds);
   Pose shownWayPoint(const Box3& bounds);
-  Vector3 noise(double sigma);
   double tiredness() const { return 1.0 + level_.fatigue * time_ / 60.0; }
 
   TaskLevel level_;

@@ -18,7 +18,7 @@ enum class Restart {
 /// The i-th term (from 1) of Luby's sequence.
 std::uint64_t lubyTerm(std::uint64_t i);
 
-/// Of one who does not enter by himself.
+/// Of a contender that has turns only while admit() lets it.
 inline constexpr std::uint64_t kNoEntry = static_cast<std::uint64_t>(-1);
 
 /// One who wants machine time.
@@ -52,7 +52,7 @@ class Portfolio {
   void charge(std::size_t contender, std::uint64_t work);
   /// It has got on: its share is four times what it was at first, its patience the same as then.
   void encourage(std::size_t contender);
-  /// One with kNoEntry has turns from now on, or none until he is admitted again.
+  /// A contender with kNoEntry has turns from now on, or none until it is admitted again.
   void admit(std::size_t contender, bool admitted);
   /// No more turns.
   void retire(std::size_t contender);

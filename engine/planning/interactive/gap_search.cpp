@@ -5,6 +5,7 @@
 #include "engine/base/tolerances.h"
 #include "engine/planning/automatic/rrt_connect.h"
 #include "engine/planning/automatic/tube_sampler.h"
+#include "engine/planning/interactive/query_sum.h"
 
 namespace glissade {
 namespace {
@@ -59,11 +60,7 @@ std::optional<std::vector<Pose>> GapSearch::step(PlannerHost& host) {
 
 QueryCounts GapSearch::queries() const {
   QueryCounts sum = configuration_->counts();
-  const QueryCounts& own = search_.planner().counts().queries;
-  sum.collision += own.collision;
-  sum.distance += own.distance;
-  sum.motion += own.motion;
-  return sum;
+  return sum += search_.planner().counts().queries;
 }
 
 }  // namespace glissade

@@ -6,6 +6,7 @@
 #include "engine/base/tolerances.h"
 #include "engine/planning/automatic/portfolio.h"
 #include "engine/planning/automatic/tube_sampler.h"
+#include "engine/planning/interactive/query_sum.h"
 
 namespace glissade {
 namespace {
@@ -53,11 +54,9 @@ bool HandFollower::solve(PlannerHost& host) {
     deliverPath(host);
     observe(edgesBefore, host);
     updateCounts();
-    const QueryCounts freeing = configuration_.counts();
-    const QueryCounts searching = gap_ ? gap_->queries() : QueryCounts{};
-    counts_.queries.collision += freeing.collision + searching.collision + pastGaps_.collision;
-    counts_.queries.distance += freeing.distance + searching.distance + pastGaps_.distance;
-    counts_.queries.motion += searching.motion + pastGaps_.motion;
+    counts_.queries += configuration_.counts();
+    counts_.queries += pastGaps_;
+    if (gap_) counts_.queries += gap_->queries();
     if (!host.afterStep()) break;
   }
   return path_.has_value();
@@ -215,10 +214,7 @@ void HandFollower::sampleGap(PlannerHost& host) {
 
 void HandFollower::endGap() {
   if (!gap_) return;
-  const QueryCounts spent = gap_->queries();
-  pastGaps_.collision += spent.collision;
-  pastGaps_.distance += spent.distance;
-  pastGaps_.motion += spent.motion;
+  pastGaps_ += gap_->queries();
   gap_.reset();
 }
 

@@ -11,18 +11,19 @@
 namespace glissade {
 namespace {
 
-/// Steps of the hand that grow nothing, until it has most of its authority no more; and what is left of it.
+/// After so many steps of the hand that grow nothing, the hand keeps this share of its authority.
 constexpr std::uint64_t kPatience = 400;
 constexpr double kLeftInVain = 0.1;
 /// Share of the computer's steps that grow the trees which the hand draws.
 constexpr double kFollowersShare = 0.9;
-/// Movement of the hand in a round, in radii of the object. With more the next rounds are shorter, so that it need not
-/// wait; with little they become longer.
+/// Movement of the hand in a round, in radii of the object. Above the first value the next rounds are shorter, so that
+/// the hand does not wait. Below the second one they are longer.
 constexpr double kMostMovement = 0.05;
 constexpr double kLittleMovement = 0.01;
 /// Queries of the first repair of the way; the next ones follow Luby's sequence.
 constexpr std::uint64_t kRepairWork = 40'000;
-/// Points of the way that are nearer than this lie side by side. In radii of the object.
+/// Points of the way that are nearer to each other than this belong to a loop, which is left out. In radii of the
+/// object.
 constexpr double kBesides = 0.06;
 /// What is nearer to the way than this runs along it. In radii of the object.
 constexpr double kAlong = 0.2;

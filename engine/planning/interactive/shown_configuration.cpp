@@ -4,6 +4,7 @@
 
 #include "engine/planning/automatic/retraction.h"
 #include "engine/planning/automatic/tube_sampler.h"
+#include "engine/planning/interactive/query_sum.h"
 
 namespace glissade {
 namespace {
@@ -67,10 +68,7 @@ std::optional<Pose> ShownConfiguration::retractedFrom(const Pose& q, const Pose&
 QueryCounts ShownConfiguration::counts() const {
   QueryCounts sum = query_->counts();
   for (const auto& query : eroded_) {
-    if (!query) continue;
-    sum.collision += query->counts().collision;
-    sum.distance += query->counts().distance;
-    sum.motion += query->counts().motion;
+    if (query) sum += query->counts();
   }
   return sum;
 }
