@@ -53,8 +53,11 @@ void append(Joints more, Joints& joints) {
 }  // namespace
 
 Joints findJoints(const AssembledProduct& product, const StopToken& stop, const std::vector<std::string>& classes) {
-  const ProductShapes shapes(product);
-  const auto said = designationsOf(product);
+  return findJoints(ProductShapes(product), stop, classes);
+}
+
+Joints findJoints(const ProductShapes& shapes, const StopToken& stop, const std::vector<std::string>& classes) {
+  const auto said = designationsOf(shapes.product());
   std::vector<bool> isInsertByName;
   std::vector<bool> isScrewByName;
   for (const auto& one : said) {

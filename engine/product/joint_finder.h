@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "engine/base/stop_token.h"
-#include "engine/product/assembled_product.h"
 #include "engine/product/joint.h"
+#include "engine/product/product_shapes.h"
 
 namespace glissade {
 
@@ -14,6 +14,9 @@ namespace glissade {
 /// product. After a stop the list is incomplete. `classes`: the class of each body, empty where it has none; none at
 /// all where classes are not known. engine/product/README.md says what is recognised by what.
 Joints findJoints(const AssembledProduct& product, const StopToken& stop = {},
+                  const std::vector<std::string>& classes = {});
+/// The same, of shapes that others look at, too.
+Joints findJoints(const ProductShapes& shapes, const StopToken& stop = {},
                   const std::vector<std::string>& classes = {});
 
 }  // namespace glissade

@@ -4,18 +4,19 @@
 #include <vector>
 
 #include "engine/product/contact_report.h"
+#include "engine/product/product_shapes.h"
 #include "engine/sequence/body_group.h"
 #include "engine/sequence/fastener_kind.h"
 #include "engine/sequence/order_rules.h"
 
 namespace glissade {
 
-/// What each body is, by its shape (planes and cylinders about one axis) and its coaxial contacts; names do not count.
-/// - screw: a shaft in a hole, with a wider head at one end
-/// - nut: a hole on a shaft, through a prism of six equal sides, or of four
+/// What each body is, by its shape (fastener_shape.h) and its contacts; names do not count.
+/// - screw: a shaft in a hole, with a wider head at one end or with a recess
+/// - nut: a hole on a shaft, through a prism of six sides, or of four
 /// - washer: a flat ring that touches something
 /// - pin: a shaft in a hole, without a head, not longer than ten diameters
-std::vector<FastenerKind> fastenersOf(const AssembledProduct& product, const std::vector<Contact>& contacts);
+std::vector<FastenerKind> fastenersOf(const ProductShapes& shapes, const std::vector<Contact>& contacts);
 
 /// Where a tool meets a fastener, in the body's frame.
 struct FastenerHead {
@@ -25,12 +26,12 @@ struct FastenerHead {
   double height = 0.0;
   double shaft = 0.0;     ///< radius of the shaft of a screw, or of the hole of a nut
   int sides = 0;          ///< of the head as a prism; 0: it is round
-  int socketSides = 0;    ///< of a recess as a prism; 0: none
+  DriveKind drive = DriveKind::None;
   bool bothEnds = false;  ///< a tool meets a nut at either end
 };
 
 /// Of a screw or a nut; nothing where the mesh is not shaped so.
-std::optional<FastenerHead> headOf(const TriangleMesh& mesh, FastenerKind kind);
+std::optional<FastenerHead> headOf(const TriangleMesh& mesh);
 
 /// Nuts leave before what they are on: shafts slip through nuts that are drawn as equal cylinders.
 std::vector<OrderRule> fastenerRules(const std::vector<FastenerKind>& kinds, const std::vector<Contact>& contacts);

@@ -17,12 +17,12 @@ namespace glissade {
 namespace {
 
 /// By shape and contacts, but for those that are known.
-std::vector<FastenerKind> fastenersKnown(const AssembledProduct& product, const std::vector<Contact>& contacts,
+std::vector<FastenerKind> fastenersKnown(const ProductShapes& shapes, const std::vector<Contact>& contacts,
                                          const SequenceDemands& demands) {
-  std::vector<FastenerKind> kinds = fastenersOf(product, contacts);
+  std::vector<FastenerKind> kinds = fastenersOf(shapes, contacts);
   for (const auto& [name, text] : demands.fasteners) {
     const auto kind = fastenerByName(text);
-    for (const std::size_t body : bodiesNamed(product, name)) kinds[body] = kind.value_or(kinds[body]);
+    for (const std::size_t body : bodiesNamed(shapes.product(), name)) kinds[body] = kind.value_or(kinds[body]);
   }
   return kinds;
 }
@@ -50,11 +50,11 @@ Outcome checkPlaces(const AssembledProduct& product, const OrderRules& rules, co
 }
 
 /// Those that count: as they are given, else as they are found and a person says of them.
-Result<Joints> jointsOf(const AssembledProduct& product, const SequenceRequest& request, const StopToken& stop) {
+Result<Joints> jointsOf(const ProductShapes& shapes, const SequenceRequest& request, const StopToken& stop) {
   const JointUse use = request.demands.jointUse;
   if (use == JointUse::Off) return Joints();
   if (request.joints != nullptr) return countingJoints(*request.joints, use);
-  auto joints = applied(findJoints(product, stop), request.demands.joints, product);
+  auto joints = applied(findJoints(shapes, stop), request.demands.joints, shapes.product());
   if (!joints) return joints;
   return countingJoints(*joints, use);
 }
@@ -92,8 +92,9 @@ Result<AssemblyPlan> planSequence(const AssembledProduct& product, const Product
   }
   auto rules = resolved(request.demands, product);
   if (!rules) return rules.error();
-  const std::vector<FastenerKind> fasteners = fastenersKnown(product, fits.contacts(), request.demands);
-  auto found = jointsOf(product, request, host.stopToken());
+  const ProductShapes shapes(product);
+  const std::vector<FastenerKind> fasteners = fastenersKnown(shapes, fits.contacts(), request.demands);
+  auto found = jointsOf(shapes, request, host.stopToken());
   if (!found) return found.error();
   const JointRules joints(std::move(*found), product, fasteners);
   const BodySet staying = withJoined(request.staying, joints.bonded());

@@ -27,7 +27,7 @@ class ToolMeshes {
       const std::size_t body = *question.product.indexOf(step.body);
       const MeshPtr& mesh = question.product.bodies[body].mesh;
       const auto [at, isNew] = heads_.try_emplace(mesh);
-      if (isNew) at->second = headOf(*mesh, question.fasteners[body]);
+      if (isNew) at->second = headOf(*mesh);
       if (!at->second) continue;
       for (const ToolKind kind : question.tools[body]) {
         ToolMesh& tool = tools_[{mesh, kind}];

@@ -13,16 +13,6 @@ constexpr std::array<const char*, 5> kToolNames{"none", "hex_key", "socket", "sc
 /// Head height by shaft radius from which a round head is that of a socket head screw (ISO 4762: 2).
 constexpr double kSocketHead = 1.6;
 
-std::vector<ToolKind> toolsByShape(const TriangleMesh& mesh, FastenerKind kind) {
-  if (kind == FastenerKind::Nut) return {ToolKind::Socket, ToolKind::OpenWrench};
-  if (kind != FastenerKind::Screw) return {};
-  const auto head = headOf(mesh, kind);
-  if (!head) return {ToolKind::Screwdriver};
-  if (head->sides == 6 || head->sides == 4) return {ToolKind::Socket, ToolKind::OpenWrench};
-  if (head->socketSides == 6 || head->height >= kSocketHead * head->shaft) return {ToolKind::HexKey};
-  return {ToolKind::Screwdriver};
-}
-
 /// Empty where the drive is not known.
 std::vector<ToolKind> toolsByDrive(DriveKind drive) {
   switch (drive) {
@@ -34,6 +24,18 @@ std::vector<ToolKind> toolsByDrive(DriveKind drive) {
     case DriveKind::None: break;
   }
   return {};
+}
+
+/// Of a fastener whose shape is all that is known.
+std::vector<ToolKind> toolsByShape(const TriangleMesh& mesh, FastenerKind kind) {
+  if (kind == FastenerKind::Nut) return {ToolKind::Socket, ToolKind::OpenWrench};
+  if (kind != FastenerKind::Screw) return {};
+  const auto head = headOf(mesh);
+  if (!head) return {ToolKind::Screwdriver};
+  const std::vector<ToolKind> tools = toolsByDrive(head->drive);
+  if (!tools.empty()) return tools;
+  if (head->sides == 6 || head->sides == 4) return {ToolKind::Socket, ToolKind::OpenWrench};
+  return {head->height >= kSocketHead * head->shaft ? ToolKind::HexKey : ToolKind::Screwdriver};
 }
 
 /// A bolt in a nut leaves when the nut has been turned off: nothing turns the bolt.
