@@ -1,6 +1,7 @@
 #include "app/cli/info_command.h"
 
 #include <algorithm>
+#include <array>
 #include <iomanip>
 #include <iostream>
 #include <map>
@@ -10,6 +11,7 @@
 
 #include "app/cli/environment_report.h"
 #include "app/cli/interrupt.h"
+#include "engine/base/quantity_text.h"
 #include "engine/geometry/mesh_audit.h"
 #include "engine/scenario/forbidden_places_of.h"
 #include "engine/scenario/part_files.h"
@@ -196,11 +198,23 @@ void printText(const LoadedScenario& loaded) {
   }
 }
 
+/// Of the unit that most bodies state their lengths in; nothing where none states one.
+std::string unitText(const Product& tree) {
+  static constexpr std::array<std::pair<double, const char*>, 5> kNames{
+      {{0.001, "mm"}, {0.01, "cm"}, {1.0, "m"}, {0.0254, "in"}, {0.3048, "ft"}}};
+  const double unit = tree.lengthUnit();
+  if (unit <= 0.0) return {};
+  for (const auto& [metres, name] : kNames) {
+    if (metres == unit) return std::string(", lengths in ") + name;
+  }
+  return ", lengths in units of " + inMillimetres(unit);
+}
+
 /// The bodies of a part file, which has neither an object nor a problem.
 void printProduct(const std::string& file, const AssembledProduct& product) {
   std::cout << file << "\n"
             << product.bodies.size() << " bodies, " << differentMeshes(product.bodies) << " different meshes, "
-            << trianglesOf(product.bodies) << " triangles\n\nbodies\n";
+            << trianglesOf(product.bodies) << " triangles" << unitText(product.tree) << "\n\nbodies\n";
   MeshAudits audits;
   const int width = nameWidth(product.bodies);
   for (std::size_t i = 0; i < product.bodies.size(); ++i) {
@@ -213,6 +227,7 @@ Json toJson(const std::string& file, const AssembledProduct& product) {
   Json report{{"file", file},
               {"meshes", differentMeshes(product.bodies)},
               {"triangles", trianglesOf(product.bodies)},
+              {"length_unit_m", product.tree.lengthUnit()},
               {"bodies", Json::array()}};
   MeshAudits audits;
   for (std::size_t i = 0; i < product.bodies.size(); ++i) {

@@ -17,6 +17,9 @@ PreferencesController::PreferencesController(const Workbench& bench, SetAutosave
       setAutosave_(std::move(setAutosave)),
       desktopTheme_(isDark(QApplication::palette()) ? Theme::Dark : Theme::Light) {
   bench.onAction("edit.preferences", this, [this] { change(); });
+  connect(&bench.document, &WorkbenchDocument::changed, this, [this](Changes what) {
+    if (what & Change::Scenario) showLengthUnit();
+  });
   connect(bench.actions["view.dark"], &QAction::toggled, this, &PreferencesController::takeTheme);
 }
 
@@ -59,11 +62,22 @@ void PreferencesController::apply(const Preferences& preferences) {
   setAutosave_(preferences.autosaveSeconds);
   bench_.actions["view.dark"]->setChecked(themeOf(preferences.theme) == Theme::Dark);
   bench_.scene.view().setColours(preferences.colours);
-  if (lengthUnit() != preferences.lengthUnit) {
-    setLengthUnit(preferences.lengthUnit);
-    announceLengthUnit();
-  }
+  showLengthUnit();
   bench_.scene.refresh();
+}
+
+/// A product whose file is in inches or feet is shown in inches where nobody has chosen a unit.
+void PreferencesController::showLengthUnit() {
+  constexpr double kInch = 0.0254;
+  constexpr double kFoot = 0.3048;
+  const ScenarioPtr scenario = bench_.document.scenario();
+  const double ofFile = scenario ? scenario->product.lengthUnit() : 0.0;
+  const bool isImperial = ofFile == kInch || ofFile == kFoot;
+  const bool isChosen = present_.lengthUnit != LengthUnit::Fitting;
+  const LengthUnit unit = !isChosen && isImperial ? LengthUnit::Inches : present_.lengthUnit;
+  if (unit == lengthUnit()) return;
+  setLengthUnit(unit);
+  announceLengthUnit();
 }
 
 }  // namespace glissade

@@ -31,6 +31,7 @@ class PreferencesController final : public QObject {
   void apply(const Preferences& preferences);
   Theme themeOf(ThemeChoice choice) const;
   void takeTheme(bool dark);
+  void showLengthUnit();
 
   const Workbench& bench_;
   SetAutosave setAutosave_;

@@ -25,6 +25,7 @@ struct Occurrence {
   /// The names of the steps of `path` as the file has them: empty ones, some with "/", several of one name. None at all
   /// where they are the steps themselves.
   std::vector<std::string> names{};
+  double unit = 0.0;  ///< metres: that in which a STEP file states its lengths; 0: the file states none
 };
 
 }  // namespace glissade

@@ -37,11 +37,13 @@ class ProductMaker {
     const NodeDescription* said = saidOf(body.id);
     const Parent parent = said != nullptr && said->in ? assemblyWithId(*said->in) : assemblyAbove({}, body.place);
     const std::size_t node = append({body.id, body.place.path, nameAt(body.place), parent}, said);
+    product_.nodes_[node].unit = body.parts.empty() ? body.place.unit : body.parts.front().unit;
     for (const TreePlace& part : body.parts) {
       if (part.path.empty()) continue;
-      append({joinedPath(body.id, part.path), joinedPath(body.place.path, part.path), nameAt(part),
-              assemblyAbove(node, part)},
-             nullptr);
+      const std::size_t below = append({joinedPath(body.id, part.path), joinedPath(body.place.path, part.path),
+                                        nameAt(part), assemblyAbove(node, part)},
+                                       nullptr);
+      product_.nodes_[below].unit = part.unit;
     }
   }
 
@@ -122,6 +124,22 @@ Product::Product(const std::vector<ProductBody>& bodies, const std::vector<NodeD
 std::optional<std::size_t> Product::find(const std::string& id) const {
   const auto found = byId_.find(id);
   return found == byId_.end() ? std::nullopt : std::optional(found->second);
+}
+
+double Product::lengthUnit() const {
+  std::vector<std::pair<double, std::size_t>> counts;
+  for (const Node& node : nodes_) {
+    if (node.unit == 0.0) continue;
+    const auto known = std::find_if(counts.begin(), counts.end(), [&](const auto& c) { return c.first == node.unit; });
+    if (known == counts.end()) {
+      counts.emplace_back(node.unit, 1);
+    } else {
+      ++known->second;
+    }
+  }
+  const auto most =
+      std::max_element(counts.begin(), counts.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  return most == counts.end() ? 0.0 : most->first;
 }
 
 std::vector<std::string> Product::bodiesBelow(std::size_t node) const {

@@ -14,6 +14,7 @@ namespace glissade {
 struct TreePlace {
   std::string path;                  ///< steps, joined by "/" (body_path.h)
   std::vector<std::string> names{};  ///< as of Occurrence: those of the steps; empty: the steps themselves
+  double unit = 0.0;                 ///< as of Occurrence
 };
 
 /// A body, for making a product of it.
@@ -45,6 +46,7 @@ class Product {
     std::vector<std::size_t> children{};  ///< in the order of their first bodies
     bool isAssembly = false;              ///< else it is a body, or one of its rigid bodies
     Attributes attributes{};              ///< what is said of an assembly
+    double unit = 0.0;                    ///< metres: that of lengths in the file of a body; 0: not stated
   };
 
   Product() = default;
@@ -66,6 +68,8 @@ class Product {
   /// What people see of each node below its parent: its name, or the last step of its path where the name is empty or
   /// that of a sibling.
   std::vector<std::string> shownNames() const;
+  /// Metres: the unit that most of its bodies state lengths in, the first of equally many; 0: none states one.
+  double lengthUnit() const;
 
  private:
   friend class ProductMaker;

@@ -10,9 +10,11 @@
 #include <map>
 #include <stdexcept>
 #include <streambuf>
+#include <string_view>
 #include <tuple>
 
 #include "engine/assembly/body_path.h"
+#include "engine/base/utf8.h"
 #include "engine/import/confinement.h"
 #include "engine/import/step_assembly.h"
 #include "engine/import/step_healing_notes.h"
@@ -38,7 +40,10 @@ class MemoryBuffer final : public std::streambuf {
 class Message {
  public:
   Message(double deflection, const StepAssembly& assembly)
-      : deflection_(deflection), rootName_(assembly.rootName), externalParts_(assembly.externalParts) {
+      : deflection_(deflection),
+        rootName_(assembly.rootName),
+        unit_(assembly.unit),
+        externalParts_(assembly.externalParts) {
     addNotes(assembly.curves);
     for (const std::string& loss : assembly.losses) notes_ += protocol::kLossLine + ("\t" + loss) + "\n";
     total_.kind = protocol::kAssembly;
@@ -53,10 +58,13 @@ class Message {
 
   void write(const ImportOutput& output) const {
     output.write(&total_, sizeof total_);
-    const protocol::AssemblyCounts counts{
-        static_cast<std::uint32_t>(shapes_.size()),   static_cast<std::uint32_t>(parts_.size()),
-        static_cast<std::uint32_t>(notes_.size()),    static_cast<std::uint32_t>(externalParts_.size()),
-        static_cast<std::uint32_t>(rootName_.size()), 0};
+    const protocol::AssemblyCounts counts{static_cast<std::uint32_t>(shapes_.size()),
+                                          static_cast<std::uint32_t>(parts_.size()),
+                                          static_cast<std::uint32_t>(notes_.size()),
+                                          static_cast<std::uint32_t>(externalParts_.size()),
+                                          static_cast<std::uint32_t>(rootName_.size()),
+                                          0,
+                                          unit_};
     output.write(&counts, sizeof counts);
     output.write(rootName_.data(), rootName_.size());
     for (const StepTriangles& shape : shapes_) {
@@ -166,6 +174,7 @@ class Message {
 
   double deflection_;
   std::string rootName_;
+  double unit_;
   protocol::Header total_;
   std::uint32_t faces_ = 0;
   std::vector<StepTriangles> shapes_;
@@ -189,10 +198,11 @@ int failToRead(const ImportOutput& output, const std::string& reason) {
 int import(double deflection, bool solidNames, const ImportOutput& output) {
   std::vector<char> content = readStandardInput(protocol::kStepLimits.bytes);
   if (content.empty()) return failToRead(output, "it is empty or too large");
-  if (const auto fault = faultOfStepText({content.data(), content.size()})) return failToRead(output, *fault);
+  const std::string_view text(content.data(), content.size());
+  if (const auto fault = faultOfStepText(text)) return failToRead(output, *fault);
   MemoryBuffer buffer(content);
   std::istream stream(&buffer);
-  Message(deflection, readStepAssembly(stream, solidNames)).write(output);
+  Message(deflection, readStepAssembly(stream, solidNames, isUtf8(text))).write(output);
   return 0;
 }
 

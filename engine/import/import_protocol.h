@@ -61,6 +61,7 @@ struct AssemblyCounts {
   std::uint32_t externalParts = 0;
   std::uint32_t rootNameBytes = 0;  ///< of the one product of the file that is no assembly; else 0
   std::uint32_t unused = 0;
+  double unit = kMillimetre;  ///< metres: that in which the file states lengths
 };
 
 struct Shape {

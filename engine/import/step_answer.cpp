@@ -44,6 +44,9 @@ std::optional<SurfaceFace> faceOf(const protocol::Face& record) {
   return sound ? std::optional(face) : std::nullopt;
 }
 
+/// Metres that a unit of length may be.
+bool isUnit(double metres) { return metres >= 1e-9 && metres <= 1e6; }
+
 struct Shape {
   MeshPtr mesh;
   double deflection = 0.0;
@@ -58,7 +61,7 @@ class StepDecoder {
   Result<StepAnswer> decode() {
     protocol::AssemblyCounts counts;
     if (!answer_.message.take(&counts, 1) || counts.parts > protocol::kMostParts || counts.shapes > counts.parts ||
-        counts.externalParts > protocol::kMostOccurrences) {
+        counts.externalParts > protocol::kMostOccurrences || !isUnit(counts.unit)) {
       return broken();
     }
     StepAnswer product;
@@ -69,6 +72,7 @@ class StepDecoder {
     for (std::uint32_t i = 0; i < counts.parts; ++i) {
       auto part = takePart();
       if (!part) return part.error();
+      part->unit = counts.unit;
       if (!part->mesh->empty()) product.parts.push_back(std::move(*part));
     }
     for (std::uint32_t i = 0; i < counts.externalParts; ++i) {

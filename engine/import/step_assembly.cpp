@@ -4,6 +4,8 @@
 #include <Interface_Static.hxx>
 #include <Quantity_Color.hxx>
 #include <STEPCAFControl_Reader.hxx>
+#include <TColStd_SequenceOfAsciiString.hxx>
+#include <TCollection_AsciiString.hxx>
 #include <TDF_LabelSequence.hxx>
 #include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
@@ -15,6 +17,7 @@
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <stdexcept>
@@ -253,9 +256,32 @@ std::vector<std::string> inLines(const std::vector<StepLoss>& losses) {
   return lines;
 }
 
+/// Metres. Of several units the first; of a name that is not known millimetres.
+double lengthUnitOf(STEPControl_Reader& reader) {
+  static constexpr std::array<std::pair<const char*, double>, 8> kUnits{{{"INCH", 0.0254},
+                                                                         {"FOOT", 0.3048},
+                                                                         {"MILE", 1609.344},
+                                                                         {"MICRO", 1e-6},
+                                                                         {"MILLI", 1e-3},
+                                                                         {"CENTI", 1e-2},
+                                                                         {"KILO", 1e3},
+                                                                         {"MET", 1.0}}};
+  TColStd_SequenceOfAsciiString lengths;
+  TColStd_SequenceOfAsciiString angles;
+  TColStd_SequenceOfAsciiString solidAngles;
+  reader.FileUnits(lengths, angles, solidAngles);
+  if (lengths.IsEmpty()) return protocol::kMillimetre;
+  TCollection_AsciiString name = lengths.First();
+  name.UpperCase();
+  for (const auto& [part, metres] : kUnits) {
+    if (name.Search(part) > 0) return metres;
+  }
+  return protocol::kMillimetre;
+}
+
 }  // namespace
 
-StepAssembly readStepAssembly(std::istream& content, bool solidNames) {
+StepAssembly readStepAssembly(std::istream& content, bool solidNames, bool isUtf8) {
   STEPCAFControl_Reader reader;
   reader.SetNameMode(true);
   reader.SetColorMode(true);
@@ -266,6 +292,7 @@ StepAssembly readStepAssembly(std::istream& content, bool solidNames) {
   reader.SetViewMode(false);
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
   Interface_Static::SetIVal("read.stepcaf.subshapes.name", solidNames ? 1 : 0);
+  Interface_Static::SetCVal("read.step.codepage", isUtf8 ? "UTF8" : "CP1252");
   if (reader.ChangeReader().ReadStream("standard input", content) != IFSelect_RetDone) {
     throw std::runtime_error("it is not sound STEP text");
   }
@@ -286,6 +313,7 @@ StepAssembly readStepAssembly(std::istream& content, bool solidNames) {
   assembly.losses = inLines(losses);
   assembly.faceEntities = FaceEntities(reader);
   assembly.measures = statedMeasuresOf(reader);
+  assembly.unit = lengthUnitOf(reader.ChangeReader());
   return assembly;
 }
 

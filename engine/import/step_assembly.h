@@ -36,6 +36,7 @@ struct StepExternalPart {
 
 struct StepAssembly {
   std::string rootName;  ///< of the one product of the file, where it is no assembly; else empty
+  double unit = 0.001;   ///< metres: that in which the file states most lengths
   std::vector<StepSolid> solids;
   std::vector<StepExternalPart> externalParts;
   std::vector<std::string> curves;  ///< notes: of products with curves that lie on no face
@@ -48,6 +49,9 @@ struct StepAssembly {
 /// std::runtime_error with the reason where there is nothing to be had, or where something is lost and nobody knows of
 /// which part, and OpenCASCADE's Standard_Failure. Runs in
 /// the importing process only.
-StepAssembly readStepAssembly(std::istream& content, bool solidNames);
+///
+/// `isUtf8`: of the bytes of the file. Other bytes are read as Windows-1252, a superset of Latin 1: the standard allows
+/// neither, and programs write both.
+StepAssembly readStepAssembly(std::istream& content, bool solidNames, bool isUtf8);
 
 }  // namespace glissade

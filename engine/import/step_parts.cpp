@@ -33,7 +33,7 @@ std::vector<std::string> namesOf(const LoadedGeometry& wholeFile) {
 
 Product treeOf(const LoadedGeometry& wholeFile) {
   std::vector<ProductBody> bodies;
-  for (const Occurrence& part : wholeFile.parts) bodies.push_back({part.path, {part.path, part.names}});
+  for (const Occurrence& part : wholeFile.parts) bodies.push_back({part.path, {part.path, part.names, part.unit}});
   return Product(bodies);
 }
 

@@ -29,7 +29,7 @@ Result<ProductFile> productOfParts(const std::string& file, const StopToken& sto
   std::vector<ProductBody> bodies;
   for (const Occurrence& solid : (*geometry)->parts) {
     const std::string name = solid.path.empty() ? file : solid.path;
-    bodies.push_back({name, {solid.path.empty() ? lastStepOf(file) : solid.path, solid.names}});
+    bodies.push_back({name, {solid.path.empty() ? lastStepOf(file) : solid.path, solid.names, solid.unit}});
     loaded.product.bodies.push_back({name, name, Mobility::Mobile, solid.mesh, solid.X_FP});
     if (solid.colour) loaded.product.bodies.back().colour = *solid.colour;
     loaded.product.deflections.push_back(solid.deflection);

@@ -12,7 +12,9 @@ Product treeOf(const Scenario& scenario, const BodyGeometry& geometry) {
     bodies.push_back({body->id, {body->name}});
     const auto loaded = geometry.find(body->id);
     if (loaded == geometry.end()) continue;
-    for (const Occurrence& part : loaded->second->parts) bodies.back().parts.push_back({part.path, part.names});
+    for (const Occurrence& part : loaded->second->parts) {
+      bodies.back().parts.push_back({part.path, part.names, part.unit});
+    }
   }
   return Product(bodies, scenario.nodes);
 }

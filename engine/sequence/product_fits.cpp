@@ -40,6 +40,7 @@ Result<ProductFits> ProductFits::find(const AssembledProduct& product, ThreadTea
   if (!table) return table.error();
   for (std::size_t body = 0; body < found.moving_.size(); ++body) {
     found.moving_[body].fits = table->objects()[body].allowed;
+    found.moving_[body].clashes = table->objects()[body].clashes;
     found.moving_[body].axes = glissade::axesOf(table->objects()[body].contacts);
   }
   for (const PairFit& pair : table->pairs()) found.contacts_.push_back(pair.contact);
@@ -74,6 +75,13 @@ const MeshPtr& ProductFits::obstacleFor(std::size_t body, std::size_t other) con
 const MeshPtr& ProductFits::meshAgainst(std::size_t body, std::size_t other) const {
   const MeshPtr* thinned = thinnedOf(moving_[body].fits, other, false);
   return thinned != nullptr ? *thinned : moving_[body].whole;
+}
+
+const Fit* ProductFits::clashOf(std::size_t body, std::size_t other) const {
+  const std::vector<Fit>& clashes = moving_[body].clashes;
+  const auto found =
+      std::find_if(clashes.begin(), clashes.end(), [&](const Fit& fit) { return fit.obstacle == other; });
+  return found == clashes.end() ? nullptr : &*found;
 }
 
 const FitThread* ProductFits::threadOf(std::size_t body, std::size_t other) const {

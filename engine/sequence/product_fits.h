@@ -29,6 +29,8 @@ class ProductFits {
   const MeshPtr& meshAgainst(std::size_t body, std::size_t other) const;
   /// What the other one is taken to be when the body moves past it: itself, or thinner.
   const MeshPtr& obstacleFor(std::size_t body, std::size_t other) const;
+  /// The clash that stops each motion of the body past the other one; null: there is none.
+  const Fit* clashOf(std::size_t body, std::size_t other) const;
   /// By which the body leaves the other one by turning only; null where they are not screwed together.
   const FitThread* threadOf(std::size_t body, std::size_t other) const;
   /// The way in which the body leaves the other one while a hook of either bends, unit, world frame; null: none bends.
@@ -51,6 +53,7 @@ class ProductFits {
     std::vector<Fit> fits;
     std::vector<Vector3> axes;
     MeshPtr whole;
+    std::vector<Fit> clashes{};
   };
 
   std::vector<Moving> moving_;                                       ///< of each body

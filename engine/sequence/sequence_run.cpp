@@ -113,10 +113,20 @@ Result<AssemblyPlan> planSequence(const AssembledProduct& product, const Product
   const JointRules* counting = joints.joints().empty() ? nullptr : &joints;
   MotionTrial motions(product, fits, request.seed, MotionTrial::kMostSearches, rules->forbidden, counting);
   DemandingTrial trial(motions, *rules, product, request.known, counting);
-  const SequenceQuestion question{product,   staying,         request.seed,
-                                  trial,     request.resumed, *rules,
-                                  fasteners, &standing,       fragileBodies(product, request.demands),
-                                  *tools,    &*cost,          counting};
+  const SequenceQuestion question{product,
+                                  staying,
+                                  request.seed,
+                                  trial,
+                                  request.resumed,
+                                  *rules,
+                                  fasteners,
+                                  &standing,
+                                  fragileBodies(product, request.demands),
+                                  *tools,
+                                  &*cost,
+                                  counting,
+                                  {},
+                                  &fits};
   SavableHost savable(request, host);
   AssemblyPlan plan = strategy->make()->plan(question, savable);
   addJoints(plan, question);

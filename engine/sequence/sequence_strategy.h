@@ -10,6 +10,7 @@
 #include "engine/sequence/assembly_plan.h"
 #include "engine/sequence/joint_rules.h"
 #include "engine/sequence/order_rules.h"
+#include "engine/sequence/product_fits.h"
 #include "engine/sequence/removal_trial.h"
 #include "engine/sequence/standing.h"
 #include "engine/sequence/step_cost.h"
@@ -32,6 +33,7 @@ struct SequenceQuestion {
   const StepCost* cost = nullptr;         ///< of best-first; null: the usual one
   const JointRules* joints = nullptr;     ///< null: there are none
   BodySet there{};                        ///< bodies that are there at the beginning; empty: all
+  const ProductFits* fits = nullptr;      ///< that motions rest on; null: not known
 
   BodySet initial() const { return there.empty() ? BodySet(product.bodies.size(), true) : there; }
 };

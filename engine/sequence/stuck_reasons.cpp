@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/base/quantity_text.h"
+
 namespace glissade {
 
 BodyGroup unitOf(std::size_t body, const OrderRules& rules) {
@@ -15,6 +17,7 @@ std::string StuckReasons::of(std::size_t body, const std::vector<std::size_t>& h
                              const std::set<std::size_t>& blocking) const {
   const BodyGroup unit = unitOf(body, question_.rules);
   if (std::string joints = ofJoints(unit); !joints.empty()) return joints;
+  if (std::string clashes = ofClashes(unit); !clashes.empty()) return clashes;
   if (!holding.empty()) return "it is demanded that " + name(holding.front()) + " leaves before";
   for (const std::size_t other : blocking) {
     if (question_.staying[other] || !holdEachOther(body, other)) continue;
@@ -48,6 +51,24 @@ std::string StuckReasons::ofJoints(const BodyGroup& unit) const {
     return reason + "; " + name(body) + " is captive: " + name(unit.front()) + " is in its way";
   }
   return reason;
+}
+
+/// The deepest clash with what is there; empty where there is none.
+std::string StuckReasons::ofClashes(const BodyGroup& unit) const {
+  if (question_.fits == nullptr) return {};
+  const Fit* deepest = nullptr;
+  for (const std::size_t other : bodiesIn(without(present_, unit))) {
+    for (const std::size_t body : unit) {
+      const Fit* clash = question_.fits->clashOf(body, other);
+      if (clash != nullptr && (deepest == nullptr || clash->overlap > deepest->overlap)) deepest = clash;
+    }
+  }
+  if (deepest == nullptr) return {};
+  // Of bodies that only touch, the table of fits says why nothing gives way.
+  constexpr double kOverlap = 1e-5;
+  const std::string depth = deepest->overlap < kOverlap ? "" : " (" + inMillimetres(deepest->overlap) + ")";
+  return "it and " + name(deepest->obstacle) + " clash where they are assembled" + depth +
+         ": mend the parts, or accept the clash";
 }
 
 bool StuckReasons::isBlockedBy(const BodyGroup& unit, const BodyGroup& others) const {

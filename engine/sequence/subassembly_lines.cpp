@@ -81,7 +81,8 @@ SequenceQuestion questionOf(const BodyGroup& group, const SequenceQuestion& ques
           question.tools,
           question.cost,
           question.joints,
-          there};
+          there,
+          question.fits};
 }
 
 SubassemblyLine lineOf(const BodyGroup& group, const SequenceQuestion& question, RemovalTrial& trial,

@@ -6418,6 +6418,14 @@
         <source>Change the semantic attributes, or use the strategy Layers (gts).</source>
         <translation>Changez les attributs sémantiques, ou prenez la stratégie Couches (gts).</translation>
     </message>
+    <message>
+        <source>it and %1 clash where they are assembled (%2): mend the parts, or accept the clash</source>
+        <translation>elle et %1 sont en collision à l’état assemblé (%2) : corrigez les pièces, ou acceptez la collision</translation>
+    </message>
+    <message>
+        <source>it and %1 clash where they are assembled: mend the parts, or accept the clash</source>
+        <translation>elle et %1 sont en collision à l’état assemblé : corrigez les pièces, ou acceptez la collision</translation>
+    </message>
 </context>
 <context>
     <name>FilmWriter</name>
@@ -11183,8 +11191,8 @@
         <translation>Ce qui n&apos;est pas enregistré est écrit dans le dossier de données du programme, pour être proposé après un arrêt brutal</translation>
     </message>
     <message>
-        <source>µm, mm or m, as it fits</source>
-        <translation>µm, mm ou m, selon la longueur</translation>
+        <source>As the product&apos;s file: inches, or µm, mm and m</source>
+        <translation>Celle du fichier du produit : pouces, ou µm, mm et m</translation>
     </message>
     <message>
         <source>Light or dark, as the desktop was when the program started</source>

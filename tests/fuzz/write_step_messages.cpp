@@ -82,7 +82,7 @@ std::string messageOf(const std::vector<Kinds>& shapes, const std::vector<NamedP
   message.add(protocol::Header{protocol::kMagic, protocol::kAssembly, count, count});
   message.add(protocol::AssemblyCounts{static_cast<std::uint32_t>(shapes.size()),
                                        static_cast<std::uint32_t>(parts.size()), sizeOf(notes),
-                                       static_cast<std::uint32_t>(externals.size()), sizeOf(rootName), 0});
+                                       static_cast<std::uint32_t>(externals.size()), sizeOf(rootName), 0, 0.0254});
   message.addText(rootName);
   for (const auto& kinds : shapes) addShape(message, kinds);
   for (const NamedPart& part : parts) {

@@ -140,6 +140,9 @@ inline constexpr const char* kPlanningSentences[] = {
     QT_TRANSLATE_NOOP("Diagnostics", "it was to leave as step %1, and no motion was found there"),
     QT_TRANSLATE_NOOP("Diagnostics", "it is demanded that %1 leaves before"),
     QT_TRANSLATE_NOOP("Diagnostics",
+                      "it and %1 clash where they are assembled (%2): mend the parts, or accept the clash"),
+    QT_TRANSLATE_NOOP("Diagnostics", "it and %1 clash where they are assembled: mend the parts, or accept the clash"),
+    QT_TRANSLATE_NOOP("Diagnostics",
                       "it and %1 hold each other: neither was found to leave alone, nor both as one; motions of "
                       "several bodies at the same time are not searched"),
     QT_TRANSLATE_NOOP("Diagnostics", "the motion that a person gave it is not free"),

@@ -128,6 +128,15 @@ TEST(Product, EachBodyIsANodeOfItsOwn) {
   EXPECT_EQ(parentOf(product, "3"), "a");
 }
 
+TEST(Product, ItsUnitIsThatOfMostBodies) {
+  const auto in = [](const char* path, double unit) { return TreePlace{path, {}, unit}; };
+  EXPECT_EQ(Product().lengthUnit(), 0.0);
+  EXPECT_EQ(Product({{"1", in("a", 0.001)}, {"2", in("b", 0.0254)}, {"3", {"c"}, {in("d", 0.0254)}}}).lengthUnit(),
+            0.0254);
+  const Product equal({{"1", in("a", 0.001)}, {"2", in("b", 0.0254)}, {"3", {"c"}}, {"4", {"d"}}});
+  EXPECT_EQ(equal.lengthUnit(), 0.001) << "the first of equally many";
+}
+
 /// Against the definition: a body is below a node where its path is within the node's.
 TEST(Product, BodiesOfANodeAreThoseWithinItsPath) {
   RandomStream random(1, "trees");

@@ -68,6 +68,21 @@ TEST(StepImport, TheFilesUnitIsHonoured) {
   EXPECT_TRUE(boxInFile(onePart("box.step")).sizes().isApprox(Vector3(0.1, 0.05, 0.02), 1e-9));
   EXPECT_THAT(stepText("inch.step"), testing::HasSubstr("INCH"));
   EXPECT_TRUE(boxInFile(onePart("inch.step")).sizes().isApprox(Vector3(0.0508, 0.0254, 0.0254), 1e-9));
+  EXPECT_EQ(onePart("inch.step").unit, 0.0254);
+  EXPECT_EQ(onePart("box.step").unit, 0.001);
+}
+
+/// The standard allows neither; programs write both.
+TEST(StepImport, NamesMayBeUtf8OrLatin1) {
+  for (const std::string e : {"\xC3\xA9", "\xE9"}) {
+    std::string text = stepText("fits.step");
+    for (std::size_t at = text.find("'bolt'"); at != std::string::npos; at = text.find("'bolt'", at + 1)) {
+      text.replace(at + 2, 1, e);
+    }
+    const auto product = importStep(FileContent{"names.step", text}, 0.0);
+    ASSERT_TRUE(product) << toString(product.error());
+    EXPECT_THAT(pathsOf(product->parts), testing::Contains("b\xC3\xA9lt"));
+  }
 }
 
 TEST(StepImport, ProductsOfAnAssemblyLieWhereItHasThem) {

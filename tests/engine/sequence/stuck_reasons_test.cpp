@@ -1,0 +1,41 @@
+#include "engine/sequence/stuck_reasons.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "engine/sequence/sequence_run.h"
+#include "tests/engine/sequence/products.h"
+
+namespace glissade {
+namespace {
+
+using testing::HasSubstr;
+
+/// A block that stays, one that lies in it by so much, and one beside it.
+AssembledProduct overlapping(double depth) {
+  const auto block = [](const char* name, const Vector3& at) {
+    return boxBody(name, {0.1, 0.1, 0.1}, Pose::translation(at));
+  };
+  return test::productOf(
+      {block("base", Vector3::Zero()), block("sunk", {0.0, 0.0, 0.1 - depth}), block("beside", {0.3, 0.0, 0.0})}, true);
+}
+
+AssemblyPlan planOf(const AssembledProduct& product) {
+  test::QuietHost host;
+  const SequenceRequest request{{true, false, false}};
+  auto plan = planSequence(product, test::fitsOf(product), request, host);
+  EXPECT_TRUE(plan) << toString(plan.error());
+  return plan ? std::move(*plan) : AssemblyPlan{};
+}
+
+TEST(StuckReasons, AClashIsNamedWithTheOtherBodyAndItsDepth) {
+  const AssemblyPlan plan = planOf(overlapping(0.005));
+  ASSERT_EQ(plan.stuck.size(), 1U);
+  EXPECT_EQ(plan.stuck[0].body, "sunk");
+  EXPECT_THAT(plan.stuck[0].reason, HasSubstr("it and 'base' clash where they are assembled (5 mm)"));
+}
+
+TEST(StuckReasons, BodiesThatTouchDoNotClash) { EXPECT_TRUE(planOf(overlapping(0.0)).stuck.empty()); }
+
+}  // namespace
+}  // namespace glissade
