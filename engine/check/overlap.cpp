@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kLeastDepth = 1e-7;    ///< metres: what rounding of coordinates can be
 constexpr double kSameDistance = 1e-9;  ///< metres: distances that differ by less are equal
-constexpr int kMostWidenings = 8;
+constexpr int kMostWidenings = 16;
 /// Near a part, more triangles than these are not all compared with it where it is a clash anyway. Else the part is cut
 /// into cells, down to this share of the largest depth met, unless it is in a thin wall.
 constexpr std::size_t kManyTriangles = 256;
@@ -61,8 +61,8 @@ class DepthSearch {
       if (deepest == 0.0 && isOutside(part, normal, near)) return;
       if (isKnown(near, normal, deepest + longestEdge(part))) return;
       const bool many = near.size() > kManyTriangles && !isInWall(near, normal);
-      deepest =
-          std::max(deepest, many ? deepestInCells(part, normal, near, stop) : deepestOf(part, normal, near, stop));
+      deepest = std::max(
+          deepest, many ? deepestInCells(part, normal, {near, reach}, stop) : deepestOf(part, normal, near, stop));
       if (deepest <= reach || stop.stopRequested()) return;
     }
   }
@@ -84,12 +84,18 @@ class DepthSearch {
     return deepest;
   }
 
-  /// Of a fine mesh: the same to a share of the largest depth.
-  double deepestInCells(const Triangle& part, const Vector3& normal, const std::vector<std::uint32_t>& near,
-                        const StopToken& stop) {
+  /// Triangles of the body that are this near to a part.
+  struct Near {
+    const std::vector<std::uint32_t>& triangles;
+    double reach;
+  };
+
+  /// Of a fine mesh: the same to a share of the largest depth. Ends at a point that is deeper than the reach: another
+  /// triangle may be nearer there, and the bounds of the cells are worth nothing.
+  double deepestInCells(const Triangle& part, const Vector3& normal, const Near& near, const StopToken& stop) {
     double deepest = 0.0;
-    PartCells cells(part, body_.tree.triangles(), near);
-    while (!cells.empty() && !stop.stopRequested()) {
+    PartCells cells(part, body_.tree.triangles(), near.triangles);
+    while (!cells.empty() && deepest <= near.reach && !stop.stopRequested()) {
       const PartCell cell = cells.take();
       const bool inside = body_.tree.box().contains(cell.middle) && body_.contains(cell.middle);
       const double most = inside ? cell.bound : cell.radius - cell.distance;
