@@ -84,6 +84,7 @@ void scrollTexts(QMessageBox& message, const QSize& room) {
   if (heightAt(narrow, texts) <= room.height()) return;
   QScrollArea& scroll = *scrollContent(message);
   scroll.setFocusPolicy(Qt::StrongFocus);  // what is below is reached by keys
+  scroll.widget()->setMinimumWidth(1);     // QMessageBox wants its labels as wide as they like
   const int beside = message.style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, &scroll);
   const int rest = message.layout()->totalMinimumSize().height() - scroll.minimumSizeHint().height();
   scroll.setMinimumSize(width, std::min(heightAt(width - beside, texts), room.height() - rest));
