@@ -103,7 +103,10 @@ void fitWindow(QWidget& window, const QSize& room) {
   const bool isOwn = qobject_cast<QFileDialog*>(&window) == nullptr && window.layout() != nullptr;
   if (isOwn && !fits(window.minimumSizeHint().expandedTo(window.minimumSize()), room)) {
     window.setMinimumSize(0, 0);
-    scrollContent(window);
+    const QScrollArea& scroll = *scrollContent(window);
+    const int bar = scroll.style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, &scroll);
+    const int width = scroll.widget()->minimumSizeHint().width() + bar;
+    window.resize(window.size().expandedTo({width, 0}));
   }
   if (!fits(window.size(), room)) window.resize(window.size().boundedTo(room));
 }
