@@ -173,8 +173,8 @@ void AssemblyController::putBackSelected() {
 void AssemblyController::markSelected() {
   const std::vector<std::string> ids = selectedToMove();
   const QString first = QString::fromStdString(ids.front());
-  const QString text =
-      ids.size() == 1 ? tr("%1 moves").arg(first) : tr("%1 and %2 more move").arg(first).arg(ids.size() - 1);
+  const QString text = ids.size() == 1 ? tr("%1 moves").arg(first)
+                                       : tr("%1 and %n more move", "", static_cast<int>(ids.size()) - 1).arg(first);
   editScenario(text, [&](Scenario& scenario) { return markMoving(ids, *document_.scenario(), scenario); });
 }
 

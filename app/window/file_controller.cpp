@@ -134,8 +134,13 @@ SaveResult FileController::write(const QString& file) {
   if (!saved) return saved;
   bench_.document.noteSaved(name, content);
   noteFile(file);
-  emit pictureDue(file);
+  announcePicture(file);
   return saved;
+}
+
+/// The scene of a temporary scenario is not the file's.
+void FileController::announcePicture(const QString& file) {
+  if (!file.isEmpty() && !bench_.document.isTemporary()) emit pictureDue(file);
 }
 
 QString FileController::folder() const {
@@ -154,15 +159,7 @@ void FileController::chooseScenario() {
   if (!file.isEmpty()) openAny({file}, PartsDialog::Purpose::NewScenario);
 }
 
-/// The scenario of a step by hand lacks the parts that have left: it is not the product's.
-bool FileController::isStepInHand() {
-  if (!bench_.actions["sequence.leave-hand"]->isEnabled()) return false;
-  bench_.messages.showStatus(tr("A step is moved by hand: go back to the sequence, then save"));
-  return true;
-}
-
 void FileController::save() {
-  if (isStepInHand()) return;
   const QString file = QString::fromStdString(bench_.document.scenario()->file);
   if (file.endsWith(QLatin1String(".json"))) {
     trySave(file);
@@ -172,7 +169,6 @@ void FileController::save() {
 }
 
 void FileController::chooseSaveFile() {
-  if (isStepInHand()) return;
   const LoadedScenario& scenario = *bench_.document.scenario();
   const QString own = QString::fromStdString(scenario.file);
   const QString usual = QDir(folder()).filePath(proposedFile(scenario, QStringLiteral(".json")));
@@ -218,7 +214,7 @@ void FileController::noteFile(const QString& file) {
 bool FileController::mayDiscard() {
   if (!asksToEndWork() || !asksToDiscard()) return false;
   const ScenarioPtr& scenario = bench_.document.scenario();
-  if (scenario && !scenario->file.empty()) emit pictureDue(QString::fromStdString(scenario->file));
+  if (scenario) announcePicture(QString::fromStdString(scenario->file));
   return true;
 }
 

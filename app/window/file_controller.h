@@ -59,7 +59,7 @@ class FileController final : public QObject {
   bool asksToEndWork();
   void chooseScenario();
   void chooseSaveFile();
-  bool isStepInHand();
+  void announcePicture(const QString& file);
   void save();
   SaveController* makeSaves();
   SaveResult write(const QString& file);

@@ -11,8 +11,6 @@ namespace {
 
 /// Seconds for which the first and the last picture stand.
 constexpr double kStanding = 0.6;
-/// Milliseconds after which the window is drawn again.
-constexpr int kSeenEvery = 1000;
 
 }  // namespace
 
@@ -29,9 +27,9 @@ void FilmJob::start(FilmSubject subject, const QString& file, Finished finished)
   connect(writer_.get(), &FilmWriter::ended, this, &FilmJob::end);
   connect(writer_.get(), &FilmWriter::ready, this, &FilmJob::takePictures);
   pictureShare_.reset();
-  sinceSeen_.start();
+  filming_ = camera_;
   work_.beginOther(
-      tr("Making the film"), [this] { cancel(); }, WorkController::Loss::Asked);
+      *this, tr("Making the film"), [this] { cancel(); }, WorkController::Loss::Asked);
   takePictures();
 }
 
@@ -63,19 +61,16 @@ void FilmJob::takePicture() {
   const double second = static_cast<double>(taken_) / kFilmRate - kStanding;
   const double share = std::clamp(second / std::max(subject_.seconds, 1.0 / kFilmRate), 0.0, 1.0);
   if (pictureShare_ != share) {
-    showInWindow(sinceSeen_.hasExpired(kSeenEvery));
+    const CameraController ofTheWindow = std::exchange(camera_, *filming_);
     subject_.show(share);
     picture_ = takenOf_();
+    filming_ = std::exchange(camera_, ofTheWindow);  // it may follow what moves
+    subject_.restore();
     pictureShare_ = share;
   }
   ++taken_;
-  work_.showShare(static_cast<double>(taken_) / pictures_);
+  work_.showShare(*this, static_cast<double>(taken_) / pictures_);
   writer_->add(picture_);
-}
-
-void FilmJob::showInWindow(bool shown) {
-  if (scene_.updatesEnabled() != shown) scene_.setUpdatesEnabled(shown);
-  if (shown) sinceSeen_.start();
 }
 
 void FilmJob::end(const SaveResult& result) {
@@ -83,10 +78,8 @@ void FilmJob::end(const SaveResult& result) {
   // The writer may be what calls.
   writer_->disconnect(this);
   writer_.release()->deleteLater();
-  work_.endOther();
+  work_.endOther(*this);
   picture_ = {};
-  showInWindow(true);
-  subject_.restore();
   std::exchange(finished_, nullptr)(result);
 }
 

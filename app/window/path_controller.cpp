@@ -37,7 +37,7 @@ PathController::PathController(const Workbench& bench)
       panel_(new PathPanel(bench.actions, &bench.window)),
       report_(bench, nullptr),
       film_(
-          bench.work, [&bench] { return bench.scene.picture(kFilmPicture); }, *bench.scene.widget()) {
+          bench.work, [&bench] { return bench.scene.picture(kFilmPicture); }, bench.scene.view().camera()) {
   connect(panel_, &PathPanel::poseShown, this, [this](const std::optional<Pose>& pose) {
     if (pose && bench_.actions["path.follow"]->isChecked()) {
       bench_.scene.view().camera().follow(bench_.scene.view().objectPose().position, pose->position);
@@ -222,14 +222,19 @@ void PathController::filmTo(const QString& file, const FilmJob::Finished& finish
     return;
   }
   bench_.actions["path.play"]->setChecked(false);
-  const auto restore = [this, pose = shownPose_, share = panel_->slider().share()] {
-    panel_->showAt(share);
-    shownPose_ = pose;
-    bench_.scene.view().setPlaybackPose(pose);
-    bench_.scene.refresh();
+  SceneView& view = bench_.scene.view();
+  FilmSubject subject;
+  subject.seconds = panel_->slider().playedSeconds();
+  subject.show = [this, &view, before = view.objectPose()](double share) mutable {
+    const WaySlider& slider = panel_->slider();
+    const std::optional<Pose> pose = slider.poseAt(slider.playedShare(share));
+    if (!pose) return;
+    if (bench_.actions["path.follow"]->isChecked()) view.camera().follow(before.position, pose->position);
+    view.setPlaybackPose(pose);
+    before = *pose;
   };
-  film_.start({panel_->slider().playedSeconds(), [this](double share) { panel_->showPlayed(share); }, restore}, file,
-              finished);
+  subject.restore = [this, &view] { view.setPlaybackPose(shownPose_); };
+  film_.start(std::move(subject), file, finished);
 }
 
 std::string PathController::verdict() const {

@@ -125,8 +125,7 @@ void RefusalController::showRefusedPath(const PathExamination& refused) {
   Notice notice{tr("The path does not hold here."), {}, {"path.first-blocked", "run.start"}};
   if (!refused.blocked.empty()) {
     const int body = refused.blocked.front().nearest.body;
-    notice.details = tr("%1 of %2 edges are blocked.")
-                         .arg(refused.blocked.size())
+    notice.details = tr("%n of %1 edges are blocked.", "", static_cast<int>(refused.blocked.size()))
                          .arg(std::max<std::size_t>(1, refused.path.points.size() - 1));
     if (body == kForbiddenPlace) {
       notice.details += QLatin1Char(' ') + tr("The first leads through a forbidden place.");
@@ -172,7 +171,7 @@ void RefusalController::showConflicts() {
   const std::vector<EndConflict>& all = conflicts_->conflicts;
   QStringList facts;
   for (std::size_t i = 0; i < std::min(all.size(), kMostNamed); ++i) facts << factOf(all[i], *scenario, required);
-  if (all.size() > kMostNamed) facts << tr("and %1 more").arg(all.size() - kMostNamed);
+  if (all.size() > kMostNamed) facts << tr("and %n more", "", static_cast<int>(all.size() - kMostNamed));
   const QString object = QString::fromStdString(scenario->object.shown());
   const bool meets = std::any_of(all.begin(), all.end(), touches);
   const QString title = conflicts_->atStart

@@ -4,6 +4,7 @@
 #include <QDialogButtonBox>
 #include <QEvent>
 #include <QFileDialog>
+#include <QLabel>
 #include <QMainWindow>
 #include <QMessageBox>
 #include <QScreen>
@@ -44,7 +45,7 @@ QDialogButtonBox* buttonsBelow(QLayout& layout) {
   return qobject_cast<QDialogButtonBox*>(layout.itemAt(layout.count() - 1)->widget());
 }
 
-void scrollContent(QWidget& window) {
+QScrollArea* scrollContent(QWidget& window) {
   QLayout* inside = window.layout();
   QDialogButtonBox* buttons = buttonsBelow(*inside);
   const QMargins around = inside->contentsMargins();
@@ -59,25 +60,53 @@ void scrollContent(QWidget& window) {
   auto* column = new QVBoxLayout(&window);
   column->setContentsMargins(0, 0, 0, buttons != nullptr ? around.bottom() : 0);
   column->addWidget(scroll, 1);
-  if (buttons == nullptr) return;
+  if (buttons == nullptr) return scroll;
   auto* row = new QHBoxLayout;
   row->setContentsMargins(around.left(), 0, around.right(), 0);
   row->addWidget(buttons);
   column->addLayout(row);
+  return scroll;
+}
+
+int heightAt(int width, QLayout& layout) {
+  layout.activate();
+  return layout.hasHeightForWidth() ? layout.totalHeightForWidth(width) : layout.totalSizeHint().height();
+}
+
+/// The texts of a message that is higher than the room are scrolled. QMessageBox takes the least size that its layout
+/// allows, and makes texts about as narrow as this.
+void scrollTexts(QMessageBox& message, const QSize& room) {
+  constexpr int kNarrow = 500;
+  if (auto* text = message.findChild<QLabel*>(QStringLiteral("qt_msgbox_label"))) text->setWordWrap(true);
+  const int width = std::min(room.width(), widestMessage(message));
+  const int narrow = std::min({width, kNarrow, message.screen()->availableGeometry().width() / 2});
+  QLayout& texts = *message.layout();
+  if (heightAt(narrow, texts) <= room.height()) return;
+  QScrollArea& scroll = *scrollContent(message);
+  scroll.setFocusPolicy(Qt::StrongFocus);  // what is below is reached by keys
+  scroll.widget()->setMinimumWidth(1);     // QMessageBox wants its labels as wide as they like
+  const int beside = message.style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, &scroll);
+  const int rest = message.layout()->totalMinimumSize().height() - scroll.minimumSizeHint().height();
+  scroll.setMinimumSize(width, std::min(heightAt(width - beside, texts), room.height() - rest));
 }
 
 }  // namespace
 
 void fitWindow(QWidget& window, const QSize& room) {
   if (auto* message = qobject_cast<QMessageBox*>(&window)) {
+    message->ensurePolished();
     stackButtons(*message, room);
+    scrollTexts(*message, room);
     return;
   }
   window.ensurePolished();
   const bool isOwn = qobject_cast<QFileDialog*>(&window) == nullptr && window.layout() != nullptr;
   if (isOwn && !fits(window.minimumSizeHint().expandedTo(window.minimumSize()), room)) {
     window.setMinimumSize(0, 0);
-    scrollContent(window);
+    const QScrollArea& scroll = *scrollContent(window);
+    const int bar = scroll.style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, &scroll);
+    const int width = scroll.widget()->minimumSizeHint().width() + bar;
+    window.resize(window.size().expandedTo({width, 0}));
   }
   if (!fits(window.size(), room)) window.resize(window.size().boundedTo(room));
 }

@@ -59,7 +59,7 @@ SequenceController::SequenceController(const Workbench& bench)
       panel_(new SequencePanel(bench.actions, &bench.window)),
       instructions_(new InstructionController(bench, *this)),
       film_(
-          bench.work, [&bench] { return bench.scene.picture(kFilmPicture); }, *bench.scene.widget()),
+          bench.work, [&bench] { return bench.scene.picture(kFilmPicture); }, bench.scene.view().camera()),
       edits_(new SequenceEdits(bench, *this)),
       hand_(new SequenceHand(bench, *this)) {
   connect(&planner_, &SequencePlanner::grown, this, [this](const GrownPlan& grown) { takeGrown(grown, true); });
@@ -352,9 +352,12 @@ std::optional<Diagnostic> SequenceController::open(const QString& file) {
   return std::nullopt;
 }
 
-void SequenceController::showPanelsScene() { showScene(panel_->time(), panel_->exploded()); }
+void SequenceController::showPanelsScene() {
+  placeBodies(panel_->time(), panel_->exploded());
+  bench_.scene.refresh();
+}
 
-void SequenceController::showScene(double time, double exploded) {
+void SequenceController::placeBodies(double time, double exploded) {
   const ShownPlan& plan = shown();
   SequencePicture picture;
   if (plan.plan && !plan.plan->steps.empty() && (time > 0.0 || exploded > 0.0)) {
@@ -377,7 +380,6 @@ void SequenceController::showScene(double time, double exploded) {
     }
   }
   bench_.scene.view().setSequence(picture);
-  bench_.scene.refresh();
 }
 
 /// The stuck body and those that block it are selected, so that the view marks them.
@@ -414,9 +416,11 @@ void SequenceController::exportTo(const QString& file, const InstructionJob::Fin
 
 void SequenceController::film(const QString& file, const FilmJob::Finished& finished) {
   bench_.actions["sequence.play"]->setChecked(false);
-  const auto restore = [this, time = panel_->time()] { panel_->showTime(time); };
-  film_.start({panel_->slider().playedSeconds(), [this](double share) { panel_->showPlayed(share); }, restore}, file,
-              finished);
+  const auto show = [this](double share) {
+    placeBodies(panel_->timeAt(panel_->slider().playedShare(share)), panel_->exploded());
+  };
+  const auto restore = [this] { placeBodies(panel_->time(), panel_->exploded()); };
+  film_.start({panel_->slider().playedSeconds(), show, restore}, file, finished);
 }
 
 void SequenceController::chooseFile() {

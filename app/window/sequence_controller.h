@@ -59,10 +59,10 @@ class SequenceController final : public QObject {
   void tell(const QString& file, const SaveResult& saved);
   /// For scripts: what a file that `write` writes comes to, at once; on screen a message says so later.
   Outcome written(const std::string& file, const std::function<void(const InstructionJob::Finished&)>& write);
+  /// The panel, with a dock that is large enough for the table.
+  void bringToFront();
   /// The scene as the panel's sliders have it.
   void showPanelsScene();
-  /// The scene at so many steps of removal, parts moved apart by a share of the exploded view.
-  void showScene(double time, double exploded);
 
  signals:
   /// Another plan, or none.
@@ -82,8 +82,6 @@ class SequenceController final : public QObject {
   /// A plan of this product and these demands; nothing where there was none.
   std::optional<ShownPlan> rememberedPlan(const ProductPtr& product) const;
   void remember();
-  /// The panel, with a dock that is large enough for the table.
-  void bringToFront();
   /// As plan(), wherever the panel is.
   void startPlanning(bool resume, std::optional<std::size_t> mostSteps);
   void takeGrown(const GrownPlan& grown, bool growing);
@@ -98,6 +96,8 @@ class SequenceController final : public QObject {
   void chooseFile();
   void chooseExport();
   void chooseFilm();
+  /// The scene at so many steps of removal, parts moved apart by a share of the exploded view.
+  void placeBodies(double time, double exploded);
   void film(const QString& file, const FilmJob::Finished& finished);
   void enableActions();
 

@@ -36,7 +36,7 @@ void SequenceHand::begin() {
   const auto change = [this, bodies = run.bodies, gone, joints](Scenario& scenario) {
     return prepareHandRun(bodies, gone, *bench_.document.scenario(), joints, scenario);
   };
-  const Outcome edited = bench_.document.edit(tr("Move %1 by hand").arg(nameOf(run)), change);
+  const Outcome edited = bench_.document.editTemporarily(tr("Move %1 by hand").arg(nameOf(run)), change);
   if (!edited) {
     run_.reset();
     bench_.messages.showError(tr("The step cannot be moved by hand"), edited.error());
@@ -57,11 +57,11 @@ bool SequenceHand::hasObject() const {
 }
 
 void SequenceHand::noteBegun() {
-  if (!run_ || run_->command >= 0) return;
+  if (!run_ || run_->begun) return;
   if (!hasObject()) {  // the edit has failed, and said so
     run_.reset();
   } else {
-    run_->command = bench_.document.undoStack().index();
+    run_->begun = true;
     sequence_.panel()->setNotice(
         tr("You move %1 by hand, among the parts that are present at its step. Start (F5) begins a run. Its certified "
            "path becomes the step.")
@@ -75,7 +75,7 @@ void SequenceHand::followDocument(Changes what) {
   if (what & Change::Scenario) {
     run_.reset();
     sequence_.panel()->setNotice({});
-  } else if ((what & Change::Results) && run_->command >= 0 && bench_.document.results().path) {
+  } else if ((what & Change::Results) && run_->begun && bench_.document.results().path) {
     // The session that announces the path ends when it is taken.
     QMetaObject::invokeMethod(this, &SequenceHand::takePath, Qt::QueuedConnection);
   }
@@ -84,7 +84,7 @@ void SequenceHand::followDocument(Changes what) {
 
 /// A person has undone the scenario of the run.
 void SequenceHand::followUndo() {
-  if (!run_ || run_->command < 0 || goingBack_ || bench_.document.undoStack().index() >= run_->command) return;
+  if (!run_ || !run_->begun || goingBack_ || bench_.document.isTemporary()) return;
   run_.reset();
   sequence_.panel()->setNotice({});
   sequence_.showRemembered();
@@ -92,14 +92,15 @@ void SequenceHand::followUndo() {
 }
 
 void SequenceHand::goBack(const std::function<void()>& then) {
-  if (!run_ || run_->command < 0 || goingBack_) return;
+  if (!run_ || !run_->begun || goingBack_) return;
   goingBack_ = true;
   bench_.session.forgetPath();  // it is about other bodies
-  for (int index = bench_.document.undoStack().index(); index >= run_->command; --index) bench_.document.undo();
+  bench_.document.endTemporary();
   bench_.document.whenArranged([this, then] {
     goingBack_ = false;
     run_.reset();
     sequence_.panel()->setNotice({});
+    sequence_.bringToFront();  // the run has shown its path
     if (then) then();
     enableActions();
   });
@@ -107,7 +108,7 @@ void SequenceHand::goBack(const std::function<void()>& then) {
 
 void SequenceHand::takePath() {
   const std::shared_ptr<const Path> path = bench_.document.results().path;
-  if (!run_ || run_->command < 0 || goingBack_ || !path || path->points.size() < 2) return;
+  if (!run_ || !run_->begun || goingBack_ || !path || path->points.size() < 2) return;
   if (!hasObject()) return;
   const ShownPlan& shown = run_->plan;
   std::vector<RigidBody> bodies;
@@ -137,7 +138,7 @@ void SequenceHand::takePath() {
 void SequenceHand::enableActions() {
   const SequencePanel& panel = *sequence_.panel();
   const bool chosen = panel.chosenStep() || !panel.chosenStuck().empty();
-  const bool active = run_ && run_->command >= 0;
+  const bool active = run_ && run_->begun;
   bench_.enable("sequence.by-hand", !run_ && sequence_.isEditable() && chosen);
   bench_.enable("sequence.take-path", active && bench_.document.results().path != nullptr);
   bench_.enable("sequence.leave-hand", active);

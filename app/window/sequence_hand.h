@@ -12,8 +12,8 @@ namespace glissade {
 class SequenceController;
 
 /// A step by hand: what leaves in a step, a part or a group, in the hand, among the parts that are there at that step,
-/// as a run like any other. The scenario of the run is an edit on the undo stack; its first certified path becomes the
-/// motion of the step, and the edit is undone.
+/// as a run like any other. The scenario of the run is a temporary one; its first certified path becomes the motion of
+/// the step, and the temporary scenario ends.
 class SequenceHand final : public QObject {
   Q_OBJECT
 
@@ -29,7 +29,7 @@ class SequenceHand final : public QObject {
     ShownPlan plan;                   ///< that the parts are moved in
     std::vector<std::string> bodies;  ///< ids; the first one names the step
     std::optional<std::size_t> step;  ///< of the plan; nothing: the part was stuck
-    int command = -1;                 ///< of the undo stack, that made the run's scenario; -1: not made yet
+    bool begun = false;               ///< the document has the run's scenario
   };
 
   void begin();
@@ -37,7 +37,7 @@ class SequenceHand final : public QObject {
   void followDocument(Changes what);
   void followUndo();
   void takePath();
-  /// Undoes the scenario of the run; then `then` is called.
+  /// Ends the scenario of the run; then `then` is called.
   void goBack(const std::function<void()>& then);
   void enableActions();
 

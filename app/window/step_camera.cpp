@@ -2,7 +2,6 @@
 
 #include "app/window/sequence_controller.h"
 #include "engine/sequence/plan_bodies.h"
-#include "engine/sequence/step_view.h"
 #include "widgets/scene3d/camera_controller.h"
 
 namespace glissade {
@@ -17,12 +16,14 @@ void StepCamera::look(int step) {
   const ShownPlan shown = sequence_.shown();
   const Vector3 toEye = bench_.scene.view().camera().R_WV() * Vector3::UnitZ();
   const auto index = static_cast<std::size_t>(step);
-  const auto work = [this, shown, index, toEye](const WorkWatch&) -> BackgroundTask::Delivery {
+  if (!views_ || views_->product != shown.product) views_ = std::make_shared<Views>(shown.product);
+  const auto work = [this, shown, index, toEye, views = views_](const WorkWatch&) -> BackgroundTask::Delivery {
     BodySet present(shown.product->bodies.size(), true);
     for (std::size_t before = 0; before < index; ++before) {
       for (const std::size_t body : bodiesOf(shown.plan->steps[before], *shown.product)) present[body] = false;
     }
-    const auto better = StepView(*shown.product).betterEye(shown.plan->steps[index], present, toEye);
+    const std::lock_guard lock(views->inUse);
+    const auto better = views->view.betterEye(shown.plan->steps[index], present, toEye);
     return [this, better, plan = shown.plan] {
       if (!better || sequence_.shown().plan != plan) return;
       bench_.scene.view().camera().lookFrom(*better);

@@ -65,7 +65,7 @@ void VariantsController::take(const Places& places) {
     for (const std::size_t body : places[i]) names << QString::fromStdString(rigidBodyAt(body, scenario).shown());
     facts << names.join(QStringLiteral(", "));
   }
-  if (places.size() > kMostNamed) facts << tr("and %1 more").arg(places.size() - kMostNamed);
+  if (places.size() > kMostNamed) facts << tr("and %n more", "", static_cast<int>(places.size() - kMostNamed));
   bar_->showNotice({tr("Bodies fill the same place: are they variants of one part?"),
                     facts.join(QStringLiteral("\n")),
                     {"assembly.variants"}});

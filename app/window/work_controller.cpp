@@ -2,6 +2,7 @@
 
 #include <QLocale>
 
+#include <algorithm>
 #include <utility>
 
 namespace glissade {
@@ -52,26 +53,37 @@ void WorkController::run(const Job& job) {
 
 void WorkController::show(const BackgroundTask& task, const std::function<QString()>& what,
                           const std::function<void()>& cancel) {
-  connect(&task, &BackgroundTask::started, this, [this, what, cancel] { beginOther(what(), cancel); });
-  connect(&task, &BackgroundTask::progressed, this, &WorkController::showShare);
-  connect(&task, &BackgroundTask::ended, this, &WorkController::endOther);
+  connect(&task, &BackgroundTask::started, this, [this, &task, what, cancel] { beginOther(task, what(), cancel); });
+  connect(&task, &BackgroundTask::progressed, this, [this, &task](double share) { showShare(task, share); });
+  connect(&task, &BackgroundTask::ended, this, [this, &task] { endOther(task); });
 }
 
-void WorkController::beginOther(const QString& what, const std::function<void()>& cancel, Loss loss) {
-  cancelOther_ = cancel;
-  endangered_ = loss == Loss::Asked ? what : QString();
-  if (!task_.isBusy()) beginBar(what);
+void WorkController::beginOther(const QObject& owner, const QString& what, const std::function<void()>& cancel,
+                                Loss loss) {
+  others_.push_back({&owner, what, cancel, loss, startedNow()});
+  if (!task_.isBusy()) beginBar(what, others_.back().since);
   enable();
 }
 
-void WorkController::showShare(double share) {
-  if (!task_.isBusy()) busy_->setShare(share);
+QString WorkController::endangered() const {
+  for (const Other& other : others_) {
+    if (other.loss == Loss::Asked) return other.what;
+  }
+  return {};
 }
 
-void WorkController::endOther() {
-  cancelOther_ = nullptr;
-  endangered_.clear();
-  if (!task_.isBusy()) endBar();
+void WorkController::showShare(const QObject& owner, double share) {
+  const bool shown = !task_.isBusy() && !pathWork_ && !others_.empty() && others_.back().owner == &owner;
+  if (shown) busy_->setShare(share);
+}
+
+void WorkController::endOther(const QObject& owner) {
+  const auto ended =
+      std::find_if(others_.begin(), others_.end(), [&](const Other& other) { return other.owner == &owner; });
+  if (ended == others_.end()) return;
+  const bool shown = !task_.isBusy() && !pathWork_ && ended + 1 == others_.end();
+  others_.erase(ended);
+  if (shown) endBar();
   enable();
 }
 
@@ -113,20 +125,28 @@ void WorkController::reportFailure(const Diagnostic& why) {
   if (std::exchange(reportedFailure_, text) != text) emit failed(why);
 }
 
-void WorkController::beginBar(const QString& what) {
+QElapsedTimer WorkController::startedNow() {
+  QElapsedTimer timer;
+  timer.start();
+  return timer;
+}
+
+void WorkController::beginBar(const QString& what, const QElapsedTimer& since) {
   shown_ = what;
   cancelled_ = false;
-  busy_->begin(what);
+  busy_->begin(what, since);
 }
 
 void WorkController::endBar() {
   const double seconds = busy_->elapsedSeconds();
   busy_->end();
   const QString what = std::exchange(shown_, QString());
+  const bool cancelled = cancelled_;
+  if (!others_.empty()) beginBar(others_.back().what, others_.back().since);
   if (what.isEmpty() || seconds < kTellFrom) return;
   const QString time = QLocale().toString(seconds, 'f', 0);
   bar_->showMessage(
-      cancelled_ ? tr("%1: cancelled after %2 s").arg(what, time) : tr("%1: ended after %2 s").arg(what, time),
+      cancelled ? tr("%1: cancelled after %2 s").arg(what, time) : tr("%1: ended after %2 s").arg(what, time),
       kTellMilliseconds);
 }
 
@@ -134,14 +154,14 @@ void WorkController::cancelAll() {
   cancelled_ = true;
   if (task_.isBusy()) {
     task_.cancel();
-  } else if (cancelOther_) {
-    const auto cancelOther = cancelOther_;  // it is forgotten on the way
+  } else if (!pathWork_ && !others_.empty()) {
+    const auto cancelOther = others_.back().cancel;  // it is forgotten on the way
     cancelOther();
   } else {
     bridge_.post(command::Stop{});
   }
 }
 
-void WorkController::enable() { cancel_->setEnabled(task_.isBusy() || cancelOther_ || pathWork_); }
+void WorkController::enable() { cancel_->setEnabled(task_.isBusy() || !others_.empty() || pathWork_); }
 
 }  // namespace glissade

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <QElapsedTimer>
 #include <QStatusBar>
 
 #include <functional>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "widgets/bridge/background_task.h"
 #include "widgets/bridge/session_bridge.h"
@@ -34,12 +36,14 @@ class WorkController final : public QObject {
   void show(const BackgroundTask& task, const std::function<QString()>& what, const std::function<void()>& cancel);
   /// Whether a person is asked before something else ends the work.
   enum class Loss { Accepted, Asked };
-  /// Shows what the GUI thread does piece by piece, in the same way: its begin, its share (from 0 to 1), its end.
-  void beginOther(const QString& what, const std::function<void()>& cancel, Loss loss = Loss::Accepted);
+  /// Shows what the GUI thread does piece by piece, in the same way: its begin, its share (from 0 to 1), its end. Of
+  /// several the one that began last is shown, and is what the user cancels.
+  void beginOther(const QObject& owner, const QString& what, const std::function<void()>& cancel,
+                  Loss loss = Loss::Accepted);
   /// What is under way and would be lost, for the question about it; empty: nothing.
-  QString endangered() const { return endangered_; }
-  void showShare(double share);
-  void endOther();
+  QString endangered() const;
+  void showShare(const QObject& owner, double share);
+  void endOther(const QObject& owner);
   /// Ends what need not be finished.
   void cancel();
 
@@ -61,14 +65,23 @@ class WorkController final : public QObject {
     BackgroundTask::Work work;
     bool toTheEnd;
   };
+  /// What is under way beside the own task.
+  struct Other {
+    const QObject* owner;
+    QString what;
+    std::function<void()> cancel;
+    Loss loss;
+    QElapsedTimer since;
+  };
 
   void run(const Job& job);
   void begin(const Job& job);
   void cancelAll();
   void enable();
   /// The bar is about this from now on.
-  void beginBar(const QString& what);
-  /// Nothing is under way any more: says what has ended after how long, and whether the user ended it.
+  void beginBar(const QString& what, const QElapsedTimer& since = startedNow());
+  static QElapsedTimer startedNow();
+  /// Says what has ended after how long, and whether the user ended it. What is under way beside it is shown again.
   void endBar();
 
   SessionBridge& bridge_;
@@ -82,8 +95,7 @@ class WorkController final : public QObject {
   bool pathWork_ = false;
   bool toTheEnd_ = false;  ///< what is under way
   std::optional<Job> waiting_;
-  QString endangered_;
-  std::function<void()> cancelOther_;  ///< the task of another that is under way; empty: none
+  std::vector<Other> others_;          ///< in the order of their begin
   std::optional<Diagnostic> failure_;  ///< the last one that nobody has taken
   std::string reportedFailure_;        ///< the last one
 };

@@ -1,12 +1,17 @@
 #include "engine/geometry/plane_section.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <utility>
 
 namespace glissade {
 namespace {
+
+/// Vertices this near to the plane lie on it, as a share of the mesh's size: coordinates are rounded, in files to
+/// single precision, and a face in the plane would be cut in some of its triangles and not in others.
+constexpr double kOnPlane = 1e-6;
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
@@ -31,7 +36,11 @@ class Section {
  public:
   Section(const TriangleMesh& mesh, const Plane& plane) : mesh_(mesh) {
     heights_.reserve(mesh.vertices.size());
-    for (const Vector3& vertex : mesh.vertices) heights_.push_back(plane.normal.dot(vertex) - plane.offset);
+    const double slack = mesh.vertices.empty() ? 0.0 : kOnPlane * boundingBox(mesh).diagonal().norm();
+    for (const Vector3& vertex : mesh.vertices) {
+      const double height = plane.normal.dot(vertex) - plane.offset;
+      heights_.push_back(std::abs(height) <= slack ? 0.0 : height);
+    }
   }
 
   std::vector<std::vector<Vector3>> polygons() const {

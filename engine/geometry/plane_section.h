@@ -17,8 +17,8 @@ Plane planeInBody(const Plane& plane_W, const Pose& X_WB);
 
 /// Where a plane cuts a mesh whose vertices of equal position are one (welded()): closed polygons of the section of a
 /// closed mesh, in the mesh's frame. Polygons of holes are among them: the even-odd rule tells inside from outside.
-/// Vertices on the plane count as lying on the side of the normal. Open curves, which only a mesh that is not closed
-/// has, are left out.
+/// Vertices on the plane, up to what coordinates are rounded to, count as lying on the side of the normal. Open curves,
+/// which only a mesh that is not closed has, are left out.
 std::vector<std::vector<Vector3>> planeSection(const TriangleMesh& mesh, const Plane& plane);
 
 }  // namespace glissade

@@ -5,6 +5,7 @@
 #include <set>
 #include <vector>
 
+#include "engine/study/plan_tasks.h"
 #include "engine/study/plan_words.h"
 #include "engine/study/xml_text.h"
 
@@ -75,7 +76,7 @@ class GraphLayout {
     for (std::size_t i = 0; i < plan_.steps.size(); ++i) {
       std::size_t column = 0;
       for (const std::size_t earlier : before[i]) column = std::max(column, nodes[earlier].column + 1);
-      add(std::to_string(i + 1) + "  " + nameOfStep(plan_.steps[i], product_), column, true);
+      add(stepNumber(plan_.steps.size() - 1 - i) + "  " + nameOfStep(plan_.steps[i], product_), column, true);
       for (const std::size_t earlier : before[i]) arrows.push_back({earlier, i});
     }
   }

@@ -6419,6 +6419,14 @@
         <translation>Changez les attributs sémantiques, ou prenez la stratégie Couches (gts).</translation>
     </message>
     <message>
+        <source>Balanced</source>
+        <translation>Équilibré</translation>
+    </message>
+    <message>
+        <source>Steady</source>
+        <translation>Stable</translation>
+    </message>
+    <message>
         <source>it and %1 clash where they are assembled (%2): mend the parts, or accept the clash</source>
         <translation>elle et %1 sont en collision à l’état assemblé (%2) : corrigez les pièces, ou acceptez la collision</translation>
     </message>
@@ -8304,9 +8312,12 @@
         <source>Put back</source>
         <translation>Remettre</translation>
     </message>
-    <message>
-        <source>%1 and %2 more move</source>
-        <translation>%1 et %2 autres bougent</translation>
+    <message numerus="yes">
+        <source>%1 and %n more move</source>
+        <translation>
+            <numerusform>%1 et %n autre bougent</numerusform>
+            <numerusform>%1 et %n autres bougent</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -9133,10 +9144,6 @@
     <message>
         <source>&amp;End it</source>
         <translation>&amp;Interrompre</translation>
-    </message>
-    <message>
-        <source>A step is moved by hand: go back to the sequence, then save</source>
-        <translation>Une étape est à la main : revenez à la séquence, puis enregistrez</translation>
     </message>
 </context>
 <context>
@@ -10853,10 +10860,6 @@
         <translation>exigé %1</translation>
     </message>
     <message>
-        <source>%1 of %2 edges slide</source>
-        <translation>%1 segments sur %2 glissent</translation>
-    </message>
-    <message>
         <source>It does not begin at the start.</source>
         <translation>Il ne commence pas au départ.</translation>
     </message>
@@ -10867,10 +10870,6 @@
     <message>
         <source>It leaves the workspace at configuration %1.</source>
         <translation>Il quitte l&apos;espace de travail à la configuration %1.</translation>
-    </message>
-    <message>
-        <source>%1 of %2 edges are blocked, the first at %3 % by %4.</source>
-        <translation>%1 segments sur %2 sont bloqués, le premier à %3&#xa0;% par %4.</translation>
     </message>
     <message>
         <source>This path does not hold here</source>
@@ -10899,6 +10898,20 @@
     <message>
         <source>, as a person allows</source>
         <translation>, comme une personne le permet</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of %1 edges slide</source>
+        <translation>
+            <numerusform>%n segment sur %1 glisse</numerusform>
+            <numerusform>%n segments sur %1 glissent</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of %1 edges are blocked, the first at %2 % by %3.</source>
+        <translation>
+            <numerusform>%n segment sur %1 est bloqué, à %2 % par %3.</numerusform>
+            <numerusform>%n segments sur %1 sont bloqués, le premier à %2 % par %3.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11191,12 +11204,12 @@
         <translation>Ce qui n&apos;est pas enregistré est écrit dans le dossier de données du programme, pour être proposé après un arrêt brutal</translation>
     </message>
     <message>
-        <source>As the product&apos;s file: inches, or µm, mm and m</source>
-        <translation>Celle du fichier du produit : pouces, ou µm, mm et m</translation>
-    </message>
-    <message>
         <source>Light or dark, as the desktop was when the program started</source>
         <translation>Clair ou sombre, comme le bureau au démarrage du programme</translation>
+    </message>
+    <message>
+        <source>As the product&apos;s file: inches, or µm, mm and m</source>
+        <translation>Celle du fichier du produit : pouces, ou µm, mm et m</translation>
     </message>
 </context>
 <context>
@@ -11309,10 +11322,6 @@
         <translation>Le chemin n&apos;est pas valide ici.</translation>
     </message>
     <message>
-        <source>%1 of %2 edges are blocked.</source>
-        <translation>%1 segments sur %2 sont bloqués.</translation>
-    </message>
-    <message>
         <source>The first is blocked by &apos;%1&apos;.</source>
         <translation>Le premier est bloqué par «&#xa0;%1&#xa0;».</translation>
     </message>
@@ -11323,10 +11332,6 @@
     <message>
         <source>Start and goal are allowed now. Press Start (F5).</source>
         <translation>Le départ et le but sont maintenant admis. Appuyez sur Démarrer (F5).</translation>
-    </message>
-    <message>
-        <source>and %1 more</source>
-        <translation>et %1 autres</translation>
     </message>
     <message>
         <source>The start is refused: &apos;%1&apos; overlaps or touches what is there.</source>
@@ -11351,6 +11356,20 @@
     <message>
         <source>This cannot be allowed as a fit</source>
         <translation>Cela ne peut pas être admis comme ajustement</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of %1 edges are blocked.</source>
+        <translation>
+            <numerusform>%n segment sur %1 est bloqué.</numerusform>
+            <numerusform>%n segments sur %1 sont bloqués.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>et %n autre</numerusform>
+            <numerusform>et %n autres</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11812,16 +11831,19 @@
         <translation>Ajouter</translation>
     </message>
     <message>
-        <source>%1 And %2 more.</source>
-        <translation>%1 Et %2 autres.</translation>
-    </message>
-    <message>
         <source>Attributes of the selection</source>
         <translation>Attributs de la sélection</translation>
     </message>
     <message>
         <source>Places and bodies</source>
         <translation>Lieux et corps</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 And %n more.</source>
+        <translation>
+            <numerusform>%1 Et %n autre.</numerusform>
+            <numerusform>%1 Et %n autres.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -12075,10 +12097,6 @@
         <translation>Pas encore planifié.</translation>
     </message>
     <message>
-        <source>%1 of %2 parts leave, every motion certified.</source>
-        <translation>%1 pièces sur %2 sortent&#xa0;; chaque mouvement est certifié.</translation>
-    </message>
-    <message>
         <source>%1 stays.</source>
         <translation>Reste&#xa0;: %1.</translation>
     </message>
@@ -12087,16 +12105,8 @@
         <translation>Planification…</translation>
     </message>
     <message>
-        <source>%1 stuck.</source>
-        <translation>%1 bloquées.</translation>
-    </message>
-    <message>
         <source>Stopped before the end.</source>
         <translation>Planification arrêtée avant la fin.</translation>
-    </message>
-    <message>
-        <source>%1 steps do not hold here.</source>
-        <translation>%1 étapes ne sont pas valides ici.</translation>
     </message>
     <message>
         <source>Step</source>
@@ -12123,20 +12133,44 @@
         <translation>Coût d&apos;une étape</translation>
     </message>
     <message>
-        <source>The order that costs least is chosen. An expression, as 5 * tool_change + length, or one of the list; as-found: the order in which the parts were found to leave</source>
-        <translation>L&apos;ordre le moins coûteux est choisi. Saisissez une expression, comme 5 * tool_change + length, ou choisissez dans la liste&#xa0;; as-found&#xa0;: l&apos;ordre dans lequel les sorties ont été trouvées</translation>
-    </message>
-    <message>
-        <source>%1 forced.</source>
-        <translation>%1 forcées.</translation>
-    </message>
-    <message>
         <source>The time limit was reached.</source>
         <translation>La limite de temps a été atteinte.</translation>
     </message>
     <message>
         <source>&amp;Forbid a direction</source>
         <translation>&amp;Interdire une direction</translation>
+    </message>
+    <message>
+        <source>The order that costs least is chosen. An expression, as 5 * tool_change + length, or one of the list; the last of it keeps the order in which the parts were found to leave</source>
+        <translation>L&apos;ordre le moins coûteux est choisi. Une expression, comme 5 * tool_change + length, ou un choix de la liste ; le dernier garde l&apos;ordre dans lequel les sorties ont été trouvées</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of %1 parts leave, every motion certified.</source>
+        <translation>
+            <numerusform>%n pièce sur %1 sort ; chaque mouvement est certifié.</numerusform>
+            <numerusform>%n pièces sur %1 sortent ; chaque mouvement est certifié.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stuck.</source>
+        <translation>
+            <numerusform>%n bloquée.</numerusform>
+            <numerusform>%n bloquées.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n forced.</source>
+        <translation>
+            <numerusform>%n forcée.</numerusform>
+            <numerusform>%n forcées.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s) do not hold here.</source>
+        <translation>
+            <numerusform>%n étape n&apos;est pas valide ici.</numerusform>
+            <numerusform>%n étapes ne sont pas valides ici.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -12758,10 +12792,6 @@
 <context>
     <name>glissade::VariantsController</name>
     <message>
-        <source>and %1 more</source>
-        <translation>et %1 autres</translation>
-    </message>
-    <message>
         <source>Bodies fill the same place: are they variants of one part?</source>
         <translation>Des corps remplissent le même endroit&#xa0;: sont-ils des variantes d&apos;une pièce&#xa0;?</translation>
     </message>
@@ -12772,6 +12802,13 @@
     <message>
         <source>The variant cannot be left out</source>
         <translation>La variante ne peut pas être écartée</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>et %n autre</numerusform>
+            <numerusform>et %n autres</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -47,14 +47,14 @@ class FilmJobTest : public testing::Test {
   SessionBridge bridge{SessionClock::RealTime};
   WorkController works{bridge, actions, bar};
   QImage picture{41, 30, QImage::Format_RGB32};
-  QWidget scene;
+  CameraController camera;
   int taken = 0;
   FilmJob job{works,
               [this] {
                 ++taken;
                 return picture;
               },
-              scene};
+              camera};
   std::vector<double> shares;
   bool restored = false;
   std::optional<SaveResult> result;
@@ -112,6 +112,21 @@ TEST_F(FilmJobTest, ACancelledFilmLeavesTheOldFile) {
   QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
   QTest::qWait(1);
   EXPECT_EQ(contentOf(QStringLiteral("path.mp4")), "old");
+}
+
+TEST_F(FilmJobTest, APersonLooksFromElsewhereMeanwhile) {
+  install("cat >/dev/null; echo film >\"$out\"");
+  camera.lookFrom(Vector3::UnitX());
+  const Vector3 filmed = camera.eye();
+  std::vector<Vector3> eyes;
+  job.start({0.2, [&](double) { eyes.push_back(camera.eye()); }, [this] { restored = true; }},
+            folder.filePath(QStringLiteral("path.mp4")), [this](const SaveResult& saved) { result = saved; });
+  camera.lookFrom(Vector3::UnitZ());
+  const Vector3 mine = camera.eye();
+  ASSERT_TRUE(ends());
+  ASSERT_GT(eyes.size(), 3U);
+  for (const Vector3& eye : eyes) EXPECT_EQ(eye, filmed);
+  EXPECT_EQ(camera.eye(), mine);
 }
 
 TEST_F(FilmJobTest, WithoutTheProgramOrWithAnotherEndingTheErrorSaysWhatToDo) {

@@ -112,13 +112,13 @@ TEST_F(OpenWindow, AFilmIsNotEndedWithoutAQuestion) {
   ASSERT_FALSE(window.openScenario(sample(), true));
   const ScenarioPtr before = document().scenario();
   window.workbench().work.beginOther(
-      QStringLiteral("Making the film"), [] {}, WorkController::Loss::Asked);
+      window, QStringLiteral("Making the film"), [] {}, WorkController::Loss::Asked);
   answer(QMessageBox::Cancel);
   EXPECT_FALSE(window.openScenario(sample()));
   EXPECT_EQ(questions, 1);
   EXPECT_EQ(byDefault, QMessageBox::Cancel);
   EXPECT_EQ(document().scenario(), before);
-  window.workbench().work.endOther();
+  window.workbench().work.endOther(window);
   answer(QMessageBox::Cancel);
   EXPECT_FALSE(window.openScenario(sample()));
   EXPECT_EQ(questions, 1);

@@ -5,18 +5,22 @@
 #include <unistd.h>
 
 #include <QApplication>
+#include <QDir>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTimer>
+#include <QtTest/QTest>
 
 #include <csignal>
 
 #include "app/window/save_conflict.h"
 #include "engine/base/file.h"
 #include "engine/base/file_versions.h"
+#include "engine/scenario/assembly_edits.h"
 #include "engine/scenario/scenario_file.h"
 #include "tests/engine/scenario/scenario_fixture.h"
 #include "tests/engine/support/temporary_folder.h"
+#include "widgets/document/workbench_document.h"
 
 namespace glissade {
 namespace {
@@ -192,6 +196,37 @@ TEST_F(SaveControllerTest, AsksAgainLaterAndForgetsWhatIsDiscardedOrSaved) {
   offer(data);  // no question: the file holds them
   EXPECT_TRUE(findAbandonedEdits(data).empty());
   EXPECT_TRUE(errors_.empty());
+}
+
+/// A step by hand goes on in a scenario without the parts that have left.
+TEST(SaveControllerOfADocument, WritesThePersonsScenarioWhileTheScenarioIsATemporaryOne) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("a.json", writeScenario(test::boxScenario()));
+  WorkbenchDocument document;
+  document.open(std::make_shared<const LoadedScenario>(std::move(openScenarioFile(file)->scenario)));
+  const std::string body = document.current().bodies.front().id;
+  SaveHost host;
+  host.scenario = [&] { return document.scenario(); };
+  host.isModified = [&] { return document.isModified(); };
+  host.contentFor = [&](const std::string& to) { return document.contentFor(to); };
+  QWidget window;
+  auto* saves = new SaveController(std::move(host), &window);
+  ASSERT_TRUE(document.place({AssemblyItem::Kind::Body, body}, Pose::translation({5, 5, 5})));
+  const auto without = [body](Scenario& scenario) { return removeBody(body, scenario); };
+  ASSERT_TRUE(document.editTemporarily(QStringLiteral("by hand"), without));
+
+  saves->setAutosaveSeconds(1);
+  saves->keepUnsavedEdits(QString::fromStdString(folder / "data"));
+  QStringList written;
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] {
+        const QDir data(QString::fromStdString(folder / "data"));
+        written = data.entryList({QStringLiteral("*.edits")}, QDir::Files);
+        return !written.isEmpty();
+      },
+      20'000));
+  const std::string text = test::readWhole(folder / ("data/" + written.front().toStdString()));
+  EXPECT_NE(text.find('"' + body + '"'), std::string::npos) << text;
 }
 
 }  // namespace

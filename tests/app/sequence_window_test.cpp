@@ -144,6 +144,15 @@ TEST_F(SequenceWindow, AStepIsMovedByHandAndItsPathComesBack) {
                                 "expect-sequence steps 10\n")));
 }
 
+TEST_F(SequenceWindow, WhatIsSavedWhileAStepIsMovedByHandIsTheWholeProduct) {
+  const QString turn = kSource + QStringLiteral("/samples/interlocked/group.json");
+  expectGood(run(turn, QStringLiteral("plan-sequence all\nsave %1\nexpect-modified no\nshow-step 1\n"
+                                      "action sequence.by-hand\nexpect-modified no\nsave %2\n"
+                                      "action sequence.leave-hand\nexpect-modified no\n")
+                           .arg(file("before.json"), file("by-hand.json"))));
+  EXPECT_EQ(content("by-hand.json"), content("before.json"));
+}
+
 /// Two blocks that leave together, in the hand as one.
 TEST_F(SequenceWindow, AGroupIsMovedByHandAndItsPathComesBack) {
   const auto block = [](const char* id, const char* x) {

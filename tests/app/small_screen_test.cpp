@@ -8,6 +8,7 @@
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QStyleOptionButton>
 #include <QTabBar>
 #include <QToolBar>
@@ -148,6 +149,32 @@ TEST_P(SmallScreenTest, TheButtonsOfMessagesAreWhole) {
       EXPECT_LE(box->height(), room.height());
       expectNothingCut(*box);
     }
+  }
+}
+
+/// A reason with names and advice, as long as the engine's longest, is read by scrolling; its button stays.
+TEST_P(SmallScreenTest, TheLongestMessageIsScrolledAboveItsButtons) {
+  const QString details =
+      QStringLiteral("/home/somebody/products/an-assembly-with-a-long-name/scenario.json\n") +
+      QStringLiteral("The bodies of this product touch, and overlap by more than is usual for fits. ").repeated(12);
+  for (const Screen& screen : kScreens) {
+    SCOPED_TRACE(std::to_string(screen.room.width()) + " pixels");
+    setFontPoints(screen.texts * Preferences{}.fontPoints);
+    const QSize room = screen.room - kFrame;
+    PlainMessageBox box(QMessageBox::Warning, QStringLiteral("The scenario cannot be opened"),
+                        QStringLiteral("The scenario cannot be opened"), details, nullptr);
+    QAbstractButton* ok = box.addButton(QMessageBox::Ok);
+    fitWindow(box, room);
+    box.show();
+    QApplication::processEvents();
+    EXPECT_LE(box.width(), room.width());
+    EXPECT_LE(box.height(), room.height());
+    EXPECT_TRUE(box.rect().contains(ok->geometry().translated(ok->parentWidget()->mapTo(&box, QPoint()))));
+    if (auto* scroll = box.findChild<QScrollArea*>()) {
+      EXPECT_GT(scroll->viewport()->height(), 2 * box.fontMetrics().lineSpacing());
+      EXPECT_LE(scroll->widget()->width(), scroll->viewport()->width()) << "it is scrolled in one direction";
+    }
+    expectNothingCut(box);
   }
 }
 

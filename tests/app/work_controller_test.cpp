@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QProgressBar>
 #include <QThread>
 #include <QtTest>
 #include <atomic>
@@ -37,6 +38,27 @@ TEST_F(Works, TakeEachOthersPlace) {
   go = true;
   ASSERT_TRUE(QTest::qWaitFor([&] { return second; }));
   EXPECT_FALSE(first);
+}
+
+TEST_F(Works, OneThatTakesLongIsShownAndCancelledAgainAfterOthers) {
+  const QObject film;
+  const QObject planning;
+  bool filmCancelled = false;
+  works.beginOther(
+      film, QStringLiteral("film"), [&] { filmCancelled = true; }, WorkController::Loss::Asked);
+  works.beginOther(planning, QStringLiteral("planning"), [] {});
+  EXPECT_EQ(works.endangered(), QStringLiteral("film"));
+  QAction* cancel = actions[QStringLiteral("work.cancel")];
+  cancel->trigger();
+  EXPECT_FALSE(filmCancelled) << "the one that began last is cancelled";
+  works.endOther(planning);
+  EXPECT_TRUE(cancel->isEnabled());
+  EXPECT_EQ(bar.findChild<QProgressBar*>()->accessibleName(), QStringLiteral("film"));
+  cancel->trigger();
+  EXPECT_TRUE(filmCancelled);
+  works.endOther(film);
+  EXPECT_FALSE(cancel->isEnabled());
+  EXPECT_TRUE(works.endangered().isEmpty());
 }
 
 TEST_F(Works, WaitForOneThatIsToBeFinished) {

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 
+#include "engine/scenario/assembly_edits.h"
 #include "engine/scenario/scenario_io.h"
 
 namespace glissade {
@@ -384,6 +385,40 @@ TEST_F(WorkbenchDocumentTest, AnAssemblyPlanIsUnsavedUntilItIsSaved) {
 }
 
 /// Bodies that stay are not prepared again, and neither is anything where only the ends move.
+TEST_F(WorkbenchDocumentTest, WhileTheScenarioIsATemporaryOneTheOneOfBeforeIsSaved) {
+  ASSERT_TRUE(document.place(wall, Pose::translation({0.1, 0.2, 0.3})).ok());
+  const std::string mine = writeScenario(document.contentFor({}));
+  const auto withoutWall = [](Scenario& scenario) { return removeBody("O1", scenario); };
+  ASSERT_TRUE(document.editTemporarily(QStringLiteral("by hand"), withoutWall).ok());
+  EXPECT_TRUE(document.isTemporary());
+  EXPECT_TRUE(document.isModified());
+  ASSERT_TRUE(document.place({AssemblyItem::Kind::Body, "O2"}, Pose::translation({1, 1, 1})).ok());
+  EXPECT_NE(text(), mine);
+  EXPECT_EQ(writeScenario(document.contentFor({})), mine);
+
+  document.noteSaved(document.scenario()->file, document.contentFor(document.scenario()->file));
+  EXPECT_FALSE(document.isModified());
+  document.endTemporary();
+  EXPECT_FALSE(document.isTemporary());
+  EXPECT_FALSE(document.isModified()) << "the file has it";
+  EXPECT_EQ(wallAt(), Vector3(0.1, 0.2, 0.3));
+  EXPECT_EQ(writeScenario(document.contentFor({})), mine);
+  EXPECT_FALSE(document.undoStack().canRedo()) << "the temporary scenario is gone";
+  document.undo();
+  EXPECT_TRUE(document.isModified());
+}
+
+TEST_F(WorkbenchDocumentTest, ATemporaryScenarioThatIsUndoneLeavesTheFileAsItWas) {
+  const std::string before = text();
+  const auto withoutWall = [](Scenario& scenario) { return removeBody("O1", scenario); };
+  ASSERT_TRUE(document.editTemporarily(QStringLiteral("by hand"), withoutWall).ok());
+  EXPECT_FALSE(document.isModified()) << "nobody has edited what the file has";
+  document.undo();
+  EXPECT_FALSE(document.isTemporary());
+  EXPECT_FALSE(document.isModified());
+  EXPECT_EQ(text(), before);
+}
+
 TEST_F(WorkbenchDocumentTest, WhatAnEditLeavesAloneIsNotPreparedAgain) {
   const ScenarioPtr before = document.scenario();
   const Pose start = Pose::translation(before->problem.start.position + Vector3(0.001, 0, 0));

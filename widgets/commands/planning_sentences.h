@@ -200,6 +200,8 @@ inline constexpr const char* kPlanningSentences[] = {
     QT_TRANSLATE_NOOP("Diagnostics",
                       "The motions of the greedy strategy in the order that costs least: length, changes of direction "
                       "and of tools, bodies that would fall."),
+    QT_TRANSLATE_NOOP("Diagnostics", "Balanced"),
+    QT_TRANSLATE_NOOP("Diagnostics", "Steady"),
     QT_TRANSLATE_NOOP("Diagnostics", "Few changes of tools"),
     QT_TRANSLATE_NOOP("Diagnostics", "Short motions"),
     QT_TRANSLATE_NOOP("Diagnostics", "Fragile parts leave first"),

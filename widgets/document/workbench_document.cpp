@@ -25,9 +25,13 @@ class ArrangementCommand final : public QUndoCommand {
         before_(document.current()),
         after_(std::move(after)),
         loaded_(std::move(loaded)),
+        temporary_(document.isTemporary()),
         mergeKey_(std::move(mergeKey)) {}
 
-  void undo() override { document_.applyArrangement(before_, file_); }
+  void undo() override {
+    document_.applyArrangement(before_, file_);
+    setObsolete(temporary_);
+  }
   void redo() override {
     if (const ScenarioPtr loaded = std::move(loaded_)) {
       document_.takeArrangement(loaded);
@@ -52,6 +56,7 @@ class ArrangementCommand final : public QUndoCommand {
   Scenario before_;
   Scenario after_;
   ScenarioPtr loaded_;  ///< until it is done for the first time
+  bool temporary_;
   QString mergeKey_;
 };
 
@@ -62,6 +67,7 @@ WorkbenchDocument::WorkbenchDocument(QObject* parent)
       queue_([this] { return version_; }, [this] { return loader(); }, this) {
   connect(&queue_, &ArrangementQueue::failed, this, &WorkbenchDocument::editFailed);
   connect(&undo_, &QUndoStack::cleanChanged, this, [this] { announce(Change::File); });
+  connect(&undo_, &QUndoStack::indexChanged, this, &WorkbenchDocument::followUndo);
   connect(&paths_, &PathShelf::changed, this, [this] {
     noteUnkept();
     announce(Change::Paths);
@@ -111,6 +117,7 @@ void WorkbenchDocument::open(const ScenarioPtr& scenario) {
     demands_ = scenario->scenario.sequence;
     plan_ = scenario->scenario.plan;
     unkept_ = false;
+    aside_.reset();
     undo_.clear();
     undo_.setClean();  // an empty stack that was not clean stays so otherwise
     paths_.open(scenario->scenario.paths);
@@ -163,6 +170,29 @@ ArrangementQueue::Load WorkbenchDocument::loader() const {
 }
 
 Outcome WorkbenchDocument::edit(const QString& text, ScenarioChange change, const QString& mergeKey) {
+  return addEdit(text, std::move(change), mergeKey, false);
+}
+
+Outcome WorkbenchDocument::editTemporarily(const QString& text, ScenarioChange change) {
+  return addEdit(text, std::move(change), {}, true);
+}
+
+void WorkbenchDocument::endTemporary() {
+  if (!aside_) return;
+  for (int index = undo_.index(); index > aside_->index; --index) undo();
+}
+
+/// The scenario that was set aside is there again.
+void WorkbenchDocument::followUndo() {
+  if (!aside_ || undo_.index() > aside_->index) return;
+  const bool saved = aside_->saved;
+  aside_.reset();
+  if (saved) undo_.setClean();
+  announce(Change::File);
+}
+
+Outcome WorkbenchDocument::addEdit(const QString& text, ScenarioChange change, const QString& mergeKey,
+                                   bool temporary) {
   const auto after = std::make_shared<Scenario>();
   ArrangementQueue::Job job;
   job.mergeKey = mergeKey;
@@ -172,8 +202,9 @@ Outcome WorkbenchDocument::edit(const QString& text, ScenarioChange change, cons
     if (!changed) return changed.error();
     return std::optional<Scenario>(assembled(*after, scenario_->file));
   };
-  job.end = [this, after, text, mergeKey](const ScenarioPtr& loaded) {
+  job.end = [this, after, text, mergeKey, temporary](const ScenarioPtr& loaded) {
     addGeometry(loaded->geometry);
+    if (temporary && !aside_) aside_ = SetAside{scenario_, current(), undo_.isClean(), undo_.index()};
     undo_.push(new ArrangementCommand(*this, text, std::move(*after), loaded, mergeKey));
   };
   return queue_.add(std::move(job));
@@ -289,7 +320,7 @@ void WorkbenchDocument::noteUnkept() {
   const bool before = unkept_;
   const Path* path = results_.path.get();
   const bool ofARun = path != nullptr && !results_.provenance.planner.empty();
-  unkept_ = ofARun && exported_.lock() != results_.path && !paths_.holds(path->points);
+  unkept_ = ofARun && !isTemporary() && exported_.lock() != results_.path && !paths_.holds(path->points);
   if (unkept_ != before) announce(Change::File);
 }
 
@@ -309,7 +340,7 @@ void WorkbenchDocument::noteExported(const std::shared_ptr<const Path>& path) {
 }
 
 Scenario WorkbenchDocument::contentFor(const std::string& file) const {
-  Scenario scenario = movedTo(file, current(), scenario_->file);
+  Scenario scenario = movedTo(file, aside_ ? aside_->scenario : current(), scenario_->file);
   scenario.environment = options_;
   scenario.planner = settings_.strategy;
   scenario.seed = settings_.seed;
@@ -325,7 +356,8 @@ Scenario WorkbenchDocument::contentFor(const std::string& file) const {
 Scenario WorkbenchDocument::savedContentFor(const std::string& file) const {
   Scenario scenario = contentFor(file);
   // Where an edit forbids a place that is not there, the file states no places, and who checks a path says so.
-  if (auto places = forbiddenPlacesOf(*scenario_, scenario)) scenario.forbiddenRegions = std::move(*places);
+  if (auto places = forbiddenPlacesOf(aside_ ? *aside_->loaded : *scenario_, scenario))
+    scenario.forbiddenRegions = std::move(*places);
   return scenario;
 }
 
@@ -334,10 +366,16 @@ void WorkbenchDocument::noteSaved(const std::string& file, const Scenario& conte
     auto saved = std::make_shared<LoadedScenario>(*scenario_);
     saved->scenario = content;
     saved->file = file;
+    if (aside_) {
+      takeAssembly(movedTo(file, scenario_->scenario, scenario_->file), saved->scenario);
+      aside_->scenario = content;
+      aside_->saved = true;
+    } else {
+      undo_.setClean();
+    }
     saved->parameters = settings_.parameters;
     savedProblem_ = problemSha256(content);
     scenario_ = std::move(saved);
-    undo_.setClean();
     announce(Change::File);
   });
 }
@@ -347,8 +385,9 @@ bool WorkbenchDocument::isModified() const { return hasUnsavedEdits() || (scenar
 bool WorkbenchDocument::hasUnsavedPlan() const { return scenario_ && plan_ != scenario_->scenario.plan; }
 
 bool WorkbenchDocument::hasUnsavedEdits() const {
-  return scenario_ && (queue_.hasEdits() || !undo_.isClean() || options_ != scenario_->scenario.environment ||
-                       settings_.strategy != scenario_->scenario.planner);
+  const bool edited = aside_ ? !aside_->saved : queue_.hasEdits() || !undo_.isClean();
+  return scenario_ &&
+         (edited || options_ != scenario_->scenario.environment || settings_.strategy != scenario_->scenario.planner);
 }
 
 bool WorkbenchDocument::isProblemSaved() const { return problemSha256(scenario_->scenario) == savedProblem_; }

@@ -4,6 +4,7 @@
 #include <QUndoStack>
 
 #include <functional>
+#include <optional>
 
 #include "engine/planning/path_examination.h"
 #include "engine/scenario/assembly_edits.h"
@@ -87,6 +88,13 @@ class WorkbenchDocument final : public QObject {
   /// loaded: the error is returned where edits are made at once, else announced by editFailed(). Edits with one
   /// `mergeKey` become one.
   Outcome edit(const QString& text, ScenarioChange change, const QString& mergeKey = {});
+  /// The same, for a while: until it is undone, what is saved is the scenario of before, and isModified() is about that
+  /// one. Edits of bodies that are made meanwhile go with it: once undone, they are not done again.
+  Outcome editTemporarily(const QString& text, ScenarioChange change);
+  /// The scenario is a temporary one.
+  bool isTemporary() const { return aside_.has_value(); }
+  /// Undoes the temporary scenario and all edits that were made in it.
+  void endTemporary();
   /// Puts a body, or an end of the motion, somewhere; undoable.
   Outcome place(const AssemblyItem& item, const Pose& X_WB, const QString& mergeKey = {});
   void undo() { stepBack(false); }
@@ -117,7 +125,7 @@ class WorkbenchDocument final : public QObject {
   void noteExported(const std::shared_ptr<const Path>& path);
 
   /// What is written into this file: assets are named as seen from there. A path that is not kept yet is among the
-  /// kept ones.
+  /// kept ones. While the scenario is a temporary one, the scenario of before.
   Scenario contentFor(const std::string& file) const;
   /// The same with where its forbidden places are. It takes as long as building the environment model.
   Scenario savedContentFor(const std::string& file) const;
@@ -148,6 +156,16 @@ class WorkbenchDocument final : public QObject {
 
  private:
   friend class ArrangementCommand;
+  /// What a temporary scenario has taken the place of.
+  struct SetAside {
+    ScenarioPtr loaded;
+    Scenario scenario;
+    bool saved = false;  ///< its edits are
+    int index = 0;       ///< of the undo stack
+  };
+
+  Outcome addEdit(const QString& text, ScenarioChange change, const QString& mergeKey, bool temporary);
+  void followUndo();
   void takeDemands(const SequenceDemands& demands);
   void announce(Changes what);
   /// Announces all that `change` does in one round.
@@ -171,6 +189,7 @@ class WorkbenchDocument final : public QObject {
   EnvironmentOptions options_;
   RunSettings settings_;
   RunResults results_;
+  std::optional<SetAside> aside_;       ///< nothing: the scenario is the person's
   std::weak_ptr<const Path> exported_;  ///< the path that was exported last
   bool unkept_ = false;                 ///< as of hasUnkeptPath()
   std::string savedProblem_;            ///< hash of the problem as it was opened or saved; empty: it never was

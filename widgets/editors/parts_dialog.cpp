@@ -4,7 +4,6 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLocale>
 #include <QScrollBar>
@@ -19,6 +18,7 @@
 #include "engine/import/mesh_import.h"
 #include "engine/import/step_import.h"
 #include "widgets/commands/diagnostic_text.h"
+#include "widgets/commands/flow_layout.h"
 #include "widgets/editors/part_boxes.h"
 
 namespace glissade {
@@ -71,10 +71,14 @@ PartsDialog::PartsDialog(Purpose purpose, const QStringList& files, bool atOnce,
   setObjectName(QStringLiteral("parts"));
   setWindowTitle(purpose == Purpose::NewScenario ? tr("New scenario from parts") : tr("Add parts"));
   setUpTable();
+  hint_->setObjectName(QStringLiteral("hint"));
+  hint_->setWordWrap(true);
+  hint_->setTextFormat(Qt::PlainText);
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(table_, 1);
   layout->addLayout(makeFileButtons());
-  layout->addLayout(makeEnd());
+  layout->addWidget(hint_);
+  layout->addWidget(makeButtons());
   resize(kWidth, kHeight);
   connect(table_->verticalScrollBar(), &QScrollBar::valueChanged, this, &PartsDialog::makeBoxesInSight);
   connect(&measuring_, &BackgroundTask::failed, this, [this](const Diagnostic& why) {
@@ -118,11 +122,10 @@ QLayout* PartsDialog::makeFileButtons() {
   remove_->setObjectName(QStringLiteral("remove"));
   remove_->setEnabled(false);
   remove_->setToolTip(tr("Takes the selected rows out of the list (Del)"));
-  auto* row = new QHBoxLayout;
-  row->addWidget(add);
-  row->addWidget(remove_);
-  row->addStretch(1);
-  for (QWidget* option : std::initializer_list<QWidget*>{fineness_, groups_, closeHoles_}) row->addWidget(option);
+  auto* row = new FlowLayout;
+  for (QWidget* each : std::initializer_list<QWidget*>{add, remove_, fineness_, groups_, closeHoles_}) {
+    row->addWidget(each);
+  }
   groups_->setObjectName(QStringLiteral("groups"));
   groups_->setToolTip(tr("Takes each group of an OBJ file as a part of its own"));
   connect(groups_, &QCheckBox::toggled, this, &PartsDialog::readGroups);
@@ -137,20 +140,14 @@ QLayout* PartsDialog::makeFileButtons() {
   return row;
 }
 
-QLayout* PartsDialog::makeEnd() {
-  hint_->setObjectName(QStringLiteral("hint"));
-  hint_->setWordWrap(true);
-  hint_->setTextFormat(Qt::PlainText);
+QWidget* PartsDialog::makeButtons() {
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
   accept_ = buttons->button(QDialogButtonBox::Ok);
   accept_->setText(purpose_ == Purpose::NewScenario ? tr("&Create") : tr("&Add"));
   buttons->button(QDialogButtonBox::Cancel)->setText(tr("Cancel"));
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  auto* row = new QHBoxLayout;
-  row->addWidget(hint_, 1);
-  row->addWidget(buttons);
-  return row;
+  return buttons;
 }
 
 void PartsDialog::addFiles(const QStringList& files) {

@@ -59,7 +59,7 @@ class PartsDialog final : public QDialog {
   void makeBoxes(int row);
   void makeBoxesInSight();
   QLayout* makeFileButtons();
-  QLayout* makeEnd();
+  QWidget* makeButtons();
   QComboBox* makeRole(const QString& name);
   QComboBox* makeUnit(const QString& name);
   QComboBox* makeUp(const QString& name);

@@ -114,7 +114,7 @@ void SemanticsPanel::showWarnings() {
   warning_->setToolTip(texts.join(QLatin1Char('\n')));
   warning_->setText(QStringLiteral("⚠ ") + (texts.size() == 1
                                                 ? texts.front()
-                                                : tr("%1 And %2 more.").arg(texts.front()).arg(texts.size() - 1)));
+                                                : tr("%1 And %n more.", "", texts.size() - 1).arg(texts.front())));
 }
 
 void SemanticsPanel::showRefusal(const Diagnostic& why) {

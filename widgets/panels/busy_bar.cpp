@@ -41,11 +41,11 @@ BusyBar::BusyBar(QAction* cancel, QWidget* parent)
   hide();
 }
 
-void BusyBar::begin(const QString& what) {
+void BusyBar::begin(const QString& what, const QElapsedTimer& since) {
   what_->setText(what);
   progress_->setAccessibleName(what);
   progress_->setValue(0);
-  clock_.start();
+  clock_ = since;
   tick_.start();
   showElapsed();
   patience_.start();

@@ -17,10 +17,10 @@ class BusyBar final : public QWidget {
  public:
   BusyBar(QAction* cancel, QWidget* parent);
 
-  void begin(const QString& what);
+  void begin(const QString& what, const QElapsedTimer& since);
   void setShare(double share);
   void end();
-  /// Since the last begin().
+  /// Since the work began.
   double elapsedSeconds() const { return static_cast<double>(clock_.elapsed()) / 1000.0; }
 
  private:

@@ -49,7 +49,8 @@ QString certificateText(const Path& path, const LoadedScenario& scenario) {
                      .arg(lengthText(certificate.provedClearance), lengthText(certificate.tolerance));
   if (body < 0) held = PathPanel::tr("required %1").arg(lengthText(certificate.tolerance));
   if (const std::size_t sliding = certificate.slidingEdges(); sliding > 0) {
-    held += QStringLiteral("; ") + PathPanel::tr("%1 of %2 edges slide").arg(sliding).arg(certificate.edges.size());
+    held += QStringLiteral("; ") +
+            PathPanel::tr("%n of %1 edges slide", "", static_cast<int>(sliding)).arg(certificate.edges.size());
   }
   QString text =
       QStringLiteral("<b>✓ %1</b><br>%2<br>%3").arg(PathPanel::tr("Certified free of penetration"), what, held);
@@ -88,8 +89,8 @@ QString refusalText(const PathExamination& refused, const WaySlider& slider, con
   } else if (!refused.blocked.empty()) {
     const BlockedEdge& first = refused.blocked.front();
     const int body = first.nearest.body;
-    why << PathPanel::tr("%1 of %2 edges are blocked, the first at %3 % by %4.")
-               .arg(refused.blocked.size())
+    why << PathPanel::tr("%n of %1 edges are blocked, the first at %2 % by %3.", "",
+                         static_cast<int>(refused.blocked.size()))
                .arg(std::max<std::size_t>(1, refused.path.points.size() - 1))
                .arg(number(100.0 * shareOf(first, slider), 0), body == kForbiddenPlace
                                                                    ? PathPanel::tr("a forbidden place")

@@ -34,8 +34,7 @@ class PathPanel final : public QWidget {
   void setProfile(const std::shared_ptr<const ClearanceProfile>& profile, const LoadedScenario& scenario);
   void setPlaying(bool playing);
   /// For films: what playing shows (PlaySlider).
-  const PlaySlider& slider() const { return *slider_; }
-  void showPlayed(double share) { slider_->showPlayed(share); }
+  const WaySlider& slider() const { return *slider_; }
   void showAt(double share) { slider_->showAt(share); }
   void showFirstBlocked();
   /// The object at the place of the smallest clearance.

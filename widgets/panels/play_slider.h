@@ -28,7 +28,7 @@ class PlaySlider : public QSlider {
   /// In which playing passes all of it.
   double playedSeconds() const { return seconds_ / playback_.speed; }
   /// What playing shows when a share of that time has passed.
-  void showPlayed(double share) { showAt(playback_.backwards ? 1.0 - share : share); }
+  double playedShare(double share) const { return playback_.backwards ? 1.0 - share : share; }
   double share() const { return static_cast<double>(value()) / maximum(); }
   /// Says shareShown(), also where it is there already.
   void showAt(double share);

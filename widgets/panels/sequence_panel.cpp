@@ -1,5 +1,6 @@
 #include "widgets/panels/sequence_panel.h"
 
+#include <QCoreApplication>
 #include <QLineEdit>
 #include <QSignalBlocker>
 #include <QToolButton>
@@ -137,10 +138,11 @@ QLayout* SequencePanel::makeExplodingRow() {
   cost_->setAccessibleName(tr("What a step costs"));
   cost_->setToolTip(
       tr("The order that costs least is chosen. An expression, as 5 * tool_change + length, or one of the "
-         "list; as-found: the order in which the parts were found to leave"));
+         "list; the last of it keeps the order in which the parts were found to leave"));
   for (const StepCostPreset& preset : stepCostPresets()) {
     const QString id = QString::fromStdString(preset.id);
-    cost_->addItem(id, cost_->count() == 0 ? QString() : id);  // the first one is the usual one
+    const QString shown = QCoreApplication::translate("Diagnostics", preset.label.c_str());
+    cost_->addItem(shown, cost_->count() == 0 ? QString() : id);  // the first one is the usual one
     cost_->setItemData(cost_->count() - 1, QString::fromStdString(preset.expression), Qt::ToolTipRole);
   }
   cost_->setMinimumContentsLength(10);
@@ -200,21 +202,24 @@ QString SequencePanel::summary() const {
   if (!shown_.product) return tr("No product is open.");
   if (!shown_.plan) return tr("Not planned yet.");
   const AssemblyPlan& plan = *shown_.plan;
-  QString text = tr("%1 of %2 parts leave, every motion certified.").arg(plan.removed()).arg(plan.parts());
+  QString text =
+      tr("%n of %1 parts leave, every motion certified.", "", static_cast<int>(plan.removed())).arg(plan.parts());
   const QString base = table_->shortNames(plan.staying);
   if (!base.isEmpty()) text += QLatin1Char(' ') + tr("%1 stays.").arg(base);
   if (shown_.growing) return text + QLatin1Char(' ') + tr("Planning…");
   switch (plan.end) {
     case PlanEnd::Complete: break;
-    case PlanEnd::Stuck: text += QLatin1Char(' ') + tr("%1 stuck.").arg(plan.parts() - plan.removed()); break;
+    case PlanEnd::Stuck:
+      text += QLatin1Char(' ') + tr("%n stuck.", "", static_cast<int>(plan.parts() - plan.removed()));
+      break;
     case PlanEnd::TimeLimit: text += QLatin1Char(' ') + tr("The time limit was reached."); break;
     case PlanEnd::Interrupted: text += QLatin1Char(' ') + tr("Stopped before the end."); break;
   }
   const auto forced = std::count_if(plan.steps.begin(), plan.steps.end(),
                                     [](const AssemblyStep& step) { return !step.violates.empty(); });
-  if (forced > 0) text += QLatin1Char(' ') + tr("%1 forced.").arg(forced);
+  if (forced > 0) text += QLatin1Char(' ') + tr("%n forced.", "", static_cast<int>(forced));
   const auto refuted = std::count(shown_.checks.begin(), shown_.checks.end(), StepCheck::Disagrees);
-  if (refuted > 0) text += QLatin1Char(' ') + tr("%1 steps do not hold here.").arg(refuted);
+  if (refuted > 0) text += QLatin1Char(' ') + tr("%n step(s) do not hold here.", "", static_cast<int>(refuted));
   return text;
 }
 
@@ -226,9 +231,9 @@ void SequencePanel::setOrder(PlanOrder order) {
   showTime(shown);
 }
 
-double SequencePanel::time() const {
+double SequencePanel::timeAt(double share) const {
   const double steps = shown_.plan ? static_cast<double>(shown_.plan->steps.size()) : 0.0;
-  return steps * (order_ == PlanOrder::Assembly ? 1.0 - play_->share() : play_->share());
+  return steps * (order_ == PlanOrder::Assembly ? 1.0 - share : share);
 }
 
 void SequencePanel::showTime(double time) {

@@ -36,11 +36,12 @@ class SequencePanel final : public QWidget {
   PlanOrder order() const { return order_; }
   void setPlaying(bool playing);
   /// Of removal: from 0 to the number of steps.
-  double time() const;
+  double time() const { return timeAt(play_->share()); }
+  /// Of a share of the slider's way.
+  double timeAt(double share) const;
   void showTime(double time);
   /// For films: what playing shows (PlaySlider).
   const PlaySlider& slider() const { return *play_; }
-  void showPlayed(double share) { play_->showPlayed(share); }
   double exploded() const { return explode_->share(); }
   void showExploded(double share) { explode_->showAt(share); }
   /// Makes the step's row the current one and shows the step; counted in the plan, from 0. False: there is none.

@@ -38,13 +38,17 @@ double WaySlider::shareAt(std::size_t configuration, double at) const {
   return (from + at * (arrival_[configuration + 1] - from)) / length();
 }
 
-void WaySlider::showPose(double share) {
-  if (way_.size() < 2) return;
+std::optional<Pose> WaySlider::poseAt(double share) const {
+  if (way_.size() < 2) return std::nullopt;
   const double s = arrival_.back() * share;
   const auto after = std::upper_bound(arrival_.begin() + 1, arrival_.end() - 1, s);
   const auto i = static_cast<std::size_t>(after - arrival_.begin());
   const double length = arrival_[i] - arrival_[i - 1];
-  emit poseShown(interpolate(way_[i - 1], way_[i], length > 0.0 ? (s - arrival_[i - 1]) / length : 1.0), share);
+  return interpolate(way_[i - 1], way_[i], length > 0.0 ? (s - arrival_[i - 1]) / length : 1.0);
+}
+
+void WaySlider::showPose(double share) {
+  if (const auto pose = poseAt(share)) emit poseShown(*pose, share);
 }
 
 }  // namespace glissade

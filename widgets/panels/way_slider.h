@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "engine/geometry/se3_metric.h"
@@ -21,6 +22,8 @@ class WaySlider final : public PlaySlider {
   double length() const { return arrival_.empty() ? 0.0 : arrival_.back(); }
   /// The share of the whole way that lies before a place on the way from one configuration to the next.
   double shareAt(std::size_t configuration, double at) const;
+  /// Where the object is once this share of the metric length is done; nothing where there is no way.
+  std::optional<Pose> poseAt(double share) const;
 
  signals:
   /// `share` of the way's metric length lies before the pose.

@@ -6,7 +6,8 @@
 #include <osg/GLExtensions>
 #include <osg/Program>
 
-#include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace glissade {
 namespace {
@@ -16,8 +17,13 @@ constexpr int kAfterOpaque = 5;
 /// Pixels from which a place is darkened, at most.
 constexpr double kReach = 18.0;
 /// Pairs of places that are looked at for each device pixel: fewer give bands, unless several pixels become one.
-constexpr float kPairs = 32.0F;
-constexpr float kPairsOversampled = 12.0F;
+constexpr int kPairs = 32;
+constexpr int kPairsOversampled = 12;
+/// Of them, these are looked at first, over the whole reach: where none of them darkens, nothing does.
+constexpr int kFirst = 8;
+constexpr int kFirstOversampled = 6;
+/// Between the directions of two pairs: directions are spread evenly however many there are.
+constexpr double kGoldenAngle = 2.399963;
 
 constexpr const char* kVertexShader = R"(#version 120
 void main() {
@@ -30,8 +36,10 @@ void main() {
 constexpr const char* kFragmentShader = R"(#version 120
 uniform sampler2D depths;
 uniform vec4 planes;  // near, far, 1 where there is no perspective, pixels per metre
-uniform vec4 reach;   // the size of a pixel of the texture, the reach in pixels, pairs of places for each pixel
-const int kMostPairs = 32;
+uniform vec3 reach;   // the size of a pixel of the texture, the reach in pixels
+uniform vec3 pairs[32];  // the way to one of the two places in reaches, its length; those looked at first
+uniform vec2 counts;  // of pairs, of those looked at first
+const float kUnseen = 0.02;  // occlusion that does not darken
 
 void main() {
   vec2 here = gl_FragCoord.xy * reach.xy;
@@ -43,20 +51,19 @@ void main() {
   float metresPerPixel = distance / planes.w;
   // Where four pixels become one, each looks in other directions.
   vec2 parity = mod(floor(gl_FragCoord.xy), 2.0);
-  float turn = reach.w < float(kMostPairs) ? 0.785398 * (parity.x + 2.0 * parity.y) : 0.0;
+  float turn = counts.x < 32.0 ? 0.785398 * (parity.x + 2.0 * parity.y) : 0.0;
+  mat2 turned = mat2(cos(turn), sin(turn), -sin(turn), cos(turn));
   float occlusion = 0.0;
-  for (int i = 0; i < kMostPairs; ++i) {
-    if (float(i) >= reach.w) break;
-    float share = (float(i) + 0.5) / reach.w;
-    float radius = reach.z * share;
-    float angle = 2.399963 * float(i) + turn;
-    vec2 aside = radius * vec2(cos(angle), sin(angle)) * reach.xy;
+  for (int i = 0; i < 32; ++i) {
+    if (float(i) >= counts.x || (float(i) == counts.y && occlusion < kUnseen * counts.y)) break;
+    float radius = reach.z * pairs[i].z;
+    vec2 aside = reach.z * (turned * pairs[i].xy) * reach.xy;
     float mean = 0.5 * (texture2D(depths, here + aside).r + texture2D(depths, here - aside).r);
     float concave = (depth - mean) * metresPerDepth / (radius * metresPerPixel);
     // What is far before the place does not darken it as a corner does.
     occlusion += clamp(concave, 0.0, 1.0) * (1.0 - 0.85 * smoothstep(1.0, 5.0, concave));
   }
-  float light = 1.0 - 0.62 * smoothstep(0.02, 0.9, occlusion / reach.w);
+  float light = 1.0 - 0.62 * smoothstep(kUnseen, 0.9, occlusion / counts.x);
   gl_FragColor = vec4(light, light, light, 1.0);
 }
 )";
@@ -112,7 +119,9 @@ DepthShading::DepthShading()
     : quad_(new osg::Geometry),
       depth_(new osg::Texture2D),
       planes_(new osg::Uniform("planes", osg::Vec4())),
-      reach_(new osg::Uniform("reach", osg::Vec4())) {
+      reach_(new osg::Uniform("reach", osg::Vec3())),
+      pairs_(new osg::Uniform(osg::Uniform::FLOAT_VEC3, "pairs", kPairs)),
+      counts_(new osg::Uniform("counts", osg::Vec2())) {
   depth_->setInternalFormat(GL_DEPTH24_STENCIL8_EXT);
   depth_->setSourceFormat(GL_DEPTH_STENCIL_EXT);
   depth_->setSourceType(GL_UNSIGNED_INT_24_8_EXT);
@@ -140,6 +149,8 @@ DepthShading::DepthShading()
   state->addUniform(new osg::Uniform("depths", 0));
   state->addUniform(planes_);
   state->addUniform(reach_);
+  state->addUniform(pairs_);
+  state->addUniform(counts_);
   state->setMode(GL_LIGHTING, osg::StateAttribute::OFF);
   state->setAttributeAndModes(new osg::Depth(osg::Depth::ALWAYS, 0.0, 1.0, false));
   state->setAttributeAndModes(new osg::BlendFunc(GL_ZERO, GL_SRC_COLOR));
@@ -155,8 +166,28 @@ void DepthShading::prepare(int width, int height, double nearPlane, double farPl
   planes_->set(osg::Vec4(static_cast<float>(nearPlane), static_cast<float>(farPlane), orthographic ? 1.0F : 0.0F,
                          static_cast<float>(pixelsPerMetre)));
   const bool isOversampled = pixelScale >= 2.0;
-  reach_->set(osg::Vec4(1.0F / static_cast<float>(width), 1.0F / static_cast<float>(height),
-                        static_cast<float>(kReach * pixelScale), isOversampled ? kPairsOversampled : kPairs));
+  reach_->set(osg::Vec3(1.0F / static_cast<float>(width), 1.0F / static_cast<float>(height),
+                        static_cast<float>(kReach * pixelScale)));
+  if (isOversampled) {
+    setPairs(kPairsOversampled, kFirstOversampled);
+  } else {
+    setPairs(kPairs, kFirst);
+  }
+}
+
+/// Each pair has a direction and a distance of its own. Every n-th of them comes first.
+void DepthShading::setPairs(int count, int first) {
+  counts_->set(osg::Vec2(static_cast<float>(count), static_cast<float>(first)));
+  const int stride = count / first;
+  unsigned int next = 0;
+  for (int begin = 0; begin < stride; ++begin) {
+    for (int pair = begin; pair < count; pair += stride) {
+      const double share = (pair + 0.5) / count;
+      const double angle = kGoldenAngle * pair;
+      pairs_->setElement(next++, osg::Vec3(static_cast<float>(share * std::cos(angle)),
+                                           static_cast<float>(share * std::sin(angle)), static_cast<float>(share)));
+    }
+  }
 }
 
 }  // namespace glissade

@@ -22,10 +22,14 @@ class DepthShading {
                double pixelScale);
 
  private:
+  void setPairs(int count, int first);
+
   osg::ref_ptr<osg::Geometry> quad_;
   osg::ref_ptr<osg::Texture2D> depth_;
   osg::ref_ptr<osg::Uniform> planes_;
   osg::ref_ptr<osg::Uniform> reach_;
+  osg::ref_ptr<osg::Uniform> pairs_;
+  osg::ref_ptr<osg::Uniform> counts_;
 };
 
 }  // namespace glissade

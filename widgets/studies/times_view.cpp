@@ -1,6 +1,7 @@
 #include "widgets/studies/times_view.h"
 
 #include <QFormLayout>
+#include <QLocale>
 #include <QScrollArea>
 #include <QVBoxLayout>
 
@@ -13,7 +14,7 @@ namespace {
 
 constexpr int kMostStations = 50;
 
-QString seconds(double value) { return TimesView::tr("%1 s").arg(value, 0, 'f', 1); }
+QString seconds(double value) { return TimesView::tr("%1 s").arg(QLocale().toString(value, 'f', 1)); }
 
 QString sourceOf(const PlanTiming& timing) {
   if (timing.edited == 0) return TimesView::tr("The times are estimates and were not measured.");

@@ -14,6 +14,8 @@ const std::map<std::string_view, std::string_view>& instructionFrench() {
       {"Put these parts on the bench.", "Poser ces pièces sur l'établi."},
       {"subassembly %1", "sous-ensemble %1"},
       {"Needs support: %1", "À soutenir : %1"},
+      {"Start all by hand, then tighten crosswise.", "Tout engager à la main, puis serrer en croix."},
+      {"Hold while you turn it over: %1", "À tenir pendant le retournement : %1"},
       {"Screw in %1.", "Visser %1."},
       {"Screw on %1.", "Visser %1."},
       {"Press in %1.", "Emmancher %1."},

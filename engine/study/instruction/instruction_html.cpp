@@ -1,5 +1,6 @@
 #include "engine/study/instruction/instruction_html.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "engine/base/file.h"
@@ -44,12 +45,16 @@ class Page {
   }
 
   /// For the script of the 3D view: by which step each body comes, 0: it is there from the beginning; and the
-  /// directions of viewpoints, y up.
+  /// directions of viewpoints, y up. For steps within a subassembly, by the numbers of their panels: what is there, and
+  /// the motions of what comes, from the world as it is assembled.
   std::string sceneData() const {
-    nlohmann::json data{{"steps", nlohmann::json::array()}, {"views", nlohmann::json::array()}};
+    nlohmann::json data{
+        {"steps", nlohmann::json::array()}, {"views", nlohmann::json::array()}, {"lines", nlohmann::json::object()}};
     std::map<std::string, std::size_t> stepOf;
     std::size_t step = 0;
-    for (const InstructionPanel& panel : instruction_.panels) {
+    for (std::size_t i = 0; i < instruction_.panels.size(); ++i) {
+      const InstructionPanel& panel = instruction_.panels[i];
+      if (isInSubassembly(panel)) data["lines"][std::to_string(i)] = lineData(panel);
       for (const AssemblyStep& each : panel.steps) {
         if (!panel.subassembly.empty()) continue;
         ++step;
@@ -65,6 +70,34 @@ class Page {
  private:
   std::string say(std::string_view english, std::initializer_list<std::string> arguments = {}) const {
     return words_(english, arguments);
+  }
+
+  static bool isInSubassembly(const InstructionPanel& panel) {
+    return !panel.subassembly.empty() && !panel.steps.empty();
+  }
+
+  nlohmann::json numbersOf(const std::vector<std::string>& ids) const {
+    nlohmann::json numbers = nlohmann::json::array();
+    for (const std::string& id : ids) {
+      numbers.push_back(std::find(instruction_.bodies.begin(), instruction_.bodies.end(), id) -
+                        instruction_.bodies.begin());
+    }
+    return numbers;
+  }
+
+  nlohmann::json lineData(const InstructionPanel& panel) const {
+    nlohmann::json line{{"present", numbersOf(panel.present)}, {"moves", nlohmann::json::array()}};
+    for (const AssemblyStep& step : panel.steps) {
+      nlohmann::json poses = nlohmann::json::array();
+      const Pose X_AW = inverse(step.path.front().q);
+      for (auto point = step.path.rbegin(); point != step.path.rend(); ++point) {
+        const Pose X = point->q * X_AW;
+        poses.push_back({X.position.x(), X.position.y(), X.position.z(), X.orientation.x(), X.orientation.y(),
+                         X.orientation.z(), X.orientation.w()});
+      }
+      line["moves"].push_back({{"bodies", numbersOf(step.bodies())}, {"poses", std::move(poses)}});
+    }
+    return line;
   }
 
   std::string partImage(const std::vector<std::string>& bodies, const std::string& text) const {
@@ -114,6 +147,8 @@ class Page {
       out_ += " data-from=\"" + std::to_string(done_ + 1) + "\" data-to=\"" +
               std::to_string(done_ + panel.steps.size()) + "\" data-view=\"" + std::to_string(index) + "\"";
       done_ += panel.steps.size();
+    } else if (isInSubassembly(panel)) {
+      out_ += " data-line=\"" + std::to_string(index) + "\" data-view=\"" + std::to_string(index) + "\"";
     }
     out_ += ">\n<div class=\"top\"><div class=\"number\">" +
             escaped(panel.number.empty() ? say("Start") : panel.number) + "</div>\n<div class=\"words\">\n" +
@@ -146,6 +181,7 @@ Result<std::string> instructionHtml(const WorkInstruction& instruction, const In
   const StudyWords words(instruction.language);
   std::string head = "<strong>" + escaped(instruction.title) + "</strong>";
   if (!look.company.empty()) head += "<span class=\"soft\">" + escaped(look.company) + "</span>";
+  if (!look.document.empty()) head += "<span class=\"soft\">" + escaped(look.document) + "</span>";
   if (!look.logo.empty()) {
     const auto logo = readFile(look.logo, kMostLogoBytes);
     if (!logo) return logo.error();

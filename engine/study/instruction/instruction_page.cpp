@@ -72,6 +72,7 @@ InstructionPage PageMaker::page() const {
 }
 
 void PageMaker::number(std::vector<InstructionPage>& pages) const {
+  constexpr double kPageNumber = 24.0;
   const double top = size_.height - kMargin - kFoot + 1.0;
   for (std::size_t i = 0; i < pages.size(); ++i) {
     pages[i].texts.push_back({{kMargin, top, size_.width - 2.0 * kMargin, kFoot - 1.0},
@@ -79,6 +80,13 @@ void PageMaker::number(std::vector<InstructionPage>& pages) const {
                               kLeastPoints,
                               false,
                               PageText::Align::Right,
+                              true});
+    if (look_.document.empty()) continue;
+    pages[i].texts.push_back({{kMargin, top, size_.width - 2.0 * kMargin - kPageNumber, kFoot - 1.0},
+                              look_.document,
+                              kLeastPoints,
+                              false,
+                              PageText::Align::Left,
                               true});
   }
 }

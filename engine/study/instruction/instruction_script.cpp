@@ -89,6 +89,7 @@ const char* const kInstructionSceneScript = R"(
 (function () {
   var button = document.getElementById('scene'), data = window.instructionScene, seconds = 2, hold = 1;
   var on = false, ready = false, renderer, scene, camera, controls, mixer, action, bodies = [], panel = null, began = 0;
+  var homes = {}, all = Math.max.apply(null, data.steps);
   function bytes(text) {
     var raw = atob(text), all = new Uint8Array(raw.length);
     for (var i = 0; i < raw.length; ++i) all[i] = raw.charCodeAt(i);
@@ -129,21 +130,22 @@ const char* const kInstructionSceneScript = R"(
     });
   }
   function paint(section) {
-    panel = section && section.dataset.from ? section : null;
+    panel = section && (section.dataset.from || section.dataset.line) ? section : null;
     button.disabled = !panel;
     button.classList.toggle('pressed', on);
     if (renderer && renderer.domElement.parentNode) renderer.domElement.parentNode.removeChild(renderer.domElement);
     if (!on || !panel || !ready) return;
-    var from = +panel.dataset.from, to = +panel.dataset.to;
+    bringHome();
+    var from = +panel.dataset.from, to = +panel.dataset.to, line = data.lines[panel.dataset.line];
     bodies.forEach(function (body, i) {
-      var step = data.steps[i], comes = step >= from && step <= to;
-      body.node.visible = step <= to;
+      var step = data.steps[i], comes = line ? isMoved(line, i) : step >= from && step <= to;
+      body.node.visible = line ? comes || line.present.indexOf(i) >= 0 : step <= to;
       body.meshes.forEach(function (mesh) {
         mesh.material.color.setHex(comes ? 0xf5a623 : 0xeeeeee);
         mesh.children[0].material.color.setHex(comes ? 0x202020 : 0x9098a0);
       });
     });
-    action.time = seconds * to - 1e-3; mixer.update(0);
+    action.time = seconds * (line ? all : to) - 1e-3; mixer.update(0);
     scene.updateMatrixWorld(true);
     var box = new THREE.Box3();
     bodies.forEach(function (body) { if (body.node.visible) box.expandByObject(body.node); });
@@ -158,6 +160,35 @@ const char* const kInstructionSceneScript = R"(
     began = performance.now();
     requestAnimationFrame(frame);
   }
+  function isMoved(line, i) {
+    return line.moves.some(function (move) { return move.bodies.indexOf(i) >= 0; });
+  }
+  // The mixer does not write again what it has written before.
+  function bringHome() {
+    Object.keys(homes).forEach(function (i) {
+      bodies[i].node.position.copy(homes[i].position);
+      bodies[i].node.quaternion.copy(homes[i].quaternion);
+    });
+    homes = {};
+  }
+  function moved(pose, home) {
+    var turn = new THREE.Quaternion(pose[3], pose[4], pose[5], pose[6]);
+    return { position: home.position.clone().applyQuaternion(turn).add(new THREE.Vector3(pose[0], pose[1], pose[2])),
+             quaternion: turn.multiply(home.quaternion) };
+  }
+  function moveLine(line, time) {
+    line.moves.forEach(function (move, k) {
+      var last = move.poses.length - 1, at = last * Math.min(Math.max(time / seconds - k, 0), 1);
+      var i = Math.min(Math.floor(at), last - 1);
+      move.bodies.forEach(function (b) {
+        var node = bodies[b].node;
+        homes[b] = homes[b] || { position: node.position.clone(), quaternion: node.quaternion.clone() };
+        var before = moved(move.poses[i], homes[b]), after = moved(move.poses[i + 1], homes[b]);
+        node.position.copy(before.position).lerp(after.position, at - i);
+        node.quaternion.copy(before.quaternion).slerp(after.quaternion, at - i);
+      });
+    });
+  }
   function frame(now) {
     var canvas = renderer.domElement, place = canvas.parentNode;
     if (!place || !on) return;
@@ -166,9 +197,11 @@ const char* const kInstructionSceneScript = R"(
     renderer.setSize(width, height, false);
     camera.aspect = width / Math.max(1, height);
     camera.updateProjectionMatrix();
-    var from = +panel.dataset.from, to = +panel.dataset.to, length = seconds * (to - from + 1);
-    var time = Math.min(((now - began) / 1000) % (length + hold), length - 1e-3);
-    action.time = seconds * (from - 1) + Math.max(0, time); mixer.update(0);
+    var from = +panel.dataset.from, to = +panel.dataset.to, line = data.lines[panel.dataset.line];
+    var length = seconds * (line ? line.moves.length : to - from + 1);
+    var time = Math.max(0, Math.min(((now - began) / 1000) % (length + hold), length - 1e-3));
+    if (line) { moveLine(line, time); }
+    else { action.time = seconds * (from - 1) + time; mixer.update(0); }
     controls.update();
     renderer.render(scene, camera);
     window.instruction.frames = (window.instruction.frames || 0) + 1;

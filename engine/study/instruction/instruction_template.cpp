@@ -54,13 +54,14 @@ std::string logoIn(const JsonCursor& at) {
 }
 
 InstructionTemplate templateIn(const JsonCursor& at) {
-  at.allowOnly({"format", "version", "description", "company", "logo", "columns", "language", "paper"});
+  at.allowOnly({"format", "version", "description", "company", "document", "logo", "columns", "language", "paper"});
   if (at.at("format").text() != kTemplateFormat) at.at("format").fail(std::string("is not ") + kTemplateFormat);
   if (at.at("version").number() != kTemplateVersion) {
     at.at("version").fail("is not " + std::to_string(kTemplateVersion));
   }
   InstructionTemplate made;
   if (const auto company = at.find("company")) made.company = company->nonEmptyText();
+  if (const auto document = at.find("document")) made.document = document->nonEmptyText();
   if (const auto columns = at.find("columns")) made.columns = columnsIn(*columns);
   if (const auto language = at.find("language")) {
     made.language = languageOf(language->text());

@@ -33,8 +33,9 @@ std::string titleOf(PartsColumn column, const StudyWords& words);
 
 /// What a company changes of its work instructions.
 struct InstructionTemplate {
-  std::string company{};  ///< in the head of each page; empty: none
-  std::string logo{};     ///< absolute path of a PNG or JPEG file; empty: none
+  std::string company{};   ///< in the head of each page; empty: none
+  std::string document{};  ///< its number and revision, in the foot of each page; empty: none
+  std::string logo{};      ///< absolute path of a PNG or JPEG file; empty: none
   std::vector<PartsColumn> columns{kAllPartsColumns.begin(), kAllPartsColumns.end()};  ///< in this order
   std::optional<Language> language{};                                                  ///< nothing: that of the window
   std::optional<Paper> paper{};  ///< nothing: as chosen in the window

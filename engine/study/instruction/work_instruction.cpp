@@ -4,6 +4,7 @@
 #include <set>
 
 #include "engine/sequence/plan_bodies.h"
+#include "engine/sequence/step_motion.h"
 #include "engine/study/instruction/instruction_words.h"
 #include "engine/study/plan_tasks.h"
 
@@ -14,6 +15,13 @@ namespace {
 constexpr double kSmallShare = 0.12;
 /// What comes is hidden in part where less of it is seen.
 constexpr double kHiddenShare = 0.15;
+
+/// Of an exit direction, along the vertical: a part that leaves more steeply than this downwards falls out. Others are
+/// kept by what they rest on.
+constexpr double kFallsOut = 0.7;
+
+/// So many alike screws clamp a part evenly where they are tightened in turn.
+constexpr std::size_t kCrosswise = 3;
 
 /// "screw M3x8", or its designation alone; the kind of part of others.
 std::string partName(const PartsListRow& row) { return row.designation.empty() ? row.name : row.designation; }
@@ -68,6 +76,7 @@ class Instructor {
       panel.present = present;
       describe(panel, line != nullptr);
       look(panel, view);
+      if (panel.view.turnedOver != view.turnedOver) warnOfLoose(panel, steps, range.place);
       for (const AssemblyStep& step : panel.steps) append(step.bodies(), present);
       view = panel.view;
       made_.panels.push_back(std::move(panel));
@@ -140,6 +149,9 @@ class Instructor {
       what += (what.empty() ? "" : ", ") + countedName(part.name, part.count);
     }
     panel.work = workSentence(panel.steps.front(), what, words_.words());
+    if (panel.steps.size() >= kCrosswise && isScrewed(panel.steps.front())) {
+      panel.notes.push_back(say("Start all by hand, then tighten crosswise."));
+    }
     std::set<std::string> said;
     for (const AssemblyStep& step : panel.steps) {
       const std::string tool = capitalized(words_.toolName(step));
@@ -151,6 +163,27 @@ class Instructor {
       const std::string note = say("Needs support: %1", {supported(step.falling)});
       if (said.insert(note).second) panel.notes.push_back(note);
     }
+  }
+
+  /// Of the parts that were put on so far, those that fall out as the product lies now: nothing that was put on after
+  /// them keeps them there, and no joint.
+  void warnOfLoose(InstructionPanel& panel, const std::vector<AssemblyStep>& steps, std::size_t placed) {
+    Ids loose;
+    for (std::size_t at = 0; at < placed; ++at) {
+      const AssemblyStep& step = stepAtPlace(steps, at);
+      const std::size_t lastOpen = steps.size() - placed;  // steps of the plan up to it are still to come
+      const bool held = !step.joints.empty() || std::any_of(step.after.begin(), step.after.end(),
+                                                            [&](std::size_t other) { return other > lastOpen; });
+      const double upwards = exitDirection(step.path).dot(panel.view.up());
+      if (!held && upwards < -kFallsOut * panel.view.up().norm()) append(step.bodies(), loose);
+    }
+    if (!loose.empty()) panel.notes.push_back(say("Hold while you turn it over: %1", {supported(loose)}));
+  }
+
+  static bool isScrewed(const AssemblyStep& step) {
+    return std::any_of(step.joints.begin(), step.joints.end(), [](const StepJoint& joint) {
+      return joint.kind == JointKind::Screw || joint.kind == JointKind::Nut;
+    });
   }
 
   std::string supported(const Ids& ids) {

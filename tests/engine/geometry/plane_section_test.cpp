@@ -43,6 +43,16 @@ TEST(PlaneSection, AFaceInThePlaneIsCutOnOneSideOnly) {
   EXPECT_EQ(planeSection(box, {Vector3::UnitX(), -0.5}).size(), 0U);
 }
 
+TEST(PlaneSection, AFaceIsInThePlaneWhateverItsCoordinatesAreRoundedTo) {
+  RandomStream random(3, "rounded faces");
+  for (int round = 0; round < 20; ++round) {
+    TriangleMesh box = makeBox({1, 1, 1});
+    for (Vector3& vertex : box.vertices) vertex.x() += random.uniform(-1e-7, 1e-7);
+    EXPECT_NEAR(areaOf(planeSection(box, {Vector3::UnitX(), 0.5}), Vector3::UnitX()), 1.0, 1e-5);
+    EXPECT_TRUE(planeSection(box, {Vector3::UnitX(), -0.5}).empty());
+  }
+}
+
 TEST(PlaneSection, TheHoleOfAHollowBodyIsAPolygonOfTheOtherDirection) {
   TriangleMesh hollow = makeBox({1, 1, 1});
   TriangleMesh inner = makeBox({0.5, 0.5, 0.5});

@@ -170,6 +170,7 @@ TEST(PlanGraph, ArrowsThatOthersImplyAreLeftOut) {
   const std::string svg = planGraphSvg(plan, product, StudyWords());
   EXPECT_EQ(countOf("<text", svg), 3U);
   EXPECT_EQ(countOf(" C", svg), 2U) << "cap to pin, pin to drawer";
+  EXPECT_NE(svg.find("1  drawer"), std::string::npos) << "numbers are those of the assembly";
 }
 
 TEST(PlanGraph, StuckPartsHaveArrowsFromWhatBlocksThem) {

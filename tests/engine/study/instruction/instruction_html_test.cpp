@@ -45,7 +45,20 @@ TEST(InstructionHtml, AScriptEndsWhereItIsToEnd) {
   const InstructionScene scene{"glTF", "var end = '</script>';"};
   const std::string page = pageOf(test::instructed(test::blocksOnABase(1)), &scene);
   EXPECT_EQ(countOf("<script", page), countOf("</script>", page));
-  EXPECT_NE(page.find("{\"steps\":[0,1]"), std::string::npos) << "the base is there, the block comes by step 1";
+  EXPECT_NE(page.find("\"steps\":[0,1]"), std::string::npos) << "the base is there, the block comes by step 1";
+}
+
+TEST(InstructionHtml, StepsWithinASubassemblyHaveTheirMotionsInThe3dView) {
+  auto made = test::blocksOnABase(2);
+  AssemblyStep group = made.plan.steps[1];
+  group.with = {"block1"};
+  made.plan.lines.push_back({1, {"block0", "block1"}, {"block0"}, {made.plan.steps[0]}});
+  made.plan.steps = {group};
+  const InstructionScene scene{"glTF", ""};
+  const std::string page = pageOf(test::instructed(made), &scene);
+  EXPECT_EQ(countOf("data-line=\"2\"", page), 1U);
+  EXPECT_NE(page.find("\"lines\":{\"2\":{\"moves\":[{\"bodies\":[2],\"poses\":[[0.0,0.0,1.0,"), std::string::npos);
+  EXPECT_NE(page.find("\"present\":[1]"), std::string::npos);
 }
 
 TEST(InstructionHtml, IsInTheLanguageOfTheInstruction) {

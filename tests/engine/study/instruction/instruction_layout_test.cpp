@@ -120,5 +120,17 @@ TEST(InstructionLayout, TheHeadHasTheCompany) {
   }
 }
 
+TEST(InstructionLayout, TheFootHasTheNumberOfTheDocumentBesideThatOfThePage) {
+  InstructionTemplate look;
+  look.document = "WI-012, revision B";
+  for (const InstructionPage& page : instructionPages(someInstruction(9), look, Paper::A4)) {
+    const auto foot = std::find_if(page.texts.begin(), page.texts.end(),
+                                   [](const PageText& text) { return text.text == "WI-012, revision B"; });
+    ASSERT_NE(foot, page.texts.end());
+    EXPECT_GE(foot->points, kLeastPoints);
+    EXPECT_GT(foot->rect.y, 0.9 * sizeOf(Paper::A4).height);
+  }
+}
+
 }  // namespace
 }  // namespace glissade

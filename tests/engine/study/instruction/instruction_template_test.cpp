@@ -31,10 +31,12 @@ TEST_F(InstructionTemplates, WhatIsLeftOutIsAsUsual) {
 
 TEST_F(InstructionTemplates, EveryMemberIsRead) {
   write("logo.png", "\x89PNG\r\n\x1a\n");
-  const auto made = read(R"(, "company": "Muster", "logo": "logo.png", "columns": ["count", "part"],
+  const auto made =
+      read(R"(, "company": "Muster", "document": "WI-012", "logo": "logo.png", "columns": ["count", "part"],
                              "language": "fr", "paper": "Letter")");
   ASSERT_TRUE(made.ok()) << made.error().reason;
   EXPECT_EQ(made->company, "Muster");
+  EXPECT_EQ(made->document, "WI-012");
   EXPECT_EQ(made->logo, std::filesystem::absolute(path("logo.png")).string());
   EXPECT_EQ(made->columns, (std::vector<PartsColumn>{PartsColumn::Count, PartsColumn::Part}));
   EXPECT_EQ(made->language, Language::French);

@@ -56,7 +56,9 @@ TEST(WorkInstruction, AlikePartsAreFetchedTogetherWithTheirCount) {
   EXPECT_EQ(panel.fetched[0].count, 4U);
   EXPECT_EQ(panel.work, "Screw in 4 × ISO 4762 M3x8.");
   EXPECT_EQ(panel.tool, "Hex key 2.5");
-  EXPECT_EQ(panel.notes, std::vector<std::string>{"Needs support: base"}) << "once";
+  EXPECT_EQ(panel.notes,
+            (std::vector<std::string>{"Start all by hand, then tighten crosswise.", "Needs support: base"}))
+      << "each once";
   EXPECT_EQ(instruction.tools, std::vector<std::string>{"Hex key 2.5"});
   EXPECT_EQ(instruction.parts.size(), 2U) << "base, and one row for the screws";
 }
@@ -74,6 +76,30 @@ TEST(WorkInstruction, AGroupIsPutTogetherBeforeItIsPutOn) {
   EXPECT_EQ(instruction.panels[2].present, std::vector<std::string>{"block0"});
   EXPECT_EQ(instruction.panels[3].work, "Place subassembly 1.");
   EXPECT_EQ(instruction.panels[3].fetched[0].bodies.size(), 2U) << "the group is drawn";
+}
+
+/// The last block comes from below.
+TEST(WorkInstruction, APartThatFallsOutWhenTheProductIsTurnedOverIsNamed) {
+  InstructedProduct made = test::blocksOnABase(3);
+  const auto block2 = *made.product.indexOf("block2");
+  made.product.bodies[block2].X_WB = Pose::translation({0.2, 0.0, -0.125});
+  made.plan.steps[0] = test::stepAlong("block2", -Vector3::UnitZ());
+  const auto turned = [](const WorkInstruction& instruction) {
+    for (const InstructionPanel& panel : instruction.panels) {
+      if (panel.view.turnedOver) return panel;
+    }
+    return InstructionPanel();
+  };
+  const InstructionPanel panel = turned(test::instructed(made));
+  ASSERT_FALSE(panel.turn.empty());
+  EXPECT_EQ(panel.notes, std::vector<std::string>{"Hold while you turn it over: block0, block1"});
+
+  made.plan.steps[1].joints = {{JointKind::Screw, "block1", {"base"}}};
+  EXPECT_EQ(turned(test::instructed(made)).notes, std::vector<std::string>{"Hold while you turn it over: block0"});
+  made.plan.steps[2].after = {2};
+  EXPECT_TRUE(turned(test::instructed(made)).notes.empty()) << "block1 keeps it";
+  made.plan.steps[2].after = {1};
+  EXPECT_EQ(turned(test::instructed(made)).notes.size(), 1U) << "what comes now does not keep it yet";
 }
 
 TEST(WorkInstruction, HasNoWordOfTheCertificate) {
