@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/window/assist_controller.h"
 #include "app/window/workbench.h"
 #include "widgets/panels/difficulty_panel.h"
 
@@ -10,7 +11,8 @@ class DifficultyController final : public QObject {
   Q_OBJECT
 
  public:
-  explicit DifficultyController(const Workbench& bench);
+  /// `assist` shows the places to help that are found besides.
+  DifficultyController(const Workbench& bench, AssistController& assist);
 
   DifficultyPanel* panel() const { return panel_; }
   /// What is shown; null: nothing.
@@ -19,11 +21,13 @@ class DifficultyController final : public QObject {
  private:
   void followRun();
   void find();
-  void show(const DifficultyPtr& difficulty);
+  void show(const DifficultyPtr& difficulty, const HelpPlacesPtr& help);
 
   const Workbench& bench_;
+  AssistController& assist_;
   DifficultyPanel* panel_;
   DifficultyPtr difficulty_;
+  HelpPlacesPtr help_;
 };
 
 }  // namespace glissade

@@ -6,6 +6,7 @@
 
 #include "app/window/arrange_controller.h"
 #include "app/window/assembly_controller.h"
+#include "app/window/assist_controller.h"
 #include "app/window/body_visibility.h"
 #include "app/window/context_menus.h"
 #include "app/window/device_controller.h"
@@ -96,7 +97,9 @@ void MainWindow::addParts() {
   auto* assembly = new AssemblyController(bench_, *parts);
   new BodyVisibility(bench_, *assembly->scenePanel());
   auto* path = new PathController(bench_);
-  auto* difficulty = new DifficultyController(bench_);
+  auto* assist = new AssistController(bench_);
+  connect(assist, &AssistController::cameraMoved, view, &ViewController::publishOperatorFrame);
+  auto* difficulty = new DifficultyController(bench_, *assist);
   files_ = new FileController(bench_, *parts, *path);
   new WelcomeController(bench_, *files_);
   auto* replay = new ReplayController(bench_);

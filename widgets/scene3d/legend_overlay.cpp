@@ -55,6 +55,7 @@ QString textOf(LegendItem item) {
     case LegendItem::InTheWay: return LegendOverlay::tr("In the way");
     case LegendItem::TightestPlace: return LegendOverlay::tr("Tightest place");
     case LegendItem::TreeGap: return LegendOverlay::tr("Gap of the search");
+    case LegendItem::Help: return LegendOverlay::tr("Where your hand helps");
     case LegendItem::Overlap: return LegendOverlay::tr("Overlapped body");
     case LegendItem::RefusedEnd: return LegendOverlay::tr("Object where it overlaps");
     case LegendItem::Selected: return LegendOverlay::tr("Selected");

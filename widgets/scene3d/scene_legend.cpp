@@ -165,6 +165,7 @@ class LegendMaker {
       if (impl_.difficulty->tightest) add(LegendItem::TightestPlace, LegendMark::Fill, palette_.nearest);
       if (impl_.difficulty->frontier) add(LegendItem::TreeGap, LegendMark::Line, palette_.nearest);
     }
+    if (impl_.help.places && isDrawn(SceneLayer::Help)) add(LegendItem::Help, LegendMark::Fill, palette_.guidance);
     if (!impl_.refusal || !isDrawn(SceneLayer::Refusal)) return;
     add(LegendItem::Overlap, LegendMark::Fill, palette_.penetration);
     add(LegendItem::RefusedEnd, LegendMark::Fill, palette_.path);

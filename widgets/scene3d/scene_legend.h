@@ -42,6 +42,7 @@ enum class LegendItem {
   InTheWay,
   TightestPlace,
   TreeGap,
+  Help,
   Overlap,
   RefusedEnd,
   Selected,

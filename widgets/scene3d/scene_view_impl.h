@@ -19,6 +19,7 @@
 #include "widgets/scene3d/geometry_builder.h"
 #include "widgets/scene3d/grid_layer.h"
 #include "widgets/scene3d/guidance_layer.h"
+#include "widgets/scene3d/help_layer.h"
 #include "widgets/scene3d/kept_paths_layer.h"
 #include "widgets/scene3d/measure_layer.h"
 #include "widgets/scene3d/osg_convert.h"
@@ -60,6 +61,8 @@ struct SceneView::Impl {
   CoarsePlanPtr drawnPlan;
   std::optional<std::size_t> shownStep;
   std::shared_ptr<const Difficulty> difficulty;
+  HelpPicture help;
+  osg::ref_ptr<osg::Group> helpArrow = new osg::Group;  ///< in the layer of help
   std::shared_ptr<const EndConflicts> refusal;
   std::vector<KeptPathPicture> keptPaths;
   MeasurePicture measure;
@@ -184,6 +187,19 @@ struct SceneView::Impl {
 
   void showDifficulty() {
     fill(SceneLayer::Difficulty, difficulty ? makeDifficulty(*difficulty, *scenario, shapes, palette) : nullptr);
+  }
+
+  void showHelp() {
+    fill(SceneLayer::Help, help.places && scenario ? makeHelp(help, *scenario, shapes, palette) : nullptr);
+    layer(SceneLayer::Help).addChild(helpArrow);
+  }
+
+  /// While the hand is shown.
+  void showHelpArrow(bool shown) {
+    helpArrow->removeChildren(0, helpArrow->getNumChildren());
+    if (!help.places || !shown) return;
+    const auto arrow = makeHelpArrow(help, snapshot->device.q_device, markScale(), palette);
+    if (arrow) helpArrow->addChild(arrow);
   }
 
   const TopologicalStep* stepShown(const CoarsePlan& plan) const {
@@ -335,6 +351,7 @@ struct SceneView::Impl {
     showEnvironment();
     showGrid();
     showDifficulty();
+    showHelp();
     showRefusal();
     showOverlays();
     if (!scenario) return;
@@ -377,6 +394,7 @@ struct SceneView::Impl {
     markedViewHeight = camera.viewHeight();
     const bool shown = !playback && !snapshot->path;
     fill(SceneLayer::Contact, shown ? makeContact(*snapshot, markScale(), palette) : nullptr);
+    showHelpArrow(shown);
     showGuidance();
   }
 
