@@ -36,8 +36,8 @@ bool isStuck(const SessionSnapshot& snapshot) {
 
 }  // namespace
 
-AssistController::AssistController(const Workbench& bench)
-    : QObject(&bench.window), bench_(bench), hint_(new SceneHint(bench.scene.widget())) {
+AssistController::AssistController(const Workbench& bench, HandHint& hint)
+    : QObject(&bench.window), bench_(bench), hint_(hint) {
   bench.onAction("assist.go", this, [this] { go(); });
   bench.onAction("assist.show", this, [this] { find(Then::Show); });
   for (const char* id : {"assist.go", "assist.show"}) bench.enable(id, false);
@@ -150,7 +150,7 @@ void AssistController::look() {
 
 void AssistController::draw() {
   bench_.scene.view().setHelp({places_, chosen_, taken_});
-  hint_->write(places_ ? hintText() : QString());
+  hint_.ask(places_ ? hintText() : QString());
   bench_.scene.refresh();
 }
 
@@ -163,9 +163,9 @@ QString AssistController::hintText() const {
     lack = tr("the passage is open.");
   } else if (place.lacking && place.body >= 0) {
     const RigidBody& body = scenario.obstacles[static_cast<std::size_t>(place.body)];
-    lack = tr("the object lacks %1 at '%2'.").arg(lengthText(*place.lacking), QString::fromStdString(body.shown()));
+    lack = tr("the object is at most %1 too large at '%2'.").arg(lengthText(*place.lacking), QString::fromStdString(body.shown()));
   } else if (place.lacking) {
-    lack = tr("the object lacks %1.").arg(lengthText(*place.lacking));
+    lack = tr("the object is at most %1 too large.").arg(lengthText(*place.lacking));
   }
   const QString key = bench_.actions["assist.go"]->shortcut().toString(QKeySequence::NativeText);
   const QString next = taken_ ? tr("Lead it along the arrow; %1: next place.").arg(key)

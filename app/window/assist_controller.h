@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/window/scene_hint.h"
+#include "app/window/hand_hint.h"
 #include "app/window/workbench.h"
 #include "widgets/panels/difficulty_panel.h"
 
@@ -13,7 +13,7 @@ class AssistController final : public QObject {
   Q_OBJECT
 
  public:
-  explicit AssistController(const Workbench& bench);
+  AssistController(const Workbench& bench, HandHint& hint);
 
   /// Shows the places of the run that is shown; null or empty: none.
   void show(const HelpPlacesPtr& places);
@@ -40,7 +40,7 @@ class AssistController final : public QObject {
   void addCommands();
 
   const Workbench& bench_;
-  SceneHint* hint_;
+  HandHint& hint_;
   BackgroundTask offers_;
   HelpPlacesPtr places_;    ///< null: none is shown
   std::size_t chosen_ = 0;  ///< of them

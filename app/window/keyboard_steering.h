@@ -12,6 +12,7 @@ namespace glissade {
 ///
 ///   A D  left, right     W S  up, down        Q E  away, nearer
 ///   J L  yaw             I K  pitch           U O  roll          Shift  a quarter of the speed
+///   F    other axes
 class KeyboardSteering final : public QObject {
   Q_OBJECT
 
@@ -20,6 +21,10 @@ class KeyboardSteering final : public QObject {
 
   /// The same table as HTML rows, for the help page.
   static QString keyTable();
+
+ signals:
+  /// F was pressed: the keys are to move in other axes.
+  void frameWanted();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

@@ -18,6 +18,7 @@
 #include "app/window/environment_controller.h"
 #include "app/window/eyes_controller.h"
 #include "app/window/fits_controller.h"
+#include "app/window/hand_hint.h"
 #include "app/window/help_controller.h"
 #include "app/window/icons.h"
 #include "app/window/joints_controller.h"
@@ -70,7 +71,9 @@ MainWindow::MainWindow(const SceneWidgetFactory& makeScene, SessionClock clock)
   setCentralWidget(scene_->widget());
   scene_->widget()->setMinimumSize(280, 160);
   scene_->widget()->setObjectName(QStringLiteral("scene"));
-  scene_->widget()->installEventFilter(new KeyboardSteering(session_->hand()->keyboard.mailbox, this));
+  auto* keys = new KeyboardSteering(session_->hand()->keyboard.mailbox, this);
+  connect(keys, &KeyboardSteering::frameWanted, actions_["operator.frame"], &QAction::trigger);
+  scene_->widget()->installEventFilter(keys);
   addParts();
   connectActions();
   addWindowCommands(bench_);
@@ -97,7 +100,7 @@ void MainWindow::addParts() {
   auto* assembly = new AssemblyController(bench_, *parts);
   new BodyVisibility(bench_, *assembly->scenePanel());
   auto* path = new PathController(bench_);
-  auto* assist = new AssistController(bench_);
+  auto* assist = new AssistController(bench_, *new HandHint(bench_));
   connect(assist, &AssistController::cameraMoved, view, &ViewController::publishOperatorFrame);
   auto* difficulty = new DifficultyController(bench_, *assist);
   files_ = new FileController(bench_, *parts, *path);

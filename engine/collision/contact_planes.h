@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "engine/collision/collision_query.h"
@@ -26,7 +27,8 @@ class ContactPlanes {
     double radius;   ///< of the object
     double gap;      ///< kept at every contact
     double memory;   ///< contacts learnt farther away (longestWay()) are forgotten
-    double turning;  ///< a radian counts as much as this way: the shorter, the more the object turns
+    /// A radian counts as much as this way: the shorter, the more the object turns. Nothing: it does not turn.
+    std::optional<double> turning;
   };
   explicit ContactPlanes(const Rule& rule) : rule_(rule) {}
 

@@ -57,6 +57,18 @@ TEST_F(Steering, LosingTheFocusIsRest) {
   EXPECT_TRUE(atRest());
 }
 
+TEST_F(Steering, FChoosesOtherAxesOncePerPress) {
+  int asked = 0;
+  QObject::connect(&steering, &KeyboardSteering::frameWanted, &view, [&asked] { ++asked; });
+  send(QEvent::KeyPress, Qt::Key_F);
+  send(QEvent::KeyPress, Qt::Key_F, Qt::NoModifier, true);
+  send(QEvent::KeyRelease, Qt::Key_F);
+  EXPECT_EQ(asked, 1);
+  send(QEvent::KeyPress, Qt::Key_F, Qt::ControlModifier);
+  EXPECT_EQ(asked, 1);
+  EXPECT_TRUE(atRest());
+}
+
 TEST_F(Steering, AutoRepeatIsNoReleaseAndShortcutsPassThrough) {
   send(QEvent::KeyPress, Qt::Key_D);
   send(QEvent::KeyRelease, Qt::Key_D, Qt::NoModifier, true);

@@ -8,7 +8,7 @@ namespace glissade {
 namespace {
 
 constexpr float kPassageWidth = 3.0F;
-constexpr float kMarkSize = 10.0F;
+constexpr float kPlaceMark = 10.0F;
 
 }  // namespace
 
@@ -27,7 +27,7 @@ osg::ref_ptr<osg::Group> makeHelp(const HelpPicture& help, const LoadedScenario&
   marks->addDrawable(makeLines(passage, LineKind::Strip, palette.guidance, kPassageWidth * palette.pixelScale));
   std::vector<Vector3> ends;
   for (const HelpPlace& place : *help.places) ends.push_back(place.fromStart.position);
-  marks->addDrawable(makePoints(ends, palette.guidance, kMarkSize * palette.pixelScale));
+  marks->addDrawable(makePoints(ends, palette.guidance, kPlaceMark * palette.pixelScale));
   makeDrawing(*marks);
   makeOverlay(*marks);
   group->addChild(marks);

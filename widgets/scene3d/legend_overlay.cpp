@@ -41,6 +41,7 @@ QString textOf(LegendItem item) {
     case LegendItem::Nearest: return LegendOverlay::tr("To the nearest obstacle");
     case LegendItem::Contact: return LegendOverlay::tr("Contact with an obstacle");
     case LegendItem::Guidance: return LegendOverlay::tr("Guiding force");
+    case LegendItem::Hand: return LegendOverlay::tr("Your hand");
     case LegendItem::Sweep: return LegendOverlay::tr("Swept volume");
     case LegendItem::FreeCells: return LegendOverlay::tr("Free cells");
     case LegendItem::MobileCells: return LegendOverlay::tr("Cells with mobile bodies");

@@ -28,6 +28,7 @@ enum class LegendItem {
   Nearest,
   Contact,
   Guidance,
+  Hand,
   Sweep,
   FreeCells,
   MobileCells,

@@ -42,6 +42,7 @@ struct SceneView::Impl {
   osg::ref_ptr<osg::Group> backdrop = new osg::Group;
   std::array<osg::ref_ptr<osg::Group>, kSceneLayerCount> layers;
   osg::ref_ptr<osg::MatrixTransform> object;
+  osg::ref_ptr<osg::MatrixTransform> hand;  ///< the object where the hand leads to
   RoadmapLayer roadmap;
   bool roadmapKept = false;
   CameraController camera;
@@ -342,7 +343,7 @@ struct SceneView::Impl {
                                 SceneLayer::Path, SceneLayer::Contact, SceneLayer::Guidance}) {
       layer(id).removeChildren(0, layer(id).getNumChildren());
     }
-    object = nullptr;
+    object = hand = nullptr;
     plainObjects->removeChildren(0, plainObjects->getNumChildren());
     caps.forget();
     drawnPath.reset();
@@ -360,6 +361,9 @@ struct SceneView::Impl {
     const RigidBody& moved = scenario->object;
     object = makeMovedBody(shapes.of(moved.mesh), moved.X_WB, toOsg(moved.colour), palette);
     layer(SceneLayer::Object).addChild(object);
+    hand = makeGhost(shapes.of(moved.mesh), moved.X_WB, palette.guidance, palette);
+    hand->setNodeMask(0U);
+    layer(SceneLayer::Object).addChild(hand);
     for (const RigidBody& body : scenario->objectBodies) {
       plainObjects->addChild(makeBody(shapes.of(body.mesh), body.X_WB, toOsg(body.colour), modeOf(body), palette));
     }
@@ -395,7 +399,15 @@ struct SceneView::Impl {
     const bool shown = !playback && !snapshot->path;
     fill(SceneLayer::Contact, shown ? makeContact(*snapshot, markScale(), palette) : nullptr);
     showHelpArrow(shown);
+    showHand(shown);
     showGuidance();
+  }
+
+  /// Where obstacles keep the object from coming after the hand, both are seen.
+  void showHand(bool shown) {
+    const std::optional<Pose>& q = snapshot->device.hand;
+    hand->setNodeMask(shown && q && sequence.bodies.empty() ? ~0U : 0U);
+    if (q) hand->setMatrix(toOsg(*q));
   }
 
   /// The arrow, and the object's tint.
