@@ -69,9 +69,12 @@ void AssistController::followRun(const SnapshotPtr& snapshot) {
   const bool stuck = bench_.run.isLive() && isStuck(*snapshot);
   for (const char* id : {"assist.go", "assist.show"}) bench_.enable(id, stuck);
   if (starting_) {
-    if (isRunning(*snapshot) && !bench_.session.isStarting()) takeHand();
-    run_ = snapshot->run;
-    return;
+    if (bench_.session.isStarting() || snapshot->state == SessionState::Idle) return;
+    starting_ = false;
+    if (isRunning(*snapshot)) {
+      run_ = snapshot->run;
+      takeHand();
+    }
   }
   if (snapshot->run != run_) nextOffer_ = kFirstOffer;
   if (places_ && (!stuck || snapshot->run != run_)) show(nullptr);
@@ -80,9 +83,9 @@ void AssistController::followRun(const SnapshotPtr& snapshot) {
 }
 
 void AssistController::offerInTime(const SessionSnapshot& snapshot) {
-  const bool byHand = isPerson(bench_.session.deviceId()) && followsHand(snapshot.plannerId);
-  if (bench_.session.clock() == SessionClock::Lockstep || snapshot.state != SessionState::Planning || !byHand) return;
+  if (bench_.session.clock() == SessionClock::Lockstep || snapshot.state != SessionState::Planning) return;
   if (taken_ || offers_.isBusy() || snapshot.planningSeconds < nextOffer_) return;
+  if (!isPerson(bench_.session.deviceId()) || !followsHand(snapshot.plannerId)) return;
   nextOffer_ = 2.0 * snapshot.planningSeconds;
   offers_.start("looking for places to help", search(Then::Show), false);
 }
@@ -130,7 +133,6 @@ void AssistController::startByHand() {
 }
 
 void AssistController::takeHand() {
-  starting_ = false;
   taken_ = true;
   bench_.session.post(command::SetDevicePose{(*places_)[chosen_].fromStart});
   bench_.scene.view().setPlaybackPose(std::nullopt);

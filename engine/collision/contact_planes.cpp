@@ -44,13 +44,14 @@ void ContactPlanes::forgetFarFrom(const Pose& q) {
 
 SmallMotion ContactPlanes::along(const Pose& q, const SmallMotion& requested) const {
   const double turning = rule_.turning.value_or(1.0);
-  SmallMotion step{requested.translation, rule_.turning ? turning * requested.rotation : Vector3::Zero()};
+  SmallMotion step{requested.translation, Vector3::Zero()};
+  if (rule_.turning) step.rotation = turning * requested.rotation;
   std::array<double, kMostContacts> pushed{};
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       const Contact& contact = contacts_[i];
-      const Vector3 arm = q.orientation * contact.p_BPn;
-      const Vector3 lever = rule_.turning ? arm.cross(contact.normal_W) / turning : Vector3::Zero();
+      Vector3 lever = Vector3::Zero();
+      if (rule_.turning) lever = (q.orientation * contact.p_BPn).cross(contact.normal_W) / turning;
       const double gap = contact.normal_W.dot(q * contact.p_BPn - contact.p_WPo);
       const double room = gap - rule_.gap;
       const double least = room < 0.0 ? -kRecovery * room : -room;

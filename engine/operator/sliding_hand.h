@@ -19,7 +19,7 @@ class SlidingHand final : public OperatorDevice {
   static constexpr double kMostLead = 0.1;
   static constexpr double kSlowFrom = 0.5;
   /// Share of the speed in contact.
-  static constexpr double kSlowest = 0.35;
+  static constexpr double kSlowest = 0.5;
 
   SlidingHand(CollisionWorldPtr world, std::unique_ptr<OperatorDevice> device);
 
