@@ -12,10 +12,9 @@ namespace {
 
 /// Seconds of planning until help is asked for by itself; the next times after twice as long.
 constexpr double kFirstOffer = 5.0;
-/// What is looked at reaches so far about a place, in radii of the object.
-constexpr double kAround = 1.5;
-/// Lengths below this share of the object's radius are no hindrance: the passage is open.
-constexpr double kOpen = 1e-3;
+
+/// The share of the work that looks for a whole way; the rest looks at gaps.
+constexpr double kWholeWay = 0.6;
 
 bool isPerson(const std::string& deviceId) {
   const DeviceRegistry registry = makeDeviceRegistry();
@@ -94,10 +93,15 @@ BackgroundTask::Work AssistController::search(Then then) {
   return [this, then, scenario = bench_.document.scenario(),
           shown = bench_.session.snapshot()](const WorkWatch& watch) -> BackgroundTask::Delivery {
     const GrownRoadmap grown = grownRoadmap(*shown);
-    const auto places = std::make_shared<const std::vector<HelpPlace>>(helpPlaces(
-        scenario->problem, grown.nodes, grown.edges, shown->parameters, shown->seed, kHelpPlaces, kHelpBudget, watch));
+    const Problem& problem = scenario->problem;
+    const auto wholeWay =
+        leastPenetration(problem, shown->parameters, shown->seed, kWholeWayBudget, watch.part(0.0, kWholeWay));
+    const auto places = std::make_shared<const std::vector<HelpPlace>>(
+        helpPlaces(problem, grown.nodes, grown.edges, shown->parameters, shown->seed, wholeWay, kHelpGaps, kGapBudget,
+                   watch.part(kWholeWay, 1.0)));
     return [this, then, scenario, run = shown->run, places] {
-      if (bench_.document.scenario() != scenario || bench_.session.snapshot()->run != run || !bench_.run.isLive()) return;
+      if (bench_.document.scenario() != scenario || bench_.session.snapshot()->run != run || !bench_.run.isLive())
+        return;
       show(places);
       if (then == Then::Go && places_) go();
     };
@@ -124,10 +128,14 @@ void AssistController::go() {
 /// A new run puts the object at the start, so the hand is taken to the place after that.
 void AssistController::startByHand() {
   bench_.document.whenArranged([this] {
-    starting_ = true;
+    const HelpPlacesPtr places = places_;
+    const std::size_t chosen = chosen_;
     bench_.session.post(command::Stop{});
     if (!isPerson(bench_.session.deviceId())) bench_.session.setDevice("hand");
     if (!followsHand(bench_.document.settings().strategy)) bench_.session.post(command::SetPlanner{"interactive"});
+    places_ = places;  // forgotten with the session of the device before
+    chosen_ = chosen;
+    starting_ = true;
     bench_.session.post(command::Start{});
   });
 }
@@ -142,9 +150,11 @@ void AssistController::takeHand() {
 }
 
 void AssistController::look() {
-  const Vector3 around = Vector3::Constant(kAround * bench_.document.scenario()->problem.world->objectRadius());
+  const HelpPlace& place = (*places_)[chosen_];
   Box3 box;
-  for (const Pose& q : (*places_)[chosen_].passage) box.extend(Box3(q.position - around, q.position + around));
+  for (const Pose& q : {place.fromStart, place.narrowest, place.fromGoal}) {
+    box.extend(boundingBox(*bench_.document.scenario()->object.mesh, q));
+  }
   bench_.scene.view().camera().zoomTo(box);
   bench_.scene.refresh();
   emit cameraMoved();
@@ -161,17 +171,18 @@ QString AssistController::hintText() const {
   const LoadedScenario& scenario = *bench_.document.scenario();
   const QString which = tr("Place to help %1 of %2:").arg(chosen_ + 1).arg(places_->size());
   QString lack = tr("no passage was found, even for a much thinner object.");
-  if (place.lacking && *place.lacking <= kOpen * scenario.problem.world->objectRadius()) {
+  if (isOpen(place, scenario.problem.world->objectRadius())) {
     lack = tr("the passage is open.");
   } else if (place.lacking && place.body >= 0) {
     const RigidBody& body = scenario.obstacles[static_cast<std::size_t>(place.body)];
-    lack = tr("the object is at most %1 too large at '%2'.").arg(lengthText(*place.lacking), QString::fromStdString(body.shown()));
+    lack = tr("the object is at most %1 too large at '%2'.")
+               .arg(lengthText(*place.lacking), QString::fromStdString(body.shown()));
   } else if (place.lacking) {
     lack = tr("the object is at most %1 too large.").arg(lengthText(*place.lacking));
   }
   const QString key = bench_.actions["assist.go"]->shortcut().toString(QKeySequence::NativeText);
-  const QString next = taken_ ? tr("Lead it along the arrow; %1: next place.").arg(key)
-                              : tr("%1 takes your hand there.").arg(key);
+  const QString next =
+      taken_ ? tr("Lead it along the arrow; %1: next place.").arg(key) : tr("%1 takes your hand there.").arg(key);
   return which + QLatin1Char(' ') + lack + QLatin1Char(' ') + next;
 }
 

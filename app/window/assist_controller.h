@@ -6,9 +6,9 @@
 
 namespace glissade {
 
-/// Offers the places where a search does not get on, and takes the hand and the view there: in a run that the hand takes
-/// part in, or in a new one where the last run found no path or nobody held the object. On screen, a run by hand that
-/// does not end offers them by itself.
+/// Offers the places where a search does not get on, and takes the hand and the view there: in a run that the hand
+/// takes part in, or in a new one where the last run found no path or nobody held the object. On screen, a run by hand
+/// that does not end offers them by itself.
 class AssistController final : public QObject {
   Q_OBJECT
 

@@ -12,7 +12,10 @@ constexpr double kReasons = 0.7;
 }  // namespace
 
 DifficultyController::DifficultyController(const Workbench& bench, AssistController& assist)
-    : QObject(&bench.window), bench_(bench), assist_(assist), panel_(new DifficultyPanel(bench.actions, &bench.window)) {
+    : QObject(&bench.window),
+      bench_(bench),
+      assist_(assist),
+      panel_(new DifficultyPanel(bench.actions, &bench.window)) {
   bench.onAction("difficulty.find", this, [this] { find(); });
   QAction* play = bench.actions["difficulty.play"];
   connect(play, &QAction::toggled, panel_, &DifficultyPanel::setPlaying);
@@ -40,21 +43,21 @@ void DifficultyController::followRun() {
 }
 
 void DifficultyController::find() {
-  bench_.work.run(tr("Looking for the reasons"),
-                  [this, scenario = bench_.document.scenario(),
-                   end = bench_.session.snapshot()](const WorkWatch& watch) -> BackgroundTask::Delivery {
-                    const GrownRoadmap grown = grownRoadmap(*end);
-                    const auto difficulty = std::make_shared<const Difficulty>(difficultyOf(
-                        scenario->problem, grown.nodes, grown.edges, end->parameters, end->seed, {},
-                        watch.part(0.0, kReasons)));
-                    const auto help = std::make_shared<const std::vector<HelpPlace>>(
-                        helpPlaces(scenario->problem, grown.nodes, grown.edges, end->parameters, end->seed, kHelpPlaces,
-                                   kHelpBudget, watch.part(kReasons, 1.0)));
-                    return [this, difficulty, help, run = end->run] {
-                      const SnapshotPtr& now = bench_.session.snapshot();
-                      if (now->run == run && searchFailed(*now)) show(difficulty, help);
-                    };
-                  });
+  bench_.work.run(
+      tr("Looking for the reasons"),
+      [this, scenario = bench_.document.scenario(),
+       end = bench_.session.snapshot()](const WorkWatch& watch) -> BackgroundTask::Delivery {
+        const GrownRoadmap grown = grownRoadmap(*end);
+        const auto difficulty = std::make_shared<const Difficulty>(difficultyOf(
+            scenario->problem, grown.nodes, grown.edges, end->parameters, end->seed, {}, watch.part(0.0, kReasons)));
+        const auto help = std::make_shared<const std::vector<HelpPlace>>(
+            helpPlaces(scenario->problem, grown.nodes, grown.edges, end->parameters, end->seed,
+                       difficulty->leastPenetration, kHelpGaps, kGapBudget, watch.part(kReasons, 1.0)));
+        return [this, difficulty, help, run = end->run] {
+          const SnapshotPtr& now = bench_.session.snapshot();
+          if (now->run == run && searchFailed(*now)) show(difficulty, help);
+        };
+      });
 }
 
 void DifficultyController::show(const DifficultyPtr& difficulty, const HelpPlacesPtr& help) {

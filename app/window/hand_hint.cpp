@@ -39,8 +39,8 @@ QString HandHint::keys() const {
     return bench_.actions[QLatin1String(id)]->shortcut().toString(QKeySequence::NativeText);
   };
   const MotionFrame frame = bench_.session.hand()->keyboard.shaping.get().frame;
-  return tr("A D  W S  Q E: move    J L  I K  U O: turn    Shift: slow    F: %1    %2: camera    %3: help")
-      .arg(frameName(frame), key("operator.camera"), key("assist.go"));
+  const QString keys = tr("A D W S Q E: move · J L I K U O: turn · Shift: slow · F: %1 · %2: camera · %3: help");
+  return keys.arg(frameName(frame), key("operator.camera"), key("assist.go"));
 }
 
 }  // namespace glissade

@@ -24,9 +24,9 @@ class ContactPlanes {
  public:
   /// Lengths in metres.
   struct Rule {
-    double radius;   ///< of the object
-    double gap;      ///< kept at every contact
-    double memory;   ///< contacts learnt farther away (longestWay()) are forgotten
+    double radius;  ///< of the object
+    double gap;     ///< kept at every contact
+    double memory;  ///< contacts learnt farther away (longestWay()) are forgotten
     /// A radian counts as much as this way: the shorter, the more the object turns. Nothing: it does not turn.
     std::optional<double> turning;
   };

@@ -8,8 +8,8 @@
 namespace glissade {
 
 /// A person's device among obstacles. What it moves is the hand, and the object goes after the hand as a god-object: it
-/// stops at contact and slides along. The hand leads by at most a part of the object's radius. Let go, the hand is where
-/// the object is, so that the next grip begins there. Near obstacles the hand is slower.
+/// stops at contact and slides along. The hand leads by at most a part of the object's radius. Let go, the hand is
+/// where the object is, so that the next grip begins there. Near obstacles the hand is slower.
 ///
 /// An object that was put into collision follows the hand freely until it is out. So it does while the world is not
 /// prepared yet.

@@ -9097,6 +9097,10 @@
         <source>Place to help %1</source>
         <translation>Endroit où aider %1</translation>
     </message>
+    <message>
+        <source>open</source>
+        <translation>ouvert</translation>
+    </message>
 </context>
 <context>
     <name>glissade::DocumentController</name>
@@ -9459,8 +9463,8 @@
 <context>
     <name>glissade::HandHint</name>
     <message>
-        <source>A D  W S  Q E: move    J L  I K  U O: turn    Shift: slow    F: %1    %2: camera    %3: help</source>
-        <translation>A D  W S  Q E&#xa0;: déplacer    J L  I K  U O&#xa0;: tourner    Maj&#xa0;: lent    F&#xa0;: %1    %2&#xa0;: caméra    %3&#xa0;: aide</translation>
+        <source>A D W S Q E: move · J L I K U O: turn · Shift: slow · F: %1 · %2: camera · %3: help</source>
+        <translation>A D W S Q E&#xa0;: déplacer · J L I K U O&#xa0;: tourner · Maj&#xa0;: lent · F&#xa0;: %1 · %2&#xa0;: caméra · %3&#xa0;: aide</translation>
     </message>
 </context>
 <context>

@@ -53,7 +53,7 @@ TEST_F(DifficultyWindow, OffersPlacesToHelpAndTakesTheHandThere) {
   const QString taken = folder.filePath(QStringLiteral("taken.png"));
   const WindowResult result =
       run(tooNarrow(), QStringLiteral("action run.start\nsteps 800\naction run.stop\nexpect-help places 0\n"
-                                      "action difficulty.find\nexpect-help places 3\nexpect-help taken 0\n"
+                                      "action difficulty.find\nexpect-help places 4\nexpect-help taken 0\n"
                                       "show-difficulty help-2\nscreenshot %1\naction layer.help\nscreenshot %2\n"
                                       "action layer.help\naction assist.go\nsteps 5\nexpect planning\n"
                                       "expect-help taken 2\nscreenshot %3\n"
@@ -66,13 +66,13 @@ TEST_F(DifficultyWindow, OffersPlacesToHelpAndTakesTheHandThere) {
 
 /// The trees stay, and the hand goes from one place to the next one; after the last one they are looked for again.
 TEST_F(DifficultyWindow, HelpsInARunThatGoesOnByHand) {
-  const WindowResult result =
-      run(tooNarrow(), QStringLiteral("select-operator hand\nselect-strategy interactive\naction run.start\n"
-                                      "steps 200\naction assist.show\nexpect-help places 3\nexpect-help taken 0\n"
-                                      "action assist.go\nsteps 1\nexpect-help taken 1\naction assist.go\n"
-                                      "expect-help taken 2\naction assist.go\nexpect-help taken 3\n"
-                                      "action assist.go\nexpect-help taken 1\nkey press D\nsteps 40\n"
-                                      "expect planning\nexpect-help taken 1\naction run.stop\n"));
+  const WindowResult result = run(
+      tooNarrow(), QStringLiteral("select-operator hand\nselect-strategy interactive\naction run.start\n"
+                                  "steps 200\naction assist.show\nexpect-help places 4\nexpect-help taken 0\n"
+                                  "action assist.go\nsteps 1\nexpect-help taken 1\naction assist.go\n"
+                                  "expect-help taken 2\naction assist.go\nexpect-help taken 3\naction assist.go\n"
+                                  "expect-help taken 4\naction assist.go\nexpect-help taken 1\nkey press D\nsteps 40\n"
+                                  "expect planning\nexpect-help taken 1\naction run.stop\n"));
   EXPECT_EQ(result.exitCode, 0) << result.errors.toStdString();
 }
 

@@ -89,7 +89,9 @@ void DifficultyPanel::describe(const Difficulty& difficulty, const LoadedScenari
 void DifficultyPanel::offer(const std::vector<HelpPlace>& help, const LoadedScenario& scenario) {
   if (!help.empty()) summary_->setText(summary_->text() + QLatin1Char(' ') + tr("Your hand may find the way."));
   for (std::size_t i = 0; i < help.size(); ++i) {
-    const QString lacking = help[i].lacking ? lengthText(*help[i].lacking) : tr("closed");
+    const double radius = scenario.problem.world->objectRadius();
+    QString lacking = help[i].lacking ? lengthText(*help[i].lacking) : tr("closed");
+    if (isOpen(help[i], radius)) lacking = tr("open");
     const std::string id = "help-" + std::to_string(i + 1);
     addRow(id.c_str(), tr("Place to help %1").arg(i + 1), lacking, help[i].body, help[i].fromStart, scenario);
   }

@@ -18,7 +18,8 @@ using DifficultyPtr = std::shared_ptr<const Difficulty>;
 using HelpPlacesPtr = std::shared_ptr<const std::vector<HelpPlace>>;
 
 /// Why no path was found: where the trees came nearest, the tightest passage that they reached, the
-/// way of least penetration, and the places where a hand helps. A row shows the object at that place, the slider moves it along the way.
+/// way of least penetration, and the places where a hand helps. A row shows the object at that place, the slider moves
+/// it along the way.
 class DifficultyPanel final : public QWidget {
   Q_OBJECT
 

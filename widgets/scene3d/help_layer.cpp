@@ -39,11 +39,12 @@ osg::ref_ptr<osg::Group> makeHelpArrow(const HelpPicture& help, const Pose& q_de
   return makeGuideArrow(q_device.position, helpTarget(help).position, scale, palette);
 }
 
-std::vector<SceneLabel> helpLabels(const HelpPicture& help) {
+std::vector<SceneLabel> helpLabels(const HelpPicture& help, double objectRadius) {
   std::vector<SceneLabel> labels;
   for (std::size_t i = 0; i < help.places->size(); ++i) {
     const HelpPlace& place = (*help.places)[i];
-    if (place.lacking) labels.push_back(lengthLabel(place.narrowest.position, *place.lacking, i == help.chosen));
+    if (!place.lacking || isOpen(place, objectRadius)) continue;
+    labels.push_back(lengthLabel(place.narrowest.position, *place.lacking, i == help.chosen));
   }
   return labels;
 }

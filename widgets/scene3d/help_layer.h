@@ -25,7 +25,7 @@ osg::ref_ptr<osg::Group> makeHelp(const HelpPicture& help, const LoadedScenario&
 osg::ref_ptr<osg::Group> makeHelpArrow(const HelpPicture& help, const Pose& q_device, const MarkScale& scale,
                                        const ScenePalette& palette);
 
-/// What the object lacks at each place, the chosen one's strong.
-std::vector<SceneLabel> helpLabels(const HelpPicture& help);
+/// What the object lacks at each place that is not open, the chosen one's strong.
+std::vector<SceneLabel> helpLabels(const HelpPicture& help, double objectRadius);
 
 }  // namespace glissade

@@ -12,7 +12,7 @@ std::vector<SceneLabel> SceneView::labels() const {
   std::vector<SceneLabel> labels;
   if (impl_->difficulty && layerVisible(SceneLayer::Difficulty)) labels = difficultyLabels(*impl_->difficulty);
   if (impl_->help.places && layerVisible(SceneLayer::Help)) {
-    const std::vector<SceneLabel> lacking = helpLabels(impl_->help);
+    const std::vector<SceneLabel> lacking = helpLabels(impl_->help, impl_->markScale().objectRadius);
     labels.insert(labels.end(), lacking.begin(), lacking.end());
   }
   if (impl_->refusal) labels = refusalLabels(*impl_->refusal);

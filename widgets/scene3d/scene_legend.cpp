@@ -108,7 +108,7 @@ class LegendMaker {
         case ContactShown::Contact: add(LegendItem::Contact, LegendMark::Line, palette_.contact); break;
       }
     }
-    if (impl_.hand && impl_.hand->getNodeMask() != 0U) add(LegendItem::Hand, LegendMark::Fill, palette_.guidance);
+    if (impl_.hand && impl_.hand->getNodeMask() != 0U) add(LegendItem::Hand, LegendMark::Fill, palette_.lines);
     if (isDrawn(SceneLayer::Guidance)) add(LegendItem::Guidance, LegendMark::Line, palette_.guidance);
   }
 

@@ -30,7 +30,8 @@ SceneView::SceneView() : impl_(std::make_unique<Impl>()) {
   for (int id = 0; id < kSceneLayerCount; ++id) {
     const auto which = static_cast<SceneLayer>(id);
     if (which == SceneLayer::StartAndGoal) impl_->root->addChild(impl_->motionLayers);
-    const bool isMotion = (which >= SceneLayer::StartAndGoal && which <= SceneLayer::Guidance) || which == SceneLayer::Help;
+    const bool isMotion =
+        (which >= SceneLayer::StartAndGoal && which <= SceneLayer::Guidance) || which == SceneLayer::Help;
     osg::Group& parent = isMotion ? *impl_->motionLayers : *impl_->root;
     parent.addChild(&impl_->layer(which));
   }

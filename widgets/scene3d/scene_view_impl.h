@@ -361,7 +361,7 @@ struct SceneView::Impl {
     const RigidBody& moved = scenario->object;
     object = makeMovedBody(shapes.of(moved.mesh), moved.X_WB, toOsg(moved.colour), palette);
     layer(SceneLayer::Object).addChild(object);
-    hand = makeGhost(shapes.of(moved.mesh), moved.X_WB, palette.guidance, palette);
+    hand = makeGhost(shapes.of(moved.mesh), moved.X_WB, palette.lines, palette);
     hand->setNodeMask(0U);
     layer(SceneLayer::Object).addChild(hand);
     for (const RigidBody& body : scenario->objectBodies) {

@@ -99,10 +99,11 @@ TEST(HelpPlaces, TheNearestPairIsThatOfBruteForceAndOthersBeginElsewhere) {
     double nearest = 1e9;
     for (const RoadmapNode& a : nodes) {
       for (const RoadmapNode& b : nodes) {
-        if (a.side == TreeSide::Start && b.side == TreeSide::Goal) nearest = std::min(nearest, metric.distance(a.q, b.q));
+        if (a.side == TreeSide::Start && b.side == TreeSide::Goal)
+          nearest = std::min(nearest, metric.distance(a.q, b.q));
       }
     }
-    const auto places = helpPlaces(problem, nodes, {}, parameters, 1, 4, kNothingSpent);
+    const auto places = helpPlaces(problem, nodes, {}, parameters, 1, {}, 4, kNothingSpent);
     ASSERT_EQ(places.size(), 4U);
     EXPECT_NEAR(places.front().distance, nearest, 1e-9);
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -134,7 +135,7 @@ TEST(HelpPlaces, WhatThePassageLacksIsWhatFclMeasures) {
     };
     const std::vector<RoadmapNode> nodes{nodeAt(TreeSide::Start, problem.start), nodeAt(TreeSide::Start, beside(-0.4)),
                                          nodeAt(TreeSide::Goal, beside(0.4))};
-    const auto places = helpPlaces(problem, nodes, {}, parameters, seed, 1, kMuchSpent);
+    const auto places = helpPlaces(problem, nodes, {}, parameters, seed, {}, 1, kMuchSpent);
     ASSERT_EQ(places.size(), 1U);
     ASSERT_TRUE(places.front().lacking) << "width " << width;
     const double least = depthByFcl(wall, Pose::translation(middle));
@@ -155,7 +156,7 @@ TEST(HelpPlaces, AnOpenPassageLacksNothing) {
   const Problem problem = problemOf(wall);
   const ParameterValues parameters(problem.world->objectRadius());
   const auto placesOf = [&](const Pose& from, const Pose& to) {
-    return helpPlaces(problem, {nodeAt(TreeSide::Start, from), nodeAt(TreeSide::Goal, to)}, {}, parameters, 1, 1);
+    return helpPlaces(problem, {nodeAt(TreeSide::Start, from), nodeAt(TreeSide::Goal, to)}, {}, parameters, 1, {}, 1);
   };
   const auto straight = placesOf(Pose::translation({-0.4, 0.0, 0.0}), Pose::translation({0.4, 0.0, 0.0}));
   ASSERT_EQ(straight.size(), 1U);
@@ -170,7 +171,7 @@ TEST(HelpPlaces, AnOpenPassageLacksNothing) {
 /// Two windows: the trees are nearer to each other at the one that lacks more.
 TEST(HelpPlaces, WhereTheObjectLacksLeastComesFirst) {
   std::vector<WallBox> wall = wallWithWindow(0.30, {0.0, -1.0, 0.0});
-  wall[1] = {"between", {0.2, 1.66, 6.3}, {0.0, -0.02, 0.0}};  // from -0.85 to 0.81
+  wall[1] = {"between", {0.2, 1.66, 6.3}, {0.0, -0.02, 0.0}};    // from -0.85 to 0.81
   wall.push_back({"right", {0.2, 3.0, 6.3}, {0.0, 2.69, 0.0}});  // from 1.19: a window of 0.38
   wall.push_back({"below right", {0.2, 0.38, 3.0}, {0.0, 1.0, -1.69}});
   wall.push_back({"above right", {0.2, 0.38, 3.0}, {0.0, 1.0, 1.69}});
@@ -180,11 +181,34 @@ TEST(HelpPlaces, WhereTheObjectLacksLeastComesFirst) {
                                        nodeAt(TreeSide::Goal, Pose::translation({0.35, -1.0, 0.0})),
                                        nodeAt(TreeSide::Start, Pose::translation({-0.5, 1.0, 0.0})),
                                        nodeAt(TreeSide::Goal, Pose::translation({0.5, 1.0, 0.0}))};
-  const auto places = helpPlaces(problem, nodes, {}, parameters, 1);
+  const auto places = helpPlaces(problem, nodes, {}, parameters, 1, {});
   ASSERT_EQ(places.size(), 2U);
   EXPECT_NEAR(places[0].fromStart.position.y(), 1.0, 1e-9);
   EXPECT_LT(*places[0].lacking, *places[1].lacking);
   EXPECT_LT(places[1].distance, places[0].distance);
+}
+
+/// The trees are nearest to each other where the wall is closed. The way of least penetration knows better.
+TEST(HelpPlaces, TheDeepestPlaceOfTheWholeWayComesFirst) {
+  const auto wall = wallWithWindow(0.38, {0.0, 1.0, 0.0});
+  const Problem problem = problemOf(wall);
+  const ParameterValues parameters(problem.world->objectRadius());
+  std::vector<RoadmapNode> nodes;
+  for (const double y : {-1.5, -1.0, 0.0, 0.9}) {
+    const double x = y > 0.0 ? 0.6 : 0.35;
+    nodes.push_back(nodeAt(TreeSide::Start, Pose::translation({-x, y, 0.0})));
+    nodes.push_back(nodeAt(TreeSide::Goal, Pose::translation({x, y, 0.0})));
+  }
+  const auto least = leastPenetration(problem, parameters, 1);
+  ASSERT_TRUE(least);
+  const auto places = helpPlaces(problem, nodes, {}, parameters, 1, least, 2, kNothingSpent);
+  ASSERT_EQ(places.size(), 3U);
+  EXPECT_EQ(places[0].lacking, std::optional(least->depth));
+  EXPECT_EQ(places[0].fromStart.position, Vector3(-0.6, 0.9, 0.0));
+  EXPECT_EQ(places[0].fromGoal.position, Vector3(0.6, 0.9, 0.0));
+  EXPECT_NEAR(depthByFcl(wall, Pose::translation({0.0, 1.0, 0.0})), 0.01, 1e-9) << "the oracle";
+  EXPECT_GE(depthByFcl(wall, places[0].narrowest), 0.0099);
+  EXPECT_FALSE(places[1].lacking);
 }
 
 TEST(HelpPlaces, AStopEndsIt) {
@@ -192,7 +216,7 @@ TEST(HelpPlaces, AStopEndsIt) {
   StopSource source;
   source.requestStop();
   EXPECT_TRUE(
-      helpPlaces(problem, {}, {}, ParameterValues(problem.world->objectRadius()), 1, 3, kHelpBudget, source.token())
+      helpPlaces(problem, {}, {}, ParameterValues(problem.world->objectRadius()), 1, {}, 3, kGapBudget, source.token())
           .empty());
 }
 
