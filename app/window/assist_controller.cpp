@@ -85,7 +85,6 @@ void AssistController::offerInTime(const SessionSnapshot& snapshot) {
   if (bench_.session.clock() == SessionClock::Lockstep || snapshot.state != SessionState::Planning) return;
   if (taken_ || offers_.isBusy() || snapshot.planningSeconds < nextOffer_) return;
   if (!isPerson(bench_.session.deviceId()) || !followsHand(snapshot.plannerId)) return;
-  nextOffer_ = 2.0 * snapshot.planningSeconds;
   offers_.start("looking for places to help", search(Then::Show), false);
 }
 
@@ -102,7 +101,9 @@ BackgroundTask::Work AssistController::search(Then then) {
     return [this, then, scenario, run = shown->run, places] {
       if (bench_.document.scenario() != scenario || bench_.session.snapshot()->run != run || !bench_.run.isLive())
         return;
+      nextOffer_ = 2.0 * bench_.session.snapshot()->planningSeconds;
       show(places);
+      if (places->empty()) bench_.messages.showStatus(tr("No place to help was found."));
       if (then == Then::Go && places_) go();
     };
   };
@@ -141,6 +142,7 @@ void AssistController::startByHand() {
 }
 
 void AssistController::takeHand() {
+  offers_.cancel();
   taken_ = true;
   bench_.session.post(command::SetDevicePose{(*places_)[chosen_].fromStart});
   bench_.scene.view().setPlaybackPose(std::nullopt);

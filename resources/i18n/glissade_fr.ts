@@ -8394,6 +8394,10 @@
         <source>the object is at most %1 too large.</source>
         <translation>l&apos;objet est trop gros de %1 au plus.</translation>
     </message>
+    <message>
+        <source>No place to help was found.</source>
+        <translation>Aucun endroit où aider n&apos;a été trouvé.</translation>
+    </message>
 </context>
 <context>
     <name>glissade::AttributeDialog</name>
