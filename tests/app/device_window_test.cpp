@@ -43,11 +43,12 @@ TEST_F(DeviceWindow, TheCalibrationPageShowsTheAxesLive) {
 TEST_F(DeviceWindow, KeysSteerInTheAxesThatAreChosenAndWallsStopTheObject) {
   const WindowResult outcome =
       run(QStringLiteral("environment-1"),
-          QStringLiteral("select-operator hand\nselect-strategy interactive\naction view.front\nexpect-frame view\n"
-                         "key press D\nsteps 40\nkey release D\nscreenshot %1/view.png\nkey tap F\n"
-                         "expect-frame world\naction operator.frame\nexpect-frame object\nscreenshot %1/object.png\n"
-                         "key tap F\nexpect-frame view\nkey press A\nsteps 400\nscreenshot %1/held.png\n"
-                         "key release A\nsteps 1\nscreenshot %1/released.png\n")
+          QStringLiteral("select-operator hand\nselect-strategy interactive\nexpect-frame view\n"
+                         "screenshot %1/view.png\nkey tap F\nexpect-frame world\naction operator.frame\n"
+                         "expect-frame object\nscreenshot %1/object.png\nkey tap F\nexpect-frame view\n"
+                         "action view.left\nkey press A\nsteps 200\nkey release A\n"
+                         "key press Q\nsteps 200\nscreenshot %1/held.png\n"
+                         "key release Q\nsteps 1\nscreenshot %1/released.png\n")
               .arg(folder.path()));
   ASSERT_EQ(outcome.exitCode, 0) << outcome.errors.toStdString();
   EXPECT_GT(changed("view.png", "object.png"), 0.0) << "the status bar says which axes";
