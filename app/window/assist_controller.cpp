@@ -35,8 +35,7 @@ bool isStuck(const SessionSnapshot& snapshot) {
 
 }  // namespace
 
-AssistController::AssistController(const Workbench& bench, HandHint& hint)
-    : QObject(&bench.window), bench_(bench), hint_(hint) {
+AssistController::AssistController(const Workbench& bench) : QObject(&bench.window), bench_(bench), hint_(bench) {
   bench.onAction("assist.go", this, [this] { go(); });
   bench.onAction("assist.show", this, [this] { find(Then::Show); });
   for (const char* id : {"assist.go", "assist.show"}) bench.enable(id, false);

@@ -13,7 +13,7 @@ class AssistController final : public QObject {
   Q_OBJECT
 
  public:
-  AssistController(const Workbench& bench, HandHint& hint);
+  explicit AssistController(const Workbench& bench);
 
   /// Shows the places of the run that is shown; null or empty: none.
   void show(const HelpPlacesPtr& places);
@@ -40,7 +40,7 @@ class AssistController final : public QObject {
   void addCommands();
 
   const Workbench& bench_;
-  HandHint& hint_;
+  HandHint hint_;
   BackgroundTask offers_;
   HelpPlacesPtr places_;    ///< null: none is shown
   std::size_t chosen_ = 0;  ///< of them

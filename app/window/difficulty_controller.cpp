@@ -11,10 +11,10 @@ constexpr double kReasons = 0.7;
 
 }  // namespace
 
-DifficultyController::DifficultyController(const Workbench& bench, AssistController& assist)
+DifficultyController::DifficultyController(const Workbench& bench)
     : QObject(&bench.window),
       bench_(bench),
-      assist_(assist),
+      assist_(new AssistController(bench)),
       panel_(new DifficultyPanel(bench.actions, &bench.window)) {
   bench.onAction("difficulty.find", this, [this] { find(); });
   QAction* play = bench.actions["difficulty.play"];
@@ -24,7 +24,8 @@ DifficultyController::DifficultyController(const Workbench& bench, AssistControl
     bench_.scene.view().setPlaybackPose(pose);
     bench_.scene.refresh();
   });
-  connect(panel_, &DifficultyPanel::helpChosen, &assist, &AssistController::choose);
+  connect(panel_, &DifficultyPanel::helpChosen, assist_, &AssistController::choose);
+  connect(assist_, &AssistController::cameraMoved, this, &DifficultyController::cameraMoved);
   connect(&bench.document, &WorkbenchDocument::changed, this, [this](Changes what) {
     if (what & (Change::Scenario | Change::Arrangement)) show(nullptr, nullptr);
   });
@@ -63,7 +64,7 @@ void DifficultyController::find() {
 void DifficultyController::show(const DifficultyPtr& difficulty, const HelpPlacesPtr& help) {
   difficulty_ = difficulty;
   help_ = help;
-  if (help) assist_.show(help);
+  if (help) assist_->show(help);
   bench_.scene.view().setDifficulty(difficulty);
   panel_->setDifficulty(difficulty, help, *bench_.document.scenario());
   bench_.enable("difficulty.play", difficulty && difficulty->leastPenetration);

@@ -11,12 +11,15 @@ class DifficultyController final : public QObject {
   Q_OBJECT
 
  public:
-  /// `assist` shows the places to help that are found besides.
-  DifficultyController(const Workbench& bench, AssistController& assist);
+  explicit DifficultyController(const Workbench& bench);
 
   DifficultyPanel* panel() const { return panel_; }
   /// What is shown; null: nothing.
   const DifficultyPtr& difficulty() const { return difficulty_; }
+
+ signals:
+  /// By assist.go.
+  void cameraMoved();
 
  private:
   void followRun();
@@ -24,7 +27,7 @@ class DifficultyController final : public QObject {
   void show(const DifficultyPtr& difficulty, const HelpPlacesPtr& help);
 
   const Workbench& bench_;
-  AssistController& assist_;
+  AssistController* assist_;  ///< shows the places to help that are found besides
   DifficultyPanel* panel_;
   DifficultyPtr difficulty_;
   HelpPlacesPtr help_;

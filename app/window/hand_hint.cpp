@@ -4,8 +4,7 @@
 
 namespace glissade {
 
-HandHint::HandHint(const Workbench& bench)
-    : QObject(&bench.window), bench_(bench), hint_(new SceneHint(bench.scene.widget())) {
+HandHint::HandHint(const Workbench& bench) : bench_(bench), hint_(new SceneHint(bench.scene.widget())) {
   bench.actions["layer.keys"]->setChecked(true);
   connect(&bench.run, &ShownRun::changed, this, &HandHint::write);
   connect(bench.actions["layer.keys"], &QAction::toggled, this, &HandHint::write);

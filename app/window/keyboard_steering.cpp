@@ -38,7 +38,8 @@ bool steers(int key) {
 
 }  // namespace
 
-KeyboardSteering::KeyboardSteering(InputMailbox& keys, QObject* parent) : QObject(parent), keys_(keys) {}
+KeyboardSteering::KeyboardSteering(InputMailbox& keys, QAction* otherAxes, QObject* parent)
+    : QObject(parent), keys_(keys), otherAxes_(otherAxes) {}
 
 QString KeyboardSteering::keyTable() {
   const auto row = [](const QString& keys, const QString& meaning) {
@@ -64,7 +65,7 @@ bool KeyboardSteering::eventFilter(QObject* watched, QEvent* event) {
   slow_ = keyEvent->modifiers().testFlag(Qt::ShiftModifier);
   const bool command = (keyEvent->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) != 0;
   if (keyEvent->key() == Qt::Key_F && !command) {
-    if (press && !keyEvent->isAutoRepeat()) emit frameWanted();
+    if (press && !keyEvent->isAutoRepeat() && otherAxes_ != nullptr) otherAxes_->trigger();
     return true;
   }
   if (!steers(keyEvent->key()) || command) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QAction>
 #include <QObject>
 #include <QSet>
 
@@ -17,14 +18,11 @@ class KeyboardSteering final : public QObject {
   Q_OBJECT
 
  public:
-  KeyboardSteering(InputMailbox& keys, QObject* parent);
+  /// F triggers `otherAxes`; null: it does nothing.
+  KeyboardSteering(InputMailbox& keys, QAction* otherAxes, QObject* parent);
 
   /// The same table as HTML rows, for the help page.
   static QString keyTable();
-
- signals:
-  /// F was pressed: the keys are to move in other axes.
-  void frameWanted();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -33,6 +31,7 @@ class KeyboardSteering final : public QObject {
   void publish();
 
   InputMailbox& keys_;
+  QAction* otherAxes_;
   QSet<int> pressed_;
   bool slow_ = false;
 };

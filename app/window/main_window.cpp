@@ -6,7 +6,6 @@
 
 #include "app/window/arrange_controller.h"
 #include "app/window/assembly_controller.h"
-#include "app/window/assist_controller.h"
 #include "app/window/body_visibility.h"
 #include "app/window/context_menus.h"
 #include "app/window/device_controller.h"
@@ -18,7 +17,6 @@
 #include "app/window/environment_controller.h"
 #include "app/window/eyes_controller.h"
 #include "app/window/fits_controller.h"
-#include "app/window/hand_hint.h"
 #include "app/window/help_controller.h"
 #include "app/window/icons.h"
 #include "app/window/joints_controller.h"
@@ -71,8 +69,7 @@ MainWindow::MainWindow(const SceneWidgetFactory& makeScene, SessionClock clock)
   setCentralWidget(scene_->widget());
   scene_->widget()->setMinimumSize(280, 160);
   scene_->widget()->setObjectName(QStringLiteral("scene"));
-  auto* keys = new KeyboardSteering(session_->hand()->keyboard.mailbox, this);
-  connect(keys, &KeyboardSteering::frameWanted, actions_["operator.frame"], &QAction::trigger);
+  auto* keys = new KeyboardSteering(session_->hand()->keyboard.mailbox, actions_["operator.frame"], this);
   scene_->widget()->installEventFilter(keys);
   addParts();
   connectActions();
@@ -100,9 +97,8 @@ void MainWindow::addParts() {
   auto* assembly = new AssemblyController(bench_, *parts);
   new BodyVisibility(bench_, *assembly->scenePanel());
   auto* path = new PathController(bench_);
-  auto* assist = new AssistController(bench_, *new HandHint(bench_));
-  connect(assist, &AssistController::cameraMoved, view, &ViewController::publishOperatorFrame);
-  auto* difficulty = new DifficultyController(bench_, *assist);
+  auto* difficulty = new DifficultyController(bench_);
+  connect(difficulty, &DifficultyController::cameraMoved, view, &ViewController::publishOperatorFrame);
   files_ = new FileController(bench_, *parts, *path);
   new WelcomeController(bench_, *files_);
   auto* replay = new ReplayController(bench_);

@@ -79,6 +79,10 @@
         <source>The hand is taken to a configuration that the search has reached. The ghost is the nearest one on the other side: lead the object there. Where nobody held the object, or the search had ended, it starts again by hand.</source>
         <translation>La main est conduite à une configuration que la recherche a atteinte. Le fantôme est la plus proche de l&apos;autre côté&#xa0;: menez-y l&apos;objet. Si personne ne tenait l&apos;objet, ou si la recherche était terminée, elle redémarre à la main.</translation>
     </message>
+    <message>
+        <source>It holds for keys and devices. F over the scene does the same.</source>
+        <translation>Cela vaut pour les touches et les périphériques. La touche F dans la vue fait de même.</translation>
+    </message>
 </context>
 <context>
     <name>Actions</name>
@@ -2051,24 +2055,12 @@
         <translation>Guider selon d&apos;autres a&amp;xes</translation>
     </message>
     <message>
-        <source>Keys and devices move the object along the axes of the view, of the world or of the object, in turn; F over the scene does the same</source>
-        <translation>Les touches et les périphériques déplacent l&apos;objet selon les axes de la vue, du monde ou de l&apos;objet, tour à tour&#xa0;; la touche F dans la vue fait de même</translation>
-    </message>
-    <message>
         <source>&amp;Help where the search is stuck</source>
         <translation>Aider là où la recherche est &amp;bloquée</translation>
     </message>
     <message>
-        <source>Take the object in your hand, and the view, to where the trees of the search come nearest; again: to the next such place</source>
-        <translation>Conduire l&apos;objet que vous tenez, et la vue, là où les arbres de la recherche sont le plus proches&#xa0;; de nouveau&#xa0;: à l&apos;endroit suivant</translation>
-    </message>
-    <message>
         <source>Show where your hand helps</source>
         <translation>Montrer où votre main est utile</translation>
-    </message>
-    <message>
-        <source>Show where the trees of the search come nearest, and by how much the object is too large to pass there</source>
-        <translation>Montrer où les arbres de la recherche sont le plus proches, et de combien l&apos;objet est trop gros pour y passer</translation>
     </message>
     <message>
         <source>Ke&amp;ys of steering</source>
@@ -2085,6 +2077,18 @@
     <message>
         <source>Show the places where your hand helps the search, and the arrow that leads there</source>
         <translation>Montrer les endroits où votre main aide la recherche, et la flèche qui y mène</translation>
+    </message>
+    <message>
+        <source>Move along the axes of the view, of the world or of the object</source>
+        <translation>Déplacer selon les axes de la vue, du monde ou de l&apos;objet</translation>
+    </message>
+    <message>
+        <source>Take your hand and the view to the next place where the search is stuck</source>
+        <translation>Conduire votre main et la vue au prochain endroit où la recherche est bloquée</translation>
+    </message>
+    <message>
+        <source>Show where the trees come nearest, and how much too large the object is</source>
+        <translation>Montrer où les arbres sont le plus proches, et de combien l&apos;objet est trop gros</translation>
     </message>
 </context>
 <context>

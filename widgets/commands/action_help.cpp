@@ -72,6 +72,8 @@ constexpr std::pair<const char*, const char*> kMore[] = {
     {"replay.last", QT_TRANSLATE_NOOP("ActionHelp",
                                       "Every run is recorded with its seed, its parameters and what the operator "
                                       "did. The replay gives the same roadmap, node by node.")},
+    {"operator.frame",
+     QT_TRANSLATE_NOOP("ActionHelp", "It holds for keys and devices. F over the scene does the same.")},
     {"operator.camera", QT_TRANSLATE_NOOP("ActionHelp",
                                           "Keys and devices move the object as a rule. In camera mode the same input "
                                           "moves the view instead.")},
