@@ -40,7 +40,7 @@ const std::vector<TableMenu>& tableMenus() {
       {"steps", {"place.forbid", "place.prefer", "milestone.set", "milestone.reset"}},
       {"semantics-tree", {"place.forbid", "place.prefer", "attribute.add", "view.zoom-selection"}},
       {"attributes", {"attribute.add", "attribute.rename", "attribute.remove", "attribute.remove-strays"}},
-      {"difficulty-rows", {"difficulty.find", "difficulty.play", "layer.difficulty"}},
+      {"difficulty-rows", {"difficulty.find", "difficulty.play", "assist.go", "layer.difficulty", "layer.help"}},
       {"log-messages", {"log.copy"}},
   };
   return menus;

@@ -9,6 +9,7 @@
 
 #include "widgets/commands/diagnostic_text.h"
 #include "widgets/devices/calibration_dialog.h"
+#include "widgets/devices/frame_name.h"
 #include "widgets/scene3d/camera_steering.h"
 
 namespace glissade {
@@ -37,6 +38,7 @@ DeviceController::DeviceController(SessionBridge& bridge, ActionCatalogue& actio
   listen();
   connect(actions_["operator.camera"], &QAction::toggled, this,
           [this](bool camera) { setTarget(camera ? SteeringTarget::Camera : SteeringTarget::Object); });
+  connect(actions_["operator.frame"], &QAction::triggered, this, [this] { chooseNextFrame(); });
   QAction* roll = actions_["operator.camera-roll"];
   roll->setChecked(settings_.cameraRolls());
   connect(roll, &QAction::toggled, this, [this](bool rolls) { settings_.setCameraRolls(rolls); });
@@ -77,10 +79,17 @@ void DeviceController::addIndicators(QStatusBar& bar) {
   target_->setFocusPolicy(Qt::TabFocus);
   target_->setToolTip(actions_["operator.camera"]->toolTip());
   connect(target_, &QToolButton::clicked, actions_["operator.camera"], &QAction::trigger);
+  frame_ = new QToolButton(window_);
+  frame_->setObjectName(QStringLiteral("steering-frame"));
+  frame_->setFocusPolicy(Qt::TabFocus);
+  frame_->setToolTip(actions_["operator.frame"]->toolTip());
+  connect(frame_, &QToolButton::clicked, actions_["operator.frame"], &QAction::trigger);
   bar.addPermanentWidget(target_);
+  bar.addPermanentWidget(frame_);
   bar.addPermanentWidget(mouse_);
   bar.addPermanentWidget(gamepad_);
   showTarget();
+  showFrame();
   showStates();
 }
 
@@ -156,6 +165,27 @@ void DeviceController::showTarget() {
   const bool camera = hand_->target == SteeringTarget::Camera;
   target_->setText(camera ? tr("Moves: camera") : tr("Moves: object"));
   target_->setChecked(camera);
+}
+
+/// All devices move in the same axes from then on; they are kept for those that are there.
+void DeviceController::chooseNextFrame() {
+  constexpr int kFrames = 3;
+  const int now = static_cast<int>(hand_->keyboard.shaping.get().frame);
+  for (HandInput* input : hand_->all()) {
+    DeviceShaping shaping = input->shaping.get();
+    shaping.frame = static_cast<MotionFrame>((now + 1) % kFrames);
+    input->shaping.set(shaping);
+    settings_.setShaping(*input, shaping);
+  }
+  showFrame();
+}
+
+/// The axes of the keys: those of another device may differ where its calibration says so.
+void DeviceController::showFrame() {
+  if (frame_ == nullptr) return;
+  const QString name = frameName(hand_->keyboard.shaping.get().frame);
+  frame_->setText(name);
+  actions_["operator.frame"]->setData(name);  // changed(): other texts follow
 }
 
 void DeviceController::showCalibration() {

@@ -52,6 +52,8 @@ class DeviceController final : public QObject {
   void showState(const HandInput& input, const QString& text, QLabel& label);
   std::optional<Diagnostic> problemOf(const HandInput& input) const;
   void showTarget();
+  void chooseNextFrame();
+  void showFrame();
   void setTarget(SteeringTarget target);
   void showCalibration();
   void steer(double dt);
@@ -74,6 +76,7 @@ class DeviceController final : public QObject {
   std::array<Seen, 3> seen_;
   std::atomic<bool> lookPending_{false};
   QToolButton* target_ = nullptr;
+  QToolButton* frame_ = nullptr;
   QLabel* mouse_ = nullptr;
   QLabel* gamepad_ = nullptr;
   CalibrationDialog* calibration_ = nullptr;

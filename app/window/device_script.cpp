@@ -1,5 +1,7 @@
 #include "app/window/device_script.h"
 
+#include <array>
+
 #include "app/window/device_controller.h"
 #include "engine/base/number_text.h"
 #include "engine/operator/hand_inputs.h"
@@ -60,6 +62,13 @@ Outcome expectSteering(const HandInputs& hand, const std::string& target) {
   return unmetExpectation(std::string("the devices move the ") + (camera ? "camera" : "object"));
 }
 
+Outcome expectFrame(const HandInputs& hand, const std::string& frame) {
+  constexpr std::array kNames{"view", "world", "object"};
+  const std::string now = kNames[static_cast<std::size_t>(hand.keyboard.shaping.get().frame)];
+  if (frame == now) return Done{};
+  return unmetExpectation("the keys move along the axes of " + now);
+}
+
 Outcome advance(SessionBridge& session, DeviceController& devices, const std::string& word) {
   const auto count = toNumber(word);
   if (!count || *count < 0) return wrongCommand("'" + word + "' is not a number of steps");
@@ -82,6 +91,7 @@ void addDeviceCommands(const Workbench& bench, DeviceController& devices) {
   scripts.add("deflect", 7, [&hand](const Words& words) { return deflect(hand, words); });
   scripts.add("press", 2, [&hand](const Words& words) { return press(hand, words[0], words[1]); });
   scripts.add("expect-steering", 1, [&hand](const Words& words) { return expectSteering(hand, words[0]); });
+  scripts.add("expect-frame", 1, [&hand](const Words& words) { return expectFrame(hand, words[0]); });
   scripts.add("steps", 1, [&session, &devices](const Words& words) { return advance(session, devices, words[0]); });
 }
 

@@ -4,9 +4,18 @@
 #include "engine/session/grown_roadmap.h"
 
 namespace glissade {
+namespace {
+
+/// The share of the work that is taken by the reasons; the rest looks for places to help.
+constexpr double kReasons = 0.7;
+
+}  // namespace
 
 DifficultyController::DifficultyController(const Workbench& bench)
-    : QObject(&bench.window), bench_(bench), panel_(new DifficultyPanel(bench.actions, &bench.window)) {
+    : QObject(&bench.window),
+      bench_(bench),
+      assist_(new AssistController(bench)),
+      panel_(new DifficultyPanel(bench.actions, &bench.window)) {
   bench.onAction("difficulty.find", this, [this] { find(); });
   QAction* play = bench.actions["difficulty.play"];
   connect(play, &QAction::toggled, panel_, &DifficultyPanel::setPlaying);
@@ -15,11 +24,13 @@ DifficultyController::DifficultyController(const Workbench& bench)
     bench_.scene.view().setPlaybackPose(pose);
     bench_.scene.refresh();
   });
+  connect(panel_, &DifficultyPanel::helpChosen, assist_, &AssistController::choose);
+  connect(assist_, &AssistController::cameraMoved, this, &DifficultyController::cameraMoved);
   connect(&bench.document, &WorkbenchDocument::changed, this, [this](Changes what) {
-    if (what & (Change::Scenario | Change::Arrangement)) show(nullptr);
+    if (what & (Change::Scenario | Change::Arrangement)) show(nullptr, nullptr);
   });
   connect(panel_, &DifficultyPanel::lengthUnitChanged, this, [this] {
-    if (bench_.document.scenario()) panel_->setDifficulty(difficulty_, *bench_.document.scenario());
+    if (bench_.document.scenario()) panel_->setDifficulty(difficulty_, help_, *bench_.document.scenario());
   });
   connect(&bench.run, &ShownRun::changed, this, &DifficultyController::followRun);
   for (const char* id : {"difficulty.find", "difficulty.play"}) bench.enable(id, false);
@@ -29,27 +40,33 @@ DifficultyController::DifficultyController(const Workbench& bench)
 void DifficultyController::followRun() {
   const bool failed = bench_.run.isLive() && searchFailed(*bench_.run.snapshot());
   bench_.enable("difficulty.find", failed);
-  if (difficulty_ && !failed) show(nullptr);
+  if (difficulty_ && !failed) show(nullptr, nullptr);
 }
 
 void DifficultyController::find() {
-  bench_.work.run(tr("Looking for the reasons"),
-                  [this, scenario = bench_.document.scenario(),
-                   end = bench_.session.snapshot()](const WorkWatch& watch) -> BackgroundTask::Delivery {
-                    const GrownRoadmap grown = grownRoadmap(*end);
-                    const auto difficulty = std::make_shared<const Difficulty>(difficultyOf(
-                        scenario->problem, grown.nodes, grown.edges, end->parameters, end->seed, {}, watch));
-                    return [this, difficulty, run = end->run] {
-                      const SnapshotPtr& now = bench_.session.snapshot();
-                      if (now->run == run && searchFailed(*now)) show(difficulty);
-                    };
-                  });
+  bench_.work.run(
+      tr("Looking for the reasons"),
+      [this, scenario = bench_.document.scenario(),
+       end = bench_.session.snapshot()](const WorkWatch& watch) -> BackgroundTask::Delivery {
+        const GrownRoadmap grown = grownRoadmap(*end);
+        const auto difficulty = std::make_shared<const Difficulty>(difficultyOf(
+            scenario->problem, grown.nodes, grown.edges, end->parameters, end->seed, {}, watch.part(0.0, kReasons)));
+        const auto help = std::make_shared<const std::vector<HelpPlace>>(
+            helpPlaces(scenario->problem, grown.nodes, grown.edges, end->parameters, end->seed,
+                       difficulty->leastPenetration, kHelpGaps, kGapBudget, watch.part(kReasons, 1.0)));
+        return [this, difficulty, help, run = end->run] {
+          const SnapshotPtr& now = bench_.session.snapshot();
+          if (now->run == run && searchFailed(*now)) show(difficulty, help);
+        };
+      });
 }
 
-void DifficultyController::show(const DifficultyPtr& difficulty) {
+void DifficultyController::show(const DifficultyPtr& difficulty, const HelpPlacesPtr& help) {
   difficulty_ = difficulty;
+  help_ = help;
+  if (help) assist_->show(help);
   bench_.scene.view().setDifficulty(difficulty);
-  panel_->setDifficulty(difficulty, *bench_.document.scenario());
+  panel_->setDifficulty(difficulty, help, *bench_.document.scenario());
   bench_.enable("difficulty.play", difficulty && difficulty->leastPenetration);
   bench_.scene.refresh();
   if (difficulty) bench_.actions["panel.difficulty"]->trigger();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/window/assist_controller.h"
 #include "app/window/workbench.h"
 #include "widgets/panels/difficulty_panel.h"
 
@@ -16,14 +17,20 @@ class DifficultyController final : public QObject {
   /// What is shown; null: nothing.
   const DifficultyPtr& difficulty() const { return difficulty_; }
 
+ signals:
+  /// By assist.go.
+  void cameraMoved();
+
  private:
   void followRun();
   void find();
-  void show(const DifficultyPtr& difficulty);
+  void show(const DifficultyPtr& difficulty, const HelpPlacesPtr& help);
 
   const Workbench& bench_;
+  AssistController* assist_;  ///< shows the places to help that are found besides
   DifficultyPanel* panel_;
   DifficultyPtr difficulty_;
+  HelpPlacesPtr help_;
 };
 
 }  // namespace glissade

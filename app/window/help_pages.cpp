@@ -25,10 +25,12 @@ void showShortcuts(const ActionCatalogue& actions, QWidget* parent) {
   dialog->setWindowTitle(HelpPages::tr("Keys and shortcuts"));
   dialog->resize(640, 640);
   auto* text = new QTextBrowser(dialog);
-  text->setHtml(QStringLiteral("<h3>%1</h3><p>%2</p><table>%3</table><h3>%4</h3><table>%5</table>")
-                    .arg(HelpPages::tr("Steering"),
-                         HelpPages::tr("While the 3D view has the focus; directions are those of the view."),
-                         KeyboardSteering::keyTable(), HelpPages::tr("Shortcuts"), actions.shortcutTable()));
+  text->setHtml(
+      QStringLiteral("<h3>%1</h3><p>%2</p><table>%3</table><h3>%4</h3><table>%5</table>")
+          .arg(HelpPages::tr("Steering"),
+               HelpPages::tr(
+                   "While the 3D view has the focus; directions are those of the view, until F chooses other axes."),
+               KeyboardSteering::keyTable(), HelpPages::tr("Shortcuts"), actions.shortcutTable()));
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, dialog);
   QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
   auto* layout = new QVBoxLayout(dialog);

@@ -38,7 +38,8 @@ bool steers(int key) {
 
 }  // namespace
 
-KeyboardSteering::KeyboardSteering(InputMailbox& keys, QObject* parent) : QObject(parent), keys_(keys) {}
+KeyboardSteering::KeyboardSteering(InputMailbox& keys, QAction* otherAxes, QObject* parent)
+    : QObject(parent), keys_(keys), otherAxes_(otherAxes) {}
 
 QString KeyboardSteering::keyTable() {
   const auto row = [](const QString& keys, const QString& meaning) {
@@ -48,7 +49,8 @@ QString KeyboardSteering::keyTable() {
          row(QStringLiteral("Q  E"), tr("away from you, towards you")) +
          row(QStringLiteral("J  L"), tr("turn left, turn right")) +
          row(QStringLiteral("I  K"), tr("tip back, tip forward")) +
-         row(QStringLiteral("U  O"), tr("roll left, roll right")) + row(tr("Shift"), tr("a quarter of the speed"));
+         row(QStringLiteral("U  O"), tr("roll left, roll right")) + row(tr("Shift"), tr("a quarter of the speed")) +
+         row(QStringLiteral("F"), tr("axes of the view, of the world or of the object"));
 }
 
 bool KeyboardSteering::eventFilter(QObject* watched, QEvent* event) {
@@ -62,6 +64,10 @@ bool KeyboardSteering::eventFilter(QObject* watched, QEvent* event) {
   const auto* keyEvent = static_cast<QKeyEvent*>(event);
   slow_ = keyEvent->modifiers().testFlag(Qt::ShiftModifier);
   const bool command = (keyEvent->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) != 0;
+  if (keyEvent->key() == Qt::Key_F && !command) {
+    if (press && !keyEvent->isAutoRepeat() && otherAxes_ != nullptr) otherAxes_->trigger();
+    return true;
+  }
   if (!steers(keyEvent->key()) || command) {
     publish();
     return false;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QAction>
 #include <QObject>
 #include <QSet>
 
@@ -12,11 +13,13 @@ namespace glissade {
 ///
 ///   A D  left, right     W S  up, down        Q E  away, nearer
 ///   J L  yaw             I K  pitch           U O  roll          Shift  a quarter of the speed
+///   F    other axes
 class KeyboardSteering final : public QObject {
   Q_OBJECT
 
  public:
-  KeyboardSteering(InputMailbox& keys, QObject* parent);
+  /// F triggers `otherAxes`; null: it does nothing.
+  KeyboardSteering(InputMailbox& keys, QAction* otherAxes, QObject* parent);
 
   /// The same table as HTML rows, for the help page.
   static QString keyTable();
@@ -28,6 +31,7 @@ class KeyboardSteering final : public QObject {
   void publish();
 
   InputMailbox& keys_;
+  QAction* otherAxes_;
   QSet<int> pressed_;
   bool slow_ = false;
 };

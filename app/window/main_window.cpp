@@ -69,7 +69,8 @@ MainWindow::MainWindow(const SceneWidgetFactory& makeScene, SessionClock clock)
   setCentralWidget(scene_->widget());
   scene_->widget()->setMinimumSize(280, 160);
   scene_->widget()->setObjectName(QStringLiteral("scene"));
-  scene_->widget()->installEventFilter(new KeyboardSteering(session_->hand()->keyboard.mailbox, this));
+  auto* keys = new KeyboardSteering(session_->hand()->keyboard.mailbox, actions_["operator.frame"], this);
+  scene_->widget()->installEventFilter(keys);
   addParts();
   connectActions();
   addWindowCommands(bench_);
@@ -97,6 +98,7 @@ void MainWindow::addParts() {
   new BodyVisibility(bench_, *assembly->scenePanel());
   auto* path = new PathController(bench_);
   auto* difficulty = new DifficultyController(bench_);
+  connect(difficulty, &DifficultyController::cameraMoved, view, &ViewController::publishOperatorFrame);
   files_ = new FileController(bench_, *parts, *path);
   new WelcomeController(bench_, *files_);
   auto* replay = new ReplayController(bench_);

@@ -114,7 +114,7 @@ void RefusalController::showProblem(const SessionSnapshot& snapshot) {
     case ErrorKind::NoPath:
       if (atEnds) break;  // a forbidden place
       [[fallthrough]];
-    case ErrorKind::LimitReached: notice.actions = {"difficulty.find", "run.restart-new-seed"}; break;
+    case ErrorKind::LimitReached: notice.actions = {"assist.go", "difficulty.find", "run.restart-new-seed"}; break;
     default: break;
   }
   bar_->showNotice(notice);

@@ -163,6 +163,7 @@ void ViewController::connectActions() {
   layer("layer.milestones", SceneLayer::Milestones);
   layer("layer.region", SceneLayer::Region);
   layer("layer.difficulty", SceneLayer::Difficulty);
+  layer("layer.help", SceneLayer::Help);
   layer("layer.grid", SceneLayer::Grid);
 }
 

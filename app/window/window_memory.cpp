@@ -69,7 +69,8 @@ std::vector<QLatin1String> choiceIds() {
     if (id.startsWith(QLatin1String("navigation.")) || id == QLatin1String("view.orthographic") ||
         id == QLatin1String("display.depth-shading") || id == QLatin1String("path.follow") ||
         id == QLatin1String("section.handles") || id == QLatin1String("layer.grid") ||
-        id == QLatin1String("layer.legend") || id == QLatin1String("instruction.letter")) {
+        id == QLatin1String("layer.legend") || id == QLatin1String("layer.keys") ||
+        id == QLatin1String("instruction.letter")) {
       ids.push_back(id);
     }
   }

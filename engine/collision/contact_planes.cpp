@@ -43,12 +43,15 @@ void ContactPlanes::forgetFarFrom(const Pose& q) {
 }
 
 SmallMotion ContactPlanes::along(const Pose& q, const SmallMotion& requested) const {
-  SmallMotion step{requested.translation, rule_.turning * requested.rotation};
+  const double turning = rule_.turning.value_or(1.0);
+  SmallMotion step{requested.translation, Vector3::Zero()};
+  if (rule_.turning) step.rotation = turning * requested.rotation;
   std::array<double, kMostContacts> pushed{};
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       const Contact& contact = contacts_[i];
-      const Vector3 lever = (q.orientation * contact.p_BPn).cross(contact.normal_W) / rule_.turning;
+      Vector3 lever = Vector3::Zero();
+      if (rule_.turning) lever = (q.orientation * contact.p_BPn).cross(contact.normal_W) / turning;
       const double gap = contact.normal_W.dot(q * contact.p_BPn - contact.p_WPo);
       const double room = gap - rule_.gap;
       const double least = room < 0.0 ? -kRecovery * room : -room;
@@ -59,7 +62,7 @@ SmallMotion ContactPlanes::along(const Pose& q, const SmallMotion& requested) co
       pushed[i] = push;
     }
   }
-  step.rotation /= rule_.turning;
+  step.rotation /= turning;
   return step;
 }
 

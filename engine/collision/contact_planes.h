@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "engine/collision/collision_query.h"
@@ -23,10 +24,11 @@ class ContactPlanes {
  public:
   /// Lengths in metres.
   struct Rule {
-    double radius;   ///< of the object
-    double gap;      ///< kept at every contact
-    double memory;   ///< contacts learnt farther away (longestWay()) are forgotten
-    double turning;  ///< a radian counts as much as this way: the shorter, the more the object turns
+    double radius;  ///< of the object
+    double gap;     ///< kept at every contact
+    double memory;  ///< contacts learnt farther away (longestWay()) are forgotten
+    /// A radian counts as much as this way: the shorter, the more the object turns. Nothing: it does not turn.
+    std::optional<double> turning;
   };
   explicit ContactPlanes(const Rule& rule) : rule_(rule) {}
 

@@ -7,6 +7,7 @@
 #include "engine/operator/haptic/simulated_haptic_device.h"
 #include "engine/operator/shaped_device.h"
 #include "engine/operator/simulated_operator.h"
+#include "engine/operator/sliding_hand.h"
 #include "engine/operator/task_operator.h"
 
 namespace glissade {
@@ -14,20 +15,26 @@ namespace {
 
 using Member = HandInput HandInputs::*;
 
+/// What a person holds slides on the obstacles that there are.
+std::unique_ptr<OperatorDevice> amongObstacles(const DeviceContext& context, std::unique_ptr<OperatorDevice> device) {
+  if (!context.world) return device;
+  return std::make_unique<SlidingHand>(context.world, std::move(device));
+}
+
 std::unique_ptr<OperatorDevice> makeHand(const DeviceContext& context) {
   if (!context.hand) return nullptr;
   std::vector<std::unique_ptr<OperatorDevice>> devices;
   for (const HandInput* input : context.hand->all()) {
     devices.push_back(std::make_unique<ShapedDevice>(context.hand, *input));
   }
-  return std::make_unique<CombinedDevice>(std::move(devices));
+  return amongObstacles(context, std::make_unique<CombinedDevice>(std::move(devices)));
 }
 
 DeviceEntry held(Member member, std::string id, std::string label, std::string description) {
   return {std::move(id), std::move(label), std::move(description), false,
           [member](const DeviceContext& context) -> std::unique_ptr<OperatorDevice> {
             if (!context.hand) return nullptr;
-            return std::make_unique<ShapedDevice>(context.hand, (*context.hand).*member);
+            return amongObstacles(context, std::make_unique<ShapedDevice>(context.hand, (*context.hand).*member));
           }};
 }
 

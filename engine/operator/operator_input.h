@@ -65,8 +65,8 @@ class OperatorDevice {
  public:
   virtual ~OperatorDevice() = default;
 
-  /// q_device after the next dt seconds (integrated in our own clock; clamped to `bounds` and to
-  /// nothing else: the device is never blocked by obstacles). Equal to view.q_device when at rest.
+  /// q_device after the next dt seconds (integrated in our own clock; clamped to `bounds`). Equal to view.q_device when
+  /// at rest. What a person holds, and haptic devices, stop at obstacles (SlidingHand); simulated operators do not.
   virtual Pose advance(double dt, const OperatorView& view, const Box3& bounds) = 0;
   /// A new run begins with the object at the start: whoever follows a plan begins it anew.
   virtual void restart() {}
@@ -76,6 +76,8 @@ class OperatorDevice {
   virtual bool isSimulated() const { return false; }
   /// What the device makes the hand feel, in shares (see Guidance); nothing: it renders no force.
   virtual std::optional<Wrench> rendered() const { return std::nullopt; }
+  /// Where the hand has moved the object, where obstacles keep the object from coming after it; nothing: it is there.
+  virtual std::optional<Pose> hand() const { return std::nullopt; }
 };
 
 /// q_device after dt seconds of the twist; exactly X_WB when the twist is at rest. The position is

@@ -67,6 +67,7 @@ const OperatorSample& OperatorHand::sample() {
   }
   const auto rendered = device_ ? device_->rendered() : std::nullopt;
   sample_.guidance = rendered ? *rendered : guidanceWrench(guidance_, sample_.q_device, sample_.nearest, objectRadius_);
+  sample_.hand = device_ ? device_->hand() : std::nullopt;
   return sample_;
 }
 

@@ -290,8 +290,8 @@ class Threaded final : public Session {
     const OperatorSample& sample = hand_.sample();
     const std::lock_guard lock(mutex_);
     if (sample.moves != operatorSample_.moves || sample.guidance != operatorSample_.guidance ||
-        sample.nearest.body != operatorSample_.nearest.body || deviceConnected_ != hand_.connected() ||
-        held_ != hand_.held()) {
+        sample.hand != operatorSample_.hand || sample.nearest.body != operatorSample_.nearest.body ||
+        deviceConnected_ != hand_.connected() || held_ != hand_.held()) {
       dirty_ = true;
     }
     operatorSample_ = sample;

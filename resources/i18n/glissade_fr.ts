@@ -75,6 +75,14 @@
         <source>The free space is divided into cells, and cells of similar narrowness into places. Places overlap in borders. Layers and the strategies with places plan a coarse path through places first.</source>
         <translation>L&apos;espace libre est divisé en cellules, et les cellules d&apos;étroitesse semblable forment des lieux. Les lieux se recouvrent aux frontières. Couches et les stratégies à lieux planifient d&apos;abord un chemin grossier par les lieux.</translation>
     </message>
+    <message>
+        <source>The hand is taken to a configuration that the search has reached. The ghost is the nearest one on the other side: lead the object there. Where nobody held the object, or the search had ended, it starts again by hand.</source>
+        <translation>La main est conduite à une configuration que la recherche a atteinte. Le fantôme est la plus proche de l&apos;autre côté&#xa0;: menez-y l&apos;objet. Si personne ne tenait l&apos;objet, ou si la recherche était terminée, elle redémarre à la main.</translation>
+    </message>
+    <message>
+        <source>It holds for keys and devices. F over the scene does the same.</source>
+        <translation>Cela vaut pour les touches et les périphériques. La touche F dans la vue fait de même.</translation>
+    </message>
 </context>
 <context>
     <name>Actions</name>
@@ -2041,6 +2049,46 @@
     <message>
         <source>Show the scene alone on a whole display; commands keep their keys</source>
         <translation>Montrer la scène seule sur un écran entier ; les commandes gardent leurs touches</translation>
+    </message>
+    <message>
+        <source>Steer in other &amp;axes</source>
+        <translation>Guider selon d&apos;autres a&amp;xes</translation>
+    </message>
+    <message>
+        <source>&amp;Help where the search is stuck</source>
+        <translation>Aider là où la recherche est &amp;bloquée</translation>
+    </message>
+    <message>
+        <source>Show where your hand helps</source>
+        <translation>Montrer où votre main est utile</translation>
+    </message>
+    <message>
+        <source>Ke&amp;ys of steering</source>
+        <translation>&amp;Touches de guidage</translation>
+    </message>
+    <message>
+        <source>Write the keys of steering over the scene while a run goes on by hand</source>
+        <translation>Écrire les touches de guidage dans la vue pendant un calcul guidé à la main</translation>
+    </message>
+    <message>
+        <source>Where your hand hel&amp;ps</source>
+        <translation>Où votre main est &amp;utile</translation>
+    </message>
+    <message>
+        <source>Show the places where your hand helps the search, and the arrow that leads there</source>
+        <translation>Montrer les endroits où votre main aide la recherche, et la flèche qui y mène</translation>
+    </message>
+    <message>
+        <source>Move along the axes of the view, of the world or of the object</source>
+        <translation>Déplacer selon les axes de la vue, du monde ou de l&apos;objet</translation>
+    </message>
+    <message>
+        <source>Take your hand and the view to the next place where the search is stuck</source>
+        <translation>Conduire votre main et la vue au prochain endroit où la recherche est bloquée</translation>
+    </message>
+    <message>
+        <source>Show where the trees come nearest, and how much too large the object is</source>
+        <translation>Montrer où les arbres sont le plus proches, et de combien l&apos;objet est trop gros</translation>
     </message>
 </context>
 <context>
@@ -6447,6 +6495,21 @@
     </message>
 </context>
 <context>
+    <name>FrameName</name>
+    <message>
+        <source>axes of the view</source>
+        <translation>axes de la vue</translation>
+    </message>
+    <message>
+        <source>axes of the world</source>
+        <translation>axes du monde</translation>
+    </message>
+    <message>
+        <source>axes of the object</source>
+        <translation>axes de l&apos;objet</translation>
+    </message>
+</context>
+<context>
     <name>HelpPages</name>
     <message>
         <source>Keys and shortcuts</source>
@@ -6455,10 +6518,6 @@
     <message>
         <source>Steering</source>
         <translation>Pilotage</translation>
-    </message>
-    <message>
-        <source>While the 3D view has the focus; directions are those of the view.</source>
-        <translation>Quand la vue 3D a le focus&#xa0;; les directions sont celles de la vue.</translation>
     </message>
     <message>
         <source>Shortcuts</source>
@@ -6471,6 +6530,10 @@
     <message>
         <source>&lt;h3&gt;Glissade %1&lt;/h3&gt;&lt;p&gt;A workbench for virtual assembly: certified motions, found by a planner and a person together.&lt;/p&gt;&lt;p&gt;N. Blin, M. Taïx, P. Fillatreau, J.-Y. Fourquet, &lt;i&gt;Tuning Interaction in Motion Planning with Contact&lt;/i&gt;, IEEE RO-MAN 2016.&lt;/p&gt;&lt;p&gt;S. Cailhol, P. Fillatreau, Y. Zhao, J.-Y. Fourquet, &lt;i&gt;Multi-layer path planning control for the simulation of manipulation tasks&lt;/i&gt;, RCIM 57, 2019.&lt;/p&gt;&lt;p&gt;BSD 3-Clause licence.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;Glissade %1&lt;/h3&gt;&lt;p&gt;Un établi pour l&apos;assemblage virtuel&#xa0;: des mouvements certifiés, trouvés ensemble par un planificateur et une personne.&lt;/p&gt;&lt;p&gt;N. Blin, M. Taïx, P. Fillatreau, J.-Y. Fourquet, &lt;i&gt;Tuning Interaction in Motion Planning with Contact&lt;/i&gt;, IEEE RO-MAN 2016.&lt;/p&gt;&lt;p&gt;S. Cailhol, P. Fillatreau, Y. Zhao, J.-Y. Fourquet, &lt;i&gt;Multi-layer path planning control for the simulation of manipulation tasks&lt;/i&gt;, RCIM 57, 2019.&lt;/p&gt;&lt;p&gt;Licence BSD à 3 clauses.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>While the 3D view has the focus; directions are those of the view, until F chooses other axes.</source>
+        <translation>Quand la vue 3D a le focus&#xa0;; les directions sont celles de la vue, tant que la touche F n&apos;en choisit pas d&apos;autres.</translation>
     </message>
 </context>
 <context>
@@ -8321,6 +8384,45 @@
     </message>
 </context>
 <context>
+    <name>glissade::AssistController</name>
+    <message>
+        <source>Looking for places to help</source>
+        <translation>Recherche des endroits où aider</translation>
+    </message>
+    <message>
+        <source>Place to help %1 of %2:</source>
+        <translation>Endroit où aider, %1 sur %2&#xa0;:</translation>
+    </message>
+    <message>
+        <source>no passage was found, even for a much thinner object.</source>
+        <translation>aucun passage n&apos;a été trouvé, même pour un objet beaucoup plus mince.</translation>
+    </message>
+    <message>
+        <source>the passage is open.</source>
+        <translation>le passage est ouvert.</translation>
+    </message>
+    <message>
+        <source>Lead it along the arrow; %1: next place.</source>
+        <translation>Menez-le le long de la flèche&#xa0;; %1&#xa0;: endroit suivant.</translation>
+    </message>
+    <message>
+        <source>%1 takes your hand there.</source>
+        <translation>%1 y conduit votre main.</translation>
+    </message>
+    <message>
+        <source>the object is at most %1 too large at &apos;%2&apos;.</source>
+        <translation>l&apos;objet est trop gros de %1 au plus, près de «&#xa0;%2&#xa0;».</translation>
+    </message>
+    <message>
+        <source>the object is at most %1 too large.</source>
+        <translation>l&apos;objet est trop gros de %1 au plus.</translation>
+    </message>
+    <message>
+        <source>No place to help was found.</source>
+        <translation>Aucun endroit où aider n&apos;a été trouvé.</translation>
+    </message>
+</context>
+<context>
     <name>glissade::AttributeDialog</name>
     <message>
         <source>Add an attribute</source>
@@ -9010,6 +9112,22 @@
         <source>Reasons why there is no path</source>
         <translation>Causes de l&apos;absence de chemin</translation>
     </message>
+    <message>
+        <source>Your hand may find the way.</source>
+        <translation>Votre main trouvera peut-être le chemin.</translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation>fermé</translation>
+    </message>
+    <message>
+        <source>Place to help %1</source>
+        <translation>Endroit où aider %1</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>ouvert</translation>
+    </message>
 </context>
 <context>
     <name>glissade::DocumentController</name>
@@ -9363,6 +9481,13 @@
     <message>
         <source>Ghosts</source>
         <translation>Fantômes</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::HandHint</name>
+    <message>
+        <source>A D W S Q E: move · J L I K U O: turn · Shift: slow · F: %1 · %2: camera · %3: help</source>
+        <translation>A D W S Q E&#xa0;: déplacer · J L I K U O&#xa0;: tourner · Maj&#xa0;: lent · F&#xa0;: %1 · %2&#xa0;: caméra · %3&#xa0;: aide</translation>
     </message>
 </context>
 <context>
@@ -9977,6 +10102,10 @@
         <source>a quarter of the speed</source>
         <translation>un quart de la vitesse</translation>
     </message>
+    <message>
+        <source>axes of the view, of the world or of the object</source>
+        <translation>axes de la vue, du monde ou de l&apos;objet</translation>
+    </message>
 </context>
 <context>
     <name>glissade::LegendOverlay</name>
@@ -10135,6 +10264,14 @@
     <message>
         <source>Its way</source>
         <translation>Son trajet</translation>
+    </message>
+    <message>
+        <source>Your hand</source>
+        <translation>Votre main</translation>
+    </message>
+    <message>
+        <source>Where your hand helps</source>
+        <translation>Où votre main est utile</translation>
     </message>
 </context>
 <context>

@@ -39,6 +39,22 @@ TEST_F(DeviceWindow, TheCalibrationPageShowsTheAxesLive) {
   expectLike(picture("live.png"), QStringLiteral("devices"));
 }
 
+/// A key that is held pushes the object against a wall: it stays there, and the hand is seen beside it.
+TEST_F(DeviceWindow, KeysSteerInTheAxesThatAreChosenAndWallsStopTheObject) {
+  const WindowResult outcome =
+      run(QStringLiteral("environment-1"),
+          QStringLiteral("select-operator hand\nselect-strategy interactive\nexpect-frame view\n"
+                         "screenshot %1/view.png\nkey tap F\nexpect-frame world\naction operator.frame\n"
+                         "expect-frame object\nscreenshot %1/object.png\nkey tap F\nexpect-frame view\n"
+                         "action view.left\nkey press A\nsteps 200\nkey release A\n"
+                         "key press Q\nsteps 200\nscreenshot %1/held.png\n"
+                         "key release Q\nsteps 1\nscreenshot %1/released.png\n")
+              .arg(folder.path()));
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.errors.toStdString();
+  EXPECT_GT(changed("view.png", "object.png"), 0.0) << "the status bar says which axes";
+  EXPECT_GT(changed("held.png", "released.png"), 0.02) << "the hand is no longer ahead";
+}
+
 TEST_F(DeviceWindow, ScriptsAboutDevicesSayWhereTheyGoWrong) {
   for (const char* line : {"plug telepathy X", "deflect mouse6d 1 2 3 4 5 six", "press gamepad 99"}) {
     EXPECT_EQ(run(QStringLiteral("sliding-plane"), QString::fromLatin1(line)).exitCode, 3) << line;

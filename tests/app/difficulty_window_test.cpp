@@ -47,11 +47,41 @@ TEST_F(DifficultyWindow, TellsWhatStandsInTheWayAndShowsIt) {
   EXPECT_GT(difference(QImage(after), QImage(hidden)).share, 0.002);
 }
 
+TEST_F(DifficultyWindow, OffersPlacesToHelpAndTakesTheHandThere) {
+  const QString offered = folder.filePath(QStringLiteral("offered.png"));
+  const QString hidden = folder.filePath(QStringLiteral("hidden.png"));
+  const QString taken = folder.filePath(QStringLiteral("taken.png"));
+  const WindowResult result =
+      run(tooNarrow(), QStringLiteral("action run.start\nsteps 800\naction run.stop\nexpect-help places 0\n"
+                                      "action difficulty.find\nexpect-help places 4\nexpect-help taken 0\n"
+                                      "show-difficulty help-2\nscreenshot %1\naction layer.help\nscreenshot %2\n"
+                                      "action layer.help\naction assist.go\nsteps 5\nexpect planning\n"
+                                      "expect-help taken 2\nscreenshot %3\n"
+                                      "action assist.go\nexpect-help taken 3\naction run.stop\n")
+                           .arg(offered, hidden, taken));
+  EXPECT_EQ(result.exitCode, 0) << result.errors.toStdString();
+  EXPECT_GT(difference(QImage(offered), QImage(hidden)).share, 0.001);
+  EXPECT_GT(difference(QImage(offered), QImage(taken)).share, 0.02);
+}
+
+/// The trees stay, and the hand goes from one place to the next one; after the last one they are looked for again.
+TEST_F(DifficultyWindow, HelpsInARunThatGoesOnByHand) {
+  const WindowResult result = run(
+      tooNarrow(), QStringLiteral("select-operator hand\nselect-strategy interactive\naction run.start\n"
+                                  "steps 200\naction assist.show\nexpect-help places 4\nexpect-help taken 0\n"
+                                  "action assist.go\nsteps 1\nexpect-help taken 1\naction assist.go\n"
+                                  "expect-help taken 2\naction assist.go\nexpect-help taken 3\naction assist.go\n"
+                                  "expect-help taken 4\naction assist.go\nexpect-help taken 1\nkey press D\nsteps 40\n"
+                                  "expect planning\nexpect-help taken 1\naction run.stop\n"));
+  EXPECT_EQ(result.exitCode, 0) << result.errors.toStdString();
+}
+
 TEST_F(DifficultyWindow, IsAskedOnlyWhereThereIsNoPath) {
   const WindowResult idle = run(tooNarrow(), QStringLiteral("action difficulty.find\n"));
   EXPECT_EQ(idle.exitCode, 3);
   EXPECT_TRUE(idle.errors.contains(QStringLiteral("not possible now"))) << idle.errors.toStdString();
   EXPECT_EQ(run(tooNarrow(), QStringLiteral("show-difficulty least\n")).exitCode, 3);
+  EXPECT_EQ(run(tooNarrow(), QStringLiteral("action assist.go\n")).exitCode, 3);
 }
 
 }  // namespace

@@ -65,6 +65,7 @@ constexpr const char* kNotForTheWindow[] = {
     "step %1, attempt %2",
     "whole workspace",
     "ompl seed",
+    "preferred places",
     "0.1 * size * (max(a.complexity, b.complexity) - 1)",
     "place.cluttered or place.complexity > 2",
     "if((a.shape != \"\" and a.shape != object.shape) or (b.shape != \"\" and b.shape != object.shape), 10 * size, %1)",

@@ -30,7 +30,8 @@ class Steering : public testing::Test {
   bool atRest() const { return keys.reading().atRest(); }
 
   InputMailbox keys;
-  KeyboardSteering steering{keys, nullptr};
+  QAction otherAxes{nullptr};
+  KeyboardSteering steering{keys, &otherAxes, nullptr};
 };
 
 TEST_F(Steering, EveryAxisHasAKeyEachWay) {
@@ -54,6 +55,18 @@ TEST_F(Steering, KeysAddUpAndShiftIsSlow) {
 TEST_F(Steering, LosingTheFocusIsRest) {
   send(QEvent::KeyPress, Qt::Key_D);
   loseFocus();
+  EXPECT_TRUE(atRest());
+}
+
+TEST_F(Steering, FChoosesOtherAxesOncePerPress) {
+  int asked = 0;
+  QObject::connect(&otherAxes, &QAction::triggered, &view, [&asked] { ++asked; });
+  send(QEvent::KeyPress, Qt::Key_F);
+  send(QEvent::KeyPress, Qt::Key_F, Qt::NoModifier, true);
+  send(QEvent::KeyRelease, Qt::Key_F);
+  EXPECT_EQ(asked, 1);
+  send(QEvent::KeyPress, Qt::Key_F, Qt::ControlModifier);
+  EXPECT_EQ(asked, 1);
   EXPECT_TRUE(atRest());
 }
 

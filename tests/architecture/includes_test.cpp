@@ -134,7 +134,7 @@ const std::map<std::string, std::set<std::string>>& allowedPlanningRooms() {
       {"fine", {"coarse", "contact"}},
       {"automatic", {"fine", "contact", "ompl"}},
       {"difficulty", {"automatic"}},
-      {"interactive", {"automatic", "fine", "contact"}},
+      {"interactive", {"automatic", "fine", "coarse", "contact"}},
   };
   return allowed;
 }

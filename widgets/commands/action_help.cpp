@@ -64,9 +64,16 @@ constexpr std::pair<const char*, const char*> kMore[] = {
                                           "The panel Difficulty lists the smallest distance between the two trees, "
                                           "the bodies between them, and by how much the object would have to be "
                                           "thinner.")},
+    {"assist.go",
+     QT_TRANSLATE_NOOP("ActionHelp",
+                       "The hand is taken to a configuration that the search has reached. The ghost is the "
+                       "nearest one on the other side: lead the object there. Where nobody held the "
+                       "object, or the search had ended, it starts again by hand.")},
     {"replay.last", QT_TRANSLATE_NOOP("ActionHelp",
                                       "Every run is recorded with its seed, its parameters and what the operator "
                                       "did. The replay gives the same roadmap, node by node.")},
+    {"operator.frame",
+     QT_TRANSLATE_NOOP("ActionHelp", "It holds for keys and devices. F over the scene does the same.")},
     {"operator.camera", QT_TRANSLATE_NOOP("ActionHelp",
                                           "Keys and devices move the object as a rule. In camera mode the same input "
                                           "moves the view instead.")},

@@ -38,21 +38,24 @@ DifficultyPanel::DifficultyPanel(const ActionCatalogue& actions, QWidget* parent
   layout->addWidget(summary_);
   layout->addWidget(rows_, 1);
   layout->addWidget(slider_);
-  layout->addLayout(makeActionFlow(actions, {"difficulty.find", "difficulty.play"}, this));
+  layout->addLayout(makeActionFlow(actions, {"difficulty.find", "difficulty.play", "assist.go"}, this));
   connect(rows_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
-    if (item != nullptr) emit poseShown(places_[static_cast<std::size_t>(rows_->indexOfTopLevelItem(item))]);
+    if (item != nullptr) choose(rows_->indexOfTopLevelItem(item));
   });
   connect(slider_, &WaySlider::poseShown, this, [this](const Pose& pose, double /*share*/) { emit poseShown(pose); });
   connect(slider_, &WaySlider::playbackEnded, this, &DifficultyPanel::playbackEnded);
   summary_->setText(tr("Not analysed yet."));
 }
 
-void DifficultyPanel::setDifficulty(const DifficultyPtr& difficulty, const LoadedScenario& scenario) {
+void DifficultyPanel::setDifficulty(const DifficultyPtr& difficulty, const HelpPlacesPtr& help,
+                                    const LoadedScenario& scenario) {
   {
     const QSignalBlocker block(rows_);
     rows_->clear();
     places_.clear();
     if (difficulty) describe(*difficulty, scenario);
+    firstHelp_ = rows_->topLevelItemCount();
+    if (help) offer(*help, scenario);
   }
   const bool way = difficulty && difficulty->leastPenetration;
   slider_->setWay(way ? difficulty->leastPenetration->way : std::vector<Pose>(), scenario.problem.metric());
@@ -81,6 +84,22 @@ void DifficultyPanel::describe(const Difficulty& difficulty, const LoadedScenari
     addRow("frontier", tr("Distance between the trees"), lengthText(frontier->distance), frontier->body,
            frontier->body < 0 ? frontier->fromStart : frontier->blockedAt, scenario);
   }
+}
+
+void DifficultyPanel::offer(const std::vector<HelpPlace>& help, const LoadedScenario& scenario) {
+  if (!help.empty()) summary_->setText(summary_->text() + QLatin1Char(' ') + tr("Your hand may find the way."));
+  for (std::size_t i = 0; i < help.size(); ++i) {
+    const double radius = scenario.problem.world->objectRadius();
+    QString lacking = help[i].lacking ? lengthText(*help[i].lacking) : tr("closed");
+    if (isOpen(help[i], radius)) lacking = tr("open");
+    const std::string id = "help-" + std::to_string(i + 1);
+    addRow(id.c_str(), tr("Place to help %1").arg(i + 1), lacking, help[i].body, help[i].fromStart, scenario);
+  }
+}
+
+void DifficultyPanel::choose(int row) {
+  emit poseShown(places_[static_cast<std::size_t>(row)]);
+  if (row >= firstHelp_) emit helpChosen(static_cast<std::size_t>(row - firstHelp_));
 }
 
 bool DifficultyPanel::showPart(const QString& id) {

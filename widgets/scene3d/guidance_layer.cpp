@@ -42,6 +42,20 @@ TriangleMesh makeArrow(double length, double full) {
   return arrow;
 }
 
+/// Seen through whatever lies in front.
+osg::ref_ptr<osg::MatrixTransform> arrowAlong(const Vector3& from, const Vector3& way, double full,
+                                              const ScenePalette& palette) {
+  osg::ref_ptr<osg::Geode> geode = new osg::Geode;
+  geode->addDrawable(makeFlatSurface(makeArrow(way.norm(), full), palette.guidance));
+  osg::StateSet* state = geode->getOrCreateStateSet();
+  state->setAttributeAndModes(new osg::Depth(osg::Depth::ALWAYS, 0.0, 1.0, false));
+  state->setRenderBinDetails(20, "RenderBin");
+  const Pose X_WA{from, Quaternion::FromTwoVectors(Vector3::UnitZ(), way)};
+  osg::ref_ptr<osg::MatrixTransform> arrow = new osg::MatrixTransform(toOsg(X_WA));
+  arrow->addChild(geode);
+  return arrow;
+}
+
 }  // namespace
 
 float guidanceStrength(const Wrench& guidance) {
@@ -55,15 +69,15 @@ osg::ref_ptr<osg::MatrixTransform> makeGuidance(const OperatorSample& device, co
   if (strength < kLeastForceShown) return nullptr;
   const double full = scale.length(kRadiiAtFull, kMostOfView);
   const double length = std::clamp(strength, kWeakest, 1.0) * full;
-  const Pose X_WA{device.q_device.position, Quaternion::FromTwoVectors(Vector3::UnitZ(), force_W)};
-  osg::ref_ptr<osg::Geode> geode = new osg::Geode;
-  geode->addDrawable(makeFlatSurface(makeArrow(length, full), palette.guidance));
-  osg::StateSet* state = geode->getOrCreateStateSet();
-  state->setAttributeAndModes(new osg::Depth(osg::Depth::ALWAYS, 0.0, 1.0, false));
-  state->setRenderBinDetails(20, "RenderBin");
-  osg::ref_ptr<osg::MatrixTransform> arrow = new osg::MatrixTransform(toOsg(X_WA));
-  arrow->addChild(geode);
-  return arrow;
+  return arrowAlong(device.q_device.position, length / strength * force_W, full, palette);
+}
+
+osg::ref_ptr<osg::MatrixTransform> makeGuideArrow(const Vector3& from, const Vector3& to, const MarkScale& scale,
+                                                  const ScenePalette& palette) {
+  const Vector3 way = to - from;
+  const double full = scale.length(kRadiiAtFull, kMostOfView);
+  if (way.norm() < kHeadLength * full) return nullptr;
+  return arrowAlong(from, std::min(1.0, full / way.norm()) * way, full, palette);
 }
 
 osg::Vec4 guidanceTint(const osg::Vec4& objectColour, float strength, const ScenePalette& palette) {

@@ -18,6 +18,11 @@ float guidanceStrength(const Wrench& guidance);
 osg::ref_ptr<osg::MatrixTransform> makeGuidance(const OperatorSample& device, const MarkScale& scale,
                                                 const ScenePalette& palette);
 
+/// The same arrow from one point towards another: as long as the way, and no longer than at full strength. Null where
+/// they are one.
+osg::ref_ptr<osg::MatrixTransform> makeGuideArrow(const Vector3& from, const Vector3& to, const MarkScale& scale,
+                                                  const ScenePalette& palette);
+
 /// The colour of an object that is guided so strongly.
 osg::Vec4 guidanceTint(const osg::Vec4& objectColour, float strength, const ScenePalette& palette);
 

@@ -41,6 +41,7 @@ QString textOf(LegendItem item) {
     case LegendItem::Nearest: return LegendOverlay::tr("To the nearest obstacle");
     case LegendItem::Contact: return LegendOverlay::tr("Contact with an obstacle");
     case LegendItem::Guidance: return LegendOverlay::tr("Guiding force");
+    case LegendItem::Hand: return LegendOverlay::tr("Your hand");
     case LegendItem::Sweep: return LegendOverlay::tr("Swept volume");
     case LegendItem::FreeCells: return LegendOverlay::tr("Free cells");
     case LegendItem::MobileCells: return LegendOverlay::tr("Cells with mobile bodies");
@@ -55,6 +56,7 @@ QString textOf(LegendItem item) {
     case LegendItem::InTheWay: return LegendOverlay::tr("In the way");
     case LegendItem::TightestPlace: return LegendOverlay::tr("Tightest place");
     case LegendItem::TreeGap: return LegendOverlay::tr("Gap of the search");
+    case LegendItem::Help: return LegendOverlay::tr("Where your hand helps");
     case LegendItem::Overlap: return LegendOverlay::tr("Overlapped body");
     case LegendItem::RefusedEnd: return LegendOverlay::tr("Object where it overlaps");
     case LegendItem::Selected: return LegendOverlay::tr("Selected");

@@ -11,6 +11,10 @@ SceneLabel lengthLabel(const Vector3& p_W, double metres, bool strong) {
 std::vector<SceneLabel> SceneView::labels() const {
   std::vector<SceneLabel> labels;
   if (impl_->difficulty && layerVisible(SceneLayer::Difficulty)) labels = difficultyLabels(*impl_->difficulty);
+  if (impl_->help.places && layerVisible(SceneLayer::Help)) {
+    const std::vector<SceneLabel> lacking = helpLabels(impl_->help, impl_->markScale().objectRadius);
+    labels.insert(labels.end(), lacking.begin(), lacking.end());
+  }
   if (impl_->refusal) labels = refusalLabels(*impl_->refusal);
   for (const KeptPathPicture& path : impl_->keptPaths) {
     if (!path.way.empty()) labels.push_back({path.way[path.way.size() / 2], path.name});

@@ -108,6 +108,7 @@ class LegendMaker {
         case ContactShown::Contact: add(LegendItem::Contact, LegendMark::Line, palette_.contact); break;
       }
     }
+    if (impl_.hand && impl_.hand->getNodeMask() != 0U) add(LegendItem::Hand, LegendMark::Fill, palette_.lines);
     if (isDrawn(SceneLayer::Guidance)) add(LegendItem::Guidance, LegendMark::Line, palette_.guidance);
   }
 
@@ -165,6 +166,7 @@ class LegendMaker {
       if (impl_.difficulty->tightest) add(LegendItem::TightestPlace, LegendMark::Fill, palette_.nearest);
       if (impl_.difficulty->frontier) add(LegendItem::TreeGap, LegendMark::Line, palette_.nearest);
     }
+    if (impl_.help.places && isDrawn(SceneLayer::Help)) add(LegendItem::Help, LegendMark::Fill, palette_.guidance);
     if (!impl_.refusal || !isDrawn(SceneLayer::Refusal)) return;
     add(LegendItem::Overlap, LegendMark::Fill, palette_.penetration);
     add(LegendItem::RefusedEnd, LegendMark::Fill, palette_.path);

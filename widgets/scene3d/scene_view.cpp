@@ -30,7 +30,8 @@ SceneView::SceneView() : impl_(std::make_unique<Impl>()) {
   for (int id = 0; id < kSceneLayerCount; ++id) {
     const auto which = static_cast<SceneLayer>(id);
     if (which == SceneLayer::StartAndGoal) impl_->root->addChild(impl_->motionLayers);
-    const bool isMotion = which >= SceneLayer::StartAndGoal && which <= SceneLayer::Guidance;
+    const bool isMotion =
+        (which >= SceneLayer::StartAndGoal && which <= SceneLayer::Guidance) || which == SceneLayer::Help;
     osg::Group& parent = isMotion ? *impl_->motionLayers : *impl_->root;
     parent.addChild(&impl_->layer(which));
   }
@@ -68,6 +69,7 @@ void SceneView::rearrange(std::shared_ptr<const LoadedScenario> scenario) {
   impl_->drawnPlan.reset();
   impl_->shownStep.reset();
   impl_->difficulty.reset();
+  impl_->help = {};
   impl_->refusal.reset();
   impl_->measure = {};
   impl_->inHand.clear();
@@ -193,6 +195,12 @@ void SceneView::setShownStep(const std::optional<std::size_t>& step) {
 void SceneView::setDifficulty(std::shared_ptr<const Difficulty> difficulty) {
   impl_->difficulty = std::move(difficulty);
   impl_->showDifficulty();
+}
+
+void SceneView::setHelp(HelpPicture help) {
+  impl_->help = std::move(help);
+  impl_->showHelp();
+  impl_->showMarks();
 }
 
 void SceneView::setRefusal(std::shared_ptr<const EndConflicts> conflicts) {

@@ -27,6 +27,7 @@ class CameraController;
 struct ClearanceProfile;
 struct Difficulty;
 struct EndConflicts;
+struct HelpPlace;
 struct PictureDetail;
 
 /// Light or dark window; the scene follows.
@@ -69,9 +70,10 @@ enum class SceneLayer {
   KeptPaths,
   Refusal,
   Measure,
-  Grid
+  Grid,
+  Help
 };
-inline constexpr int kSceneLayerCount = 24;
+inline constexpr int kSceneLayerCount = 25;
 
 struct EnvironmentPicture;
 
@@ -101,6 +103,13 @@ struct MeasurePicture {
   std::vector<Vector3> points;
   std::vector<Vector3> segments;  ///< ends, two per segment
   std::vector<SceneLabel> labels;
+};
+
+/// Places where a person can help the search.
+struct HelpPicture {
+  std::shared_ptr<const std::vector<HelpPlace>> places;  ///< null: none is shown; else at least one
+  std::size_t chosen = 0;
+  bool taken = false;  ///< the hand was taken to the chosen one
 };
 
 /// A body of the product while an assembly plan is shown.
@@ -187,6 +196,8 @@ class SceneView {
   Pose objectPose() const;
   /// Why the run that is shown found no path; null: nothing is known.
   void setDifficulty(std::shared_ptr<const glissade::Difficulty> difficulty);
+  /// Leads the hand to where it can help.
+  void setHelp(HelpPicture help);
   /// Texts of the visible layers: names of places, costs of the graph.
   std::vector<SceneLabel> labels() const;
   /// What is drawn now beside the bodies, in the colours that it is drawn in.

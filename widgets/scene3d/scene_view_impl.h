@@ -19,6 +19,7 @@
 #include "widgets/scene3d/geometry_builder.h"
 #include "widgets/scene3d/grid_layer.h"
 #include "widgets/scene3d/guidance_layer.h"
+#include "widgets/scene3d/help_layer.h"
 #include "widgets/scene3d/kept_paths_layer.h"
 #include "widgets/scene3d/measure_layer.h"
 #include "widgets/scene3d/osg_convert.h"
@@ -41,6 +42,7 @@ struct SceneView::Impl {
   osg::ref_ptr<osg::Group> backdrop = new osg::Group;
   std::array<osg::ref_ptr<osg::Group>, kSceneLayerCount> layers;
   osg::ref_ptr<osg::MatrixTransform> object;
+  osg::ref_ptr<osg::MatrixTransform> hand;  ///< the object where the hand leads to
   RoadmapLayer roadmap;
   bool roadmapKept = false;
   CameraController camera;
@@ -60,6 +62,8 @@ struct SceneView::Impl {
   CoarsePlanPtr drawnPlan;
   std::optional<std::size_t> shownStep;
   std::shared_ptr<const Difficulty> difficulty;
+  HelpPicture help;
+  osg::ref_ptr<osg::Group> helpArrow = new osg::Group;  ///< in the layer of help
   std::shared_ptr<const EndConflicts> refusal;
   std::vector<KeptPathPicture> keptPaths;
   MeasurePicture measure;
@@ -184,6 +188,19 @@ struct SceneView::Impl {
 
   void showDifficulty() {
     fill(SceneLayer::Difficulty, difficulty ? makeDifficulty(*difficulty, *scenario, shapes, palette) : nullptr);
+  }
+
+  void showHelp() {
+    fill(SceneLayer::Help, help.places && scenario ? makeHelp(help, *scenario, shapes, palette) : nullptr);
+    layer(SceneLayer::Help).addChild(helpArrow);
+  }
+
+  /// While the hand is shown.
+  void showHelpArrow(bool shown) {
+    helpArrow->removeChildren(0, helpArrow->getNumChildren());
+    if (!help.places || !shown) return;
+    const auto arrow = makeHelpArrow(help, snapshot->device.q_device, markScale(), palette);
+    if (arrow) helpArrow->addChild(arrow);
   }
 
   const TopologicalStep* stepShown(const CoarsePlan& plan) const {
@@ -326,7 +343,7 @@ struct SceneView::Impl {
                                 SceneLayer::Path, SceneLayer::Contact, SceneLayer::Guidance}) {
       layer(id).removeChildren(0, layer(id).getNumChildren());
     }
-    object = nullptr;
+    object = hand = nullptr;
     plainObjects->removeChildren(0, plainObjects->getNumChildren());
     caps.forget();
     drawnPath.reset();
@@ -335,6 +352,7 @@ struct SceneView::Impl {
     showEnvironment();
     showGrid();
     showDifficulty();
+    showHelp();
     showRefusal();
     showOverlays();
     if (!scenario) return;
@@ -343,6 +361,9 @@ struct SceneView::Impl {
     const RigidBody& moved = scenario->object;
     object = makeMovedBody(shapes.of(moved.mesh), moved.X_WB, toOsg(moved.colour), palette);
     layer(SceneLayer::Object).addChild(object);
+    hand = makeGhost(shapes.of(moved.mesh), moved.X_WB, palette.lines, palette);
+    hand->setNodeMask(0U);
+    layer(SceneLayer::Object).addChild(hand);
     for (const RigidBody& body : scenario->objectBodies) {
       plainObjects->addChild(makeBody(shapes.of(body.mesh), body.X_WB, toOsg(body.colour), modeOf(body), palette));
     }
@@ -377,7 +398,16 @@ struct SceneView::Impl {
     markedViewHeight = camera.viewHeight();
     const bool shown = !playback && !snapshot->path;
     fill(SceneLayer::Contact, shown ? makeContact(*snapshot, markScale(), palette) : nullptr);
+    showHelpArrow(shown);
+    showHand(shown);
     showGuidance();
+  }
+
+  /// Where obstacles keep the object from coming after the hand, both are seen.
+  void showHand(bool shown) {
+    const std::optional<Pose>& q = snapshot->device.hand;
+    hand->setNodeMask(shown && q && sequence.bodies.empty() ? ~0U : 0U);
+    if (q) hand->setMatrix(toOsg(*q));
   }
 
   /// The arrow, and the object's tint.

@@ -20,8 +20,6 @@ constexpr double kShortest = 1.0 / 1024.0;
 constexpr double kMemory = 1.0;
 /// The object turns easily: a radian counts as much as this way, in radii.
 constexpr double kTurning = 0.4;
-/// It does not turn.
-constexpr double kStiff = 1e3;
 /// Shares of the legs that begin at the hand, and that keep the orientation.
 constexpr double kFromHand = 0.5;
 constexpr double kKeepingOrientation = 0.5;
@@ -37,18 +35,26 @@ ContactFollower::ContactFollower(double objectRadius, std::uint64_t seed)
     : radius_(objectRadius), stream_(seed, "contact follower"), plane_(seed), planes_({}) {}
 
 void ContactFollower::enter(const OperatorSample& operatorSample, double gap, double longest) {
-  const Vector3 n = operatorSample.nearest.normal_W();
   const Vector3 device = operatorSample.q_device.position;
   const Vector3 gone = device - device_.value_or(device);
   device_ = device;
-  hand_ = {operatorSample.q_device, n};
-  hand_.q.position -= n * (operatorSample.nearest.distance - gap);
   way_ = gone.norm() > gap ? Vector3(gone.normalized()) : Vector3(Vector3::Zero());
   gap_ = gap;
+  hand_ = pressed(operatorSample.q_device, operatorSample.nearest);
   longest_ = longest;
   returns_ = true;
   drawn_ = 0;
   plane_.enter(operatorSample, gap, longest);
+}
+
+/// The object is moved along the normal until the gap is left.
+ContactFollower::Place ContactFollower::pressed(const Pose& q, const NearestObstacle& nearest) const {
+  Place place{q, nearest};
+  const Vector3 way = (gap_ - nearest.distance) * nearest.normal_W();
+  place.q.position += way;
+  place.nearest.p_WPn += way;
+  place.nearest.distance = gap_;
+  return place;
 }
 
 Pose ContactFollower::sample(CollisionQuery& query) { return drawn_++ % 2 == 0 ? leg(query) : plane_.sample(); }
@@ -57,18 +63,19 @@ Pose ContactFollower::leg(CollisionQuery& query) {
   const bool first = drawn_ == 1;
   if (returns_ || stream_.uniform() < kFromHand) at_ = hand_;
   const bool turns = first || stream_.uniform() >= kKeepingOrientation;
-  planes_ = ContactPlanes({radius_, gap_, kMemory * radius_, (turns ? kTurning : kStiff) * radius_});
-  planes_.learn(at_.q, query.nearestObstacle(at_.q));
-  if (way_.isZero()) way_ = nextDirection(at_.normal_W);
+  const std::optional<double> turning = turns ? std::optional(kTurning * radius_) : std::nullopt;
+  planes_ = ContactPlanes({radius_, gap_, kMemory * radius_, turning});
+  planes_.learn(at_.q, at_.nearest);
   const Pose from = at_.q;
-  const Vector3 pressedOn = at_.normal_W;
+  const Vector3 pressedOn = at_.nearest.normal_W();
+  if (way_.isZero()) way_ = nextDirection(pressedOn);
   const double length = longest_ * std::sqrt(stream_.uniform());
   double left = 1.0;
   queries_ = 0;
   while (left > 0.0 && queries_ < kMostQueries) {
     const double made = step(std::min(left, 1.0 / kSteps) * length, query);
     left -= made / length;
-    if (made <= 0.0 || at_.normal_W.dot(pressedOn) < kSamePlane) break;
+    if (made <= 0.0 || at_.nearest.normal_W().dot(pressedOn) < kSamePlane) break;
   }
   returns_ = longestWay(from, at_.q, radius_) < 0.1 * length;
   way_.setZero();
@@ -88,16 +95,16 @@ Vector3 ContactFollower::nextDirection(const Vector3& normal_W) {
 /// One step of the leg, retracted to the gap: as long as nothing is in the way. Returns what was made of its length.
 double ContactFollower::step(double length, CollisionQuery& query) {
   planes_.forgetFarFrom(at_.q);
-  const SmallMotion motion = planes_.along(at_.q, {length * (way_ - kPress * at_.normal_W), Vector3::Zero()});
+  const Vector3 press = kPress * at_.nearest.normal_W();
+  const SmallMotion motion = planes_.along(at_.q, {length * (way_ - press), Vector3::Zero()});
   for (double share = 1.0; share >= kShortest; share *= kShorter) {
-    Pose q = moved(at_.q, {share * motion.translation, share * motion.rotation});
+    const Pose q = moved(at_.q, {share * motion.translation, share * motion.rotation});
     const NearestObstacle nearest = query.nearestObstacle(q);
     ++queries_;
     if (nearest.body < 0 || nearest.distance < kLeastGap * gap_) continue;
     planes_.learn(q, nearest);
     // No point comes nearer to anything by more than it is moved.
-    q.position -= nearest.normal_W() * (nearest.distance - gap_);
-    at_ = {q, nearest.normal_W()};
+    at_ = pressed(q, nearest);
     return share * length;
   }
   return 0.0;

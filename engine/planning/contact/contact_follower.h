@@ -32,11 +32,13 @@ class ContactFollower {
   Pose sample(CollisionQuery& query);
 
  private:
+  /// Where the object is pressed against a plane.
   struct Place {
     Pose q;
-    Vector3 normal_W;  ///< of the plane that the object is pressed against
+    NearestObstacle nearest;  ///< of q, moved along with the object to the gap
   };
 
+  Place pressed(const Pose& q, const NearestObstacle& nearest) const;
   Pose leg(CollisionQuery& query);
   Vector3 nextDirection(const Vector3& normal_W);
   double step(double length, CollisionQuery& query);

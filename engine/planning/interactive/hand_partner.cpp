@@ -71,6 +71,7 @@ HandPartner::HandPartner(const Problem& problem, std::uint64_t seed, std::shared
       planner_(std::move(follower), std::numeric_limits<std::uint64_t>::max(), nullptr) {}
 
 bool HandPartner::takesTurn(PlannerHost& host) {
+  preferred_->follow(problem_, host.semanticEdits());
   const auto sample = host.operatorSample();
   held_ = sample.has_value();
   if (!sample) return false;
@@ -148,7 +149,8 @@ bool HandPartner::membersTakePart() const {
 
 std::unique_ptr<ConfigurationSampler> HandPartner::sampler(std::unique_ptr<ConfigurationSampler> own,
                                                            std::uint64_t seed) const {
-  return std::make_unique<WaySampler>(problem_, std::move(own), seed, board_);
+  auto ofWay = std::make_unique<WaySampler>(problem_, std::move(own), seed, board_);
+  return std::make_unique<PreferredSampler>(std::move(ofWay), seed, preferred_);
 }
 
 std::vector<Member> HandPartner::members() {

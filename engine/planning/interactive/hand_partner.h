@@ -3,6 +3,7 @@
 #include "engine/planning/automatic/portfolio_partner.h"
 #include "engine/planning/interactive/hand_account.h"
 #include "engine/planning/interactive/hand_follower.h"
+#include "engine/planning/interactive/preferred_places.h"
 
 namespace glissade {
 
@@ -12,8 +13,9 @@ namespace glissade {
 /// hand's, where it has shown something new. Steps of a round that side by side have taken at once are the computer's
 /// next ones. Members draw from the tube about the hand's way, and two members are the hand's own: one repairs its way
 /// from start to goal, one grows trees in the tube. What these cost is limited (HandAccount). The hand loses most of
-/// its authority while its steps grow nothing. Without a hand no random number is drawn and nothing is shared: the
-/// portfolio does what it does alone, bit by bit.
+/// its authority while its steps grow nothing. Without a hand, and without a place that is preferred, no random
+/// number is drawn and nothing is shared: the portfolio does what it does alone, bit by bit. Members draw from the
+/// places that a person prefers, too.
 class HandPartner final : public PortfolioPartner {
  public:
   HandPartner(const Problem& problem, std::uint64_t seed);
@@ -46,6 +48,7 @@ class HandPartner final : public PortfolioPartner {
   std::shared_ptr<ErodedWorlds> worlds_;
   RandomStream authorityStream_;
   std::shared_ptr<WayBoard> board_ = std::make_shared<WayBoard>();
+  std::shared_ptr<PreferredPlaces> preferred_ = std::make_shared<PreferredPlaces>();
   HandFollower* follower_;  ///< in planner_
   SubPlanner planner_;
   HandAccount account_;

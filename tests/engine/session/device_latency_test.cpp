@@ -13,6 +13,7 @@
 
 #include "engine/base/random_stream.h"
 #include "engine/operator/shaped_device.h"
+#include "engine/operator/sliding_hand.h"
 #include "engine/operator/spacenav_reader.h"
 #include "engine/session/session.h"
 #include "tests/engine/operator/fake_spacenav_daemon.h"
@@ -67,8 +68,11 @@ TEST(DeviceLatency, AMoveOfTheMouseReachesTheSnapshotWhilePlanning) {
   const SpacenavReader reader(hand, milliseconds(5));
   while (!hand->mouse6d.mailbox.reading().connected) std::this_thread::sleep_for(milliseconds(5));
 
-  const auto session =
-      makeThreadedSession(sessionConfig(closedProblem(), std::make_unique<ShapedDevice>(hand, hand->mouse6d)));
+  const Problem problem = closedProblem();
+  auto device = std::make_unique<SlidingHand>(problem.world, std::make_unique<ShapedDevice>(hand, hand->mouse6d));
+  SessionConfig config = sessionConfig(problem, std::move(device));
+  config.plannerId = "interactive";
+  const auto session = makeThreadedSession(std::move(config));
   Window window(*session);
   session->post(command::Start{});
   while (window.next()->state != SessionState::Planning) {
