@@ -31,6 +31,8 @@ const std::vector<MenuSpec>& menuTable() {
         "",
         "menu.display",
         "menu.stereo",
+        "view.headset",
+        "headset.on-table",
         "body.hide",
         "body.isolate",
         "body.show-all",

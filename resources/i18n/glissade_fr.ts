@@ -2042,6 +2042,22 @@
         <source>Show the scene alone on a whole display; commands keep their keys</source>
         <translation>Montrer la scène seule sur un écran entier ; les commandes gardent leurs touches</translation>
     </message>
+    <message>
+        <source>Headset</source>
+        <translation>Casque</translation>
+    </message>
+    <message>
+        <source>Show the scene in a headset (OpenXR), or stop it</source>
+        <translation>Montrer la scène dans un casque (OpenXR), ou l&apos;arrêter</translation>
+    </message>
+    <message>
+        <source>Product on a table in the headset</source>
+        <translation>Produit sur une table dans le casque</translation>
+    </message>
+    <message>
+        <source>In the headset the product is as large as a table has room for, or at true scale</source>
+        <translation>Dans le casque, le produit a la taille pour laquelle une table a de la place, ou l&apos;échelle vraie</translation>
+    </message>
 </context>
 <context>
     <name>Arranging</name>
@@ -9526,6 +9542,57 @@
     <message>
         <source>The settings cannot be written: %1</source>
         <translation>Les réglages ne peuvent pas être écrits : %1</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::HeadsetController</name>
+    <message>
+        <source>The headset is searched</source>
+        <translation>Le casque est cherché</translation>
+    </message>
+    <message>
+        <source>A headset needs an X display with OpenGL, and there is none. It is tried again</source>
+        <translation>Un casque demande un écran X avec OpenGL, et il n&apos;y en a pas. L&apos;essai est répété</translation>
+    </message>
+    <message>
+        <source>No OpenXR runtime answers. Start the program of your headset; it is tried again</source>
+        <translation>Aucun moteur OpenXR ne répond. Démarrez le programme de votre casque ; l&apos;essai est répété</translation>
+    </message>
+    <message>
+        <source>The OpenXR runtime takes no pictures by OpenGL. Choose another one; it is tried again</source>
+        <translation>Le moteur OpenXR ne prend pas d&apos;images par OpenGL. Choisissez-en un autre ; l&apos;essai est répété</translation>
+    </message>
+    <message>
+        <source>No headset is connected. Connect one; it is tried again</source>
+        <translation>Aucun casque n&apos;est branché. Branchez-en un ; l&apos;essai est répété</translation>
+    </message>
+    <message>
+        <source>The headset was lost. Nothing else is lost, and it is searched again</source>
+        <translation>Le casque est perdu. Rien d&apos;autre n&apos;est perdu, et il est cherché à nouveau</translation>
+    </message>
+    <message>
+        <source>The OpenXR runtime has ended. Nothing else is lost, and it is searched again</source>
+        <translation>Le moteur OpenXR s&apos;est arrêté. Rien d&apos;autre n&apos;est perdu, et il est cherché à nouveau</translation>
+    </message>
+    <message>
+        <source>The headset does not work: %1. It is tried again</source>
+        <translation>Le casque ne fonctionne pas : %1. L&apos;essai est répété</translation>
+    </message>
+    <message>
+        <source>The headset %1 is connected. Put it on</source>
+        <translation>Le casque %1 est branché. Mettez-le</translation>
+    </message>
+    <message>
+        <source>The headset was left. Choose View &gt; Headset to come back</source>
+        <translation>Le casque a été quitté. Choisissez Vue &gt; Casque pour revenir</translation>
+    </message>
+    <message>
+        <source>This program was built without OpenXR, or there is no display</source>
+        <translation>Ce programme a été construit sans OpenXR, ou il n&apos;y a pas d&apos;écran</translation>
+    </message>
+    <message>
+        <source>The scene is shown in the headset %1</source>
+        <translation>La scène est montrée dans le casque %1</translation>
     </message>
 </context>
 <context>
