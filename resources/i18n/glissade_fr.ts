@@ -1112,7 +1112,7 @@
     </message>
     <message>
         <source>Botto&amp;m view</source>
-        <translation>Vue de dess&amp;ous</translation>
+        <translation>&amp;Vue de dessous</translation>
     </message>
     <message>
         <source>Dark &amp;theme</source>
@@ -2043,20 +2043,20 @@
         <translation>Montrer la scène seule sur un écran entier ; les commandes gardent leurs touches</translation>
     </message>
     <message>
-        <source>Headset</source>
-        <translation>Casque</translation>
-    </message>
-    <message>
         <source>Show the scene in a headset (OpenXR), or stop it</source>
         <translation>Montrer la scène dans un casque (OpenXR), ou l&apos;arrêter</translation>
     </message>
     <message>
-        <source>Product on a table in the headset</source>
-        <translation>Produit sur une table dans le casque</translation>
-    </message>
-    <message>
         <source>In the headset the product is as large as a table has room for, or at true scale</source>
         <translation>Dans le casque, le produit a la taille pour laquelle une table a de la place, ou l&apos;échelle vraie</translation>
+    </message>
+    <message>
+        <source>&amp;Show the scene in a headset</source>
+        <translation>&amp;Montrer la scène dans un casque</translation>
+    </message>
+    <message>
+        <source>&amp;Product on a table in the headset</source>
+        <translation>&amp;Produit sur une table dans le casque</translation>
     </message>
 </context>
 <context>
@@ -6820,6 +6820,10 @@
         <source>Ster&amp;eo</source>
         <translation>V&amp;ue stéréo</translation>
     </message>
+    <message>
+        <source>He&amp;adset</source>
+        <translation>Visi&amp;ocasque</translation>
+    </message>
 </context>
 <context>
     <name>Messages</name>
@@ -9584,7 +9588,7 @@
     </message>
     <message>
         <source>The headset was left. Choose View &gt; Headset to come back</source>
-        <translation>Le casque a été quitté. Choisissez Vue &gt; Casque pour revenir</translation>
+        <translation>Le casque a été quitté. Choisissez Vue &gt; Visiocasque pour revenir</translation>
     </message>
     <message>
         <source>This program was built without OpenXR, or there is no display</source>
