@@ -3,6 +3,7 @@
 #include <QScreen>
 
 #include "app/window/head_controller.h"
+#include "app/window/headset_controller.h"
 #include "app/window/stereo_controller.h"
 
 namespace glissade {
@@ -16,6 +17,7 @@ EyesController::EyesController(const Workbench& bench) : QObject(&bench.window) 
   auto* eyePlace = new EyePlaceKeeper(bench.scene, screenPixels, &bench.window);
   stereo_ = new StereoController(bench, *eyePlace);
   new HeadController(bench, *eyePlace);
+  new HeadsetController(bench);
 }
 
 void EyesController::remember(WindowMemory& memory) { stereo_->remember(memory); }

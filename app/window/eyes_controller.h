@@ -7,7 +7,8 @@ namespace glissade {
 class StereoController;
 class WindowMemory;
 
-/// What is about the eyes of the person: where they are before the screen, stereo, and the head that is tracked.
+/// What is about the eyes of the person: where they are before the screen, stereo, the head that is tracked,
+/// and the headset.
 class EyesController final : public QObject {
   Q_OBJECT
 

@@ -1120,7 +1120,7 @@
     </message>
     <message>
         <source>Botto&amp;m view</source>
-        <translation>Vue de dess&amp;ous</translation>
+        <translation>&amp;Vue de dessous</translation>
     </message>
     <message>
         <source>Dark &amp;theme</source>
@@ -2051,16 +2051,44 @@
         <translation>Montrer la scène seule sur un écran entier ; les commandes gardent leurs touches</translation>
     </message>
     <message>
+        <source>Show the scene in a headset (OpenXR), or stop it</source>
+        <translation>Montrer la scène dans un casque (OpenXR), ou l&apos;arrêter</translation>
+    </message>
+    <message>
+        <source>In the headset the product is as large as a table has room for, or at true scale</source>
+        <translation>Dans le casque, le produit a la taille pour laquelle une table a de la place, ou l&apos;échelle vraie</translation>
+    </message>
+    <message>
+        <source>&amp;Show the scene in a headset</source>
+        <translation>&amp;Montrer la scène dans un casque</translation>
+    </message>
+    <message>
+        <source>&amp;Product on a table in the headset</source>
+        <translation>&amp;Produit sur une table dans le casque</translation>
+    </message>
+    <message>
         <source>Steer in other &amp;axes</source>
         <translation>Guider selon d&apos;autres a&amp;xes</translation>
+    </message>
+    <message>
+        <source>Move along the axes of the view, of the world or of the object</source>
+        <translation>Déplacer selon les axes de la vue, du monde ou de l&apos;objet</translation>
     </message>
     <message>
         <source>&amp;Help where the search is stuck</source>
         <translation>Aider là où la recherche est &amp;bloquée</translation>
     </message>
     <message>
+        <source>Take your hand and the view to the next place where the search is stuck</source>
+        <translation>Conduire votre main et la vue au prochain endroit où la recherche est bloquée</translation>
+    </message>
+    <message>
         <source>Show where your hand helps</source>
         <translation>Montrer où votre main est utile</translation>
+    </message>
+    <message>
+        <source>Show where the trees come nearest, and how much too large the object is</source>
+        <translation>Montrer où les arbres sont le plus proches, et de combien l&apos;objet est trop gros</translation>
     </message>
     <message>
         <source>Ke&amp;ys of steering</source>
@@ -2077,18 +2105,6 @@
     <message>
         <source>Show the places where your hand helps the search, and the arrow that leads there</source>
         <translation>Montrer les endroits où votre main aide la recherche, et la flèche qui y mène</translation>
-    </message>
-    <message>
-        <source>Move along the axes of the view, of the world or of the object</source>
-        <translation>Déplacer selon les axes de la vue, du monde ou de l&apos;objet</translation>
-    </message>
-    <message>
-        <source>Take your hand and the view to the next place where the search is stuck</source>
-        <translation>Conduire votre main et la vue au prochain endroit où la recherche est bloquée</translation>
-    </message>
-    <message>
-        <source>Show where the trees come nearest, and how much too large the object is</source>
-        <translation>Montrer où les arbres sont le plus proches, et de combien l&apos;objet est trop gros</translation>
     </message>
 </context>
 <context>
@@ -6467,20 +6483,20 @@
         <translation>Changez les attributs sémantiques, ou prenez la stratégie Couches (gts).</translation>
     </message>
     <message>
-        <source>Balanced</source>
-        <translation>Équilibré</translation>
-    </message>
-    <message>
-        <source>Steady</source>
-        <translation>Stable</translation>
-    </message>
-    <message>
         <source>it and %1 clash where they are assembled (%2): mend the parts, or accept the clash</source>
         <translation>elle et %1 sont en collision à l’état assemblé (%2) : corrigez les pièces, ou acceptez la collision</translation>
     </message>
     <message>
         <source>it and %1 clash where they are assembled: mend the parts, or accept the clash</source>
         <translation>elle et %1 sont en collision à l’état assemblé : corrigez les pièces, ou acceptez la collision</translation>
+    </message>
+    <message>
+        <source>Balanced</source>
+        <translation>Équilibré</translation>
+    </message>
+    <message>
+        <source>Steady</source>
+        <translation>Stable</translation>
     </message>
 </context>
 <context>
@@ -6882,6 +6898,10 @@
     <message>
         <source>Ster&amp;eo</source>
         <translation>V&amp;ue stéréo</translation>
+    </message>
+    <message>
+        <source>He&amp;adset</source>
+        <translation>Visi&amp;ocasque</translation>
     </message>
 </context>
 <context>
@@ -8386,6 +8406,10 @@
 <context>
     <name>glissade::AssistController</name>
     <message>
+        <source>No place to help was found.</source>
+        <translation>Aucun endroit où aider n&apos;a été trouvé.</translation>
+    </message>
+    <message>
         <source>Looking for places to help</source>
         <translation>Recherche des endroits où aider</translation>
     </message>
@@ -8402,14 +8426,6 @@
         <translation>le passage est ouvert.</translation>
     </message>
     <message>
-        <source>Lead it along the arrow; %1: next place.</source>
-        <translation>Menez-le le long de la flèche&#xa0;; %1&#xa0;: endroit suivant.</translation>
-    </message>
-    <message>
-        <source>%1 takes your hand there.</source>
-        <translation>%1 y conduit votre main.</translation>
-    </message>
-    <message>
         <source>the object is at most %1 too large at &apos;%2&apos;.</source>
         <translation>l&apos;objet est trop gros de %1 au plus, près de «&#xa0;%2&#xa0;».</translation>
     </message>
@@ -8418,8 +8434,12 @@
         <translation>l&apos;objet est trop gros de %1 au plus.</translation>
     </message>
     <message>
-        <source>No place to help was found.</source>
-        <translation>Aucun endroit où aider n&apos;a été trouvé.</translation>
+        <source>Lead it along the arrow; %1: next place.</source>
+        <translation>Menez-le le long de la flèche&#xa0;; %1&#xa0;: endroit suivant.</translation>
+    </message>
+    <message>
+        <source>%1 takes your hand there.</source>
+        <translation>%1 y conduit votre main.</translation>
     </message>
 </context>
 <context>
@@ -9121,12 +9141,12 @@
         <translation>fermé</translation>
     </message>
     <message>
-        <source>Place to help %1</source>
-        <translation>Endroit où aider %1</translation>
-    </message>
-    <message>
         <source>open</source>
         <translation>ouvert</translation>
+    </message>
+    <message>
+        <source>Place to help %1</source>
+        <translation>Endroit où aider %1</translation>
     </message>
 </context>
 <context>
@@ -9666,6 +9686,57 @@
     <message>
         <source>The settings cannot be written: %1</source>
         <translation>Les réglages ne peuvent pas être écrits : %1</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::HeadsetController</name>
+    <message>
+        <source>The headset is searched</source>
+        <translation>Le casque est cherché</translation>
+    </message>
+    <message>
+        <source>A headset needs an X display with OpenGL, and there is none. It is tried again</source>
+        <translation>Un casque demande un écran X avec OpenGL, et il n&apos;y en a pas. L&apos;essai est répété</translation>
+    </message>
+    <message>
+        <source>No OpenXR runtime answers. Start the program of your headset; it is tried again</source>
+        <translation>Aucun moteur OpenXR ne répond. Démarrez le programme de votre casque ; l&apos;essai est répété</translation>
+    </message>
+    <message>
+        <source>The OpenXR runtime takes no pictures by OpenGL. Choose another one; it is tried again</source>
+        <translation>Le moteur OpenXR ne prend pas d&apos;images par OpenGL. Choisissez-en un autre ; l&apos;essai est répété</translation>
+    </message>
+    <message>
+        <source>No headset is connected. Connect one; it is tried again</source>
+        <translation>Aucun casque n&apos;est branché. Branchez-en un ; l&apos;essai est répété</translation>
+    </message>
+    <message>
+        <source>The headset was lost. Nothing else is lost, and it is searched again</source>
+        <translation>Le casque est perdu. Rien d&apos;autre n&apos;est perdu, et il est cherché à nouveau</translation>
+    </message>
+    <message>
+        <source>The OpenXR runtime has ended. Nothing else is lost, and it is searched again</source>
+        <translation>Le moteur OpenXR s&apos;est arrêté. Rien d&apos;autre n&apos;est perdu, et il est cherché à nouveau</translation>
+    </message>
+    <message>
+        <source>The headset does not work: %1. It is tried again</source>
+        <translation>Le casque ne fonctionne pas : %1. L&apos;essai est répété</translation>
+    </message>
+    <message>
+        <source>The headset %1 is connected. Put it on</source>
+        <translation>Le casque %1 est branché. Mettez-le</translation>
+    </message>
+    <message>
+        <source>The headset was left. Choose View &gt; Headset to come back</source>
+        <translation>Le casque a été quitté. Choisissez Vue &gt; Visiocasque pour revenir</translation>
+    </message>
+    <message>
+        <source>This program was built without OpenXR, or there is no display</source>
+        <translation>Ce programme a été construit sans OpenXR, ou il n&apos;y a pas d&apos;écran</translation>
+    </message>
+    <message>
+        <source>The scene is shown in the headset %1</source>
+        <translation>La scène est montrée dans le casque %1</translation>
     </message>
 </context>
 <context>

@@ -9,6 +9,8 @@ namespace glissade::test {
 /// A scene that nobody draws.
 class UnseenScene final : public SceneWidget {
  public:
+  /// Without a headset, unless there is one, which outlives the scene.
+  explicit UnseenScene(Headset* headset = nullptr) : headset_(headset) {}
   SceneView& view() override { return view_; }
   QWidget* widget() override { return &widget_; }
   void refresh() override {}
@@ -21,10 +23,12 @@ class UnseenScene final : public SceneWidget {
   }
   void setCovered(bool /*covered*/) override {}
   std::unique_ptr<QuadBuffer> makeQuadBuffer(QWidget* /*parent*/) override { return nullptr; }
+  Headset* headset() override { return headset_; }
   void setNavigationStyle(NavigationStyle /*style*/) override {}
   void onCameraMoved(std::function<void()>) override {}
 
  private:
+  Headset* headset_;
   SceneView view_;
   QWidget widget_;
 };

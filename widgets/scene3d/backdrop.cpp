@@ -27,6 +27,7 @@ osg::ref_ptr<osg::Camera> makeBackdrop(const ScenePalette& palette) {
   camera->setClearMask(0);
   camera->setRenderOrder(osg::Camera::NESTED_RENDER);
   camera->getOrCreateStateSet()->setRenderBinDetails(-100, "RenderBin");
+  camera->setNodeMask(kWindowOnly);
   camera->addChild(quad);
   return camera;
 }

@@ -5,6 +5,8 @@
 #include <osg/Uniform>
 #include <osg/ref_ptr>
 
+#include "widgets/scene3d/scene_view.h"
+
 namespace glissade {
 
 /// Darkens the opaque bodies where the depth buffer is concave: in corners, holes and gaps, and beside what stands
@@ -15,7 +17,7 @@ class DepthShading {
   DepthShading();
 
   osg::Node* node() const { return quad_; }
-  void setEnabled(bool enabled) { quad_->setNodeMask(enabled ? ~0U : 0U); }
+  void setEnabled(bool enabled) { quad_->setNodeMask(enabled ? kWindowOnly : 0U); }
   /// Before a picture of this size in device pixels. `pixelsPerMetre`: across the view, at the distance 1 with
   /// perspective, at any distance without. `pixelScale`: device pixels per pixel.
   void prepare(int width, int height, double nearPlane, double farPlane, bool orthographic, double pixelsPerMetre,

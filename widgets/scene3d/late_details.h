@@ -16,7 +16,7 @@ namespace glissade {
 class DetailWorker;
 
 /// The coarser arrays of one shape. They are made on a worker when they are first asked for, so that a body can be
-/// drawn before; pictures in full detail never ask. get() is called on one thread.
+/// drawn before; pictures in full detail never ask. get() is called by whoever draws, one at a time.
 class LateDetails : public std::enable_shared_from_this<LateDetails> {
  public:
   LateDetails(ShapeDetail finest, std::shared_ptr<DetailWorker> worker);

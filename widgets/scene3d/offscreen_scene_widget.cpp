@@ -54,6 +54,7 @@ class OffscreenSceneWidget final : public QWidget, public SceneWidget {
   }
   void setCovered(bool covered) override { covered_ = covered; }
   std::unique_ptr<QuadBuffer> makeQuadBuffer(QWidget* /*parent*/) override { return nullptr; }
+  Headset* headset() override { return nullptr; }
   void setNavigationStyle(NavigationStyle style) override { mouse_.setStyle(style); }
   void onCameraMoved(std::function<void()> callback) override { cameraMoved_ = std::move(callback); }
 

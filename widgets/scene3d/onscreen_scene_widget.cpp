@@ -4,6 +4,7 @@
 #include <QTimer>
 #include <utility>
 
+#include "widgets/headset/openxr_headset.h"
 #include "widgets/scene3d/camera_controller.h"
 #include "widgets/scene3d/detail_control.h"
 #include "widgets/scene3d/mouse_navigation.h"
@@ -93,6 +94,7 @@ class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
   }
   void setCovered(bool covered) override { covered_ = covered; }
   std::unique_ptr<QuadBuffer> makeQuadBuffer(QWidget* parent) override { return makeQuadBufferWindow(parent); }
+  Headset* headset() override { return headset_.get(); }
   void setNavigationStyle(NavigationStyle style) override { mouse_.setStyle(style); }
   void onCameraMoved(std::function<void()> callback) override { cameraMoved_ = std::move(callback); }
 
@@ -168,6 +170,7 @@ class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
   bool changed_ = true;  ///< the next picture shows something new
   QTimer refine_;
   std::function<void()> cameraMoved_;
+  std::unique_ptr<Headset> headset_ = makeHeadset(view_);
 };
 
 }  // namespace

@@ -1,12 +1,11 @@
 #include "widgets/scene3d/scene_renderer.h"
 
-#include <osg/LightSource>
-
 #include <algorithm>
 #include <cmath>
 
 #include "widgets/scene3d/camera_controller.h"
 #include "widgets/scene3d/osg_convert.h"
+#include "widgets/scene3d/scene_lights.h"
 
 namespace glissade {
 namespace {
@@ -14,20 +13,6 @@ namespace {
 /// Bodies of fewer device pixels are not drawn (OSG's measure and default), or of this share of the tolerance.
 constexpr double kLeastBody = 2.0;
 constexpr double kLeastBodyShare = 0.5;
-
-/// A light that turns with the view: faces of different directions differ in brightness from wherever one looks.
-/// `towards_V` is the direction to the light in view coordinates: x right, y up, z to the viewer.
-osg::ref_ptr<osg::LightSource> makeLight(int number, const osg::Vec3& towards_V, float diffuse, float ambient) {
-  osg::ref_ptr<osg::Light> light = new osg::Light(static_cast<unsigned>(number));
-  light->setPosition(osg::Vec4(towards_V, 0.0F));
-  light->setDiffuse(osg::Vec4(diffuse, diffuse, diffuse, 1.0F));
-  light->setAmbient(osg::Vec4(ambient, ambient, ambient, 1.0F));
-  light->setSpecular(osg::Vec4(0.0F, 0.0F, 0.0F, 1.0F));
-  osg::ref_ptr<osg::LightSource> source = new osg::LightSource;
-  source->setReferenceFrame(osg::LightSource::ABSOLUTE_RF);
-  source->setLight(light);
-  return source;
-}
 
 }  // namespace
 
@@ -38,11 +23,7 @@ SceneRenderer::SceneRenderer(SceneView& view) : view_(view), viewer_(new osgView
   viewer_->setQuitEventSetsDone(false);
   viewer_->setLightingMode(osg::View::NO_LIGHT);
   viewer_->getCamera()->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
-  osg::ref_ptr<osg::Group> lit = new osg::Group;
-  lit->addChild(makeLight(0, {-0.35F, 0.55F, 0.75F}, 0.70F, 0.34F));
-  lit->addChild(makeLight(1, {0.75F, -0.25F, 0.60F}, 0.22F, 0.0F));
-  for (const GLenum mode : {GL_LIGHTING, GL_LIGHT0, GL_LIGHT1})
-    lit->getOrCreateStateSet()->setMode(mode, osg::StateAttribute::ON);
+  const osg::ref_ptr<osg::Group> lit = makeLights();
   lit->addChild(view.root());
   viewer_->setSceneData(lit);
 }
@@ -62,6 +43,7 @@ void SceneRenderer::render(unsigned int target, int width, int height, const Pic
   osg::Camera* camera = viewer_->getCamera();
   camera->setViewport(0, 0, width, height);
   const CameraController& controller = view_.camera();
+  const std::lock_guard lock(*view_.graphMutex());
   camera->setViewMatrix(toOsg(inverse(Pose{controller.eye(), controller.R_WV()})));
   setProjection();
   view_.beginPicture(width, height, detail);

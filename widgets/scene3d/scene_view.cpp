@@ -13,6 +13,8 @@ namespace {
 /// A picture that may be off by more pixels is one of a camera that moves.
 constexpr double kQuickTolerance = 1.0;
 
+Colour sRgbOf(const osg::Vec4& colour) { return {colour.r(), colour.g(), colour.b()}; }
+
 }  // namespace
 
 SceneView::SceneView() : impl_(std::make_unique<Impl>()) {
@@ -51,6 +53,7 @@ SceneView::SceneView() : impl_(std::make_unique<Impl>()) {
 SceneView::~SceneView() = default;
 
 void SceneView::setScenario(std::shared_ptr<const LoadedScenario> scenario) {
+  const std::lock_guard lock(*impl_->graphMutex);
   impl_->environment = {};
   impl_->hidden.clear();
   impl_->ownModes.clear();
@@ -61,6 +64,7 @@ void SceneView::setScenario(std::shared_ptr<const LoadedScenario> scenario) {
 }
 
 void SceneView::rearrange(std::shared_ptr<const LoadedScenario> scenario) {
+  const std::lock_guard lock(*impl_->graphMutex);
   const std::size_t before = impl_->scenario ? impl_->scenario->obstacles.size() : 0;
   impl_->scenario = std::move(scenario);
   impl_->shapes.dropUnused();
@@ -83,6 +87,7 @@ void SceneView::rearrange(std::shared_ptr<const LoadedScenario> scenario) {
 }
 
 void SceneView::placeObstacle(std::size_t obstacle, const Pose& X_WB) {
+  const std::lock_guard lock(*impl_->graphMutex);
   impl_->place(SceneLayer::Bodies, obstacle, X_WB);
   if (!impl_->inHand.insert(obstacle).second) return;
   impl_->showSelection();
@@ -90,6 +95,7 @@ void SceneView::placeObstacle(std::size_t obstacle, const Pose& X_WB) {
 }
 
 void SceneView::putBackObstacles() {
+  const std::lock_guard lock(*impl_->graphMutex);
   for (const std::size_t obstacle : impl_->inHand) {
     impl_->place(SceneLayer::Bodies, obstacle, impl_->poseOf(obstacle));
   }
@@ -97,9 +103,15 @@ void SceneView::putBackObstacles() {
   impl_->showHidden();
 }
 
-void SceneView::placeStart(const Pose& X_WB) { impl_->place(SceneLayer::StartAndGoal, 0, X_WB); }
+void SceneView::placeStart(const Pose& X_WB) {
+  const std::lock_guard lock(*impl_->graphMutex);
+  impl_->place(SceneLayer::StartAndGoal, 0, X_WB);
+}
 
-void SceneView::placeGoal(const Pose& X_WB) { impl_->place(SceneLayer::StartAndGoal, 1, X_WB); }
+void SceneView::placeGoal(const Pose& X_WB) {
+  const std::lock_guard lock(*impl_->graphMutex);
+  impl_->place(SceneLayer::StartAndGoal, 1, X_WB);
+}
 
 void SceneView::fit() {
   impl_->camera.fit(impl_->extent());
@@ -108,11 +120,13 @@ void SceneView::fit() {
 }
 
 void SceneView::setSnapshot(SnapshotPtr snapshot) {
+  const std::lock_guard lock(*impl_->graphMutex);
   impl_->snapshot = std::move(snapshot);
   impl_->showSnapshot();
 }
 
 void SceneView::setEnvironment(const EnvironmentPicture& picture) {
+  const std::lock_guard lock(*impl_->graphMutex);
   const EnvironmentPicture& drawn = impl_->environment;
   const bool onlySelection = picture.knowledge == drawn.knowledge && picture.placeColours == drawn.placeColours &&
                              picture.finestCellLevel == drawn.finestCellLevel;
@@ -125,6 +139,7 @@ void SceneView::setEnvironment(const EnvironmentPicture& picture) {
 }
 
 void SceneView::setHiddenBodies(const std::set<std::string>& bodyIds) {
+  const std::lock_guard lock(*impl_->graphMutex);
   impl_->hidden = bodyIds;
   impl_->showHidden();
 }
@@ -132,6 +147,7 @@ void SceneView::setHiddenBodies(const std::set<std::string>& bodyIds) {
 const std::set<std::string>& SceneView::hiddenBodies() const { return impl_->hidden; }
 
 void SceneView::setDisplayMode(DisplayMode mode) {
+  const std::lock_guard lock(*impl_->graphMutex);
   if (mode == impl_->mode) return;
   impl_->mode = mode;
   impl_->showModes();
@@ -140,6 +156,7 @@ void SceneView::setDisplayMode(DisplayMode mode) {
 DisplayMode SceneView::displayMode() const { return impl_->mode; }
 
 void SceneView::setDepthShading(bool shaded) {
+  const std::lock_guard lock(*impl_->graphMutex);
   impl_->depthShadingWanted = shaded;
   impl_->showDepthShading();
 }
@@ -147,6 +164,7 @@ void SceneView::setDepthShading(bool shaded) {
 bool SceneView::depthShading() const { return impl_->depthShadingWanted; }
 
 void SceneView::beginPicture(int width, int height, const PictureDetail& detail) {
+  const std::lock_guard lock(*impl_->graphMutex);
   impl_->quick = detail.tolerance > kQuickTolerance;
   // Of one sample for each pixel, smooth lines take longer than the bodies.
   impl_->root->getStateSet()->setMode(GL_LINE_SMOOTH,
@@ -162,6 +180,7 @@ void SceneView::beginPicture(int width, int height, const PictureDetail& detail)
 }
 
 void SceneView::setBodyDisplayModes(const std::map<std::string, DisplayMode>& modes) {
+  const std::lock_guard lock(*impl_->graphMutex);
   impl_->ownModes = modes;
   impl_->showModes();
 }
@@ -169,30 +188,43 @@ void SceneView::setBodyDisplayModes(const std::map<std::string, DisplayMode>& mo
 const std::map<std::string, DisplayMode>& SceneView::bodyDisplayModes() const { return impl_->ownModes; }
 
 void SceneView::setSections(const std::vector<Plane>& sections) {
+  const std::lock_guard lock(*impl_->graphMutex);
   impl_->sections = sections;
   impl_->showSections();
 }
 
 void SceneView::onCapsLeft(std::function<void()> callback) { impl_->capsLeft = std::move(callback); }
 
-std::function<std::function<void()>(const WorkWatch&)> SceneView::capsWork() { return impl_->caps.work(); }
+std::function<std::function<void()>(const WorkWatch&)> SceneView::capsWork() {
+  auto work = impl_->caps.work();
+  if (!work) return nullptr;
+  return [work = std::move(work), mutex = impl_->graphMutex](const WorkWatch& watch) -> std::function<void()> {
+    return [finish = work(watch), mutex] {
+      const std::lock_guard lock(*mutex);
+      finish();
+    };
+  };
+}
 
 const std::vector<Plane>& SceneView::sections() const { return impl_->sections; }
 
 Box3 SceneView::extent() const { return impl_->extent(); }
 
 void SceneView::setCoarsePlan(const CoarsePlanPtr& plan) {
+  const std::lock_guard lock(*impl_->graphMutex);
   if (plan == impl_->drawnPlan) return;
   impl_->drawnPlan = plan;
   if (impl_->scenario) impl_->showPlan();
 }
 
 void SceneView::setShownStep(const std::optional<std::size_t>& step) {
+  const std::lock_guard lock(*impl_->graphMutex);
   impl_->shownStep = step;
   if (impl_->scenario) impl_->showPlan();
 }
 
 void SceneView::setDifficulty(std::shared_ptr<const Difficulty> difficulty) {
+  const std::lock_guard lock(*impl_->graphMutex);
   impl_->difficulty = std::move(difficulty);
   impl_->showDifficulty();
 }
@@ -204,21 +236,25 @@ void SceneView::setHelp(HelpPicture help) {
 }
 
 void SceneView::setRefusal(std::shared_ptr<const EndConflicts> conflicts) {
+  const std::lock_guard lock(*impl_->graphMutex);
   impl_->refusal = std::move(conflicts);
   impl_->showRefusal();
 }
 
 void SceneView::setKeptPaths(std::vector<KeptPathPicture> paths) {
+  const std::lock_guard lock(*impl_->graphMutex);
   impl_->keptPaths = std::move(paths);
   impl_->showOverlays();
 }
 
 void SceneView::setSweep(std::shared_ptr<const SweptVolume> sweep) {
+  const std::lock_guard lock(*impl_->graphMutex);
   impl_->sweep = std::move(sweep);
   impl_->showOverlays();
 }
 
 void SceneView::setMeasure(MeasurePicture measure) {
+  const std::lock_guard lock(*impl_->graphMutex);
   impl_->measure = std::move(measure);
   impl_->showOverlays();
 }
@@ -263,17 +299,20 @@ Pose SceneView::objectPose() const {
 }
 
 void SceneView::setRoadmapKept(bool kept) {
+  const std::lock_guard lock(*impl_->graphMutex);
   impl_->roadmapKept = kept;
   impl_->showSnapshot();
 }
 
 void SceneView::setPathProfile(std::shared_ptr<const ClearanceProfile> profile) {
+  const std::lock_guard lock(*impl_->graphMutex);
   impl_->pathProfile = std::move(profile);
   impl_->drawnPath.reset();
   impl_->showSnapshot();
 }
 
 void SceneView::setGhosts(const PathSpacing& spacing) {
+  const std::lock_guard lock(*impl_->graphMutex);
   if (spacing == impl_->ghosts) return;
   impl_->ghosts = spacing;
   impl_->drawnPath.reset();
@@ -281,6 +320,7 @@ void SceneView::setGhosts(const PathSpacing& spacing) {
 }
 
 void SceneView::setGridUnit(double metres) {
+  const std::lock_guard lock(*impl_->graphMutex);
   impl_->gridUnit = metres;
   impl_->showGrid();
 }
@@ -290,18 +330,21 @@ std::optional<double> SceneView::gridSpacing() const {
 }
 
 void SceneView::setPathByAuthor(bool byAuthor) {
+  const std::lock_guard lock(*impl_->graphMutex);
   impl_->pathByAuthor = byAuthor;
   impl_->drawnPath.reset();
   impl_->showSnapshot();
 }
 
 void SceneView::setPlaybackPose(const std::optional<Pose>& X_WB) {
+  const std::lock_guard lock(*impl_->graphMutex);
   impl_->playback = X_WB;
   impl_->placeObject();
   impl_->showMarks();
 }
 
 void SceneView::setSequence(const SequencePicture& picture) {
+  const std::lock_guard lock(*impl_->graphMutex);
   const bool entersOrLeaves = impl_->sequence.bodies.empty() != picture.bodies.empty();
   impl_->sequence = picture;
   impl_->showSequence();
@@ -311,17 +354,20 @@ void SceneView::setSequence(const SequencePicture& picture) {
 bool SceneView::showsSequence() const { return !impl_->sequence.bodies.empty(); }
 
 void SceneView::setTheme(Theme theme) {
+  const std::lock_guard lock(*impl_->graphMutex);
   impl_->theme = theme;
   impl_->makePalette();
 }
 
 void SceneView::setColours(const SceneColours& colours) {
+  const std::lock_guard lock(*impl_->graphMutex);
   if (colours == impl_->colours) return;
   impl_->colours = colours;
   impl_->makePalette();
 }
 
 void SceneView::setPixelScale(double scale) {
+  const std::lock_guard lock(*impl_->graphMutex);
   if (static_cast<float>(scale) == impl_->palette.pixelScale) return;
   impl_->palette.pixelScale = static_cast<float>(scale);
   impl_->roadmap.setPalette(impl_->palette);
@@ -331,6 +377,7 @@ void SceneView::setPixelScale(double scale) {
 double SceneView::pixelScale() const { return impl_->palette.pixelScale; }
 
 void SceneView::setLayerVisible(SceneLayer layer, bool visible) {
+  const std::lock_guard lock(*impl_->graphMutex);
   if (visible == layerVisible(layer)) return;
   impl_->layer(layer).setNodeMask(visible ? ~0U : 0U);
   if (layer == SceneLayer::Bodies) impl_->showSections();
@@ -350,12 +397,12 @@ bool SceneView::layerVisible(SceneLayer layer) const { return impl_->layer(layer
 CameraController& SceneView::camera() { return impl_->camera; }
 const CameraController& SceneView::camera() const { return impl_->camera; }
 osg::Group* SceneView::root() const { return impl_->root; }
+std::shared_ptr<GraphMutex> SceneView::graphMutex() const { return impl_->graphMutex; }
 
 bool SceneView::hasDarkBackground() const { return isDark(impl_->palette.backgroundTop); }
 
-Colour SceneView::background() const {
-  const osg::Vec4& colour = impl_->palette.backgroundTop;
-  return {colour.r(), colour.g(), colour.b()};
-}
+Colour SceneView::background() const { return sRgbOf(impl_->palette.backgroundTop); }
+
+Colour SceneView::backgroundBelow() const { return sRgbOf(impl_->palette.backgroundBottom); }
 
 }  // namespace glissade

@@ -3,6 +3,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <set>
 #include <string>
@@ -29,6 +30,13 @@ struct Difficulty;
 struct EndConflicts;
 struct HelpPlace;
 struct PictureDetail;
+
+/// Held by whoever changes the scene graph or draws it: for one edit, one picture.
+using GraphMutex = std::recursive_mutex;
+
+/// What only the window draws of the scene, because it belongs to its picture and not to the space: a bit of node
+/// masks. The cull mask of another picture leaves it out.
+inline constexpr unsigned kWindowOnly = 1U;
 
 /// Light or dark window; the scene follows.
 enum class Theme { Light, Dark };
@@ -126,7 +134,8 @@ struct SequencePicture {
 };
 
 /// The 3D picture of one scenario and its session: an OSG scene graph and a camera. No Qt; used on
-/// the GUI thread only, by the on-screen and the offscreen widget alike.
+/// the GUI thread only, by the on-screen and the offscreen widget alike. Another thread may draw the graph while it
+/// holds its mutex; every function here that changes the graph holds it, too.
 class SceneView {
  public:
   SceneView();
@@ -237,8 +246,12 @@ class SceneView {
   void beginPicture(int width, int height, const PictureDetail& detail);
   /// Root of the scene graph, for the widget that renders it.
   osg::Group* root() const;
+  /// Of the scene graph; it may outlive this view.
+  std::shared_ptr<GraphMutex> graphMutex() const;
   /// Clear colour, sRGB.
   Colour background() const;
+  /// The lower end of the gradient behind the scene, sRGB.
+  Colour backgroundBelow() const;
   /// Texts and lines on it are to be light.
   bool hasDarkBackground() const;
 

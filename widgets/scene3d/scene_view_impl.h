@@ -38,6 +38,7 @@ inline constexpr double kSectionSlack = 1e-5;
 
 /// What a SceneView holds and how it draws it. Private to scene_view.cpp and scene_labels.cpp.
 struct SceneView::Impl {
+  std::shared_ptr<GraphMutex> graphMutex = std::make_shared<GraphMutex>();
   osg::ref_ptr<osg::Group> root = new osg::Group;
   osg::ref_ptr<osg::Group> backdrop = new osg::Group;
   std::array<osg::ref_ptr<osg::Group>, kSceneLayerCount> layers;

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "widgets/headset/headset.h"
 #include "widgets/scene3d/camera_controller.h"
 #include "widgets/scene3d/navigation_style.h"
 #include "widgets/scene3d/quad_buffer.h"
@@ -35,6 +36,9 @@ class SceneWidget {
   virtual void setCovered(bool covered) = 0;
   /// Over another widget; null where the driver has none.
   virtual std::unique_ptr<QuadBuffer> makeQuadBuffer(QWidget* parent) = 0;
+  /// Shows the view in a headset, off at first. Null where the program was built without OpenXR, and where there is no
+  /// display.
+  virtual Headset* headset() = 0;
   virtual void setNavigationStyle(NavigationStyle style) = 0;
   /// Called after the user moved the camera (R_WV changed: view-relative steering).
   virtual void onCameraMoved(std::function<void()> callback) = 0;

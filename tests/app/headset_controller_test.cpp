@@ -1,0 +1,111 @@
+// View > Headset in the whole window, with a headset that says what the test lets it say.
+#include "app/window/headset_controller.h"
+
+#include "tests/app/whole_window.h"
+
+namespace glissade {
+namespace {
+
+class SaidHeadset final : public Headset {
+ public:
+  void start() override { ++starts_; }
+  void stop() override { ++stops_; }
+  HeadsetStatus status() const override { return status_; }
+  void setPlacement(const RoomPlacement& room) override { room_ = room; }
+  void setBackground(const Colour& /*above*/, const Colour& /*below*/) override {}
+  void onChanged(std::function<void()> callback) override { callback_ = std::move(callback); }
+
+  void say(const HeadsetStatus& status) {
+    status_ = status;
+    callback_();
+    QCoreApplication::processEvents();
+  }
+  int starts() const { return starts_; }
+  int stops() const { return stops_; }
+  const RoomPlacement& room() const { return room_; }
+
+ private:
+  HeadsetStatus status_;
+  RoomPlacement room_;
+  std::function<void()> callback_;
+  int starts_ = 0;
+  int stops_ = 0;
+};
+
+class HeadsetControllerTest : public testing::Test {
+ protected:
+  HeadsetControllerTest()
+      : window_([this](QWidget*) { return std::make_unique<test::UnseenScene>(&headset_); }, SessionClock::Lockstep) {
+    window_.setBatch(true);
+    EXPECT_EQ(window_.openScenario(test::WholeWindowTest::sample("environment-1"), true), std::nullopt);
+  }
+
+  QAction& action(const char* id) { return *window_.workbench().actions[QLatin1String(id)]; }
+  QLabel& sign() { return *window_.findChild<QLabel*>(QStringLiteral("headset-sign")); }
+  bool hasSign() { return !sign().isHidden(); }
+
+  SaidHeadset headset_;
+  MainWindow window_;
+};
+
+TEST_F(HeadsetControllerTest, TheActionStartsAndStopsIt) {
+  action("view.headset").trigger();
+  EXPECT_EQ(headset_.starts(), 1);
+  action("view.headset").trigger();
+  EXPECT_EQ(headset_.stops(), 1);
+}
+
+TEST_F(HeadsetControllerTest, WhatIsMissingIsSaidUntilPicturesAreShown) {
+  action("view.headset").trigger();
+  headset_.say({HeadsetState::Searching, HeadsetTrouble::NoRuntime, "", ""});
+  EXPECT_TRUE(hasSign());
+  EXPECT_TRUE(sign().text().contains(QStringLiteral("OpenXR")));
+  headset_.say({HeadsetState::Idle, HeadsetTrouble::None, "", "Goggles"});
+  EXPECT_TRUE(sign().text().contains(QStringLiteral("Goggles")));
+  headset_.say({HeadsetState::Running, HeadsetTrouble::None, "", "Goggles"});
+  EXPECT_FALSE(hasSign());
+  EXPECT_TRUE(action("view.headset").isChecked());
+}
+
+TEST_F(HeadsetControllerTest, EveryTroubleHasWordsOfItsOwn) {
+  QStringList said;
+  for (const auto trouble :
+       {HeadsetTrouble::None, HeadsetTrouble::NoDisplay, HeadsetTrouble::NoRuntime, HeadsetTrouble::NoOpenGl,
+        HeadsetTrouble::NoHeadset, HeadsetTrouble::SessionLost, HeadsetTrouble::RuntimeLost, HeadsetTrouble::Failed}) {
+    said << HeadsetController::textOf({HeadsetState::Searching, trouble, "xrWaitFrame -1", ""});
+  }
+  EXPECT_EQ(said.removeDuplicates(), 0);
+  EXPECT_TRUE(said.last().contains(QStringLiteral("xrWaitFrame -1")));
+  EXPECT_FALSE(said.contains(QString()));
+}
+
+TEST_F(HeadsetControllerTest, WhoLeavesItFindsTheActionOffAndStartsItAgain) {
+  action("view.headset").trigger();
+  headset_.say({HeadsetState::Running, HeadsetTrouble::None, "", ""});
+  headset_.say({HeadsetState::Left, HeadsetTrouble::None, "", ""});
+  EXPECT_FALSE(action("view.headset").isChecked());
+  EXPECT_FALSE(hasSign());
+  EXPECT_EQ(headset_.stops(), 0);
+  action("view.headset").trigger();
+  EXPECT_EQ(headset_.starts(), 2);
+}
+
+TEST_F(HeadsetControllerTest, TheProductIsAtTrueScaleOrOnATable) {
+  action("view.headset").trigger();
+  EXPECT_EQ(headset_.room().scale, 1.0);
+  action("headset.on-table").trigger();
+  EXPECT_LT(headset_.room().scale, 1.0);
+  EXPECT_EQ(window_.openScenario(test::WholeWindowTest::sample("teaching"), true), std::nullopt);
+  const Box3 product = window_.workbench().scene.view().extent();
+  EXPECT_DOUBLE_EQ(headset_.room().scale * product.sizes().maxCoeff(), 0.6);
+}
+
+TEST(HeadsetController, WithoutOpenXrItsActionsSayWhyTheyAreDisabled) {
+  MainWindow window([](QWidget*) { return std::make_unique<test::UnseenScene>(); }, SessionClock::Lockstep);
+  const QAction& action = *window.workbench().actions["view.headset"];
+  EXPECT_FALSE(action.isEnabled());
+  EXPECT_TRUE(action.toolTip().contains(QStringLiteral("OpenXR")));
+}
+
+}  // namespace
+}  // namespace glissade

@@ -1,0 +1,243 @@
+// The headset with the runtime for tests, on a virtual display: see with_headset.sh.
+#include "widgets/headset/openxr_headset.h"
+
+#include <gtest/gtest.h>
+
+#include <QImage>
+
+#include <cmath>
+#include <filesystem>
+#include <random>
+#include <thread>
+
+#include "engine/scenario/scenario_io.h"
+#include "tests/app/golden_picture.h"
+#include "tests/widgets/headset/runtime/headset_script.h"
+#include "tests/widgets/headset/window_target.h"
+#include "widgets/headset/private_context.h"
+#include "widgets/scene3d/camera_controller.h"
+#include "widgets/scene3d/scene_renderer.h"
+
+namespace glissade {
+namespace {
+
+using namespace std::chrono_literals;
+using test::EyePicture;
+
+/// Before environment 1 on its table and looking down at it, with the head turned a little to the left.
+const Pose kHead{Vector3(0.05, 1.3, -0.1),
+                 Quaternion(Eigen::AngleAxisd(0.1, Vector3::UnitY()) * Eigen::AngleAxisd(-0.45, Vector3::UnitX()))};
+
+std::size_t threads() {
+  std::size_t count = 0;
+  for ([[maybe_unused]] const auto& task : std::filesystem::directory_iterator("/proc/self/task")) ++count;
+  return count;
+}
+
+QImage imageOf(const EyePicture& picture) {
+  return QImage(picture.rgba.data(), picture.width, picture.height, QImage::Format_RGBX8888).copy();
+}
+
+class OpenXrHeadsetTest : public testing::Test {
+ protected:
+  OpenXrHeadsetTest() {
+    test::resetHeadset();
+    auto loaded = loadScenario(test::sourceDirectory() + "/samples/environment-1/scenario.json");
+    EXPECT_TRUE(loaded);
+    view_.setScenario(std::make_shared<const LoadedScenario>(std::move(*loaded)));
+    room_ = placeRoom(view_.extent(), ProductSize::OnTable);
+    headset_ = makeHeadset(view_);
+    headset_->setPlacement(room_);
+    headset_->setBackground(view_.background(), view_.backgroundBelow());
+    test::setHead(kHead);
+  }
+  ~OpenXrHeadsetTest() override {
+    headset_.reset();
+    EXPECT_EQ(test::heldHandles(), 0);
+    EXPECT_EQ(test::complaints(), std::vector<std::string>());
+  }
+
+  HeadsetState state() const { return headset_->status().state; }
+  template <class Condition>
+  bool until(Condition condition, std::chrono::milliseconds longest = 20s) {
+    const auto end = std::chrono::steady_clock::now() + longest;
+    while (!condition() && std::chrono::steady_clock::now() < end) {
+      window_.draw(view_);
+      std::this_thread::sleep_for(2ms);
+    }
+    return condition();
+  }
+  bool becomes(HeadsetState wanted) {
+    return until([&] { return state() == wanted; });
+  }
+  bool showsMore() {
+    return until([before = test::shownPictures()] { return test::shownPictures() > before; });
+  }
+  std::vector<EyePicture> pictures() {
+    showsMore();  // the head and the scene of before are shown
+    return test::nextPictures(20s);
+  }
+
+  test::WindowTarget window_{320, 320};  ///< the window's own context, on this thread
+  SceneView view_;
+  RoomPlacement room_;
+  std::unique_ptr<Headset> headset_;
+};
+
+/// The camera of the window sees what this eye sees.
+void lookThrough(CameraController& camera, const EyeSight& sight) {
+  const EyeSides& sides = sight.sides;
+  const double height = sides.up - sides.down;
+  const Vector3 eye(-0.5 * (sides.left + sides.right), -0.5 * (sides.down + sides.up), 0.0);
+  const Quaternion R_WV = sight.X_WE.orientation;
+  const Vector3 middle = sight.X_WE.position - R_WV * eye;
+  camera.setFieldOfView(2.0 * std::atan(0.5 * height));
+  const double usualDistance = 0.5 * height / std::tan(0.5 * CameraController::usualFieldOfView());
+  camera.setPose({middle - R_WV * Vector3::UnitZ(), R_WV, usualDistance, false});
+  camera.setEyePlace({Vector3::Zero(), eye / height, std::nullopt});
+}
+
+TEST_F(OpenXrHeadsetTest, EachEyeSeesWhatAnOffAxisPictureOfTheWindowShows) {
+  view_.setDepthShading(false);
+  SceneColours colours;
+  colours.background = Colour{0.5, 0.6, 0.7};
+  view_.setColours(colours);
+  headset_->setBackground(view_.background(), view_.backgroundBelow());
+  headset_->start();
+  ASSERT_TRUE(becomes(HeadsetState::Running));
+  const std::vector<EyePicture> shown = pictures();
+  ASSERT_EQ(shown.size(), 2U);
+  for (std::size_t eye = 0; eye < 2; ++eye) {
+    lookThrough(view_.camera(), sightOf(room_, kHead * test::scriptedEye(eye), test::scriptedSides(eye)));
+    const QImage single = window_.picture(view_);
+    const test::Difference found = test::difference(imageOf(shown[eye]), single);
+    EXPECT_LT(found.mean, 0.5) << eye;
+    EXPECT_LT(found.share, 0.002) << eye;
+    const test::Difference other = test::difference(imageOf(shown[1 - eye]), single);
+    EXPECT_GT(other.mean, 4.0 * found.mean + 2.0) << "the eyes see the same";
+  }
+}
+
+TEST_F(OpenXrHeadsetTest, PicturesOfBothEyesWithAHorizon) {
+  headset_->start();
+  ASSERT_TRUE(becomes(HeadsetState::Running));
+  const std::vector<EyePicture> shown = pictures();
+  ASSERT_EQ(shown.size(), 2U);
+  test::expectLikeGolden(imageOf(shown[0]), QStringLiteral("headset-left"));
+  test::expectLikeGolden(imageOf(shown[1]), QStringLiteral("headset-right"));
+}
+
+TEST_F(OpenXrHeadsetTest, AnEditOfTheSceneIsSeenAndTheHeadMoves) {
+  headset_->start();
+  ASSERT_TRUE(becomes(HeadsetState::Running));
+  const QImage before = imageOf(pictures().at(0));
+  view_.setLayerVisible(SceneLayer::Bodies, false);
+  const QImage without = imageOf(pictures().at(0));
+  EXPECT_GT(test::difference(before, without).share, 0.05);
+  view_.setLayerVisible(SceneLayer::Bodies, true);
+  EXPECT_LT(test::difference(before, imageOf(pictures().at(0))).mean, 0.1);
+  test::setHead(kHead * Pose::translation(Vector3(0.1, 0.0, 0.0)));
+  EXPECT_GT(test::difference(before, imageOf(pictures().at(0))).mean, 1.0);
+}
+
+TEST_F(OpenXrHeadsetTest, WithoutAHeadsetThereIsNoThread) {
+  window_.draw(view_);
+  const std::size_t before = threads();
+  const auto another = makeHeadset(view_);
+  window_.draw(view_);
+  EXPECT_EQ(threads(), before);
+  EXPECT_EQ(another->status(), HeadsetStatus());
+}
+
+TEST_F(OpenXrHeadsetTest, SaysWhatIsMissingAndGoesOnWhenItComes) {
+  test::setRuntimeThere(false);
+  test::setHeadsetThere(false);
+  headset_->start();
+  ASSERT_TRUE(until([this] { return headset_->status().trouble == HeadsetTrouble::NoRuntime; }));
+  test::setRuntimeThere(true);
+  ASSERT_TRUE(until([this] { return headset_->status().trouble == HeadsetTrouble::NoHeadset; }));
+  test::setWorn(false);
+  test::setHeadsetThere(true);
+  ASSERT_TRUE(becomes(HeadsetState::Idle));
+  EXPECT_EQ(headset_->status().name, "Scripted headset");
+  test::setWorn(true);
+  ASSERT_TRUE(becomes(HeadsetState::Running));
+  EXPECT_TRUE(showsMore());
+}
+
+TEST_F(OpenXrHeadsetTest, ALostSessionAndALostRuntimeComeBack) {
+  headset_->start();
+  ASSERT_TRUE(becomes(HeadsetState::Running));
+  for (const auto lose : {test::loseSession, test::loseRuntime}) {
+    const int sessions = test::madeSessions();
+    lose();
+    ASSERT_TRUE(until([sessions] { return test::madeSessions() > sessions; }));
+    ASSERT_TRUE(becomes(HeadsetState::Running));
+    EXPECT_TRUE(showsMore());
+  }
+}
+
+TEST_F(OpenXrHeadsetTest, AfterThePersonHasLeftItWaitsUntilItIsAskedForAgain) {
+  headset_->start();
+  ASSERT_TRUE(becomes(HeadsetState::Running));
+  const int sessions = test::madeSessions();
+  test::leaveProgram();
+  ASSERT_TRUE(becomes(HeadsetState::Left));
+  EXPECT_TRUE(until([] { return test::heldHandles() == 0; }));
+  std::this_thread::sleep_for(2 * HeadsetMachine::kFirstWait);
+  EXPECT_EQ(test::madeSessions(), sessions);
+  headset_->start();
+  ASSERT_TRUE(becomes(HeadsetState::Running));
+}
+
+TEST_F(OpenXrHeadsetTest, AStallHoldsNeitherTheWindowNorItsEdits) {
+  headset_->start();
+  ASSERT_TRUE(becomes(HeadsetState::Running));
+  const auto stall = 2000ms;
+  test::stallOnce(stall);
+  ASSERT_TRUE(showsMore());  // the one before the stall, or after it
+  const auto begin = std::chrono::steady_clock::now();
+  int drawn = 0;
+  for (; drawn < 10; ++drawn) {
+    view_.setLayerVisible(SceneLayer::Object, drawn % 2 != 0);
+    window_.draw(view_);
+  }
+  headset_->stop();
+  EXPECT_EQ(state(), HeadsetState::Off);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, stall);
+  EXPECT_TRUE(until([] { return test::heldHandles() == 0; }));
+}
+
+TEST_F(OpenXrHeadsetTest, SomeHundredLossesStallsAndExitsAtRandomPoints) {
+  std::mt19937 random(34);
+  const auto number = [&random](int least, int most) { return std::uniform_int_distribution(least, most)(random); };
+  headset_->start();
+  ASSERT_TRUE(becomes(HeadsetState::Running));
+  constexpr int kEvents = 300;
+  for (int i = 0; i < kEvents; ++i) {
+    switch (number(0, 9)) {
+      case 0:
+      case 1:
+      case 2: test::loseRuntime(); break;
+      case 3:
+      case 4:
+      case 5: test::loseSession(); break;
+      case 6: test::stallOnce(std::chrono::milliseconds(number(1, 60))); break;
+      case 7: test::setWorn(number(0, 1) == 1); break;
+      case 8: test::leaveProgram(); break;
+      default: headset_->stop(); break;
+    }
+    view_.setLayerVisible(SceneLayer::Bodies, number(0, 1) == 1);
+    if (number(0, 1) == 1) window_.draw(view_);
+    std::this_thread::sleep_for(std::chrono::milliseconds(number(0, 40)));
+    if (state() == HeadsetState::Left || state() == HeadsetState::Off) headset_->start();
+  }
+  EXPECT_GT(test::madeSessions(), kEvents / 10);
+  test::setWorn(true);
+  if (state() != HeadsetState::Running) headset_->start();
+  ASSERT_TRUE(becomes(HeadsetState::Running));
+  EXPECT_TRUE(showsMore());
+}
+
+}  // namespace
+}  // namespace glissade

@@ -1,0 +1,131 @@
+#include "tests/widgets/headset/runtime/headset_script.h"
+
+#include <cmath>
+
+#include "tests/widgets/headset/runtime/runtime_state.h"
+
+namespace glissade::test {
+namespace {
+
+constexpr double kEyeSeparation = 0.063;
+
+template <class Change>
+void change(Change change) {
+  RuntimeState& state = runtimeState();
+  const std::lock_guard lock(state.mutex);
+  change(state);
+  state.changed.notify_all();
+}
+
+template <class Value>
+Value read(Value RuntimeState::*member) {
+  RuntimeState& state = runtimeState();
+  const std::lock_guard lock(state.mutex);
+  return state.*member;
+}
+
+}  // namespace
+
+RuntimeState& runtimeState() {
+  static RuntimeState state;
+  return state;
+}
+
+void changeSessionState(RuntimeState& state, XrSessionState to) {
+  state.sessionState = to;
+  state.events.push_back(to);
+}
+
+void complainOf(RuntimeState& state, const std::string& what) { state.complaints.push_back(what); }
+
+XrResult sessionResult(const RuntimeState& state) {
+  if (state.runtimeLost || !state.runtimeThere) return XR_ERROR_INSTANCE_LOST;
+  if (state.sessionLost) return XR_ERROR_SESSION_LOST;
+  return XR_SUCCESS;
+}
+
+EyeSides scriptedSides(std::size_t eye) {
+  const EyeSides left{-1.10, 0.90, -1.05, 0.95};
+  return eye == 0 ? left : EyeSides{-left.right, -left.left, left.down, left.up};
+}
+
+Pose scriptedEye(std::size_t eye) {
+  const double side = eye == 0 ? -1.0 : 1.0;
+  return {Vector3(side * 0.5 * kEyeSeparation, 0.0, 0.0),
+          Quaternion(Eigen::AngleAxisd(-side * 0.05, Vector3::UnitY()))};
+}
+
+void resetHeadset() {
+  change([](RuntimeState& state) {
+    state.runtimeThere = state.headsetThere = state.worn = true;
+    state.X_RH = {Vector3(0.0, 1.6, 0.0), Quaternion::Identity()};
+    state.stall = {};
+    state.picturesWanted = false;
+    state.complaints.clear();
+  });
+}
+
+void setRuntimeThere(bool there) {
+  change([there](RuntimeState& state) { state.runtimeThere = there; });
+}
+
+void setHeadsetThere(bool there) {
+  change([there](RuntimeState& state) { state.headsetThere = there; });
+}
+
+void setWorn(bool worn) {
+  change([worn](RuntimeState& state) {
+    state.worn = worn;
+    if (state.session == XR_NULL_HANDLE) return;
+    if (worn && !state.begun) changeSessionState(state, XR_SESSION_STATE_READY);
+    if (!worn && state.begun) changeSessionState(state, XR_SESSION_STATE_STOPPING);
+  });
+}
+
+void setHead(const Pose& X_RH) {
+  change([&X_RH](RuntimeState& state) { state.X_RH = X_RH; });
+}
+
+void stallOnce(std::chrono::milliseconds duration) {
+  change([duration](RuntimeState& state) { state.stall = duration; });
+}
+
+void loseSession() {
+  change([](RuntimeState& state) { state.sessionLost = state.session != XR_NULL_HANDLE; });
+}
+
+void loseRuntime() {
+  change([](RuntimeState& state) { state.runtimeLost = state.instance != XR_NULL_HANDLE; });
+}
+
+void leaveProgram() {
+  change([](RuntimeState& state) {
+    if (!state.begun) return;
+    state.leaving = true;
+    changeSessionState(state, XR_SESSION_STATE_STOPPING);
+  });
+}
+
+int shownPictures() { return read(&RuntimeState::shown); }
+
+int madeSessions() { return read(&RuntimeState::sessions); }
+
+std::vector<std::string> complaints() { return read(&RuntimeState::complaints); }
+
+int heldHandles() {
+  RuntimeState& state = runtimeState();
+  const std::lock_guard lock(state.mutex);
+  return (state.instance != XR_NULL_HANDLE ? 1 : 0) + (state.session != XR_NULL_HANDLE ? 1 : 0) + state.spaces +
+         static_cast<int>(state.swapchains.size());
+}
+
+std::vector<EyePicture> nextPictures(std::chrono::milliseconds longest) {
+  RuntimeState& state = runtimeState();
+  std::unique_lock lock(state.mutex);
+  state.pictures.clear();
+  state.picturesWanted = true;
+  state.changed.wait_for(lock, longest, [&state] { return !state.picturesWanted; });
+  return state.pictures;
+}
+
+}  // namespace glissade::test

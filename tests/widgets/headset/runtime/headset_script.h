@@ -1,0 +1,56 @@
+// What the runtime for tests is told to do, by the program that it is loaded into. All functions may be called on any
+// thread.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/geometry/pose.h"
+#include "widgets/headset/eye_sight.h"
+
+namespace glissade::test {
+
+/// What was shown to an eye: rows from the top, 4 bytes a pixel.
+struct EyePicture {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgba;
+};
+
+/// The sides of the picture of an eye, and its place in the head H: those of a headset whose lenses are turned
+/// outwards.
+EyeSides scriptedSides(std::size_t eye);
+Pose scriptedEye(std::size_t eye);
+
+/// As after the start of the program: nothing is lost, the headset is there and is worn.
+void resetHeadset();
+/// False: the runtime answers nothing, as one whose service does not run.
+void setRuntimeThere(bool there);
+void setHeadsetThere(bool there);
+/// Off: the session ends until it is put on.
+void setWorn(bool worn);
+/// X_RH: where the head is in the room.
+void setHead(const Pose& X_RH);
+/// The next wait for a picture takes so long.
+void stallOnce(std::chrono::milliseconds duration);
+/// Whatever session there is, or whatever instance, is lost: each of its calls fails.
+void loseSession();
+void loseRuntime();
+/// The person leaves the program by a menu of the headset.
+void leaveProgram();
+
+/// Pictures of both eyes that were shown, ever.
+int shownPictures();
+/// The next two that are shown; empty where none is within so long.
+std::vector<EyePicture> nextPictures(std::chrono::milliseconds longest);
+/// Sessions that were made, ever.
+int madeSessions();
+/// Instances, sessions, spaces and swapchains that are not destroyed.
+int heldHandles();
+/// What was wrong with calls of the program.
+std::vector<std::string> complaints();
+
+}  // namespace glissade::test

@@ -1,0 +1,96 @@
+#include "widgets/headset/eye_painter.h"
+
+#include <osg/FrameBufferObject>
+#include <osg/GLExtensions>
+
+#include "widgets/headset/headset_failure.h"
+#include "widgets/scene3d/osg_convert.h"
+#include "widgets/scene3d/scene_view.h"
+
+namespace glissade {
+namespace {
+
+constexpr int kSamples = 4;  ///< of a pixel, as in the window
+/// Of the coarser arrays of large meshes, in pixels (DetailNode).
+constexpr float kTolerance = 1.0F;
+
+const osg::GLExtensions& functionsOf(osg::GraphicsContext& context) {
+  return *context.getState()->get<osg::GLExtensions>();
+}
+
+osg::ref_ptr<osgUtil::SceneView> makeView(osg::GraphicsContext& context, osg::Node* scene) {
+  osg::ref_ptr<osgUtil::SceneView> view = new osgUtil::SceneView;
+  view->setDefaults(osgUtil::SceneView::NO_SCENEVIEW_LIGHT);
+  view->setState(context.getState());
+  view->setFrameStamp(new osg::FrameStamp);
+  view->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
+  view->setCullMask(~kWindowOnly);
+  view->setLODScale(kTolerance);
+  // Of a framebuffer object; OSG's own choice is an error there.
+  view->setDrawBufferValue(GL_COLOR_ATTACHMENT0_EXT);
+  view->setSceneData(scene);
+  return view;
+}
+
+}  // namespace
+
+EyePainter::EyePainter(osg::GraphicsContext& context, osg::Node* scene)
+    : context_(&context), view_(makeView(context, scene)) {}
+
+EyePainter::~EyePainter() { removeBuffers(); }
+
+void EyePainter::removeBuffers() {
+  if (smooth_ == 0) return;
+  const osg::GLExtensions& gl = functionsOf(*context_);
+  gl.glDeleteFramebuffers(1, &smooth_);
+  gl.glDeleteFramebuffers(1, &copied_);
+  gl.glDeleteRenderbuffers(1, &colour_);
+  gl.glDeleteRenderbuffers(1, &depth_);
+  smooth_ = 0;
+}
+
+void EyePainter::setTarget(int width, int height, std::int64_t format) {
+  removeBuffers();
+  width_ = width;
+  height_ = height;
+  view_->setViewport(0, 0, width, height);
+  const osg::GLExtensions& gl = functionsOf(*context_);
+  gl.glGenFramebuffers(1, &smooth_);
+  gl.glGenFramebuffers(1, &copied_);
+  gl.glGenRenderbuffers(1, &colour_);
+  gl.glGenRenderbuffers(1, &depth_);
+  gl.glBindFramebuffer(GL_FRAMEBUFFER_EXT, smooth_);
+  gl.glBindRenderbuffer(GL_RENDERBUFFER_EXT, colour_);
+  gl.glRenderbufferStorageMultisample(GL_RENDERBUFFER_EXT, kSamples, static_cast<GLenum>(format), width, height);
+  gl.glFramebufferRenderbuffer(GL_FRAMEBUFFER_EXT, GL_COLOR_ATTACHMENT0_EXT, GL_RENDERBUFFER_EXT, colour_);
+  gl.glBindRenderbuffer(GL_RENDERBUFFER_EXT, depth_);
+  gl.glRenderbufferStorageMultisample(GL_RENDERBUFFER_EXT, kSamples, GL_DEPTH24_STENCIL8_EXT, width, height);
+  gl.glFramebufferRenderbuffer(GL_FRAMEBUFFER_EXT, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER_EXT, depth_);
+  if (gl.glCheckFramebufferStatus(GL_FRAMEBUFFER_EXT) != GL_FRAMEBUFFER_COMPLETE_EXT) {
+    throw HeadsetFailure(HeadsetTrouble::Failed, "no framebuffer for the eyes");
+  }
+}
+
+void EyePainter::draw(const EyeSight& sight, unsigned texture) {
+  const osg::GLExtensions& gl = functionsOf(*context_);
+  gl.glBindFramebuffer(GL_FRAMEBUFFER_EXT, smooth_);
+  const double distance = sight.nearPlane;
+  view_->setViewMatrix(toOsg(inverse(sight.X_WE)));
+  view_->setProjectionMatrixAsFrustum(sight.sides.left * distance, sight.sides.right * distance,
+                                      sight.sides.down * distance, sight.sides.up * distance, distance, sight.farPlane);
+  view_->cull();
+  view_->draw();
+  copyTo(texture);
+}
+
+void EyePainter::copyTo(unsigned texture) {
+  const osg::GLExtensions& gl = functionsOf(*context_);
+  gl.glBindFramebuffer(GL_READ_FRAMEBUFFER_EXT, smooth_);
+  gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER_EXT, copied_);
+  gl.glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER_EXT, GL_COLOR_ATTACHMENT0_EXT, GL_TEXTURE_2D, texture, 0);
+  gl.glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  gl.glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER_EXT, GL_COLOR_ATTACHMENT0_EXT, GL_TEXTURE_2D, 0, 0);
+  gl.glBindFramebuffer(GL_FRAMEBUFFER_EXT, 0);
+}
+
+}  // namespace glissade

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <osg/GraphicsContext>
+#include <osgUtil/SceneView>
+
+#include <cstdint>
+
+#include "widgets/headset/eye_sight.h"
+
+namespace glissade {
+
+/// Draws what an eye sees into textures. Used on the thread of its context, while that is current and the graph's mutex
+/// is held.
+class EyePainter {
+ public:
+  EyePainter(osg::GraphicsContext& context, osg::Node* scene);
+  ~EyePainter();
+  EyePainter(const EyePainter&) = delete;
+  EyePainter& operator=(const EyePainter&) = delete;
+
+  /// The size and OpenGL's format of the textures from now on.
+  void setTarget(int width, int height, std::int64_t format);
+  void draw(const EyeSight& sight, unsigned texture);
+
+ private:
+  void removeBuffers();
+  void copyTo(unsigned texture);
+
+  osg::ref_ptr<osg::GraphicsContext> context_;
+  osg::ref_ptr<osgUtil::SceneView> view_;
+  int width_ = 0;
+  int height_ = 0;
+  unsigned smooth_ = 0;  ///< framebuffer of several samples for each pixel
+  unsigned colour_ = 0;  ///< its buffers
+  unsigned depth_ = 0;
+  unsigned copied_ = 0;  ///< framebuffer of the texture
+};
+
+}  // namespace glissade

@@ -1,0 +1,16 @@
+#include "widgets/headset/eye_sight.h"
+
+namespace glissade {
+namespace {
+
+/// Metres of the room.
+constexpr double kNear = 0.05;
+constexpr double kFar = 1000.0;
+
+}  // namespace
+
+EyeSight sightOf(const RoomPlacement& room, const Pose& X_RE, const EyeSides& sides) {
+  return {inWorld(room, X_RE), sides, kNear / room.scale, kFar / room.scale};
+}
+
+}  // namespace glissade

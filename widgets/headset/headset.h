@@ -1,0 +1,31 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "engine/environment/rigid_body.h"
+#include "widgets/headset/headset_machine.h"
+#include "widgets/headset/room_placement.h"
+
+namespace glissade {
+
+/// Shows a scene in a headset, from a thread of its own. All functions are called on one thread, the window's, and
+/// return at once, whatever the headset does.
+class Headset {
+ public:
+  /// Waits for the end of the thread, a second at most: a runtime that does not answer is left alone.
+  virtual ~Headset() = default;
+
+  /// Searches a headset and shows the scene in it, until stop() is called or the person leaves.
+  virtual void start() = 0;
+  virtual void stop() = 0;
+  virtual HeadsetStatus status() const = 0;
+  /// From the next picture on.
+  virtual void setPlacement(const RoomPlacement& room) = 0;
+  /// sRGB; above and below the horizon.
+  virtual void setBackground(const Colour& above, const Colour& below) = 0;
+  /// Called when the status is another one, on the thread of the headset; must return at once. Set before start().
+  virtual void onChanged(std::function<void()> callback) = 0;
+};
+
+}  // namespace glissade

@@ -1,0 +1,62 @@
+#include "widgets/headset/headset_connection.h"
+
+#include <cmath>
+
+namespace glissade {
+namespace {
+
+Pose poseOf(const XrPosef& pose) {
+  const Quaternion orientation(pose.orientation.w, pose.orientation.x, pose.orientation.y, pose.orientation.z);
+  return {Vector3(pose.position.x, pose.position.y, pose.position.z), orientation.normalized()};
+}
+
+EyeSides sidesOf(const XrFovf& angles) {
+  return {std::tan(angles.angleLeft), std::tan(angles.angleRight), std::tan(angles.angleDown),
+          std::tan(angles.angleUp)};
+}
+
+}  // namespace
+
+HeadsetConnection::HeadsetConnection(HeadsetScene& scene)
+    : scene_(scene), session_(runtime_, scene.context().handles()) {
+  const std::int64_t format = chooseColourFormat(session_.handle());
+  const auto sizes = sizesOfEyes(runtime_);
+  for (std::size_t eye = 0; eye < swapchains_.size(); ++eye) {
+    swapchains_[eye] = std::make_unique<EyeSwapchain>(session_, format, sizes[eye]);
+    scene_.setTarget(eye, swapchains_[eye]->width(), swapchains_[eye]->height(), format);
+  }
+}
+
+void HeadsetConnection::showPicture(const RoomPlacement& room) {
+  const XrFrameState frame = session_.waitFrame();
+  session_.beginFrame();
+  std::array<XrCompositionLayerProjectionView, 2> shown{};
+  const bool isShown = frame.shouldRender == XR_TRUE && draw(frame.predictedDisplayTime, room, shown);
+  XrCompositionLayerProjection layer{};
+  layer.type = XR_TYPE_COMPOSITION_LAYER_PROJECTION;
+  layer.space = session_.room();
+  layer.viewCount = static_cast<std::uint32_t>(shown.size());
+  layer.views = shown.data();
+  session_.endFrame(frame.predictedDisplayTime, isShown ? &layer : nullptr);
+}
+
+bool HeadsetConnection::draw(XrTime time, const RoomPlacement& room,
+                             std::array<XrCompositionLayerProjectionView, 2>& shown) {
+  EyeViews views;
+  if (!session_.locate(time, views)) return false;
+  std::array<EyeSight, 2> eyes;
+  std::array<unsigned, 2> textures{};
+  for (std::size_t eye = 0; eye < views.size(); ++eye) {
+    eyes[eye] = sightOf(room, poseOf(views[eye].pose), sidesOf(views[eye].fov));
+    textures[eye] = swapchains_[eye]->acquire();
+    shown[eye].type = XR_TYPE_COMPOSITION_LAYER_PROJECTION_VIEW;
+    shown[eye].pose = views[eye].pose;
+    shown[eye].fov = views[eye].fov;
+    shown[eye].subImage = swapchains_[eye]->picture();
+  }
+  scene_.draw(eyes, textures);
+  for (auto& swapchain : swapchains_) swapchain->release();
+  return true;
+}
+
+}  // namespace glissade

@@ -1,0 +1,46 @@
+#include "widgets/headset/headset_scene.h"
+
+#include <osg/DisplaySettings>
+
+#include <utility>
+
+#include "widgets/scene3d/scene_lights.h"
+
+namespace glissade {
+
+HeadsetScene::HeadsetScene(SharedGraph graph) : graph_(std::move(graph)), lit_(makeLights()) {
+  const std::lock_guard lock(*graph_.mutex);
+  graph_.root->resizeGLObjectBuffers(osg::DisplaySettings::instance()->getMaxNumberOfGraphicsContexts());
+  // Depth test and colours of materials, as a viewer sets them for its camera.
+  lit_->getOrCreateStateSet()->setGlobalDefaults();
+  lit_->addChild(horizon_.node());
+  lit_->addChild(graph_.root);
+  for (auto& painter : painters_) painter = std::make_unique<EyePainter>(context_.osgContext(), lit_);
+}
+
+/// The shared graph is given back without the objects of this context.
+HeadsetScene::~HeadsetScene() {
+  const std::lock_guard lock(*graph_.mutex);
+  graph_.root->releaseGLObjects(context_.osgContext().getState());
+  lit_->removeChild(graph_.root);
+  for (auto& painter : painters_) painter.reset();
+}
+
+void HeadsetScene::setBackground(const Colour& above, const Colour& below) {
+  const std::lock_guard lock(*graph_.mutex);
+  horizon_.setColours(above, below);
+}
+
+void HeadsetScene::setTarget(std::size_t eye, int width, int height, std::int64_t format) {
+  painters_[eye]->setTarget(width, height, format);
+}
+
+void HeadsetScene::draw(const std::array<EyeSight, 2>& eyes, const std::array<unsigned, 2>& textures) {
+  const std::lock_guard lock(*graph_.mutex);
+  for (std::size_t eye = 0; eye < painters_.size(); ++eye) {
+    horizon_.moveTo(eyes[eye]);
+    painters_[eye]->draw(eyes[eye], textures[eye]);
+  }
+}
+
+}  // namespace glissade

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <osg/Group>
+
+#include <array>
+#include <memory>
+
+#include "widgets/headset/eye_painter.h"
+#include "widgets/headset/horizon.h"
+#include "widgets/headset/private_context.h"
+#include "widgets/scene3d/scene_view.h"
+
+namespace glissade {
+
+/// The scene graph that the headset shares with the window.
+struct SharedGraph {
+  osg::ref_ptr<osg::Group> root;
+  std::shared_ptr<GraphMutex> mutex;
+};
+
+/// What both eyes see of the shared graph, and the OpenGL context that it is drawn with. Used on one thread, on which
+/// the context is current; draws while it holds the graph's mutex.
+class HeadsetScene {
+ public:
+  /// Throws HeadsetFailure.
+  explicit HeadsetScene(SharedGraph graph);
+  ~HeadsetScene();
+  HeadsetScene(const HeadsetScene&) = delete;
+  HeadsetScene& operator=(const HeadsetScene&) = delete;
+
+  PrivateContext& context() { return context_; }
+  void setBackground(const Colour& above, const Colour& below);
+  /// Size and format of the textures of an eye, 0 the left one.
+  void setTarget(std::size_t eye, int width, int height, std::int64_t format);
+  /// One picture for each eye: textures of the context.
+  void draw(const std::array<EyeSight, 2>& eyes, const std::array<unsigned, 2>& textures);
+
+ private:
+  SharedGraph graph_;
+  PrivateContext context_;
+  Horizon horizon_;
+  osg::ref_ptr<osg::Group> lit_;
+  std::array<std::unique_ptr<EyePainter>, 2> painters_;
+};
+
+}  // namespace glissade

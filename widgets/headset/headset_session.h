@@ -1,0 +1,53 @@
+#pragma once
+
+#include <openxr/openxr.h>
+
+#include <array>
+#include <vector>
+
+#include "widgets/headset/headset_runtime.h"
+#include "widgets/headset/private_context.h"
+
+namespace glissade {
+
+/// What has happened to a session since it was asked last.
+enum class SessionNews { Nothing, Began, Ended, Left, Lost };
+
+/// Both eyes of a moment, in the room.
+using EyeViews = std::array<XrView, 2>;
+
+/// A session with the runtime: its states, its times, and the space of the room. Used on one thread, on which the
+/// context is current. Functions throw HeadsetFailure.
+class HeadsetSession {
+ public:
+  HeadsetSession(const HeadsetRuntime& runtime, const GlxHandles& handles);
+  ~HeadsetSession();
+  HeadsetSession(const HeadsetSession&) = delete;
+  HeadsetSession& operator=(const HeadsetSession&) = delete;
+
+  XrSession handle() const { return session_; }
+  /// y up, the origin on the floor.
+  XrSpace room() const { return room_; }
+  /// Takes events until one is news.
+  SessionNews poll();
+
+  /// Waits for the time of the next picture, as long as the runtime likes.
+  XrFrameState waitFrame();
+  void beginFrame();
+  /// Nothing where the head is not tracked.
+  bool locate(XrTime time, EyeViews& views) const;
+  /// Null: nothing is shown.
+  void endFrame(XrTime time, const XrCompositionLayerProjection* layer);
+
+ private:
+  void create(const GlxHandles& handles);
+  void makeRoom();
+  SessionNews take(const XrEventDataBuffer& event);
+  SessionNews change(XrSessionState state);
+
+  const HeadsetRuntime& runtime_;
+  XrSession session_ = XR_NULL_HANDLE;
+  XrSpace room_ = XR_NULL_HANDLE;
+};
+
+}  // namespace glissade

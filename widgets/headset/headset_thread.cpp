@@ -1,0 +1,170 @@
+#include "widgets/headset/headset_thread.h"
+
+#include <thread>
+#include <utility>
+
+#include "widgets/headset/headset_failure.h"
+
+namespace glissade {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Between two looks for events while nobody wears the headset.
+constexpr std::chrono::milliseconds kIdleWait{20};
+
+}  // namespace
+
+void HeadsetThread::setWanted(bool wanted) {
+  const std::lock_guard lock(mutex_);
+  wanted_ = wanted;
+  status_ = {wanted ? HeadsetState::Searching : HeadsetState::Off, HeadsetTrouble::None, "", ""};
+  changed_.notify_all();
+  if (!wanted || alive_) return;
+  alive_ = true;
+  std::thread([self = shared_from_this()] { self->run(); }).detach();
+}
+
+HeadsetStatus HeadsetThread::status() const {
+  const std::lock_guard lock(mutex_);
+  return status_;
+}
+
+void HeadsetThread::setPlacement(const RoomPlacement& room) {
+  const std::lock_guard lock(mutex_);
+  room_ = room;
+}
+
+void HeadsetThread::setBackground(const Colour& above, const Colour& below) {
+  const std::lock_guard lock(mutex_);
+  background_ = Background{above, below};
+}
+
+void HeadsetThread::setListener(std::function<void()> listener) {
+  const std::lock_guard lock(mutex_);
+  listener_ = std::move(listener);
+}
+
+bool HeadsetThread::waitForEnd(std::chrono::milliseconds longest) {
+  std::unique_lock lock(mutex_);
+  return changed_.wait_for(lock, longest, [this] { return !alive_; });
+}
+
+void HeadsetThread::run() {
+  for (;;) {
+    serve();
+    const std::lock_guard lock(mutex_);
+    if (wanted_) continue;
+    alive_ = false;
+    changed_.notify_all();
+    return;
+  }
+}
+
+/// Until it is not wanted any more.
+void HeadsetThread::serve() {
+  machine_.ask(Clock::now());
+  while (isWanted()) {
+    try {
+      step();
+    } catch (const HeadsetFailure& why) {
+      fail(why.trouble(), why.what());
+    } catch (const std::exception& why) {
+      fail(HeadsetTrouble::Failed, why.what());
+    }
+    publish();
+  }
+  disconnect();
+}
+
+void HeadsetThread::step() {
+  if (!connection_) {
+    waitUntil(machine_.nextSearch());
+    if (isWanted()) search();
+    return;
+  }
+  follow(connection_->poll());
+  switch (machine_.status().state) {
+    case HeadsetState::Running: show(); break;
+    case HeadsetState::Idle: waitUntil(Clock::now() + kIdleWait); break;
+    default: break;
+  }
+}
+
+void HeadsetThread::search() {
+  if (!scene_) scene_ = std::make_unique<HeadsetScene>(graph_);
+  scene_->context().makeCurrent();
+  connection_ = std::make_unique<HeadsetConnection>(*scene_);
+  machine_.connect(connection_->name());
+}
+
+void HeadsetThread::follow(SessionNews news) {
+  switch (news) {
+    case SessionNews::Nothing: break;
+    case SessionNews::Began: machine_.begin(); break;
+    case SessionNews::Ended: machine_.end(); break;
+    case SessionNews::Lost: throw HeadsetFailure(HeadsetTrouble::SessionLost, "the session ends");
+    case SessionNews::Left: {
+      machine_.leave();
+      publish();
+      const std::lock_guard lock(mutex_);
+      wanted_ = false;
+      break;
+    }
+  }
+}
+
+void HeadsetThread::show() {
+  RoomPlacement room;
+  std::optional<Background> background;
+  {
+    const std::lock_guard lock(mutex_);
+    room = room_;
+    background = std::exchange(background_, std::nullopt);
+  }
+  if (background) scene_->setBackground(background->above, background->below);
+  connection_->showPicture(room);
+}
+
+void HeadsetThread::fail(HeadsetTrouble trouble, const std::string& detail) {
+  if (!connection_) {
+    machine_.failSearch(trouble, detail, Clock::now());
+    return;
+  }
+  machine_.lose(trouble, detail);
+  publish();
+  connection_.reset();
+  machine_.release(Clock::now());
+}
+
+/// The context is left for the next thread.
+void HeadsetThread::disconnect() {
+  connection_.reset();
+  if (scene_) scene_->context().release();
+}
+
+/// What comes after the end that was asked for is not said any more.
+void HeadsetThread::publish() {
+  std::function<void()> listener;
+  {
+    const std::lock_guard lock(mutex_);
+    if (!wanted_ || status_ == machine_.status()) return;
+    status_ = machine_.status();
+    listener = listener_;
+  }
+  if (listener) listener();
+}
+
+bool HeadsetThread::isWanted() const {
+  const std::lock_guard lock(mutex_);
+  return wanted_;
+}
+
+void HeadsetThread::waitUntil(HeadsetMachine::Time time) {
+  std::unique_lock lock(mutex_);
+  changed_.wait_until(lock, time, [this] { return !wanted_; });
+}
+
+void HeadsetThread::forgetScene() { scene_.reset(); }
+
+}  // namespace glissade

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <osg/MatrixTransform>
+#include <osg/ref_ptr>
+
+#include "engine/environment/rigid_body.h"
+#include "widgets/headset/eye_sight.h"
+
+namespace glissade {
+
+/// Ground and sky behind everything, infinitely far: they do not move with the head, and their border is level.
+class Horizon {
+ public:
+  Horizon();
+
+  osg::Node* node() const { return sphere_; }
+  /// sRGB.
+  void setColours(const Colour& above, const Colour& below);
+  /// Before a picture of this eye.
+  void moveTo(const EyeSight& sight);
+
+ private:
+  osg::ref_ptr<osg::MatrixTransform> sphere_;
+  osg::ref_ptr<osg::Geometry> geometry_;
+};
+
+}  // namespace glissade

@@ -1,0 +1,8 @@
+// In the place of openxr_headset.cpp, where the program is built without OpenXR.
+#include "widgets/headset/openxr_headset.h"
+
+namespace glissade {
+
+std::unique_ptr<Headset> makeHeadset(SceneView& /*view*/) { return nullptr; }
+
+}  // namespace glissade

@@ -1,0 +1,36 @@
+#include "widgets/headset/openxr_headset.h"
+
+#include "widgets/headset/headset_thread.h"
+
+namespace glissade {
+namespace {
+
+/// A runtime that does not answer is left alone after so long.
+constexpr std::chrono::milliseconds kLongestEnd{1000};
+
+class OpenXrHeadset final : public Headset {
+ public:
+  explicit OpenXrHeadset(SceneView& view)
+      : thread_(std::make_shared<HeadsetThread>(SharedGraph{view.root(), view.graphMutex()})) {}
+  ~OpenXrHeadset() override {
+    thread_->setListener({});
+    thread_->setWanted(false);
+    if (thread_->waitForEnd(kLongestEnd)) thread_->forgetScene();
+  }
+
+  void start() override { thread_->setWanted(true); }
+  void stop() override { thread_->setWanted(false); }
+  HeadsetStatus status() const override { return thread_->status(); }
+  void setPlacement(const RoomPlacement& room) override { thread_->setPlacement(room); }
+  void setBackground(const Colour& above, const Colour& below) override { thread_->setBackground(above, below); }
+  void onChanged(std::function<void()> callback) override { thread_->setListener(std::move(callback)); }
+
+ private:
+  std::shared_ptr<HeadsetThread> thread_;
+};
+
+}  // namespace
+
+std::unique_ptr<Headset> makeHeadset(SceneView& view) { return std::make_unique<OpenXrHeadset>(view); }
+
+}  // namespace glissade

@@ -1,0 +1,38 @@
+#include "widgets/headset/room_placement.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace glissade {
+namespace {
+
+/// Metres of the room.
+constexpr double kTableHeight = 0.75;
+constexpr double kTableSize = 0.6;      ///< what stands on it is not larger in any direction
+constexpr double kTableDistance = 0.5;  ///< from the person to what stands on it
+constexpr double kFloorDistance = 1.2;  ///< from the person to what stands on the floor
+constexpr double kLowest = 1.0;         ///< what is lower does not stand on the floor
+
+/// y up to z up: what is before the person is along the y axis of the world.
+Quaternion roomToWorld() { return Quaternion(Eigen::AngleAxisd(std::numbers::pi / 2.0, Vector3::UnitX())); }
+
+}  // namespace
+
+RoomPlacement placeRoom(const Box3& box, ProductSize size) {
+  const Box3 product = box.isEmpty() ? Box3(Vector3::Zero(), Vector3::Zero()) : box;
+  const double largest = product.sizes().maxCoeff();
+  RoomPlacement room;
+  if (size == ProductSize::OnTable && largest > 0.0) room.scale = kTableSize / largest;
+  const bool stands = size == ProductSize::True && product.sizes().z() >= kLowest;
+  const double distance = (stands ? kFloorDistance : kTableDistance) / room.scale;
+  const double height = box.isEmpty() || stands ? 0.0 : kTableHeight / room.scale;
+  room.X_WR.orientation = roomToWorld();
+  room.X_WR.position = {product.center().x(), product.min().y() - distance, product.min().z() - height};
+  return room;
+}
+
+Pose inWorld(const RoomPlacement& room, const Pose& X_RP) {
+  return room.X_WR * Pose{X_RP.position / room.scale, X_RP.orientation};
+}
+
+}  // namespace glissade
