@@ -1,23 +1,29 @@
 #include <algorithm>
 
 #include "widgets/commands/action_catalogue.h"
+#include "widgets/commands/layer_actions.h"
 #include "widgets/commands/sequence_actions.h"
 
 namespace glissade {
 namespace {
 
-/// The commands of sequences come before those of runs.
-std::vector<ActionSpec> withSequence(std::vector<ActionSpec> specs) {
-  const auto run = std::find_if(specs.begin(), specs.end(),
-                                [](const ActionSpec& spec) { return std::string(spec.id) == "run.start"; });
-  specs.insert(run, sequenceActionSpecs().begin(), sequenceActionSpecs().end());
+/// In front of the command of this id.
+void insertBefore(const std::string& id, const std::vector<ActionSpec>& more, std::vector<ActionSpec>& specs) {
+  const auto at = std::find_if(specs.begin(), specs.end(), [&](const ActionSpec& spec) { return id == spec.id; });
+  specs.insert(at, more.begin(), more.end());
+}
+
+/// With the commands of files of their own.
+std::vector<ActionSpec> complete(std::vector<ActionSpec> specs) {
+  insertBefore("run.start", sequenceActionSpecs(), specs);
+  insertBefore("panel.scene", layerActionSpecs(), specs);
   return specs;
 }
 
 }  // namespace
 
 const std::vector<ActionSpec>& actionSpecs() {
-  static const std::vector<ActionSpec> specs = withSequence({
+  static const std::vector<ActionSpec> specs = complete({
       {"file.new", QT_TRANSLATE_NOOP("Actions", "&New from parts..."), "Ctrl+N",
        QT_TRANSLATE_NOOP("Actions", "Make a scenario from STEP, mesh or URDF files, one of which moves"), false},
       {"file.open", QT_TRANSLATE_NOOP("Actions", "&Open scenario..."), "Ctrl+O",
@@ -405,53 +411,6 @@ const std::vector<ActionSpec>& actionSpecs() {
        QT_TRANSLATE_NOOP("Actions", "Light texts on a dark background"), true},
       {"view.reset-layout", QT_TRANSLATE_NOOP("Actions", "&Reset the layout"), "",
        QT_TRANSLATE_NOOP("Actions", "Put all panels where they were at first"), false},
-      {"layer.bodies", QT_TRANSLATE_NOOP("Actions", "&Obstacles"), "",
-       QT_TRANSLATE_NOOP("Actions", "Show the obstacles"), true},
-      {"layer.object", QT_TRANSLATE_NOOP("Actions", "O&bject"), "", QT_TRANSLATE_NOOP("Actions", "Show the object"),
-       true},
-      {"layer.ends", QT_TRANSLATE_NOOP("Actions", "Start and &goal"), "",
-       QT_TRANSLATE_NOOP("Actions", "Show start and goal as ghosts"), true},
-      {"layer.workspace", QT_TRANSLATE_NOOP("Actions", "&Workspace"), "",
-       QT_TRANSLATE_NOOP("Actions", "Show the bounds of the reference point"), true},
-      {"layer.roadmap", QT_TRANSLATE_NOOP("Actions", "&Roadmap"), "", QT_TRANSLATE_NOOP("Actions", "Show the trees"),
-       true},
-      {"layer.path", QT_TRANSLATE_NOOP("Actions", "&Path"), "", QT_TRANSLATE_NOOP("Actions", "Show the path"), true},
-      {"layer.contact", QT_TRANSLATE_NOOP("Actions", "&Contact"), "",
-       QT_TRANSLATE_NOOP("Actions", "Show the nearest obstacle and the tangent plane"), true},
-      {"layer.force", QT_TRANSLATE_NOOP("Actions", "Guidance &force"), "",
-       QT_TRANSLATE_NOOP("Actions", "Show what guides the hand: the force as an arrow, its strength as a tint"), true},
-      {"layer.grid", QT_TRANSLATE_NOOP("Actions", "Grou&nd grid"), "Ctrl+Shift+6",
-       QT_TRANSLATE_NOOP("Actions", "Show a grid under the product, in round lengths of the unit in use"), true},
-      {"layer.legend", QT_TRANSLATE_NOOP("Actions", "&Legend"), "Ctrl+Shift+7",
-       QT_TRANSLATE_NOOP("Actions", "Say what the colours in the scene mean: a row for each thing that is drawn now"),
-       true},
-      {"layer.free-cells", QT_TRANSLATE_NOOP("Actions", "&Free cells"), "",
-       QT_TRANSLATE_NOOP("Actions", "Show the octree's free cells, the coarsest first"), true},
-      {"layer.mobile-cells", QT_TRANSLATE_NOOP("Actions", "&Cells with mobile bodies"), "",
-       QT_TRANSLATE_NOOP("Actions", "Show the cells that only mobile bodies clutter"), true},
-      {"layer.static-cells", QT_TRANSLATE_NOOP("Actions", "Cells with s&tatic bodies"), "",
-       QT_TRANSLATE_NOOP("Actions", "Show the cells that static bodies clutter"), true},
-      {"layer.places", QT_TRANSLATE_NOOP("Actions", "&Places"), "F8",
-       QT_TRANSLATE_NOOP("Actions", "Show the places, coloured by complexity; click to select"), true},
-      {"layer.borders", QT_TRANSLATE_NOOP("Actions", "&Borders"), "",
-       QT_TRANSLATE_NOOP("Actions", "Show where places meet"), true},
-      {"layer.graph", QT_TRANSLATE_NOOP("Actions", "Topological &graph"), "F9",
-       QT_TRANSLATE_NOOP("Actions", "Show the topological graph with its costs"), true},
-      {"layer.coarse-path", QT_TRANSLATE_NOOP("Actions", "Coarse pat&h"), "",
-       QT_TRANSLATE_NOOP("Actions", "Show the cheapest way through the graph"), true},
-      {"layer.milestones", QT_TRANSLATE_NOOP("Actions", "&Milestones"), "",
-       QT_TRANSLATE_NOOP("Actions",
-                         "Show the configurations to pass through; drag one to move it, Ctrl+drag to turn it"),
-       true},
-      {"layer.region", QT_TRANSLATE_NOOP("Actions", "&Region of a step"), "",
-       QT_TRANSLATE_NOOP("Actions", "Show where the local planner of the chosen step searches"), true},
-      {"layer.difficulty", QT_TRANSLATE_NOOP("Actions", "Why there i&s no path"), "",
-       QT_TRANSLATE_NOOP("Actions", "Show why no path was found: blocking body, gap, way of least penetration"), true},
-      {"layer.keys", QT_TRANSLATE_NOOP("Actions", "Ke&ys of steering"), "",
-       QT_TRANSLATE_NOOP("Actions", "Write the keys of steering over the scene while a run goes on by hand"), true},
-      {"layer.help", QT_TRANSLATE_NOOP("Actions", "Where your hand hel&ps"), "",
-       QT_TRANSLATE_NOOP("Actions", "Show the places where your hand helps the search, and the arrow that leads there"),
-       true},
       {"panel.scene", QT_TRANSLATE_NOOP("Actions", "S&cene panel"), "Alt+1",
        QT_TRANSLATE_NOOP("Actions", "Bring the list of bodies to the front"), false},
       {"panel.semantics", QT_TRANSLATE_NOOP("Actions", "Se&mantics panel"), "Alt+2",
