@@ -24,8 +24,8 @@ struct FastenerHead {
   Vector3 outwards = Vector3::UnitZ();  ///< unit, along the axis
   double radius = 0.0;                  ///< of the farthest vertex about the axis
   double height = 0.0;
-  double shaft = 0.0;     ///< radius of the shaft of a screw, or of the hole of a nut
-  int sides = 0;          ///< of the head as a prism; 0: it is round
+  double shaft = 0.0;  ///< radius of the shaft of a screw, or of the hole of a nut
+  int sides = 0;       ///< of the head as a prism; 0: it is round
   DriveKind drive = DriveKind::None;
   bool bothEnds = false;  ///< a tool meets a nut at either end
 };
