@@ -201,7 +201,7 @@ void printText(const LoadedScenario& loaded) {
 /// Of the unit that most bodies state their lengths in; nothing where none states one.
 std::string unitText(const Product& tree) {
   static constexpr std::array<std::pair<double, const char*>, 5> kNames{
-      {{0.001, "mm"}, {0.01, "cm"}, {1.0, "m"}, {0.0254, "in"}, {0.3048, "ft"}}};
+      {{0.001, "millimetres"}, {0.01, "centimetres"}, {1.0, "metres"}, {0.0254, "inches"}, {0.3048, "feet"}}};
   const double unit = tree.lengthUnit();
   if (unit <= 0.0) return {};
   for (const auto& [metres, name] : kNames) {

@@ -18,7 +18,7 @@ PreferencesController::PreferencesController(const Workbench& bench, SetAutosave
       desktopTheme_(isDark(QApplication::palette()) ? Theme::Dark : Theme::Light) {
   bench.onAction("edit.preferences", this, [this] { change(); });
   connect(&bench.document, &WorkbenchDocument::changed, this, [this](Changes what) {
-    if (what & Change::Scenario) showLengthUnit();
+    if (what & (Change::Scenario | Change::Arrangement)) showLengthUnit();
   });
   connect(bench.actions["view.dark"], &QAction::toggled, this, &PreferencesController::takeTheme);
 }

@@ -1,11 +1,19 @@
 #include "engine/import/file_content.h"
 
 #include <filesystem>
+#include <string_view>
 
 #include "engine/base/file.h"
 #include "engine/import/import_limits.h"
 
 namespace glissade {
+namespace {
+
+/// In the first line of what Git has of a large file where only the pointer to it was fetched.
+constexpr std::string_view kLfsPointer = "git-lfs.github.com/spec/";
+constexpr std::size_t kFirstLine = 64;
+
+}  // namespace
 
 Result<FileContent> readContent(const std::string& file, std::uint64_t mostBytes) {
   std::error_code unknown;
@@ -18,6 +26,10 @@ Result<FileContent> readContent(const std::string& file, std::uint64_t mostBytes
   }
   auto bytes = readFile(file, mostBytes);
   if (!bytes) return bytes.error();
+  if (bytes->substr(0, kFirstLine).find(kLfsPointer) != std::string::npos) {
+    return Diagnostic{ErrorKind::MalformedInput, file, "", "is a Git LFS pointer: the file itself was not fetched",
+                      "Fetch it (git lfs pull), and load again."};
+  }
   return FileContent{file, std::move(bytes).value()};
 }
 

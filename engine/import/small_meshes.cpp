@@ -62,6 +62,7 @@ std::vector<std::optional<ImportedMesh>> importSmallMeshes(const std::vector<Fil
   std::vector<std::optional<ImportedMesh>> meshes(files.size());
   const std::size_t calls = (files.size() + kMostFiles - 1) / kMostFiles;
   forEachInThreads(calls, 1, [&](std::size_t call) {
+    if (stop.stopRequested()) return;
     const std::size_t first = call * kMostFiles;
     const std::size_t end = std::min(files.size(), first + kMostFiles);
     const ImporterCall importer = meshImporterCall(protocol::kSeveral, files[first].file, kMostBytes);

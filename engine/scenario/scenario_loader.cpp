@@ -136,7 +136,7 @@ std::vector<RigidBody> bodiesOfGroup(const Scenario& scenario, const ObjectGeome
 }
 
 Outcome loadObject(const Scenario& scenario, const LoadedScenario* before, GeometryLoader& loader,
-                   BodyGeometry& several, LoadedScenario& loaded) {
+                   BodyGeometry& geometries, LoadedScenario& loaded) {
   const auto geometry = loadGeometryOf(scenario.object, loader);
   if (!geometry) return geometry.error();
   const bool group = scenario.object.isGroup();
@@ -150,7 +150,7 @@ Outcome loadObject(const Scenario& scenario, const LoadedScenario* before, Geome
     warnOfMissingFaces(each, scenario.object.bodies[i].id, loaded.file, loader.warnings());
     noteUncertainties(each, scenario.object.bodies[i].id, !group, loaded);
     if (group) noteClosed(each, loaded);
-    if (group) several.emplace(scenario.object.bodies[i].id, (*geometry)[i]);
+    geometries.emplace(scenario.object.bodies[i].id, (*geometry)[i]);
     closed = closed && allAreClosed(each);
   }
   if (closed || group) loaded.closed.emplace(loaded.object.mesh, closed);
@@ -293,21 +293,21 @@ Result<LoadedScenario> loadGeometry(Scenario scenario, const std::string& folder
   GeometryLoader loader(scenario.assets, folder, file, &known, stop);
   loader.expect(geometriesOf(scenario));
   const SemanticEdits held = heldEdits(semanticEditsOf(scenario), treeOf(scenario));
-  BodyGeometry several;  // of the bodies that may be several rigid bodies
+  BodyGeometry geometries;
   for (const BodyDescription& body : scenario.bodies) {
     const auto geometry = loader.load(body.geometry);
     if (!geometry) return geometry.error();
     warnOfMissingFaces(**geometry, body.id, file, loader.warnings());
     noteUncertainties(**geometry, body.id, false, loaded);
     noteClosed(**geometry, loaded);
-    several.emplace(body.id, *geometry);
+    geometries.emplace(body.id, *geometry);
     for (RigidBody& rigid : toBodies(body, mobilityOf(body, held), **geometry)) {
       loaded.obstacles.push_back(std::move(rigid));
     }
     if (const Outcome few = checkNumberOfBodies(loaded, file); !few) return few.error();
   }
-  if (const Outcome object = loadObject(scenario, before, loader, several, loaded); !object) return object.error();
-  loaded.product = treeOf(scenario, several);
+  if (const Outcome object = loadObject(scenario, before, loader, geometries, loaded); !object) return object.error();
+  loaded.product = treeOf(scenario, geometries);
   loader.noteHashes(scenario.assets);
   loaded.geometry = std::move(loader.loaded());
   loaded.warnings = std::move(loader.warnings());

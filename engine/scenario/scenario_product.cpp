@@ -12,9 +12,11 @@ Product treeOf(const Scenario& scenario, const BodyGeometry& geometry) {
     bodies.push_back({body->id, {body->name}});
     const auto loaded = geometry.find(body->id);
     if (loaded == geometry.end()) continue;
-    for (const Occurrence& part : loaded->second->parts) {
-      bodies.back().parts.push_back({part.path, part.names, part.unit});
-    }
+    const std::vector<Occurrence>& parts = loaded->second->parts;
+    const bool isOne = !scenario.object.isGroup() && body == &scenario.object.bodies.front();
+    if (isOne && !parts.empty()) bodies.back().place.unit = parts.front().unit;
+    if (isOne) continue;
+    for (const Occurrence& part : parts) bodies.back().parts.push_back({part.path, part.names, part.unit});
   }
   return Product(bodies, scenario.nodes);
 }

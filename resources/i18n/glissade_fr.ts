@@ -2075,7 +2075,7 @@
         <translation>Déplacer selon les axes de la vue, du monde ou de l&apos;objet</translation>
     </message>
     <message>
-        <source>&amp;Help where the search is stuck</source>
+        <source>Help where the search &amp;is stuck</source>
         <translation>Aider là où la recherche est &amp;bloquée</translation>
     </message>
     <message>
@@ -2083,8 +2083,8 @@
         <translation>Conduire votre main et la vue au prochain endroit où la recherche est bloquée</translation>
     </message>
     <message>
-        <source>Show where your hand helps</source>
-        <translation>Montrer où votre main est utile</translation>
+        <source>Sh&amp;ow where your hand helps</source>
+        <translation>Montrer où votre ma&amp;in est utile</translation>
     </message>
     <message>
         <source>Show where the trees come nearest, and how much too large the object is</source>
@@ -2099,7 +2099,7 @@
         <translation>Écrire les touches de guidage dans la vue pendant un calcul guidé à la main</translation>
     </message>
     <message>
-        <source>Where your hand hel&amp;ps</source>
+        <source>Where your &amp;hand helps</source>
         <translation>Où votre main est &amp;utile</translation>
     </message>
     <message>
@@ -6497,6 +6497,14 @@
     <message>
         <source>Steady</source>
         <translation>Stable</translation>
+    </message>
+    <message>
+        <source>is a Git LFS pointer: the file itself was not fetched</source>
+        <translation>est un pointeur Git LFS : le fichier lui-même n’a pas été récupéré</translation>
+    </message>
+    <message>
+        <source>Fetch it (git lfs pull), and load again.</source>
+        <translation>Récupérez-le (git lfs pull), puis rechargez.</translation>
     </message>
 </context>
 <context>

@@ -21,6 +21,8 @@ inline constexpr const char* kImportSentences[] = {
     QT_TRANSLATE_NOOP("Diagnostics", "new privileges cannot be given up"),
     QT_TRANSLATE_NOOP("Diagnostics",
                       "is too large: it has %1, and at most %2 are read with the memory of this machine"),
+    QT_TRANSLATE_NOOP("Diagnostics", "is a Git LFS pointer: the file itself was not fetched"),
+    QT_TRANSLATE_NOOP("Diagnostics", "Fetch it (git lfs pull), and load again."),
     QT_TRANSLATE_NOOP("Diagnostics", "takes too long to read: it is too complex or malformed"),
     QT_TRANSLATE_NOOP("Diagnostics", "was not read: the library that reads this format crashed on it%1"),
     QT_TRANSLATE_NOOP("Diagnostics", "the importer failed on it"),

@@ -48,7 +48,7 @@ const std::vector<ActionSpec>& layerActionSpecs() {
        QT_TRANSLATE_NOOP("Actions", "Show why no path was found: blocking body, gap, way of least penetration"), true},
       {"layer.keys", QT_TRANSLATE_NOOP("Actions", "Ke&ys of steering"), "",
        QT_TRANSLATE_NOOP("Actions", "Write the keys of steering over the scene while a run goes on by hand"), true},
-      {"layer.help", QT_TRANSLATE_NOOP("Actions", "Where your hand hel&ps"), "",
+      {"layer.help", QT_TRANSLATE_NOOP("Actions", "Where your &hand helps"), "",
        QT_TRANSLATE_NOOP("Actions", "Show the places where your hand helps the search, and the arrow that leads there"),
        true}};
   return specs;

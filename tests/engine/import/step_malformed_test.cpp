@@ -43,6 +43,7 @@ TEST(MalformedStep, GivesOneClearMessage) {
   const std::string end = "END-ISO-10303-21;";
   const std::vector<std::tuple<const char*, std::string, const char*>> table{
       {"empty.step", "", "not a STEP file"},
+      {"pointer.step", "version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 1\n", "Git LFS pointer"},
       {"mesh.stp", "solid a\nfacet normal 0 0 1\n", "not a STEP file"},
       {"zip.step", std::string("PK\x03\x04") + std::string(100, '\0'), "not a STEP file"},
       {"cut.step", box.substr(0, box.size() / 2), "cut off"},

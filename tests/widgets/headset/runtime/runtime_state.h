@@ -3,6 +3,7 @@
 
 #include <openxr/openxr.h>
 
+#include <bit>
 #include <chrono>
 #include <condition_variable>
 #include <deque>
@@ -68,7 +69,7 @@ XrResult sessionResult(const RuntimeState& state);
 
 template <class Handle>
 Handle newHandle(RuntimeState& state) {
-  return reinterpret_cast<Handle>(state.nextHandle++);
+  return std::bit_cast<Handle>(state.nextHandle++);
 }
 
 // Of OpenXR, by the files that have them; null where there is none.
