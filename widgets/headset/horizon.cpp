@@ -58,7 +58,7 @@ Horizon::Horizon() : sphere_(new osg::MatrixTransform), geometry_(makeSphere()) 
 
 void Horizon::setColours(const Colour& above, const Colour& below) {
   auto& colours = static_cast<osg::Vec4Array&>(*geometry_->getColorArray());
-  constexpr std::size_t strip = 2U * (kSegments + 1U);
+  constexpr std::size_t strip = 2 * (std::size_t{kSegments} + 1);
   for (std::size_t i = 0; i < colours.size(); ++i) {
     const std::size_t ring = i / strip + (i % 2 == 0 ? 1 : 0);
     colours[i] = toOsg(ring < kGroundRings ? below : above);

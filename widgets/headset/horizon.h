@@ -1,5 +1,6 @@
 #pragma once
 
+#include <osg/Geometry>
 #include <osg/MatrixTransform>
 #include <osg/ref_ptr>
 
