@@ -44,13 +44,16 @@ TEST(ViewCube, LooksFromTheFaceTheEdgeOrTheCornerThatIsClicked) {
 }
 
 TEST(ScaleBar, IsTheLongestRoundLengthThatFits) {
-  for (double perPixel = 1e-7; perPixel < 10.0; perPixel *= 1.37) {
-    const ScaleLength scale = roundScale(perPixel, 130.0);
-    EXPECT_LE(scale.pixels, 130.0 * (1.0 + 1e-12));
-    EXPECT_GT(scale.pixels, 130.0 / 2.51);
-    EXPECT_NEAR(scale.metres / perPixel, scale.pixels, 1e-9);
-    const double leading = scale.metres / std::pow(10.0, std::floor(std::log10(scale.metres) + 1e-9));
-    EXPECT_TRUE(std::abs(leading - 1) < 1e-6 || std::abs(leading - 2) < 1e-6 || std::abs(leading - 5) < 1e-6);
+  for (const double unit : {1.0, 0.0254}) {
+    for (double perPixel = 1e-7; perPixel < 10.0; perPixel *= 1.37) {
+      const ScaleLength scale = roundScale(perPixel, 130.0, unit);
+      EXPECT_LE(scale.pixels, 130.0 * (1.0 + 1e-12));
+      EXPECT_GT(scale.pixels, 130.0 / 2.51);
+      EXPECT_NEAR(scale.metres / perPixel, scale.pixels, 1e-9);
+      const double units = scale.metres / unit;
+      const double leading = units / std::pow(10.0, std::floor(std::log10(units) + 1e-9));
+      EXPECT_TRUE(std::abs(leading - 1) < 1e-6 || std::abs(leading - 2) < 1e-6 || std::abs(leading - 5) < 1e-6);
+    }
   }
   EXPECT_EQ(roundScale(0.0, 130.0).metres, 0.0);
 }

@@ -56,7 +56,8 @@ QString nameOf(const UnitEntry& unit) { return QString::fromUtf8(unit.name); }
 
 QString textIn(const UnitEntry& unit, double metres) {
   if (!std::isfinite(metres)) return QStringLiteral("∞");
-  const double value = metres / unit.metres;
+  constexpr double kLeast = 0.5e-9;  // less has no digit but zeros
+  const double value = std::abs(metres / unit.metres) < kLeast ? 0.0 : metres / unit.metres;
   const int decimals = value == 0.0 ? 0 : decimalsOf(std::abs(value));
   return QLocale().toString(value, 'f', decimals) + QLatin1Char(' ') + nameOf(unit);
 }

@@ -25,15 +25,15 @@ constexpr double kAxisPixels = 22.0;
 
 }  // namespace
 
-ScaleLength roundScale(double metresPerPixel, double mostPixels) {
-  const double most = metresPerPixel * mostPixels;
+ScaleLength roundScale(double metresPerPixel, double mostPixels, double unit) {
+  const double most = metresPerPixel * mostPixels / unit;
   if (!(most > 0.0) || !std::isfinite(most)) return {};
   const double power = std::pow(10.0, std::floor(std::log10(most)));
-  double metres = power;
+  double units = power;
   for (const double factor : {2.0, 5.0}) {
-    if (factor * power <= most) metres = factor * power;
+    if (factor * power <= most) units = factor * power;
   }
-  return {metres, metres / metresPerPixel};
+  return {units * unit, units * unit / metresPerPixel};
 }
 
 ScaleBar::ScaleBar(const SceneView& view, QWidget* scene) : QWidget(scene), view_(view) {
@@ -59,7 +59,8 @@ void ScaleBar::setRoomBelow(int pixels) {
 
 void ScaleBar::paintEvent(QPaintEvent* /*event*/) {
   const double perPixel = view_.camera().viewHeight() / std::max(1, parentWidget()->height());
-  const ScaleLength scale = roundScale(perPixel, kMostBarPixels);
+  constexpr double kInch = 0.0254;
+  const ScaleLength scale = roundScale(perPixel, kMostBarPixels, lengthUnit() == LengthUnit::Inches ? kInch : 1.0);
   if (scale.metres <= 0.0) return;
   QPainter painter(this);
   painter.setPen(QPen(view_.hasDarkBackground() ? Qt::white : Qt::black, 1.5));

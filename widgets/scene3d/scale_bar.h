@@ -12,8 +12,9 @@ struct ScaleLength {
   double pixels = 0.0;  ///< at most those that were asked for
 };
 
-/// The longest length of 1, 2 or 5 times a power of ten metres that is drawn with at most `mostPixels`.
-ScaleLength roundScale(double metresPerPixel, double mostPixels);
+/// The longest length of 1, 2 or 5 times a power of ten of units that is drawn with at most `mostPixels`. `unit`:
+/// metres.
+ScaleLength roundScale(double metresPerPixel, double mostPixels, double unit = 1.0);
 
 /// The axes of the world and the scale of the scene, in its lower left corner; takes no part in mouse and keys.
 class ScaleBar final : public QWidget {
