@@ -11,6 +11,7 @@
 
 #include "app/cli/environment_report.h"
 #include "app/cli/interrupt.h"
+#include "engine/base/length_units.h"
 #include "engine/base/quantity_text.h"
 #include "engine/geometry/mesh_audit.h"
 #include "engine/scenario/forbidden_places_of.h"
@@ -201,7 +202,7 @@ void printText(const LoadedScenario& loaded) {
 /// Of the unit that most bodies state their lengths in; nothing where none states one.
 std::string unitText(const Product& tree) {
   static constexpr std::array<std::pair<double, const char*>, 5> kNames{
-      {{0.001, "millimetres"}, {0.01, "centimetres"}, {1.0, "metres"}, {0.0254, "inches"}, {0.3048, "feet"}}};
+      {{0.001, "millimetres"}, {0.01, "centimetres"}, {1.0, "metres"}, {kInch, "inches"}, {kFoot, "feet"}}};
   const double unit = tree.lengthUnit();
   if (unit <= 0.0) return {};
   for (const auto& [metres, name] : kNames) {

@@ -7,6 +7,7 @@
 #include "app/window/preferences_dialog.h"
 #include "app/window/theme.h"
 #include "app/window/window_memory.h"
+#include "engine/base/length_units.h"
 #include "widgets/commands/dark_palette.h"
 
 namespace glissade {
@@ -68,8 +69,6 @@ void PreferencesController::apply(const Preferences& preferences) {
 
 /// A product whose file is in inches or feet is shown in inches where nobody has chosen a unit.
 void PreferencesController::showLengthUnit() {
-  constexpr double kInch = 0.0254;
-  constexpr double kFoot = 0.3048;
   const ScenarioPtr scenario = bench_.document.scenario();
   const double ofFile = scenario ? scenario->product.lengthUnit() : 0.0;
   const bool isImperial = ofFile == kInch || ofFile == kFoot;

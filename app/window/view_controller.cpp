@@ -61,8 +61,7 @@ bool ViewController::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void ViewController::showGridUnit() {
-  constexpr double kInch = 0.0254;
-  bench_.scene.view().setGridUnit(lengthUnit() == LengthUnit::Inches ? kInch : 1.0);
+  bench_.scene.view().setGridUnit(roundLengthUnit());
   bench_.scene.refresh();
 }
 

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "engine/base/length_units.h"
 #include "engine/base/number_text.h"
 
 namespace glissade {
@@ -24,12 +25,12 @@ constexpr std::array<Unit, 12> kLengths{{{"m", 1.0},
                                          {"um", 1e-6},
                                          {"\u00b5m", 1e-6},
                                          {"\u03bcm", 1e-6},
-                                         {"in", 0.0254},
-                                         {"inch", 0.0254},
-                                         {"\"", 0.0254},
-                                         {"\u2033", 0.0254},
-                                         {"ft", 0.3048},
-                                         {"'", 0.3048}}};
+                                         {"in", kInch},
+                                         {"inch", kInch},
+                                         {"\"", kInch},
+                                         {"\u2033", kInch},
+                                         {"ft", kFoot},
+                                         {"'", kFoot}}};
 constexpr std::array<Unit, 3> kAngles{
     {{"deg", std::numbers::pi / 180.0}, {"\u00b0", std::numbers::pi / 180.0}, {"rad", 1.0}}};
 

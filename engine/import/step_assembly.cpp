@@ -24,6 +24,7 @@
 
 #include "engine/assembly/body_path.h"
 #include "engine/assembly/unique_names.h"
+#include "engine/base/length_units.h"
 #include "engine/base/printable_text.h"
 #include "engine/import/import_protocol.h"
 #include "engine/import/step_external_files.h"
@@ -258,8 +259,8 @@ std::vector<std::string> inLines(const std::vector<StepLoss>& losses) {
 
 /// Metres. Of several units the first; of a name that is not known millimetres.
 double lengthUnitOf(STEPControl_Reader& reader) {
-  static constexpr std::array<std::pair<const char*, double>, 8> kUnits{{{"INCH", 0.0254},
-                                                                         {"FOOT", 0.3048},
+  static constexpr std::array<std::pair<const char*, double>, 8> kUnits{{{"INCH", kInch},
+                                                                         {"FOOT", kFoot},
                                                                          {"MILE", 1609.344},
                                                                          {"MICRO", 1e-6},
                                                                          {"MILLI", 1e-3},

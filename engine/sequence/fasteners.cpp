@@ -92,26 +92,30 @@ std::vector<FastenerKind> fastenersOf(const ProductShapes& shapes, const std::ve
   std::vector<FastenerKind> kinds(shapes.size(), FastenerKind::None);
   for (std::size_t body = 0; body < shapes.size(); ++body) {
     const TurnedShape* shape = roles[body].touches ? shapes.turned(body) : nullptr;
-    if (shape != nullptr && confirms(roles[body], kindOf(*shape))) kinds[body] = kindOf(*shape);
+    const FastenerKind kind = shape != nullptr ? kindOf(*shape) : FastenerKind::None;
+    if (confirms(roles[body], kind)) kinds[body] = kind;
   }
   return kinds;
 }
 
-std::optional<FastenerHead> headOf(const TriangleMesh& mesh) {
-  const auto shape = turnedShapeOf(mesh, AxialMesh(mesh));
-  if (!shape) return std::nullopt;
-  const FastenerKind kind = kindOf(*shape);
+std::optional<FastenerHead> headOf(const TriangleMesh& mesh, const TurnedShape& shape) {
+  const FastenerKind kind = kindOf(shape);
   if (kind != FastenerKind::Screw && kind != FastenerKind::Nut) return std::nullopt;
   FastenerHead head;
   head.bothEnds = kind == FastenerKind::Nut;
-  head.end = shape->axis.point + shape->high * shape->axis.direction;
-  head.outwards = shape->axis.direction;
-  head.radius = radiusAbove(mesh, shape->axis, head.bothEnds ? shape->low : shape->headLow);
-  head.height = head.bothEnds ? shape->length() : shape->high - shape->headLow;
-  head.shaft = head.bothEnds ? shape->hole : shape->shaft;
-  head.sides = shape->sides;
-  head.drive = shape->drive.kind;
+  head.end = shape.axis.point + shape.high * shape.axis.direction;
+  head.outwards = shape.axis.direction;
+  head.radius = radiusAbove(mesh, shape.axis, head.bothEnds ? shape.low : shape.headLow);
+  head.height = head.bothEnds ? shape.length() : shape.high - shape.headLow;
+  head.shaft = head.bothEnds ? shape.hole : shape.shaft;
+  head.sides = shape.sides;
+  head.drive = shape.drive.kind;
   return head;
+}
+
+std::optional<FastenerHead> headOf(const TriangleMesh& mesh) {
+  const auto shape = turnedShapeOf(mesh, AxialMesh(mesh));
+  return shape ? headOf(mesh, *shape) : std::nullopt;
 }
 
 std::vector<OrderRule> fastenerRules(const std::vector<FastenerKind>& kinds, const std::vector<Contact>& contacts) {

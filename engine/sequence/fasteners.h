@@ -30,7 +30,9 @@ struct FastenerHead {
   bool bothEnds = false;  ///< a tool meets a nut at either end
 };
 
-/// Of a screw or a nut; nothing where the mesh is not shaped so.
+/// Of a screw or a nut; nothing where the mesh is not shaped so. `shape`: turnedShapeOf() the mesh.
+std::optional<FastenerHead> headOf(const TriangleMesh& mesh, const TurnedShape& shape);
+/// The same, where the shape is not known yet.
 std::optional<FastenerHead> headOf(const TriangleMesh& mesh);
 
 /// Nuts leave before what they are on: shafts slip through nuts that are drawn as equal cylinders.

@@ -103,7 +103,7 @@ Result<AssemblyPlan> planSequence(const AssembledProduct& product, const Product
   if (!places) return places.error();
   const auto cost = StepCost::of(request.demands);
   if (!cost) return cost.error();
-  const auto tools = chooseTools(product, fasteners, joints.joints(), request.demands);
+  const auto tools = chooseTools(shapes, fasteners, joints.joints(), request.demands);
   if (!tools) return tools.error();
   for (const OrderRule& rule : fastenerRules(fasteners, fits.contacts())) rules->before.push_back(rule);
   Standing standing(product,

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 
 #include "engine/sequence/fasteners.h"
 
@@ -27,10 +26,11 @@ std::vector<ToolKind> toolsByDrive(DriveKind drive) {
 }
 
 /// Of a fastener whose shape is all that is known.
-std::vector<ToolKind> toolsByShape(const TriangleMesh& mesh, FastenerKind kind) {
+std::vector<ToolKind> toolsByShape(const ProductShapes& shapes, std::size_t body, FastenerKind kind) {
   if (kind == FastenerKind::Nut) return {ToolKind::Socket, ToolKind::OpenWrench};
   if (kind != FastenerKind::Screw) return {};
-  const auto head = headOf(mesh);
+  const TurnedShape* shape = shapes.turned(body);
+  const auto head = shape != nullptr ? headOf(*shapes.body(body).mesh, *shape) : std::nullopt;
   if (!head) return {ToolKind::Screwdriver};
   const std::vector<ToolKind> tools = toolsByDrive(head->drive);
   if (!tools.empty()) return tools;
@@ -61,15 +61,11 @@ std::optional<ToolKind> toolByName(const std::string& name) {
   return static_cast<ToolKind>(found - kToolNames.begin());
 }
 
-Result<ToolChoices> chooseTools(const AssembledProduct& product, const std::vector<FastenerKind>& kinds,
+Result<ToolChoices> chooseTools(const ProductShapes& shapes, const std::vector<FastenerKind>& kinds,
                                 const Joints& joints, const SequenceDemands& demands) {
-  ToolChoices choices(product.bodies.size());
-  std::map<std::pair<MeshPtr, FastenerKind>, std::vector<ToolKind>> known;  // of twins
-  for (std::size_t body = 0; body < choices.size(); ++body) {
-    const MeshPtr& mesh = product.bodies[body].mesh;
-    const auto [at, isNew] = known.try_emplace({mesh, kinds[body]});
-    if (isNew) at->second = toolsByShape(*mesh, kinds[body]);
-    choices[body] = at->second;
+  ToolChoices choices;
+  for (std::size_t body = 0; body < shapes.size(); ++body) {
+    choices.push_back(toolsByShape(shapes, body, kinds[body]));
   }
   addJointTools(joints, choices);
   for (const auto& [name, tool] : demands.tools) {
@@ -78,7 +74,7 @@ Result<ToolChoices> chooseTools(const AssembledProduct& product, const std::vect
       return Diagnostic{ErrorKind::Usage, "", "", "'" + name + "' needs the tool '" + tool + "', which is unknown",
                         "Choose hex_key, socket, screwdriver, open_wrench or none."};
     }
-    for (const std::size_t body : bodiesNamed(product, name)) {
+    for (const std::size_t body : bodiesNamed(shapes.product(), name)) {
       choices[body] = *kind == ToolKind::None ? std::vector<ToolKind>() : std::vector<ToolKind>{*kind};
     }
   }

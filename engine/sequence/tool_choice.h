@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "engine/product/joint.h"
+#include "engine/product/product_shapes.h"
 #include "engine/sequence/body_group.h"
 #include "engine/sequence/fastener_kind.h"
 #include "engine/sequence/order_rules.h"
@@ -18,7 +19,7 @@ using ToolChoices = std::vector<std::vector<ToolKind>>;
 /// - a screw with a recess of six sides, or with a round head that is as high as a socket head: hex key
 /// - another screw: screwdriver
 /// `joints`: those that count. Errors, Usage: a tool that there is not.
-Result<ToolChoices> chooseTools(const AssembledProduct& product, const std::vector<FastenerKind>& kinds,
+Result<ToolChoices> chooseTools(const ProductShapes& shapes, const std::vector<FastenerKind>& kinds,
                                 const Joints& joints, const SequenceDemands& demands);
 
 }  // namespace glissade

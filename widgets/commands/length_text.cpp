@@ -9,6 +9,8 @@
 #include <atomic>
 #include <cmath>
 
+#include "engine/base/length_units.h"
+
 namespace glissade {
 namespace {
 
@@ -26,7 +28,7 @@ struct UnitEntry {
 constexpr UnitEntry kMetre{"m", 1.0};
 constexpr UnitEntry kMillimetre{"mm", 1e-3};
 constexpr UnitEntry kMicrometre{"µm", 1e-6};
-constexpr UnitEntry kInch{"in", 0.0254};
+constexpr UnitEntry kInchEntry{"in", kInch};
 
 std::atomic<LengthUnit>& chosenUnit() {
   static std::atomic<LengthUnit> unit{LengthUnit::Fitting};
@@ -37,7 +39,7 @@ std::atomic<LengthUnit>& chosenUnit() {
 UnitEntry unitFor(double metres, double smallestInMillimetres) {
   switch (chosenUnit().load()) {
     case LengthUnit::Millimetres: return kMillimetre;
-    case LengthUnit::Inches: return kInch;
+    case LengthUnit::Inches: return kInchEntry;
     case LengthUnit::Metres: return kMetre;
     case LengthUnit::Fitting: break;
   }
@@ -67,6 +69,8 @@ QString textIn(const UnitEntry& unit, double metres) {
 LengthUnit lengthUnit() { return chosenUnit().load(); }
 
 void setLengthUnit(LengthUnit unit) { chosenUnit().store(unit); }
+
+double roundLengthUnit() { return lengthUnit() == LengthUnit::Inches ? kInch : 1.0; }
 
 void announceLengthUnit() {
   for (QWidget* widget : QApplication::allWidgets()) {

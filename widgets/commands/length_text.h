@@ -15,6 +15,9 @@ void setLengthUnit(LengthUnit unit);
 /// Lets all widgets write their lengths again. GUI thread only.
 void announceLengthUnit();
 
+/// Metres: round lengths are round numbers of this. An inch where lengths are in inches, else a metre.
+double roundLengthUnit();
+
 /// A length in the unit that was chosen, with three significant digits, as the user's language writes numbers:
 /// "3.21 µm", "0.150 mm", "24.0 mm", "1.52 m". Every length that people read is written by this function, so that two
 /// texts of one length never differ.

@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 #include <QWheelEvent>
 
+#include "engine/base/length_units.h"
 #include "engine/import/step_import.h"
 #include "engine/scenario/part_files.h"
 #include "widgets/editors/parts_dialog.h"
@@ -69,7 +70,7 @@ QComboBox* makeUnitBox(const QString& part) {
   unit->addItem(PartsDialog::tr("m"), 1.0);
   unit->addItem(PartsDialog::tr("cm"), 0.01);
   unit->addItem(PartsDialog::tr("mm"), 0.001);
-  unit->addItem(PartsDialog::tr("inch"), 0.0254);
+  unit->addItem(PartsDialog::tr("inch"), kInch);
   return unit;
 }
 

@@ -59,8 +59,7 @@ void ScaleBar::setRoomBelow(int pixels) {
 
 void ScaleBar::paintEvent(QPaintEvent* /*event*/) {
   const double perPixel = view_.camera().viewHeight() / std::max(1, parentWidget()->height());
-  constexpr double kInch = 0.0254;
-  const ScaleLength scale = roundScale(perPixel, kMostBarPixels, lengthUnit() == LengthUnit::Inches ? kInch : 1.0);
+  const ScaleLength scale = roundScale(perPixel, kMostBarPixels, roundLengthUnit());
   if (scale.metres <= 0.0) return;
   QPainter painter(this);
   painter.setPen(QPen(view_.hasDarkBackground() ? Qt::white : Qt::black, 1.5));

@@ -27,7 +27,8 @@ Joint fastener(JointKind kind, std::size_t body, std::vector<std::size_t> others
 }
 
 ToolChoices toolsOf(const Joints& joints, const SequenceDemands& demands = {}) {
-  auto tools = chooseTools(plateBoltAndNut(), kKinds, joints, demands);
+  const AssembledProduct product = plateBoltAndNut();
+  auto tools = chooseTools(ProductShapes(product), kKinds, joints, demands);
   EXPECT_TRUE(tools.ok());
   return std::move(*tools);
 }
