@@ -14,10 +14,11 @@ constexpr double kLocated = 1e-3;
 constexpr std::uint64_t kMostConfigurations = 200'000;
 /// Shorter intervals of time are not halved: poses in them differ by rounding only. It bounds the recursion.
 constexpr double kShortestHalf = 0x1p-50;
-/// Boxes this much smaller than the way they go are not opened: halving time says more.
-constexpr double kWorthOpening = 1.0;
+/// Boxes that are not this much larger than the way they go are not opened: halving time says more. Near contact a
+/// swept box meets many others; with less, most of the time goes into pairs of triangles that the next halves rule out.
+constexpr double kWorthOpening = 12.0;
 /// Triangles this much larger than the way they go are worth a plane between them.
-constexpr double kWorthAPlane = 1.0;
+constexpr double kWorthAPlane = 12.0;
 float above(double value) { return static_cast<float>(value) * 1.000001F + 1e-37F; }
 
 /// The sense of a turn by half a circle is a matter of rounding: that of half of it is not.

@@ -3,12 +3,10 @@
 #include <iterator>
 
 #include "engine/base/tolerances.h"
-#include "engine/planning/automatic/contact_slide_sampler.h"
 #include "engine/planning/automatic/direct_motions.h"
 #include "engine/planning/automatic/direct_then_trees.h"
 #include "engine/planning/automatic/modelled_threads.h"
 #include "engine/planning/automatic/shrink_repair.h"
-#include "engine/planning/contact/interactive_contact_birrt.h"
 #include "engine/planning/fine/multi_layer_planner.h"
 #include "engine/planning/ompl/ompl_planner.h"
 #include "engine/planning/threaded_planner.h"
@@ -26,12 +24,10 @@ constexpr std::uint64_t kFirstLife = 2'500'000;
 constexpr std::uint64_t kLongFirstLife = 10'000'000;
 /// What the quick ones have until the others enter.
 constexpr std::uint64_t kHardEntry = 600'000;
-/// What those have until the one for tunnels enters: environments 1 and 2 are solved by then.
-constexpr std::uint64_t kTunnelEntry = 3'000'000;
 /// The same for the one with the environment model, and for each triangle of the obstacles: building
 /// the model counts as no work, and takes the longer the more there are. It is built once the others
 /// have had about what it costs.
-constexpr std::uint64_t kModelEntry = 8'000'000;
+constexpr std::uint64_t kModelEntry = 7'000'000;
 constexpr std::uint64_t kModelEntryPerTriangle = 20'000;
 
 std::uint64_t obstacleTriangles(const Problem& problem) {
@@ -52,14 +48,6 @@ Member directMotions(const Problem& problem) {
           {1.0, 0, 0, Restart::Never, 0},
           [problem](std::uint64_t, std::uint64_t) -> std::unique_ptr<Planner> {
             return std::make_unique<DirectMotions>(problem);
-          }};
-}
-
-Member birrt(const Problem& problem) {
-  return {"birrt",
-          {0.5, kFirstLife, kFirstLife, Restart::Luby, kHardEntry},
-          [problem](std::uint64_t seed, std::uint64_t) -> std::unique_ptr<Planner> {
-            return std::make_unique<InteractiveContactBirrt>(problem, seed, OperatorUse::None);
           }};
 }
 
@@ -106,24 +94,20 @@ Member dynamicDomain(const Problem& problem, const SamplerMaker& sampler) {
                     twoTrees(problem), sampler);
 }
 
-/// Two trees of short extensions, for tunnels in which both moves and turns are small. The others' extensions end at
-/// their walls.
-Member shortSteps(const Problem& problem, const SamplerMaker& sampler) {
-  return rrtConnect("short-steps", {3.0, kLongFirstLife, kLongFirstLife, Restart::Luby, kTunnelEntry}, problem,
-                    turning(problem, 0.005, 0.3), sampler);
+/// Two trees of which extensions slide on in contact: along walls, into traps and out of them.
+Member slidingTrees(const Problem& problem, const SamplerMaker& sampler) {
+  RrtConnect::Options options = turning(problem, 0.02, 1.0);
+  options.slides = true;
+  return rrtConnect("sliding-trees", {1.5, kFirstLife, kFirstLife, Restart::Luby, kHardEntry}, problem, options,
+                    sampler);
 }
 
-Member contactSlide(const Problem& problem, const Worlds& worlds, const SamplerMaker& maker) {
-  RrtConnect::Options options;
-  options.range = searchRange(problem, 0.03);
-  return {"contact-slide",
-          {0.5, kFirstLife, kFirstLife, Restart::Luby, kHardEntry},
-          [problem, worlds, options, maker](std::uint64_t seed, std::uint64_t) -> std::unique_ptr<Planner> {
-            const double r = problem.world->objectRadius();
-            auto sampler =
-                std::make_unique<ContactSlideSampler>(problem, seed, *worlds, 0.05 * r, tolerance::kContactGap * r);
-            return std::make_unique<RrtConnect>(problem, seed, options, shared(std::move(sampler), seed, maker));
-          }};
+/// The same with short extensions, for tunnels in which both moves and turns are small.
+Member slidingSteps(const Problem& problem, const SamplerMaker& sampler) {
+  RrtConnect::Options options = turning(problem, 0.005, 0.3);
+  options.slides = true;
+  return rrtConnect("sliding-steps", {2.0, kLongFirstLife, kLongFirstLife, Restart::Luby, kHardEntry}, problem, options,
+                    sampler);
 }
 
 /// Of the object's radius. Few: a world is built for each, and for each level.
@@ -192,15 +176,10 @@ RrtConnect::Options turning(const Problem& problem, double range, double turnWei
 }
 
 std::vector<Member> makeMembers(const Problem& problem, const Worlds& worlds, const SamplerMaker& sampler) {
-  std::vector<Member> members{directMotions(problem),
-                              dynamicDomain(problem, sampler),
-                              turningRrt(problem, sampler),
-                              bkpiece(problem),
-                              birrt(problem),
-                              shortSteps(problem, sampler),
-                              contactSlide(problem, worlds, sampler),
-                              shrinkRepair(problem, worlds),
-                              multiLayer(problem)};
+  std::vector<Member> members{directMotions(problem),         dynamicDomain(problem, sampler),
+                              turningRrt(problem, sampler),   bkpiece(problem),
+                              slidingTrees(problem, sampler), slidingSteps(problem, sampler),
+                              shrinkRepair(problem, worlds),  multiLayer(problem)};
   if (beginsInThread(problem)) members.push_back(screwMotions(problem));
   return members;
 }

@@ -15,6 +15,8 @@ constexpr double kFinest = 0.125;
 /// What the domain of a node grows and shrinks by (Jaillet et al. 2005).
 constexpr double kDomainChange = 0.05;
 constexpr double kGoalBias = 0.05;
+/// A connection that slides has to come nearer by this share of the range with each extension.
+constexpr double kApproach = 0.2;
 
 }  // namespace
 
@@ -29,6 +31,7 @@ RrtConnect::RrtConnect(const Problem& problem, std::uint64_t seed, const Options
       options_(options),
       sampler_(std::move(sampler)),
       goalStream_(seed, "goal bias") {
+  if (options_.slides) sliding_.emplace(*query_, problem_.bounds, metric_, options_.range);
   addGoalRoots();
   domains_.assign(roadmap_.nodes().size(), std::numeric_limits<double>::infinity());
   updateCounts();
@@ -89,13 +92,16 @@ std::optional<RrtConnect::Node> RrtConnect::grow(ComponentId component, const Po
   const bool grew = extended.progress == Progress::Reached || extended.progress == Progress::Advanced;
   adapt(near.index, grew);
   if (extended.progress == Progress::Reached) return addChild(near.index, q);
-  return extended.progress == Progress::Advanced ? std::optional<Node>(extended.node) : std::nullopt;
+  const bool slid = sliding_ && extended.progress == Progress::Blocked;
+  return slid || extended.progress == Progress::Advanced ? std::optional<Node>(extended.node) : std::nullopt;
 }
 
 RrtConnect::ComponentId RrtConnect::nearestOther(ComponentId grown, const Pose& q) const {
+  const std::vector<ComponentId> components = roadmap_.components();
+  if (components.size() == 2) return components[components.front() == grown ? 1 : 0];
   ComponentId best = grown;
   double least = std::numeric_limits<double>::infinity();
-  for (const ComponentId component : roadmap_.components()) {
+  for (const ComponentId component : components) {
     if (component == grown) continue;
     const double distance = roadmap_.nearest(component, q).distance;
     if (distance >= least) continue;
@@ -114,23 +120,40 @@ RrtConnect::Node RrtConnect::addChild(Node parent, const Pose& q) {
 /// itself is within reach nothing is added: q may be a node already.
 RrtConnect::Extended RrtConnect::extend(Node from, const Pose& q, PlannerHost& host) {
   const double grid = tolerance::kGuidedExtensionStep * metric_.radius();
-  const ExtensionRule rule{host.parameters()[ParameterId::GrowthStep] * refinement_, grid, grid, options_.range};
+  const double step = host.parameters()[ParameterId::GrowthStep] * refinement_;
+  const ExtensionRule rule{step, grid, grid, options_.range};
   const Extension grown = extension(from, q, metric_.distance(roadmap_.nodes()[from].q, q), rule, host);
+  const bool blocked = grown.progress == Progress::Blocked || grown.progress == Progress::Trapped;
+  if (sliding_ && blocked) return slideOn(from, q, step, host.stopToken());
   const bool adds = grown.progress == Progress::Advanced || grown.progress == Progress::Blocked;
   return {grown.progress, adds ? addChild(from, grown.end) : from};
 }
 
+RrtConnect::Extended RrtConnect::slideOn(Node from, const Pose& q, double step, const StopToken& stop) {
+  const Pose origin = roadmap_.nodes()[from].q;
+  const double distance = metric_.distance(origin, q);
+  const Pose target = distance > options_.range ? interpolate(origin, q, options_.range / distance) : q;
+  const auto end = sliding_->slide(from, origin, target, step, stop);
+  if (!end) return {Progress::Trapped, from};
+  const Node child = addChild(from, *end);
+  sliding_->keep(from, child);
+  return {Progress::Blocked, child};
+}
+
 void RrtConnect::connect(ComponentId component, Node target, PlannerHost& host) {
   const Pose q = roadmap_.nodes()[target].q;
-  Node at = roadmap_.nearest(component, q).index;
+  auto near = roadmap_.nearest(component, q);
   for (;;) {
-    const Extended extended = extend(at, q, host);
+    const Extended extended = extend(near.index, q, host);
     if (extended.progress == Progress::Reached) {
-      roadmap_.join(at, target);
+      roadmap_.join(near.index, target);
       joined_ = true;
     }
-    if (extended.progress != Progress::Advanced || host.stopToken().stopRequested()) return;
-    at = extended.node;
+    const bool slid = sliding_ && extended.progress == Progress::Blocked;
+    if ((!slid && extended.progress != Progress::Advanced) || host.stopToken().stopRequested()) return;
+    const double left = metric_.distance(roadmap_.nodes()[extended.node].q, q);
+    if (slid && left > near.distance - kApproach * options_.range) return;
+    near = {extended.node, left};
   }
 }
 

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "engine/planning/automatic/configuration_sampler.h"
+#include "engine/planning/automatic/sliding_extension.h"
 #include "engine/planning/tree_planner.h"
 
 namespace glissade {
@@ -17,6 +19,7 @@ double searchRange(const Problem& problem, double share, double turnWeight = 1.0
 /// dynamic domain (L. Jaillet, A. Yershova, S. M. LaValle, T. Simeon, "Adaptive tuning of the sampling
 /// domain for dynamic-domain RRTs", 2005): a node that failed to grow draws from near it only, so that
 /// trapped trees do not push against their walls for ever.
+/// Optionally extensions that are blocked slide on in contact.
 /// Deviation: the delivered path is certified; an edge that is not is dropped, and from then on edges
 /// are sampled more finely.
 class RrtConnect final : public TreePlanner {
@@ -32,6 +35,7 @@ class RrtConnect final : public TreePlanner {
     double turnWeight = 1.0;  ///< of rotations, relative to the metric of the object's radius: with a
                               ///< small one an extension turns far while it moves little
     Growth growth = Growth::Both;
+    bool slides = false;  ///< an extension that is blocked goes on in contact (SlidingExtension)
   };
 
   RrtConnect(const Problem& problem, std::uint64_t seed, const Options& options,
@@ -40,7 +44,8 @@ class RrtConnect final : public TreePlanner {
   bool solve(PlannerHost& host) override;
 
  private:
-  /// What a tree got by an extension: its end is a node unless it is Reached or Trapped.
+  /// What a tree got by an extension: its end is a node unless it is Reached or Trapped. Blocked: it ends before the
+  /// obstacle, or slid along it.
   struct Extended {
     Progress progress;
     Node node;
@@ -53,6 +58,7 @@ class RrtConnect final : public TreePlanner {
   std::optional<Node> grow(ComponentId component, const Pose& q, PlannerHost& host);
   Node addChild(Node parent, const Pose& q);
   Extended extend(Node from, const Pose& q, PlannerHost& host);
+  Extended slideOn(Node from, const Pose& q, double step, const StopToken& stop);
   void connect(ComponentId component, Node target, PlannerHost& host);
   ComponentId nearestOther(ComponentId grown, const Pose& q) const;
   void adapt(Node node, bool grew);
@@ -61,6 +67,7 @@ class RrtConnect final : public TreePlanner {
   Options options_;
   std::unique_ptr<ConfigurationSampler> sampler_;
   RandomStream goalStream_;
+  std::optional<SlidingExtension> sliding_;
   std::vector<double> domains_;  ///< per node: farther samples are refused
   std::uint64_t turn_ = 0;
   bool joined_ = false;      ///< components were joined: there may be a path

@@ -3,7 +3,6 @@
 #include <set>
 
 #include "engine/planning/automatic/contact_faces.h"
-#include "engine/planning/automatic/contact_slide_sampler.h"
 #include "engine/planning/automatic/direct_motions.h"
 #include "engine/planning/automatic/member.h"
 #include "engine/planning/automatic/shrink_repair.h"
@@ -64,40 +63,6 @@ TEST(ContactFaces, ABoxHasSixTheLargestFirst) {
   ASSERT_EQ(normals.size(), 6U);
   EXPECT_NEAR(std::abs(normals[0].x()), 1.0, 1e-12);
   EXPECT_NEAR(std::abs(normals[5].z()), 1.0, 1e-12);
-}
-
-class ContactSlide : public testing::Test {
- protected:
-  Problem problem = windowProblem();
-  ErodedWorlds worlds{problem.world};
-  ContactSlideSampler sampler{problem, 1, worlds, 0.05, 1e-3};
-  std::unique_ptr<CollisionQuery> query = problem.world->makeQuery();
-};
-
-TEST_F(ContactSlide, GoesUpToASurfaceAndKeepsTheGap) {
-  const auto q = sampler.toSurface(Pose::translation({-0.4, 1.2, 0.0}));
-  ASSERT_TRUE(q);
-  EXPECT_NEAR(query->nearestObstacle(*q).distance, 1e-3, 1e-6);
-}
-
-TEST_F(ContactSlide, LaysAFaceOnThePlane) {
-  Pose tilted = Pose::translation({-0.5, 1.2, 0.0});
-  tilted.orientation = Quaternion(Eigen::AngleAxisd(0.3, Vector3(0.2, 0.5, 0.8).normalized()));
-  const Pose q = sampler.aligned(tilted, -Vector3::UnitX());
-  double best = 0.0;
-  for (int axis = 0; axis < 3; ++axis) {
-    best = std::max(best, std::abs((q.orientation * Vector3(Vector3::Unit(axis))).x()));
-  }
-  EXPECT_NEAR(best, 1.0, 1e-9);
-}
-
-TEST_F(ContactSlide, SlidesFreeAndOnThePlaneOfTheWall) {
-  const Pose contact = Pose::translation({-0.301, 1.2, 0.0});
-  for (int i = 0; i < 20; ++i) {
-    const Pose q = sampler.slid(contact);
-    EXPECT_FALSE(query->collides(q));
-    EXPECT_NEAR(q.position.x(), contact.position.x(), 1e-9);
-  }
 }
 
 TEST(DirectMotions, LeavesStraightWhereTheWayOutIsFree) {
