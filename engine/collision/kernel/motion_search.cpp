@@ -16,9 +16,9 @@ constexpr std::uint64_t kMostConfigurations = 200'000;
 constexpr double kShortestHalf = 0x1p-50;
 /// Boxes that are not this much larger than the way they go are not opened: halving time says more. Near contact a
 /// swept box meets many others; with less, most of the time goes into pairs of triangles that the next halves rule out.
-constexpr double kWorthOpening = 12.0;
+constexpr double kWorthOpening = 8.0;
 /// Triangles this much larger than the way they go are worth a plane between them.
-constexpr double kWorthAPlane = 12.0;
+constexpr double kWorthAPlane = 2.0;
 float above(double value) { return static_cast<float>(value) * 1.000001F + 1e-37F; }
 
 /// The sense of a turn by half a circle is a matter of rounding: that of half of it is not.
