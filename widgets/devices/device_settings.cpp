@@ -18,6 +18,8 @@ QString groupOf(const HandInput& input) {
     case InputKind::Keyboard: return QStringLiteral("Keyboard");
     case InputKind::Mouse6D: return QStringLiteral("any-6d-mouse");
     case InputKind::Gamepad: return QStringLiteral("any-gamepad");
+    case InputKind::LeftController: return QStringLiteral("any-left-controller");
+    case InputKind::RightController: return QStringLiteral("any-right-controller");
   }
   return {};
 }
