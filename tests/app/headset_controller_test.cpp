@@ -13,6 +13,7 @@ class SaidHeadset final : public Headset {
   HeadsetStatus status() const override { return status_; }
   void setPlacement(const RoomPlacement& room) override { room_ = room; }
   void setBackground(const Colour& /*above*/, const Colour& /*below*/) override {}
+  void setHands(HandInputsPtr hands) override { hands_ = std::move(hands); }
   void onChanged(std::function<void()> callback) override { callback_ = std::move(callback); }
 
   void say(const HeadsetStatus& status) {
@@ -23,10 +24,12 @@ class SaidHeadset final : public Headset {
   int starts() const { return starts_; }
   int stops() const { return stops_; }
   const RoomPlacement& room() const { return room_; }
+  const HandInputsPtr& hands() const { return hands_; }
 
  private:
   HeadsetStatus status_;
   RoomPlacement room_;
+  HandInputsPtr hands_;
   std::function<void()> callback_;
   int starts_ = 0;
   int stops_ = 0;

@@ -1,14 +1,12 @@
 #include "widgets/headset/headset_connection.h"
 
 #include <cmath>
+#include <utility>
+
+#include "widgets/headset/xr_pose.h"
 
 namespace glissade {
 namespace {
-
-Pose poseOf(const XrPosef& pose) {
-  const Quaternion orientation(pose.orientation.w, pose.orientation.x, pose.orientation.y, pose.orientation.z);
-  return {Vector3(pose.position.x, pose.position.y, pose.position.z), orientation.normalized()};
-}
 
 EyeSides sidesOf(const XrFovf& angles) {
   return {std::tan(angles.angleLeft), std::tan(angles.angleRight), std::tan(angles.angleDown),
@@ -17,8 +15,11 @@ EyeSides sidesOf(const XrFovf& angles) {
 
 }  // namespace
 
-HeadsetConnection::HeadsetConnection(HeadsetScene& scene)
-    : scene_(scene), session_(runtime_, scene.context().handles()) {
+HeadsetConnection::HeadsetConnection(HeadsetScene& scene, HandInputsPtr hands)
+    : scene_(scene),
+      session_(runtime_, scene.context().handles()),
+      actions_(runtime_, session_),
+      controllers_(std::move(hands)) {
   const std::int64_t format = chooseColourFormat(session_.handle());
   const auto sizes = sizesOfEyes(runtime_);
   for (std::size_t eye = 0; eye < swapchains_.size(); ++eye) {
@@ -30,6 +31,7 @@ HeadsetConnection::HeadsetConnection(HeadsetScene& scene)
 void HeadsetConnection::showPicture(const RoomPlacement& room) {
   const XrFrameState frame = session_.waitFrame();
   session_.beginFrame();
+  readControllers(frame.predictedDisplayTime, room);
   std::array<XrCompositionLayerProjectionView, 2> shown{};
   const bool isShown = frame.shouldRender == XR_TRUE && draw(frame.predictedDisplayTime, room, shown);
   XrCompositionLayerProjection layer{};
@@ -38,6 +40,13 @@ void HeadsetConnection::showPicture(const RoomPlacement& room) {
   layer.viewCount = static_cast<std::uint32_t>(shown.size());
   layer.views = shown.data();
   session_.endFrame(frame.predictedDisplayTime, isShown ? &layer : nullptr);
+}
+
+void HeadsetConnection::readControllers(XrTime time, const RoomPlacement& room) {
+  controllers_.take(actions_.read(time), room);
+  for (const ControllerSide side : kBothSides) {
+    if (const double push = controllers_.push(side); push > 0.0) actions_.pulse(side, push);
+  }
 }
 
 bool HeadsetConnection::draw(XrTime time, const RoomPlacement& room,

@@ -3,6 +3,8 @@
 #include <array>
 #include <memory>
 
+#include "widgets/headset/controller_actions.h"
+#include "widgets/headset/controller_link.h"
 #include "widgets/headset/eye_swapchain.h"
 #include "widgets/headset/headset_runtime.h"
 #include "widgets/headset/headset_scene.h"
@@ -10,24 +12,27 @@
 
 namespace glissade {
 
-/// Runtime, session and pictures of both eyes together: all that ends when one of them is lost. Functions throw
-/// HeadsetFailure.
+/// Runtime, session, controllers and pictures of both eyes together: all that ends when one of them is lost. Functions
+/// throw HeadsetFailure.
 class HeadsetConnection {
  public:
   /// `scene` outlives the connection.
-  explicit HeadsetConnection(HeadsetScene& scene);
+  HeadsetConnection(HeadsetScene& scene, HandInputsPtr hands);
 
   const std::string& name() const { return runtime_.name(); }
   SessionNews poll() { return session_.poll(); }
-  /// Waits until the runtime wants a picture, and shows it.
+  /// Waits until the runtime wants a picture, reads the controllers, and shows it.
   void showPicture(const RoomPlacement& room);
 
  private:
+  void readControllers(XrTime time, const RoomPlacement& room);
   bool draw(XrTime time, const RoomPlacement& room, std::array<XrCompositionLayerProjectionView, 2>& shown);
 
   HeadsetScene& scene_;
   HeadsetRuntime runtime_;
   HeadsetSession session_;
+  ControllerActions actions_;
+  ControllerLink controllers_;
   std::array<std::unique_ptr<EyeSwapchain>, 2> swapchains_;
 };
 

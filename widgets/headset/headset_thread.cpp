@@ -40,6 +40,11 @@ void HeadsetThread::setBackground(const Colour& above, const Colour& below) {
   background_ = Background{above, below};
 }
 
+void HeadsetThread::setHands(HandInputsPtr hands) {
+  const std::lock_guard lock(mutex_);
+  hands_ = std::move(hands);
+}
+
 void HeadsetThread::setListener(std::function<void()> listener) {
   const std::lock_guard lock(mutex_);
   listener_ = std::move(listener);
@@ -94,7 +99,12 @@ void HeadsetThread::step() {
 void HeadsetThread::search() {
   if (!scene_) scene_ = std::make_unique<HeadsetScene>(graph_);
   scene_->context().makeCurrent();
-  connection_ = std::make_unique<HeadsetConnection>(*scene_);
+  HandInputsPtr hands;
+  {
+    const std::lock_guard lock(mutex_);
+    hands = hands_;
+  }
+  connection_ = std::make_unique<HeadsetConnection>(*scene_, hands);
   machine_.connect(connection_->name());
 }
 
