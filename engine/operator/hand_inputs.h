@@ -94,6 +94,7 @@ struct HandInputs {
   ControllerInput& controller(ControllerSide side) {
     return side == ControllerSide::Left ? leftController : rightController;
   }
+  std::array<ControllerInput*, 2> controllers() { return {&leftController, &rightController}; }
   /// Devices with axes.
   std::array<HandInput*, 3> all() { return {&keyboard, &mouse6d, &gamepad}; }
   /// Devices whose buttons may have an action, those with axes first.

@@ -40,6 +40,19 @@ double number(const QSettings& settings, const QString& key, double otherwise) {
   return ok ? value : std::numeric_limits<double>::quiet_NaN();
 }
 
+QString standardAction(InputKind kind, std::size_t button) {
+  const bool isLeft = kind == InputKind::LeftController;
+  if (isLeft || kind == InputKind::RightController) {
+    switch (static_cast<ControllerButton>(button)) {
+      case ControllerButton::Menu: return isLeft ? QStringLiteral("run.stop") : QStringLiteral("run.start");
+      case ControllerButton::Lower: return isLeft ? QStringLiteral("path.play") : QStringLiteral("object.to-start");
+      default: return {};
+    }
+  }
+  if (button == 0) return QStringLiteral("operator.camera");
+  return button == 1 ? QStringLiteral("view.fit") : QString();
+}
+
 }  // namespace
 
 DeviceSettings::DeviceSettings()
@@ -90,10 +103,7 @@ void DeviceSettings::setShaping(const HandInput& input, const DeviceShaping& sha
 }
 
 QString DeviceSettings::action(const HandInput& input, std::size_t button) const {
-  QString standard;
-  if (button == 0) standard = QStringLiteral("operator.camera");
-  if (button == 1) standard = QStringLiteral("view.fit");
-  return settings_.value(buttonKey(groupOf(input), button), standard).toString();
+  return settings_.value(buttonKey(groupOf(input), button), standardAction(input.kind, button)).toString();
 }
 
 void DeviceSettings::setAction(const HandInput& input, std::size_t button, const QString& actionId) {

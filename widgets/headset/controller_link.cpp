@@ -52,7 +52,7 @@ void ControllerLink::press(ControllerSide side, const ControllerState& state) {
 }
 
 double ControllerLink::push(ControllerSide side) const {
-  const double push = hand_->controller(side).place.push();
+  const double push = hand_->controller(side).place.feedback().push;
   return push < kLeastPush ? 0.0 : push;
 }
 

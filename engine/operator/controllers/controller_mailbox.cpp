@@ -30,14 +30,14 @@ ControllerReading ControllerMailbox::reading() const {
   return now;
 }
 
-void ControllerMailbox::setPush(double pushed) {
+void ControllerMailbox::setFeedback(const ControllerFeedback& feedback) {
   const std::lock_guard lock(mutex_);
-  push_ = share(pushed);
+  feedback_ = {feedback.holds, share(feedback.push)};
 }
 
-double ControllerMailbox::push() const {
+ControllerFeedback ControllerMailbox::feedback() const {
   const std::lock_guard lock(mutex_);
-  return push_;
+  return feedback_;
 }
 
 void ControllerMailbox::setListener(std::function<void()> listener) {

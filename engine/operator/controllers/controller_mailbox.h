@@ -17,6 +17,12 @@ struct ControllerReading {
   double scale = 1.0;        ///< metres of the room of the hand for each metre of the world
 };
 
+/// What a hand does with the object, and feels of it.
+struct ControllerFeedback {
+  bool holds = false;  ///< the object
+  double push = 0.0;   ///< how strongly obstacles push it back, as a share of the strongest, in [0, 1]
+};
+
 /// Between the headset, which tracks a controller, and whoever uses it: the latest wins, both ways. All functions may
 /// be called on any thread and return at once.
 class ControllerMailbox {
@@ -31,9 +37,8 @@ class ControllerMailbox {
   /// Without poses where the controller is lost; the hand is as it was heard last.
   ControllerReading reading() const;
 
-  /// What the hand is to feel: the share of the strongest push, in [0, 1].
-  void setPush(double share);
-  double push() const;
+  void setFeedback(const ControllerFeedback& feedback);
+  ControllerFeedback feedback() const;
 
   /// Called after every set(), on the thread that made it; must return at once. After setListener({}) has returned no
   /// call is under way.
@@ -44,7 +49,7 @@ class ControllerMailbox {
   mutable std::mutex mutex_;
   ControllerReading reading_;
   Clock::time_point heard_{};
-  double push_ = 0.0;
+  ControllerFeedback feedback_;
 
   std::mutex listenerMutex_;
   std::function<void()> listener_;

@@ -59,7 +59,7 @@ const TriangleTree& GraspingHand::surface() {
 
 void GraspingHand::feel(const std::optional<Wrench>& pushedBack) {
   const double push = pushedBack && holds() ? std::max(pushedBack->force_W.norm(), pushedBack->torque_W.norm()) : 0.0;
-  hand_->controller(side()).place.setPush(push);
+  hand_->controller(side()).place.setFeedback({holds(), push});
 }
 
 }  // namespace glissade

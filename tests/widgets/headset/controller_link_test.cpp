@@ -73,8 +73,8 @@ TEST_F(ControllerLinkTest, WhenTheHeadsetIsLostTheHandIsOpenAndAway) {
 }
 
 TEST_F(ControllerLinkTest, WhatTheHandFeelsIsSaidUnlessItIsTooWeak) {
-  hand->rightController.place.setPush(0.3);
-  hand->leftController.place.setPush(0.5 * ControllerLink::kLeastPush);
+  hand->rightController.place.setFeedback({true, 0.3});
+  hand->leftController.place.setFeedback({true, 0.5 * ControllerLink::kLeastPush});
   EXPECT_EQ(link->push(ControllerSide::Right), 0.3);
   EXPECT_EQ(link->push(ControllerSide::Left), 0.0);
 }

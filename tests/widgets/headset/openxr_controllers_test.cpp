@@ -108,7 +108,7 @@ TEST_F(OpenXrControllersTest, AControllerThatIsNotTrackedHasNoPlace) {
 TEST_F(OpenXrControllersTest, APushIsFeltByThatHandWithItsStrength) {
   test::setController(kRight, gripAt(kGrip));
   ASSERT_TRUE(isTracked());
-  hands_->rightController.place.setPush(0.25);
+  hands_->rightController.place.setFeedback({true, 0.25});
   std::vector<double> pulses;
   ASSERT_TRUE(until([&pulses] {
     pulses = test::takePulses(kRight);
@@ -116,7 +116,7 @@ TEST_F(OpenXrControllersTest, APushIsFeltByThatHandWithItsStrength) {
   }));
   EXPECT_NEAR(pulses.front(), 0.25, 1e-6);
   EXPECT_TRUE(test::takePulses(kLeft).empty());
-  hands_->rightController.place.setPush(0.0);
+  hands_->rightController.place.setFeedback({true, 0.0});
   const int read = test::readControllers();
   ASSERT_TRUE(until([read] { return test::readControllers() > read + 1; }));
   test::takePulses(kRight);

@@ -32,10 +32,10 @@ TEST(ControllerMailbox, WhatIsNoPoseAndNoShareIsNotTaken) {
   EXPECT_EQ(mailbox.reading().squeeze, 0.0);
   mailbox.set({std::nullopt, std::nullopt, 7.0, 1.0});
   EXPECT_EQ(mailbox.reading().squeeze, 1.0);
-  mailbox.setPush(-1.0);
-  EXPECT_EQ(mailbox.push(), 0.0);
-  mailbox.setPush(3.0);
-  EXPECT_EQ(mailbox.push(), 1.0);
+  mailbox.setFeedback({true, -1.0});
+  EXPECT_EQ(mailbox.feedback().push, 0.0);
+  mailbox.setFeedback({true, 3.0});
+  EXPECT_EQ(mailbox.feedback().push, 1.0);
 }
 
 TEST(ControllerMailbox, AfterSilenceItIsNotTrackedAndTheHandIsAsItWas) {

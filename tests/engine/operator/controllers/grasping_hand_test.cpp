@@ -177,17 +177,17 @@ TEST_F(Grasp, PulledIntoAWallItStopsSlidesAndIsFelt) {
     }
   };
   pull({0.0, 1.0, 0.0}, 400);
-  EXPECT_EQ(controller().place.push(), 0.0) << "it is free";
+  EXPECT_EQ(controller().place.feedback().push, 0.0) << "it is free";
   pull({2.0, 1.0, 0.0}, 400);
   EXPECT_NEAR(q.position.x(), -0.3, 0.01 * radius) << "it is at the wall";
-  EXPECT_GT(controller().place.push(), 0.9);
+  EXPECT_GT(controller().place.feedback().push, 0.9);
   const Pose stopped = q;
   pull({2.0, 1.0, 0.3}, 400);
   EXPECT_GT(q.position.z() - stopped.position.z(), 0.1) << "it slides";
   EXPECT_GT(nearest, 0.0) << "penetration";
   pull({0.0, 1.0, 0.0}, 400);
   expectNear(q, Pose::translation({-1.2, 1.0, 0.0}));
-  EXPECT_EQ(controller().place.push(), 0.0);
+  EXPECT_EQ(controller().place.feedback().push, 0.0);
 }
 
 TEST_F(Grasp, PressedLightlyItIsFeltAllTheTime) {
@@ -197,7 +197,7 @@ TEST_F(Grasp, PressedLightlyItIsFeltAllTheTime) {
   move(at * Pose::translation({toWall + 0.3 * SlidingHand::kMostLead * radius, 0.0, 0.0}));
   for (int i = 0; i < 20; ++i) {
     advance();
-    EXPECT_NEAR(controller().place.push(), 0.3, 0.1) << i;
+    EXPECT_NEAR(controller().place.feedback().push, 0.3, 0.1) << i;
   }
 }
 
