@@ -1,5 +1,8 @@
 // A person with a headset and two controllers, and nothing else: the real window with the runtime for tests, on a
 // virtual display. See with_headset.sh.
+#include <algorithm>
+
+#include "engine/collision/contact_planes.h"
 #include "tests/widgets/headset/scripted_hand.h"
 #include "tests/widgets/headset/window_with_headset.h"
 
@@ -25,30 +28,77 @@ class HeadsetHandsTest : public test::WindowWithHeadset {
   RoomPlacement room() { return placeRoom(bench().scene.view().extent(), ProductSize::OnTable); }
   /// The hand is where the object has its reference point.
   test::ScriptedHand handAtTheObject() { return {kRight, room(), device().q_device}; }
+  const std::vector<Pose>& wayPoints() { return bench().document.scenario()->scenario.wayPoints; }
   bool hasPlayed(const test::ScriptedHand& hand) {
     return until([&] { return hand.hasPlayed(); });
   }
+  /// To the nearest obstacle, while the hand does what it is to do.
+  double leastDistance(const test::ScriptedHand& hand) {
+    double least = device().nearest.distance;
+    EXPECT_TRUE(until([&] {
+      least = std::min(least, device().nearest.distance);
+      return hand.hasPlayed();
+    }));
+    return least;
+  }
 };
 
-/// A little less than the whole of the nearest obstacle's gap and some more.
-Pose pushedToward(const NearestObstacle& nearest, const Pose& q, double beyond) {
+/// Against the nearest obstacle, and so much farther.
+Pose pushedInto(const NearestObstacle& nearest, const Pose& q, double beyond) {
   return {q.position - (nearest.distance + beyond) * nearest.normal_W(), q.orientation};
 }
 
 TEST_F(HeadsetHandsTest, TakenMovedWithContactLetGoAndPlannedToTheGoal) {
+  const double set = snapshot()->parameters[ParameterId::Alpha];
+  const Pose start = problem().start;
   test::ScriptedHand hand = handAtTheObject();
   hand.press(kMenu).play();
   ASSERT_TRUE(until([this] { return glissade::isRunning(*snapshot()); }));
+
+  // It is pushed into the nearest obstacle, along it, and back.
   hand.squeeze(1.0).play();
   ASSERT_TRUE(until([this] { return holds(); }));
-  const Pose start = device().q_device;
-  std::printf("state %d nodes %llu nearest %g radius %g\n", static_cast<int>(snapshot()->state),
-              static_cast<unsigned long long>(snapshot()->counts.nodes), device().nearest.distance, radius());
-  hand.move(pushedToward(device().nearest, start, radius()), 1.0).wait(0.5).play();
+  EXPECT_LT(longestWay(device().q_device, start, radius()), 1e-3 * radius()) << "no jump";
+  const Pose into = pushedInto(device().nearest, start, radius());
+  hand.move(into, 1.0).wait(0.3).play();
+  const double nearest = leastDistance(hand);
+  EXPECT_GT(nearest, 0.0) << "penetration";
+  EXPECT_LT(nearest, 0.01 * radius()) << "contact";
+  EXPECT_TRUE(device().hand) << "the hand is ahead of the object";
+  const std::vector<double> pulses = test::takePulses(kRight);
+  ASSERT_FALSE(pulses.empty());
+  EXPECT_GT(*std::max_element(pulses.begin(), pulses.end()), 0.9);
+  EXPECT_LT(snapshot()->parameters[ParameterId::Alpha], set) << "a firm grip";
+  hand.move(start, 0.7).play();
+  EXPECT_GT(leastDistance(hand), 0.0);
+
+  // A loss of tracking on the way, and the hand is elsewhere afterwards.
+  hand.loseTracking(true).play();
+  ASSERT_TRUE(until([this] { return !holds(); }));
+  const Pose lost = device().q_device;
+  hand.move(Pose::translation({1.0, -2.0, 0.5}) * start, 0.0).loseTracking(false).play();
+  ASSERT_TRUE(until([this] { return holds(); }));
+  EXPECT_LT(longestWay(device().q_device, lost, radius()), 1e-3 * radius()) << "a jump";
+  const Pose X_OG = inverse(lost) * hand.X_WG();
+
+  // Through the gap, and let go there.
+  for (const Pose& q : wayPoints()) hand.move(q * X_OG, 0.6).wait(0.2);
+  hand.play();
+  EXPECT_GT(leastDistance(hand), 0.0);
+  hand.squeeze(0.0).play();
+  ASSERT_TRUE(until([this] { return !holds(); }));
+  const Pose left = device().q_device;
+  hand.move(start, 0.3).wait(0.1).play();
   ASSERT_TRUE(hasPlayed(hand));
-  std::printf("state %d nodes %llu nearest %g alpha %g\n", static_cast<int>(snapshot()->state),
-              static_cast<unsigned long long>(snapshot()->counts.nodes), device().nearest.distance,
-              snapshot()->parameters[ParameterId::Alpha]);
+  EXPECT_EQ(device().q_device, left);
+  EXPECT_TRUE(until([&] { return snapshot()->parameters[ParameterId::Alpha] == set; }));
+
+  ASSERT_TRUE(until([this] { return snapshot()->path != nullptr; }, 120'000));
+  const Path& path = *snapshot()->path;
+  EXPECT_EQ(path.certificate.status, CertificateStatus::Certified);
+  EXPECT_EQ(path.points.front().q, start);
+  EXPECT_EQ(path.points.back().q, std::get<Pose>(problem().goal));
+  EXPECT_GT(path.lengthByAuthor(problem().metric())[static_cast<std::size_t>(Author::Operator)], 0.0);
 }
 
 }  // namespace
