@@ -70,8 +70,8 @@ enum class SteeringTarget { Object, Camera };
 struct HandInputs {
   /// A 6D mouse repeats its deflection while it is held: half a second of silence is rest.
   static constexpr std::chrono::milliseconds kSilence{500};
-  /// A headset shows more pictures than this even where drawing is slow, and says with each where the hands are.
-  static constexpr std::chrono::milliseconds kControllerSilence{500};
+  /// A headset says with each picture where the hands are, and pictures are slow where drawing is.
+  static constexpr std::chrono::milliseconds kControllerSilence{1000};
 
   /// No silence: a script holds the mouse, in a time of its own.
   explicit HandInputs(std::optional<std::chrono::milliseconds> silence = kSilence)

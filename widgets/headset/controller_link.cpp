@@ -51,6 +51,18 @@ void ControllerLink::press(ControllerSide side, const ControllerState& state) {
   pressed = now;
 }
 
+ShownControllers ControllerLink::shown() const {
+  const auto of = [this](ControllerSide side) {
+    const ControllerMailbox& place = hand_->controller(side).place;
+    return ShownController{place.reading(), place.feedback()};
+  };
+  return {of(ControllerSide::Left), of(ControllerSide::Right)};
+}
+
+std::array<bool, 2> ControllerLink::holds() const {
+  return {hand_->leftController.place.feedback().holds, hand_->rightController.place.feedback().holds};
+}
+
 double ControllerLink::push(ControllerSide side) const {
   const double push = hand_->controller(side).place.feedback().push;
   return push < kLeastPush ? 0.0 : push;

@@ -2,6 +2,7 @@
 
 #include "widgets/headset/controller_state.h"
 #include "widgets/headset/room_placement.h"
+#include "widgets/headset/shown_hands.h"
 
 namespace glissade {
 
@@ -21,6 +22,11 @@ class ControllerLink {
   ControllerLink& operator=(const ControllerLink&) = delete;
 
   void take(const BothControllers& states, const RoomPlacement& room);
+  /// Both controllers as they were said last, and what came of it.
+  ShownControllers shown() const;
+  ControllerSide mainHand() const { return hand_->mainHand; }
+  /// By ControllerSide: which hand holds the object.
+  std::array<bool, 2> holds() const;
   /// What the hand is to feel now, in [0, 1]; 0: nothing.
   double push(ControllerSide side) const;
 

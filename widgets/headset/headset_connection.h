@@ -9,6 +9,7 @@
 #include "widgets/headset/headset_runtime.h"
 #include "widgets/headset/headset_scene.h"
 #include "widgets/headset/headset_session.h"
+#include "widgets/headset/room_walk.h"
 
 namespace glissade {
 
@@ -21,12 +22,12 @@ class HeadsetConnection {
 
   const std::string& name() const { return runtime_.name(); }
   SessionNews poll() { return session_.poll(); }
-  /// Waits until the runtime wants a picture, reads the controllers, and shows it.
-  void showPicture(const RoomPlacement& room);
+  /// Waits until the runtime wants a picture, reads the controllers, lets the person walk, and shows it.
+  void showPicture(RoomWalk& walk);
 
  private:
-  void readControllers(XrTime time, const RoomPlacement& room);
-  bool draw(XrTime time, const RoomPlacement& room, std::array<XrCompositionLayerProjectionView, 2>& shown);
+  void readControllers(XrTime time, const EyeViews& views, RoomWalk& walk);
+  void draw(const EyeViews& views, const RoomWalk& walk, std::array<XrCompositionLayerProjectionView, 2>& shown);
 
   HeadsetScene& scene_;
   HeadsetRuntime runtime_;

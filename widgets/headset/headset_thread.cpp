@@ -32,7 +32,7 @@ HeadsetStatus HeadsetThread::status() const {
 
 void HeadsetThread::setPlacement(const RoomPlacement& room) {
   const std::lock_guard lock(mutex_);
-  room_ = room;
+  placed_ = room;
 }
 
 void HeadsetThread::setBackground(const Colour& above, const Colour& below) {
@@ -125,15 +125,16 @@ void HeadsetThread::follow(SessionNews news) {
 }
 
 void HeadsetThread::show() {
-  RoomPlacement room;
+  std::optional<RoomPlacement> placed;
   std::optional<Background> background;
   {
     const std::lock_guard lock(mutex_);
-    room = room_;
+    placed = std::exchange(placed_, std::nullopt);
     background = std::exchange(background_, std::nullopt);
   }
   if (background) scene_->setBackground(background->above, background->below);
-  connection_->showPicture(room);
+  if (placed) walk_.place(*placed);
+  connection_->showPicture(walk_);
 }
 
 void HeadsetThread::fail(HeadsetTrouble trouble, const std::string& detail) {

@@ -55,13 +55,14 @@ class HeadsetThread : public std::enable_shared_from_this<HeadsetThread> {
   bool wanted_ = false;
   bool alive_ = false;  ///< there is a thread
   HeadsetStatus status_;
-  RoomPlacement room_;
+  std::optional<RoomPlacement> placed_;   ///< where the thread has not placed the person yet
   std::optional<Background> background_;  ///< that the thread has not taken yet
   HandInputsPtr hands_ = std::make_shared<HandInputs>();
   std::function<void()> listener_;
 
   // Of the thread alone.
   HeadsetMachine machine_;
+  RoomWalk walk_;
   std::unique_ptr<HeadsetScene> scene_;
   std::unique_ptr<HeadsetConnection> connection_;
 };

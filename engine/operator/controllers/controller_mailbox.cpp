@@ -32,7 +32,7 @@ ControllerReading ControllerMailbox::reading() const {
 
 void ControllerMailbox::setFeedback(const ControllerFeedback& feedback) {
   const std::lock_guard lock(mutex_);
-  feedback_ = {feedback.holds, share(feedback.push)};
+  feedback_ = {feedback.holds, share(feedback.push), feedback.pointsAt};
 }
 
 ControllerFeedback ControllerMailbox::feedback() const {

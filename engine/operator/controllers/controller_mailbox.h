@@ -19,8 +19,9 @@ struct ControllerReading {
 
 /// What a hand does with the object, and feels of it.
 struct ControllerFeedback {
-  bool holds = false;  ///< the object
-  double push = 0.0;   ///< how strongly obstacles push it back, as a share of the strongest, in [0, 1]
+  bool holds = false;                ///< the object
+  double push = 0.0;                 ///< how strongly obstacles push it back, as a share of the strongest, in [0, 1]
+  std::optional<double> pointsAt{};  ///< metres along the aim to the object; nothing: it points elsewhere
 };
 
 /// Between the headset, which tracks a controller, and whoever uses it: the latest wins, both ways. All functions may

@@ -19,6 +19,7 @@ Pose GraspingHand::advance(double dt, const OperatorView& view, const Box3& boun
     X_GB_.reset();
   }
   const ControllerReading now = hand_->controller(with).place.reading();
+  pointsAt_ = aimedDistance(now, view.q_device);
   close(now, view.q_device);
   if (!taken_ || !now.X_WG) {
     X_GB_.reset();
@@ -47,9 +48,14 @@ bool GraspingHand::reaches(const ControllerReading& now, const Pose& X_WB) {
   const Pose X_BW = inverse(X_WB);
   const double reach = kReach / now.scale;
   if (surface().nearest(X_BW * now.X_WG->position, reach, reach).distance < reach) return true;
-  if (!now.X_WA) return false;
-  const Vector3 direction = X_BW.orientation * (now.X_WA->orientation * -Vector3::UnitZ());
-  return std::isfinite(surface().firstHit(X_BW * now.X_WA->position, direction, 0.0));
+  return pointsAt_.has_value();
+}
+
+std::optional<double> GraspingHand::aimedDistance(const ControllerReading& now, const Pose& X_WB) {
+  if (!now.X_WA) return std::nullopt;
+  const Pose X_BA = inverse(X_WB) * *now.X_WA;
+  const double distance = surface().firstHit(X_BA.position, X_BA.orientation * -Vector3::UnitZ(), 0.0);
+  return std::isfinite(distance) ? std::optional(distance) : std::nullopt;
 }
 
 const TriangleTree& GraspingHand::surface() {
@@ -59,7 +65,7 @@ const TriangleTree& GraspingHand::surface() {
 
 void GraspingHand::feel(const std::optional<Wrench>& pushedBack) {
   const double push = pushedBack && holds() ? std::max(pushedBack->force_W.norm(), pushedBack->torque_W.norm()) : 0.0;
-  hand_->controller(side()).place.setFeedback({holds(), push});
+  hand_->controller(side()).place.setFeedback({holds(), push, pointsAt_});
 }
 
 }  // namespace glissade

@@ -37,6 +37,7 @@ class GraspingHand final : public OperatorDevice {
   ControllerSide side() const { return side_.value_or(hand_->mainHand); }
   void close(const ControllerReading& now, const Pose& X_WB);
   bool reaches(const ControllerReading& now, const Pose& X_WB);
+  std::optional<double> aimedDistance(const ControllerReading& now, const Pose& X_WB);
   const TriangleTree& surface();
 
   HandInputsPtr hand_;
@@ -44,9 +45,10 @@ class GraspingHand final : public OperatorDevice {
   CollisionWorldPtr world_;
   std::unique_ptr<const TriangleTree> surface_;  ///< of the object; null until it is needed
   ControllerSide last_;
-  bool closed_ = false;       ///< the hand
-  bool taken_ = false;        ///< the object, when the hand was closed
-  std::optional<Pose> X_GB_;  ///< of the object in the hand, while it is held
+  bool closed_ = false;             ///< the hand
+  std::optional<double> pointsAt_;  ///< metres along the aim to the object
+  bool taken_ = false;              ///< the object, when the hand was closed
+  std::optional<Pose> X_GB_;        ///< of the object in the hand, while it is held
 };
 
 }  // namespace glissade

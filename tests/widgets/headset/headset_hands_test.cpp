@@ -1,20 +1,24 @@
 // A person with a headset and two controllers, and nothing else: the real window with the runtime for tests, on a
 // virtual display. See with_headset.sh.
 #include <algorithm>
+#include <numbers>
 
 #include "engine/collision/contact_planes.h"
 #include "tests/widgets/headset/scripted_hand.h"
 #include "tests/widgets/headset/window_with_headset.h"
+#include "widgets/devices/device_settings.h"
 
 namespace glissade {
 namespace {
 
 constexpr std::size_t kRight = 1;
+constexpr double kQuarter = 0.5 * std::numbers::pi;
 constexpr const char* kMenu = "/input/b/click";
 
 class HeadsetHandsTest : public test::WindowWithHeadset {
  protected:
-  explicit HeadsetHandsTest(const char* sample = "environment-1") : WindowWithHeadset(sample) {
+  explicit HeadsetHandsTest(const char* sample = "environment-1/scenario.json") : WindowWithHeadset(sample) {
+    window_->resize(600, 400);  // drawn by the same cores
     bench().actions["headset.on-table"]->setChecked(true);
     headset().trigger();
     EXPECT_TRUE(isRunning());
@@ -60,17 +64,18 @@ TEST_F(HeadsetHandsTest, TakenMovedWithContactLetGoAndPlannedToTheGoal) {
   ASSERT_TRUE(until([this] { return holds(); }));
   EXPECT_LT(longestWay(device().q_device, start, radius()), 1e-3 * radius()) << "no jump";
   const Pose into = pushedInto(device().nearest, start, radius());
-  hand.move(into, 1.0).wait(0.3).play();
-  const double nearest = leastDistance(hand);
-  EXPECT_GT(nearest, 0.0) << "penetration";
-  EXPECT_LT(nearest, 0.01 * radius()) << "contact";
-  EXPECT_TRUE(device().hand) << "the hand is ahead of the object";
-  const std::vector<double> pulses = test::takePulses(kRight);
-  ASSERT_FALSE(pulses.empty());
-  EXPECT_GT(*std::max_element(pulses.begin(), pulses.end()), 0.9);
-  EXPECT_LT(snapshot()->parameters[ParameterId::Alpha], set) << "a firm grip";
+  hand.move(into, 1.0).play();
+  EXPECT_GT(leastDistance(hand), 0.0) << "penetration";
+  EXPECT_TRUE(until([this] { return device().nearest.distance < 0.01 * radius(); })) << "contact";
+  EXPECT_TRUE(until([this] { return device().hand.has_value(); })) << "the hand is ahead of the object";
+  EXPECT_GT(device().nearest.distance, 0.0) << "penetration";
+  EXPECT_TRUE(until([] {
+    const std::vector<double> pulses = test::takePulses(kRight);
+    return std::any_of(pulses.begin(), pulses.end(), [](double pulse) { return pulse > 0.9; });
+  })) << "it is felt";
+  EXPECT_TRUE(until([&] { return snapshot()->parameters[ParameterId::Alpha] < set; })) << "a firm grip";
   hand.move(start, 0.7).play();
-  EXPECT_GT(leastDistance(hand), 0.0);
+  EXPECT_GT(leastDistance(hand), 0.0) << "penetration";
 
   // A loss of tracking on the way, and the hand is elsewhere afterwards.
   hand.loseTracking(true).play();
@@ -84,7 +89,7 @@ TEST_F(HeadsetHandsTest, TakenMovedWithContactLetGoAndPlannedToTheGoal) {
   // Through the gap, and let go there.
   for (const Pose& q : wayPoints()) hand.move(q * X_OG, 0.6).wait(0.2);
   hand.play();
-  EXPECT_GT(leastDistance(hand), 0.0);
+  EXPECT_GT(leastDistance(hand), 0.0) << "penetration";
   hand.squeeze(0.0).play();
   ASSERT_TRUE(until([this] { return !holds(); }));
   const Pose left = device().q_device;
@@ -99,6 +104,66 @@ TEST_F(HeadsetHandsTest, TakenMovedWithContactLetGoAndPlannedToTheGoal) {
   EXPECT_EQ(path.points.front().q, start);
   EXPECT_EQ(path.points.back().q, std::get<Pose>(problem().goal));
   EXPECT_GT(path.lengthByAuthor(problem().metric())[static_cast<std::size_t>(Author::Operator)], 0.0);
+}
+
+class HeadsetHandsAtThePump : public HeadsetHandsTest {
+ protected:
+  HeadsetHandsAtThePump() : HeadsetHandsTest("pump/unmount.json") {}
+};
+
+TEST_F(HeadsetHandsAtThePump, ItIsLiftedOffItsSeatAndPlannedToTheGoal) {
+  test::ScriptedHand hand = handAtTheObject();
+  hand.press(kMenu).squeeze(1.0).play();
+  ASSERT_TRUE(until([this] { return holds(); }));
+  const Pose X_OG = inverse(device().q_device) * hand.X_WG();
+  const auto moved = [&](double x, double y, double z) {
+    return Pose::translation(problem().start.position + Vector3(x, y, z)) * X_OG;
+  };
+  hand.move(moved(0.0, 0.0, 0.02), 0.5).move(moved(0.3, -0.5, 0.02), 1.0).wait(0.3).play();
+  EXPECT_GT(leastDistance(hand), 0.0) << "penetration";
+  EXPECT_TRUE(until([this] { return longestWay(device().q_device, problem().start, radius()) > 0.05 * radius(); }));
+  hand.squeeze(0.0).play();
+  ASSERT_TRUE(until([this] { return !holds(); }));
+  ASSERT_TRUE(until([this] { return snapshot()->path != nullptr; }, 120'000));
+  EXPECT_EQ(snapshot()->path->certificate.status, CertificateStatus::Certified);
+}
+
+class HeadsetHandsAtAStep : public HeadsetHandsTest {
+ protected:
+  HeadsetHandsAtAStep() : HeadsetHandsTest("interlocked/turn.json") {
+    carryOut("plan-sequence", {"all"});
+    carryOut("show-step", {"1"});
+    DeviceSettings().setAction(bench().session.hand()->rightController.buttons,
+                               static_cast<std::size_t>(ControllerButton::Lower), QStringLiteral("sequence.by-hand"));
+  }
+  ~HeadsetHandsAtAStep() override { DeviceSettings().reset(bench().session.hand()->rightController.buttons); }
+
+  void carryOut(const char* command, const ScriptCommands::Words& words) {
+    const Outcome outcome = bench().scripts.carryOut(command, words);
+    EXPECT_TRUE(outcome) << command << ": " << (outcome ? "" : outcome.error().reason);
+  }
+};
+
+/// A key whose bar lies across the slot of the cover: it turns by a quarter, and leaves upwards.
+TEST_F(HeadsetHandsAtAStep, ItIsMovedByHandAndItsPathBecomesTheMotionOfTheStep) {
+  test::ScriptedHand chooser = handAtTheObject();
+  chooser.press("/input/a/click").play();
+  ASSERT_TRUE(until([this] { return bench().actions["sequence.leave-hand"]->isEnabled(); }));
+  test::ScriptedHand hand = handAtTheObject();
+  hand.press(kMenu).squeeze(1.0).play();
+  ASSERT_TRUE(until([this] { return holds(); }));
+  const Pose X_OG = inverse(device().q_device) * hand.X_WG();
+  const auto moved = [&](double up, double turn) {
+    return Pose{device().q_device.position + Vector3(0.0, 0.0, up),
+                Quaternion(Eigen::AngleAxisd(turn, Vector3::UnitZ()))} *
+           X_OG;
+  };
+  hand.move(moved(0.5, 0.0), 0.5).move(moved(0.0, kQuarter), 1.0).move(moved(3.0, kQuarter), 1.0).squeeze(0.0);
+  hand.play();
+  EXPECT_GT(leastDistance(hand), 0.0) << "penetration";
+  // The path is taken, and the sequence is back.
+  ASSERT_TRUE(until([this] { return !bench().actions["sequence.leave-hand"]->isEnabled(); }, 120'000));
+  carryOut("expect-sequence", {"end", "complete"});
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ class PictureCounter : public QObject {
 
 class HeadsetWindowTest : public test::WindowWithHeadset {
  protected:
-  HeadsetWindowTest() : WindowWithHeadset("environment-1") {}
+  HeadsetWindowTest() : WindowWithHeadset("environment-1/scenario.json") {}
 
   /// What the window draws in some seconds in which it draws its scene as often as it can.
   void drawFor(int milliseconds, PictureCounter& counter) {

@@ -124,6 +124,21 @@ TEST_F(OpenXrControllersTest, APushIsFeltByThatHandWithItsStrength) {
   EXPECT_TRUE(test::takePulses(kRight).empty());
 }
 
+TEST_F(OpenXrControllersTest, TheOtherHandPullsTheWorld) {
+  test::setController(kLeft, gripAt(kGrip));
+  test::setController(kRight, gripAt(kGrip));
+  ASSERT_TRUE(isTracked());
+  const Vector3 before = right().X_WG->position;
+  const Pose pulled = Pose::translation({0.2, 0.0, 0.0}) * kGrip;
+  test::playController(kLeft, {gripAt(kGrip, 1.0), gripAt(pulled, 1.0), gripAt(pulled), gripAt(kGrip)});
+  ASSERT_TRUE(until([] { return test::hasPlayed(kLeft); }));
+  const Vector3 expected = before - Vector3(0.2 / room_.scale, 0.0, 0.0);
+  EXPECT_TRUE(until([&] { return right().X_WG && (right().X_WG->position - expected).norm() < 1e-4; }));
+  headset_->setPlacement(room_);
+  EXPECT_TRUE(until([&] { return right().X_WG && (right().X_WG->position - before).norm() < 1e-4; }))
+      << "where the window places the person";
+}
+
 TEST_F(OpenXrControllersTest, LostWithTheSessionTheyComeBackWithIt) {
   test::setController(kRight, gripAt(kGrip, 0.9));
   ASSERT_TRUE(isTracked());

@@ -21,8 +21,8 @@ class WindowWithHeadset : public testing::Test {
     resetHeadset();
     window_->setBatch(true);
     window_->resize(900, 600);
-    const QString file = QString::fromStdString(sourceDirectory()) + QStringLiteral("/samples/") +
-                         QLatin1String(sample) + QStringLiteral("/scenario.json");
+    const QString file =
+        QString::fromStdString(sourceDirectory()) + QStringLiteral("/samples/") + QLatin1String(sample);
     EXPECT_EQ(window_->openScenario(file, true), std::nullopt);
     window_->show();
   }
@@ -39,11 +39,12 @@ class WindowWithHeadset : public testing::Test {
   bool until(Condition condition, int longest = 30'000) {
     QElapsedTimer since;
     since.start();
-    while (!condition() && since.elapsed() < longest) {
+    while (since.elapsed() < longest) {
+      if (condition()) return true;
       QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
       QThread::msleep(1);
     }
-    return condition();
+    return false;
   }
   bool isRunning() {
     return until([this] { return state() == HeadsetState::Running; });

@@ -87,6 +87,7 @@ TEST_F(Grasp, AHandThatIsTooFarAwayAndPointsElsewhereTakesNothing) {
   hold(Pose::translation(q.position + Vector3(0.0, 0.2 + 1.1 * GraspingHand::kReach, 0.0)), 1.0);
   advance();
   EXPECT_FALSE(device->holds());
+  EXPECT_FALSE(controller().place.feedback().pointsAt);
   // Closed, it takes nothing that it is moved over.
   hold(Pose::translation(q.position + Vector3(0.0, 0.2, 0.0)), 1.0);
   advance(10);
@@ -99,6 +100,8 @@ TEST_F(Grasp, WhatItPointsAtIsTakenAtADistance) {
   hold(Pose::translation(q.position + Vector3(0.05, 0.05, 1.5)), 1.0);
   advance();
   ASSERT_TRUE(device->holds());
+  ASSERT_TRUE(controller().place.feedback().pointsAt);
+  EXPECT_NEAR(*controller().place.feedback().pointsAt, 1.3, kExact);
   const Pose grip = at;
   move(grip * Pose::translation({0.0, 0.2, 0.0}));
   expectNear(q, Pose::translation(before.position + Vector3(0.0, 0.2, 0.0)));
