@@ -27,16 +27,19 @@ ControllerActions::ControllerActions(const HeadsetRuntime& runtime, const Headse
   try {
     make();
   } catch (const HeadsetFailure&) {
-    xrDestroyActionSet(set_);
+    destroy();
     throw;
   }
 }
 
-/// The actions and their spaces go with their set and the session.
-ControllerActions::~ControllerActions() {
+ControllerActions::~ControllerActions() { destroy(); }
+
+/// The actions go with their set.
+void ControllerActions::destroy() {
   for (const Hand& hand : hands_) {
-    xrDestroySpace(hand.grip);
-    xrDestroySpace(hand.aim);
+    for (XrSpace space : {hand.grip, hand.aim}) {
+      if (space != XR_NULL_HANDLE) xrDestroySpace(space);
+    }
   }
   xrDestroyActionSet(set_);
 }

@@ -37,6 +37,7 @@ class ControllerActions {
   };
 
   void make();
+  void destroy();
   void makeAction(ControllerAction action, const char* name, XrActionType type);
   void suggest(const ControllerProfile& profile);
   void attach();
