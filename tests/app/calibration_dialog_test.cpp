@@ -102,6 +102,11 @@ TEST_F(Calibration, AControllerHasButtonsWithNamesAndNoAxes) {
         controller->kind == InputKind::LeftController ? QStringLiteral("run.stop") : QStringLiteral("run.start");
     EXPECT_EQ(named<QComboBox>("button-action")->currentData().toString(), expected);
   }
+  // Of one kind, each has its own.
+  for (ControllerInput* controller : hand->controllers()) controller->buttons.mailbox.connect("valve/index_controller");
+  settings.setAction(hand->leftController.buttons, 1, QStringLiteral("path.play"));
+  EXPECT_EQ(settings.action(hand->leftController.buttons, 1), QStringLiteral("path.play"));
+  EXPECT_EQ(settings.action(hand->rightController.buttons, 1), QStringLiteral("run.start"));
   device->setCurrentIndex(0);
   EXPECT_TRUE(dialog.findChildren<QSlider*>().front()->isEnabled());
 }

@@ -10,10 +10,21 @@ namespace {
 
 constexpr std::array<const char*, 3> kFrames{"view", "world", "object"};
 
+/// Both controllers of a headset have one name.
+QString handOf(const HandInput& input) {
+  switch (input.kind) {
+    case InputKind::LeftController: return QStringLiteral("left-");
+    case InputKind::RightController: return QStringLiteral("right-");
+    default: return {};
+  }
+}
+
 /// The device's name while it is there, else its kind.
 QString groupOf(const HandInput& input) {
   const std::string name = input.mailbox.reading().name;
-  if (!name.empty()) return QString::fromLatin1(QUrl::toPercentEncoding(QString::fromStdString(name)));
+  if (!name.empty()) {
+    return handOf(input) + QString::fromLatin1(QUrl::toPercentEncoding(QString::fromStdString(name)));
+  }
   switch (input.kind) {
     case InputKind::Keyboard: return QStringLiteral("Keyboard");
     case InputKind::Mouse6D: return QStringLiteral("any-6d-mouse");

@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t kRight = 1;
 constexpr double kQuarter = 0.5 * std::numbers::pi;
+constexpr const char* kLower = "/input/a/click";
 constexpr const char* kMenu = "/input/b/click";
 
 class HeadsetHandsTest : public test::WindowWithHeadset {
@@ -133,10 +134,15 @@ class HeadsetHandsAtAStep : public HeadsetHandsTest {
   HeadsetHandsAtAStep() : HeadsetHandsTest("interlocked/turn.json") {
     carryOut("plan-sequence", {"all"});
     carryOut("show-step", {"1"});
-    DeviceSettings().setAction(bench().session.hand()->rightController.buttons,
-                               static_cast<std::size_t>(ControllerButton::Lower), QStringLiteral("sequence.by-hand"));
   }
-  ~HeadsetHandsAtAStep() override { DeviceSettings().reset(bench().session.hand()->rightController.buttons); }
+  ~HeadsetHandsAtAStep() override { DeviceSettings().reset(buttons()); }
+
+  HandInput& buttons() { return bench().session.hand()->rightController.buttons; }
+  /// Settings are those of a controller that is there.
+  void giveLowerButton(const char* action) {
+    EXPECT_TRUE(until([this] { return buttons().mailbox.reading().connected; }));
+    DeviceSettings().setAction(buttons(), static_cast<std::size_t>(ControllerButton::Lower), QLatin1String(action));
+  }
 
   void carryOut(const char* command, const ScriptCommands::Words& words) {
     const Outcome outcome = bench().scripts.carryOut(command, words);
@@ -147,7 +153,8 @@ class HeadsetHandsAtAStep : public HeadsetHandsTest {
 /// A key whose bar lies across the slot of the cover: it turns by a quarter, and leaves upwards.
 TEST_F(HeadsetHandsAtAStep, ItIsMovedByHandAndItsPathBecomesTheMotionOfTheStep) {
   test::ScriptedHand chooser = handAtTheObject();
-  chooser.press("/input/a/click").play();
+  giveLowerButton("sequence.by-hand");
+  chooser.press(kLower).play();
   ASSERT_TRUE(until([this] { return bench().actions["sequence.leave-hand"]->isEnabled(); }));
   test::ScriptedHand hand = handAtTheObject();
   hand.press(kMenu).squeeze(1.0).play();
