@@ -2116,7 +2116,7 @@
     </message>
     <message>
         <source>&amp;Grip sets the computer&apos;s share</source>
-        <translation>La prise La &amp;prise règle la partamp;règle la part de l&apos;ordinateur</translation>
+        <translation>La prise &amp;règle la part de l&apos;ordinateur</translation>
     </message>
     <message>
         <source>The firmer a controller holds the object, the smaller α is; let go, α is as before</source>

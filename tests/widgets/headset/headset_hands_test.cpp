@@ -171,6 +171,9 @@ TEST_F(HeadsetHandsAtAStep, ItIsMovedByHandAndItsPathBecomesTheMotionOfTheStep) 
   // The path is taken, and the sequence is back.
   ASSERT_TRUE(until([this] { return !bench().actions["sequence.leave-hand"]->isEnabled(); }, 120'000));
   carryOut("expect-sequence", {"end", "complete"});
+  const std::vector<DemandedMotion>& motions = bench().document.demands().motions;
+  ASSERT_EQ(motions.size(), 1U) << "the path of the hand is the motion of the step";
+  EXPECT_EQ(motions.front().bodies, std::vector<std::string>{"turn-key"});
 }
 
 }  // namespace
