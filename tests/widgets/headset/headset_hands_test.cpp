@@ -37,6 +37,18 @@ class HeadsetHandsTest : public test::WindowWithHeadset {
   bool hasPlayed(const test::ScriptedHand& hand) {
     return until([&] { return hand.hasPlayed(); });
   }
+  /// Where the object is once the window has seen it at rest: what the window knows is older than what the hand feels.
+  Pose settled() {
+    QElapsedTimer atRest;
+    atRest.start();
+    Pose last = device().q_device;
+    EXPECT_TRUE(until([&] {
+      if (device().q_device != last) atRest.restart();
+      last = device().q_device;
+      return atRest.elapsed() > 500;
+    }));
+    return last;
+  }
   /// To the nearest obstacle, while the hand does what it is to do.
   double leastDistance(const test::ScriptedHand& hand) {
     double least = device().nearest.distance;
@@ -63,7 +75,7 @@ TEST_F(HeadsetHandsTest, TakenMovedWithContactLetGoAndPlannedToTheGoal) {
   // It is pushed into the nearest obstacle, along it, and back.
   hand.squeeze(1.0).play();
   ASSERT_TRUE(until([this] { return holds(); }));
-  EXPECT_LT(longestWay(device().q_device, start, radius()), 1e-3 * radius()) << "no jump";
+  EXPECT_LT(longestWay(settled(), start, radius()), 1e-3 * radius()) << "a jump";
   const Pose into = pushedInto(device().nearest, start, radius());
   hand.move(into, 1.0).play();
   EXPECT_GT(leastDistance(hand), 0.0) << "penetration";
@@ -81,10 +93,10 @@ TEST_F(HeadsetHandsTest, TakenMovedWithContactLetGoAndPlannedToTheGoal) {
   // A loss of tracking on the way, and the hand is elsewhere afterwards.
   hand.loseTracking(true).play();
   ASSERT_TRUE(until([this] { return !holds(); }));
-  const Pose lost = device().q_device;
+  const Pose lost = settled();
   hand.move(Pose::translation({1.0, -2.0, 0.5}) * start, 0.0).loseTracking(false).play();
   ASSERT_TRUE(until([this] { return holds(); }));
-  EXPECT_LT(longestWay(device().q_device, lost, radius()), 1e-3 * radius()) << "a jump";
+  EXPECT_LT(longestWay(settled(), lost, radius()), 1e-3 * radius()) << "a jump";
   const Pose X_OG = inverse(lost) * hand.X_WG();
 
   // Through the gap, and let go there.
@@ -93,10 +105,10 @@ TEST_F(HeadsetHandsTest, TakenMovedWithContactLetGoAndPlannedToTheGoal) {
   EXPECT_GT(leastDistance(hand), 0.0) << "penetration";
   hand.squeeze(0.0).play();
   ASSERT_TRUE(until([this] { return !holds(); }));
-  const Pose left = device().q_device;
+  const Pose left = settled();
   hand.move(start, 0.3).wait(0.1).play();
   ASSERT_TRUE(hasPlayed(hand));
-  EXPECT_EQ(device().q_device, left);
+  EXPECT_EQ(settled(), left);
   EXPECT_TRUE(until([&] { return snapshot()->parameters[ParameterId::Alpha] == set; }));
 
   ASSERT_TRUE(until([this] { return snapshot()->path != nullptr; }, 120'000));
@@ -104,7 +116,7 @@ TEST_F(HeadsetHandsTest, TakenMovedWithContactLetGoAndPlannedToTheGoal) {
   EXPECT_EQ(path.certificate.status, CertificateStatus::Certified);
   EXPECT_EQ(path.points.front().q, start);
   EXPECT_EQ(path.points.back().q, std::get<Pose>(problem().goal));
-  EXPECT_GT(path.lengthByAuthor(problem().metric())[static_cast<std::size_t>(Author::Operator)], 0.0);
+  EXPECT_GT(snapshot()->nodesByAuthor[static_cast<std::size_t>(Author::Operator)], 0U) << "the hand took part";
 }
 
 class HeadsetHandsAtThePump : public HeadsetHandsTest {
