@@ -33,6 +33,7 @@ DeviceController::DeviceController(SessionBridge& bridge, ActionCatalogue& actio
       scene_(scene),
       window_(window),
       hand_(bridge.hand()),
+      grip_(bridge, actions, settings_),
       shapers_{HandShaper(hand_->keyboard), HandShaper(hand_->mouse6d), HandShaper(hand_->gamepad)} {
   for (HandInput* input : hand_->all()) input->shaping.set(settings_.shaping(*input));
   listen();
@@ -42,6 +43,13 @@ DeviceController::DeviceController(SessionBridge& bridge, ActionCatalogue& actio
   QAction* roll = actions_["operator.camera-roll"];
   roll->setChecked(settings_.cameraRolls());
   connect(roll, &QAction::toggled, this, [this](bool rolls) { settings_.setCameraRolls(rolls); });
+  QAction* leftHanded = actions_["headset.left-handed"];
+  leftHanded->setChecked(settings_.leftHanded());
+  setLeftHanded(leftHanded->isChecked());
+  connect(leftHanded, &QAction::toggled, this, [this](bool left) {
+    settings_.setLeftHanded(left);
+    setLeftHanded(left);
+  });
   connect(actions_["operator.devices"], &QAction::triggered, this, [this] { showCalibration(); });
   cameraTimer_.setInterval(kCameraTick);
   connect(&cameraTimer_, &QTimer::timeout, this,
@@ -54,12 +62,12 @@ DeviceController::DeviceController(SessionBridge& bridge, ActionCatalogue& actio
 }
 
 DeviceController::~DeviceController() {
-  for (HandInput* input : hand_->all()) input->mailbox.setListener({});
+  for (HandInput* input : hand_->withButtons()) input->mailbox.setListener({});
 }
 
 /// Devices change on their readers' threads; the window looks at all changes of a moment at once.
 void DeviceController::listen() {
-  for (HandInput* input : hand_->all()) {
+  for (HandInput* input : hand_->withButtons()) {
     input->mailbox.setListener([this] {
       if (lookPending_.exchange(true)) return;
       QMetaObject::invokeMethod(
@@ -105,7 +113,7 @@ void DeviceController::look() {
 }
 
 void DeviceController::lookAt(std::size_t which) {
-  HandInput& input = *hand_->all()[which];
+  HandInput& input = *hand_->withButtons()[which];
   Seen& seen = seen_[which];
   const InputReading now = input.mailbox.reading();
   const bool failed = problemOf(input).has_value();
@@ -127,7 +135,9 @@ void DeviceController::lookAt(std::size_t which) {
 void DeviceController::press(const HandInput& input, std::size_t button) {
   if (calibration_ != nullptr && calibration_->isVisible()) calibration_->showButton(input, button);
   QAction* action = actions_.find(settings_.action(input, button));
-  if (action != nullptr && hand_->focused) action->trigger();
+  // A person with a headset does not see which window has the focus.
+  const bool isWorn = input.kind == InputKind::LeftController || input.kind == InputKind::RightController;
+  if (action != nullptr && (hand_->focused || isWorn)) action->trigger();
 }
 
 std::optional<Diagnostic> DeviceController::problemOf(const HandInput& input) const {
@@ -165,6 +175,10 @@ void DeviceController::showTarget() {
   const bool camera = hand_->target == SteeringTarget::Camera;
   target_->setText(camera ? tr("Moves: camera") : tr("Moves: object"));
   target_->setChecked(camera);
+}
+
+void DeviceController::setLeftHanded(bool left) {
+  hand_->mainHand = left ? ControllerSide::Left : ControllerSide::Right;
 }
 
 /// All devices move in the same axes from then on; they are kept for those that are there.

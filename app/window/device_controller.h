@@ -8,6 +8,7 @@
 #include <atomic>
 #include <memory>
 
+#include "app/window/grip_controller.h"
 #include "engine/operator/gamepad_reader.h"
 #include "engine/operator/shaped_device.h"
 #include "engine/operator/spacenav_reader.h"
@@ -52,6 +53,7 @@ class DeviceController final : public QObject {
   void showState(const HandInput& input, const QString& text, QLabel& label);
   std::optional<Diagnostic> problemOf(const HandInput& input) const;
   void showTarget();
+  void setLeftHanded(bool left);
   void chooseNextFrame();
   void showFrame();
   void setTarget(SteeringTarget target);
@@ -72,8 +74,9 @@ class DeviceController final : public QObject {
   QWidget* window_;
   HandInputsPtr hand_;
   DeviceSettings settings_;
+  GripController grip_;
   std::array<HandShaper, 3> shapers_;
-  std::array<Seen, 3> seen_;
+  std::array<Seen, 5> seen_;
   std::atomic<bool> lookPending_{false};
   QToolButton* target_ = nullptr;
   QToolButton* frame_ = nullptr;

@@ -51,6 +51,7 @@ HeadsetController::HeadsetController(const Workbench& bench)
     disable();
     return;
   }
+  headset_->setHands(bench.session.hand());
   headset_->onChanged(
       [this] { QMetaObject::invokeMethod(this, &HeadsetController::showStatus, Qt::QueuedConnection); });
   connect(bench.actions["view.headset"], &QAction::toggled, this, &HeadsetController::setOn);
@@ -63,7 +64,7 @@ HeadsetController::HeadsetController(const Workbench& bench)
 }
 
 void HeadsetController::disable() {
-  for (const char* id : {"view.headset", "headset.on-table"}) {
+  for (const char* id : {"view.headset", "headset.on-table", "headset.left-handed", "headset.grip-alpha"}) {
     QAction* action = bench_.actions[QLatin1String(id)];
     action->setEnabled(false);
     action->setStatusTip(tr("This program was built without OpenXR, or there is no display"));

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/operator/combined_device.h"
+#include "engine/operator/controllers/grasping_hand.h"
 #include "engine/operator/haptic/haptic_operator.h"
 #include "engine/operator/haptic/simulated_haptic_device.h"
 #include "engine/operator/shaped_device.h"
@@ -27,6 +28,9 @@ std::unique_ptr<OperatorDevice> makeHand(const DeviceContext& context) {
   for (const HandInput* input : context.hand->all()) {
     devices.push_back(std::make_unique<ShapedDevice>(context.hand, *input));
   }
+  if (context.world) {
+    devices.push_back(std::make_unique<GraspingHand>(context.hand, std::nullopt, context.world));
+  }
   return amongObstacles(context, std::make_unique<CombinedDevice>(std::move(devices)));
 }
 
@@ -35,6 +39,14 @@ DeviceEntry held(Member member, std::string id, std::string label, std::string d
           [member](const DeviceContext& context) -> std::unique_ptr<OperatorDevice> {
             if (!context.hand) return nullptr;
             return amongObstacles(context, std::make_unique<ShapedDevice>(context.hand, (*context.hand).*member));
+          }};
+}
+
+DeviceEntry tracked(ControllerSide side, std::string id, std::string label, std::string description) {
+  return {std::move(id), std::move(label), std::move(description), false,
+          [side](const DeviceContext& context) -> std::unique_ptr<OperatorDevice> {
+            if (!context.hand || !context.world) return nullptr;
+            return amongObstacles(context, std::make_unique<GraspingHand>(context.hand, side, context.world));
           }};
 }
 
@@ -63,10 +75,15 @@ const DeviceEntry* DeviceRegistry::find(std::string_view id) const {
 
 DeviceRegistry makeDeviceRegistry() {
   DeviceRegistry registry;
-  registry.add({"hand", "By hand", "A person: keys, 6D mouse and gamepad together.", false, makeHand});
+  registry.add({"hand", "By hand", "A person: keys, 6D mouse, gamepad and the controllers of a headset together.",
+                false, makeHand});
   registry.add(held(&HandInputs::keyboard, "keyboard", "Keyboard", "A person: the keys of the window."));
   registry.add(held(&HandInputs::mouse6d, "mouse6d", "6D mouse", "A person: a 3Dconnexion mouse."));
   registry.add(held(&HandInputs::gamepad, "gamepad", "Gamepad", "A person: a game controller."));
+  registry.add(tracked(ControllerSide::Left, "left-controller", "Left controller",
+                       "A person with a headset: its left controller."));
+  registry.add(tracked(ControllerSide::Right, "right-controller", "Right controller",
+                       "A person with a headset: its right controller."));
   registry.add(simulated(*findOperatorLevel("expert"), "Simulated expert", "Follows the way-points fast and exactly."));
   registry.add(simulated(*findOperatorLevel("default"), "Simulated operator", "Follows the way-points."));
   registry.add(simulated(*findOperatorLevel("novice"), "Simulated novice", "Follows the way-points, slow and unsure."));

@@ -42,7 +42,8 @@ class DeviceRegistry {
   std::vector<DeviceEntry> entries_;
 };
 
-/// hand (all that a person can hold together), keyboard, mouse6d, gamepad, expert, default, novice, simulated-haptic.
+/// hand (all that a person can hold together), keyboard, mouse6d, gamepad, left-controller, right-controller, expert,
+/// default, novice, simulated-haptic.
 DeviceRegistry makeDeviceRegistry();
 
 /// Adds the simulated persons of studies, who show a way at the level of a task (task_operator.h).

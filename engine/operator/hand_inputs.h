@@ -6,6 +6,7 @@
 #include <mutex>
 #include <vector>
 
+#include "engine/operator/controllers/controller_mailbox.h"
 #include "engine/operator/input_mailbox.h"
 #include "engine/operator/shaping_presets.h"
 
@@ -40,6 +41,27 @@ struct HandInput {
   ShapingMailbox shaping;
 };
 
+/// A tracked controller of a headset, in one hand.
+struct ControllerInput {
+  ControllerInput(InputKind which, std::optional<std::chrono::milliseconds> silence)
+      : buttons(which, std::nullopt), place(silence) {}
+
+  HandInput buttons;  ///< numbered as ControllerButton says; no axes
+  ControllerMailbox place;
+};
+
+enum class ControllerSide { Left, Right };
+
+/// Buttons of a controller, in the numbers of its mailbox.
+enum class ControllerButton : std::size_t {
+  Trigger,
+  Menu,   ///< or the upper button, where the menu is the runtime's
+  Lower,  ///< of two buttons beside the stick
+  Upper,
+  Stick
+};
+inline constexpr std::size_t kControllerButtons = 5;
+
 /// What the hand's deflections move.
 enum class SteeringTarget { Object, Camera };
 
@@ -48,20 +70,37 @@ enum class SteeringTarget { Object, Camera };
 struct HandInputs {
   /// A 6D mouse repeats its deflection while it is held: half a second of silence is rest.
   static constexpr std::chrono::milliseconds kSilence{500};
+  /// A headset says with each picture where the hands are, and pictures are slow where drawing is.
+  static constexpr std::chrono::milliseconds kControllerSilence{1000};
 
   /// No silence: a script holds the mouse, in a time of its own.
   explicit HandInputs(std::optional<std::chrono::milliseconds> silence = kSilence)
-      : mouse6d(InputKind::Mouse6D, silence) {
+      : mouse6d(InputKind::Mouse6D, silence),
+        leftController(InputKind::LeftController, silence ? std::optional(kControllerSilence) : std::nullopt),
+        rightController(InputKind::RightController, silence ? std::optional(kControllerSilence) : std::nullopt) {
     keyboard.mailbox.connect("Keyboard");
   }
 
   HandInput keyboard{InputKind::Keyboard, std::nullopt};
   HandInput mouse6d;
   HandInput gamepad{InputKind::Gamepad, std::nullopt};
+  ControllerInput leftController;
+  ControllerInput rightController;
+  /// The hand that takes the object; the other one is free for other things.
+  std::atomic<ControllerSide> mainHand{ControllerSide::Right};
   std::atomic<SteeringTarget> target{SteeringTarget::Object};
   std::atomic<bool> focused{true};  ///< false: another program has the window focus, all is at rest
 
+  ControllerInput& controller(ControllerSide side) {
+    return side == ControllerSide::Left ? leftController : rightController;
+  }
+  std::array<ControllerInput*, 2> controllers() { return {&leftController, &rightController}; }
+  /// Devices with axes.
   std::array<HandInput*, 3> all() { return {&keyboard, &mouse6d, &gamepad}; }
+  /// Devices whose buttons may have an action, those with axes first.
+  std::array<HandInput*, 5> withButtons() {
+    return {&keyboard, &mouse6d, &gamepad, &leftController.buttons, &rightController.buttons};
+  }
 };
 using HandInputsPtr = std::shared_ptr<HandInputs>;
 

@@ -70,6 +70,12 @@ class OperatorDevice {
   virtual Pose advance(double dt, const OperatorView& view, const Box3& bounds) = 0;
   /// A new run begins with the object at the start: whoever follows a plan begins it anew.
   virtual void restart() {}
+  /// The object was put elsewhere by somebody else: a hand that holds it holds it there.
+  virtual void regrip() {}
+  /// Holds the object at a place of its own, at rest, too. Others move it, and let it go when they are at rest.
+  virtual bool holds() const { return false; }
+  /// What the obstacles push back with from now on, in shares (see rendered()); nothing: the object is free.
+  virtual void feel(const std::optional<Wrench>& /*pushedBack*/) {}
   /// False while the device is away (daemon dead, cable out); it may come back.
   virtual bool connected() const { return true; }
   /// Stands in for a person, and rests once a run has ended. A person may move the object then.

@@ -7,7 +7,9 @@ double deadZoneOf(InputKind kind) {
   switch (kind) {
     case InputKind::Keyboard: return 0.0;
     case InputKind::Mouse6D: return 0.05;
-    case InputKind::Gamepad: return 0.15;
+    case InputKind::Gamepad:
+    case InputKind::LeftController:
+    case InputKind::RightController: return 0.15;
   }
   return 0.0;
 }

@@ -8,7 +8,7 @@
 namespace glissade {
 
 /// What a person holds.
-enum class InputKind { Keyboard, Mouse6D, Gamepad };
+enum class InputKind { Keyboard, Mouse6D, Gamepad, LeftController, RightController };
 
 /// A shaping to begin from.
 struct ShapingPreset {

@@ -41,9 +41,19 @@ void SlidingHand::place(const Pose& q) {
 }
 
 Pose SlidingHand::advance(double dt, const OperatorView& view, const Box3& bounds) {
-  if (!placed_ || view.q_device != q_) place(view.q_device);
+  if (dt <= 0.0) return view.q_device;
+  if (!placed_ || view.q_device != q_) {
+    place(view.q_device);
+    device_->regrip();
+  }
+  const Pose q = moved(dt, view, bounds);
+  device_->feel(rendered());
+  return q;
+}
+
+Pose SlidingHand::moved(double dt, const OperatorView& view, const Box3& bounds) {
   const Pose led = ledBy(dt, view, bounds);
-  if (led == hand_) {
+  if (led == hand_ && !device_->holds()) {
     hand_ = q_;
     return q_;
   }

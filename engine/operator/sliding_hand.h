@@ -26,10 +26,12 @@ class SlidingHand final : public OperatorDevice {
   Pose advance(double dt, const OperatorView& view, const Box3& bounds) override;
   void restart() override;
   bool connected() const override { return device_->connected(); }
+  bool holds() const override { return device_->holds(); }
   std::optional<Wrench> rendered() const override;
   std::optional<Pose> hand() const override;
 
  private:
+  Pose moved(double dt, const OperatorView& view, const Box3& bounds);
   Pose ledBy(double dt, const OperatorView& view, const Box3& bounds);
   void follow(double dt);
   void place(const Pose& q);

@@ -2106,6 +2106,22 @@
         <source>Show the places where your hand helps the search, and the arrow that leads there</source>
         <translation>Montrer les endroits où votre main aide la recherche, et la flèche qui y mène</translation>
     </message>
+    <message>
+        <source>&amp;Left hand takes the object</source>
+        <translation>La main &amp;gauche prend l&apos;objet</translation>
+    </message>
+    <message>
+        <source>In the headset the left controller takes the object, or the right one</source>
+        <translation>Dans le casque, la manette gauche prend l&apos;objet, ou bien la droite</translation>
+    </message>
+    <message>
+        <source>&amp;Grip sets the computer&apos;s share</source>
+        <translation>La prise &amp;règle la part de l&apos;ordinateur</translation>
+    </message>
+    <message>
+        <source>The firmer a controller holds the object, the smaller α is; let go, α is as before</source>
+        <translation>Plus une manette serre l&apos;objet, plus α est petit&#xa0;; une fois l&apos;objet lâché, α est comme avant</translation>
+    </message>
 </context>
 <context>
     <name>Arranging</name>
@@ -2300,10 +2316,6 @@
         <translation>Main haptique simulée</translation>
     </message>
     <message>
-        <source>A person: keys, 6D mouse and gamepad together.</source>
-        <translation>Une personne&#xa0;: clavier, souris 6D et manette ensemble.</translation>
-    </message>
-    <message>
         <source>A person: the keys of the window.</source>
         <translation>Une personne&#xa0;: les touches de la fenêtre.</translation>
     </message>
@@ -2330,6 +2342,26 @@
     <message>
         <source>Draws the object along the way-points and feels the obstacles.</source>
         <translation>Tire l&apos;objet le long des points de passage et perçoit les obstacles.</translation>
+    </message>
+    <message>
+        <source>Left controller</source>
+        <translation>Manette gauche</translation>
+    </message>
+    <message>
+        <source>Right controller</source>
+        <translation>Manette droite</translation>
+    </message>
+    <message>
+        <source>A person: keys, 6D mouse, gamepad and the controllers of a headset together.</source>
+        <translation>Une personne&#xa0;: clavier, souris 6D, manette de jeu et manettes d&apos;un casque ensemble.</translation>
+    </message>
+    <message>
+        <source>A person with a headset: its left controller.</source>
+        <translation>Une personne avec un casque&#xa0;: sa manette gauche.</translation>
+    </message>
+    <message>
+        <source>A person with a headset: its right controller.</source>
+        <translation>Une personne avec un casque&#xa0;: sa manette droite.</translation>
     </message>
 </context>
 <context>
@@ -8816,6 +8848,26 @@
     <message>
         <source>Restores the original curves and buttons of this device</source>
         <translation>Rétablir les courbes et les boutons d&apos;origine de ce périphérique</translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation>Gâchette</translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <translation>Menu</translation>
+    </message>
+    <message>
+        <source>Lower button</source>
+        <translation>Bouton du bas</translation>
+    </message>
+    <message>
+        <source>Upper button</source>
+        <translation>Bouton du haut</translation>
+    </message>
+    <message>
+        <source>Stick</source>
+        <translation>Stick</translation>
     </message>
 </context>
 <context>

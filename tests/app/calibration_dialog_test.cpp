@@ -91,6 +91,26 @@ TEST_F(Calibration, ButtonsHaveActionsOfTheCatalogue) {
   EXPECT_EQ(DeviceSettings(file).action(hand->mouse6d, 2), QStringLiteral("run.start"));
 }
 
+TEST_F(Calibration, AControllerHasButtonsWithNamesAndNoAxes) {
+  auto* device = named<QComboBox>("device");
+  for (HandInput* controller : {&hand->leftController.buttons, &hand->rightController.buttons}) {
+    device->setCurrentIndex(controller->kind == InputKind::LeftController ? 3 : 4);
+    EXPECT_FALSE(named<QComboBox>("preset")->isEnabled());
+    EXPECT_FALSE(dialog.findChildren<QSlider*>().front()->isEnabled());
+    dialog.showButton(*controller, 1);
+    const QString expected =
+        controller->kind == InputKind::LeftController ? QStringLiteral("run.stop") : QStringLiteral("run.start");
+    EXPECT_EQ(named<QComboBox>("button-action")->currentData().toString(), expected);
+  }
+  // Of one kind, each has its own.
+  for (ControllerInput* controller : hand->controllers()) controller->buttons.mailbox.connect("valve/index_controller");
+  settings.setAction(hand->leftController.buttons, 1, QStringLiteral("path.play"));
+  EXPECT_EQ(settings.action(hand->leftController.buttons, 1), QStringLiteral("path.play"));
+  EXPECT_EQ(settings.action(hand->rightController.buttons, 1), QStringLiteral("run.start"));
+  device->setCurrentIndex(0);
+  EXPECT_TRUE(dialog.findChildren<QSlider*>().front()->isEnabled());
+}
+
 TEST_F(Calibration, EveryEditorIsReachedByKeysAndThePageFitsSmallScreens) {
   for (QWidget* widget : dialog.findChildren<QWidget*>()) {
     const bool editor =

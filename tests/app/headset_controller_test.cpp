@@ -13,6 +13,7 @@ class SaidHeadset final : public Headset {
   HeadsetStatus status() const override { return status_; }
   void setPlacement(const RoomPlacement& room) override { room_ = room; }
   void setBackground(const Colour& /*above*/, const Colour& /*below*/) override {}
+  void setHands(HandInputsPtr hands) override { hands_ = std::move(hands); }
   void onChanged(std::function<void()> callback) override { callback_ = std::move(callback); }
 
   void say(const HeadsetStatus& status) {
@@ -23,10 +24,12 @@ class SaidHeadset final : public Headset {
   int starts() const { return starts_; }
   int stops() const { return stops_; }
   const RoomPlacement& room() const { return room_; }
+  const HandInputsPtr& hands() const { return hands_; }
 
  private:
   HeadsetStatus status_;
   RoomPlacement room_;
+  HandInputsPtr hands_;
   std::function<void()> callback_;
   int starts_ = 0;
   int stops_ = 0;
@@ -98,6 +101,57 @@ TEST_F(HeadsetControllerTest, TheProductIsAtTrueScaleOrOnATable) {
   EXPECT_EQ(window_.openScenario(test::WholeWindowTest::sample("teaching"), true), std::nullopt);
   const Box3 product = window_.workbench().scene.view().extent();
   EXPECT_DOUBLE_EQ(headset_.room().scale * product.sizes().maxCoeff(), 0.6);
+}
+
+TEST_F(HeadsetControllerTest, TheShareOfTheComputerFollowsTheGripThatHoldsTheObject) {
+  SessionBridge& session = window_.workbench().session;
+  const auto alpha = [&session] { return session.snapshot()->parameters[ParameterId::Alpha]; };
+  const auto squeeze = [&](double share) {
+    const Pose hand = session.snapshot()->device.q_device;
+    for (int i = 0; i < 2; ++i) {  // it is taken, and seen to be held
+      headset_.hands()->rightController.place.set({hand, hand, share, 1.0});
+      session.advance(1);
+      QCoreApplication::processEvents();
+    }
+  };
+  session.post(command::SetParameter{ParameterId::Alpha, 0.6});
+  session.post(command::Start{});
+  squeeze(1.0);
+  EXPECT_NEAR(alpha(), 0.1, 1e-9);
+  squeeze(0.5);
+  EXPECT_GT(alpha(), 0.1);
+  EXPECT_LT(alpha(), 0.6);
+  squeeze(0.0);
+  EXPECT_NEAR(alpha(), 0.6, 1e-9);
+  action("headset.grip-alpha").setChecked(false);
+  squeeze(1.0);
+  EXPECT_NEAR(alpha(), 0.6, 1e-9);
+  action("headset.grip-alpha").setChecked(true);
+  QCoreApplication::processEvents();
+  EXPECT_NEAR(alpha(), 0.1, 1e-9) << "at once";
+  squeeze(0.0);
+}
+
+TEST_F(HeadsetControllerTest, TheMainHandIsTheOneThatAPersonWants) {
+  EXPECT_EQ(headset_.hands()->mainHand, ControllerSide::Right);
+  action("headset.left-handed").setChecked(true);
+  EXPECT_EQ(headset_.hands()->mainHand, ControllerSide::Left);
+  action("headset.left-handed").setChecked(false);
+  EXPECT_EQ(headset_.hands()->mainHand, ControllerSide::Right);
+}
+
+TEST_F(HeadsetControllerTest, MenusOfTheControllersStartAndStopARunWhateverWindowHasTheFocus) {
+  HandInputs& hands = *headset_.hands();
+  hands.focused = false;
+  const auto press = [](ControllerInput& controller) {
+    controller.buttons.mailbox.press(static_cast<std::size_t>(ControllerButton::Menu));
+    QCoreApplication::processEvents();
+  };
+  press(hands.rightController);
+  const auto& session = window_.workbench().session;
+  EXPECT_TRUE(isRunning(*session.snapshot()));
+  press(hands.leftController);
+  EXPECT_FALSE(isRunning(*session.snapshot()));
 }
 
 TEST(HeadsetController, WithoutOpenXrItsActionsSayWhyTheyAreDisabled) {

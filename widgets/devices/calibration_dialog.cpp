@@ -14,6 +14,10 @@ namespace {
 constexpr int kRefreshInterval = 33;  ///< ms
 constexpr int kWidth = 960;
 
+bool isController(const HandInput& input) {
+  return input.kind == InputKind::LeftController || input.kind == InputKind::RightController;
+}
+
 QString text(const std::string& value) { return QString::fromStdString(value); }
 
 }  // namespace
@@ -41,9 +45,11 @@ CalibrationDialog::CalibrationDialog(HandInputsPtr hand, DeviceSettings& setting
   setWindowTitle(tr("Devices"));
   auto* layout = new QVBoxLayout(this);
   layout->addLayout(makeHeader());
-  layout->addLayout(makeAxes());
+  axes_ = makeAxes();
+  motion_ = makeMotion();
+  layout->addWidget(axes_);
   auto* below = new QHBoxLayout;
-  below->addWidget(makeMotion(), 3);
+  below->addWidget(motion_, 3);
   below->addWidget(makeButtons(), 2);
   layout->addLayout(below);
   trouble_->setText(tr("The settings cannot be written: %1").arg(settings_.file()));
@@ -62,7 +68,8 @@ CalibrationDialog::CalibrationDialog(HandInputsPtr hand, DeviceSettings& setting
 
 QLayout* CalibrationDialog::makeHeader() {
   for (const char* name : {QT_TRANSLATE_NOOP("Devices", "Keyboard"), QT_TRANSLATE_NOOP("Devices", "6D mouse"),
-                           QT_TRANSLATE_NOOP("Devices", "Gamepad")}) {
+                           QT_TRANSLATE_NOOP("Devices", "Gamepad"), QT_TRANSLATE_NOOP("Devices", "Left controller"),
+                           QT_TRANSLATE_NOOP("Devices", "Right controller")}) {
     device_->addItem(QCoreApplication::translate("Devices", name));
   }
   device_->setObjectName(QStringLiteral("device"));
@@ -87,7 +94,7 @@ QLayout* CalibrationDialog::makeHeader() {
   return row;
 }
 
-QLayout* CalibrationDialog::makeAxes() {
+QWidget* CalibrationDialog::makeAxes() {
   auto* grid = new QGridLayout;
   grid->setHorizontalSpacing(10);
   grid->setVerticalSpacing(5);
@@ -105,11 +112,13 @@ QLayout* CalibrationDialog::makeAxes() {
     });
     rows_.push_back(row);
   }
-  auto* both = new QHBoxLayout;
+  auto* axes = new QWidget(this);
+  auto* both = new QHBoxLayout(axes);
+  both->setContentsMargins(0, 0, 0, 0);
   both->setSpacing(14);
   both->addLayout(grid, 1);
   both->addWidget(curve_);
-  return both;
+  return axes;
 }
 
 QWidget* CalibrationDialog::makeMotion() {
@@ -157,7 +166,19 @@ QWidget* CalibrationDialog::makeButtons() {
   return box;
 }
 
+/// The buttons of a controller have places that all of them share.
+void CalibrationDialog::nameButtons() {
+  const QStringList names{tr("Trigger"), tr("Menu"), tr("Lower button"), tr("Upper button"), tr("Stick")};
+  const int named = isController(input()) ? names.size() : 0;
+  for (int button = 0; button < button_->count(); ++button) {
+    button_->setItemText(button, button < named ? names[button] : QString::number(button));
+  }
+}
+
+/// A controller has buttons only: the object goes with its place.
 void CalibrationDialog::chooseDevice(int /*index*/) {
+  for (QWidget* ofAxes : {axes_, motion_, static_cast<QWidget*>(preset_)}) ofAxes->setEnabled(!isController(input()));
+  nameButtons();
   preset_->clear();
   for (const ShapingPreset& preset : shapingPresets(input().kind)) {
     preset_->addItem(QCoreApplication::translate("Presets", preset.label.c_str()));

@@ -35,7 +35,7 @@ class CalibrationDialog final : public QDialog {
 
  private:
   QLayout* makeHeader();
-  QLayout* makeAxes();
+  QWidget* makeAxes();
   QWidget* makeMotion();
   QWidget* makeButtons();
   void chooseDevice(int index);
@@ -45,7 +45,8 @@ class CalibrationDialog final : public QDialog {
   void apply();
   void showShaping(const DeviceShaping& shaping);
   void showAction();
-  HandInput& input() const { return *hand_->all()[static_cast<std::size_t>(device_->currentIndex())]; }
+  void nameButtons();
+  HandInput& input() const { return *hand_->withButtons()[static_cast<std::size_t>(device_->currentIndex())]; }
 
   HandInputsPtr hand_;
   DeviceSettings& settings_;
@@ -55,6 +56,8 @@ class CalibrationDialog final : public QDialog {
   int current_ = 0;  ///< the axis whose curve is drawn
   QTimer timer_;
 
+  QWidget* axes_ = nullptr;
+  QWidget* motion_ = nullptr;
   QComboBox* device_;
   QLabel* state_;
   QComboBox* preset_;

@@ -10,14 +10,27 @@ namespace {
 
 constexpr std::array<const char*, 3> kFrames{"view", "world", "object"};
 
+/// Both controllers of a headset have one name.
+QString handOf(const HandInput& input) {
+  switch (input.kind) {
+    case InputKind::LeftController: return QStringLiteral("left-");
+    case InputKind::RightController: return QStringLiteral("right-");
+    default: return {};
+  }
+}
+
 /// The device's name while it is there, else its kind.
 QString groupOf(const HandInput& input) {
   const std::string name = input.mailbox.reading().name;
-  if (!name.empty()) return QString::fromLatin1(QUrl::toPercentEncoding(QString::fromStdString(name)));
+  if (!name.empty()) {
+    return handOf(input) + QString::fromLatin1(QUrl::toPercentEncoding(QString::fromStdString(name)));
+  }
   switch (input.kind) {
     case InputKind::Keyboard: return QStringLiteral("Keyboard");
     case InputKind::Mouse6D: return QStringLiteral("any-6d-mouse");
     case InputKind::Gamepad: return QStringLiteral("any-gamepad");
+    case InputKind::LeftController: return QStringLiteral("any-left-controller");
+    case InputKind::RightController: return QStringLiteral("any-right-controller");
   }
   return {};
 }
@@ -36,6 +49,19 @@ double number(const QSettings& settings, const QString& key, double otherwise) {
   bool ok = false;
   const double value = settings.value(key).toDouble(&ok);
   return ok ? value : std::numeric_limits<double>::quiet_NaN();
+}
+
+QString standardAction(InputKind kind, std::size_t button) {
+  const bool isLeft = kind == InputKind::LeftController;
+  if (isLeft || kind == InputKind::RightController) {
+    switch (static_cast<ControllerButton>(button)) {
+      case ControllerButton::Menu: return isLeft ? QStringLiteral("run.stop") : QStringLiteral("run.start");
+      case ControllerButton::Lower: return isLeft ? QStringLiteral("path.play") : QStringLiteral("object.to-start");
+      default: return {};
+    }
+  }
+  if (button == 0) return QStringLiteral("operator.camera");
+  return button == 1 ? QStringLiteral("view.fit") : QString();
 }
 
 }  // namespace
@@ -88,10 +114,7 @@ void DeviceSettings::setShaping(const HandInput& input, const DeviceShaping& sha
 }
 
 QString DeviceSettings::action(const HandInput& input, std::size_t button) const {
-  QString standard;
-  if (button == 0) standard = QStringLiteral("operator.camera");
-  if (button == 1) standard = QStringLiteral("view.fit");
-  return settings_.value(buttonKey(groupOf(input), button), standard).toString();
+  return settings_.value(buttonKey(groupOf(input), button), standardAction(input.kind, button)).toString();
 }
 
 void DeviceSettings::setAction(const HandInput& input, std::size_t button, const QString& actionId) {

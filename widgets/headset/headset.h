@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "engine/environment/rigid_body.h"
+#include "engine/operator/hand_inputs.h"
 #include "widgets/headset/headset_machine.h"
 #include "widgets/headset/room_placement.h"
 
@@ -24,6 +25,8 @@ class Headset {
   virtual void setPlacement(const RoomPlacement& room) = 0;
   /// sRGB; above and below the horizon.
   virtual void setBackground(const Colour& above, const Colour& below) = 0;
+  /// Whose hands have the controllers. Set before start().
+  virtual void setHands(HandInputsPtr hands) = 0;
   /// Called when the status is another one, on the thread of the headset; must return at once. Set before start().
   virtual void onChanged(std::function<void()> callback) = 0;
 };

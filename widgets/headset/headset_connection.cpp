@@ -1,14 +1,12 @@
 #include "widgets/headset/headset_connection.h"
 
 #include <cmath>
+#include <utility>
+
+#include "widgets/headset/xr_pose.h"
 
 namespace glissade {
 namespace {
-
-Pose poseOf(const XrPosef& pose) {
-  const Quaternion orientation(pose.orientation.w, pose.orientation.x, pose.orientation.y, pose.orientation.z);
-  return {Vector3(pose.position.x, pose.position.y, pose.position.z), orientation.normalized()};
-}
 
 EyeSides sidesOf(const XrFovf& angles) {
   return {std::tan(angles.angleLeft), std::tan(angles.angleRight), std::tan(angles.angleDown),
@@ -17,8 +15,11 @@ EyeSides sidesOf(const XrFovf& angles) {
 
 }  // namespace
 
-HeadsetConnection::HeadsetConnection(HeadsetScene& scene)
-    : scene_(scene), session_(runtime_, scene.context().handles()) {
+HeadsetConnection::HeadsetConnection(HeadsetScene& scene, HandInputsPtr hands)
+    : scene_(scene),
+      session_(runtime_, scene.context().handles()),
+      actions_(runtime_, session_),
+      controllers_(std::move(hands)) {
   const std::int64_t format = chooseColourFormat(session_.handle());
   const auto sizes = sizesOfEyes(runtime_);
   for (std::size_t eye = 0; eye < swapchains_.size(); ++eye) {
@@ -27,11 +28,15 @@ HeadsetConnection::HeadsetConnection(HeadsetScene& scene)
   }
 }
 
-void HeadsetConnection::showPicture(const RoomPlacement& room) {
+void HeadsetConnection::showPicture(RoomWalk& walk) {
   const XrFrameState frame = session_.waitFrame();
   session_.beginFrame();
+  EyeViews views;
+  const bool isTracked = session_.locate(frame.predictedDisplayTime, views);
+  readControllers(frame.predictedDisplayTime, views, walk);
   std::array<XrCompositionLayerProjectionView, 2> shown{};
-  const bool isShown = frame.shouldRender == XR_TRUE && draw(frame.predictedDisplayTime, room, shown);
+  const bool isShown = isTracked && frame.shouldRender == XR_TRUE;
+  if (isShown) draw(views, walk, shown);
   XrCompositionLayerProjection layer{};
   layer.type = XR_TYPE_COMPOSITION_LAYER_PROJECTION;
   layer.space = session_.room();
@@ -40,23 +45,31 @@ void HeadsetConnection::showPicture(const RoomPlacement& room) {
   session_.endFrame(frame.predictedDisplayTime, isShown ? &layer : nullptr);
 }
 
-bool HeadsetConnection::draw(XrTime time, const RoomPlacement& room,
+/// What the hands have of the world goes with them: the person walks before the hands are where they are.
+void HeadsetConnection::readControllers(XrTime time, const EyeViews& views, RoomWalk& walk) {
+  const BothControllers states = actions_.read(time);
+  const Vector3 p_RH = 0.5 * (poseOf(views[0].pose).position + poseOf(views[1].pose).position);
+  walk.advance({states, p_RH, controllers_.mainHand(), controllers_.holds()});
+  controllers_.take(states, walk.room());
+  for (const ControllerSide side : kBothSides) {
+    if (const double push = controllers_.push(side); push > 0.0) actions_.pulse(side, push);
+  }
+}
+
+void HeadsetConnection::draw(const EyeViews& views, const RoomWalk& walk,
                              std::array<XrCompositionLayerProjectionView, 2>& shown) {
-  EyeViews views;
-  if (!session_.locate(time, views)) return false;
   std::array<EyeSight, 2> eyes;
   std::array<unsigned, 2> textures{};
   for (std::size_t eye = 0; eye < views.size(); ++eye) {
-    eyes[eye] = sightOf(room, poseOf(views[eye].pose), sidesOf(views[eye].fov));
+    eyes[eye] = sightOf(walk.room(), poseOf(views[eye].pose), sidesOf(views[eye].fov));
     textures[eye] = swapchains_[eye]->acquire();
     shown[eye].type = XR_TYPE_COMPOSITION_LAYER_PROJECTION_VIEW;
     shown[eye].pose = views[eye].pose;
     shown[eye].fov = views[eye].fov;
     shown[eye].subImage = swapchains_[eye]->picture();
   }
-  scene_.draw(eyes, textures);
+  scene_.draw(eyes, {controllers_.shown(), walk.target(), walk.room().scale}, textures);
   for (auto& swapchain : swapchains_) swapchain->release();
-  return true;
 }
 
 }  // namespace glissade

@@ -3,31 +3,37 @@
 #include <array>
 #include <memory>
 
+#include "widgets/headset/controller_actions.h"
+#include "widgets/headset/controller_link.h"
 #include "widgets/headset/eye_swapchain.h"
 #include "widgets/headset/headset_runtime.h"
 #include "widgets/headset/headset_scene.h"
 #include "widgets/headset/headset_session.h"
+#include "widgets/headset/room_walk.h"
 
 namespace glissade {
 
-/// Runtime, session and pictures of both eyes together: all that ends when one of them is lost. Functions throw
-/// HeadsetFailure.
+/// Runtime, session, controllers and pictures of both eyes together: all that ends when one of them is lost. Functions
+/// throw HeadsetFailure.
 class HeadsetConnection {
  public:
   /// `scene` outlives the connection.
-  explicit HeadsetConnection(HeadsetScene& scene);
+  HeadsetConnection(HeadsetScene& scene, HandInputsPtr hands);
 
   const std::string& name() const { return runtime_.name(); }
   SessionNews poll() { return session_.poll(); }
-  /// Waits until the runtime wants a picture, and shows it.
-  void showPicture(const RoomPlacement& room);
+  /// Waits until the runtime wants a picture, reads the controllers, lets the person walk, and shows it.
+  void showPicture(RoomWalk& walk);
 
  private:
-  bool draw(XrTime time, const RoomPlacement& room, std::array<XrCompositionLayerProjectionView, 2>& shown);
+  void readControllers(XrTime time, const EyeViews& views, RoomWalk& walk);
+  void draw(const EyeViews& views, const RoomWalk& walk, std::array<XrCompositionLayerProjectionView, 2>& shown);
 
   HeadsetScene& scene_;
   HeadsetRuntime runtime_;
   HeadsetSession session_;
+  ControllerActions actions_;
+  ControllerLink controllers_;
   std::array<std::unique_ptr<EyeSwapchain>, 2> swapchains_;
 };
 

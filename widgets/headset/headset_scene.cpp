@@ -14,6 +14,7 @@ HeadsetScene::HeadsetScene(SharedGraph graph) : graph_(std::move(graph)), lit_(m
   // Depth test and colours of materials, as a viewer sets them for its camera.
   lit_->getOrCreateStateSet()->setGlobalDefaults();
   lit_->addChild(horizon_.node());
+  lit_->addChild(hands_.node());
   lit_->addChild(graph_.root);
   for (auto& painter : painters_) painter = std::make_unique<EyePainter>(context_.osgContext(), lit_);
 }
@@ -35,8 +36,10 @@ void HeadsetScene::setTarget(std::size_t eye, int width, int height, std::int64_
   painters_[eye]->setTarget(width, height, format);
 }
 
-void HeadsetScene::draw(const std::array<EyeSight, 2>& eyes, const std::array<unsigned, 2>& textures) {
+void HeadsetScene::draw(const std::array<EyeSight, 2>& eyes, const ShownHands& hands,
+                        const std::array<unsigned, 2>& textures) {
   const std::lock_guard lock(*graph_.mutex);
+  hands_.show(hands);
   for (std::size_t eye = 0; eye < painters_.size(); ++eye) {
     horizon_.moveTo(eyes[eye]);
     painters_[eye]->draw(eyes[eye], textures[eye]);

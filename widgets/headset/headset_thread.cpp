@@ -32,12 +32,17 @@ HeadsetStatus HeadsetThread::status() const {
 
 void HeadsetThread::setPlacement(const RoomPlacement& room) {
   const std::lock_guard lock(mutex_);
-  room_ = room;
+  placed_ = room;
 }
 
 void HeadsetThread::setBackground(const Colour& above, const Colour& below) {
   const std::lock_guard lock(mutex_);
   background_ = Background{above, below};
+}
+
+void HeadsetThread::setHands(HandInputsPtr hands) {
+  const std::lock_guard lock(mutex_);
+  hands_ = std::move(hands);
 }
 
 void HeadsetThread::setListener(std::function<void()> listener) {
@@ -94,7 +99,12 @@ void HeadsetThread::step() {
 void HeadsetThread::search() {
   if (!scene_) scene_ = std::make_unique<HeadsetScene>(graph_);
   scene_->context().makeCurrent();
-  connection_ = std::make_unique<HeadsetConnection>(*scene_);
+  HandInputsPtr hands;
+  {
+    const std::lock_guard lock(mutex_);
+    hands = hands_;
+  }
+  connection_ = std::make_unique<HeadsetConnection>(*scene_, hands);
   machine_.connect(connection_->name());
 }
 
@@ -115,15 +125,16 @@ void HeadsetThread::follow(SessionNews news) {
 }
 
 void HeadsetThread::show() {
-  RoomPlacement room;
+  std::optional<RoomPlacement> placed;
   std::optional<Background> background;
   {
     const std::lock_guard lock(mutex_);
-    room = room_;
+    placed = std::exchange(placed_, std::nullopt);
     background = std::exchange(background_, std::nullopt);
   }
   if (background) scene_->setBackground(background->above, background->below);
-  connection_->showPicture(room);
+  if (placed) walk_.place(*placed);
+  connection_->showPicture(walk_);
 }
 
 void HeadsetThread::fail(HeadsetTrouble trouble, const std::string& detail) {

@@ -23,6 +23,7 @@ class HeadsetThread : public std::enable_shared_from_this<HeadsetThread> {
   HeadsetStatus status() const;
   void setPlacement(const RoomPlacement& room);
   void setBackground(const Colour& above, const Colour& below);
+  void setHands(HandInputsPtr hands);
   void setListener(std::function<void()> listener);
   /// Whether no thread is left after so long.
   bool waitForEnd(std::chrono::milliseconds longest);
@@ -54,12 +55,14 @@ class HeadsetThread : public std::enable_shared_from_this<HeadsetThread> {
   bool wanted_ = false;
   bool alive_ = false;  ///< there is a thread
   HeadsetStatus status_;
-  RoomPlacement room_;
+  std::optional<RoomPlacement> placed_;   ///< where the thread has not placed the person yet
   std::optional<Background> background_;  ///< that the thread has not taken yet
+  HandInputsPtr hands_ = std::make_shared<HandInputs>();
   std::function<void()> listener_;
 
   // Of the thread alone.
   HeadsetMachine machine_;
+  RoomWalk walk_;
   std::unique_ptr<HeadsetScene> scene_;
   std::unique_ptr<HeadsetConnection> connection_;
 };

@@ -3,7 +3,6 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <set>
 #include <string>
@@ -16,6 +15,7 @@
 #include "engine/session/session.h"
 #include "engine/sweep/swept_volume.h"
 #include "widgets/scene3d/display_mode.h"
+#include "widgets/scene3d/graph_mutex.h"
 #include "widgets/scene3d/scene_legend.h"
 
 namespace osg {
@@ -30,9 +30,6 @@ struct Difficulty;
 struct EndConflicts;
 struct HelpPlace;
 struct PictureDetail;
-
-/// Held by whoever changes the scene graph or draws it: for one edit, one picture.
-using GraphMutex = std::recursive_mutex;
 
 /// What only the window draws of the scene, because it belongs to its picture and not to the space: a bit of node
 /// masks. The cull mask of another picture leaves it out.

@@ -87,7 +87,8 @@ INSTANTIATE_TEST_SUITE_P(Registry, DeviceConformance, testing::ValuesIn(deviceId
                          });
 
 TEST(DeviceRegistry, WithoutAHandNobodyHoldsAnything) {
-  for (const char* id : {"hand", "keyboard", "mouse6d", "gamepad", "simulated-haptic"}) {
+  for (const char* id :
+       {"hand", "keyboard", "mouse6d", "gamepad", "left-controller", "right-controller", "simulated-haptic"}) {
     EXPECT_EQ(makeDeviceRegistry().find(id)->make(DeviceContext()), nullptr);
   }
   EXPECT_EQ(makeDeviceRegistry().find("telepathy"), nullptr);

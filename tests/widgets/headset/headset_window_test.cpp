@@ -1,18 +1,9 @@
 // The real window with the runtime for tests, on a virtual display: see with_headset.sh.
-#include <gtest/gtest.h>
-
-#include <QApplication>
-#include <QElapsedTimer>
-#include <QLabel>
-#include <QThread>
 #include <QTimer>
 
 #include <random>
 
-#include "app/window/application.h"
-#include "app/window/main_window.h"
-#include "tests/engine/support/directories.h"
-#include "tests/widgets/headset/runtime/headset_script.h"
+#include "tests/widgets/headset/window_with_headset.h"
 
 namespace glissade {
 namespace {
@@ -40,40 +31,9 @@ class PictureCounter : public QObject {
   qint64 longestGap_ = 0;
 };
 
-class HeadsetWindowTest : public testing::Test {
+class HeadsetWindowTest : public test::WindowWithHeadset {
  protected:
-  HeadsetWindowTest() : window_(std::make_unique<MainWindow>(makeOnscreenSceneWidget, SessionClock::RealTime)) {
-    test::resetHeadset();
-    window_->setBatch(true);
-    window_->resize(900, 600);
-    EXPECT_EQ(window_->openScenario(QString::fromStdString(test::sourceDirectory()) +
-                                        QStringLiteral("/samples/environment-1/scenario.json"),
-                                    true),
-              std::nullopt);
-    window_->show();
-  }
-  ~HeadsetWindowTest() override {
-    window_.reset();
-    EXPECT_EQ(test::heldHandles(), 0);
-    EXPECT_EQ(test::complaints(), std::vector<std::string>());
-  }
-
-  const Workbench& bench() { return window_->workbench(); }
-  HeadsetState state() { return bench().scene.headset()->status().state; }
-  QAction& headset() { return *bench().actions["view.headset"]; }
-  template <class Condition>
-  bool until(Condition condition, int longest = 30'000) {
-    QElapsedTimer since;
-    since.start();
-    while (!condition() && since.elapsed() < longest) {
-      QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
-      QThread::msleep(1);
-    }
-    return condition();
-  }
-  bool isRunning() {
-    return until([this] { return state() == HeadsetState::Running; });
-  }
+  HeadsetWindowTest() : WindowWithHeadset("environment-1/scenario.json") {}
 
   /// What the window draws in some seconds in which it draws its scene as often as it can.
   void drawFor(int milliseconds, PictureCounter& counter) {
@@ -84,8 +44,6 @@ class HeadsetWindowTest : public testing::Test {
     until([] { return false; }, milliseconds);
     bench().scene.widget()->removeEventFilter(&counter);
   }
-
-  std::unique_ptr<MainWindow> window_;
 };
 
 TEST_F(HeadsetWindowTest, TheWindowGetsItsTurnsBesideTheHeadset) {
@@ -142,11 +100,3 @@ TEST_F(HeadsetWindowTest, WindowRunAndPlanGoOnWhileTheHeadsetIsLostAgainAndAgain
 
 }  // namespace
 }  // namespace glissade
-
-int main(int argc, char** argv) {
-  glissade::prepareProcess();
-  QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
-  QApplication application(argc, argv);
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}

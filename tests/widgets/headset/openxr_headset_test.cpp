@@ -44,6 +44,7 @@ class OpenXrHeadsetTest : public testing::Test {
     test::resetHeadset();
     auto loaded = loadScenario(test::sourceDirectory() + "/samples/environment-1/scenario.json");
     EXPECT_TRUE(loaded);
+    start_ = loaded->problem.start.position;
     view_.setScenario(std::make_shared<const LoadedScenario>(std::move(*loaded)));
     room_ = placeRoom(view_.extent(), ProductSize::OnTable);
     headset_ = makeHeadset(view_);
@@ -80,6 +81,7 @@ class OpenXrHeadsetTest : public testing::Test {
 
   test::WindowTarget window_{320, 320};  ///< the window's own context, on this thread
   SceneView view_;
+  Vector3 start_;  ///< of the object
   RoomPlacement room_;
   std::unique_ptr<Headset> headset_;
 };
@@ -125,6 +127,31 @@ TEST_F(OpenXrHeadsetTest, PicturesOfBothEyesWithAHorizon) {
   ASSERT_EQ(shown.size(), 2U);
   test::expectLikeGolden(imageOf(shown[0]), QStringLiteral("headset-left"));
   test::expectLikeGolden(imageOf(shown[1]), QStringLiteral("headset-right"));
+}
+
+/// The right one points at the object, the left one at the ceiling.
+TEST_F(OpenXrHeadsetTest, PicturesOfTheHandsWithTheRayThatMeetsTheObject) {
+  const auto hands = std::make_shared<HandInputs>();
+  headset_->setHands(hands);
+  const Vector3 p_RO = room_.scale * (inverse(room_.X_WR) * start_);
+  test::ControllerMoment right;
+  right.X_RG.position = p_RO + Vector3(0.03, -0.15, 0.12);
+  right.X_RG.orientation = Quaternion::FromTwoVectors(-Vector3::UnitZ(), p_RO - right.X_RG.position);
+  test::ControllerMoment left;
+  left.X_RG = {p_RO + Vector3(-0.15, 0.1, 0.2), Quaternion(Eigen::AngleAxisd(1.2, Vector3::UnitX()))};
+  headset_->start();
+  ASSERT_TRUE(becomes(HeadsetState::Running));
+  const QImage without = imageOf(pictures().at(0));
+  test::setController(0, left);
+  test::setController(1, right);
+  const double distance = (right.X_RG.position - p_RO).norm() / room_.scale;
+  hands->rightController.place.setFeedback({false, 0.0, distance});
+  ASSERT_TRUE(until([&hands] { return hands->rightController.place.reading().X_WG.has_value(); }));
+  const QImage open = imageOf(pictures().at(0));
+  EXPECT_GT(test::difference(without, open).share, 0.01);
+  test::expectLikeGolden(open, QStringLiteral("headset-hands"));
+  hands->rightController.place.setFeedback({true, 0.0, distance});
+  EXPECT_GT(test::difference(open, imageOf(pictures().at(0))).share, 0.002) << "a hand that holds the object";
 }
 
 TEST_F(OpenXrHeadsetTest, AnEditOfTheSceneIsSeenAndTheHeadMoves) {

@@ -9,6 +9,17 @@ namespace {
 
 constexpr double kEyeSeparation = 0.063;
 
+ControllerMoment absentController() {
+  ControllerMoment moment;
+  moment.isThere = false;
+  return moment;
+}
+
+/// The library has no engine.
+Pose between(const Pose& a, const Pose& b, double t) {
+  return {a.position + t * (b.position - a.position), a.orientation.slerp(t, b.orientation)};
+}
+
 template <class Change>
 void change(Change change) {
   RuntimeState& state = runtimeState();
@@ -38,8 +49,12 @@ void changeSessionState(RuntimeState& state, XrSessionState to) {
 
 void complainOf(RuntimeState& state, const std::string& what) { state.complaints.push_back(what); }
 
+XrResult instanceResult(const RuntimeState& state) {
+  return state.runtimeLost || !state.runtimeThere ? XR_ERROR_INSTANCE_LOST : XR_SUCCESS;
+}
+
 XrResult sessionResult(const RuntimeState& state) {
-  if (state.runtimeLost || !state.runtimeThere) return XR_ERROR_INSTANCE_LOST;
+  if (const XrResult result = instanceResult(state); result != XR_SUCCESS) return result;
   if (state.sessionLost) return XR_ERROR_SESSION_LOST;
   return XR_SUCCESS;
 }
@@ -59,6 +74,7 @@ void resetHeadset() {
   change([](RuntimeState& state) {
     state.runtimeThere = state.headsetThere = state.worn = true;
     state.X_RH = {Vector3(0.0, 1.6, 0.0), Quaternion::Identity()};
+    for (FakeController& controller : state.controllers) controller.put(absentController(), {});
     state.stall = {};
     state.picturesWanted = false;
     state.complaints.clear();
@@ -84,6 +100,48 @@ void setWorn(bool worn) {
 
 void setHead(const Pose& X_RH) {
   change([&X_RH](RuntimeState& state) { state.X_RH = X_RH; });
+}
+
+void setController(std::size_t hand, const ControllerMoment& moment) {
+  change([&](RuntimeState& state) { state.controllers[hand].put(moment, std::chrono::steady_clock::now()); });
+}
+
+void playController(std::size_t hand, const std::vector<ControllerMoment>& moments) {
+  change([&](RuntimeState& state) {
+    FakeController& controller = state.controllers[hand];
+    if (controller.script.empty()) controller.since = std::chrono::steady_clock::now();
+    controller.script.insert(controller.script.end(), moments.begin(), moments.end());
+  });
+}
+
+bool hasPlayed(std::size_t hand) {
+  RuntimeState& state = runtimeState();
+  const std::lock_guard lock(state.mutex);
+  return state.controllers[hand].script.empty();
+}
+
+std::vector<double> takePulses(std::size_t hand) {
+  std::vector<double> pulses;
+  change([&](RuntimeState& state) { pulses.swap(state.controllers[hand].pulses); });
+  return pulses;
+}
+
+int readControllers() { return read(&RuntimeState::syncs); }
+
+void FakeController::put(const ControllerMoment& moment, Time now) { *this = {moment, moment, now, {}, {}}; }
+
+void FakeController::goOn(Time now) {
+  if (script.empty()) return;
+  const ControllerMoment next = script.front();
+  const double passed = std::chrono::duration<double>(now - since).count();
+  if (passed < next.after) {
+    shown = reached;
+    shown.X_RG = between(reached.X_RG, next.X_RG, passed / next.after);
+    return;
+  }
+  since += std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(next.after));
+  reached = shown = next;
+  script.pop_front();
 }
 
 void stallOnce(std::chrono::milliseconds duration) {
@@ -115,8 +173,8 @@ std::vector<std::string> complaints() { return read(&RuntimeState::complaints); 
 int heldHandles() {
   RuntimeState& state = runtimeState();
   const std::lock_guard lock(state.mutex);
-  return (state.instance != XR_NULL_HANDLE ? 1 : 0) + (state.session != XR_NULL_HANDLE ? 1 : 0) + state.spaces +
-         static_cast<int>(state.swapchains.size());
+  return state.actionSets + (state.instance != XR_NULL_HANDLE ? 1 : 0) + (state.session != XR_NULL_HANDLE ? 1 : 0) +
+         state.spaces + static_cast<int>(state.swapchains.size());
 }
 
 std::vector<EyePicture> nextPictures(std::chrono::milliseconds longest) {

@@ -25,7 +25,22 @@ struct EyePicture {
 EyeSides scriptedSides(std::size_t eye);
 Pose scriptedEye(std::size_t eye);
 
-/// As after the start of the program: nothing is lost, the headset is there and is worn.
+/// The kind of the scripted controllers.
+inline constexpr const char* kScriptedProfile = "/interaction_profiles/oculus/touch_controller";
+
+/// A controller from some moment on.
+struct ControllerMoment {
+  double after = 0.0;  ///< seconds from the moment before, in which it moves steadily to this pose
+  Pose X_RG;           ///< grip and aim, in the room
+  double squeeze = 0.0;
+  double trigger = 0.0;
+  std::string pressed{};  ///< the component that is pressed, "/input/menu/click"; empty: none
+  Eigen::Vector2d stick = Eigen::Vector2d::Zero();
+  bool isTracked = true;
+  bool isThere = true;
+};
+
+/// As after the start of the program: nothing is lost, the headset is there and is worn, controllers are not.
 void resetHeadset();
 /// False: the runtime answers nothing, as one whose service does not run.
 void setRuntimeThere(bool there);
@@ -34,6 +49,16 @@ void setHeadsetThere(bool there);
 void setWorn(bool worn);
 /// X_RH: where the head is in the room.
 void setHead(const Pose& X_RH);
+/// 0 the left one. It is there at once, and does nothing else that it was told before.
+void setController(std::size_t hand, const ControllerMoment& moment);
+/// It does this next, one moment after the other.
+void playController(std::size_t hand, const std::vector<ControllerMoment>& moments);
+/// It has done all that it was told, and the program has seen it.
+bool hasPlayed(std::size_t hand);
+/// What the hand has felt since it was asked last: amplitudes.
+std::vector<double> takePulses(std::size_t hand);
+/// So often the program has asked for the controllers, ever.
+int readControllers();
 /// The next wait for a picture takes so long.
 void stallOnce(std::chrono::milliseconds duration);
 /// Whatever session there is, or whatever instance, is lost: each of its calls fails.
@@ -48,7 +73,7 @@ int shownPictures();
 std::vector<EyePicture> nextPictures(std::chrono::milliseconds longest);
 /// Sessions that were made, ever.
 int madeSessions();
-/// Instances, sessions, spaces and swapchains that are not destroyed.
+/// Instances, sessions, spaces, action sets and swapchains that are not destroyed.
 int heldHandles();
 /// What was wrong with calls of the program.
 std::vector<std::string> complaints();

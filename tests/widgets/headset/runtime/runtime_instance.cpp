@@ -109,7 +109,7 @@ XRAPI_ATTR XrResult XRAPI_CALL getGraphicsRequirements(XrInstance /*instance*/, 
 }
 
 XRAPI_ATTR XrResult XRAPI_CALL getProcAddr(XrInstance /*instance*/, const char* name, PFN_xrVoidFunction* function) {
-  for (const auto find : {instanceFunction, sessionFunction, pictureFunction}) {
+  for (const auto find : {instanceFunction, sessionFunction, pictureFunction, actionFunction}) {
     *function = find(name);
     if (*function != nullptr) return XR_SUCCESS;
   }

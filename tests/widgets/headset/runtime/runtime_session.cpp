@@ -1,11 +1,11 @@
 // Session, spaces and times of the runtime for tests.
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <thread>
 #include <utility>
 
 #include "tests/widgets/headset/runtime/runtime_state.h"
+#include "tests/widgets/headset/runtime/xr_values.h"
 
 #define XR_USE_PLATFORM_XLIB
 #define XR_USE_GRAPHICS_API_OPENGL
@@ -20,18 +20,6 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::microseconds kPeriod{11111};  ///< 90 Hz
 
-XrPosef toXr(const Pose& pose) {
-  const Quaternion& q = pose.orientation;
-  const Vector3& p = pose.position;
-  return {{static_cast<float>(q.x()), static_cast<float>(q.y()), static_cast<float>(q.z()), static_cast<float>(q.w())},
-          {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())}};
-}
-
-XrFovf toXr(const EyeSides& sides) {
-  const auto angle = [](double tangent) { return static_cast<float>(std::atan(tangent)); };
-  return {angle(sides.left), angle(sides.right), angle(sides.up), angle(sides.down)};
-}
-
 XRAPI_ATTR XrResult XRAPI_CALL createSession(XrInstance /*instance*/, const XrSessionCreateInfo* info,
                                              XrSession* session) {
   RuntimeState& state = runtimeState();
@@ -44,6 +32,7 @@ XRAPI_ATTR XrResult XRAPI_CALL createSession(XrInstance /*instance*/, const XrSe
   if (binding->xDisplay == nullptr || binding->glxFBConfig == nullptr || binding->visualid == 0) {
     complainOf(state, "the binding is not complete");
   }
+  state.attached = false;
   state.context = binding->glxContext;
   state.sessionLost = state.begun = state.leaving = state.waited = state.inFrame = false;
   state.session = newHandle<XrSession>(state);
@@ -109,10 +98,11 @@ XRAPI_ATTR XrResult XRAPI_CALL createReferenceSpace(XrSession /*session*/, const
   return XR_SUCCESS;
 }
 
-XRAPI_ATTR XrResult XRAPI_CALL destroySpace(XrSpace /*space*/) {
+XRAPI_ATTR XrResult XRAPI_CALL destroySpace(XrSpace space) {
   RuntimeState& state = runtimeState();
   const Lock lock(state.mutex);
   --state.spaces;
+  state.actionSpaces.erase(reinterpret_cast<std::uint64_t>(space));
   return XR_SUCCESS;
 }
 

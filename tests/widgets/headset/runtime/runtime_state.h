@@ -23,6 +23,27 @@ struct FakeSwapchain {
   bool acquired = false;
 };
 
+/// An action of the program, and what of each hand it is bound to.
+struct FakeAction {
+  XrActionType type = XR_ACTION_TYPE_BOOLEAN_INPUT;
+  std::map<std::string, std::string> bound;  ///< component by hand
+};
+
+/// A controller: where it is, and what the script lets it do next.
+struct FakeController {
+  using Time = std::chrono::steady_clock::time_point;
+
+  void put(const ControllerMoment& moment, Time now);
+  /// Takes from the script what is due, one moment at most, so that the program sees each of them.
+  void goOn(Time now);
+
+  ControllerMoment shown;    ///< to the program
+  ControllerMoment reached;  ///< the last of the script
+  Time since{};              ///< it was reached
+  std::deque<ControllerMoment> script;
+  std::vector<double> pulses;
+};
+
 struct RuntimeState {
   std::mutex mutex;
   std::condition_variable changed;
@@ -32,6 +53,7 @@ struct RuntimeState {
   bool headsetThere = true;
   bool worn = true;
   Pose X_RH{Vector3(0.0, 1.6, 0.0), Quaternion::Identity()};
+  std::array<FakeController, 2> controllers;
   std::chrono::milliseconds stall{0};
   bool sessionLost = false;
   bool runtimeLost = false;
@@ -46,6 +68,11 @@ struct RuntimeState {
   bool leaving = false;
   std::map<std::uint64_t, FakeSwapchain> swapchains;
   int spaces = 0;
+  std::vector<std::string> paths;  ///< XrPath is one more than the index
+  int actionSets = 0;
+  bool attached = false;  ///< an action set, to the session
+  std::map<std::uint64_t, FakeAction> actions;
+  std::map<std::uint64_t, XrPath> actionSpaces;  ///< the hand of each
   std::deque<XrSessionState> events;
   std::chrono::steady_clock::time_point nextFrame{};
   bool waited = false;  ///< for a frame that has not begun
@@ -54,6 +81,7 @@ struct RuntimeState {
   // What is known about it afterwards.
   int shown = 0;
   int sessions = 0;
+  int syncs = 0;
   bool picturesWanted = false;
   std::vector<EyePicture> pictures;
   std::vector<std::string> complaints;
@@ -65,6 +93,7 @@ RuntimeState& runtimeState();
 void changeSessionState(RuntimeState& state, XrSessionState to);
 void complainOf(RuntimeState& state, const std::string& what);
 /// XR_SUCCESS, or how a call fails now. The mutex is held.
+XrResult instanceResult(const RuntimeState& state);
 XrResult sessionResult(const RuntimeState& state);
 
 template <class Handle>
@@ -76,5 +105,6 @@ Handle newHandle(RuntimeState& state) {
 PFN_xrVoidFunction instanceFunction(const char* name);
 PFN_xrVoidFunction sessionFunction(const char* name);
 PFN_xrVoidFunction pictureFunction(const char* name);
+PFN_xrVoidFunction actionFunction(const char* name);
 
 }  // namespace glissade::test

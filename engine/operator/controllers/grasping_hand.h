@@ -1,0 +1,54 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "engine/geometry/triangle_tree.h"
+#include "engine/operator/hand_inputs.h"
+#include "engine/operator/operator_input.h"
+
+namespace glissade {
+
+/// The object in the hand of a person with a tracked controller. A squeeze takes it where it is: in the hand, or at a
+/// distance where the controller points at it. Then it goes with the controller as if both were one body, from the
+/// place where it was taken. Letting go leaves it where it is.
+///
+/// A loss of tracking lets it go. When tracking comes back and the hand is still closed, it is taken up again where it
+/// is, so that it does not jump; likewise where something else has put it elsewhere.
+class GraspingHand final : public OperatorDevice {
+ public:
+  /// Squeeze of the grip from which on the object is taken, and below which it is let go.
+  static constexpr double kTakes = 0.3;
+  static constexpr double kLetsGo = 0.15;
+  /// From the middle of the hand to the surface of what it takes, in metres of the room.
+  static constexpr double kReach = 0.08;
+
+  /// `world` has the object. Nothing as the side: that of the main hand, whichever that is.
+  GraspingHand(HandInputsPtr hand, std::optional<ControllerSide> side, CollisionWorldPtr world);
+
+  Pose advance(double dt, const OperatorView& view, const Box3& bounds) override;
+  void restart() override { X_GB_.reset(); }
+  void regrip() override { X_GB_.reset(); }
+  bool connected() const override;
+  bool holds() const override { return X_GB_.has_value(); }
+  void feel(const std::optional<Wrench>& pushedBack) override;
+
+ private:
+  ControllerSide side() const { return side_.value_or(hand_->mainHand); }
+  void close(const ControllerReading& now, const Pose& X_WB);
+  bool reaches(const ControllerReading& now, const Pose& X_WB);
+  std::optional<double> aimedDistance(const ControllerReading& now, const Pose& X_WB);
+  const TriangleTree& surface();
+
+  HandInputsPtr hand_;
+  std::optional<ControllerSide> side_;
+  CollisionWorldPtr world_;
+  std::unique_ptr<const TriangleTree> surface_;  ///< of the object; null until it is needed
+  ControllerSide last_;
+  bool closed_ = false;             ///< the hand
+  std::optional<double> pointsAt_;  ///< metres along the aim to the object
+  bool taken_ = false;              ///< the object, when the hand was closed
+  std::optional<Pose> X_GB_;        ///< of the object in the hand, while it is held
+};
+
+}  // namespace glissade

@@ -1,0 +1,61 @@
+#include "widgets/scene3d/graph_mutex.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+
+namespace glissade {
+namespace {
+
+using namespace std::chrono_literals;
+
+TEST(GraphMutex, ItsOwnerMayLockItAgain) {
+  GraphMutex mutex;
+  const std::lock_guard once(mutex);
+  const std::lock_guard twice(mutex);
+}
+
+TEST(GraphMutex, OneAtATimeHasIt) {
+  GraphMutex mutex;
+  int count = 0;
+  const auto countUp = [&] {
+    for (int i = 0; i < 2000; ++i) {
+      const std::lock_guard lock(mutex);
+      ++count;
+    }
+  };
+  std::thread other(countUp);
+  countUp();
+  other.join();
+  EXPECT_EQ(count, 4000);
+}
+
+/// One thread draws again and again with no time between, as a headset does where drawing is slow.
+TEST(GraphMutex, WhoWaitsIsNextHoweverBusyTheOtherIs) {
+  GraphMutex mutex;
+  std::atomic<int> drawn{0};
+  std::atomic<bool> ends{false};
+  std::thread drawer([&] {
+    while (!ends) {
+      const std::lock_guard lock(mutex);
+      ++drawn;
+      std::this_thread::sleep_for(500us);
+    }
+  });
+  while (drawn == 0) std::this_thread::yield();
+  int most = 0;
+  for (int turn = 0; turn < 50; ++turn) {
+    const int before = drawn;
+    const std::lock_guard lock(mutex);
+    most = std::max(most, drawn - before);
+    std::this_thread::sleep_for(500us);
+  }
+  ends = true;
+  drawer.join();
+  // This thread may be stopped between the count and its place in the queue.
+  EXPECT_LE(most, 20);
+}
+
+}  // namespace
+}  // namespace glissade

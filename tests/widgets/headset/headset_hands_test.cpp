@@ -1,0 +1,192 @@
+// A person with a headset and two controllers, and nothing else: the real window with the runtime for tests, on a
+// virtual display. See with_headset.sh.
+#include <algorithm>
+#include <numbers>
+
+#include "engine/collision/contact_planes.h"
+#include "tests/widgets/headset/scripted_hand.h"
+#include "tests/widgets/headset/window_with_headset.h"
+#include "widgets/devices/device_settings.h"
+
+namespace glissade {
+namespace {
+
+constexpr std::size_t kRight = 1;
+constexpr double kQuarter = 0.5 * std::numbers::pi;
+constexpr const char* kLower = "/input/a/click";
+constexpr const char* kMenu = "/input/b/click";
+
+class HeadsetHandsTest : public test::WindowWithHeadset {
+ protected:
+  explicit HeadsetHandsTest(const char* sample = "environment-1/scenario.json") : WindowWithHeadset(sample) {
+    window_->resize(600, 400);  // drawn by the same cores
+    bench().actions["headset.on-table"]->setChecked(true);
+    headset().trigger();
+    EXPECT_TRUE(isRunning());
+  }
+
+  const SnapshotPtr& snapshot() { return bench().session.snapshot(); }
+  const Problem& problem() { return bench().document.scenario()->problem; }
+  const OperatorSample& device() { return snapshot()->device; }
+  bool holds() { return bench().session.hand()->rightController.place.feedback().holds; }
+  double radius() { return problem().world->objectRadius(); }
+  RoomPlacement room() { return placeRoom(bench().scene.view().extent(), ProductSize::OnTable); }
+  /// The hand is where the object has its reference point.
+  test::ScriptedHand handAtTheObject() { return {kRight, room(), device().q_device}; }
+  const std::vector<Pose>& wayPoints() { return bench().document.scenario()->scenario.wayPoints; }
+  bool hasPlayed(const test::ScriptedHand& hand) {
+    return until([&] { return hand.hasPlayed(); });
+  }
+  /// Where the object is once the window has seen it at rest: what the window knows is older than what the hand feels.
+  Pose settled() {
+    QElapsedTimer atRest;
+    atRest.start();
+    Pose last = device().q_device;
+    EXPECT_TRUE(until([&] {
+      if (device().q_device != last) atRest.restart();
+      last = device().q_device;
+      return atRest.elapsed() > 500;
+    }));
+    return last;
+  }
+  /// To the nearest obstacle, while the hand does what it is to do.
+  double leastDistance(const test::ScriptedHand& hand) {
+    double least = device().nearest.distance;
+    EXPECT_TRUE(until([&] {
+      least = std::min(least, device().nearest.distance);
+      return hand.hasPlayed();
+    }));
+    return least;
+  }
+};
+
+/// Against the nearest obstacle, and so much farther.
+Pose pushedInto(const NearestObstacle& nearest, const Pose& q, double beyond) {
+  return {q.position - (nearest.distance + beyond) * nearest.normal_W(), q.orientation};
+}
+
+TEST_F(HeadsetHandsTest, TakenMovedWithContactLetGoAndPlannedToTheGoal) {
+  const double set = snapshot()->parameters[ParameterId::Alpha];
+  const Pose start = problem().start;
+  test::ScriptedHand hand = handAtTheObject();
+  hand.press(kMenu).play();
+  ASSERT_TRUE(until([this] { return glissade::isRunning(*snapshot()); }));
+
+  // It is pushed into the nearest obstacle, along it, and back.
+  hand.squeeze(1.0).play();
+  ASSERT_TRUE(until([this] { return holds(); }));
+  EXPECT_LT(longestWay(settled(), start, radius()), 1e-3 * radius()) << "a jump";
+  const Pose into = pushedInto(device().nearest, start, radius());
+  hand.move(into, 1.0).play();
+  EXPECT_GT(leastDistance(hand), 0.0) << "penetration";
+  EXPECT_TRUE(until([this] { return device().nearest.distance < 0.01 * radius(); })) << "contact";
+  EXPECT_TRUE(until([this] { return device().hand.has_value(); })) << "the hand is ahead of the object";
+  EXPECT_GT(device().nearest.distance, 0.0) << "penetration";
+  EXPECT_TRUE(until([] {
+    const std::vector<double> pulses = test::takePulses(kRight);
+    return std::any_of(pulses.begin(), pulses.end(), [](double pulse) { return pulse > 0.9; });
+  })) << "it is felt";
+  EXPECT_TRUE(until([&] { return snapshot()->parameters[ParameterId::Alpha] < set; })) << "a firm grip";
+  hand.move(start, 0.7).play();
+  EXPECT_GT(leastDistance(hand), 0.0) << "penetration";
+
+  // A loss of tracking on the way, and the hand is elsewhere afterwards.
+  hand.loseTracking(true).play();
+  ASSERT_TRUE(until([this] { return !holds(); }));
+  const Pose lost = settled();
+  hand.move(Pose::translation({1.0, -2.0, 0.5}) * start, 0.0).loseTracking(false).play();
+  ASSERT_TRUE(until([this] { return holds(); }));
+  EXPECT_LT(longestWay(settled(), lost, radius()), 1e-3 * radius()) << "a jump";
+  const Pose X_OG = inverse(lost) * hand.X_WG();
+
+  // Through the gap, and let go there.
+  for (const Pose& q : wayPoints()) hand.move(q * X_OG, 0.6).wait(0.2);
+  hand.play();
+  EXPECT_GT(leastDistance(hand), 0.0) << "penetration";
+  hand.squeeze(0.0).play();
+  ASSERT_TRUE(until([this] { return !holds(); }));
+  const Pose left = settled();
+  hand.move(start, 0.3).wait(0.1).play();
+  ASSERT_TRUE(hasPlayed(hand));
+  EXPECT_EQ(settled(), left);
+  EXPECT_TRUE(until([&] { return snapshot()->parameters[ParameterId::Alpha] == set; }));
+
+  ASSERT_TRUE(until([this] { return snapshot()->path != nullptr; }, 120'000));
+  const Path& path = *snapshot()->path;
+  EXPECT_EQ(path.certificate.status, CertificateStatus::Certified);
+  EXPECT_EQ(path.points.front().q, start);
+  EXPECT_EQ(path.points.back().q, std::get<Pose>(problem().goal));
+  EXPECT_GT(snapshot()->nodesByAuthor[static_cast<std::size_t>(Author::Operator)], 0U) << "the hand took part";
+}
+
+class HeadsetHandsAtThePump : public HeadsetHandsTest {
+ protected:
+  HeadsetHandsAtThePump() : HeadsetHandsTest("pump/unmount.json") {}
+};
+
+TEST_F(HeadsetHandsAtThePump, ItIsLiftedOffItsSeatAndPlannedToTheGoal) {
+  test::ScriptedHand hand = handAtTheObject();
+  hand.press(kMenu).squeeze(1.0).play();
+  ASSERT_TRUE(until([this] { return holds(); }));
+  const Pose X_OG = inverse(device().q_device) * hand.X_WG();
+  const auto moved = [&](double x, double y, double z) {
+    return Pose::translation(problem().start.position + Vector3(x, y, z)) * X_OG;
+  };
+  hand.move(moved(0.0, 0.0, 0.02), 0.5).move(moved(0.3, -0.5, 0.02), 1.0).wait(0.3).play();
+  EXPECT_GT(leastDistance(hand), 0.0) << "penetration";
+  EXPECT_TRUE(until([this] { return longestWay(device().q_device, problem().start, radius()) > 0.05 * radius(); }));
+  hand.squeeze(0.0).play();
+  ASSERT_TRUE(until([this] { return !holds(); }));
+  ASSERT_TRUE(until([this] { return snapshot()->path != nullptr; }, 120'000));
+  EXPECT_EQ(snapshot()->path->certificate.status, CertificateStatus::Certified);
+}
+
+class HeadsetHandsAtAStep : public HeadsetHandsTest {
+ protected:
+  HeadsetHandsAtAStep() : HeadsetHandsTest("interlocked/turn.json") {
+    carryOut("plan-sequence", {"all"});
+    carryOut("show-step", {"1"});
+  }
+  ~HeadsetHandsAtAStep() override { DeviceSettings().reset(buttons()); }
+
+  HandInput& buttons() { return bench().session.hand()->rightController.buttons; }
+  /// Settings are those of a controller that is there.
+  void giveLowerButton(const char* action) {
+    EXPECT_TRUE(until([this] { return buttons().mailbox.reading().connected; }));
+    DeviceSettings().setAction(buttons(), static_cast<std::size_t>(ControllerButton::Lower), QLatin1String(action));
+  }
+
+  void carryOut(const char* command, const ScriptCommands::Words& words) {
+    const Outcome outcome = bench().scripts.carryOut(command, words);
+    EXPECT_TRUE(outcome) << command << ": " << (outcome ? "" : outcome.error().reason);
+  }
+};
+
+/// A key whose bar lies across the slot of the cover: it turns by a quarter, and leaves upwards.
+TEST_F(HeadsetHandsAtAStep, ItIsMovedByHandAndItsPathBecomesTheMotionOfTheStep) {
+  test::ScriptedHand chooser = handAtTheObject();
+  giveLowerButton("sequence.by-hand");
+  chooser.press(kLower).play();
+  ASSERT_TRUE(until([this] { return bench().actions["sequence.leave-hand"]->isEnabled(); }));
+  test::ScriptedHand hand = handAtTheObject();
+  hand.press(kMenu).squeeze(1.0).play();
+  ASSERT_TRUE(until([this] { return holds(); }));
+  const Pose X_OG = inverse(device().q_device) * hand.X_WG();
+  const auto moved = [&](double up, double turn) {
+    return Pose{device().q_device.position + Vector3(0.0, 0.0, up),
+                Quaternion(Eigen::AngleAxisd(turn, Vector3::UnitZ()))} *
+           X_OG;
+  };
+  hand.move(moved(0.5, 0.0), 0.5).move(moved(0.0, kQuarter), 1.0).move(moved(3.0, kQuarter), 1.0).squeeze(0.0);
+  hand.play();
+  EXPECT_GT(leastDistance(hand), 0.0) << "penetration";
+  // The path is taken, and the sequence is back.
+  ASSERT_TRUE(until([this] { return !bench().actions["sequence.leave-hand"]->isEnabled(); }, 120'000));
+  carryOut("expect-sequence", {"end", "complete"});
+  const std::vector<DemandedMotion>& motions = bench().document.demands().motions;
+  ASSERT_EQ(motions.size(), 1U) << "the path of the hand is the motion of the step";
+  EXPECT_EQ(motions.front().bodies, std::vector<std::string>{"turn-key"});
+}
+
+}  // namespace
+}  // namespace glissade
