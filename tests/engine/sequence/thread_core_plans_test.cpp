@@ -8,8 +8,6 @@
 #include "engine/base/thread_team.h"
 #include "engine/check/thread_core_fit.h"
 #include "engine/product/fit_table.h"
-#include "engine/scenario/judged_product.h"
-#include "engine/sequence/sequence_run.h"
 #include "tests/engine/product/turned_parts.h"
 #include "tests/engine/sequence/products.h"
 
@@ -19,39 +17,49 @@ namespace {
 constexpr double kCrest = 0.0025;
 constexpr double kRoot = 0.00198;
 constexpr double kBore = 0.00207;
-constexpr double kPitch = 0.0008;
-constexpr double kLength = 0.008;
+constexpr double kScrewPitch = 0.0008;
+constexpr double kThreadLength = 0.008;
 constexpr int kDirections = 36;
 
 /// Flat crests and roots of an eighth of the pitch on either side of their middle.
 double threadRadius(double z, double angle) {
-  const double turn = z / kPitch - angle / (2.0 * test::kHalfTurn);
+  const double turn = z / kScrewPitch - angle / (2.0 * test::kHalfTurn);
   const double fromCrest = std::abs(turn - std::round(turn));
   const double down = std::clamp((fromCrest - 0.125) / 0.25, 0.0, 1.0);
   return kCrest + (kRoot - kCrest) * down;
 }
 
-/// As a CAD file has them: crest and root are cylinders, all else are free faces.
-void stateFaces(TriangleMesh& mesh) {
-  mesh.faces = {SurfaceFace{}, SurfaceFace{}, SurfaceFace{}};
-  for (const int face : {1, 2}) {
+/// As a CAD file has them: crest, root and shank are cylinders; flanks, tip and head are faces of their own.
+void stateFaces(TriangleMesh& mesh, double shank) {
+  enum Face : std::uint32_t { Flanks, Crest, Root, Shank, Tip, Head };
+  mesh.faces.assign(6, SurfaceFace{});
+  for (const auto& [face, radius] : {std::pair(Crest, kCrest), std::pair(Root, kRoot), std::pair(Shank, kCrest)}) {
     mesh.faces[face].kind = SurfaceFace::Kind::Cylinder;
-    mesh.faces[face].radius = face == 1 ? kCrest : kRoot;
+    mesh.faces[face].radius = radius;
   }
   for (const TriangleIndices& triangle : mesh.triangles) {
-    const auto isAt = [&](double radius) {
-      return std::all_of(triangle.begin(), triangle.end(),
-                         [&](std::uint32_t v) { return std::abs(mesh.vertices[v].head<2>().norm() - radius) < 1e-9; });
+    const auto all = [&](const auto& is) {
+      return std::all_of(triangle.begin(), triangle.end(), [&](std::uint32_t v) { return is(mesh.vertices[v]); });
     };
-    const bool isSide = std::abs(faceNormal(mesh, triangle).z()) < 0.5;
-    mesh.faceOf.push_back(isSide && isAt(kCrest) ? 1 : isSide && isAt(kRoot) ? 2 : 0);
+    const auto isAt = [&](double radius) {
+      return all([=](const Vector3& p) { return std::abs(p.head<2>().norm() - radius) < 1e-9; });
+    };
+    const bool isTip = all([](const Vector3& p) { return p.z() < -kThreadLength + 1e-9; });
+    const bool isHead = all([](const Vector3& p) { return p.z() > -1e-9; });
+    const bool isShank = shank > 0.0 && all([=](const Vector3& p) { return p.z() > -shank - 1e-9; });
+    mesh.faceOf.push_back(isTip          ? Tip
+                          : isHead       ? Head
+                          : isShank      ? Shank
+                          : isAt(kCrest) ? Crest
+                          : isAt(kRoot)  ? Root
+                                         : Flanks);
   }
 }
 
 /// Its head's lower side is at 0; without a thread for the length of the shank.
-TriangleMesh threadedScrew(double shank = 0.0) {
-  std::vector<test::Station> stations{{-kLength, test::circle(0.0)}};
-  for (double z = -kLength; z < -shank - 1e-9; z += kPitch / 8.0) {
+TriangleMesh modelledScrew(double shank = 0.0) {
+  std::vector<test::Station> stations{{-kThreadLength, test::circle(0.0)}};
+  for (double z = -kThreadLength; z < -shank - 1e-9; z += kScrewPitch / 8.0) {
     stations.push_back({z, [z](double angle) { return threadRadius(z, angle); }});
   }
   stations.push_back({-shank, test::circle(kCrest)});
@@ -60,11 +68,11 @@ TriangleMesh threadedScrew(double shank = 0.0) {
   stations.push_back({0.003, test::circle(0.0045)});
   stations.push_back({0.003, test::circle(0.0)});
   TriangleMesh mesh = test::turnedMesh(stations, false, kDirections);
-  stateFaces(mesh);
+  stateFaces(mesh, shank);
   return mesh;
 }
 
-RigidBody bodyOf(const std::string& id, TriangleMesh mesh) {
+RigidBody partOf(const std::string& id, TriangleMesh mesh) {
   RigidBody body = boxBody(id, {1.0, 1.0, 1.0}, Pose::identity());
   body.mesh = std::make_shared<const TriangleMesh>(std::move(mesh));
   return body;
@@ -73,28 +81,18 @@ RigidBody bodyOf(const std::string& id, TriangleMesh mesh) {
 /// A nut of 4 mm whose wall is less than five overlaps thick, on the end of the screw.
 AssembledProduct screwInNut(double shank = 0.0, double bore = kBore) {
   TriangleMesh nut = test::tubeMesh(test::circle(bore), test::prism(0.008, 6), -0.0075, -0.0035);
-  return test::productOf({bodyOf("screw", threadedScrew(shank)), bodyOf("nut", std::move(nut))}, true);
+  return test::productOf({partOf("screw", modelledScrew(shank)), partOf("nut", std::move(nut))}, true);
 }
 
-FitTable fitsOf(const AssembledProduct& product) {
+FitTable tableOf(const AssembledProduct& product) {
   ThreadTeam team(0);
-  return std::move(*FitTable::find(product, team, WorkWatch{}));
-}
-
-AssemblyPlan planOf(const AssembledProduct& product) {
-  test::QuietHost host;
-  auto plan = planSequence(product, test::fitsOf(product), SequenceRequest{BodySet{true, false}}, host);
-  EXPECT_TRUE(plan.ok());
-  return std::move(*plan);
-}
-
-check::PlanVerdict verdictOf(const AssemblyPlan& plan, const AssembledProduct& product) {
-  return judgePlan(plan, product, std::nullopt, {});
+  auto table = FitTable::find(product, team, WorkWatch{});
+  return std::move(*table);
 }
 
 TEST(ThreadCore, TheScrewIsItsCoreInTheNutWhicheverOfThemMoves) {
   const AssembledProduct product = screwInNut();
-  const FitTable table = fitsOf(product);
+  const FitTable table = tableOf(product);
   ASSERT_EQ(table.pairs().size(), 1U);
   EXPECT_EQ(table.pairs()[0].contact.kind, ContactKind::Thread);
   for (const PairWay& way : table.pairs()[0].ways) {
@@ -102,7 +100,7 @@ TEST(ThreadCore, TheScrewIsItsCoreInTheNutWhicheverOfThemMoves) {
     const Fit& fit = way.taken[0];
     EXPECT_TRUE(fit.core);
     ASSERT_TRUE(fit.thread);
-    EXPECT_NEAR(fit.thread->rule.pitch, kPitch, 1e-9);
+    EXPECT_NEAR(fit.thread->rule.pitch, kScrewPitch, 1e-9);
     EXPECT_NEAR(fit.allowance, kCrest - kBore, 3e-5);
   }
 }
@@ -110,7 +108,7 @@ TEST(ThreadCore, TheScrewIsItsCoreInTheNutWhicheverOfThemMoves) {
 /// Rays from the outside count the crossings of the true surface; they share nothing with the thinning.
 TEST(ThreadCore, TheCoreIsInsideTheScrewAndFreesTheThreadOnly) {
   const AssembledProduct product = screwInNut();
-  const FitTable table = fitsOf(product);
+  const FitTable table = tableOf(product);
   const TriangleMesh& core = *table.objects()[0].allowed.at(0).thinned;
   const TriangleMesh& screw = *product.bodies[0].mesh;
   const AxialMesh isTrue(screw);
@@ -126,55 +124,18 @@ TEST(ThreadCore, TheCoreIsInsideTheScrewAndFreesTheThreadOnly) {
       EXPECT_TRUE(wasIn) << p.transpose();
     } else if (wasIn) {
       ++freed;
-      EXPECT_GT(p.head<2>().norm(), 0.99 * kRoot) << "only teeth go";
+      EXPECT_GT(p.head<2>().norm(), 0.99 * kRoot) << "only teeth go: " << p.transpose();
     }
   }
   EXPECT_GT(freed, 100);
 }
 
-TEST(ThreadCore, TheNutIsTurnedOffAndTheJudgeConfirmsIt) {
-  const AssembledProduct product = screwInNut();
-  const AssemblyPlan plan = planOf(product);
-  ASSERT_EQ(plan.steps.size(), 1U);
-  EXPECT_EQ(plan.steps[0].method, kTurned);
-  const check::PlanVerdict verdict = verdictOf(plan, product);
-  EXPECT_TRUE(verdict.valid());
-}
-
-TEST(ThreadCore, TheJudgeRefusesToPullItOff) {
-  const AssembledProduct product = screwInNut();
-  AssemblyPlan plan = planOf(product);
-  ASSERT_EQ(plan.steps.size(), 1U);
-  const Quaternion turned = plan.steps[0].path.front().q.orientation;
-  for (PathPoint& point : plan.steps[0].path) point.q.orientation = turned;
-  EXPECT_FALSE(verdictOf(plan, product).valid());
-}
-
-TEST(ThreadCore, TheJudgeRefusesAPitchThatTheTeethAreTooDeepFor) {
-  const AssembledProduct product = screwInNut();
-  AssemblyPlan plan = planOf(product);
-  ASSERT_FALSE(plan.steps.empty());
-  for (StepAllowance& allowance : plan.steps[0].allowances) allowance.pitch = 0.0004;
-  EXPECT_FALSE(verdictOf(plan, product).valid());
-}
-
-TEST(ThreadCore, AShankIsNoThread) {
-  const AssembledProduct product = screwInNut(0.003);
-  const AssemblyPlan plan = planOf(product);
-  ASSERT_EQ(plan.steps.size(), 1U);
-  EXPECT_LT(plan.steps[0].path.back().q.position.z(), plan.steps[0].path.front().q.position.z())
-      << "the nut leaves over the tip";
-  const FitTable table = fitsOf(product);
-  const AxialMesh core(*table.objects()[0].allowed.at(0).thinned);
-  const double middleOfShank = product.bodies[0].mesh->vertices[0].z() + kLength - 0.0015;
-  EXPECT_TRUE(core.contains({0.99 * kCrest, 0.0, middleOfShank}));
-}
-
 /// A collar that is pressed into a groove has no helix.
 TEST(ThreadCore, ADeepOverlapWithoutAHelixStaysAClash) {
-  TriangleMesh pin = test::rodMesh(kCrest, -kLength, 0.0);
+  TriangleMesh pin = test::rodMesh(kCrest, -kThreadLength, 0.0);
   TriangleMesh nut = test::tubeMesh(test::circle(0.0019), test::circle(0.0031), -0.0075, -0.0035);
-  const FitTable table = fitsOf(test::productOf({bodyOf("pin", std::move(pin)), bodyOf("ring", std::move(nut))}, true));
+  const FitTable table =
+      tableOf(test::productOf({partOf("pin", std::move(pin)), partOf("ring", std::move(nut))}, true));
   for (const PairFit& pair : table.pairs()) {
     for (const PairWay& way : pair.ways) {
       for (const Fit& fit : way.taken) EXPECT_FALSE(fit.core);
