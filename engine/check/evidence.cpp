@@ -59,8 +59,7 @@ void findTouching(const PlacedBody& one, const PlacedBody& other, MeasuredPair& 
 }
 
 bool addsSagitta(const PairWord* word) {
-  return word != nullptr && !word->byShape &&
-         (word->kind == "thread" || word->kind == "cylindrical" || word->kind == "press");
+  return word != nullptr && (word->kind == "thread" || word->kind == "cylindrical" || word->kind == "press");
 }
 
 /// The largest sagitta of the facets of a side that are in the fit; 0 where the file states its faces.

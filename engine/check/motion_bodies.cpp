@@ -22,20 +22,14 @@ double MotionBodies::scaleFor(const std::vector<const TriangleMesh*>& meshes, co
   return std::max(scale_, MotionCheck::scaleFor(meshes, placed));
 }
 
-MeshPtr MotionBodies::taken(const MeshPtr& mesh, const std::vector<double>& allowances, double share,
-                            const ThreadCore* core) {
+MeshPtr MotionBodies::taken(const MeshPtr& mesh, const std::vector<double>& allowances, double share) {
   if (allowances.empty()) return mesh;
-  std::tuple<MeshPtr, std::vector<double>, double, std::vector<double>> key{mesh, allowances, share, {}};
-  if (core != nullptr) {
-    const Vector3& p = core->point;
-    const Vector3& d = core->direction;
-    std::get<3>(key) = {p.x(), p.y(), p.z(), d.x(), d.y(), d.z(), core->radius};
-  }
+  const std::tuple<MeshPtr, std::vector<double>, double> key{mesh, allowances, share};
   {
     const std::lock_guard lock(mutex_);
     if (const auto known = thinned_.find(key); known != thinned_.end()) return known->second;
   }
-  auto thin = std::make_shared<const TriangleMesh>(thinned(*mesh, allowances, share, core));
+  auto thin = std::make_shared<const TriangleMesh>(thinned(*mesh, allowances, share));
   const std::lock_guard lock(mutex_);
   return thinned_.try_emplace(key, std::move(thin)).first->second;
 }

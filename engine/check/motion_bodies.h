@@ -22,10 +22,8 @@ class MotionBodies {
 
   /// The scale of motions in which these meshes take part: of the product's, unless theirs is larger.
   double scaleFor(const std::vector<const TriangleMesh*>& meshes, const std::vector<Body>& placed) const;
-  /// The mesh taken thinner by the allowance of each triangle; itself where there is none. `share`, `core`: as of
-  /// thinned().
-  MeshPtr taken(const MeshPtr& mesh, const std::vector<double>& allowances, double share = kThicknessShare,
-                const ThreadCore* core = nullptr);
+  /// The mesh taken thinner by the allowance of each triangle; itself where there is none. `share`: as of thinned().
+  MeshPtr taken(const MeshPtr& mesh, const std::vector<double>& allowances, double share = kThicknessShare);
   MotionCheck::ObstaclePtr obstacle(const MeshPtr& mesh, const Pose& X_WB, double scale);
 
  private:
@@ -39,8 +37,7 @@ class MotionBodies {
   double scale_;
   std::size_t keptTriangles_;
   std::mutex mutex_;  ///< of what follows
-  /// By mesh, allowances, share, and the numbers of the core.
-  std::map<std::tuple<MeshPtr, std::vector<double>, double, std::vector<double>>, MeshPtr> thinned_;
+  std::map<std::tuple<MeshPtr, std::vector<double>, double>, MeshPtr> thinned_;
   std::map<Place, Prepared> obstacles_;
   std::size_t triangles_ = 0;  ///< of the obstacles
   std::uint64_t asked_ = 0;

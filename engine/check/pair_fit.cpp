@@ -7,7 +7,6 @@
 
 #include "engine/check/thinning.h"
 #include "engine/check/thread_axis.h"
-#include "engine/check/thread_core_fit.h"
 #include "engine/check/verdict_words.h"
 
 namespace glissade::check {
@@ -51,10 +50,8 @@ class PairFitter {
         word_(fits.about(question.moving.id, question.other.id)) {}
 
   PairFit take() {
-    const std::vector<StatedAllowance> stated = ofPair();
-    const auto core = std::find_if(stated.begin(), stated.end(), [](const auto& each) { return each.core; });
-    if (core != stated.end()) callThread();
     const bool marked = fits_.on && word_ != nullptr && word_->isThread();
+    const std::vector<StatedAllowance> stated = ofPair();
     if (stated.empty() && question_.stated && !marked) return {};
     if (!fits_.on) {
       for (const StatedAllowance& each : stated) refuseOff(each);
@@ -67,7 +64,6 @@ class PairFitter {
       for (const StatedAllowance& each : stated) apply(each);
     }
     if (marked) takeThread(stated);
-    if (core != stated.end()) takeCore(*core);
     return std::move(fit_);
   }
 
@@ -88,15 +84,6 @@ class PairFitter {
     if (snap == nullptr) return false;
     const Vector3 way = snap->hook == question_.moving.id ? snap->direction : Vector3(-snap->direction);
     return goesAlong(way, question_.moving, question_.path, question_.other);
-  }
-
-  /// A file may state a thread that no person has marked.
-  void callThread() {
-    if (word_ != nullptr && !word_->kind.empty()) return;
-    stated_ = word_ != nullptr ? *word_ : PairWord{question_.moving.id, question_.other.id};
-    stated_.kind = "thread";
-    stated_.byShape = true;
-    word_ = &stated_;
   }
 
   void findBounds() {
@@ -149,7 +136,6 @@ class PairFitter {
     taken = limited(bound.atMost, stated.allowance);
     AppliedAllowance& allowance = add(stated.yields, largest(taken));
     allowance.stated = stated.allowance;
-    allowance.core = stated.core;
     const double enough = bound.most + std::max(kEstimateAtLeast, kEstimate * bound.most);
     if (stated.allowance <= (bound.most > 0.0 ? enough : 0.0)) return;
     const bool apart = bound.refused.empty() && !bound.inFit;
@@ -220,29 +206,6 @@ class PairFitter {
     fit_.thread = thread;
   }
 
-  /// Nothing is known of a thread that is not on an axis of both.
-  void takeCore(const StatedAllowance& stated) {
-    const auto refuse = [&](const std::string& reason) {
-      AppliedAllowance& allowance = fit_.applied.front();
-      fit_.refusals.push_back(allowanceRefused(allowance, reason));
-    };
-    if (!word_->isThread()) return refuse("a person says that the pair is no thread");
-    if (!fit_.thread) return;
-    const Thread& thread = *fit_.thread;
-    if (stated.yields == thread.movingIsShaft) return refuse("the thread of the hole cannot be taken away");
-    const Placement moving{question_.moving, thread.assembled};
-    const Placement other{question_.other, question_.other.X_WB};
-    const Placement& shaft = thread.movingIsShaft ? moving : other;
-    const Placement& hole = thread.movingIsShaft ? other : moving;
-    const auto found =
-        threadCoreOf({bodies_.at(shaft), bodies_.at(hole), thread.movingIsShaft ? bounds_.one : bounds_.other,
-                      thread.movingIsShaft ? bounds_.other : bounds_.one},
-                     thread);
-    if (!found) return refuse(found.error().reason);
-    const Pose X_SW = inverse(shaft.X_WB);
-    fit_.core = ThreadCore{X_SW * found->point, X_SW.orientation * found->direction, found->radius};
-  }
-
   /// As the path has it where it begins or ends in the thread; that of no turn is a tenth of the diameter, so that the
   /// path is refused for not turning.
   double pitchOfPath(const Thread& thread) const {
@@ -264,7 +227,6 @@ class PairFitter {
   PlacedBodies& bodies_;
   const StopToken& stop_;
   const PairWord* word_;
-  PairWord stated_{};  ///< of a thread that no person has marked
   PairBounds bounds_;
   PairFit fit_;
 };

@@ -18,7 +18,6 @@ struct AppliedAllowance {
   std::string thinner;  ///< names, for people: of the body that is taken thinner
   std::string against;
   bool yields = false;             ///< the other one is taken thinner
-  bool core = false;               ///< its thread is taken away
   std::optional<double> stated{};  ///< metres, by the file
   double applied = 0.0;            ///< metres, of the face that moves farthest
   double most = 0.0;               ///< metres that the meshes and the person give
@@ -33,8 +32,6 @@ struct PairFit {
   std::vector<double> other{};
   double share = kThicknessShare;  ///< as AllowanceBound::share, of either
   std::optional<Thread> thread{};  ///< its `other` is left to the caller
-  /// That the one with an allowance is taken to be where its thread is, in its frame; nothing: no thread is taken away.
-  std::optional<ThreadCore> core{};
   std::vector<AppliedAllowance> applied{};
   std::vector<std::string> refusals{};  ///< for people; empty: nothing is wrong
 

@@ -23,7 +23,6 @@ struct StatedAllowance {
   std::string body;        ///< id of the other one
   double allowance = 0.0;  ///< metres
   bool yields = false;     ///< the other one is taken thinner, not the moving one
-  bool core = false;       ///< its thread is taken away: the pair comes apart by turning only
   std::optional<double> pitch{};
   std::optional<StatedThread> thread{};
 };

@@ -20,7 +20,6 @@ struct PairWord {
   bool accepted = false;              ///< the pair's clash
   std::optional<double> pitch{};      ///< of a thread, metres; below 0: left-handed
   std::string turned{};               ///< of a thread: id of the body that is turned; empty: not said
-  bool byShape = false;               ///< a thread that a file states and the meshes have to show: no person says it
 
   bool isThread() const { return kind == "thread"; }
 };

@@ -60,7 +60,6 @@ std::vector<StatedAllowance> readAllowances(const JsonCursor& at) {
     allowance.body = each.at("body").nonEmptyText();
     allowance.allowance = metres(each.at("allowance_m"));
     if (const auto yields = each.find("yields")) allowance.yields = yields->boolean();
-    if (const auto core = each.find("core")) allowance.core = core->boolean();
     if (const auto pitch = each.find("pitch_m")) allowance.pitch = pitch->coordinate();
     if (const auto thread = each.find("thread")) allowance.thread = readThread(*thread);
     allowances.push_back(std::move(allowance));

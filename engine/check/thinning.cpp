@@ -127,18 +127,16 @@ class ThinBody {
     }
   }
 
-  /// The body thinned; the body where it has no place for that, or is open too near. `core`: null: no thread goes.
-  TriangleMesh thinned(const ThreadCore* core) {
+  /// The body thinned; the body where it has no place for that, or is open too near.
+  TriangleMesh thinned() {
     const auto openEdges = openEdgesOf(points_, triangles_);
     isOpen_ = !openEdges.empty();
     if (isOpen_ && !areFar(openEdges, faces_, allowances_)) return {points_, triangles_};
-    const std::vector<bool> thread = core != nullptr ? takeThread(*core) : std::vector<bool>();
     findNormals();
     findRooms();
     findPieces();
     std::vector<Vector3> moves = movesOf();
     moveConesWithCylinders(moves);
-    if (core != nullptr) moveOntoCore({points_, triangles_, stated_, faceOf_}, thread, *core, moves);
     for (int round = 0; round < kRounds; ++round) {
       TriangleMesh result{points_, triangles_};
       for (std::size_t i = 0; i < moves.size(); ++i) result.vertices[i] += moves[i];
@@ -158,15 +156,6 @@ class ThinBody {
 
   static Corners cornersOf(const TriangleIndices& t, const std::vector<Vector3>& points) {
     return {points[t[0]], points[t[1]], points[t[2]]};
-  }
-
-  /// Which triangles are of the thread: their allowances are for the way onto the core only.
-  std::vector<bool> takeThread(const ThreadCore& core) {
-    std::vector<bool> ofThread = trianglesOfThread({points_, triangles_, stated_, faceOf_}, allowances_, core);
-    for (std::size_t f = 0; f < ofThread.size(); ++f) {
-      if (ofThread[f]) allowances_[f] = 0.0;
-    }
-    return ofThread;
   }
 
   void findNormals() {
@@ -398,11 +387,10 @@ class ThinBody {
 
 }  // namespace
 
-TriangleMesh thinned(const TriangleMesh& mesh, const std::vector<double>& allowances, double share,
-                     const ThreadCore* core) {
+TriangleMesh thinned(const TriangleMesh& mesh, const std::vector<double>& allowances, double share) {
   const bool nothing = std::none_of(allowances.begin(), allowances.end(), [](double each) { return each > 0.0; });
   if (nothing) return mesh;
-  return ThinBody(mesh, allowances, share).thinned(core);
+  return ThinBody(mesh, allowances, share).thinned();
 }
 
 }  // namespace glissade::check

@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "engine/geometry/thread_core.h"
 #include "engine/geometry/triangle_mesh.h"
 
 namespace glissade::check {
@@ -22,12 +21,10 @@ inline constexpr double kHookShare = 0.45;
 ///
 /// Where the surface is open, it has an inside far from its open edges only (open_surface.h).
 ///
-/// `share`: instead of a fifth of the thickness, as AllowanceBound::share. `core`: that of a thread, whose vertices
-/// move across its axis onto it, whatever the thickness of the teeth (thread_core.h); null: there is none.
+/// `share`: instead of a fifth of the thickness, as AllowanceBound::share.
 ///
 /// `allowances`: of each triangle, metres, >= 0. The mesh itself where the body cannot be thinned so, or is open too
 /// near to a face with an allowance.
-TriangleMesh thinned(const TriangleMesh& mesh, const std::vector<double>& allowances, double share = kThicknessShare,
-                     const ThreadCore* core = nullptr);
+TriangleMesh thinned(const TriangleMesh& mesh, const std::vector<double>& allowances, double share = kThicknessShare);
 
 }  // namespace glissade::check

@@ -152,17 +152,6 @@ std::vector<Vector3> ThinnableMesh::movesOf(const Wanted& wanted) const {
   return moves;
 }
 
-/// The thread's faces go onto the core, and what they are allowed moves nothing else.
-std::vector<Vector3> ThinnableMesh::movesWithoutThread(Wanted wanted) const {
-  const std::vector<bool> ofThread = trianglesOfThread(mesh_, wanted.allowances, *wanted.core);
-  for (std::size_t f = 0; f < ofThread.size(); ++f) {
-    if (ofThread[f]) wanted.allowances[f] = 0.0;
-  }
-  std::vector<Vector3> moves = movesOf(wanted);
-  moveOntoCore(mesh_, ofThread, *wanted.core, moves);
-  return moves;
-}
-
 Vector3 ThinnableMesh::moveOf(std::size_t vertex, const Wanted& wanted) const {
   double largest = 0.0;
   for (const auto& [f, angle] : corners_[vertex]) largest = std::max(largest, wanted.allowances[f]);
@@ -361,9 +350,8 @@ std::optional<TriangleMesh> ThinnableMesh::thinned(double allowance) const {
   return thinnedFaces({std::vector<double>(faces_.size(), allowance), kMostThinning});
 }
 
-std::optional<TriangleMesh> ThinnableMesh::thinned(const std::vector<double>& allowances, double share,
-                                                   const ThreadCore* core) const {
-  return thinnedFaces({ofFaces(allowances), share, core});
+std::optional<TriangleMesh> ThinnableMesh::thinned(const std::vector<double>& allowances, double share) const {
+  return thinnedFaces({ofFaces(allowances), share});
 }
 
 std::vector<double> ThinnableMesh::ofFaces(const std::vector<double>& allowances) const {
@@ -374,7 +362,7 @@ std::vector<double> ThinnableMesh::ofFaces(const std::vector<double>& allowances
 
 std::optional<TriangleMesh> ThinnableMesh::thinnedFaces(const Wanted& wanted) const {
   if (openBesideFaces(wanted.allowances)) return std::nullopt;
-  std::vector<Vector3> moves = wanted.core != nullptr ? movesWithoutThread(wanted) : movesOf(wanted);
+  std::vector<Vector3> moves = movesOf(wanted);
   std::vector<std::uint32_t> unsure(mesh_.triangles.size());
   std::iota(unsure.begin(), unsure.end(), 0U);
   for (int round = 0; round <= 2 * kMostHalvings; ++round) {

@@ -7,7 +7,6 @@
 
 #include "engine/geometry/continued_cones.h"
 #include "engine/geometry/solid_interior.h"
-#include "engine/geometry/thread_core.h"
 #include "engine/geometry/triangle_mesh.h"
 #include "engine/geometry/triangle_tree.h"
 
@@ -37,9 +36,6 @@ inline constexpr double kFarFromOpening = 10.0;
 /// A chamfer goes where its cylinder goes: vertices of a cone that continues a cylinder with an allowance move across
 /// the axis onto the thinned cylinder where they are beyond it (continued_cones.h).
 ///
-/// A thread may be taken away: its vertices move across its axis onto its core, whatever the thickness of its teeth
-/// (thread_core.h). What its faces are allowed moves nothing else.
-///
 /// Open edges are those with one triangle, and those between triangles that do not agree on an outside. A face moves
 /// where no such edge is nearer than kFarFromOpening of the largest allowance. Then a moved face is on the inner side
 /// of the true surface where it crosses none of it, the way between the two crosses none, and most of all directions
@@ -58,10 +54,8 @@ class ThinnableMesh {
   std::optional<TriangleMesh> thinned(double allowance) const;
   /// Each triangle of the mesh that this was made of has an allowance of its own, metres, >= 0. Faces without one stay
   /// whole, except where they share a vertex with one that has.
-  /// `share`: what a face may lose of the thickness below it, instead of a fifth; below a half. `core`: that of the
-  /// thread that is taken away; null: none is.
-  std::optional<TriangleMesh> thinned(const std::vector<double>& allowances, double share = kMostThinning,
-                                      const ThreadCore* core = nullptr) const;
+  /// `share`: what a face may lose of the thickness below it, instead of a fifth; below a half.
+  std::optional<TriangleMesh> thinned(const std::vector<double>& allowances, double share = kMostThinning) const;
 
   /// Metres from the faces that have an allowance to the nearest open edge, where it is so near that what is inside the
   /// body there is not known; nothing where it is farther. Allowances as of thinned().
@@ -79,7 +73,6 @@ class ThinnableMesh {
   struct Wanted {
     std::vector<double> allowances;  ///< metres, of each face
     double share;                    ///< of the thickness below a face that it may lose
-    const ThreadCore* core = nullptr;
   };
   struct Corner {
     std::uint32_t face;
@@ -93,7 +86,6 @@ class ThinnableMesh {
   std::optional<TriangleMesh> thinnedFaces(const Wanted& wanted) const;
   double roomOf(std::size_t face, const Wanted& wanted) const { return wanted.share * faces_[face].thickness; }
   std::vector<Vector3> movesOf(const Wanted& wanted) const;
-  std::vector<Vector3> movesWithoutThread(Wanted wanted) const;
   Vector3 moveOf(std::size_t vertex, const Wanted& wanted) const;
   Vector3 againstThoseAllowed(std::size_t vertex, const Wanted& wanted, double largest) const;
   /// `largest`: of the allowances of the faces at the vertex.

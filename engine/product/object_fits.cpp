@@ -8,10 +8,11 @@
 #include "engine/base/quantity_text.h"
 #include "engine/product/common_axis.h"
 #include "engine/product/fit_refusals.h"
-#include "engine/product/fit_thread.h"
 #include "engine/product/fit_words.h"
 #include "engine/product/giving_way.h"
+#include "engine/product/loose_nut.h"
 #include "engine/product/modelled_thread.h"
+#include "engine/product/thread_pitch.h"
 
 namespace glissade {
 namespace {
@@ -28,6 +29,21 @@ struct FoundContact {
   std::vector<Pose> at;
   Pose measuredAt{};  ///< the end that the contact was measured at
 };
+
+/// Those of the ends in which the object's axis is the same line as in the first one. Its thread may be in another
+/// hole of the obstacle in the others.
+std::vector<Pose> onAxis(const ContactAxis& axis, const Pose& first, const std::vector<Pose>& ends) {
+  constexpr double kSame = 1e-5;
+  const Vector3 point_B = inverse(first) * axis.point;
+  std::vector<Pose> same{first};
+  for (const Pose& end : ends) {
+    const Vector3 p = end * point_B - axis.point;
+    const Vector3 direction = end.orientation * (first.orientation.conjugate() * axis.direction);
+    const bool isSame = p.cross(axis.direction).norm() < kSame && direction.cross(axis.direction).norm() < kSame;
+    if (isSame && end != first) same.push_back(end);
+  }
+  return same;
+}
 
 /// The same contact with its bodies exchanged.
 Contact exchanged(Contact contact) {
@@ -113,9 +129,6 @@ class FitFinder {
 
  private:
   const std::vector<FitEdit>& edits() const { return question_.product.fits.pairs; }
-  const FitEdit* editAbout(std::size_t obstacle) const {
-    return editOf(question_.product.fits, object_.id, body(obstacle).id);
-  }
   const RigidBody& body(std::size_t index) const { return question_.product.bodies[index]; }
 
   static Diagnostic refused(std::size_t edit, const std::string& reason, const std::string& advice) {
@@ -239,11 +252,10 @@ class FitFinder {
             question_.product.deflections[index]};
   }
 
-  const check::PairWord* wordAbout(std::size_t obstacle) const { return words_.about(object_.id, body(obstacle).id); }
-
-  check::PairBounds boundsWith(std::size_t obstacle, const check::PairWord* word) const {
+  check::PairBounds boundsWith(std::size_t obstacle) const {
     const check::Body own = measuredBody(question_.object);
     const check::Body fixed = measuredBody(obstacle);
+    const check::PairWord* word = words_.about(own.id, fixed.id);
     std::optional<check::PairBounds> bounds;
     for (const Pose& end : ends_) {
       const check::PairBounds found = tools_.placed.boundsOf({own, end}, {fixed, fixed.X_WB}, words_, word, stop_);
@@ -253,8 +265,8 @@ class FitFinder {
   }
 
   void resolve(std::size_t obstacle, const FoundContact& found) {
-    const FitEdit* edit = editAbout(obstacle);
-    const check::PairBounds bounds = boundsWith(obstacle, wordAbout(obstacle));
+    const FitEdit* edit = editOf(question_.product.fits, object_.id, body(obstacle).id);
+    const check::PairBounds bounds = boundsWith(obstacle);
     const Decision decision = decide(found.contact, edit, question_.product.fits, bounds, question_.limits);
     Contact& contact = fits_.contacts.emplace_back(found.contact);
     contact.kind = decision.kind;
@@ -265,7 +277,6 @@ class FitFinder {
     const bool marked = edit != nullptr && edit->kind == ContactKind::Thread;
     if (marked && found.contact.axis) fit.thread = threadOf(found, edit);
     if (decision.refused) {
-      if (takeWithoutThread(fit, found)) return;
       const double overlap = clashOverlap(found.contact, bounds);
       fit.allowance = overlap + found.contact.deviation;
       refuse(fit, "overlap by " + inMillimetres(overlap) + ", which is a clash",
@@ -308,7 +319,36 @@ class FitFinder {
   }
 
   FitThread threadOf(const FoundContact& found, const FitEdit* edit) const {
-    return fitThreadOf({question_.product, question_.object, found.contact, found.measuredAt, found.at, edit}, stop_);
+    const ContactAxis& axis = *found.contact.axis;
+    FitThread thread;
+    ThreadRule& rule = thread.rule;
+    rule.obstacle = static_cast<int>(found.contact.a);
+    rule.point_W = axis.point;
+    rule.axis_W = axis.direction.normalized();
+    rule.radiusOfObstacle = axis.radiusA;
+    rule.radiusOfObject = axis.radiusB;
+    rule.objectIsShaft = !axis.shaftIsA;
+    rule.assembled = onAxis(axis, found.measuredAt, found.at);
+    rule.mayTurn = mayTurn(rule, axis, edit);
+    if (edit != nullptr && edit->pitch) {
+      rule.pitch = *edit->pitch;
+      return thread;
+    }
+    const ThreadPitch coarse = isoCoarsePitch(rule.objectIsShaft ? axis.radiusB : axis.radiusA);
+    rule.pitch = coarse.pitch;
+    thread.size = coarse.size;
+    return thread;
+  }
+
+  bool mayTurn(const ThreadRule& rule, const ContactAxis& axis, const FitEdit* edit) const {
+    if (edit != nullptr && !edit->turned.empty()) return edit->turned == object_.id;
+    if (!rule.objectIsShaft) return true;
+    std::vector<const RigidBody*> others;
+    const auto nut = static_cast<std::size_t>(rule.obstacle);
+    for (std::size_t i = 0; i < question_.product.bodies.size(); ++i) {
+      if (i != nut && i != question_.object) others.push_back(&body(i));
+    }
+    return !isLooseNut(body(nut), axis, others, stop_);
   }
 
   void refuse(Fit fit, const std::string& reason, const std::string& advice) {
@@ -333,7 +373,7 @@ class FitFinder {
     const std::vector<Fit>& taken = takesBoth ? both : alone;
     for (const Fit& unused : takesBoth ? alone : both) forget(unused.thinned);
     fits_.allowed.insert(fits_.allowed.end(), taken.begin(), taken.end());
-    if (!taken.empty() || takeWithoutThread(fit, found)) return;
+    if (!taken.empty()) return;
     const auto ownOpening = openBeside(object_, bounds.one);
     const auto othersOpening = openBeside(other, bounds.other);
     if (ownOpening && othersOpening) {
@@ -346,48 +386,6 @@ class FitFinder {
     wanted.allowance = fromOther ? bounds.other.most : bounds.one.most;
     const auto opening = ownOpening ? ownOpening : othersOpening;
     refuse(wanted, opening ? noRoomBeside(wanted.allowance, *opening) : noRoom(wanted.allowance), "Mend the parts.");
-  }
-
-  /// A thread that is modelled on the shaft is taken away against the other body, where nobody says anything else of
-  /// the pair: it comes apart by turning only.
-  bool takeWithoutThread(Fit fit, FoundContact found) {
-    const FitEdit* edit = editAbout(fit.obstacle);
-    if (edit != nullptr && (edit->allowance || edit->kind.value_or(ContactKind::Thread) != ContactKind::Thread)) {
-      return false;
-    }
-    const ContactBody other = contactBody(body(fit.obstacle), body(fit.obstacle).X_WB);
-    const ContactBody own = contactBody(object_, found.measuredAt);
-    const auto axis = commonAxisOf(other, own);
-    fit.yields = axis && axis->shaftIsA;
-    const auto pitch = axis ? tools_.pitches.of((fit.yields ? other : own).mesh) : std::nullopt;
-    if (!pitch) return false;
-    check::PairWord word{object_.id, body(fit.obstacle).id, kindName(ContactKind::Thread)};
-    word.byShape = true;
-    const check::PairBounds bounds = boundsWith(fit.obstacle, &word);
-    const check::AllowanceBound& ofShaft = fit.yields ? bounds.other : bounds.one;
-    const check::AllowanceBound& ofHole = fit.yields ? bounds.one : bounds.other;
-    const auto core = coreFitOf({fit.yields ? other : own, fit.yields ? own : other, ofShaft, ofHole, *axis, *pitch},
-                                tools_.thinnable);
-    if (!core) return false;
-    fit.thinned = core->core;
-    if (!isFree(fit.yields ? own.mesh : fit.thinned, fit.obstacle, fit.yields ? fit.thinned : other.mesh, found.at)) {
-      forget(fit.thinned);
-      return false;
-    }
-    fit.core = true;
-    fit.allowance = core->allowance;
-    fit.evidence = ofShaft.largest;
-    found.contact.kind = fit.kind = ContactKind::Thread;
-    found.contact.axis = axis;
-    found.contact.axis->radiusA = fit.yields ? core->radiusOfShaft : core->radiusOfHole;
-    found.contact.axis->radiusB = fit.yields ? core->radiusOfHole : core->radiusOfShaft;
-    fit.role = roleOf(found.contact);
-    fit.thread = threadOf(found, edit);
-    if (edit == nullptr || !edit->pitch) fit.thread->rule.pitch = *pitch;
-    fit.thread->rule.mayTurn = edit == nullptr || edit->turned.empty() || edit->turned == object_.id;
-    fits_.contacts.back() = found.contact;
-    fits_.allowed.push_back(std::move(fit));
-    return true;
   }
 
   /// Which body gives way: whether it is the obstacle, the first choice first. A hook that bends has no other choice.

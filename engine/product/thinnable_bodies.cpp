@@ -31,11 +31,4 @@ MeshPtr ThinnableBodies::thinned(const MeshPtr& mesh, const std::vector<double>&
   return thinned_.try_emplace(std::move(key), std::move(thinner)).first->second;
 }
 
-MeshPtr ThinnableBodies::withoutThread(const MeshPtr& mesh, const std::vector<double>& allowances,
-                                       const ThreadCore& core) {
-  const ThinnableMesh* thinnable = of(mesh);
-  auto made = thinnable != nullptr ? thinnable->thinned(allowances, kMostThinning, &core) : std::nullopt;
-  return made ? std::make_shared<const TriangleMesh>(std::move(*made)) : nullptr;
-}
-
 }  // namespace glissade

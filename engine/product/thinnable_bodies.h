@@ -21,8 +21,6 @@ class ThinnableBodies {
   /// With an allowance for each triangle, metres, and `share` as of ThinnableMesh. Null where the mesh has no inside
   /// there, or no place for that.
   MeshPtr thinned(const MeshPtr& mesh, const std::vector<double>& allowances, double share = kMostThinning);
-  /// The same, but its thread is taken away (ThreadCore). It is not kept.
-  MeshPtr withoutThread(const MeshPtr& mesh, const std::vector<double>& allowances, const ThreadCore& core);
 
  private:
   struct Entry {

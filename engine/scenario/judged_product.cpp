@@ -39,7 +39,7 @@ const char* nameOf(StepViolation::Rule rule) {
 check::Step judgedStep(const AssemblyStep& step) {
   check::Step judged{step.bodies(), judgedPoints(step.path), step.after, {}, {}, step.certified};
   for (const StepAllowance& each : step.allowances) {
-    check::StatedAllowance allowance{each.moving, each.body, each.allowance, each.yields, each.core};
+    check::StatedAllowance allowance{each.moving, each.body, each.allowance, each.yields};
     if (each.pitch != 0.0) allowance.pitch = each.pitch;
     judged.allowances.push_back(std::move(allowance));
   }
@@ -118,7 +118,6 @@ check::Path judgedPath(const std::vector<PathPoint>& points, const LoadedScenari
   for (const Fit& fit : scenario.fits.allowed) {
     check::StatedAllowance allowance{scenario.object.id, scenario.obstacles[fit.obstacle].id, fit.allowance};
     allowance.yields = fit.yields;
-    allowance.core = fit.core;
     if (fit.thread) allowance.pitch = fit.thread->rule.pitch;
     path.allowances->push_back(std::move(allowance));
   }

@@ -137,7 +137,6 @@ nlohmann::ordered_json allowancesJson(const LoadedScenario& scenario, const std:
                     {"margin_m", fit.evidence.margin},
                     {"text", words[i]}});
     if (fit.yields) list.back()["yields"] = true;
-    if (fit.core) list.back()["core"] = true;
     if (fit.evidence.byPerson > 0.0) list.back()["by_person_m"] = fit.evidence.byPerson;
     if (!fit.thread) continue;
     list.back()["pitch_m"] = fit.thread->rule.pitch;

@@ -22,7 +22,6 @@ struct StepAllowance {
   std::string text;            ///< for people, with names
   std::string moving{};        ///< id of the body of the step; empty: its first one
   bool yields = false;         ///< the other one is taken thinner, not the moving one
-  bool core = false;           ///< its thread is taken away against the other one (ThreadCore)
   double pitch = 0.0;          ///< of a thread that comes apart by turning only, metres a turn; 0: none
   double turns = 0.0;          ///< of the body in it, by the right hand about the direction in which it leaves
   check::Evidence evidence{};  ///< what the largest allowance of the pair may rest on; all zero: the file does not say

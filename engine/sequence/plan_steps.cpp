@@ -83,7 +83,6 @@ void addAllowances(AssemblyStep& step, const BodyGroup& group, const std::vector
     StepAllowance allowance{other.id, fit.kind, fit.overlap, fit.allowance, inWords(fit, body.shown(), other.shown())};
     if (each.body != group.front()) allowance.moving = body.id;
     allowance.yields = fit.yields;
-    allowance.core = fit.core;
     allowance.evidence = fit.evidence;
     if (fit.thread) {
       allowance.pitch = fit.thread->rule.pitch;
