@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "widgets/bridge/queued_once.h"
 #include "widgets/commands/diagnostic_text.h"
 #include "widgets/devices/calibration_dialog.h"
 #include "widgets/devices/frame_name.h"
@@ -67,13 +68,8 @@ DeviceController::~DeviceController() {
 
 /// Devices change on their readers' threads; the window looks at all changes of a moment at once.
 void DeviceController::listen() {
-  for (HandInput* input : hand_->withButtons()) {
-    input->mailbox.setListener([this] {
-      if (lookPending_.exchange(true)) return;
-      QMetaObject::invokeMethod(
-          this, [this] { look(); }, Qt::QueuedConnection);
-    });
-  }
+  const auto listener = queuedOnce(this, [this] { look(); });
+  for (HandInput* input : hand_->withButtons()) input->mailbox.setListener(listener);
 }
 
 void DeviceController::addIndicators(QStatusBar& bar) {
@@ -102,7 +98,6 @@ void DeviceController::addIndicators(QStatusBar& bar) {
 }
 
 void DeviceController::look() {
-  lookPending_ = false;
   for (std::size_t which = 0; which < seen_.size(); ++which) lookAt(which);
   if (calibration_ != nullptr && calibration_->isVisible()) calibration_->refresh();
   if (hand_->target == SteeringTarget::Camera && bridge_.clock() == SessionClock::RealTime && hand_->focused &&

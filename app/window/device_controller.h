@@ -5,7 +5,6 @@
 #include <QTimer>
 
 #include <array>
-#include <atomic>
 #include <memory>
 
 #include "app/window/grip_controller.h"
@@ -77,7 +76,6 @@ class DeviceController final : public QObject {
   GripController grip_;
   std::array<HandShaper, 3> shapers_;
   std::array<Seen, 5> seen_;
-  std::atomic<bool> lookPending_{false};
   QToolButton* target_ = nullptr;
   QToolButton* frame_ = nullptr;
   QLabel* mouse_ = nullptr;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/operator/controllers/grip_authority.h"
+#include "widgets/bridge/queued_once.h"
 
 namespace glissade {
 namespace {
@@ -31,17 +32,11 @@ GripController::~GripController() {
 
 /// Controllers change on the thread of the headset.
 void GripController::listen() {
-  for (ControllerInput* controller : hand_->controllers()) {
-    controller->place.setListener([this] {
-      if (followPending_.exchange(true)) return;
-      QMetaObject::invokeMethod(
-          this, [this] { follow(); }, Qt::QueuedConnection);
-    });
-  }
+  const auto listener = queuedOnce(this, [this] { follow(); });
+  for (ControllerInput* controller : hand_->controllers()) controller->place.setListener(listener);
 }
 
 void GripController::follow() {
-  followPending_ = false;
   const SnapshotPtr& snapshot = bridge_.snapshot();
   if (!snapshot) return;
   const std::optional<double> squeezed = squeeze();

@@ -2,7 +2,6 @@
 
 #include <QObject>
 
-#include <atomic>
 #include <optional>
 
 #include "widgets/bridge/session_bridge.h"
@@ -30,7 +29,6 @@ class GripController final : public QObject {
   SessionBridge& bridge_;
   const QAction* wanted_;
   HandInputsPtr hand_;
-  std::atomic<bool> followPending_{false};
   std::optional<double> before_;  ///< α as it was set, while the grip decides it
   double posted_ = 0.0;
 };

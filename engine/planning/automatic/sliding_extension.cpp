@@ -16,13 +16,6 @@ constexpr double kGap = 2e-3;
 /// Planes that were learnt farther away, in ranges, are forgotten.
 constexpr double kMemory = 10.0;
 
-SmallMotion motionBetween(const Pose& from, const Pose& to) {
-  Quaternion turn = to.orientation * from.orientation.conjugate();
-  if (turn.w() < 0.0) turn.coeffs() *= -1.0;
-  const Eigen::AngleAxisd rotation(turn);
-  return {to.position - from.position, rotation.angle() * rotation.axis()};
-}
-
 }  // namespace
 
 SlidingExtension::SlidingExtension(CollisionQuery& query, const Box3& bounds, const Se3Metric& metric, double range)
@@ -34,7 +27,7 @@ SlidingExtension::SlidingExtension(CollisionQuery& query, const Box3& bounds, co
 
 std::optional<Pose> SlidingExtension::slide(Node from, const Pose& q, const Pose& target, double step,
                                             const StopToken& stop) {
-  const SmallMotion wanted = motionBetween(q, target);
+  const SmallMotion wanted{target.position - q.position, rotationVector(q.orientation, target.orientation)};
   const double least = kLeast * metric_.distance(q, target);
   ContactPlanes planes = planesOf(from) ? *planesOf(from) : ContactPlanes(rule_);
   planes.forgetFarFrom(q);

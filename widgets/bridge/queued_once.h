@@ -1,0 +1,26 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <utility>
+
+#include <QObject>
+
+namespace glissade {
+
+/// For any thread: makes the call on the receiver's thread, once for all that ask until then. Copies ask for the same
+/// call. Nobody asks after the receiver is gone; what waits then is dropped.
+inline std::function<void()> queuedOnce(QObject* receiver, std::function<void()> call) {
+  const auto pending = std::make_shared<std::atomic<bool>>(false);
+  return [receiver, pending, call = std::move(call)] {
+    if (pending->exchange(true)) return;
+    const auto once = [pending, call] {
+      *pending = false;
+      call();
+    };
+    QMetaObject::invokeMethod(receiver, once, Qt::QueuedConnection);
+  };
+}
+
+}  // namespace glissade
