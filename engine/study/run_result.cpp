@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/base/guarded.h"
 #include "engine/import/json_reader.h"
 #include "engine/study/study_json.h"
 
@@ -77,7 +78,9 @@ std::optional<RunStatus> statusOfSequence(const Json& report) {
 }
 
 /// What guarded() and the standard library say where memory ends: in the error of the report, or on standard error.
-bool saysOutOfMemory(const std::string& text) { return text.find("bad_alloc") != std::string::npos; }
+bool saysOutOfMemory(const std::string& text) {
+  return text.find("bad_alloc") != std::string::npos || text == withoutMemory().reason;
+}
 
 RunStatus statusOf(const ChildEnd& end, const Json& report, const RunOutcome& outcome, double timeLimit) {
   if (end.ending == ChildEnding::TimeOver) return RunStatus::Time;

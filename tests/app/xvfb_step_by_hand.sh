@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# A step of an assembly plan that no planner finds, in the real window, with keys only: a cube in a channel with four
-# bends, 3 mm wider than the cube. The plan ends stuck, the part is moved by hand, F12 takes the hand to where the search
-# is stuck, keys lead the cube out along the walls. The path is proved, becomes the step of the plan, and is saved.
+# A step of an assembly plan that its search does not find, in the real window, with keys only: a cube in a channel with
+# four bends, 6 mm wider than the cube. The plan ends stuck, the part is moved by hand, F12 takes the hand to where the
+# search is stuck, keys lead the cube out along the walls. The path is proved, becomes the step of the plan, and is saved.
+# The run by hand is that of the first paper: `auto` leaves the channel without a person when it has seconds for it.
 # usage: xvfb_step_by_hand.sh GLISSADE GLISSADE_CLI
 # Pictures of the stops are kept in GLISSADE_STEP_PICTURES where it is set.
 set -u
@@ -31,7 +32,7 @@ function box(x, y, z, a, b, c,   i, f, corner) {
   count += 8
 }' >"$work/housing.obj"
 cat >"$scenario" <<'JSON'
-{"format": "glissade-scenario", "version": 1, "planner": "auto", "seed": 1,
+{"format": "glissade-scenario", "version": 1, "planner": "contact-birrt", "seed": 1,
  "assets": [{"id": "housing", "path": "housing.obj", "unit": 1.0, "up_axis": "z"}],
  "object": {"id": "cube", "name": "Cube", "geometry": {"box": [0.1, 0.1, 0.1]}},
  "start": {"position": [0, 0, 0], "orientation": [0, 0, 0, 1]}, "goal": "out",

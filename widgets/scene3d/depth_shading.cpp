@@ -83,7 +83,7 @@ class CopyDepthFirst final : public osg::Drawable::DrawCallback {
   explicit CopyDepthFirst(const osg::ref_ptr<osg::Texture2D>& depth) : depth_(depth) {}
 
   void drawImplementation(osg::RenderInfo& info, const osg::Drawable* drawable) const override {
-    if (depth_->getTextureWidth() <= 0) return;  // another picture than the window's is the first: it has no size yet
+    if (depth_->getTextureWidth() <= 0) return;  // the window has drawn nothing: no size yet
     osg::State& state = *info.getState();
     state.applyTextureAttribute(0, depth_);
     if (numberOf(GL_SAMPLES) > 0) {

@@ -23,7 +23,7 @@ class GraspingHand final : public OperatorDevice {
   /// From the middle of the hand to the surface of what it takes, in metres of the room.
   static constexpr double kReach = 0.08;
 
-  /// `world` has the object. Nothing as the side: that of the main hand, whichever that is.
+  /// `world` has the object. Without a side it is the main hand, which a person may change.
   GraspingHand(HandInputsPtr hand, std::optional<ControllerSide> side, CollisionWorldPtr world);
 
   Pose advance(double dt, const OperatorView& view, const Box3& bounds) override;
