@@ -17,6 +17,7 @@
 #include "engine/base/utf8.h"
 #include "engine/import/confinement.h"
 #include "engine/import/step_assembly.h"
+#include "engine/import/step_fineness.h"
 #include "engine/import/step_healing_notes.h"
 #include "engine/import/step_shape_notes.h"
 #include "engine/import/step_tessellation.h"
@@ -40,7 +41,7 @@ class MemoryBuffer final : public std::streambuf {
 class Message {
  public:
   Message(double deflection, const StepAssembly& assembly)
-      : deflection_(deflection),
+      : fineness_(deflection, assembly.solids),
         rootName_(assembly.rootName),
         unit_(assembly.unit),
         externalParts_(assembly.externalParts) {
@@ -144,7 +145,7 @@ class Message {
   }
 
   void addShape(const StepSolid& solid, const FaceEntities& entities) {
-    shapes_.push_back(tessellate(solid.shape, deflection_, solid.placement.scale, solid.placement.mirrored));
+    shapes_.push_back(tessellate(solid.shape, fineness_.of(solid), solid.placement.scale, solid.placement.mirrored));
     const std::string& part = solid.path.empty() ? rootName_ : solid.path;
     solids_.push_back({part, measuresOf(shapes_.back())});
     addNotes(healingNotes(shapes_.back(), entities, part));
@@ -172,7 +173,7 @@ class Message {
 
   static constexpr std::size_t kMostHealings = 20;
 
-  double deflection_;
+  StepFineness fineness_;
   std::string rootName_;
   double unit_;
   protocol::Header total_;

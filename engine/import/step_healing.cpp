@@ -16,13 +16,19 @@
 namespace glissade {
 namespace {
 
-void mesh(const TopoDS_Shape& shape, double deflection) {
+void addTriangles(const TopoDS_Shape& shape, double deflection) {
   IMeshTools_Parameters parameters;
   parameters.Deflection = deflection;
   parameters.Angle = kStepAngle;
   parameters.InParallel = false;
-  BRepTools::Clean(shape);  // a face of two solids may have the triangles of the other
   const BRepMesh_IncrementalMesh meshed(shape, parameters);
+}
+
+/// The finest faces come first: OpenCASCADE keeps triangles that are finer than asked for, and their edges.
+void mesh(const TopoDS_Shape& shape, const Fineness& fineness, double share) {
+  BRepTools::Clean(shape);  // a face of two solids may have the triangles of the other
+  for (const auto& [deflection, faces] : fineness.fine) addTriangles(faces, share * deflection);
+  addTriangles(shape, share * fineness.deflection);
 }
 
 double deflectionOf(const TopoDS_Face& face) {
@@ -55,14 +61,14 @@ std::vector<HealedFace> healFaces(const TopoDS_Shape& meshed, double deflection)
   return faces;
 }
 
-std::vector<HealedFace> meshAndHeal(const TopoDS_Shape& shape, double deflection) {
+std::vector<HealedFace> meshAndHeal(const TopoDS_Shape& shape, const Fineness& fineness) {
   for (const double share : {1.0, 0.5, 0.25}) {
-    mesh(shape, share * deflection);
-    std::vector<HealedFace> faces = healFaces(shape, share * deflection);
+    mesh(shape, fineness, share);
+    std::vector<HealedFace> faces = healFaces(shape, share * fineness.deflection);
     if (areSound(faces)) return faces;
   }
-  mesh(shape, deflection);
-  return healFaces(shape, deflection);
+  mesh(shape, fineness, 1.0);
+  return healFaces(shape, fineness.deflection);
 }
 
 }  // namespace glissade

@@ -6,6 +6,7 @@
 
 #include "engine/import/step_face_check.h"
 #include "engine/import/step_face_mesher.h"
+#include "engine/import/step_fineness.h"
 
 namespace glissade {
 
@@ -24,6 +25,6 @@ std::vector<HealedFace> healFaces(const TopoDS_Shape& meshed, double deflection)
 /// Meshes a shape and heals its faces. Where boundaries of a face cross each other as polygons, the whole shape is
 /// meshed finer, up to a quarter of the deflection, and as it was asked for if that does not help. Runs in the
 /// importing process only.
-std::vector<HealedFace> meshAndHeal(const TopoDS_Shape& shape, double deflection);
+std::vector<HealedFace> meshAndHeal(const TopoDS_Shape& shape, const Fineness& fineness);
 
 }  // namespace glissade

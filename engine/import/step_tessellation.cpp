@@ -1,9 +1,7 @@
 #include "engine/import/step_tessellation.h"
 
-#include <BRepBndLib.hxx>
 #include <BRepGProp.hxx>
 #include <BRep_Tool.hxx>
-#include <Bnd_Box.hxx>
 #include <GProp_GProps.hxx>
 #include <Poly_Triangulation.hxx>
 #include <TopExp_Explorer.hxx>
@@ -12,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/import/step_deflection.h"
 #include "engine/import/step_faces.h"
 #include "engine/import/step_measures.h"
 
@@ -23,13 +20,6 @@ namespace protocol = import_protocol;
 
 /// OpenCASCADE misses the deflection that it is asked for by up to 1.6 times on spheres.
 constexpr double kAsked = 0.5;
-
-double usualDeflectionOf(const TopoDS_Shape& shape, double scale) {
-  Bnd_Box box;
-  BRepBndLib::Add(shape, box, false);
-  const double diagonal = box.IsVoid() ? 0.0 : scale * std::sqrt(box.SquareExtent());
-  return usualDeflection(protocol::kMillimetre * diagonal) / protocol::kMillimetre;
-}
 
 protocol::Face recordOf(const SurfaceFace& face, int triangles) {
   protocol::Face record;
@@ -104,12 +94,17 @@ void resize(StepTriangles& triangles, double scale, bool mirrored) {
   for (protocol::Face& face : triangles.faces) resize(face, scale, mirrored);
 }
 
+Fineness scaled(const Fineness& fineness, double factor) {
+  Fineness result{factor * fineness.deflection, {}};
+  for (const auto& [deflection, faces] : fineness.fine) result.fine[factor * deflection] = faces;
+  return result;
+}
+
 }  // namespace
 
-StepTriangles tessellate(const TopoDS_Shape& shape, double deflection, double scale, bool mirrored) {
+StepTriangles tessellate(const TopoDS_Shape& shape, const Fineness& fineness, double scale, bool mirrored) {
   StepTriangles triangles;
-  const double asked = deflection > 0.0 ? deflection : usualDeflectionOf(shape, scale);
-  triangles.healed = meshAndHeal(shape, kAsked * asked / scale);
+  triangles.healed = meshAndHeal(shape, scaled(fineness, kAsked / scale));
   for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
     addFace(TopoDS::Face(face.Current()), triangles);
   }

@@ -24,9 +24,9 @@ struct StepTriangles {
   double exactVolume = 0.0;  ///< likewise, of the faces
 };
 
-/// Triangles that are about `deflection` (millimetres; 0: usualDeflection()) or less off the surface, of the shape
-/// taken `scale` times as large, and mirrored in x where that is asked for. How far they are off is measured. Runs in
-/// the importing process only.
-StepTriangles tessellate(const TopoDS_Shape& shape, double deflection, double scale, bool mirrored);
+/// Triangles that are about as far off the surface as `fineness` says, or less, of the shape taken `scale` times as
+/// large, and mirrored in x where that is asked for. How far they are off is measured. Runs in the importing process
+/// only.
+StepTriangles tessellate(const TopoDS_Shape& shape, const Fineness& fineness, double scale, bool mirrored);
 
 }  // namespace glissade

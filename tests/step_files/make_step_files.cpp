@@ -5,6 +5,7 @@
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeSolid.hxx>
+#include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
@@ -227,6 +228,23 @@ void writeFits(const std::string& file) {
   product.write(file);
 }
 
+/// A large plate with holes of 8, 6.01, 12 and 20 mm radius; in the first a pin of its radius, in the second a pin of
+/// 6 mm that is written as B-splines and turned upside down, in the third a pin that is 1.5 mm thinner.
+void writeCloseFits(const std::string& file) {
+  TopoDS_Shape plate = blockAt(0, 0, 0, 240, 100, 20);
+  plate = BRepAlgoAPI_Cut(plate, shaft(-80, 0, -5, 8, 30));
+  plate = BRepAlgoAPI_Cut(plate, shaft(-30, 0, -5, 6.01, 30));
+  plate = BRepAlgoAPI_Cut(plate, shaft(20, 0, -5, 12, 30));
+  plate = BRepAlgoAPI_Cut(plate, shaft(80, 0, -5, 20, 30));
+  Product product;
+  const TDF_Label unit = product.assembly("close");
+  product.put(product.part("plate", plate), unit, at(0, 0, 0));
+  product.put(product.part("pin", cylinder(8, 60)), unit, at(-80, 0, 10));
+  product.put(product.part("spline", BRepBuilderAPI_NurbsConvert(cylinder(6, 60))), unit, turnedAt(-30, 0, 10) * turnedAt(0, 0, 0));
+  product.put(product.part("loose", cylinder(10.5, 60)), unit, at(20, 0, 10));
+  product.write(file);
+}
+
 /// A screw along z whose head is a cone of 90 degrees, with its end at this height.
 TopoDS_Shape countersunkScrew(double x, double top) {
   const TopoDS_Shape head = BRepPrimAPI_MakeCone(gp_Ax2(gp_Pnt(x, 0, top - 2), gp_Dir(0, 0, 1)), 2.0, 4.0, 2.0);
@@ -351,6 +369,7 @@ void writeAll(const std::string& folder) {
   writeCountersunkRing(folder + "/box.step", folder + "/countersunk-ring.step");
   writeAssembly(folder + "/unit.step");
   writeFits(folder + "/fits.step");
+  writeCloseFits(folder + "/close-fits.step");
   writeRoundFits(folder + "/round-fits.step");
   writeValidated(folder + "/validated.step", 1.0, 0.0);
   writeValidated(folder + "/validated-wrong.step", 1.05, 1.0);
