@@ -17,6 +17,7 @@
 #include "app/window/environment_controller.h"
 #include "app/window/eyes_controller.h"
 #include "app/window/fits_controller.h"
+#include "app/window/headset_panel_controller.h"
 #include "app/window/help_controller.h"
 #include "app/window/icons.h"
 #include "app/window/joints_controller.h"
@@ -112,7 +113,7 @@ void MainWindow::addParts() {
   connect(devices, &DeviceController::cameraMoved, view, &ViewController::publishOperatorFrame);
   addDeviceCommands(bench_, *devices);
   auto* run = new RunController(bench_);
-  new RefusalController(bench_);
+  auto* refusal = new RefusalController(bench_);
   auto* measure = new MeasureController(bench_);
   connect(measure, &MeasureController::framePicked, assembly, &AssemblyController::placeByFrame);
   new ArrangeController(bench_, *assembly, *measure);
@@ -125,6 +126,7 @@ void MainWindow::addParts() {
   auto* sequence = new SequenceController(bench_);
   auto* stepCamera = new StepCamera(bench_, *sequence);
   connect(stepCamera, &StepCamera::cameraMoved, view, &ViewController::publishOperatorFrame);
+  new HeadsetPanelController(bench_, *refusal, *sequence);
   new TimesController(bench_, *sequence);
   new ManualController(bench_);
   remember_ = [this, path, sequence, eyes] {

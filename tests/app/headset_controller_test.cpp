@@ -14,6 +14,7 @@ class SaidHeadset final : public Headset {
   void setPlacement(const RoomPlacement& room) override { room_ = room; }
   void setBackground(const Colour& /*above*/, const Colour& /*below*/) override {}
   void setHands(HandInputsPtr hands) override { hands_ = std::move(hands); }
+  void setTools(HeadsetToolsPtr tools) override { tools_ = std::move(tools); }
   void onChanged(std::function<void()> callback) override { callback_ = std::move(callback); }
 
   void say(const HeadsetStatus& status) {
@@ -25,11 +26,13 @@ class SaidHeadset final : public Headset {
   int stops() const { return stops_; }
   const RoomPlacement& room() const { return room_; }
   const HandInputsPtr& hands() const { return hands_; }
+  HeadsetTools& tools() const { return *tools_; }
 
  private:
   HeadsetStatus status_;
   RoomPlacement room_;
   HandInputsPtr hands_;
+  HeadsetToolsPtr tools_;
   std::function<void()> callback_;
   int starts_ = 0;
   int stops_ = 0;

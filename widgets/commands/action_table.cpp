@@ -407,6 +407,8 @@ const std::vector<ActionSpec>& actionSpecs() {
       {"headset.on-table", QT_TRANSLATE_NOOP("Actions", "&Product on a table in the headset"), "",
        QT_TRANSLATE_NOOP("Actions", "In the headset the product is as large as a table has room for, or at true scale"),
        true},
+      {"headset.panel-in-front", QT_TRANSLATE_NOOP("Actions", "Panel &before me in the headset"), "",
+       QT_TRANSLATE_NOOP("Actions", "The panel in the headset stays before you, or goes with the other hand"), true},
       {"headset.left-handed", QT_TRANSLATE_NOOP("Actions", "&Left hand takes the object"), "",
        QT_TRANSLATE_NOOP("Actions", "In the headset the left controller takes the object, or the right one"), true},
       {"headset.grip-alpha", QT_TRANSLATE_NOOP("Actions", "&Grip sets the computer's share"), "",

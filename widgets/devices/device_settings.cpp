@@ -57,6 +57,7 @@ QString standardAction(InputKind kind, std::size_t button) {
     switch (static_cast<ControllerButton>(button)) {
       case ControllerButton::Menu: return isLeft ? QStringLiteral("run.stop") : QStringLiteral("run.start");
       case ControllerButton::Lower: return isLeft ? QStringLiteral("path.play") : QStringLiteral("object.to-start");
+      case ControllerButton::Stick: return QStringLiteral("headset.panel-in-front");
       default: return {};
     }
   }

@@ -6,6 +6,7 @@
 #include "engine/environment/rigid_body.h"
 #include "engine/operator/hand_inputs.h"
 #include "widgets/headset/headset_machine.h"
+#include "widgets/headset/headset_tools.h"
 #include "widgets/headset/room_placement.h"
 
 namespace glissade {
@@ -27,6 +28,8 @@ class Headset {
   virtual void setBackground(const Colour& above, const Colour& below) = 0;
   /// Whose hands have the controllers. Set before start().
   virtual void setHands(HandInputsPtr hands) = 0;
+  /// What the panel in the scene shows, and who is told what hands do at it. Set before start().
+  virtual void setTools(HeadsetToolsPtr tools) = 0;
   /// Called when the status is another one, on the thread of the headset; must return at once. Set before start().
   virtual void onChanged(std::function<void()> callback) = 0;
 };

@@ -13,13 +13,17 @@ EyeSides sidesOf(const XrFovf& angles) {
           std::tan(angles.angleUp)};
 }
 
+/// Between the eyes.
+Pose headOf(const EyeViews& views) { return interpolate(poseOf(views[0].pose), poseOf(views[1].pose), 0.5); }
+
 }  // namespace
 
-HeadsetConnection::HeadsetConnection(HeadsetScene& scene, HandInputsPtr hands)
+HeadsetConnection::HeadsetConnection(HeadsetScene& scene, HandInputsPtr hands, HeadsetToolsPtr tools)
     : scene_(scene),
       session_(runtime_, scene.context().handles()),
       actions_(runtime_, session_),
-      controllers_(std::move(hands)) {
+      controllers_(std::move(hands)),
+      tools_(std::move(tools)) {
   const std::int64_t format = chooseColourFormat(session_.handle());
   const auto sizes = sizesOfEyes(runtime_);
   for (std::size_t eye = 0; eye < swapchains_.size(); ++eye) {
@@ -27,6 +31,9 @@ HeadsetConnection::HeadsetConnection(HeadsetScene& scene, HandInputsPtr hands)
     scene_.setTarget(eye, swapchains_[eye]->width(), swapchains_[eye]->height(), format);
   }
 }
+
+/// Nobody points at the panel any more.
+HeadsetConnection::~HeadsetConnection() { tools_->pointer.set(std::nullopt); }
 
 void HeadsetConnection::showPicture(RoomWalk& walk) {
   const XrFrameState frame = session_.waitFrame();
@@ -45,11 +52,14 @@ void HeadsetConnection::showPicture(RoomWalk& walk) {
   session_.endFrame(frame.predictedDisplayTime, isShown ? &layer : nullptr);
 }
 
-/// What the hands have of the world goes with them: the person walks before the hands are where they are.
+/// What the hands do at the panel they do nowhere else. What they have of the world goes with them: the person walks
+/// before the hands are where they are.
 void HeadsetConnection::readControllers(XrTime time, const EyeViews& views, RoomWalk& walk) {
-  const BothControllers states = actions_.read(time);
-  const Vector3 p_RH = 0.5 * (poseOf(views[0].pose).position + poseOf(views[1].pose).position);
-  walk.advance({states, p_RH, controllers_.mainHand(), controllers_.holds()});
+  BothControllers states = actions_.read(time);
+  const Pose X_RH = headOf(views);
+  panel_.advance(states, {X_RH, controllers_.mainHand(), controllers_.holds(), tools_->panelInFront});
+  tools_->pointer.set(panel_.touch() ? std::optional(panel_.touch()->pointer) : std::nullopt);
+  walk.advance({states, X_RH.position, controllers_.mainHand(), controllers_.holds()});
   controllers_.take(states, walk.room());
   for (const ControllerSide side : kBothSides) {
     if (const double push = controllers_.push(side); push > 0.0) actions_.pulse(side, push);
@@ -68,8 +78,22 @@ void HeadsetConnection::draw(const EyeViews& views, const RoomWalk& walk,
     shown[eye].fov = views[eye].fov;
     shown[eye].subImage = swapchains_[eye]->picture();
   }
-  scene_.draw(eyes, {controllers_.shown(), walk.target(), walk.room().scale}, textures);
+  scene_.draw(eyes, shownHands(walk), textures);
   for (auto& swapchain : swapchains_) swapchain->release();
+}
+
+/// The ray of a hand that points at the panel ends there.
+ShownHands HeadsetConnection::shownHands(const RoomWalk& walk) const {
+  const RoomPlacement& room = walk.room();
+  ShownHands hands{controllers_.shown(), walk.target(), room.scale};
+  if (const auto& touch = panel_.touch()) {
+    hands.controllers[static_cast<std::size_t>(touch->side)].feedback.pointsAt = touch->distance / room.scale;
+  }
+  if (panel_.X_RP()) hands.panel.X_WP = inWorld(room, *panel_.X_RP());
+  hands.panel.width = PanelInRoom::kWidth;
+  hands.panel.height = PanelInRoom::kHeight;
+  hands.panel.picture = tools_->panel.get();
+  return hands;
 }
 
 }  // namespace glissade

@@ -9,6 +9,8 @@
 #include "widgets/headset/headset_runtime.h"
 #include "widgets/headset/headset_scene.h"
 #include "widgets/headset/headset_session.h"
+#include "widgets/headset/headset_tools.h"
+#include "widgets/headset/panel_in_room.h"
 #include "widgets/headset/room_walk.h"
 
 namespace glissade {
@@ -18,7 +20,10 @@ namespace glissade {
 class HeadsetConnection {
  public:
   /// `scene` outlives the connection.
-  HeadsetConnection(HeadsetScene& scene, HandInputsPtr hands);
+  HeadsetConnection(HeadsetScene& scene, HandInputsPtr hands, HeadsetToolsPtr tools);
+  ~HeadsetConnection();
+  HeadsetConnection(const HeadsetConnection&) = delete;
+  HeadsetConnection& operator=(const HeadsetConnection&) = delete;
 
   const std::string& name() const { return runtime_.name(); }
   SessionNews poll() { return session_.poll(); }
@@ -28,12 +33,15 @@ class HeadsetConnection {
  private:
   void readControllers(XrTime time, const EyeViews& views, RoomWalk& walk);
   void draw(const EyeViews& views, const RoomWalk& walk, std::array<XrCompositionLayerProjectionView, 2>& shown);
+  ShownHands shownHands(const RoomWalk& walk) const;
 
   HeadsetScene& scene_;
   HeadsetRuntime runtime_;
   HeadsetSession session_;
   ControllerActions actions_;
   ControllerLink controllers_;
+  HeadsetToolsPtr tools_;
+  PanelInRoom panel_;
   std::array<std::unique_ptr<EyeSwapchain>, 2> swapchains_;
 };
 

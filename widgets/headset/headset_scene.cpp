@@ -15,6 +15,7 @@ HeadsetScene::HeadsetScene(SharedGraph graph) : graph_(std::move(graph)), lit_(m
   lit_->getOrCreateStateSet()->setGlobalDefaults();
   lit_->addChild(horizon_.node());
   lit_->addChild(hands_.node());
+  lit_->addChild(panel_.node());
   lit_->addChild(graph_.root);
   for (auto& painter : painters_) painter = std::make_unique<EyePainter>(context_.osgContext(), lit_);
 }
@@ -40,6 +41,7 @@ void HeadsetScene::draw(const std::array<EyeSight, 2>& eyes, const ShownHands& h
                         const std::array<unsigned, 2>& textures) {
   const std::lock_guard lock(*graph_.mutex);
   hands_.show(hands);
+  panel_.show(hands.panel, 1.0 / hands.scale);
   for (std::size_t eye = 0; eye < painters_.size(); ++eye) {
     horizon_.moveTo(eyes[eye]);
     painters_[eye]->draw(eyes[eye], textures[eye]);

@@ -8,6 +8,7 @@
 #include "widgets/headset/eye_painter.h"
 #include "widgets/headset/hand_models.h"
 #include "widgets/headset/horizon.h"
+#include "widgets/headset/panel_model.h"
 #include "widgets/headset/private_context.h"
 #include "widgets/scene3d/scene_view.h"
 
@@ -41,6 +42,7 @@ class HeadsetScene {
   PrivateContext context_;
   Horizon horizon_;
   HandModels hands_;
+  PanelModel panel_;
   osg::ref_ptr<osg::Group> lit_;
   std::array<std::unique_ptr<EyePainter>, 2> painters_;
 };

@@ -45,6 +45,11 @@ void HeadsetThread::setHands(HandInputsPtr hands) {
   hands_ = std::move(hands);
 }
 
+void HeadsetThread::setTools(HeadsetToolsPtr tools) {
+  const std::lock_guard lock(mutex_);
+  tools_ = std::move(tools);
+}
+
 void HeadsetThread::setListener(std::function<void()> listener) {
   const std::lock_guard lock(mutex_);
   listener_ = std::move(listener);
@@ -100,11 +105,13 @@ void HeadsetThread::search() {
   if (!scene_) scene_ = std::make_unique<HeadsetScene>(graph_);
   scene_->context().makeCurrent();
   HandInputsPtr hands;
+  HeadsetToolsPtr tools;
   {
     const std::lock_guard lock(mutex_);
     hands = hands_;
+    tools = tools_;
   }
-  connection_ = std::make_unique<HeadsetConnection>(*scene_, hands);
+  connection_ = std::make_unique<HeadsetConnection>(*scene_, hands, tools);
   machine_.connect(connection_->name());
 }
 

@@ -24,6 +24,7 @@ class HeadsetThread : public std::enable_shared_from_this<HeadsetThread> {
   void setPlacement(const RoomPlacement& room);
   void setBackground(const Colour& above, const Colour& below);
   void setHands(HandInputsPtr hands);
+  void setTools(HeadsetToolsPtr tools);
   void setListener(std::function<void()> listener);
   /// Whether no thread is left after so long.
   bool waitForEnd(std::chrono::milliseconds longest);
@@ -58,6 +59,7 @@ class HeadsetThread : public std::enable_shared_from_this<HeadsetThread> {
   std::optional<RoomPlacement> placed_;   ///< where the thread has not placed the person yet
   std::optional<Background> background_;  ///< that the thread has not taken yet
   HandInputsPtr hands_ = std::make_shared<HandInputs>();
+  HeadsetToolsPtr tools_ = std::make_shared<HeadsetTools>();
   std::function<void()> listener_;
 
   // Of the thread alone.

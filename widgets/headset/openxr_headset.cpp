@@ -24,6 +24,7 @@ class OpenXrHeadset final : public Headset {
   void setPlacement(const RoomPlacement& room) override { thread_->setPlacement(room); }
   void setBackground(const Colour& above, const Colour& below) override { thread_->setBackground(above, below); }
   void setHands(HandInputsPtr hands) override { thread_->setHands(std::move(hands)); }
+  void setTools(HeadsetToolsPtr tools) override { thread_->setTools(std::move(tools)); }
   void onChanged(std::function<void()> callback) override { thread_->setListener(std::move(callback)); }
 
  private:

@@ -47,6 +47,9 @@ void setRuntimeThere(bool there);
 void setHeadsetThere(bool there);
 /// Off: the session ends until it is put on.
 void setWorn(bool worn);
+/// Width and height of the pictures of the next session, in pixels: those of a real headset show whether texts are
+/// legible.
+void setEyePixels(int pixels);
 /// X_RH: where the head is in the room.
 void setHead(const Pose& X_RH);
 /// 0 the left one. It is there at once, and does nothing else that it was told before.

@@ -44,6 +44,9 @@ struct FakeController {
   std::vector<double> pulses;
 };
 
+/// Few, so that software draws them quickly.
+inline constexpr int kUsualEyePixels = 320;
+
 struct RuntimeState {
   std::mutex mutex;
   std::condition_variable changed;
@@ -52,6 +55,7 @@ struct RuntimeState {
   bool runtimeThere = true;
   bool headsetThere = true;
   bool worn = true;
+  int eyePixels = kUsualEyePixels;
   Pose X_RH{Vector3(0.0, 1.6, 0.0), Quaternion::Identity()};
   std::array<FakeController, 2> controllers;
   std::chrono::milliseconds stall{0};

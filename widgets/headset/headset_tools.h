@@ -1,0 +1,21 @@
+#pragma once
+
+#include <atomic>
+#include <memory>
+
+#include "widgets/headset/picture_mailbox.h"
+#include "widgets/headset/pointer_mailbox.h"
+
+namespace glissade {
+
+/// What a person with a headset works with beside the object: shared by the window, which paints it and does what is
+/// asked, and the thread of the headset.
+struct HeadsetTools {
+  PictureMailbox panel;                   ///< the panel in the scene
+  PointerMailbox pointer;                 ///< what a hand does at it
+  std::atomic<bool> panelInFront{false};  ///< it stays before the person, and not in the other hand
+  PictureMailbox note;                    ///< a text at the main hand
+};
+using HeadsetToolsPtr = std::shared_ptr<HeadsetTools>;
+
+}  // namespace glissade
