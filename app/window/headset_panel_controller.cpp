@@ -7,13 +7,20 @@
 namespace glissade {
 
 HeadsetPanelController::HeadsetPanelController(const Workbench& bench, const RefusalController& refusal,
-                                               const SequenceController& sequence)
-    : QObject(&bench.window), bench_(bench), refusal_(refusal), sequence_(sequence) {
+                                               SequenceController& sequence)
+    : QObject(&bench.window),
+      bench_(bench),
+      refusal_(refusal),
+      sequence_(sequence),
+      texts_(bench, tools_),
+      walk_(bench, sequence) {
   Headset* headset = bench.scene.headset();
   if (headset == nullptr) return;
   headset->setTools(tools_);
+  connect(&walk_, &InstructionWalk::hintChanged, this, [this] { texts_.setHint(walk_.hint()); });
   connect(bench.actions["view.headset"], &QAction::toggled, this, [this](bool on) {
     if (on && !page_) make();
+    texts_.setOn(on);
   });
   connect(bench.actions["headset.panel-in-front"], &QAction::toggled, this,
           [this](bool inFront) { tools_->panelInFront = inFront; });

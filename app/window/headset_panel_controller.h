@@ -3,6 +3,8 @@
 #include <memory>
 
 #include "app/window/headset_panel_view.h"
+#include "app/window/headset_texts.h"
+#include "app/window/instruction_walk.h"
 #include "app/window/workbench.h"
 #include "widgets/panels/headset_page.h"
 
@@ -17,7 +19,7 @@ class HeadsetPanelController final : public QObject {
   Q_OBJECT
 
  public:
-  HeadsetPanelController(const Workbench& bench, const RefusalController& refusal, const SequenceController& sequence);
+  HeadsetPanelController(const Workbench& bench, const RefusalController& refusal, SequenceController& sequence);
 
   /// Null before the headset was asked for.
   HeadsetPage* page() const { return page_.get(); }
@@ -35,6 +37,8 @@ class HeadsetPanelController final : public QObject {
   const RefusalController& refusal_;
   const SequenceController& sequence_;
   HeadsetToolsPtr tools_ = std::make_shared<HeadsetTools>();
+  HeadsetTexts texts_;
+  InstructionWalk walk_;
   std::unique_ptr<HeadsetPage> page_;
   std::unique_ptr<HeadsetPanelView> view_;
 };

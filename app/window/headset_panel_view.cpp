@@ -5,21 +5,10 @@
 #include <QMouseEvent>
 #include <QPainter>
 
+#include "app/window/text_picture.h"
 #include "widgets/bridge/queued_once.h"
 
 namespace glissade {
-namespace {
-
-FlatPicturePtr pictureOf(const QImage& image) {
-  auto picture = std::make_shared<FlatPicture>();
-  picture->width = image.width();
-  picture->height = image.height();
-  picture->rgba.assign(image.constBits(), image.constBits() + image.sizeInBytes());  // rows of 4 bytes have no gaps
-  return picture;
-}
-
-}  // namespace
-
 HeadsetPanelView::HeadsetPanelView(QWidget& page, HeadsetToolsPtr tools)
     : page_(page), tools_(std::move(tools)), paintSoon_(queuedOnce(this, [this] { paint(); })) {
   page_.setAttribute(Qt::WA_DontShowOnScreen);
@@ -45,7 +34,7 @@ void HeadsetPanelView::paint() {
   image.fill(page_.palette().color(QPalette::Window));
   page_.render(&image);
   ++paintings_;
-  tools_->panel.set(pictureOf(image));
+  tools_->panel.set(flatPicture(image));
 }
 
 void HeadsetPanelView::follow() {

@@ -17,6 +17,7 @@
 #include "app/window/environment_controller.h"
 #include "app/window/eyes_controller.h"
 #include "app/window/fits_controller.h"
+#include "app/window/hand_tools.h"
 #include "app/window/headset_panel_controller.h"
 #include "app/window/help_controller.h"
 #include "app/window/icons.h"
@@ -118,6 +119,7 @@ void MainWindow::addParts() {
   connect(measure, &MeasureController::framePicked, assembly, &AssemblyController::placeByFrame);
   new ArrangeController(bench_, *assembly, *measure);
   auto* sections = new SectionController(bench_, *measure);
+  new HandTools(bench_, *sections, *measure);
   new WorkspaceNotice(bench_);
   new VariantsController(bench_);
   new SweepController(bench_);

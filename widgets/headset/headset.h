@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 
@@ -10,6 +11,13 @@
 #include "widgets/headset/room_placement.h"
 
 namespace glissade {
+
+/// What the pictures of the headset cost; some pictures old.
+struct HeadsetFigures {
+  int detailStep = 0;          ///< how simple the scene is; 0: in full detail (PictureRate)
+  int drawCalls = 0;           ///< for each eye
+  std::int64_t triangles = 0;  ///< for each eye
+};
 
 /// Shows a scene in a headset, from a thread of its own. All functions are called on one thread, the window's, and
 /// return at once, whatever the headset does.
@@ -22,6 +30,7 @@ class Headset {
   virtual void start() = 0;
   virtual void stop() = 0;
   virtual HeadsetStatus status() const = 0;
+  virtual HeadsetFigures figures() const = 0;
   /// From the next picture on.
   virtual void setPlacement(const RoomPlacement& room) = 0;
   /// sRGB; above and below the horizon.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "widgets/headset/text_in_room.h"
 #include "widgets/headset/xr_pose.h"
 
 namespace glissade {
@@ -12,6 +13,9 @@ EyeSides sidesOf(const XrFovf& angles) {
   return {std::tan(angles.angleLeft), std::tan(angles.angleRight), std::tan(angles.angleDown),
           std::tan(angles.angleUp)};
 }
+
+/// Metres of the room, of a text from the hand.
+constexpr double kOverHand = 0.09;
 
 /// Between the eyes.
 Pose headOf(const EyeViews& views) { return interpolate(poseOf(views[0].pose), poseOf(views[1].pose), 0.5); }
@@ -43,7 +47,12 @@ void HeadsetConnection::showPicture(RoomWalk& walk) {
   readControllers(frame.predictedDisplayTime, views, walk);
   std::array<XrCompositionLayerProjectionView, 2> shown{};
   const bool isShown = isTracked && frame.shouldRender == XR_TRUE;
-  if (isShown) draw(views, walk, shown);
+  if (isShown) {
+    rate_.advance(PictureRate::Time(frame.predictedDisplayTime), PictureRate::Time(frame.predictedDisplayPeriod));
+    draw(views, walk, shown);
+  } else {
+    rate_.interrupt();
+  }
   XrCompositionLayerProjection layer{};
   layer.type = XR_TYPE_COMPOSITION_LAYER_PROJECTION;
   layer.space = session_.room();
@@ -78,22 +87,38 @@ void HeadsetConnection::draw(const EyeViews& views, const RoomWalk& walk,
     shown[eye].fov = views[eye].fov;
     shown[eye].subImage = swapchains_[eye]->picture();
   }
-  scene_.draw(eyes, shownHands(walk), textures);
+  scene_.draw(eyes, rate_.detail(), shownHands(headOf(views), walk.room(), walk.target()), textures);
   for (auto& swapchain : swapchains_) swapchain->release();
 }
 
 /// The ray of a hand that points at the panel ends there.
-ShownHands HeadsetConnection::shownHands(const RoomWalk& walk) const {
-  const RoomPlacement& room = walk.room();
-  ShownHands hands{controllers_.shown(), walk.target(), room.scale};
+ShownHands HeadsetConnection::shownHands(const Pose& X_RH, const RoomPlacement& room,
+                                         const std::optional<Vector3>& p_WT) const {
+  ShownHands hands{controllers_.shown(), p_WT, room.scale};
   if (const auto& touch = panel_.touch()) {
     hands.controllers[static_cast<std::size_t>(touch->side)].feedback.pointsAt = touch->distance / room.scale;
   }
-  if (panel_.X_RP()) hands.panel.X_WP = inWorld(room, *panel_.X_RP());
-  hands.panel.width = PanelInRoom::kWidth;
-  hands.panel.height = PanelInRoom::kHeight;
-  hands.panel.picture = tools_->panel.get();
+  hands.panel = {panel_.X_RP(), PanelInRoom::kWidth, PanelInRoom::kHeight, tools_->panel.get()};
+  hands.texts = textsInRoom(X_RH.position, room);
+  if (hands.panel.X_WP) hands.panel.X_WP = inWorld(room, *hands.panel.X_WP);
+  for (ShownPicture& text : hands.texts) {
+    if (text.X_WP) text.X_WP = inWorld(room, *text.X_WP);
+  }
   return hands;
+}
+
+/// Those of the scene, and the one at the main hand.
+std::vector<ShownPicture> HeadsetConnection::textsInRoom(const Vector3& p_RH, const RoomPlacement& room) const {
+  std::vector<ShownPicture> texts;
+  if (const FlatLabelsPtr labels = tools_->labels.get()) {
+    for (const FlatLabel& label : *labels) texts.push_back(textInRoom(label.picture, inRoom(room, label.p_W), p_RH));
+  }
+  const auto& hand = controllers_.shown()[static_cast<std::size_t>(controllers_.mainHand())];
+  if (hand.reading.X_WG) {
+    const Vector3 p_RN = inRoom(room, hand.reading.X_WG->position) + kOverHand * Vector3::UnitY();
+    texts.push_back(textInRoom(tools_->note.get(), p_RN, p_RH));
+  }
+  return texts;
 }
 
 }  // namespace glissade

@@ -11,6 +11,7 @@
 #include "widgets/headset/headset_session.h"
 #include "widgets/headset/headset_tools.h"
 #include "widgets/headset/panel_in_room.h"
+#include "widgets/headset/picture_rate.h"
 #include "widgets/headset/room_walk.h"
 
 namespace glissade {
@@ -29,11 +30,14 @@ class HeadsetConnection {
   SessionNews poll() { return session_.poll(); }
   /// Waits until the runtime wants a picture, reads the controllers, lets the person walk, and shows it.
   void showPicture(RoomWalk& walk);
+  /// How simple the scene is, as PictureRate counts it.
+  int detailStep() const { return rate_.step(); }
 
  private:
   void readControllers(XrTime time, const EyeViews& views, RoomWalk& walk);
   void draw(const EyeViews& views, const RoomWalk& walk, std::array<XrCompositionLayerProjectionView, 2>& shown);
-  ShownHands shownHands(const RoomWalk& walk) const;
+  ShownHands shownHands(const Pose& X_RH, const RoomPlacement& room, const std::optional<Vector3>& p_WT) const;
+  std::vector<ShownPicture> textsInRoom(const Vector3& p_RH, const RoomPlacement& room) const;
 
   HeadsetScene& scene_;
   HeadsetRuntime runtime_;
@@ -42,6 +46,7 @@ class HeadsetConnection {
   ControllerLink controllers_;
   HeadsetToolsPtr tools_;
   PanelInRoom panel_;
+  PictureRate rate_;
   std::array<std::unique_ptr<EyeSwapchain>, 2> swapchains_;
 };
 

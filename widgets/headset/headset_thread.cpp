@@ -12,6 +12,8 @@ using Clock = std::chrono::steady_clock;
 
 /// Between two looks for events while nobody wears the headset.
 constexpr std::chrono::milliseconds kIdleWait{20};
+/// Pictures.
+constexpr int kBetweenCounts = 20;
 
 }  // namespace
 
@@ -28,6 +30,11 @@ void HeadsetThread::setWanted(bool wanted) {
 HeadsetStatus HeadsetThread::status() const {
   const std::lock_guard lock(mutex_);
   return status_;
+}
+
+HeadsetFigures HeadsetThread::figures() const {
+  const std::lock_guard lock(mutex_);
+  return figures_;
 }
 
 void HeadsetThread::setPlacement(const RoomPlacement& room) {
@@ -142,6 +149,15 @@ void HeadsetThread::show() {
   if (background) scene_->setBackground(background->above, background->below);
   if (placed) walk_.place(*placed);
   connection_->showPicture(walk_);
+  if (++sinceCount_ >= kBetweenCounts) count();
+}
+
+/// It takes a pass over all that is drawn.
+void HeadsetThread::count() {
+  sinceCount_ = 0;
+  const EyeFigures eye = scene_->figures();
+  const std::lock_guard lock(mutex_);
+  figures_ = {connection_->detailStep(), eye.drawCalls, eye.triangles};
 }
 
 void HeadsetThread::fail(HeadsetTrouble trouble, const std::string& detail) {

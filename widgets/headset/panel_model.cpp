@@ -1,6 +1,8 @@
 #include "widgets/headset/panel_model.h"
 
+#include <osg/BlendFunc>
 #include <osg/CullFace>
+#include <osg/Depth>
 #include <osg/Geometry>
 
 #include "widgets/scene3d/geometry_builder.h"
@@ -24,7 +26,7 @@ osg::ref_ptr<osg::Texture2D> makeTexture() {
 }
 
 /// 1 by 1 about the origin, in x and y. Its picture has its first row above.
-osg::ref_ptr<osg::Geometry> makeSheet(osg::Texture2D* texture) {
+osg::ref_ptr<osg::Geometry> makeSheet(osg::Texture2D* texture, PanelModel::Kind kind) {
   osg::ref_ptr<osg::Geometry> sheet = osg::createTexturedQuadGeometry(
       osg::Vec3(-0.5F, -0.5F, 0.0F), osg::Vec3(1.0F, 0.0F, 0.0F), osg::Vec3(0.0F, 1.0F, 0.0F), 0.0F, 1.0F, 1.0F, 0.0F);
   osg::StateSet* state = sheet->getOrCreateStateSet();
@@ -32,13 +34,17 @@ osg::ref_ptr<osg::Geometry> makeSheet(osg::Texture2D* texture) {
   state->setAttributeAndModes(new osg::CullFace(osg::CullFace::BACK));
   makeUnlit(*sheet);
   state->setRenderBinDetails(PanelModel::kBin, "RenderBin");
+  if (kind == PanelModel::Kind::Panel) return sheet;
+  state->setRenderBinDetails(PanelModel::kBin - 1, "RenderBin");
+  state->setAttributeAndModes(new osg::Depth(osg::Depth::ALWAYS, 0.0, 1.0, false));
+  state->setAttributeAndModes(new osg::BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA));
   return sheet;
 }
 
 }  // namespace
 
-PanelModel::PanelModel() : placed_(new osg::MatrixTransform), texture_(makeTexture()) {
-  placed_->addChild(makeSheet(texture_));
+PanelModel::PanelModel(Kind kind) : placed_(new osg::MatrixTransform), texture_(makeTexture()) {
+  placed_->addChild(makeSheet(texture_, kind));
   placed_->setNodeMask(0U);
 }
 

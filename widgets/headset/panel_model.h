@@ -15,7 +15,12 @@ class PanelModel {
   /// It is drawn after everything in the bins before, also after what shows through bodies. What is nearer hides it.
   static constexpr int kBin = 1000;
 
-  PanelModel();
+  enum class Kind {
+    Panel,  ///< opaque, and hidden by what is nearer
+    Text    ///< over everything but the panel
+  };
+
+  explicit PanelModel(Kind kind);
 
   osg::Node* node() const { return placed_; }
   /// Before a picture. `metre`: so much is a metre of the room in the world.

@@ -1,9 +1,10 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "engine/operator/hand_inputs.h"
-#include "widgets/headset/picture_mailbox.h"
+#include "widgets/headset/flat_picture.h"
 
 namespace glissade {
 
@@ -28,6 +29,7 @@ struct ShownHands {
   std::optional<Vector3> p_WT{};  ///< where the person would stand; nothing: they do not ask for it
   double scale = 1.0;             ///< metres of the room for each metre of the world
   ShownPicture panel{};
+  std::vector<ShownPicture> texts{};  ///< over everything that is seen
 };
 
 }  // namespace glissade

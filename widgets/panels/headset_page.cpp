@@ -82,7 +82,7 @@ HeadsetPage::HeadsetPage(const ActionCatalogue& actions, QWidget* parent)
   layout->setContentsMargins(28, 22, 28, 22);
   layout->setSpacing(18);
   layout->addLayout(makeStrategies());
-  layout->addLayout(makeButtons(actions, {"run.start", "run.stop", "edit.undo", "edit.redo"}, this));
+  layout->addLayout(makeButtons(actions, {"run.start", "run.stop", "path.play", "edit.undo", "edit.redo"}, this));
   layout->addWidget(status_);
   addLine(*layout);
   for (ParameterSlider* slider : sliders_->all()) slider->setNumberReadOnly();
@@ -121,7 +121,8 @@ QLayout* HeadsetPage::makeSequence(const ActionCatalogue& actions) {
   column->setContentsMargins(0, 0, 0, 0);
   addLine(*column);
   column->addWidget(step_);
-  column->addLayout(makeButtons(actions, {"sequence.previous-step", "sequence.next-step", "sequence.play"}, sequence_));
+  column->addLayout(makeButtons(
+      actions, {"sequence.previous-step", "sequence.next-step", "sequence.play", "headset.instruction"}, sequence_));
   return column;
 }
 

@@ -259,8 +259,7 @@ QString SequencePanel::placeText() const {
   const int row = shownRow();
   const auto step = row < 0 ? std::nullopt : StepTable::stepOf(table_->topLevelItem(row));
   if (!step) return tr("Sequence: %n step(s)", "", steps);
-  const QString parts = table_->shortNames(shown_.plan->steps[*step].bodies());
-  return tr("Step %1 of %2: %3").arg(row + 1).arg(steps).arg(parts);
+  return tr("Step %1 of %2: %3").arg(row + 1).arg(steps).arg(partsText(*step));
 }
 
 /// Where the slider is: "3 / 17".

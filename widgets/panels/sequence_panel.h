@@ -50,6 +50,8 @@ class SequencePanel final : public QWidget {
   void stepBy(int rows);
   /// Where the scene is in the sequence: "Step 3 of 17: cover". Empty where there are no steps.
   QString placeText() const;
+  /// The names of what moves in a step of the plan.
+  QString partsText(std::size_t step) const { return table_->shortNames(shown_.plan->steps[step].bodies()); }
   /// The step, or the stuck part (its id), of the current row.
   std::optional<std::size_t> chosenStep() const { return StepTable::stepOf(table_->currentItem()); }
   std::string chosenStuck() const { return StepTable::stuckOf(table_->currentItem()); }

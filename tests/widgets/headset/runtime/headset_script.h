@@ -64,6 +64,9 @@ std::vector<double> takePulses(std::size_t hand);
 int readControllers();
 /// The next wait for a picture takes so long.
 void stallOnce(std::chrono::milliseconds duration);
+/// The times for which pictures are wanted are so many seconds apart from now on, whatever the program takes for them.
+/// 1/90 at first: the runtime's own clock, so that nothing depends on how fast the machine draws.
+void setPictureInterval(double seconds);
 /// Whatever session there is, or whatever instance, is lost: each of its calls fails.
 void loseSession();
 void loseRuntime();

@@ -18,8 +18,6 @@ namespace {
 using Lock = std::lock_guard<std::mutex>;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::microseconds kPeriod{11111};  ///< 90 Hz
-
 XRAPI_ATTR XrResult XRAPI_CALL createSession(XrInstance /*instance*/, const XrSessionCreateInfo* info,
                                              XrSession* session) {
   RuntimeState& state = runtimeState();
@@ -119,8 +117,9 @@ XRAPI_ATTR XrResult XRAPI_CALL waitFrame(XrSession /*session*/, const XrFrameWai
   if (const XrResult result = sessionResult(state); result != XR_SUCCESS) return result;
   if (!state.begun) return XR_ERROR_SESSION_NOT_RUNNING;
   state.waited = true;
-  frame->predictedDisplayTime = std::chrono::nanoseconds(until.time_since_epoch()).count();
-  frame->predictedDisplayPeriod = std::chrono::nanoseconds(kPeriod).count();
+  state.displayTime += state.pictureInterval;
+  frame->predictedDisplayTime = state.displayTime.count();
+  frame->predictedDisplayPeriod = kPeriod.count();
   frame->shouldRender = XR_TRUE;
   return XR_SUCCESS;
 }

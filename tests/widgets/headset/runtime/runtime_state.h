@@ -46,6 +46,7 @@ struct FakeController {
 
 /// Few, so that software draws them quickly.
 inline constexpr int kUsualEyePixels = 320;
+inline constexpr std::chrono::nanoseconds kPeriod{11'111'111};  ///< 90 Hz
 
 struct RuntimeState {
   std::mutex mutex;
@@ -59,6 +60,8 @@ struct RuntimeState {
   Pose X_RH{Vector3(0.0, 1.6, 0.0), Quaternion::Identity()};
   std::array<FakeController, 2> controllers;
   std::chrono::milliseconds stall{0};
+  std::chrono::nanoseconds pictureInterval = kPeriod;
+  std::chrono::nanoseconds displayTime{1};  ///< of the last picture that was wanted, in a clock of its own
   bool sessionLost = false;
   bool runtimeLost = false;
 
