@@ -6,18 +6,18 @@
 namespace glissade {
 namespace {
 
-constexpr int kTick = 16;  ///< ms
-const QString kSection = QStringLiteral("headset.section");
-const QString kMeasure = QStringLiteral("headset.measure");
+constexpr int kHandTick = 16;  ///< ms
+constexpr const char* kSection = "headset.section";
+constexpr const char* kMeasure = "headset.measure";
 
 }  // namespace
 
 HandTools::HandTools(const Workbench& bench, SectionController& sections, MeasureController& measure)
     : QObject(&bench.window), bench_(bench), sections_(sections), measure_(measure), hands_(bench.session.hand()) {
-  timer_.setInterval(kTick);
+  timer_.setInterval(kHandTick);
   connect(&timer_, &QTimer::timeout, this, &HandTools::follow);
-  bench.onAction("headset.section", this, [this] { cut(); });
-  bench.onAction("headset.measure", this, [this] { measurePoint(); });
+  bench.onAction(kSection, this, [this] { cut(); });
+  bench.onAction(kMeasure, this, [this] { measurePoint(); });
 }
 
 /// Once, where no button is held: a key, or a button that was released already.
@@ -42,18 +42,19 @@ void HandTools::measurePoint() {
   measure_.measureAlong({now.X_WA->position, now.X_WA->orientation * -Vector3::UnitZ()});
 }
 
-std::optional<ControllerSide> HandTools::holding(const QString& action) const {
+std::optional<ControllerSide> HandTools::holding(const char* action) const {
   for (const ControllerSide side : {ControllerSide::Left, ControllerSide::Right}) {
     const ControllerInput& controller = hands_->controller(side);
     const unsigned held = controller.place.reading().held;
     for (std::size_t button = 0; button < kControllerButtons; ++button) {
-      if ((held >> button & 1U) != 0U && settings_.action(controller.buttons, button) == action) return side;
+      if ((held >> button & 1U) != 0U && settings_.action(controller.buttons, button) == QLatin1String(action))
+        return side;
     }
   }
   return std::nullopt;
 }
 
-ControllerReading HandTools::reading(const QString& action) const {
+ControllerReading HandTools::reading(const char* action) const {
   const ControllerSide other = hands_->mainHand == ControllerSide::Left ? ControllerSide::Right : ControllerSide::Left;
   return hands_->controller(holding(action).value_or(other)).place.reading();
 }

@@ -25,8 +25,8 @@ class HandTools final : public QObject {
   void follow();
   void measurePoint();
   /// Whose button with this action is held; nothing: none is.
-  std::optional<ControllerSide> holding(const QString& action) const;
-  ControllerReading reading(const QString& action) const;
+  std::optional<ControllerSide> holding(const char* action) const;
+  ControllerReading reading(const char* action) const;
 
   const Workbench& bench_;
   SectionController& sections_;

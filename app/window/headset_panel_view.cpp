@@ -12,6 +12,7 @@ namespace glissade {
 HeadsetPanelView::HeadsetPanelView(QWidget& page, HeadsetToolsPtr tools)
     : page_(page), tools_(std::move(tools)), paintSoon_(queuedOnce(this, [this] { paint(); })) {
   page_.setAttribute(Qt::WA_DontShowOnScreen);
+  page_.setAttribute(Qt::WA_QuitOnClose, false);  // it does not keep the program alive
   page_.installEventFilter(this);
   page_.show();
   tools_->pointer.setListener(queuedOnce(this, [this] { follow(); }));

@@ -9,7 +9,7 @@
 namespace glissade {
 namespace {
 
-constexpr int kTick = 100;  ///< ms
+constexpr int kLabelTick = 100;  ///< ms
 /// More texts hide the scene.
 constexpr std::size_t kMostLabels = 40;
 
@@ -29,7 +29,7 @@ std::vector<SceneLabel> shownOf(std::vector<SceneLabel> labels) {
 
 HeadsetTexts::HeadsetTexts(const Workbench& bench, HeadsetToolsPtr tools)
     : QObject(&bench.window), bench_(bench), tools_(std::move(tools)) {
-  timer_.setInterval(kTick);
+  timer_.setInterval(kLabelTick);
   connect(&timer_, &QTimer::timeout, this, &HeadsetTexts::showLabels);
 }
 

@@ -10,18 +10,18 @@
 namespace glissade {
 namespace {
 
-constexpr int kTick = 16;  ///< ms
+constexpr int kWalkTick = 16;  ///< ms
 /// Of a step: as far as a part can be away and still be on its way, for a slider of the sequence with many steps.
-constexpr double kFarthest = 0.99;
-const QString kAction = QStringLiteral("headset.instruction");
+constexpr double kFarthestOfStep = 0.99;
+constexpr const char* kWalkAction = "headset.instruction";
 
 }  // namespace
 
 InstructionWalk::InstructionWalk(const Workbench& bench, SequenceController& sequence)
     : QObject(&bench.window), bench_(bench), sequence_(sequence), hands_(bench.session.hand()) {
-  timer_.setInterval(kTick);
+  timer_.setInterval(kWalkTick);
   connect(&timer_, &QTimer::timeout, this, &InstructionWalk::tick);
-  connect(bench.actions[kAction], &QAction::toggled, this, &InstructionWalk::setOn);
+  connect(bench.actions[kWalkAction], &QAction::toggled, this, &InstructionWalk::setOn);
   connect(&sequence, &SequenceController::planShown, this, &InstructionWalk::followPlan);
   connect(sequence.panel(), &SequencePanel::stepChosen, this, [this](int step) {
     if (timer_.isActive()) goTo(static_cast<std::size_t>(step));
@@ -35,8 +35,8 @@ InstructionWalk::~InstructionWalk() { hands_->controllersMoveObject = true; }
 void InstructionWalk::followPlan() {
   const ShownPlan& shown = sequence_.shown();
   const bool hasSteps = shown.plan && shown.product && !shown.growing && !shown.plan->steps.empty();
-  bench_.enable("headset.instruction", hasSteps && bench_.scene.headset() != nullptr);
-  if (timer_.isActive()) bench_.actions[kAction]->setChecked(false);
+  bench_.enable(kWalkAction, hasSteps && bench_.scene.headset() != nullptr);
+  if (timer_.isActive()) bench_.actions[kWalkAction]->setChecked(false);
 }
 
 void InstructionWalk::setOn(bool on) {
@@ -64,7 +64,7 @@ void InstructionWalk::goTo(std::size_t step) {
   step_ = step;
   part_.emplace(StepWay(way, first), first.X_WB);
   X_GB_.reset();
-  sequence_.panel()->showTime(static_cast<double>(step) + kFarthest * part_->share());
+  sequence_.panel()->showTime(static_cast<double>(step) + kFarthestOfStep * part_->share());
   say(tr("Take %1").arg(sequence_.panel()->partsText(step)));
   if (part_->isAssembled()) finishStep();  // its motion has no length
 }
@@ -84,7 +84,7 @@ void InstructionWalk::follow(const ControllerReading& now) {
   const double before = part_->share();
   part_->lead(*now.X_WG * *X_GB_);
   if (part_->share() == before) return;
-  sequence_.panel()->showTime(static_cast<double>(step_) + kFarthest * part_->share());
+  sequence_.panel()->showTime(static_cast<double>(step_) + kFarthestOfStep * part_->share());
   if (part_->isAssembled()) finishStep();
 }
 

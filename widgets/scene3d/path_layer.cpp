@@ -29,7 +29,7 @@ constexpr float kFaded = 0.45F;
 /// Opacity of the part of a path that bodies hide.
 constexpr float kHiddenPath = 0.4F;
 /// Of the ball at the tightest place, in radii of the tube.
-constexpr double kTightestBall = 3.0;
+constexpr double kTightestBall = 2.5;
 
 /// A line that is fainter where a body hides it.
 void addSeenThrough(const std::function<osg::ref_ptr<osg::Geometry>(float opacity)>& make, osg::Geode& geode) {
@@ -118,6 +118,16 @@ std::vector<TubePoint> tubePointsOf(const PathPicture& picture, const ScenePalet
   return points;
 }
 
+/// Where a body hides it, it is faint, as a line of the window is.
+void addHidden(const osg::ref_ptr<osg::Geometry>& faint, osg::Geode& geode) {
+  makeUnlit(*faint);
+  makeTransparent(*faint);
+  osg::StateSet* state = faint->getOrCreateStateSet();
+  state->setAttributeAndModes(new osg::Depth(osg::Depth::GREATER, 0.0, 1.0, false));
+  state->setAttributeAndModes(new osg::CullFace(osg::CullFace::BACK));
+  geode.addDrawable(faint);
+}
+
 /// The way as a headset shows it: lines have no depth there. The tightest place is a ball.
 osg::ref_ptr<osg::Geode> makeSpatialWay(const PathPicture& picture, const ScenePalette& palette) {
   osg::ref_ptr<osg::Geode> way = new osg::Geode;
@@ -126,18 +136,15 @@ osg::ref_ptr<osg::Geode> makeSpatialWay(const PathPicture& picture, const SceneP
   if (points.empty()) return way;
   way->addDrawable(makeTube(points, picture.tubeRadius));
   for (TubePoint& point : points) point.colour.a() *= kHiddenPath;
-  const osg::ref_ptr<osg::Geometry> hidden = makeTube(points, picture.tubeRadius);
-  makeUnlit(*hidden);
-  makeTransparent(*hidden);
-  osg::StateSet* state = hidden->getOrCreateStateSet();
-  state->setAttributeAndModes(new osg::Depth(osg::Depth::GREATER, 0.0, 1.0, false));
-  state->setAttributeAndModes(new osg::CullFace(osg::CullFace::BACK));
-  way->addDrawable(hidden);
+  addHidden(makeTube(points, picture.tubeRadius), *way);
   if (!hasProfile(picture)) return way;
   const Pose& tightest = picture.profile->samples[*picture.profile->tightest()].q;
-  const TriangleMesh ball =
-      transformed(makeSphere(kTightestBall * picture.tubeRadius, 2), Pose::translation(tightest.position));
-  way->addDrawable(makeSurface(makeBodyShape(ball), clearanceColour(0.0)));
+  const BodyShape ball = makeBodyShape(
+      transformed(makeSphere(kTightestBall * picture.tubeRadius, 2), Pose::translation(tightest.position)));
+  osg::Vec4 colour = clearanceColour(0.0);
+  way->addDrawable(makeSurface(ball, colour));
+  colour.a() *= kHiddenPath;
+  addHidden(makeSurface(ball, colour), *way);
   return way;
 }
 

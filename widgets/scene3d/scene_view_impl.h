@@ -37,7 +37,7 @@ namespace glissade {
 inline constexpr double kSectionSlack = 1e-5;
 
 /// Of a path as a headset shows it, in radii of the object.
-inline constexpr double kPathTubeRadii = 0.02;
+inline constexpr double kPathTubeRadii = 0.06;
 
 /// What a SceneView holds and how it draws it. Private to scene_view.cpp and scene_labels.cpp.
 struct SceneView::Impl {

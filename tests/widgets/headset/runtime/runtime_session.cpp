@@ -72,7 +72,11 @@ XRAPI_ATTR XrResult XRAPI_CALL endSession(XrSession /*session*/) {
   if (state.sessionState != XR_SESSION_STATE_STOPPING) return XR_ERROR_SESSION_NOT_STOPPING;
   state.begun = false;
   changeSessionState(state, XR_SESSION_STATE_IDLE);
-  if (state.leaving) changeSessionState(state, XR_SESSION_STATE_EXITING);
+  if (state.leaving) {
+    changeSessionState(state, XR_SESSION_STATE_EXITING);
+  } else if (state.worn) {  // put on again before the session had ended
+    changeSessionState(state, XR_SESSION_STATE_READY);
+  }
   return XR_SUCCESS;
 }
 
