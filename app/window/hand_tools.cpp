@@ -12,8 +12,8 @@ constexpr const char* kMeasure = "headset.measure";
 
 }  // namespace
 
-HandTools::HandTools(const Workbench& bench, SectionController& sections, MeasureController& measure)
-    : QObject(&bench.window), bench_(bench), sections_(sections), measure_(measure), hands_(bench.session.hand()) {
+HandTools::HandTools(const Workbench& bench, const MeasuringTools& tools)
+    : QObject(&bench.window), bench_(bench), tools_(tools), hands_(bench.session.hand()) {
   timer_.setInterval(kHandTick);
   connect(&timer_, &QTimer::timeout, this, &HandTools::follow);
   bench.onAction(kSection, this, [this] { cut(); });
@@ -25,7 +25,7 @@ void HandTools::cut() {
   timer_.start();
   const ControllerReading now = reading(kSection);
   if (!now.X_WA || !now.X_WG || !bench_.document.scenario()) return;
-  sections_.cutByHand(now.X_WA->orientation * Vector3::UnitZ(), now.X_WG->position);
+  tools_.sections.cutByHand(now.X_WA->orientation * Vector3::UnitZ(), now.X_WG->position);
 }
 
 void HandTools::follow() {
@@ -39,7 +39,7 @@ void HandTools::follow() {
 void HandTools::measurePoint() {
   const ControllerReading now = reading(kMeasure);
   if (!now.X_WA || !bench_.document.scenario()) return;
-  measure_.measureAlong({now.X_WA->position, now.X_WA->orientation * -Vector3::UnitZ()});
+  tools_.measure.measureAlong({now.X_WA->position, now.X_WA->orientation * -Vector3::UnitZ()});
 }
 
 std::optional<ControllerSide> HandTools::holding(const char* action) const {

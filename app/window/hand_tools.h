@@ -10,6 +10,12 @@ namespace glissade {
 class MeasureController;
 class SectionController;
 
+/// What the tools are of the window.
+struct MeasuringTools {
+  SectionController& sections;
+  MeasureController& measure;
+};
+
 /// What a controller of the headset does besides moving the object. A section follows the hand as long as its button is
 /// held: it lies across the aim, and what is between the person and the hand is cut away. Two points where the ray
 /// meets bodies are measured. It is the hand whose button has the action, or the other hand where the action comes from
@@ -18,7 +24,7 @@ class HandTools final : public QObject {
   Q_OBJECT
 
  public:
-  HandTools(const Workbench& bench, SectionController& sections, MeasureController& measure);
+  HandTools(const Workbench& bench, const MeasuringTools& tools);
 
  private:
   void cut();
@@ -29,8 +35,7 @@ class HandTools final : public QObject {
   ControllerReading reading(const char* action) const;
 
   const Workbench& bench_;
-  SectionController& sections_;
-  MeasureController& measure_;
+  MeasuringTools tools_;
   HandInputsPtr hands_;
   DeviceSettings settings_;
   QTimer timer_;  ///< while the button is held

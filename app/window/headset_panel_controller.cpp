@@ -7,13 +7,14 @@
 namespace glissade {
 
 HeadsetPanelController::HeadsetPanelController(const Workbench& bench, const RefusalController& refusal,
-                                               SequenceController& sequence)
+                                               SequenceController& sequence, const MeasuringTools& measuring)
     : QObject(&bench.window),
       bench_(bench),
       refusal_(refusal),
       sequence_(sequence),
       texts_(bench, tools_),
-      walk_(bench, sequence) {
+      walk_(bench, sequence),
+      handTools_(bench, measuring) {
   Headset* headset = bench.scene.headset();
   if (headset == nullptr) return;
   headset->setTools(tools_);

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "app/window/hand_tools.h"
 #include "app/window/headset_panel_view.h"
 #include "app/window/headset_texts.h"
 #include "app/window/instruction_walk.h"
@@ -13,13 +14,15 @@ namespace glissade {
 class RefusalController;
 class SequenceController;
 
-/// The panel in the scene of the headset: what it says follows the run, the sequence and what was refused, and what is
-/// pressed there is done as in the window. There is none before the headset is first asked for.
+/// What a person with a headset works with: the panel in the scene, texts, tools in the hands, the instruction. What
+/// the panel says follows the run, the sequence and what was refused, and what is pressed there is done as in the
+/// window. There is none before the headset is first asked for.
 class HeadsetPanelController final : public QObject {
   Q_OBJECT
 
  public:
-  HeadsetPanelController(const Workbench& bench, const RefusalController& refusal, SequenceController& sequence);
+  HeadsetPanelController(const Workbench& bench, const RefusalController& refusal, SequenceController& sequence,
+                         const MeasuringTools& measuring);
 
   /// Null before the headset was asked for.
   HeadsetPage* page() const { return page_.get(); }
@@ -39,6 +42,7 @@ class HeadsetPanelController final : public QObject {
   HeadsetToolsPtr tools_ = std::make_shared<HeadsetTools>();
   HeadsetTexts texts_;
   InstructionWalk walk_;
+  HandTools handTools_;
   std::unique_ptr<HeadsetPage> page_;
   std::unique_ptr<HeadsetPanelView> view_;
 };

@@ -17,7 +17,6 @@
 #include "app/window/environment_controller.h"
 #include "app/window/eyes_controller.h"
 #include "app/window/fits_controller.h"
-#include "app/window/hand_tools.h"
 #include "app/window/headset_panel_controller.h"
 #include "app/window/help_controller.h"
 #include "app/window/icons.h"
@@ -119,7 +118,6 @@ void MainWindow::addParts() {
   connect(measure, &MeasureController::framePicked, assembly, &AssemblyController::placeByFrame);
   new ArrangeController(bench_, *assembly, *measure);
   auto* sections = new SectionController(bench_, *measure);
-  new HandTools(bench_, *sections, *measure);
   new WorkspaceNotice(bench_);
   new VariantsController(bench_);
   new SweepController(bench_);
@@ -128,7 +126,7 @@ void MainWindow::addParts() {
   auto* sequence = new SequenceController(bench_);
   auto* stepCamera = new StepCamera(bench_, *sequence);
   connect(stepCamera, &StepCamera::cameraMoved, view, &ViewController::publishOperatorFrame);
-  new HeadsetPanelController(bench_, *refusal, *sequence);
+  new HeadsetPanelController(bench_, *refusal, *sequence, {*sections, *measure});
   new TimesController(bench_, *sequence);
   new ManualController(bench_);
   remember_ = [this, path, sequence, eyes] {

@@ -39,9 +39,9 @@ QLabel* makeLabel(const char* name, QWidget* parent) {
   return label;
 }
 
-/// As large as hands need it; texts of actions without an icon.
+/// As large as hands need it, in as many rows as the texts of the language ask for.
 QLayout* makeButtons(const ActionCatalogue& actions, const std::vector<const char*>& ids, QWidget* parent) {
-  QHBoxLayout* row = makeActionRow(actions, ids, parent);
+  QLayout* row = makeActionFlow(actions, ids, parent);
   row->setSpacing(12);
   for (int i = 0; i < row->count(); ++i) {
     auto* button = qobject_cast<QToolButton*>(row->itemAt(i)->widget());
