@@ -17,7 +17,6 @@
 #include "app/window/environment_controller.h"
 #include "app/window/eyes_controller.h"
 #include "app/window/fits_controller.h"
-#include "app/window/headset_panel_controller.h"
 #include "app/window/help_controller.h"
 #include "app/window/icons.h"
 #include "app/window/joints_controller.h"
@@ -122,11 +121,10 @@ void MainWindow::addParts() {
   new VariantsController(bench_);
   new SweepController(bench_);
   auto* kept = new KeptPathsController(bench_);
-  auto* log = new LogController(bench_);
   auto* sequence = new SequenceController(bench_);
   auto* stepCamera = new StepCamera(bench_, *sequence);
   connect(stepCamera, &StepCamera::cameraMoved, view, &ViewController::publishOperatorFrame);
-  new HeadsetPanelController(bench_, *refusal, *sequence, {*sections, *measure});
+  eyes->addTools(*refusal, *sequence, {*sections, *measure});
   new TimesController(bench_, *sequence);
   new ManualController(bench_);
   remember_ = [this, path, sequence, eyes] {
@@ -147,8 +145,8 @@ void MainWindow::addParts() {
   docks_.add({tr("Plan"), "plan", environment->planPanel(), DockPlace::LowerRight, "panel.plan", Scrolling::Own});
   docks_.add({tr("Path"), "path", path->panel(), DockPlace::LowerRight, "panel.path"});
   docks_.add({tr("Paths"), "paths", kept->panel(), DockPlace::LowerRight, "panel.paths", Scrolling::Table});
-  docks_.add(
-      {tr("Log"), "log", log->panel(), DockPlace::LowerRight, "panel.log", Scrolling::Own, [] { return false; }});
+  docks_.add({tr("Log"), "log", (new LogController(bench_))->panel(), DockPlace::LowerRight, "panel.log",
+              Scrolling::Own, [] { return false; }});
   docks_.add(
       {tr("Sequence"), "sequence", sequence->panel(), DockPlace::LowerRight, "panel.sequence", Scrolling::Table});
   docks_.add({tr("Difficulty"), "difficulty", difficulty->panel(), DockPlace::LowerRight, "panel.difficulty",
