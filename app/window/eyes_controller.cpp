@@ -4,11 +4,12 @@
 
 #include "app/window/head_controller.h"
 #include "app/window/headset_controller.h"
+#include "app/window/headset_panel_controller.h"
 #include "app/window/stereo_controller.h"
 
 namespace glissade {
 
-EyesController::EyesController(const Workbench& bench) : QObject(&bench.window) {
+EyesController::EyesController(const Workbench& bench) : QObject(&bench.window), bench_(bench) {
   // Without a display the window is the screen.
   const auto screenPixels = [&bench] {
     const bool isSeen = bench.session.clock() == SessionClock::RealTime;
@@ -18,6 +19,11 @@ EyesController::EyesController(const Workbench& bench) : QObject(&bench.window) 
   stereo_ = new StereoController(bench, *eyePlace);
   new HeadController(bench, *eyePlace);
   new HeadsetController(bench);
+}
+
+void EyesController::addTools(const RefusalController& refusal, SequenceController& sequence,
+                              const MeasuringTools& measuring) {
+  new HeadsetPanelController(bench_, refusal, sequence, measuring);
 }
 
 void EyesController::remember(WindowMemory& memory) { stereo_->remember(memory); }

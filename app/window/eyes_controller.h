@@ -1,9 +1,12 @@
 #pragma once
 
+#include "app/window/hand_tools.h"
 #include "app/window/workbench.h"
 
 namespace glissade {
 
+class RefusalController;
+class SequenceController;
 class StereoController;
 class WindowMemory;
 
@@ -16,8 +19,11 @@ class EyesController final : public QObject {
   explicit EyesController(const Workbench& bench);
 
   void remember(WindowMemory& memory);
+  /// What a person with a headset works with; once, after the parts of the window that it is about.
+  void addTools(const RefusalController& refusal, SequenceController& sequence, const MeasuringTools& measuring);
 
  private:
+  const Workbench& bench_;
   StereoController* stereo_;
 };
 

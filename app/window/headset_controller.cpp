@@ -64,7 +64,8 @@ HeadsetController::HeadsetController(const Workbench& bench)
 }
 
 void HeadsetController::disable() {
-  for (const char* id : {"view.headset", "headset.on-table", "headset.left-handed", "headset.grip-alpha"}) {
+  for (const char* id : {"view.headset", "headset.on-table", "headset.panel-in-front", "headset.section",
+                         "headset.measure", "headset.left-handed", "headset.grip-alpha"}) {
     QAction* action = bench_.actions[QLatin1String(id)];
     action->setEnabled(false);
     action->setStatusTip(tr("This program was built without OpenXR, or there is no display"));

@@ -39,6 +39,16 @@ void fill(QPainter& painter, const QPolygonF& shape) {
   painter.fillPath(path, painter.pen().color());
 }
 
+void paintStep(QPainter& painter) {
+  fill(painter, QPolygonF({{3, 2}, {11, 8}, {3, 14}}));
+  painter.fillRect(QRectF(11, 2.5, 2.5, 11), painter.pen().color());
+}
+
+void paintStepBack(QPainter& painter) {
+  fill(painter, QPolygonF({{13, 2}, {5, 8}, {13, 14}}));
+  painter.fillRect(QRectF(2.5, 2.5, 2.5, 11), painter.pen().color());
+}
+
 void arrow(QPainter& painter, QPointF from, QPointF to) {
   painter.drawLine(from, to);
   const QPointF along = (to - from) / 3.0;
@@ -172,16 +182,8 @@ std::vector<std::pair<const char*, Drawing>> drawings() {
        [](QPainter& p) {
          fill(p, QPolygonF({{4, 2}, {14, 8}, {4, 14}}));
        }},
-      {"replay.step",
-       [](QPainter& p) {
-         fill(p, QPolygonF({{3, 2}, {11, 8}, {3, 14}}));
-         p.fillRect(QRectF(11, 2.5, 2.5, 11), p.pen().color());
-       }},
-      {"replay.step-back",
-       [](QPainter& p) {
-         fill(p, QPolygonF({{13, 2}, {5, 8}, {13, 14}}));
-         p.fillRect(QRectF(2.5, 2.5, 2.5, 11), p.pen().color());
-       }},
+      {"replay.step", paintStep},
+      {"replay.step-back", paintStepBack},
       {"replay.to-start",
        [](QPainter& p) {
          fill(p, QPolygonF({{14, 2}, {8.5, 8}, {14, 14}}));
@@ -197,6 +199,8 @@ std::vector<std::pair<const char*, Drawing>> drawings() {
        [](QPainter& p) {
          fill(p, QPolygonF({{4, 2}, {14, 8}, {4, 14}}));
        }},
+      {"sequence.previous-step", paintStepBack},
+      {"sequence.next-step", paintStep},
       {"sequence.resume",
        [](QPainter& p) {
          p.fillRect(QRectF(2.5, 2.5, 2.5, 11), p.pen().color());

@@ -112,7 +112,7 @@ void MainWindow::addParts() {
   connect(devices, &DeviceController::cameraMoved, view, &ViewController::publishOperatorFrame);
   addDeviceCommands(bench_, *devices);
   auto* run = new RunController(bench_);
-  new RefusalController(bench_);
+  auto* refusal = new RefusalController(bench_);
   auto* measure = new MeasureController(bench_);
   connect(measure, &MeasureController::framePicked, assembly, &AssemblyController::placeByFrame);
   new ArrangeController(bench_, *assembly, *measure);
@@ -121,10 +121,10 @@ void MainWindow::addParts() {
   new VariantsController(bench_);
   new SweepController(bench_);
   auto* kept = new KeptPathsController(bench_);
-  auto* log = new LogController(bench_);
   auto* sequence = new SequenceController(bench_);
   auto* stepCamera = new StepCamera(bench_, *sequence);
   connect(stepCamera, &StepCamera::cameraMoved, view, &ViewController::publishOperatorFrame);
+  eyes->addTools(*refusal, *sequence, {*sections, *measure});
   new TimesController(bench_, *sequence);
   new ManualController(bench_);
   remember_ = [this, path, sequence, eyes] {
@@ -145,8 +145,8 @@ void MainWindow::addParts() {
   docks_.add({tr("Plan"), "plan", environment->planPanel(), DockPlace::LowerRight, "panel.plan", Scrolling::Own});
   docks_.add({tr("Path"), "path", path->panel(), DockPlace::LowerRight, "panel.path"});
   docks_.add({tr("Paths"), "paths", kept->panel(), DockPlace::LowerRight, "panel.paths", Scrolling::Table});
-  docks_.add(
-      {tr("Log"), "log", log->panel(), DockPlace::LowerRight, "panel.log", Scrolling::Own, [] { return false; }});
+  docks_.add({tr("Log"), "log", (new LogController(bench_))->panel(), DockPlace::LowerRight, "panel.log",
+              Scrolling::Own, [] { return false; }});
   docks_.add(
       {tr("Sequence"), "sequence", sequence->panel(), DockPlace::LowerRight, "panel.sequence", Scrolling::Table});
   docks_.add({tr("Difficulty"), "difficulty", difficulty->panel(), DockPlace::LowerRight, "panel.difficulty",

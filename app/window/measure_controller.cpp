@@ -150,9 +150,8 @@ bool MeasureController::eventFilter(QObject* watched, QEvent* event) {
   return event->type() == QEvent::MouseButtonRelease || QObject::eventFilter(watched, event);
 }
 
-std::optional<MeasureController::Picked> MeasureController::pick(const QPointF& position) const {
+std::optional<MeasureController::Picked> MeasureController::pick(const Ray& ray) const {
   const SceneView& view = bench_.scene.view();
-  const Ray ray = rayThrough(bench_.scene, position);
   std::vector<RigidBody> bodies = view.drawnObstacles();
   std::optional<BodyHit> hit = pickBody(bodies, ray, {}, view.sections());
   if (view.layerVisible(SceneLayer::Object) && !view.showsSequence()) {
@@ -171,7 +170,7 @@ std::optional<MeasureController::Picked> MeasureController::pick(const QPointF& 
 }
 
 void MeasureController::click(const QPointF& position) {
-  const auto picked = pick(position);
+  const auto picked = pick(rayThrough(bench_.scene, position));
   if (!picked) return;
   if (!result_.isEmpty()) clear();
   if (kind_ == Kind::Clearance) {
@@ -179,6 +178,17 @@ void MeasureController::click(const QPointF& position) {
   } else {
     takeFeature(*picked);
   }
+}
+
+void MeasureController::measureAlong(const Ray& ray) {
+  setKind(Kind::None);
+  if (!result_.isEmpty()) clear();
+  const auto picked = pick(ray);
+  if (!picked) return;
+  MeasureFeature point;
+  point.kind = MeasureFeature::Kind::Vertex;
+  point.picked = picked->p_W;
+  addFeature(point);
 }
 
 void MeasureController::takeFeature(const Picked& picked) {

@@ -21,6 +21,8 @@ class MeasureController final : public QObject {
   explicit MeasureController(const Workbench& bench);
 
   FeatureStore& features() { return store_; }
+  /// The point where the ray of a hand first meets a body; the second one measures how far it is from the first one.
+  void measureAlong(const Ray& ray);
 
  signals:
   /// The face that a section lies along, world frame.
@@ -42,7 +44,7 @@ class MeasureController final : public QObject {
   void connectActions();
   void setKind(Kind kind);
   void clear();
-  std::optional<Picked> pick(const QPointF& position) const;
+  std::optional<Picked> pick(const Ray& ray) const;
   void click(const QPointF& position);
   /// Finds planes, cylinders and edges of the body first, in the background, where they are not known yet.
   void takeFeature(const Picked& picked);

@@ -111,6 +111,23 @@ void SectionController::add(const Vector3& direction, double place) {
   show();
 }
 
+void SectionController::cutByHand(const Vector3& normal, const Vector3& through) {
+  const std::vector<SectionPlane> sections = panel_->sections();
+  const auto isByHand = [this](const SectionPlane& section) {
+    return byHand_ && section.direction == byHand_->direction && section.place == byHand_->place;
+  };
+  const auto known = std::find_if(sections.begin(), sections.end(), isByHand);
+  if (known == sections.end() && sections.size() >= kMostSections) return;
+  byHand_ = SectionPlane{normal, normal.dot(through), false, true};
+  if (known == sections.end()) {
+    panel_->add(*byHand_);
+  } else {
+    panel_->set(static_cast<std::size_t>(known - sections.begin()), *byHand_);
+    panel_->setExtent(panel_->extent());  // its slider has another way
+  }
+  show();
+}
+
 void SectionController::show() {
   const std::vector<SectionPlane> sections = panel_->sections();
   std::vector<Plane> planes;

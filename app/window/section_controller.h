@@ -18,6 +18,9 @@ class SectionController final : public QObject {
   SectionController(const Workbench& bench, const MeasureController& measure);
 
   SectionPanel* panel() const { return panel_; }
+  /// The section of a hand: through this point; what lies along the normal is cut away. It is moved when this is called
+  /// again, and added where it is not there any more.
+  void cutByHand(const Vector3& normal, const Vector3& through);
 
  private:
   void connectActions();
@@ -37,7 +40,8 @@ class SectionController final : public QObject {
   SectionPanel* panel_;
   SectionTool tool_;
   BackgroundTask caps_;
-  bool moreCaps_ = false;  ///< sections have moved since the caps were begun
+  std::optional<SectionPlane> byHand_;  ///< as the hand left it
+  bool moreCaps_ = false;               ///< sections have moved since the caps were begun
 };
 
 }  // namespace glissade

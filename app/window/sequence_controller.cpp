@@ -102,6 +102,8 @@ void SequenceController::connectActions() {
     panel_->showTime(0.0);
   });
   connect(bench_.actions["sequence.play"], &QAction::toggled, panel_, &SequencePanel::setPlaying);
+  bench_.onAction("sequence.previous-step", this, [this] { panel_->stepBy(-1); });
+  bench_.onAction("sequence.next-step", this, [this] { panel_->stepBy(1); });
   connect(bench_.actions["sequence.assembly-order"], &QAction::toggled, this,
           [this](bool assembly) { panel_->setOrder(assembly ? PlanOrder::Assembly : PlanOrder::Removal); });
   connect(bench_.actions["sequence.aside"], &QAction::toggled, this, &SequenceController::showPanelsScene);
@@ -485,8 +487,9 @@ void SequenceController::enableActions() {
   bench_.enable("sequence.open", product && !busy && !hand_->isActive());
   bench_.enable("sequence.export", steps && !busy);
   bench_.enable("sequence.film", steps && !busy);
-  bench_.enable("sequence.play", steps);
-  bench_.enable("sequence.show-product", steps);
+  for (const char* id : {"sequence.play", "sequence.previous-step", "sequence.next-step", "sequence.show-product"}) {
+    bench_.enable(id, steps);
+  }
   bench_.enable("sequence.graph", steps || (plan && !plan->stuck.empty()));
   instructions_->enableActions();
   bench_.enable("sequence.stays", !bench_.document.semantics().selection().bodies.empty());

@@ -88,6 +88,8 @@ struct HandInputs {
   ControllerInput rightController;
   /// The hand that takes the object; the other one is free for other things.
   std::atomic<ControllerSide> mainHand{ControllerSide::Right};
+  /// False: controllers of a headset do something else with what they take, and say themselves what they hold.
+  std::atomic<bool> controllersMoveObject{true};
   std::atomic<SteeringTarget> target{SteeringTarget::Object};
   std::atomic<bool> focused{true};  ///< false: another program has the window focus, all is at rest
 

@@ -2122,6 +2122,54 @@
         <source>The firmer a controller holds the object, the smaller α is; let go, α is as before</source>
         <translation>Plus une manette serre l&apos;objet, plus α est petit&#xa0;; une fois l&apos;objet lâché, α est comme avant</translation>
     </message>
+    <message>
+        <source>Panel &amp;before me in the headset</source>
+        <translation>Panneau &amp;devant moi dans le casque</translation>
+    </message>
+    <message>
+        <source>The panel in the headset stays before you, or goes with the other hand</source>
+        <translation>Le panneau dans le casque reste devant vous, ou suit l&apos;autre main</translation>
+    </message>
+    <message>
+        <source>Se&amp;ction at the hand</source>
+        <translation>&amp;Coupe à la main</translation>
+    </message>
+    <message>
+        <source>Cut bodies open where a controller of the headset is; the section follows the hand while its button is held</source>
+        <translation>Couper les corps là où est une manette du casque ; la coupe suit la main tant que son bouton est maintenu</translation>
+    </message>
+    <message>
+        <source>&amp;Measure with the ray</source>
+        <translation>M&amp;esurer avec le rayon</translation>
+    </message>
+    <message>
+        <source>Take the point that the ray of a controller meets; the second one is measured from the first one</source>
+        <translation>Prendre le point que le rayon d&apos;une manette rencontre ; le second est mesuré depuis le premier</translation>
+    </message>
+    <message>
+        <source>&amp;Walk through the instruction</source>
+        <translation>&amp;Suivre la gamme de montage</translation>
+    </message>
+    <message>
+        <source>In the headset: take the part that is marked and lead it along its motion to where it belongs, step by step</source>
+        <translation>Dans le casque : prendre la pièce marquée et la mener sur son mouvement jusqu&apos;à sa place, étape par étape</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious step</source>
+        <translation>Étape pré&amp;cédente</translation>
+    </message>
+    <message>
+        <source>Show the step before the one that is shown</source>
+        <translation>Montrer l&apos;étape avant celle qui est montrée</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt step</source>
+        <translation>Étape s&amp;uivante</translation>
+    </message>
+    <message>
+        <source>Show the step after the one that is shown</source>
+        <translation>Montrer l&apos;étape après celle qui est montrée</translation>
+    </message>
 </context>
 <context>
     <name>Arranging</name>
@@ -9800,6 +9848,28 @@
     </message>
 </context>
 <context>
+    <name>glissade::HeadsetPage</name>
+    <message>
+        <source>Panel in the headset</source>
+        <translation>Panneau dans le casque</translation>
+    </message>
+    <message>
+        <source>Strategy</source>
+        <translation>Stratégie</translation>
+    </message>
+    <message>
+        <source>Strategy: %1</source>
+        <translation>Stratégie : %1</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::HeadsetTexts</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 jusqu&apos;à %2</translation>
+    </message>
+</context>
+<context>
     <name>glissade::InstructionController</name>
     <message>
         <source>Work instructions have no template</source>
@@ -9847,6 +9917,17 @@
     <message>
         <source>Writing the report of the sequence</source>
         <translation>Écriture du rapport de la séquence</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::InstructionWalk</name>
+    <message>
+        <source>Take %1</source>
+        <translation>Prenez %1</translation>
+    </message>
+    <message>
+        <source>The product is assembled</source>
+        <translation>Le produit est assemblé</translation>
     </message>
 </context>
 <context>
@@ -12439,6 +12520,17 @@
             <numerusform>%n étape n&apos;est pas valide ici.</numerusform>
             <numerusform>%n étapes ne sont pas valides ici.</numerusform>
         </translation>
+    </message>
+    <message numerus="yes">
+        <source>Sequence: %n step(s)</source>
+        <translation>
+            <numerusform>Séquence : %n étape</numerusform>
+            <numerusform>Séquence : %n étapes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Step %1 of %2: %3</source>
+        <translation>Étape %1 sur %2 : %3</translation>
     </message>
 </context>
 <context>

@@ -1,39 +1,11 @@
 // View > Headset in the whole window, with a headset that says what the test lets it say.
 #include "app/window/headset_controller.h"
 
+#include "tests/app/said_headset.h"
 #include "tests/app/whole_window.h"
 
 namespace glissade {
 namespace {
-
-class SaidHeadset final : public Headset {
- public:
-  void start() override { ++starts_; }
-  void stop() override { ++stops_; }
-  HeadsetStatus status() const override { return status_; }
-  void setPlacement(const RoomPlacement& room) override { room_ = room; }
-  void setBackground(const Colour& /*above*/, const Colour& /*below*/) override {}
-  void setHands(HandInputsPtr hands) override { hands_ = std::move(hands); }
-  void onChanged(std::function<void()> callback) override { callback_ = std::move(callback); }
-
-  void say(const HeadsetStatus& status) {
-    status_ = status;
-    callback_();
-    QCoreApplication::processEvents();
-  }
-  int starts() const { return starts_; }
-  int stops() const { return stops_; }
-  const RoomPlacement& room() const { return room_; }
-  const HandInputsPtr& hands() const { return hands_; }
-
- private:
-  HeadsetStatus status_;
-  RoomPlacement room_;
-  HandInputsPtr hands_;
-  std::function<void()> callback_;
-  int starts_ = 0;
-  int stops_ = 0;
-};
 
 class HeadsetControllerTest : public testing::Test {
  protected:
@@ -47,7 +19,7 @@ class HeadsetControllerTest : public testing::Test {
   QLabel& sign() { return *window_.findChild<QLabel*>(QStringLiteral("headset-sign")); }
   bool hasSign() { return !sign().isHidden(); }
 
-  SaidHeadset headset_;
+  test::SaidHeadset headset_;
   MainWindow window_;
 };
 

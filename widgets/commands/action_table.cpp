@@ -407,6 +407,23 @@ const std::vector<ActionSpec>& actionSpecs() {
       {"headset.on-table", QT_TRANSLATE_NOOP("Actions", "&Product on a table in the headset"), "",
        QT_TRANSLATE_NOOP("Actions", "In the headset the product is as large as a table has room for, or at true scale"),
        true},
+      {"headset.panel-in-front", QT_TRANSLATE_NOOP("Actions", "Panel &before me in the headset"), "",
+       QT_TRANSLATE_NOOP("Actions", "The panel in the headset stays before you, or goes with the other hand"), true},
+      {"headset.section", QT_TRANSLATE_NOOP("Actions", "Se&ction at the hand"), "",
+       QT_TRANSLATE_NOOP("Actions",
+                         "Cut bodies open where a controller of the headset is; the section follows the hand "
+                         "while its button is held"),
+       false},
+      {"headset.measure", QT_TRANSLATE_NOOP("Actions", "&Measure with the ray"), "",
+       QT_TRANSLATE_NOOP("Actions",
+                         "Take the point that the ray of a controller meets; the second one is measured from "
+                         "the first one"),
+       false},
+      {"headset.instruction", QT_TRANSLATE_NOOP("Actions", "&Walk through the instruction"), "",
+       QT_TRANSLATE_NOOP("Actions",
+                         "In the headset: take the part that is marked and lead it along its motion to where "
+                         "it belongs, step by step"),
+       true},
       {"headset.left-handed", QT_TRANSLATE_NOOP("Actions", "&Left hand takes the object"), "",
        QT_TRANSLATE_NOOP("Actions", "In the headset the left controller takes the object, or the right one"), true},
       {"headset.grip-alpha", QT_TRANSLATE_NOOP("Actions", "&Grip sets the computer's share"), "",

@@ -51,13 +51,20 @@ double number(const QSettings& settings, const QString& key, double otherwise) {
   return ok ? value : std::numeric_limits<double>::quiet_NaN();
 }
 
-QString standardAction(InputKind kind, std::size_t button) {
-  const bool isLeft = kind == InputKind::LeftController;
-  if (isLeft || kind == InputKind::RightController) {
+/// It has one button, which is the grip: closing the hand is to do nothing else.
+bool hasOneButton(const HandInput& input) { return input.mailbox.reading().name == "khr/simple_controller"; }
+
+QString standardAction(const HandInput& input, std::size_t button) {
+  const bool isLeft = input.kind == InputKind::LeftController;
+  if (isLeft || input.kind == InputKind::RightController) {
     switch (static_cast<ControllerButton>(button)) {
       case ControllerButton::Menu: return isLeft ? QStringLiteral("run.stop") : QStringLiteral("run.start");
-      case ControllerButton::Lower: return isLeft ? QStringLiteral("path.play") : QStringLiteral("object.to-start");
-      default: return {};
+      case ControllerButton::Lower:
+        return isLeft ? QStringLiteral("headset.section") : QStringLiteral("object.to-start");
+      case ControllerButton::Upper: return QStringLiteral("path.play");
+      case ControllerButton::Stick: return QStringLiteral("headset.panel-in-front");
+      case ControllerButton::Trigger:
+        return isLeft && !hasOneButton(input) ? QStringLiteral("headset.measure") : QString();
     }
   }
   if (button == 0) return QStringLiteral("operator.camera");
@@ -114,7 +121,7 @@ void DeviceSettings::setShaping(const HandInput& input, const DeviceShaping& sha
 }
 
 QString DeviceSettings::action(const HandInput& input, std::size_t button) const {
-  return settings_.value(buttonKey(groupOf(input), button), standardAction(input.kind, button)).toString();
+  return settings_.value(buttonKey(groupOf(input), button), standardAction(input, button)).toString();
 }
 
 void DeviceSettings::setAction(const HandInput& input, std::size_t button, const QString& actionId) {

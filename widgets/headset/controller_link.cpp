@@ -1,5 +1,7 @@
 #include "widgets/headset/controller_link.h"
 
+#include <utility>
+
 namespace glissade {
 namespace {
 
@@ -7,6 +9,12 @@ std::size_t indexOf(ControllerSide side) { return static_cast<std::size_t>(side)
 
 std::optional<Pose> inWorld(const RoomPlacement& room, const std::optional<Pose>& X_RP) {
   return X_RP ? std::optional(glissade::inWorld(room, *X_RP)) : std::nullopt;
+}
+
+unsigned bitsOf(const std::array<bool, kControllerButtons>& pressed) {
+  unsigned bits = 0;
+  for (std::size_t button = 0; button < pressed.size(); ++button) bits |= pressed[button] ? 1U << button : 0U;
+  return bits;
 }
 
 }  // namespace
@@ -22,9 +30,10 @@ void ControllerLink::take(const BothControllers& states, const RoomPlacement& ro
   for (const ControllerSide side : kBothSides) {
     const ControllerState& state = states[indexOf(side)];
     connect(side, state.name);
-    hand_->controller(side).place.set(
-        {inWorld(room, state.X_RG), inWorld(room, state.X_RA), state.squeeze, room.scale});
-    press(side, state);
+    const Buttons before = std::exchange(pressed_[indexOf(side)], pressedOf(side, state));
+    hand_->controller(side).place.set({inWorld(room, state.X_RG), inWorld(room, state.X_RA), state.squeeze, room.scale,
+                                       bitsOf(pressed_[indexOf(side)])});
+    press(side, before);
   }
 }
 
@@ -40,15 +49,19 @@ void ControllerLink::connect(ControllerSide side, const std::string& name) {
   }
 }
 
-void ControllerLink::press(ControllerSide side, const ControllerState& state) {
-  auto& pressed = pressed_[indexOf(side)];
-  std::array<bool, kControllerButtons> now = state.pressed;
+/// The trigger has a way of its own.
+ControllerLink::Buttons ControllerLink::pressedOf(ControllerSide side, const ControllerState& state) const {
   constexpr auto kTrigger = static_cast<std::size_t>(ControllerButton::Trigger);
-  now[kTrigger] = state.trigger >= (pressed[kTrigger] ? kTriggerReleased : kTriggerPressed);
+  Buttons now = state.pressed;
+  now[kTrigger] = state.trigger >= (pressed_[indexOf(side)][kTrigger] ? kTriggerReleased : kTriggerPressed);
+  return now;
+}
+
+void ControllerLink::press(ControllerSide side, const Buttons& before) {
+  const Buttons& now = pressed_[indexOf(side)];
   for (std::size_t button = 0; button < now.size(); ++button) {
-    if (now[button] && !pressed[button]) hand_->controller(side).buttons.mailbox.press(button);
+    if (now[button] && !before[button]) hand_->controller(side).buttons.mailbox.press(button);
   }
-  pressed = now;
 }
 
 ShownControllers ControllerLink::shown() const {

@@ -31,12 +31,15 @@ class ControllerLink {
   double push(ControllerSide side) const;
 
  private:
+  using Buttons = std::array<bool, kControllerButtons>;  ///< by ControllerButton
+
   void connect(ControllerSide side, const std::string& name);
-  void press(ControllerSide side, const ControllerState& state);
+  Buttons pressedOf(ControllerSide side, const ControllerState& state) const;
+  void press(ControllerSide side, const Buttons& before);
 
   HandInputsPtr hand_;
   std::array<std::string, 2> names_;
-  std::array<std::array<bool, kControllerButtons>, 2> pressed_{};
+  std::array<Buttons, 2> pressed_{};
 };
 
 }  // namespace glissade

@@ -2,6 +2,7 @@
 
 #include <osg/FrameBufferObject>
 #include <osg/GLExtensions>
+#include <osgUtil/Statistics>
 
 #include "widgets/headset/headset_failure.h"
 #include "widgets/scene3d/osg_convert.h"
@@ -11,8 +12,6 @@ namespace glissade {
 namespace {
 
 constexpr int kSamples = 4;  ///< of a pixel, as in the window
-/// Of the coarser arrays of large meshes, in pixels (DetailNode).
-constexpr float kTolerance = 1.0F;
 
 const osg::GLExtensions& functionsOf(osg::GraphicsContext& context) {
   return *context.getState()->get<osg::GLExtensions>();
@@ -25,7 +24,6 @@ osg::ref_ptr<osgUtil::SceneView> makeView(osg::GraphicsContext& context, osg::No
   view->setFrameStamp(new osg::FrameStamp);
   view->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
   view->setCullMask(~kWindowOnly);
-  view->setLODScale(kTolerance);
   // Of a framebuffer object; OSG's own choice is an error there.
   view->setDrawBufferValue(GL_COLOR_ATTACHMENT0_EXT);
   view->setSceneData(scene);
@@ -71,7 +69,9 @@ void EyePainter::setTarget(int width, int height, std::int64_t format) {
   }
 }
 
-void EyePainter::draw(const EyeSight& sight, unsigned texture) {
+void EyePainter::draw(const EyeSight& sight, const EyeDetail& detail, unsigned texture) {
+  view_->setLODScale(static_cast<float>(detail.tolerance));
+  view_->setSmallFeatureCullingPixelSize(static_cast<float>(detail.leastBody));
   const osg::GLExtensions& gl = functionsOf(*context_);
   gl.glBindFramebuffer(GL_FRAMEBUFFER_EXT, smooth_);
   const double distance = sight.nearPlane;
@@ -81,6 +81,16 @@ void EyePainter::draw(const EyeSight& sight, unsigned texture) {
   view_->cull();
   view_->draw();
   copyTo(texture);
+}
+
+EyeFigures EyePainter::figures() {
+  osgUtil::Statistics found;
+  view_->getStats(found);
+  EyeFigures figures{found.numDrawables + found.numFastDrawables, 0};
+  for (const auto& [mode, number] : found.getPrimitiveCountMap()) {
+    if (mode >= GL_TRIANGLES && mode <= GL_POLYGON) figures.triangles += number;
+  }
+  return figures;
 }
 
 void EyePainter::copyTo(unsigned texture) {

@@ -6,8 +6,15 @@
 #include <cstdint>
 
 #include "widgets/headset/eye_sight.h"
+#include "widgets/headset/picture_rate.h"
 
 namespace glissade {
+
+/// What a graphics card is given for a picture of an eye.
+struct EyeFigures {
+  int drawCalls = 0;
+  std::int64_t triangles = 0;
+};
 
 /// Draws what an eye sees into textures. Used on the thread of its context, while that is current and the graph's mutex
 /// is held.
@@ -20,7 +27,9 @@ class EyePainter {
 
   /// The size and OpenGL's format of the textures from now on.
   void setTarget(int width, int height, std::int64_t format);
-  void draw(const EyeSight& sight, unsigned texture);
+  void draw(const EyeSight& sight, const EyeDetail& detail, unsigned texture);
+  /// Of the last picture.
+  EyeFigures figures();
 
  private:
   void removeBuffers();

@@ -1,6 +1,7 @@
 #include "widgets/headset/hand_models.h"
 
 #include "engine/geometry/primitives.h"
+#include "widgets/headset/panel_model.h"
 #include "widgets/scene3d/body_shape.h"
 #include "widgets/scene3d/geometry_builder.h"
 #include "widgets/scene3d/osg_convert.h"
@@ -12,7 +13,7 @@ namespace {
 const Vector3 kHandle(0.028, 0.036, 0.11);
 constexpr double kGuardRadius = 0.03;
 constexpr double kGuardLength = 0.012;
-constexpr double kHitRadius = 0.006;
+constexpr double kHitRadius = 0.004;
 constexpr double kTargetRadius = 0.2;
 constexpr double kTargetHeight = 0.005;  ///< above the floor
 constexpr float kRayWidth = 2.0F;        ///< pixels
@@ -36,6 +37,7 @@ osg::ref_ptr<osg::Node> makeRay() {
   const osg::ref_ptr<osg::Geometry> line =
       makeLines({Vector3::Zero(), -Vector3::UnitZ()}, LineKind::Strip, kOpen, kRayWidth);
   makeUnlit(*line);
+  line->getOrCreateStateSet()->setRenderBinDetails(PanelModel::kBin + 1, "RenderBin");  // before the panel, too
   return line;
 }
 

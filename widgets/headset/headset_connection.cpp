@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "widgets/headset/text_in_room.h"
 #include "widgets/headset/xr_pose.h"
 
 namespace glissade {
@@ -13,13 +14,20 @@ EyeSides sidesOf(const XrFovf& angles) {
           std::tan(angles.angleUp)};
 }
 
+/// Metres of the room, of a text from the hand.
+constexpr double kOverHand = 0.09;
+
+/// Between the eyes.
+Pose headOf(const EyeViews& views) { return interpolate(poseOf(views[0].pose), poseOf(views[1].pose), 0.5); }
+
 }  // namespace
 
-HeadsetConnection::HeadsetConnection(HeadsetScene& scene, HandInputsPtr hands)
+HeadsetConnection::HeadsetConnection(HeadsetScene& scene, HandInputsPtr hands, HeadsetToolsPtr tools)
     : scene_(scene),
       session_(runtime_, scene.context().handles()),
       actions_(runtime_, session_),
-      controllers_(std::move(hands)) {
+      controllers_(std::move(hands)),
+      tools_(std::move(tools)) {
   const std::int64_t format = chooseColourFormat(session_.handle());
   const auto sizes = sizesOfEyes(runtime_);
   for (std::size_t eye = 0; eye < swapchains_.size(); ++eye) {
@@ -27,6 +35,9 @@ HeadsetConnection::HeadsetConnection(HeadsetScene& scene, HandInputsPtr hands)
     scene_.setTarget(eye, swapchains_[eye]->width(), swapchains_[eye]->height(), format);
   }
 }
+
+/// Nobody points at the panel any more.
+HeadsetConnection::~HeadsetConnection() { tools_->pointer.set(std::nullopt); }
 
 void HeadsetConnection::showPicture(RoomWalk& walk) {
   const XrFrameState frame = session_.waitFrame();
@@ -36,7 +47,12 @@ void HeadsetConnection::showPicture(RoomWalk& walk) {
   readControllers(frame.predictedDisplayTime, views, walk);
   std::array<XrCompositionLayerProjectionView, 2> shown{};
   const bool isShown = isTracked && frame.shouldRender == XR_TRUE;
-  if (isShown) draw(views, walk, shown);
+  if (isShown) {
+    rate_.advance(PictureRate::Time(frame.predictedDisplayTime), PictureRate::Time(frame.predictedDisplayPeriod));
+    draw(views, walk, shown);
+  } else {
+    rate_.interrupt();
+  }
   XrCompositionLayerProjection layer{};
   layer.type = XR_TYPE_COMPOSITION_LAYER_PROJECTION;
   layer.space = session_.room();
@@ -45,11 +61,14 @@ void HeadsetConnection::showPicture(RoomWalk& walk) {
   session_.endFrame(frame.predictedDisplayTime, isShown ? &layer : nullptr);
 }
 
-/// What the hands have of the world goes with them: the person walks before the hands are where they are.
+/// What the hands do at the panel they do nowhere else. What they have of the world goes with them: the person walks
+/// before the hands are where they are.
 void HeadsetConnection::readControllers(XrTime time, const EyeViews& views, RoomWalk& walk) {
-  const BothControllers states = actions_.read(time);
-  const Vector3 p_RH = 0.5 * (poseOf(views[0].pose).position + poseOf(views[1].pose).position);
-  walk.advance({states, p_RH, controllers_.mainHand(), controllers_.holds()});
+  BothControllers states = actions_.read(time);
+  const Pose X_RH = headOf(views);
+  panel_.advance(states, {X_RH, controllers_.mainHand(), controllers_.holds(), tools_->panelInFront});
+  tools_->pointer.set(panel_.touch() ? std::optional(panel_.touch()->pointer) : std::nullopt);
+  walk.advance({states, X_RH.position, controllers_.mainHand(), controllers_.holds()});
   controllers_.take(states, walk.room());
   for (const ControllerSide side : kBothSides) {
     if (const double push = controllers_.push(side); push > 0.0) actions_.pulse(side, push);
@@ -68,8 +87,38 @@ void HeadsetConnection::draw(const EyeViews& views, const RoomWalk& walk,
     shown[eye].fov = views[eye].fov;
     shown[eye].subImage = swapchains_[eye]->picture();
   }
-  scene_.draw(eyes, {controllers_.shown(), walk.target(), walk.room().scale}, textures);
+  scene_.draw(eyes, rate_.detail(), shownHands(headOf(views), walk.room(), walk.target()), textures);
   for (auto& swapchain : swapchains_) swapchain->release();
+}
+
+/// The ray of a hand that points at the panel ends there.
+ShownHands HeadsetConnection::shownHands(const Pose& X_RH, const RoomPlacement& room,
+                                         const std::optional<Vector3>& p_WT) const {
+  ShownHands hands{controllers_.shown(), p_WT, room.scale};
+  if (const auto& touch = panel_.touch()) {
+    hands.controllers[static_cast<std::size_t>(touch->side)].feedback.pointsAt = touch->distance / room.scale;
+  }
+  hands.panel = {panel_.X_RP(), PanelInRoom::kWidth, PanelInRoom::kHeight, tools_->panel.get()};
+  hands.texts = textsInRoom(X_RH.position, room);
+  if (hands.panel.X_WP) hands.panel.X_WP = inWorld(room, *hands.panel.X_WP);
+  for (ShownPicture& text : hands.texts) {
+    if (text.X_WP) text.X_WP = inWorld(room, *text.X_WP);
+  }
+  return hands;
+}
+
+/// Those of the scene, and the one at the main hand.
+std::vector<ShownPicture> HeadsetConnection::textsInRoom(const Vector3& p_RH, const RoomPlacement& room) const {
+  std::vector<ShownPicture> texts;
+  if (const FlatLabelsPtr labels = tools_->labels.get()) {
+    for (const FlatLabel& label : *labels) texts.push_back(textInRoom(label.picture, inRoom(room, label.p_W), p_RH));
+  }
+  const auto& hand = controllers_.shown()[static_cast<std::size_t>(controllers_.mainHand())];
+  if (hand.reading.X_WG) {
+    const Vector3 p_RN = inRoom(room, hand.reading.X_WG->position) + kOverHand * Vector3::UnitY();
+    texts.push_back(textInRoom(tools_->note.get(), p_RN, p_RH));
+  }
+  return texts;
 }
 
 }  // namespace glissade

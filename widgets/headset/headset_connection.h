@@ -9,6 +9,9 @@
 #include "widgets/headset/headset_runtime.h"
 #include "widgets/headset/headset_scene.h"
 #include "widgets/headset/headset_session.h"
+#include "widgets/headset/headset_tools.h"
+#include "widgets/headset/panel_in_room.h"
+#include "widgets/headset/picture_rate.h"
 #include "widgets/headset/room_walk.h"
 
 namespace glissade {
@@ -18,22 +21,32 @@ namespace glissade {
 class HeadsetConnection {
  public:
   /// `scene` outlives the connection.
-  HeadsetConnection(HeadsetScene& scene, HandInputsPtr hands);
+  HeadsetConnection(HeadsetScene& scene, HandInputsPtr hands, HeadsetToolsPtr tools);
+  ~HeadsetConnection();
+  HeadsetConnection(const HeadsetConnection&) = delete;
+  HeadsetConnection& operator=(const HeadsetConnection&) = delete;
 
   const std::string& name() const { return runtime_.name(); }
   SessionNews poll() { return session_.poll(); }
   /// Waits until the runtime wants a picture, reads the controllers, lets the person walk, and shows it.
   void showPicture(RoomWalk& walk);
+  /// How simple the scene is, as PictureRate counts it.
+  int detailStep() const { return rate_.step(); }
 
  private:
   void readControllers(XrTime time, const EyeViews& views, RoomWalk& walk);
   void draw(const EyeViews& views, const RoomWalk& walk, std::array<XrCompositionLayerProjectionView, 2>& shown);
+  ShownHands shownHands(const Pose& X_RH, const RoomPlacement& room, const std::optional<Vector3>& p_WT) const;
+  std::vector<ShownPicture> textsInRoom(const Vector3& p_RH, const RoomPlacement& room) const;
 
   HeadsetScene& scene_;
   HeadsetRuntime runtime_;
   HeadsetSession session_;
   ControllerActions actions_;
   ControllerLink controllers_;
+  HeadsetToolsPtr tools_;
+  PanelInRoom panel_;
+  PictureRate rate_;
   std::array<std::unique_ptr<EyeSwapchain>, 2> swapchains_;
 };
 

@@ -15,6 +15,7 @@ HeadsetScene::HeadsetScene(SharedGraph graph) : graph_(std::move(graph)), lit_(m
   lit_->getOrCreateStateSet()->setGlobalDefaults();
   lit_->addChild(horizon_.node());
   lit_->addChild(hands_.node());
+  lit_->addChild(panel_.node());
   lit_->addChild(graph_.root);
   for (auto& painter : painters_) painter = std::make_unique<EyePainter>(context_.osgContext(), lit_);
 }
@@ -36,13 +37,30 @@ void HeadsetScene::setTarget(std::size_t eye, int width, int height, std::int64_
   painters_[eye]->setTarget(width, height, format);
 }
 
-void HeadsetScene::draw(const std::array<EyeSight, 2>& eyes, const ShownHands& hands,
+void HeadsetScene::draw(const std::array<EyeSight, 2>& eyes, const EyeDetail& detail, const ShownHands& hands,
                         const std::array<unsigned, 2>& textures) {
   const std::lock_guard lock(*graph_.mutex);
   hands_.show(hands);
+  panel_.show(hands.panel, 1.0 / hands.scale);
+  showTexts(hands);
   for (std::size_t eye = 0; eye < painters_.size(); ++eye) {
     horizon_.moveTo(eyes[eye]);
-    painters_[eye]->draw(eyes[eye], textures[eye]);
+    painters_[eye]->draw(eyes[eye], detail, textures[eye]);
+  }
+}
+
+EyeFigures HeadsetScene::figures() {
+  const std::lock_guard lock(*graph_.mutex);
+  return painters_.front()->figures();
+}
+
+void HeadsetScene::showTexts(const ShownHands& hands) {
+  while (texts_.size() < hands.texts.size()) {
+    texts_.emplace_back(PanelModel::Kind::Text);
+    lit_->addChild(texts_.back().node());
+  }
+  for (std::size_t i = 0; i < texts_.size(); ++i) {
+    texts_[i].show(i < hands.texts.size() ? hands.texts[i] : ShownPicture(), 1.0 / hands.scale);
   }
 }
 

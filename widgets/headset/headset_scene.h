@@ -8,6 +8,7 @@
 #include "widgets/headset/eye_painter.h"
 #include "widgets/headset/hand_models.h"
 #include "widgets/headset/horizon.h"
+#include "widgets/headset/panel_model.h"
 #include "widgets/headset/private_context.h"
 #include "widgets/scene3d/scene_view.h"
 
@@ -34,13 +35,20 @@ class HeadsetScene {
   /// Size and format of the textures of an eye, 0 the left one.
   void setTarget(std::size_t eye, int width, int height, std::int64_t format);
   /// One picture for each eye: textures of the context.
-  void draw(const std::array<EyeSight, 2>& eyes, const ShownHands& hands, const std::array<unsigned, 2>& textures);
+  void draw(const std::array<EyeSight, 2>& eyes, const EyeDetail& detail, const ShownHands& hands,
+            const std::array<unsigned, 2>& textures);
+  /// Of the last picture of the left eye.
+  EyeFigures figures();
 
  private:
+  void showTexts(const ShownHands& hands);
+
   SharedGraph graph_;
   PrivateContext context_;
   Horizon horizon_;
   HandModels hands_;
+  PanelModel panel_{PanelModel::Kind::Panel};
+  std::vector<PanelModel> texts_;  ///< as many as were shown at once
   osg::ref_ptr<osg::Group> lit_;
   std::array<std::unique_ptr<EyePainter>, 2> painters_;
 };

@@ -12,6 +12,8 @@ using Clock = std::chrono::steady_clock;
 
 /// Between two looks for events while nobody wears the headset.
 constexpr std::chrono::milliseconds kIdleWait{20};
+/// Pictures.
+constexpr int kBetweenCounts = 20;
 
 }  // namespace
 
@@ -30,6 +32,11 @@ HeadsetStatus HeadsetThread::status() const {
   return status_;
 }
 
+HeadsetFigures HeadsetThread::figures() const {
+  const std::lock_guard lock(mutex_);
+  return figures_;
+}
+
 void HeadsetThread::setPlacement(const RoomPlacement& room) {
   const std::lock_guard lock(mutex_);
   placed_ = room;
@@ -43,6 +50,11 @@ void HeadsetThread::setBackground(const Colour& above, const Colour& below) {
 void HeadsetThread::setHands(HandInputsPtr hands) {
   const std::lock_guard lock(mutex_);
   hands_ = std::move(hands);
+}
+
+void HeadsetThread::setTools(HeadsetToolsPtr tools) {
+  const std::lock_guard lock(mutex_);
+  tools_ = std::move(tools);
 }
 
 void HeadsetThread::setListener(std::function<void()> listener) {
@@ -100,11 +112,13 @@ void HeadsetThread::search() {
   if (!scene_) scene_ = std::make_unique<HeadsetScene>(graph_);
   scene_->context().makeCurrent();
   HandInputsPtr hands;
+  HeadsetToolsPtr tools;
   {
     const std::lock_guard lock(mutex_);
     hands = hands_;
+    tools = tools_;
   }
-  connection_ = std::make_unique<HeadsetConnection>(*scene_, hands);
+  connection_ = std::make_unique<HeadsetConnection>(*scene_, hands, tools);
   machine_.connect(connection_->name());
 }
 
@@ -135,6 +149,15 @@ void HeadsetThread::show() {
   if (background) scene_->setBackground(background->above, background->below);
   if (placed) walk_.place(*placed);
   connection_->showPicture(walk_);
+  if (++sinceCount_ >= kBetweenCounts) count();
+}
+
+/// It takes a pass over all that is drawn.
+void HeadsetThread::count() {
+  sinceCount_ = 0;
+  const EyeFigures eye = scene_->figures();
+  const std::lock_guard lock(mutex_);
+  figures_ = {connection_->detailStep(), eye.drawCalls, eye.triangles};
 }
 
 void HeadsetThread::fail(HeadsetTrouble trouble, const std::string& detail) {

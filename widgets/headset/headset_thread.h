@@ -21,9 +21,11 @@ class HeadsetThread : public std::enable_shared_from_this<HeadsetThread> {
   // On any thread; they return at once.
   void setWanted(bool wanted);
   HeadsetStatus status() const;
+  HeadsetFigures figures() const;
   void setPlacement(const RoomPlacement& room);
   void setBackground(const Colour& above, const Colour& below);
   void setHands(HandInputsPtr hands);
+  void setTools(HeadsetToolsPtr tools);
   void setListener(std::function<void()> listener);
   /// Whether no thread is left after so long.
   bool waitForEnd(std::chrono::milliseconds longest);
@@ -42,6 +44,7 @@ class HeadsetThread : public std::enable_shared_from_this<HeadsetThread> {
   void search();
   void follow(SessionNews news);
   void show();
+  void count();
   void fail(HeadsetTrouble trouble, const std::string& detail);
   void disconnect();
   void publish();
@@ -55,14 +58,17 @@ class HeadsetThread : public std::enable_shared_from_this<HeadsetThread> {
   bool wanted_ = false;
   bool alive_ = false;  ///< there is a thread
   HeadsetStatus status_;
+  HeadsetFigures figures_;
   std::optional<RoomPlacement> placed_;   ///< where the thread has not placed the person yet
   std::optional<Background> background_;  ///< that the thread has not taken yet
   HandInputsPtr hands_ = std::make_shared<HandInputs>();
+  HeadsetToolsPtr tools_ = std::make_shared<HeadsetTools>();
   std::function<void()> listener_;
 
   // Of the thread alone.
   HeadsetMachine machine_;
   RoomWalk walk_;
+  int sinceCount_ = 0;  ///< pictures
   std::unique_ptr<HeadsetScene> scene_;
   std::unique_ptr<HeadsetConnection> connection_;
 };

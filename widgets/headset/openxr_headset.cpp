@@ -21,9 +21,11 @@ class OpenXrHeadset final : public Headset {
   void start() override { thread_->setWanted(true); }
   void stop() override { thread_->setWanted(false); }
   HeadsetStatus status() const override { return thread_->status(); }
+  HeadsetFigures figures() const override { return thread_->figures(); }
   void setPlacement(const RoomPlacement& room) override { thread_->setPlacement(room); }
   void setBackground(const Colour& above, const Colour& below) override { thread_->setBackground(above, below); }
   void setHands(HandInputsPtr hands) override { thread_->setHands(std::move(hands)); }
+  void setTools(HeadsetToolsPtr tools) override { thread_->setTools(std::move(tools)); }
   void onChanged(std::function<void()> callback) override { thread_->setListener(std::move(callback)); }
 
  private:

@@ -35,4 +35,6 @@ Pose inWorld(const RoomPlacement& room, const Pose& X_RP) {
   return room.X_WR * Pose{X_RP.position / room.scale, X_RP.orientation};
 }
 
+Vector3 inRoom(const RoomPlacement& room, const Vector3& p_W) { return room.scale * (inverse(room.X_WR) * p_W); }
+
 }  // namespace glissade

@@ -22,4 +22,7 @@ RoomPlacement placeRoom(const Box3& box, ProductSize size);
 /// A pose in the room, in the world.
 Pose inWorld(const RoomPlacement& room, const Pose& X_RP);
 
+/// A point of the world, in the room.
+Vector3 inRoom(const RoomPlacement& room, const Vector3& p_W);
+
 }  // namespace glissade

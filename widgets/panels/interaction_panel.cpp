@@ -20,6 +20,16 @@ void select(QComboBox& box, const std::string& id) {
   box.setCurrentIndex(box.findData(text(id)));
 }
 
+/// All live ones but those that have a box or a button of their own.
+std::vector<ParameterId> steeringParameters() {
+  std::vector<ParameterId> ids;
+  for (const ParameterSpec& spec : parameterTable()) {
+    const bool hasOwn = spec.id == ParameterId::Tuning || spec.id == ParameterId::Pace;
+    if (spec.live && !hasOwn) ids.push_back(spec.id);
+  }
+  return ids;
+}
+
 QComboBox* makeBox(QWidget* parent) {
   auto* box = new QComboBox(parent);
   box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -38,7 +48,8 @@ InteractionPanel::InteractionPanel(QWidget* parent)
       seed_(new SeedBox(this)),
       authorityTitle_(new QLabel(tr("Authority now"), this)),
       authority_(new QLabel(this)),
-      replayed_(new QLabel(tr("Replayed: as it was at this step"), this)) {
+      replayed_(new QLabel(tr("Replayed: as it was at this step"), this)),
+      sliders_(new ParameterSliders(steeringParameters(), this)) {
   fillStrategies();
   about_->setWordWrap(true);
   about_->setTextFormat(Qt::PlainText);
@@ -75,18 +86,8 @@ InteractionPanel::InteractionPanel(QWidget* parent)
   replayed_->setStyleSheet(QStringLiteral("QLabel { background: #b3500a; color: white; padding: 2px 6px; }"));
   replayed_->hide();
   layout->addWidget(replayed_);
-  for (const ParameterSpec& spec : parameterTable()) {
-    if (!spec.live || spec.id == ParameterId::Tuning) continue;  // the sliders' own buttons
-    if (spec.id == ParameterId::Pace) continue;                  // has a box of its own
-    auto* slider = new ParameterSlider(spec.id, this);
-    connect(slider, &ParameterSlider::valueChosen, this, [this, id = spec.id](double value) {
-      emit commanded(command::SetParameter{id, value});
-    });
-    connect(slider, &ParameterSlider::tuningChosen, this,
-            [this, id = spec.id](bool tuned) { chooseTuning(id, tuned); });
-    sliders_.push_back(slider);
-    layout->addWidget(slider);
-  }
+  connect(sliders_, &ParameterSliders::commanded, this, &InteractionPanel::commanded);
+  layout->addWidget(sliders_);
   layout->addStretch();
   connect(pace_, &PaceBox::paceChosen, this, [this](double pace) {
     emit commanded(command::SetParameter{ParameterId::Pace, pace});
@@ -143,18 +144,12 @@ void InteractionPanel::showUse() {
   const PlannerEntry* entry = planners_.find(strategy);
   if (entry == nullptr) return;
   about_->setText(QCoreApplication::translate("Planners", entry->description.c_str()));
-  const std::set<ParameterId> used = parametersInUse(*entry, device);
-  for (ParameterSlider* slider : sliders_) slider->setVisible(used.count(slider->id()) != 0);
+  sliders_->showOnly(parametersInUse(*entry, device));
   authorityTitle_->setVisible(entry->usesOperator);
   authority_->setVisible(entry->usesOperator);
 }
 
-void InteractionPanel::setScenario(const LoadedScenario& scenario) {
-  for (ParameterSlider* slider : sliders_) {
-    slider->setObjectRadius(scenario.problem.world->objectRadius());
-    slider->setValue(scenario.parameters[slider->id()]);
-  }
-}
+void InteractionPanel::setScenario(const LoadedScenario& scenario) { sliders_->setScenario(scenario); }
 
 void InteractionPanel::setSnapshot(const SessionSnapshot& snapshot) {
   shownStrategy_ = snapshot.plannerId;
@@ -163,12 +158,7 @@ void InteractionPanel::setSnapshot(const SessionSnapshot& snapshot) {
   pace_->setPace(snapshot.parameters[ParameterId::Pace]);
   showUse();
   if (!seed_->hasFocus()) seed_->setSeed(snapshot.seed);
-  tuned_ = snapshot.parameters.integer(ParameterId::Tuning);
-  for (ParameterSlider* slider : sliders_) {
-    const double own = snapshot.parameters[slider->id()];
-    slider->setTuned((tuned_ & tunedSetting(slider->id())) != 0, own);
-    if (!slider->isBeingEdited()) slider->setValue(valueInForce(snapshot, slider->id()));
-  }
+  sliders_->setSnapshot(snapshot);
   if (snapshot.state != SessionState::Planning) {
     authority_->setText(QStringLiteral("–"));
   } else if (snapshot.authority == Author::Computer) {
@@ -178,14 +168,9 @@ void InteractionPanel::setSnapshot(const SessionSnapshot& snapshot) {
   }
 }
 
-void InteractionPanel::chooseTuning(ParameterId id, bool tuned) {
-  const int bit = tunedSetting(id);
-  emit commanded(command::SetParameter{ParameterId::Tuning, static_cast<double>(tuned ? tuned_ | bit : tuned_ & ~bit)});
-}
-
 void InteractionPanel::setReplayed(bool replayed) {
   replayed_->setVisible(replayed);
-  for (ParameterSlider* slider : sliders_) slider->setEnabled(!replayed);
+  sliders_->setEnabled(!replayed);
   planner_->setEnabled(!replayed);
   device_->setEnabled(!replayed);
   seed_->setEnabled(!replayed);

@@ -3,11 +3,10 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QWidget>
-#include <vector>
 
 #include "widgets/bridge/session_bridge.h"
 #include "widgets/panels/pace_box.h"
-#include "widgets/panels/parameter_slider.h"
+#include "widgets/panels/parameter_sliders.h"
 #include "widgets/panels/seed_box.h"
 
 namespace glissade {
@@ -38,7 +37,6 @@ class InteractionPanel final : public QWidget {
   void chooseStrategy();
   /// The sentence about the strategy, and the sliders that it uses.
   void showUse();
-  void chooseTuning(ParameterId id, bool tuned);
 
   PlannerRegistry planners_ = makePlannerRegistry();
   QComboBox* planner_;
@@ -50,10 +48,9 @@ class InteractionPanel final : public QWidget {
   QLabel* authorityTitle_;
   QLabel* authority_;
   QLabel* replayed_;
-  std::vector<ParameterSlider*> sliders_;
+  ParameterSliders* sliders_;
   std::string shownStrategy_;  ///< of the last snapshot
   std::string shownUse_;       ///< strategy and device that showUse() was called for last
-  int tuned_ = 0;              ///< what sets itself: bits of TunedSetting
 };
 
 }  // namespace glissade

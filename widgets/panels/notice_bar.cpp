@@ -71,6 +71,7 @@ void NoticeBar::showNotice(const Notice& notice) {
   show();
   raise();
   fitWidth();
+  emit changed();
 }
 
 void NoticeBar::makeButtons() {
@@ -118,6 +119,11 @@ int NoticeBar::buttonsWidth() const {
 bool NoticeBar::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::Resize && isVisible()) fitWidth();
   return QFrame::eventFilter(watched, event);
+}
+
+bool NoticeBar::event(QEvent* event) {
+  if (event->type() == QEvent::ShowToParent || event->type() == QEvent::HideToParent) emit changed();
+  return QFrame::event(event);
 }
 
 void NoticeBar::keyPressEvent(QKeyEvent* event) {

@@ -31,9 +31,12 @@ class NoticeBar final : public QFrame {
 
  signals:
   void closed();
+  /// It says something else, or it was shown or hidden.
+  void changed();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
+  bool event(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
 
  private:

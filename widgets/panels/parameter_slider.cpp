@@ -148,6 +148,12 @@ void ParameterSlider::setTuned(bool tuned, double own) {
   slider_->setPalette(colours);
 }
 
+void ParameterSlider::setNumberReadOnly() {
+  number_->setReadOnly(true);
+  number_->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  number_->setFocusPolicy(Qt::NoFocus);
+}
+
 bool ParameterSlider::isBeingEdited() const {
   return slider_->isSliderDown() || number_->hasFocus() || (slider_->hasFocus() && !tuned_);
 }

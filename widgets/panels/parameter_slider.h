@@ -26,6 +26,8 @@ class ParameterSlider final : public QWidget {
   double value() const;
   /// It sets itself; `own` is the user's value, which comes back when he takes it back.
   void setTuned(bool tuned, double own);
+  /// The number is only read: where there is no keyboard.
+  void setNumberReadOnly();
   /// The user has the slider or the number in hand: what is shown is his.
   bool isBeingEdited() const;
 

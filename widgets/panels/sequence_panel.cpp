@@ -242,15 +242,34 @@ void SequencePanel::showTime(double time) {
   play_->showAt(order_ == PlanOrder::Assembly ? 1.0 - share : share);
 }
 
+int SequencePanel::shownRow() const {
+  const double steps = shown_.plan ? static_cast<double>(shown_.plan->steps.size()) : 0.0;
+  const double done = order_ == PlanOrder::Assembly ? steps - time() : time();
+  return static_cast<int>(std::ceil(done - 1e-3)) - 1;
+}
+
+void SequencePanel::stepBy(int rows) {
+  const QTreeWidgetItem* row = table_->topLevelItem(std::max(0, shownRow() + rows));
+  if (const auto step = StepTable::stepOf(row)) chooseStep(*step);
+}
+
+QString SequencePanel::placeText() const {
+  const int steps = shown_.plan ? static_cast<int>(shown_.plan->steps.size()) : 0;
+  if (steps == 0) return {};
+  const int row = shownRow();
+  const auto step = row < 0 ? std::nullopt : StepTable::stepOf(table_->topLevelItem(row));
+  if (!step) return tr("Sequence: %n step(s)", "", steps);
+  return tr("Step %1 of %2: %3").arg(row + 1).arg(steps).arg(partsText(*step));
+}
+
 /// Where the slider is: "3 / 17".
 void SequencePanel::markRow() {
   const std::size_t steps = shown_.plan ? shown_.plan->steps.size() : 0;
-  const double done = order_ == PlanOrder::Assembly ? static_cast<double>(steps) - time() : time();
-  place_->setText(QStringLiteral("%1 / %2").arg(static_cast<int>(std::ceil(done - 1e-3))).arg(steps));
+  const int current = shownRow();
+  place_->setText(QStringLiteral("%1 / %2").arg(current + 1).arg(steps));
   // A stuck part is shown when all that leave have left.
   if (!chosenStuck().empty() && time() > static_cast<double>(steps) - 1e-3) return;
-  const auto current = static_cast<int>(std::ceil(done - 1e-3)) - 1;
-  if (current < 0 || current >= table_->topLevelItemCount() || done <= 0.0) return;
+  if (current < 0 || current >= table_->topLevelItemCount()) return;
   const auto before = selectedSteps();
   {
     const QSignalBlocker block(table_);

@@ -46,6 +46,12 @@ class SequencePanel final : public QWidget {
   void showExploded(double share) { explode_->showAt(share); }
   /// Makes the step's row the current one and shows the step; counted in the plan, from 0. False: there is none.
   bool chooseStep(std::size_t step);
+  /// The same for the step so many rows below what is shown, where there is one.
+  void stepBy(int rows);
+  /// Where the scene is in the sequence: "Step 3 of 17: cover". Empty where there are no steps.
+  QString placeText() const;
+  /// The names of what moves in a step of the plan.
+  QString partsText(std::size_t step) const { return table_->shortNames(shown_.plan->steps[step].bodies()); }
   /// The step, or the stuck part (its id), of the current row.
   std::optional<std::size_t> chosenStep() const { return StepTable::stepOf(table_->currentItem()); }
   std::string chosenStuck() const { return StepTable::stuckOf(table_->currentItem()); }
@@ -84,6 +90,8 @@ class SequencePanel final : public QWidget {
   QLayout* makeExplodingRow();
   void chooseCost();
   void showRow(const QTreeWidgetItem* row);
+  /// Of the step that is shown; -1 before the first one.
+  int shownRow() const;
   void markRow();
   QString summary() const;
 

@@ -18,11 +18,6 @@ namespace {
 constexpr int kDigits = 3;
 constexpr double kSmall = 0.85;  ///< of the usual size
 
-QString textOf(const SceneLabel& label) {
-  if (label.length) return lengthText(*label.length);
-  return label.number ? QLocale().toString(*label.number, 'g', kDigits) : QString::fromStdString(label.text);
-}
-
 /// Labels are placed for the middle between two eyes, so that both see them at one height.
 CameraController betweenTheEyes(const CameraController& camera) {
   CameraController middle = camera;
@@ -33,6 +28,11 @@ CameraController betweenTheEyes(const CameraController& camera) {
 }
 
 }  // namespace
+
+QString labelText(const SceneLabel& label) {
+  if (label.length) return lengthText(*label.length);
+  return label.number ? QLocale().toString(*label.number, 'g', kDigits) : QString::fromStdString(label.text);
+}
 
 LabelOverlay::LabelOverlay(const SceneView& view, const LegendOverlay& legend, QWidget* scene)
     : SceneOverlay(view, scene), legend_(legend) {}
@@ -65,7 +65,7 @@ QFont LabelOverlay::fontOf(const SceneLabel& label) const {
 }
 
 QRectF LabelOverlay::boxOf(const SceneLabel& label, const QPointF& at) const {
-  QRectF box = QFontMetrics(fontOf(label)).boundingRect(textOf(label));
+  QRectF box = QFontMetrics(fontOf(label)).boundingRect(labelText(label));
   box.adjust(-5, -2, 5, 2);
   box.moveCenter(at + QPointF(0, label.below ? box.height() : 0));
   return box;
@@ -79,7 +79,7 @@ void LabelOverlay::paint(QPainter& painter, const SceneLabel& label, const QRect
   painter.drawRoundedRect(box, 4, 4);
   painter.setPen(palette().color(label.strong ? QPalette::HighlightedText : QPalette::Text));
   painter.setFont(fontOf(label));
-  painter.drawText(box, Qt::AlignCenter, textOf(label));
+  painter.drawText(box, Qt::AlignCenter, labelText(label));
 }
 
 }  // namespace glissade

@@ -8,6 +8,9 @@ namespace glissade {
 
 class LegendOverlay;
 
+/// What a label says, as the user's language and unit write it.
+QString labelText(const SceneLabel& label);
+
 /// The scene's labels, painted over the widget that shows it, none on another; takes no part in mouse and keys.
 class LabelOverlay final : public SceneOverlay {
   Q_OBJECT

@@ -1,5 +1,6 @@
 #include "widgets/scene3d/path_layer.h"
 
+#include <osg/CullFace>
 #include <osg/Depth>
 
 #include <algorithm>
@@ -7,10 +8,13 @@
 #include <cmath>
 #include <functional>
 
+#include "engine/geometry/primitives.h"
 #include "widgets/document/author_colour.h"
 #include "widgets/scene3d/body_layer.h"
 #include "widgets/scene3d/geometry_builder.h"
 #include "widgets/scene3d/osg_convert.h"
+#include "widgets/scene3d/path_tube.h"
+#include "widgets/scene3d/scene_view.h"
 
 namespace glissade {
 namespace {
@@ -24,6 +28,8 @@ constexpr std::size_t kBlockedGhosts = 7;
 constexpr float kFaded = 0.45F;
 /// Opacity of the part of a path that bodies hide.
 constexpr float kHiddenPath = 0.4F;
+/// Of the ball at the tightest place, in radii of the tube.
+constexpr double kTightestBall = 2.5;
 
 /// A line that is fainter where a body hides it.
 void addSeenThrough(const std::function<osg::ref_ptr<osg::Geometry>(float opacity)>& make, osg::Geode& geode) {
@@ -41,26 +47,38 @@ void addLines(const std::vector<Vector3>& points, LineKind kind, const osg::Vec4
   addSeenThrough(make, geode);
 }
 
-void addByClearance(const ClearanceProfile& profile, float width, osg::Geode& geode) {
+/// Where each sample is between the tightest place and the widest, by the logarithm of its clearance.
+std::vector<double> sharesOf(const ClearanceProfile& profile) {
   const auto [least, most] =
       std::minmax_element(profile.samples.begin(), profile.samples.end(),
                           [](const auto& a, const auto& b) { return a.nearest.distance < b.nearest.distance; });
   constexpr double kSmallest = 1e-9;  // metres: logarithms need more than 0
   const double low = std::log(std::max(kSmallest, least->nearest.distance));
   const double range = std::log(std::max(kSmallest, most->nearest.distance)) - low;
-  std::vector<Vector3> way;
   std::vector<double> shares;
   for (const ClearanceSample& sample : profile.samples) {
-    way.push_back(sample.q.position);
     shares.push_back(range > 0.0 ? (std::log(std::max(kSmallest, sample.nearest.distance)) - low) / range : 1.0);
   }
+  return shares;
+}
+
+std::vector<TubePoint> pointsByClearance(const ClearanceProfile& profile) {
+  const std::vector<double> shares = sharesOf(profile);
+  std::vector<TubePoint> points;
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    points.push_back({profile.samples[i].q.position, clearanceColour(shares[i])});
+  }
+  return points;
+}
+
+void addByClearance(const ClearanceProfile& profile, float width, osg::Geode& geode) {
+  const std::vector<TubePoint> points = pointsByClearance(profile);
+  std::vector<Vector3> way;
+  for (const TubePoint& point : points) way.push_back(point.p_W);
   const auto make = [&](float opacity) {
     osg::ref_ptr<osg::Geometry> line = makeLines(way, LineKind::Strip, {}, width);
     osg::ref_ptr<osg::Vec4Array> colours = new osg::Vec4Array;
-    for (const double share : shares) {
-      const osg::Vec4 colour = clearanceColour(share);
-      colours->push_back({colour.r(), colour.g(), colour.b(), opacity});
-    }
+    for (const auto& [p_W, colour] : points) colours->push_back({colour.r(), colour.g(), colour.b(), opacity});
     line->setColorArray(colours, osg::Array::BIND_PER_VERTEX);
     return line;
   };
@@ -77,6 +95,57 @@ void addByAuthor(const Path& path, float width, osg::Geode& geode) {
     if (segments[i].empty()) continue;
     addLines(segments[i], LineKind::Segments, toOsg(authorColour(static_cast<Author>(i))), width, geode);
   }
+}
+
+std::vector<TubePoint> pointsByAuthor(const Path& path) {
+  std::vector<TubePoint> points;
+  for (std::size_t i = 1; i < path.points.size(); ++i) {
+    const osg::Vec4 colour = toOsg(authorColour(path.points[i].segmentAuthor));
+    points.insert(points.end(), {{path.points[i - 1].q.position, colour}, {path.points[i].q.position, colour}});
+  }
+  return points;
+}
+
+bool hasProfile(const PathPicture& picture) {
+  return picture.profile != nullptr && picture.profile->samples.size() > 1;
+}
+
+std::vector<TubePoint> tubePointsOf(const PathPicture& picture, const ScenePalette& palette) {
+  if (picture.byAuthor) return pointsByAuthor(picture.path);
+  if (hasProfile(picture)) return pointsByClearance(*picture.profile);
+  std::vector<TubePoint> points;
+  for (const PathPoint& point : picture.path.points) points.push_back({point.q.position, palette.path});
+  return points;
+}
+
+/// Where a body hides it, it is faint, as a line of the window is.
+void addHidden(const osg::ref_ptr<osg::Geometry>& faint, osg::Geode& geode) {
+  makeUnlit(*faint);
+  makeTransparent(*faint);
+  osg::StateSet* state = faint->getOrCreateStateSet();
+  state->setAttributeAndModes(new osg::Depth(osg::Depth::GREATER, 0.0, 1.0, false));
+  state->setAttributeAndModes(new osg::CullFace(osg::CullFace::BACK));
+  geode.addDrawable(faint);
+}
+
+/// The way as a headset shows it: lines have no depth there. The tightest place is a ball.
+osg::ref_ptr<osg::Geode> makeSpatialWay(const PathPicture& picture, const ScenePalette& palette) {
+  osg::ref_ptr<osg::Geode> way = new osg::Geode;
+  way->setNodeMask(kHeadsetOnly);
+  std::vector<TubePoint> points = tubePointsOf(picture, palette);
+  if (points.empty()) return way;
+  way->addDrawable(makeTube(points, picture.tubeRadius));
+  for (TubePoint& point : points) point.colour.a() *= kHiddenPath;
+  addHidden(makeTube(points, picture.tubeRadius), *way);
+  if (!hasProfile(picture)) return way;
+  const Pose& tightest = picture.profile->samples[*picture.profile->tightest()].q;
+  const BodyShape ball = makeBodyShape(
+      transformed(makeSphere(kTightestBall * picture.tubeRadius, 2), Pose::translation(tightest.position)));
+  osg::Vec4 colour = clearanceColour(0.0);
+  way->addDrawable(makeSurface(ball, colour));
+  colour.a() *= kHiddenPath;
+  addHidden(makeSurface(ball, colour), *way);
+  return way;
 }
 
 }  // namespace
@@ -104,13 +173,15 @@ osg::ref_ptr<osg::Group> makePath(const PathPicture& picture, const ScenePalette
   const float width = kPathWidth * palette.pixelScale;
   if (picture.byAuthor) {
     addByAuthor(picture.path, width, *lines);
-  } else if (picture.profile != nullptr && picture.profile->samples.size() > 1) {
+  } else if (hasProfile(picture)) {
     addByClearance(*picture.profile, width, *lines);
   } else {
     addLines(way, LineKind::Strip, palette.path, width, *lines);
   }
   osg::ref_ptr<osg::Group> group = new osg::Group;
+  lines->setNodeMask(kWindowOnly);
   group->addChild(lines);
+  group->addChild(makeSpatialWay(picture, palette));
   if (!picture.ghosts.empty()) {
     group->addChild(makeGhosts(picture.object, picture.ghosts, palette.path, palette));
   }

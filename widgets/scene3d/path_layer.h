@@ -16,6 +16,7 @@ struct PathPicture {
   const BodyShape& object;
   const ClearanceProfile* profile = nullptr;  ///< null: the path has one colour
   const std::vector<Pose>& ghosts;            ///< where the object is drawn beside it
+  double tubeRadius;                          ///< metres: of the way as a headset shows it
   bool byAuthor = false;                      ///< each segment in the colour of who made it, instead of by clearance
 };
 

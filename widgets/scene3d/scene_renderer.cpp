@@ -23,6 +23,7 @@ SceneRenderer::SceneRenderer(SceneView& view) : view_(view), viewer_(new osgView
   viewer_->setQuitEventSetsDone(false);
   viewer_->setLightingMode(osg::View::NO_LIGHT);
   viewer_->getCamera()->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
+  viewer_->getCamera()->setCullMask(~kHeadsetOnly);
   const osg::ref_ptr<osg::Group> lit = makeLights();
   lit->addChild(view.root());
   viewer_->setSceneData(lit);

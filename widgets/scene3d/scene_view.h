@@ -34,6 +34,8 @@ struct PictureDetail;
 /// What only the window draws of the scene, because it belongs to its picture and not to the space: a bit of node
 /// masks. The cull mask of another picture leaves it out.
 inline constexpr unsigned kWindowOnly = 1U;
+/// Likewise what only a headset draws, because it needs depth.
+inline constexpr unsigned kHeadsetOnly = 2U;
 
 /// Light or dark window; the scene follows.
 enum class Theme { Light, Dark };

@@ -36,6 +36,9 @@ namespace glissade {
 /// Share of the scene's size, for SectionClip: more than single precision leaves out.
 inline constexpr double kSectionSlack = 1e-5;
 
+/// Of a path as a headset shows it, in radii of the object.
+inline constexpr double kPathTubeRadii = 0.06;
+
 /// What a SceneView holds and how it draws it. Private to scene_view.cpp and scene_labels.cpp.
 struct SceneView::Impl {
   std::shared_ptr<GraphMutex> graphMutex = std::make_shared<GraphMutex>();
@@ -430,7 +433,8 @@ struct SceneView::Impl {
     if (!drawnPath) return;
     const std::vector<Pose> poses = posesAlong(drawnPath->configurations(), scenario->problem.metric(), ghosts);
     const BodyShape& shape = shapes.of(scenario->object.mesh);
-    group.addChild(makePath({*drawnPath, shape, pathProfile.get(), poses, pathByAuthor}, palette));
+    const double tube = kPathTubeRadii * scenario->problem.world->objectRadius();
+    group.addChild(makePath({*drawnPath, shape, pathProfile.get(), poses, tube, pathByAuthor}, palette));
     if (snapshot->coarsePlan) group.addChild(makeSteppedPath(*snapshot->coarsePlan, palette));
   }
 

@@ -16,7 +16,7 @@ double share(double value) { return value > 0.0 ? std::min(value, 1.0) : 0.0; }
 void ControllerMailbox::set(const ControllerReading& reading) {
   {
     const std::lock_guard lock(mutex_);
-    reading_ = {validOnly(reading.X_WG), validOnly(reading.X_WA), share(reading.squeeze), reading.scale};
+    reading_ = {validOnly(reading.X_WG), validOnly(reading.X_WA), share(reading.squeeze), reading.scale, reading.held};
     heard_ = Clock::now();
   }
   const std::lock_guard lock(listenerMutex_);
@@ -26,7 +26,9 @@ void ControllerMailbox::set(const ControllerReading& reading) {
 ControllerReading ControllerMailbox::reading() const {
   const std::lock_guard lock(mutex_);
   ControllerReading now = reading_;
-  if (silence_ && Clock::now() - heard_ > *silence_) now.X_WG = now.X_WA = std::nullopt;
+  if (!silence_ || Clock::now() - heard_ <= *silence_) return now;
+  now.X_WG = now.X_WA = std::nullopt;
+  now.held = 0;
   return now;
 }
 

@@ -15,6 +15,7 @@ struct ControllerReading {
   std::optional<Pose> X_WA;  ///< aim A: it points along -z; nothing while it is not tracked
   double squeeze = 0.0;      ///< of the grip, in [0, 1]
   double scale = 1.0;        ///< metres of the room of the hand for each metre of the world
+  unsigned held = 0;         ///< buttons that are down: bit n is ControllerButton n
 };
 
 /// What a hand does with the object, and feels of it.
@@ -35,7 +36,7 @@ class ControllerMailbox {
 
   /// Poses that are not valid count as not tracked.
   void set(const ControllerReading& reading);
-  /// Without poses where the controller is lost; the hand is as it was heard last.
+  /// Without poses and buttons where the controller is lost; the hand is as it was heard last.
   ControllerReading reading() const;
 
   void setFeedback(const ControllerFeedback& feedback);

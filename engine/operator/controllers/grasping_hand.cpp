@@ -18,6 +18,12 @@ Pose GraspingHand::advance(double dt, const OperatorView& view, const Box3& boun
     closed_ = taken_ = false;
     X_GB_.reset();
   }
+  if (!hand_->controllersMoveObject) {
+    taken_ = false;
+    closed_ = true;  // a hand that is closed then takes nothing
+    X_GB_.reset();
+    return view.q_device;
+  }
   const ControllerReading now = hand_->controller(with).place.reading();
   pointsAt_ = aimedDistance(now, view.q_device);
   close(now, view.q_device);
@@ -64,6 +70,7 @@ const TriangleTree& GraspingHand::surface() {
 }
 
 void GraspingHand::feel(const std::optional<Wrench>& pushedBack) {
+  if (!hand_->controllersMoveObject) return;
   const double push = pushedBack && holds() ? std::max(pushedBack->force_W.norm(), pushedBack->torque_W.norm()) : 0.0;
   hand_->controller(side()).place.setFeedback({holds(), push, pointsAt_});
 }

@@ -46,6 +46,21 @@ TEST_F(ControllerLinkTest, ControllersComeAndGoWithTheirNames) {
   EXPECT_FALSE(hand->rightController.buttons.mailbox.reading().connected);
 }
 
+TEST_F(ControllerLinkTest, WhatIsHeldIsSaidWithThePlace) {
+  const auto held = [this](ControllerButton button) {
+    take();
+    return (hand->rightController.place.reading().held >> static_cast<unsigned>(button) & 1U) != 0U;
+  };
+  right().pressed[static_cast<std::size_t>(ControllerButton::Upper)] = true;
+  EXPECT_TRUE(held(ControllerButton::Upper));
+  EXPECT_TRUE(held(ControllerButton::Upper));
+  EXPECT_FALSE(held(ControllerButton::Trigger));
+  right().pressed = {};
+  right().trigger = 1.0;
+  EXPECT_TRUE(held(ControllerButton::Trigger));
+  EXPECT_FALSE(held(ControllerButton::Upper));
+}
+
 TEST_F(ControllerLinkTest, AButtonThatIsHeldIsPressedOnce) {
   for (const bool down : {false, true, true, false, true}) {
     right().pressed[static_cast<std::size_t>(ControllerButton::Menu)] = down;

@@ -188,5 +188,23 @@ TEST_F(HeadsetHandsAtAStep, ItIsMovedByHandAndItsPathBecomesTheMotionOfTheStep) 
   EXPECT_EQ(motions.front().bodies, std::vector<std::string>{"turn-key"});
 }
 
+/// The part is taken where its motion begins, led along it, and snaps where it belongs.
+TEST_F(HeadsetHandsAtAStep, TheInstructionIsCarriedOutByHand) {
+  bench().actions["sequence.show-product"]->trigger();
+  const RoomPlacement placed = room();
+  const std::vector<PathPoint> way = bench().document.plan()->steps.front().path;
+  const Pose X_WG = way.back().q;
+  test::ScriptedHand hand(kRight, placed, X_WG);
+  ASSERT_TRUE(until([this] { return bench().session.hand()->rightController.place.reading().X_WG.has_value(); }));
+  bench().actions["headset.instruction"]->trigger();
+  EXPECT_TRUE(bench().scene.view().showsSequence());
+  hand.wait(0.2).squeeze(1.0).play();
+  ASSERT_TRUE(until([this] { return holds(); }));
+  for (std::size_t i = way.size() - 1; i-- > 0;) hand.move(way[i].q, 0.7);
+  hand.wait(0.2).play();
+  EXPECT_TRUE(until([this] { return !holds(); })) << "it has snapped";
+  EXPECT_LT(bench().scene.view().extent().sizes().maxCoeff() * placed.scale, 0.61) << "the product is whole";
+}
+
 }  // namespace
 }  // namespace glissade

@@ -10,10 +10,13 @@
 #include <random>
 #include <thread>
 
+#include "engine/geometry/primitives.h"
+#include "engine/planning/clearance_profile.h"
 #include "engine/scenario/scenario_io.h"
 #include "tests/app/golden_picture.h"
 #include "tests/widgets/headset/runtime/headset_script.h"
 #include "tests/widgets/headset/window_target.h"
+#include "widgets/headset/picture_rate.h"
 #include "widgets/headset/private_context.h"
 #include "widgets/scene3d/camera_controller.h"
 #include "widgets/scene3d/scene_renderer.h"
@@ -45,7 +48,8 @@ class OpenXrHeadsetTest : public testing::Test {
     auto loaded = loadScenario(test::sourceDirectory() + "/samples/environment-1/scenario.json");
     EXPECT_TRUE(loaded);
     start_ = loaded->problem.start.position;
-    view_.setScenario(std::make_shared<const LoadedScenario>(std::move(*loaded)));
+    scenario_ = std::make_shared<const LoadedScenario>(std::move(*loaded));
+    view_.setScenario(scenario_);
     room_ = placeRoom(view_.extent(), ProductSize::OnTable);
     headset_ = makeHeadset(view_);
     headset_->setPlacement(room_);
@@ -81,6 +85,7 @@ class OpenXrHeadsetTest : public testing::Test {
 
   test::WindowTarget window_{320, 320};  ///< the window's own context, on this thread
   SceneView view_;
+  std::shared_ptr<const LoadedScenario> scenario_;
   Vector3 start_;  ///< of the object
   RoomPlacement room_;
   std::unique_ptr<Headset> headset_;
@@ -152,6 +157,59 @@ TEST_F(OpenXrHeadsetTest, PicturesOfTheHandsWithTheRayThatMeetsTheObject) {
   test::expectLikeGolden(open, QStringLiteral("headset-hands"));
   hands->rightController.place.setFeedback({true, 0.0, distance});
   EXPECT_GT(test::difference(open, imageOf(pictures().at(0))).share, 0.002) << "a hand that holds the object";
+}
+
+/// Over the walls, coloured by its clearance; the ball is where it is tightest.
+TEST_F(OpenXrHeadsetTest, PictureOfAPathAsATube) {
+  test::setEyePixels(640);
+  test::setHead({Vector3(0.05, 1.5, -0.35), Quaternion(Eigen::AngleAxisd(-0.95, Vector3::UnitX()))});
+  headset_->start();
+  ASSERT_TRUE(becomes(HeadsetState::Running));
+  const QImage before = imageOf(pictures().at(0));
+  auto path = std::make_shared<Path>();
+  const Problem& problem = scenario_->problem;
+  const Pose goal = std::get<Pose>(problem.goal);
+  const Pose up = Pose::translation({0.0, 0.0, 4.5});
+  for (const Pose& q : {problem.start, up * problem.start, up * goal, goal}) path->points.push_back({q});
+  auto snapshot = std::make_shared<SessionSnapshot>();
+  snapshot->state = SessionState::Solved;
+  snapshot->path = path;
+  const auto query = problem.world->makeQuery();
+  view_.setSnapshot(snapshot);
+  view_.setPathProfile(std::make_shared<const ClearanceProfile>(
+      clearanceProfile(*query, path->configurations(), problem.metric(), 200)));
+  const QImage shown = imageOf(pictures().at(0));
+  EXPECT_GT(test::difference(before, shown).share, 0.001);
+  test::expectLikeGolden(shown, QStringLiteral("headset-path"));
+}
+
+/// A product of four large balls of 20,480 triangles each. The clock is the runtime's.
+TEST_F(OpenXrHeadsetTest, WherePicturesAreLateTheSceneIsSimplerUntilThereIsTime) {
+  LoadedScenario many = *scenario_;
+  const auto ball = std::make_shared<const TriangleMesh>(makeSphere(2.0, 5));
+  for (int i = 0; i < 4; ++i) {
+    RigidBody body = many.obstacles.front();
+    body.id = "ball-" + std::to_string(i);
+    body.mesh = ball;
+    body.X_WB = Pose::translation({5.0 * (i % 2), 0.0, 5.0 * (i / 2)});
+    many.obstacles.push_back(body);
+  }
+  view_.setScenario(std::make_shared<const LoadedScenario>(many));
+  headset_->setPlacement(placeRoom(view_.extent(), ProductSize::OnTable));
+  headset_->start();
+  ASSERT_TRUE(becomes(HeadsetState::Running));
+  ASSERT_TRUE(until([this] { return headset_->figures().triangles > 0; }));
+  const HeadsetFigures full = headset_->figures();
+  test::setPictureInterval(1.0 / 45.0);
+  ASSERT_TRUE(until([this] { return headset_->figures().detailStep + 1 == PictureRate::kSteps; }, 120s));
+  EXPECT_TRUE(until([&] { return 2 * headset_->figures().triangles < full.triangles; }))
+      << headset_->figures().triangles << " of " << full.triangles;
+  const HeadsetFigures simple = headset_->figures();
+  std::printf("for each eye: %d draw calls, %lld triangles; at least %d, %lld\n", full.drawCalls,
+              static_cast<long long>(full.triangles), simple.drawCalls, static_cast<long long>(simple.triangles));
+  test::setPictureInterval(1.0 / 90.0);
+  EXPECT_TRUE(until([&] { return headset_->figures().detailStep + 2 == PictureRate::kSteps; }, 120s))
+      << "it comes back";
 }
 
 TEST_F(OpenXrHeadsetTest, AnEditOfTheSceneIsSeenAndTheHeadMoves) {

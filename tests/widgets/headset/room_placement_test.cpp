@@ -62,5 +62,11 @@ TEST(RoomPlacement, AnEyeSeesWithTheScaleOfTheRoom) {
   EXPECT_DOUBLE_EQ(sight.nearPlane * room.scale, 0.05);
 }
 
+TEST(RoomPlacement, APointOfTheWorldIsFoundInTheRoom) {
+  const RoomPlacement room = placeRoom(Box3(Vector3(0, 0, 0), Vector3(3, 3, 3)), ProductSize::OnTable);
+  const Vector3 p_R(0.2, 1.1, -0.3);
+  EXPECT_LT((inRoom(room, inWorld(room, Pose::translation(p_R)).position) - p_R).norm(), 1e-12);
+}
+
 }  // namespace
 }  // namespace glissade

@@ -13,10 +13,12 @@
 
 namespace glissade::test {
 
+enum class Shown { AtOnce, Later };
+
 /// With a sample open and the headset off.
 class WindowWithHeadset : public testing::Test {
  protected:
-  explicit WindowWithHeadset(const char* sample)
+  explicit WindowWithHeadset(const char* sample, Shown shown = Shown::AtOnce)
       : window_(std::make_unique<MainWindow>(makeOnscreenSceneWidget, SessionClock::RealTime)) {
     resetHeadset();
     window_->setBatch(true);
@@ -24,7 +26,7 @@ class WindowWithHeadset : public testing::Test {
     const QString file =
         QString::fromStdString(sourceDirectory()) + QStringLiteral("/samples/") + QLatin1String(sample);
     EXPECT_EQ(window_->openScenario(file, true), std::nullopt);
-    window_->show();
+    if (shown == Shown::AtOnce) window_->show();
   }
   ~WindowWithHeadset() override {
     window_.reset();

@@ -73,6 +73,8 @@ Pose scriptedEye(std::size_t eye) {
 void resetHeadset() {
   change([](RuntimeState& state) {
     state.runtimeThere = state.headsetThere = state.worn = true;
+    state.eyePixels = kUsualEyePixels;
+    state.pictureInterval = kPeriod;
     state.X_RH = {Vector3(0.0, 1.6, 0.0), Quaternion::Identity()};
     for (FakeController& controller : state.controllers) controller.put(absentController(), {});
     state.stall = {};
@@ -96,6 +98,10 @@ void setWorn(bool worn) {
     if (worn && !state.begun) changeSessionState(state, XR_SESSION_STATE_READY);
     if (!worn && state.begun) changeSessionState(state, XR_SESSION_STATE_STOPPING);
   });
+}
+
+void setEyePixels(int pixels) {
+  change([pixels](RuntimeState& state) { state.eyePixels = pixels; });
 }
 
 void setHead(const Pose& X_RH) {
@@ -146,6 +152,11 @@ void FakeController::goOn(Time now) {
 
 void stallOnce(std::chrono::milliseconds duration) {
   change([duration](RuntimeState& state) { state.stall = duration; });
+}
+
+void setPictureInterval(double seconds) {
+  const auto interval = std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(seconds));
+  change([interval](RuntimeState& state) { state.pictureInterval = interval; });
 }
 
 void loseSession() {

@@ -47,6 +47,9 @@ void setRuntimeThere(bool there);
 void setHeadsetThere(bool there);
 /// Off: the session ends until it is put on.
 void setWorn(bool worn);
+/// Width and height of the pictures of the next session, in pixels: those of a real headset show whether texts are
+/// legible.
+void setEyePixels(int pixels);
 /// X_RH: where the head is in the room.
 void setHead(const Pose& X_RH);
 /// 0 the left one. It is there at once, and does nothing else that it was told before.
@@ -61,6 +64,9 @@ std::vector<double> takePulses(std::size_t hand);
 int readControllers();
 /// The next wait for a picture takes so long.
 void stallOnce(std::chrono::milliseconds duration);
+/// The times for which pictures are wanted are so many seconds apart from now on, whatever the program takes for them.
+/// 1/90 at first: the runtime's own clock, so that nothing depends on how fast the machine draws.
+void setPictureInterval(double seconds);
 /// Whatever session there is, or whatever instance, is lost: each of its calls fails.
 void loseSession();
 void loseRuntime();

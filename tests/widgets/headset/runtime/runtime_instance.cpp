@@ -16,8 +16,6 @@ namespace {
 using Lock = std::lock_guard<std::mutex>;
 
 constexpr XrSystemId kSystem = 1;
-constexpr std::uint32_t kEyeWidth = 320;
-constexpr std::uint32_t kEyeHeight = 320;
 
 XRAPI_ATTR XrResult XRAPI_CALL getProcAddr(XrInstance instance, const char* name, PFN_xrVoidFunction* function);
 
@@ -92,10 +90,13 @@ XRAPI_ATTR XrResult XRAPI_CALL pollEvent(XrInstance /*instance*/, XrEventDataBuf
 XRAPI_ATTR XrResult XRAPI_CALL enumerateViewConfigurationViews(XrInstance /*instance*/, XrSystemId /*id*/,
                                                                XrViewConfigurationType /*type*/, std::uint32_t capacity,
                                                                std::uint32_t* count, XrViewConfigurationView* views) {
+  RuntimeState& state = runtimeState();
+  const Lock lock(state.mutex);
+  const auto pixels = static_cast<std::uint32_t>(state.eyePixels);
   *count = 2;
   for (std::uint32_t i = 0; i < std::min(capacity, *count); ++i) {
-    views[i].recommendedImageRectWidth = views[i].maxImageRectWidth = kEyeWidth;
-    views[i].recommendedImageRectHeight = views[i].maxImageRectHeight = kEyeHeight;
+    views[i].recommendedImageRectWidth = views[i].maxImageRectWidth = pixels;
+    views[i].recommendedImageRectHeight = views[i].maxImageRectHeight = pixels;
     views[i].recommendedSwapchainSampleCount = views[i].maxSwapchainSampleCount = 1;
   }
   return XR_SUCCESS;

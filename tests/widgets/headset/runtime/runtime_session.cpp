@@ -18,8 +18,6 @@ namespace {
 using Lock = std::lock_guard<std::mutex>;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::microseconds kPeriod{11111};  ///< 90 Hz
-
 XRAPI_ATTR XrResult XRAPI_CALL createSession(XrInstance /*instance*/, const XrSessionCreateInfo* info,
                                              XrSession* session) {
   RuntimeState& state = runtimeState();
@@ -74,7 +72,11 @@ XRAPI_ATTR XrResult XRAPI_CALL endSession(XrSession /*session*/) {
   if (state.sessionState != XR_SESSION_STATE_STOPPING) return XR_ERROR_SESSION_NOT_STOPPING;
   state.begun = false;
   changeSessionState(state, XR_SESSION_STATE_IDLE);
-  if (state.leaving) changeSessionState(state, XR_SESSION_STATE_EXITING);
+  if (state.leaving) {
+    changeSessionState(state, XR_SESSION_STATE_EXITING);
+  } else if (state.worn) {  // put on again before the session had ended
+    changeSessionState(state, XR_SESSION_STATE_READY);
+  }
   return XR_SUCCESS;
 }
 
@@ -119,8 +121,9 @@ XRAPI_ATTR XrResult XRAPI_CALL waitFrame(XrSession /*session*/, const XrFrameWai
   if (const XrResult result = sessionResult(state); result != XR_SUCCESS) return result;
   if (!state.begun) return XR_ERROR_SESSION_NOT_RUNNING;
   state.waited = true;
-  frame->predictedDisplayTime = std::chrono::nanoseconds(until.time_since_epoch()).count();
-  frame->predictedDisplayPeriod = std::chrono::nanoseconds(kPeriod).count();
+  state.displayTime += state.pictureInterval;
+  frame->predictedDisplayTime = state.displayTime.count();
+  frame->predictedDisplayPeriod = kPeriod.count();
   frame->shouldRender = XR_TRUE;
   return XR_SUCCESS;
 }

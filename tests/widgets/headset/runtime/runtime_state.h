@@ -44,6 +44,10 @@ struct FakeController {
   std::vector<double> pulses;
 };
 
+/// Few, so that software draws them quickly.
+inline constexpr int kUsualEyePixels = 320;
+inline constexpr std::chrono::nanoseconds kPeriod{11'111'111};  ///< 90 Hz
+
 struct RuntimeState {
   std::mutex mutex;
   std::condition_variable changed;
@@ -52,9 +56,12 @@ struct RuntimeState {
   bool runtimeThere = true;
   bool headsetThere = true;
   bool worn = true;
+  int eyePixels = kUsualEyePixels;
   Pose X_RH{Vector3(0.0, 1.6, 0.0), Quaternion::Identity()};
   std::array<FakeController, 2> controllers;
   std::chrono::milliseconds stall{0};
+  std::chrono::nanoseconds pictureInterval = kPeriod;
+  std::chrono::nanoseconds displayTime{1};  ///< of the last picture that was wanted, in a clock of its own
   bool sessionLost = false;
   bool runtimeLost = false;
 

@@ -1,0 +1,72 @@
+#include "app/window/headset_panel_controller.h"
+
+#include "app/window/refusal_controller.h"
+#include "app/window/sequence_controller.h"
+#include "app/window/status_text.h"
+
+namespace glissade {
+
+HeadsetPanelController::HeadsetPanelController(const Workbench& bench, const RefusalController& refusal,
+                                               SequenceController& sequence, const MeasuringTools& measuring)
+    : QObject(&bench.window),
+      bench_(bench),
+      refusal_(refusal),
+      sequence_(sequence),
+      texts_(bench, tools_),
+      walk_(bench, sequence),
+      handTools_(bench, measuring) {
+  Headset* headset = bench.scene.headset();
+  if (headset == nullptr) return;
+  headset->setTools(tools_);
+  connect(&walk_, &InstructionWalk::hintChanged, this, [this] { texts_.setHint(walk_.hint()); });
+  connect(bench.actions["view.headset"], &QAction::toggled, this, [this](bool on) {
+    if (on && !page_) make();
+    texts_.setOn(on);
+  });
+  connect(bench.actions["headset.panel-in-front"], &QAction::toggled, this,
+          [this](bool inFront) { tools_->panelInFront = inFront; });
+}
+
+void HeadsetPanelController::make() {
+  page_ = std::make_unique<HeadsetPage>(bench_.actions);
+  view_ = std::make_unique<HeadsetPanelView>(*page_, tools_);
+  connect(page_.get(), &HeadsetPage::commanded, &bench_.session, &SessionBridge::post);
+  connect(&bench_.document, &WorkbenchDocument::changed, this, [this](Changes what) {
+    if (what & (Change::Scenario | Change::Arrangement)) showScenario();
+  });
+  connect(&bench_.run, &ShownRun::changed, this, &HeadsetPanelController::showRun);
+  connect(&bench_.run, &ShownRun::liveChanged, this, [this](bool live) { page_->setReplayed(!live); });
+  connect(&refusal_.bar(), &NoticeBar::changed, this, &HeadsetPanelController::showRefusal);
+  connect(sequence_.panel(), &SequencePanel::sceneChanged, this, &HeadsetPanelController::showStep);
+  connect(&sequence_, &SequenceController::planShown, this, &HeadsetPanelController::showStep);
+  page_->setReplayed(!bench_.run.isLive());
+  showScenario();
+  showRefusal();
+  showStep();
+}
+
+void HeadsetPanelController::showScenario() {
+  if (bench_.document.scenario()) page_->setScenario(*bench_.document.scenario());
+  showRun();
+}
+
+/// What the status line says before a run is about keys.
+void HeadsetPanelController::showRun() {
+  const SnapshotPtr& snapshot = bench_.run.snapshot();
+  if (!snapshot) return;
+  const bool hasRun = snapshot->state != SessionState::Idle && !snapshot->problem;
+  page_->setSnapshot(*snapshot, hasRun ? statusText(*snapshot) : QString());
+}
+
+void HeadsetPanelController::showRefusal() {
+  const NoticeBar& bar = refusal_.bar();
+  if (bar.isHidden()) {
+    page_->setRefusal({}, {});
+  } else {
+    page_->setRefusal(bar.notice().title, bar.notice().details);
+  }
+}
+
+void HeadsetPanelController::showStep() { page_->setStep(sequence_.panel()->placeText()); }
+
+}  // namespace glissade

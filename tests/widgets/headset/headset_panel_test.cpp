@@ -1,0 +1,137 @@
+// The panel in the scene, and a person who works with nothing else: the real window with the runtime for tests, on a
+// virtual display. See with_headset.sh.
+#include <QAbstractButton>
+#include <QSlider>
+
+#include "app/window/headset_panel_controller.h"
+#include "tests/app/golden_picture.h"
+#include "tests/widgets/headset/pointing_hands.h"
+#include "tests/widgets/headset/window_with_headset.h"
+
+namespace glissade {
+namespace {
+
+/// Before the panel, so that it is seen as it is used.
+const Pose kHead{Vector3(0.0, 1.6, 0.0), Quaternion(Eigen::AngleAxisd(-0.45, Vector3::UnitX()))};
+const Pose kLeftHand{Vector3(-0.12, 1.12, -0.32), Quaternion(Eigen::AngleAxisd(-0.1, Vector3::UnitY()))};
+/// A real headset has 20 pixels a degree, and this has 11.
+constexpr int kEyePixels = 1024;
+
+class HeadsetPanelTest : public test::WindowWithHeadset {
+ protected:
+  HeadsetPanelTest() : WindowWithHeadset("environment-1/scenario.json") {
+    window_->setTheme(Theme::Light);
+    window_->resize(600, 400);  // drawn by the same cores
+    bench().actions["headset.on-table"]->setChecked(true);
+    test::setHead(kHead);
+  }
+
+  void wear() {
+    headset().trigger();
+    ASSERT_TRUE(isRunning());
+  }
+  HeadsetPanelController& panel() { return *window_->findChild<HeadsetPanelController*>(); }
+  HeadsetPage& page() { return *panel().page(); }
+  const SnapshotPtr& snapshot() { return bench().session.snapshot(); }
+  double alpha() { return snapshot()->parameters[ParameterId::Alpha]; }
+  QWidget& buttonOf(const char* action) {
+    for (QToolButton* button : page().findChildren<QToolButton*>()) {
+      if (button->defaultAction() == bench().actions[action]) return *button;
+    }
+    ADD_FAILURE() << action << " has no button";
+    return page();
+  }
+  QSlider& slider(const char* parameter) {
+    return *page().findChild<QWidget*>(QLatin1String(parameter))->findChild<QSlider*>();
+  }
+  /// In shares of the page; `share` of the widget's width.
+  Eigen::Vector2d placeOf(const QWidget& widget, double share = 0.5) {
+    const QPointF at = widget.mapTo(&page(), QPoint()) + QPointF(share * widget.width(), 0.5 * widget.height());
+    return {at.x() / page().width(), at.y() / page().height()};
+  }
+  bool hasPlayed() {
+    return until([] { return test::hasPlayed(1); });
+  }
+  void press(const char* action) {
+    hands_.pointAt(placeOf(buttonOf(action))).pull().release().play();
+    ASSERT_TRUE(hasPlayed());
+  }
+  QImage picture() {
+    const int before = test::shownPictures();
+    until([before] { return test::shownPictures() > before + 1; });  // what was painted is shown
+    const std::vector<test::EyePicture> shown = test::nextPictures(std::chrono::seconds(20));
+    return QImage(shown.at(0).rgba.data(), shown[0].width, shown[0].height, QImage::Format_RGBX8888).copy();
+  }
+
+  test::PointingHands hands_{kLeftHand};
+};
+
+TEST_F(HeadsetPanelTest, ARunIsStartedAndStoppedAndAlphaIsDraggedByThePanelAlone) {
+  wear();
+  press("run.start");
+  ASSERT_TRUE(until([this] { return glissade::isRunning(*snapshot()) || snapshot()->path; }));
+  const double before = alpha();
+  QSlider& authority = slider("alpha");
+  const double share = static_cast<double>(authority.value()) / authority.maximum();
+  // The handle does not reach the ends of the slider.
+  const auto handle = [&](double value) {
+    return placeOf(authority, (16.0 + value * (authority.width() - 32.0)) / authority.width());
+  };
+  hands_.pointAt(handle(share)).pull().pointAt(handle(0.5)).pointAt(handle(0.8)).release().play();
+  ASSERT_TRUE(hasPlayed());
+  EXPECT_TRUE(until([&] { return std::abs(alpha() - 0.8) < 0.02; })) << before << " became " << alpha();
+  hands_.pointAt(handle(0.8)).pull().pointAt({3.0, 0.5}).release().play();
+  ASSERT_TRUE(hasPlayed());
+  EXPECT_TRUE(until([&] { return alpha() == 1.0; })) << "past its end";
+  press("run.stop");
+  EXPECT_TRUE(until([this] { return !glissade::isRunning(*snapshot()); }));
+}
+
+TEST_F(HeadsetPanelTest, AStrategyIsChosen) {
+  wear();
+  QWidget& layers = *page().findChild<QAbstractButton*>(QStringLiteral("gts"));
+  hands_.pointAt(placeOf(layers)).pull().release().play();
+  EXPECT_TRUE(until([this] { return snapshot()->plannerId == "gts"; }));
+}
+
+TEST_F(HeadsetPanelTest, WhatWasRefusedIsSaidThere) {
+  wear();
+  EXPECT_TRUE(page().findChild<QLabel*>(QStringLiteral("headset-refused"))->text().isEmpty());
+  const RigidBody& wall = bench().document.scenario()->obstacles.front();
+  const Vector3 middle = boundingBox(*wall.mesh, wall.X_WB).center();
+  const auto intoAWall = [middle](Scenario& scenario) {
+    scenario.start.position = middle;
+    return Outcome(Done{});
+  };
+  ASSERT_TRUE(bench().document.edit(QStringLiteral("wall"), intoAWall));
+  press("run.start");
+  EXPECT_TRUE(
+      until([this] { return !page().findChild<QLabel*>(QStringLiteral("headset-refused"))->text().isEmpty(); }));
+}
+
+TEST_F(HeadsetPanelTest, ItIsPaintedAgainOnlyWhenItSaysSomethingElse) {
+  wear();
+  int before = -1;
+  EXPECT_TRUE(until([&] {
+    const bool rests = before == panel().paintings();
+    before = panel().paintings();
+    until([] { return false; }, 500);
+    return rests && before == panel().paintings();
+  }));
+  page().setStep(QStringLiteral("Step 1 of 2"));
+  EXPECT_TRUE(until([&] { return panel().paintings() > before; }));
+}
+
+TEST_F(HeadsetPanelTest, PictureOfAnEyeWithThePanel) {
+  test::setEyePixels(kEyePixels);
+  wear();
+  page().setStep(QStringLiteral("Step 2 of 5: key"));
+  page().setRefusal(QStringLiteral("The start is refused: 'object' overlaps or touches what is there."),
+                    QStringLiteral("'wall': overlap 3 mm"));
+  hands_.pointAt(placeOf(buttonOf("run.start"))).play();
+  ASSERT_TRUE(hasPlayed());
+  test::expectLikeGolden(picture(), QStringLiteral("headset-panel"));
+}
+
+}  // namespace
+}  // namespace glissade

@@ -1,0 +1,29 @@
+#include "widgets/headset/text_in_room.h"
+
+namespace glissade {
+namespace {
+
+/// Radians of a pixel.
+constexpr double kPixel = 0.4e-3 / 0.6;
+
+/// Facing, upright; z of the room where the head is straight above.
+Quaternion towards(const Vector3& direction) {
+  const Vector3 z = direction.normalized();
+  Vector3 x = Vector3::UnitY().cross(z);
+  x = x.norm() > 1e-6 ? Vector3(x.normalized()) : Vector3::UnitX();
+  Eigen::Matrix3d axes;
+  axes << x, z.cross(x), z;
+  return Quaternion(axes);
+}
+
+}  // namespace
+
+ShownPicture textInRoom(const FlatPicturePtr& picture, const Vector3& p_RT, const Vector3& p_RH) {
+  const Vector3 toHead = p_RH - p_RT;
+  const double distance = toHead.norm();
+  if (!picture || distance == 0.0) return {};
+  const double pixel = kPixel * distance;
+  return {Pose{p_RT, towards(toHead)}, pixel * picture->width, pixel * picture->height, picture};
+}
+
+}  // namespace glissade

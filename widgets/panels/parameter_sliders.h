@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QWidget>
+
+#include <set>
+#include <vector>
+
+#include "widgets/bridge/session_bridge.h"
+#include "widgets/panels/parameter_slider.h"
+
+namespace glissade {
+
+/// Live parameters of the table below each other, in step with a run.
+class ParameterSliders final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ParameterSliders(const std::vector<ParameterId>& ids, QWidget* parent = nullptr);
+
+  void setScenario(const LoadedScenario& scenario);
+  void setSnapshot(const SessionSnapshot& snapshot);
+  /// The others are hidden.
+  void showOnly(const std::set<ParameterId>& ids);
+  const std::vector<ParameterSlider*>& all() const { return sliders_; }
+
+ signals:
+  void commanded(const glissade::Command& command);
+
+ private:
+  void chooseTuning(ParameterId id, bool tuned);
+
+  std::vector<ParameterSlider*> sliders_;
+  int tuned_ = 0;  ///< what sets itself: bits of TunedSetting
+};
+
+}  // namespace glissade
