@@ -22,14 +22,17 @@ double MotionBodies::scaleFor(const std::vector<const TriangleMesh*>& meshes, co
   return std::max(scale_, MotionCheck::scaleFor(meshes, placed));
 }
 
-MeshPtr MotionBodies::taken(const MeshPtr& mesh, const std::vector<double>& allowances, double share) {
-  if (allowances.empty()) return mesh;
-  const std::tuple<MeshPtr, std::vector<double>, double> key{mesh, allowances, share};
+MeshPtr MotionBodies::taken(const MeshPtr& mesh, const std::vector<double>& allowances, double share,
+                            const ThreadCore* core) {
+  if (allowances.empty() && core == nullptr) return mesh;
+  const std::tuple key{mesh, allowances, share, core != nullptr ? std::optional(*core) : std::nullopt};
   {
     const std::lock_guard lock(mutex_);
     if (const auto known = thinned_.find(key); known != thinned_.end()) return known->second;
   }
-  auto thin = std::make_shared<const TriangleMesh>(thinned(*mesh, allowances, share));
+  TriangleMesh made = allowances.empty() ? *mesh : thinned(*mesh, allowances, share);
+  if (core != nullptr) made = withoutThread(made, *core);
+  auto thin = std::make_shared<const TriangleMesh>(std::move(made));
   const std::lock_guard lock(mutex_);
   return thinned_.try_emplace(key, std::move(thin)).first->second;
 }

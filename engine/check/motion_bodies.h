@@ -9,6 +9,7 @@
 
 #include "engine/check/motion_check.h"
 #include "engine/check/thinning.h"
+#include "engine/check/thread_core.h"
 
 namespace glissade::check {
 
@@ -23,7 +24,9 @@ class MotionBodies {
   /// The scale of motions in which these meshes take part: of the product's, unless theirs is larger.
   double scaleFor(const std::vector<const TriangleMesh*>& meshes, const std::vector<Body>& placed) const;
   /// The mesh taken thinner by the allowance of each triangle; itself where there is none. `share`: as of thinned().
-  MeshPtr taken(const MeshPtr& mesh, const std::vector<double>& allowances, double share = kThicknessShare);
+  /// `core`: that is left of its thread; null: all.
+  MeshPtr taken(const MeshPtr& mesh, const std::vector<double>& allowances, double share = kThicknessShare,
+                const ThreadCore* core = nullptr);
   MotionCheck::ObstaclePtr obstacle(const MeshPtr& mesh, const Pose& X_WB, double scale);
 
  private:
@@ -37,7 +40,7 @@ class MotionBodies {
   double scale_;
   std::size_t keptTriangles_;
   std::mutex mutex_;  ///< of what follows
-  std::map<std::tuple<MeshPtr, std::vector<double>, double>, MeshPtr> thinned_;
+  std::map<std::tuple<MeshPtr, std::vector<double>, double, std::optional<ThreadCore>>, MeshPtr> thinned_;
   std::map<Place, Prepared> obstacles_;
   std::size_t triangles_ = 0;  ///< of the obstacles
   std::uint64_t asked_ = 0;

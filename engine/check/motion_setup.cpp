@@ -18,8 +18,9 @@ JudgedMotion judgeMotion(const MotionQuestion& question, MotionBodies& prepared,
   std::vector<Body> bodies{question.moving};
   for (const MotionPair& pair : question.pairs) {
     if (watch.stop.stopRequested()) return {{}, "the check was stopped"};
-    objects.push_back(placed(prepared.taken(question.moving.mesh, pair.fit.moving, pair.fit.share)));
-    others.push_back(prepared.taken(pair.other->mesh, pair.fit.other, pair.fit.share));
+    objects.push_back(
+        placed(prepared.taken(question.moving.mesh, pair.fit.moving, pair.fit.share, pair.fit.coreOfMoving())));
+    others.push_back(prepared.taken(pair.other->mesh, pair.fit.other, pair.fit.share, pair.fit.coreOfOther()));
     for (const MeshPtr& mesh : {objects.back(), others.back()}) meshes.push_back(mesh.get());
     bodies.push_back(*pair.other);
   }

@@ -15,6 +15,7 @@ namespace {
 /// By which two careful estimates of the same bound may differ, as a share of it, and metres.
 constexpr double kEstimate = 0.02;
 constexpr double kEstimateAtLeast = 2e-7;
+constexpr double kSameRadius = 1e-5;  ///< metres
 
 double largest(const std::vector<double>& values) {
   return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
@@ -52,9 +53,14 @@ class PairFitter {
   PairFit take() {
     const bool marked = fits_.on && word_ != nullptr && word_->isThread();
     const std::vector<StatedAllowance> stated = ofPair();
+    const bool core = std::any_of(stated.begin(), stated.end(), [](const auto& each) { return each.core.has_value(); });
     if (stated.empty() && question_.stated && !marked) return {};
     if (!fits_.on) {
       for (const StatedAllowance& each : stated) refuseOff(each);
+      return std::move(fit_);
+    }
+    if (core) {
+      takeCore(stated);
       return std::move(fit_);
     }
     findBounds();
@@ -193,17 +199,88 @@ class PairFitter {
     }
     Thread thread = *found;
     thread.assembled = assembled;
-    thread.mayTurn = word_->turned.empty() || word_->turned == question_.moving.id;
-    if (word_->pitch && pitch && std::abs(*word_->pitch - *pitch) > 1e-9) {
-      fit_.refusals.push_back(pairInWords(question_.moving.name, question_.other.name) +
-                              ": the file's pitch is not the one that a person gives for the thread");
-    }
-    thread.pitch = word_->pitch ? *word_->pitch : pitch.value_or(pitchOfPath(thread));
+    heedWord(thread, pitch);
     if (const std::string wrong = wrongPitch(thread); !wrong.empty()) {
       fit_.refusals.push_back(pairInWords(question_.moving.name, question_.other.name) + ": " + wrong);
     }
     for (AppliedAllowance& allowance : fit_.applied) allowance.thread = thread;
     fit_.thread = thread;
+  }
+
+  /// The pitch is a person's, else the file's, else that of the path.
+  void heedWord(Thread& thread, const std::optional<double>& stated) {
+    const std::optional<double> said = word_ != nullptr ? word_->pitch : std::nullopt;
+    if (said && stated && std::abs(*said - *stated) > 1e-9) {
+      fit_.refusals.push_back(pairInWords(question_.moving.name, question_.other.name) +
+                              ": the file's pitch is not the one that a person gives for the thread");
+    }
+    thread.pitch = said ? *said : stated.value_or(pitchOfPath(thread));
+    thread.mayTurn = word_ == nullptr || word_->turned.empty() || word_->turned == question_.moving.id;
+  }
+
+  /// The thread of one of the bodies is taken away, and nothing else but what touches.
+  void takeCore(const std::vector<StatedAllowance>& stated) {
+    const StatedAllowance& claim = stated.front();
+    const auto refuse = [&](const std::string& reason) {
+      if (fit_.applied.empty()) add(claim.yields, 0.0).stated = claim.allowance;
+      fit_.refusals.push_back(allowanceRefused(fit_.applied.front(), reason));
+    };
+    if (stated.size() > 1 || !claim.core)
+      return refuse("a thread is taken away of one body of a pair, and nothing else");
+    if (word_ != nullptr && !word_->kind.empty() && !word_->isThread())
+      return refuse("a person says that the pair is no thread");
+    Thread thread = threadOf(*claim.core);
+    thread.movingIsShaft = !claim.yields;
+    Result<ThreadCore> core = findCore(thread);
+    if (!core) return refuse(core.error().reason);
+    double& hole = thread.movingIsShaft ? thread.radiusOther : thread.radiusMoving;
+    if (std::abs(hole - core->hole) > kSameRadius) return refuse("the hole is not as narrow as the file states");
+    hole = core->hole;
+    takeTouching(thread, *core);
+    AppliedAllowance& allowance = add(claim.yields, core->depth());
+    allowance.stated = claim.allowance;
+    allowance.core = true;
+    allowance.most = core->depth();
+    allowance.evidence = {core->depth() - core->spacing - core->margin, 0.0, core->spacing, core->margin};
+    heedWord(thread, thread.pitch);
+    allowance.thread = fit_.thread = thread;
+    fit_.core = inFrame(inverse(claim.yields ? question_.other.X_WB : thread.assembled), *core);
+    if (claim.allowance > (1.0 + kEstimate) * core->depth()) refuse("its thread is not so deep");
+  }
+
+  /// In the first configuration that shows it; it is told to the thread.
+  Result<ThreadCore> findCore(Thread& thread) {
+    const bool own = thread.movingIsShaft;
+    const ClaimedThread claim{thread.point, thread.axis, thread.pitch, own ? thread.radiusMoving : thread.radiusOther};
+    Result<ThreadCore> core(Diagnostic{});
+    for (const Pose& end : question_.assembled) {
+      const PlacedBody& moving = bodies_.at({question_.moving, end});
+      const PlacedBody& other = bodies_.at({question_.other, question_.other.X_WB});
+      core = own ? threadCoreOf(moving, other, claim) : threadCoreOf(other, moving, claim);
+      thread.assembled = end;
+      if (core) break;
+    }
+    return core;
+  }
+
+  /// Faces of the shaft beside the thread have room for what they touch.
+  void takeTouching(const Thread& thread, const ThreadCore& core) {
+    const PairWord* said = word_;
+    PairWord accepted = said != nullptr ? *said : PairWord{question_.moving.id, question_.other.id};
+    accepted.accepted = true;
+    word_ = &accepted;
+    findBounds();
+    word_ = said;
+    const PlacedBody& moving = bodies_.at({question_.moving, thread.assembled});
+    const PlacedBody& other = bodies_.at({question_.other, question_.other.X_WB});
+    const bool own = thread.movingIsShaft;
+    const double touching = core.spacing + core.margin + moving.largestDeflection + other.largestDeflection;
+    std::vector<double> allowances = own ? bounds_.one.atMost : bounds_.other.atMost;
+    const std::vector<bool> ofThread = trianglesOfThread((own ? moving : other).mesh, core);
+    for (std::size_t t = 0; t < allowances.size(); ++t) {
+      allowances[t] = ofThread[t] ? 0.0 : std::min(allowances[t], touching);
+    }
+    if (largest(allowances) > 0.0) (own ? fit_.moving : fit_.other) = std::move(allowances);
   }
 
   /// As the path has it where it begins or ends in the thread; that of no turn is a tenth of the diameter, so that the

@@ -8,6 +8,7 @@
 #include "engine/check/path.h"
 #include "engine/check/placed_bodies.h"
 #include "engine/check/thread.h"
+#include "engine/check/thread_core.h"
 
 namespace glissade::check {
 
@@ -18,6 +19,7 @@ struct AppliedAllowance {
   std::string thinner;  ///< names, for people: of the body that is taken thinner
   std::string against;
   bool yields = false;             ///< the other one is taken thinner
+  bool core = false;               ///< its thread is taken away
   std::optional<double> stated{};  ///< metres, by the file
   double applied = 0.0;            ///< metres, of the face that moves farthest
   double most = 0.0;               ///< metres that the meshes and the person give
@@ -32,10 +34,15 @@ struct PairFit {
   std::vector<double> other{};
   double share = kThicknessShare;  ///< as AllowanceBound::share, of either
   std::optional<Thread> thread{};  ///< its `other` is left to the caller
+  /// Of the shaft of the thread, in its frame; nothing: no thread is taken away.
+  std::optional<ThreadCore> core{};
   std::vector<AppliedAllowance> applied{};
   std::vector<std::string> refusals{};  ///< for people; empty: nothing is wrong
 
-  bool isThinned() const { return !moving.empty() || !other.empty(); }
+  bool isThinned() const { return !moving.empty() || !other.empty() || core; }
+  /// Null: the body's thread is not taken away.
+  const ThreadCore* coreOfMoving() const { return core && thread->movingIsShaft ? &*core : nullptr; }
+  const ThreadCore* coreOfOther() const { return core && !thread->movingIsShaft ? &*core : nullptr; }
 };
 
 /// What is asked about a pair.

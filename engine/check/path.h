@@ -25,6 +25,7 @@ struct StatedAllowance {
   bool yields = false;     ///< the other one is taken thinner, not the moving one
   std::optional<double> pitch{};
   std::optional<StatedThread> thread{};
+  std::optional<StatedThread> core{};  ///< its thread, which is taken away: the pair comes apart by turning only
 };
 
 struct Point {

@@ -15,17 +15,6 @@ double metres(const JsonCursor& at) {
   return value;
 }
 
-StatedThread readThread(const JsonCursor& at) {
-  StatedThread thread;
-  thread.point = at.at("point_m").vector();
-  thread.direction = at.at("direction").vector();
-  if (!(thread.direction.norm() > 0.0)) at.at("direction").fail("has no direction");
-  thread.pitch = at.at("pitch_m").coordinate();
-  thread.radiusMoving = at.at("radius_moving_m").length();
-  thread.radiusOther = at.at("radius_other_m").length();
-  return thread;
-}
-
 std::vector<std::string> readTexts(const JsonCursor& at) {
   std::vector<std::string> texts;
   for (std::size_t i = 0; i < at.sizeUpTo(limits::kMostBodies); ++i) texts.push_back(at.element(i).nonEmptyText());
@@ -50,6 +39,17 @@ std::vector<SnapWord> bendsIn(const JsonCursor& joint) {
 
 }  // namespace
 
+StatedThread readThread(const JsonCursor& at) {
+  StatedThread thread;
+  thread.point = at.at("point_m").vector();
+  thread.direction = at.at("direction").vector();
+  if (!(thread.direction.norm() > 0.0)) at.at("direction").fail("has no direction");
+  thread.pitch = at.at("pitch_m").coordinate();
+  thread.radiusMoving = at.at("radius_moving_m").length();
+  thread.radiusOther = at.at("radius_other_m").length();
+  return thread;
+}
+
 std::vector<StatedAllowance> readAllowances(const JsonCursor& at) {
   std::vector<StatedAllowance> allowances;
   for (std::size_t i = 0; i < at.sizeUpTo(limits::kMostBodies); ++i) {
@@ -62,6 +62,7 @@ std::vector<StatedAllowance> readAllowances(const JsonCursor& at) {
     if (const auto yields = each.find("yields")) allowance.yields = yields->boolean();
     if (const auto pitch = each.find("pitch_m")) allowance.pitch = pitch->coordinate();
     if (const auto thread = each.find("thread")) allowance.thread = readThread(*thread);
+    if (const auto core = each.find("core")) allowance.core = readThread(*core);
     allowances.push_back(std::move(allowance));
   }
   return allowances;

@@ -8,6 +8,7 @@ namespace glissade::check {
 
 // Values that paths, plans and scenarios have in common. Reading throws JsonError.
 
+StatedThread readThread(const JsonCursor& at);
 std::vector<StatedAllowance> readAllowances(const JsonCursor& at);
 std::vector<Point> readPoints(const JsonCursor& at);
 /// The section "sequence" of a scenario or a plan, as far as steps have to keep it.

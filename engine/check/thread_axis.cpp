@@ -147,15 +147,20 @@ Diagnostic noThread(const std::string& reason, const std::string& advice) {
 
 }  // namespace
 
+Thread threadOf(const StatedThread& stated) {
+  Thread thread;
+  thread.point = stated.point;
+  thread.axis = stated.direction.normalized();
+  thread.pitch = stated.pitch;
+  thread.radiusMoving = stated.radiusMoving;
+  thread.radiusOther = stated.radiusOther;
+  return thread;
+}
+
 Result<Thread> threadAxis(const PlacedBody& moving, const PlacedBody& other,
                           const std::optional<StatedThread>& stated) {
   if (stated) {
-    Thread thread;
-    thread.point = stated->point;
-    thread.axis = stated->direction.normalized();
-    thread.pitch = stated->pitch;
-    thread.radiusMoving = stated->radiusMoving;
-    thread.radiusOther = stated->radiusOther;
+    Thread thread = threadOf(*stated);
     const auto wider = roundFacesOf(moving);
     thread.movingIsShaft = std::any_of(wider.begin(), wider.end(), [&](const RoundFace& face) {
       return face.isShaft && std::abs(face.radius - thread.radiusMoving) <= kOnThreadCylinder &&

@@ -15,6 +15,9 @@ inline constexpr double kLeastThreadPitch = 1e-5;
 /// A thread of several starts advances by no more than two of its diameters for a turn: what is steeper is no thread.
 inline constexpr double kMostPitchInDiameters = 2.0;
 
+/// As a file states it, and nothing else of it.
+Thread threadOf(const StatedThread& stated);
+
 /// The axis of a thread: as a file states it and the meshes show it, or as it is found from the meshes. Both bodies
 /// have vertices on cylinders about it, within 10 micrometres, on a common span. `other` and `pitch` are left as they
 /// are. Errors say why there is none.

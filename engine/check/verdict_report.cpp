@@ -106,6 +106,7 @@ Report allowancesJson(const std::vector<AppliedAllowance>& allowances) {
                 {"spacing_m", evidence.spacing}, {"margin_m", evidence.margin},
                 {"text", inWords(each)}};
     if (evidence.byPerson > 0.0) json["by_person_m"] = evidence.byPerson;
+    if (each.core) json["core"] = true;
     if (each.thread) {
       json["thread"] = {{"point_m", toJson(each.thread->point)},
                         {"direction", toJson(each.thread->axis)},

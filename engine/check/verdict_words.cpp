@@ -22,6 +22,7 @@ std::string inWords(const AppliedAllowance& allowance) {
   std::string words = "'" + allowance.thinner + "' is taken " + inMillimetres(allowance.applied) +
                       " thinner against '" + allowance.against + "' (" + inWords(allowance.evidence) + ")";
   if (allowance.bend > 0.0) words += ", at the hook that a person lets bend by " + inMillimetres(allowance.bend);
+  if (allowance.core) words += ", where its thread is taken away";
   if (allowance.thread) words += ", a thread with a pitch of " + inMillimetres(allowance.thread->pitch);
   return words;
 }

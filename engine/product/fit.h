@@ -27,11 +27,13 @@ struct Fit {
   /// Metres by which the body is taken thinner, of the face that moves farthest; of a refused clash, what it would
   /// take.
   double allowance = 0.0;
-  check::Evidence evidence{};         ///< for the largest allowance that may be taken
-  std::optional<FitThread> thread{};  ///< where a person has marked the pair as a thread
-  MeshPtr thinned{};                  ///< the body taken so; null where it is whole
-  bool yields = false;                ///< the obstacle is taken thinner, not the object
-  std::string refused{};              ///< why nothing is allowed, for people; empty: it is
+  check::Evidence evidence{};  ///< for the largest allowance that may be taken
+  /// Where a person has marked the pair as a thread, or the thread of the shaft is taken away.
+  std::optional<FitThread> thread{};
+  bool core = false;      ///< the shaft's thread is taken away (core_fit.h)
+  MeshPtr thinned{};      ///< the body taken so; null where it is whole
+  bool yields = false;    ///< the obstacle is taken thinner, not the object
+  std::string refused{};  ///< why nothing is allowed, for people; empty: it is
 };
 
 /// "screw taken 0.41 mm thinner in the tapped hole of plate (thread)"; with the pitch, where the thread is known:

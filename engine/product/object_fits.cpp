@@ -8,11 +8,10 @@
 #include "engine/base/quantity_text.h"
 #include "engine/product/common_axis.h"
 #include "engine/product/fit_refusals.h"
+#include "engine/product/fit_thread.h"
 #include "engine/product/fit_words.h"
 #include "engine/product/giving_way.h"
-#include "engine/product/loose_nut.h"
 #include "engine/product/modelled_thread.h"
-#include "engine/product/thread_pitch.h"
 
 namespace glissade {
 namespace {
@@ -30,28 +29,15 @@ struct FoundContact {
   Pose measuredAt{};  ///< the end that the contact was measured at
 };
 
-/// Those of the ends in which the object's axis is the same line as in the first one. Its thread may be in another
-/// hole of the obstacle in the others.
-std::vector<Pose> onAxis(const ContactAxis& axis, const Pose& first, const std::vector<Pose>& ends) {
-  constexpr double kSame = 1e-5;
-  const Vector3 point_B = inverse(first) * axis.point;
-  std::vector<Pose> same{first};
-  for (const Pose& end : ends) {
-    const Vector3 p = end * point_B - axis.point;
-    const Vector3 direction = end.orientation * (first.orientation.conjugate() * axis.direction);
-    const bool isSame = p.cross(axis.direction).norm() < kSame && direction.cross(axis.direction).norm() < kSame;
-    if (isSame && end != first) same.push_back(end);
-  }
-  return same;
+/// The same with its bodies exchanged.
+ContactAxis exchanged(ContactAxis axis) {
+  std::swap(axis.radiusA, axis.radiusB);
+  axis.shaftIsA = !axis.shaftIsA;
+  return axis;
 }
-
-/// The same contact with its bodies exchanged.
 Contact exchanged(Contact contact) {
   std::swap(contact.a, contact.b);
-  if (contact.axis) {
-    std::swap(contact.axis->radiusA, contact.axis->radiusB);
-    contact.axis->shaftIsA = !contact.axis->shaftIsA;
-  }
+  if (contact.axis) contact.axis = exchanged(*contact.axis);
   return contact;
 }
 
@@ -129,6 +115,9 @@ class FitFinder {
 
  private:
   const std::vector<FitEdit>& edits() const { return question_.product.fits.pairs; }
+  const FitEdit* editAbout(std::size_t obstacle) const {
+    return editOf(question_.product.fits, object_.id, body(obstacle).id);
+  }
   const RigidBody& body(std::size_t index) const { return question_.product.bodies[index]; }
 
   static Diagnostic refused(std::size_t edit, const std::string& reason, const std::string& advice) {
@@ -252,10 +241,11 @@ class FitFinder {
             question_.product.deflections[index]};
   }
 
-  check::PairBounds boundsWith(std::size_t obstacle) const {
+  const check::PairWord* wordAbout(std::size_t obstacle) const { return words_.about(object_.id, body(obstacle).id); }
+
+  check::PairBounds boundsWith(std::size_t obstacle, const check::PairWord* word) const {
     const check::Body own = measuredBody(question_.object);
     const check::Body fixed = measuredBody(obstacle);
-    const check::PairWord* word = words_.about(own.id, fixed.id);
     std::optional<check::PairBounds> bounds;
     for (const Pose& end : ends_) {
       const check::PairBounds found = tools_.placed.boundsOf({own, end}, {fixed, fixed.X_WB}, words_, word, stop_);
@@ -265,8 +255,8 @@ class FitFinder {
   }
 
   void resolve(std::size_t obstacle, const FoundContact& found) {
-    const FitEdit* edit = editOf(question_.product.fits, object_.id, body(obstacle).id);
-    const check::PairBounds bounds = boundsWith(obstacle);
+    const FitEdit* edit = editAbout(obstacle);
+    const check::PairBounds bounds = boundsWith(obstacle, wordAbout(obstacle));
     const Decision decision = decide(found.contact, edit, question_.product.fits, bounds, question_.limits);
     Contact& contact = fits_.contacts.emplace_back(found.contact);
     contact.kind = decision.kind;
@@ -277,6 +267,7 @@ class FitFinder {
     const bool marked = edit != nullptr && edit->kind == ContactKind::Thread;
     if (marked && found.contact.axis) fit.thread = threadOf(found, edit);
     if (decision.refused) {
+      if (takeWithoutThread(fit, found)) return;
       const double overlap = clashOverlap(found.contact, bounds);
       fit.allowance = overlap + found.contact.deviation;
       refuse(fit, "overlap by " + inMillimetres(overlap) + ", which is a clash",
@@ -319,36 +310,7 @@ class FitFinder {
   }
 
   FitThread threadOf(const FoundContact& found, const FitEdit* edit) const {
-    const ContactAxis& axis = *found.contact.axis;
-    FitThread thread;
-    ThreadRule& rule = thread.rule;
-    rule.obstacle = static_cast<int>(found.contact.a);
-    rule.point_W = axis.point;
-    rule.axis_W = axis.direction.normalized();
-    rule.radiusOfObstacle = axis.radiusA;
-    rule.radiusOfObject = axis.radiusB;
-    rule.objectIsShaft = !axis.shaftIsA;
-    rule.assembled = onAxis(axis, found.measuredAt, found.at);
-    rule.mayTurn = mayTurn(rule, axis, edit);
-    if (edit != nullptr && edit->pitch) {
-      rule.pitch = *edit->pitch;
-      return thread;
-    }
-    const ThreadPitch coarse = isoCoarsePitch(rule.objectIsShaft ? axis.radiusB : axis.radiusA);
-    rule.pitch = coarse.pitch;
-    thread.size = coarse.size;
-    return thread;
-  }
-
-  bool mayTurn(const ThreadRule& rule, const ContactAxis& axis, const FitEdit* edit) const {
-    if (edit != nullptr && !edit->turned.empty()) return edit->turned == object_.id;
-    if (!rule.objectIsShaft) return true;
-    std::vector<const RigidBody*> others;
-    const auto nut = static_cast<std::size_t>(rule.obstacle);
-    for (std::size_t i = 0; i < question_.product.bodies.size(); ++i) {
-      if (i != nut && i != question_.object) others.push_back(&body(i));
-    }
-    return !isLooseNut(body(nut), axis, others, stop_);
+    return fitThreadOf({question_.product, question_.object, found.contact, found.measuredAt, found.at, edit}, stop_);
   }
 
   void refuse(Fit fit, const std::string& reason, const std::string& advice) {
@@ -373,7 +335,7 @@ class FitFinder {
     const std::vector<Fit>& taken = takesBoth ? both : alone;
     for (const Fit& unused : takesBoth ? alone : both) forget(unused.thinned);
     fits_.allowed.insert(fits_.allowed.end(), taken.begin(), taken.end());
-    if (!taken.empty()) return;
+    if (!taken.empty() || takeWithoutThread(fit, found)) return;
     const auto ownOpening = openBeside(object_, bounds.one);
     const auto othersOpening = openBeside(other, bounds.other);
     if (ownOpening && othersOpening) {
@@ -386,6 +348,51 @@ class FitFinder {
     wanted.allowance = fromOther ? bounds.other.most : bounds.one.most;
     const auto opening = ownOpening ? ownOpening : othersOpening;
     refuse(wanted, opening ? noRoomBeside(wanted.allowance, *opening) : noRoom(wanted.allowance), "Mend the parts.");
+  }
+
+  /// A thread that is modelled on the shaft is taken away against the other body, where nobody says anything else of
+  /// the pair: it comes apart by turning only.
+  bool takeWithoutThread(const Fit& fit, const FoundContact& found) {
+    const FitEdit* edit = editAbout(fit.obstacle);
+    const bool other = edit != nullptr && edit->kind.value_or(ContactKind::Thread) != ContactKind::Thread;
+    if (other || (edit != nullptr && edit->allowance)) return false;
+    return takeWithoutThread(fit, found, edit, false) || takeWithoutThread(fit, found, edit, true);
+  }
+
+  bool takeWithoutThread(Fit fit, FoundContact found, const FitEdit* edit, bool yields) {
+    const RigidBody& other = body(fit.obstacle);
+    auto pitch = tools_.pitches.of(yields ? other.mesh : object_.mesh);
+    if (!pitch) return false;
+    if (edit != nullptr && edit->pitch) pitch = edit->pitch;
+    check::PairWord accepted{object_.id, other.id};
+    accepted.accepted = true;
+    const check::PairBounds bounds = boundsWith(fit.obstacle, &accepted);
+    const check::Body ownBody = measuredBody(question_.object);
+    const check::Body otherBody = measuredBody(fit.obstacle);
+    const CoreSide own{contactBody(object_, found.measuredAt), tools_.placed.at({ownBody, found.measuredAt}),
+                       bounds.one};
+    const CoreSide others{contactBody(other, other.X_WB), tools_.placed.at({otherBody, other.X_WB}), bounds.other};
+    const auto taken = coreFitOf(yields ? others : own, yields ? own : others, *pitch, tools_.thinnable);
+    if (!taken) return false;
+    if (!isFree(yields ? object_.mesh : taken->mesh, fit.obstacle, yields ? taken->mesh : other.mesh, found.at)) {
+      forget(taken->mesh);
+      return false;
+    }
+    fit.core = true;
+    fit.yields = yields;
+    fit.thinned = taken->mesh;
+    fit.allowance = taken->core.depth();
+    fit.evidence = {fit.allowance - taken->core.spacing - taken->core.margin, 0.0, taken->core.spacing,
+                    taken->core.margin};
+    found.contact.kind = fit.kind = ContactKind::Thread;
+    found.contact.axis = yields ? taken->axis : exchanged(taken->axis);
+    fit.role = roleOf(found.contact);
+    fit.thread = threadOf(found, edit);
+    fit.thread->rule.pitch = *pitch;
+    fit.thread->rule.mayTurn = edit == nullptr || edit->turned.empty() || edit->turned == object_.id;
+    fits_.contacts.back() = found.contact;
+    fits_.allowed.push_back(std::move(fit));
+    return true;
   }
 
   /// Which body gives way: whether it is the obstacle, the first choice first. A hook that bends has no other choice.

@@ -7,6 +7,7 @@
 #include "engine/check/placed_bodies.h"
 #include "engine/collision/prepared_bodies.h"
 #include "engine/product/assembled_product.h"
+#include "engine/product/core_fit.h"
 #include "engine/product/fit.h"
 #include "engine/product/thinnable_bodies.h"
 
@@ -24,6 +25,7 @@ struct ObjectFits {
 struct FitTools {
   check::PlacedBodies placed;
   ThinnableBodies thinnable;
+  ModelledPitches pitches;
   std::shared_ptr<PreparedBodies> prepared{};  ///< of the product's bodies; null: there are none
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/product/fit_thread.h"
 #include "engine/product/fit_words.h"
 #include "engine/product/joint_edits.h"
 #include "engine/scenario/scenario_fits.h"
@@ -40,6 +41,7 @@ check::Step judgedStep(const AssemblyStep& step) {
   check::Step judged{step.bodies(), judgedPoints(step.path), step.after, {}, {}, step.certified};
   for (const StepAllowance& each : step.allowances) {
     check::StatedAllowance allowance{each.moving, each.body, each.allowance, each.yields};
+    allowance.core = each.core;
     if (each.pitch != 0.0) allowance.pitch = each.pitch;
     judged.allowances.push_back(std::move(allowance));
   }
@@ -118,6 +120,7 @@ check::Path judgedPath(const std::vector<PathPoint>& points, const LoadedScenari
   for (const Fit& fit : scenario.fits.allowed) {
     check::StatedAllowance allowance{scenario.object.id, scenario.obstacles[fit.obstacle].id, fit.allowance};
     allowance.yields = fit.yields;
+    if (fit.core) allowance.core = statedThread(fit.thread->rule);
     if (fit.thread) allowance.pitch = fit.thread->rule.pitch;
     path.allowances->push_back(std::move(allowance));
   }

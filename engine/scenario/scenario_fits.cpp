@@ -1,10 +1,12 @@
 #include "engine/scenario/scenario_fits.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "engine/product/fit_thread.h"
 #include "engine/product/fitted_world.h"
 #include "engine/scenario/scenario_bodies.h"
 
@@ -122,6 +124,15 @@ std::vector<std::string> allowancesInWords(const LoadedScenario& scenario, const
   return words;
 }
 
+nlohmann::ordered_json threadJson(const check::StatedThread& thread) {
+  const auto numbers = [](const Vector3& v) { return std::array{v.x(), v.y(), v.z()}; };
+  return {{"point_m", numbers(thread.point)},
+          {"direction", numbers(thread.direction)},
+          {"pitch_m", thread.pitch},
+          {"radius_moving_m", thread.radiusMoving},
+          {"radius_other_m", thread.radiusOther}};
+}
+
 nlohmann::ordered_json allowancesJson(const LoadedScenario& scenario, const std::vector<PathPoint>& path) {
   auto list = nlohmann::ordered_json::array();
   const std::vector<std::string> words = allowancesInWords(scenario, path);
@@ -137,6 +148,7 @@ nlohmann::ordered_json allowancesJson(const LoadedScenario& scenario, const std:
                     {"margin_m", fit.evidence.margin},
                     {"text", words[i]}});
     if (fit.yields) list.back()["yields"] = true;
+    if (fit.core) list.back()["core"] = threadJson(statedThread(fit.thread->rule));
     if (fit.evidence.byPerson > 0.0) list.back()["by_person_m"] = fit.evidence.byPerson;
     if (!fit.thread) continue;
     list.back()["pitch_m"] = fit.thread->rule.pitch;

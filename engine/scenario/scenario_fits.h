@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/check/path.h"
 #include "engine/planning/path.h"
 #include "engine/product/assembled_product.h"
 #include "engine/scenario/scenario.h"
@@ -35,6 +36,9 @@ std::vector<std::string> allowancesInWords(const LoadedScenario& scenario, const
 
 /// The same for files and reports: an array with an object a fit, lengths in metres.
 nlohmann::ordered_json allowancesJson(const LoadedScenario& scenario, const std::vector<PathPoint>& path = {});
+
+/// A thread that is taken away, as plans and paths state it.
+nlohmann::ordered_json threadJson(const check::StatedThread& thread);
 
 /// Full turns of the object on the path while it is in the thread of this fit, either way; 0 for other fits.
 double turnsOn(const std::vector<PathPoint>& path, const LoadedScenario& scenario, const Fit& fit);

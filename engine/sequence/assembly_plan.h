@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "engine/check/path.h"
 #include "engine/planning/path.h"
 #include "engine/product/fit.h"
 #include "engine/product/joint.h"
@@ -17,12 +19,13 @@ namespace glissade {
 struct StepAllowance {
   std::string body;  ///< id of the other one
   ContactKind kind = ContactKind::Contact;
-  double overlap = 0.0;        ///< as measured, metres
-  double allowance = 0.0;      ///< metres
-  std::string text;            ///< for people, with names
-  std::string moving{};        ///< id of the body of the step; empty: its first one
-  bool yields = false;         ///< the other one is taken thinner, not the moving one
-  double pitch = 0.0;          ///< of a thread that comes apart by turning only, metres a turn; 0: none
+  double overlap = 0.0;                       ///< as measured, metres
+  double allowance = 0.0;                     ///< metres
+  std::string text;                           ///< for people, with names
+  std::string moving{};                       ///< id of the body of the step; empty: its first one
+  bool yields = false;                        ///< the other one is taken thinner, not the moving one
+  std::optional<check::StatedThread> core{};  ///< its thread, which is taken away against the other one
+  double pitch = 0.0;                         ///< of a thread that comes apart by turning only, metres a turn; 0: none
   double turns = 0.0;          ///< of the body in it, by the right hand about the direction in which it leaves
   check::Evidence evidence{};  ///< what the largest allowance of the pair may rest on; all zero: the file does not say
 };

@@ -1,0 +1,264 @@
+#include "engine/check/thread_core.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "engine/check/evidence.h"
+#include "engine/check/thread_axis.h"
+#include "engine/check/turn.h"
+
+namespace glissade::check {
+namespace {
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+/// By which a vertex may be off the radius that it is of: metres, and as a share of the radius.
+constexpr double kOff = 1e-5;
+constexpr double kShareOff = 1e-3;
+/// Radians: vertices that are around an axis leave no wider gap.
+constexpr double kWidestGap = 0.28 * kTurn;
+/// The crests of a helix leave this share of a turn free of crests at least; a flat crest takes an eighth.
+constexpr double kLeastFree = 0.5;
+/// What the pitch may be off, as a share of it.
+constexpr double kPitchOff = 0.03;
+/// At either end a thread runs out: crests are compared so many pitches away from there.
+constexpr double kRunOut = 0.25;
+/// A sharp thread of 60 degrees (ISO 68-1: H = 0.866 P), and the share of the diameter that M1.6 has 0.13 of.
+constexpr double kSharpThread = 0.866;
+constexpr double kDeepest = 0.15;
+/// Of the crest's radius: the wall of a hole is not wider, a countersink may be.
+constexpr double kWidestWall = 1.25;
+constexpr double kSameHeight = 1e-9;
+
+/// About the axis.
+struct Around {
+  double radius;
+  double height;
+  double angle;
+};
+
+class Cylindrical {
+ public:
+  Cylindrical(const Vector3& point, const Vector3& axis)
+      : point_(point), axis_(axis), u_(axis.unitOrthogonal()), v_(axis.cross(u_)) {}
+
+  Around operator()(const Vector3& p) const {
+    const Vector3 arm = p - point_;
+    const double x = arm.dot(u_);
+    const double y = arm.dot(v_);
+    return {std::hypot(x, y), arm.dot(axis_), std::atan2(y, x)};
+  }
+
+ private:
+  Vector3 point_;
+  Vector3 axis_;
+  Vector3 u_;
+  Vector3 v_;
+};
+
+struct Span {
+  double low;
+  double high;
+};
+
+double offOf(double radius) { return std::max(kOff, kShareOff * radius); }
+
+/// The widest gap between angles, radians; a whole turn where there are none.
+double widestGap(std::vector<double> angles) {
+  if (angles.empty()) return kTurn;
+  std::sort(angles.begin(), angles.end());
+  double widest = angles.front() + kTurn - angles.back();
+  for (std::size_t i = 1; i < angles.size(); ++i) widest = std::max(widest, angles[i] - angles[i - 1]);
+  return widest;
+}
+
+/// Of the narrowest ring of vertices around the axis, by its radii; nothing where there is none.
+std::optional<Span> ringAround(std::vector<Around> vertices, const Span& radii) {
+  std::sort(vertices.begin(), vertices.end(), [](const Around& a, const Around& b) { return a.radius < b.radius; });
+  const auto from = [&](double radius) {
+    return std::lower_bound(vertices.begin(), vertices.end(), radius,
+                            [](const Around& vertex, double value) { return vertex.radius < value; });
+  };
+  auto first = from(radii.low);
+  while (first != vertices.end() && first->radius <= radii.high) {
+    const double off = offOf(first->radius);
+    const auto last = from(first->radius + 2.0 * off);
+    std::vector<double> angles;
+    Span span{first->height, first->height};
+    for (auto each = first; each != last; ++each) {
+      angles.push_back(each->angle);
+      span = {std::min(span.low, each->height), std::max(span.high, each->height)};
+    }
+    if (widestGap(std::move(angles)) <= kWidestGap) return span;
+    first = from(first->radius + off);
+  }
+  return std::nullopt;
+}
+
+/// Of the grooves from one beside the hole's wall on, as far as no gap of a pitch is between them.
+std::optional<Span> threadSpan(const std::vector<Around>& shaft, const Span& wall, double hole,
+                               const ClaimedThread& claim) {
+  const double pitch = std::abs(claim.pitch);
+  std::vector<double> heights;
+  for (const Around& vertex : shaft) {
+    if (vertex.radius <= hole && vertex.radius >= claim.crest - kSharpThread * pitch) heights.push_back(vertex.height);
+  }
+  std::sort(heights.begin(), heights.end());
+  const auto first = std::lower_bound(heights.begin(), heights.end(), wall.low - 0.5 * pitch);
+  if (first == heights.end() || *first > wall.high + 0.5 * pitch) return std::nullopt;
+  auto low = first;
+  while (low != heights.begin() && *low - *std::prev(low) <= pitch) --low;
+  auto high = first;
+  while (std::next(high) != heights.end() && *std::next(high) - *high <= pitch) ++high;
+  return Span{*low, *high};
+}
+
+/// Least distance from the axis of what the body has within the span; triangles count whole.
+double freeRadius(const PlacedBody& hole, const ClaimedThread& claim, const Span& span) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& [a, b, c] : hole.tree.triangles()) {
+    const TurnedTriangle passed = turned(a, b, c, claim.point, claim.axis);
+    if (passed.high >= span.low && passed.low <= span.high) least = std::min(least, passed.nearest);
+  }
+  return least;
+}
+
+/// A thread that ends within a pitch of the shaft's end reaches to the end: the tip has a chamfer there.
+Span toTheEnds(Span thread, const std::vector<Around>& shaft, double pitch) {
+  const auto [lowest, highest] = std::minmax_element(
+      shaft.begin(), shaft.end(), [](const Around& a, const Around& b) { return a.height < b.height; });
+  if (lowest->height >= thread.low - pitch) thread.low = lowest->height;
+  if (highest->height <= thread.high + pitch) thread.high = highest->height;
+  return thread;
+}
+
+/// Vertices at the crest's radius that are not where the thread runs out.
+std::vector<Around> crestsOf(const std::vector<Around>& shaft, const Span& thread, const ClaimedThread& claim) {
+  const double runOut = kRunOut * std::abs(claim.pitch);
+  std::vector<Around> crests;
+  for (const Around& vertex : shaft) {
+    if (std::abs(vertex.radius - claim.crest) > offOf(claim.crest)) continue;
+    if (vertex.height >= thread.low + runOut && vertex.height <= thread.high - runOut) crests.push_back(vertex);
+  }
+  std::sort(crests.begin(), crests.end(), [](const Around& a, const Around& b) { return a.height < b.height; });
+  return crests;
+}
+
+struct Mean {
+  double height = 0.0;
+  double phase = 0.0;  ///< radians
+};
+
+double phaseOf(const Around& crest, double pitch) { return crest.angle - kTurn * crest.height / pitch; }
+
+Mean meanOf(const Around* first, const Around* last, double pitch) {
+  Mean mean;
+  double x = 0.0;
+  double y = 0.0;
+  for (const Around* each = first; each != last; ++each) {
+    mean.height += each->height / static_cast<double>(last - first);
+    x += std::cos(phaseOf(*each, pitch));
+    y += std::sin(phaseOf(*each, pitch));
+  }
+  mean.phase = std::atan2(y, x);
+  return mean;
+}
+
+/// Turned back by the pitch, the crests are at one side of the axis, in the lower half of the thread as in the upper.
+bool areHelix(const std::vector<Around>& crests, double pitch) {
+  std::vector<double> phases;
+  for (const Around& crest : crests) phases.push_back(std::remainder(phaseOf(crest, pitch), kTurn));
+  if (widestGap(std::move(phases)) < kLeastFree * kTurn) return false;
+  if (crests.back().height - crests.front().height < std::abs(pitch)) return false;
+  const Around* middle = crests.data() + crests.size() / 2;
+  const Mean lower = meanOf(crests.data(), middle, pitch);
+  const Mean upper = meanOf(middle, crests.data() + crests.size(), pitch);
+  const double drift = std::abs(std::remainder(upper.phase - lower.phase, kTurn)) / kTurn * std::abs(pitch);
+  return drift <= kPitchOff * (upper.height - lower.height);
+}
+
+Diagnostic refused(const std::string& reason) { return {ErrorKind::NoPath, "", "", reason, "Plan again."}; }
+
+std::vector<Around> aroundOf(const TriangleMesh& mesh, const Cylindrical& around) {
+  std::vector<Around> vertices;
+  for (const Vector3& vertex : mesh.vertices) vertices.push_back(around(vertex));
+  return vertices;
+}
+
+}  // namespace
+
+Result<ThreadCore> threadCoreOf(const PlacedBody& shaft, const PlacedBody& hole, ClaimedThread claim) {
+  claim.axis.normalize();
+  Thread rule;
+  rule.pitch = claim.pitch;
+  rule.radiusMoving = claim.crest;
+  if (const std::string wrong = wrongPitch(rule); !wrong.empty()) return refused(wrong);
+  const Cylindrical around(claim.point, claim.axis);
+  const auto wall = ringAround(aroundOf(hole.mesh, around), {0.5 * claim.crest, kWidestWall * claim.crest});
+  if (!wall) return refused("the hole is not around the axis that the file states for the thread");
+  const std::vector<Around> vertices = aroundOf(shaft.mesh, around);
+  const auto claimed = threadSpan(vertices, *wall, claim.crest, claim);
+  const double free = claimed ? freeRadius(hole, claim, *claimed) : 0.0;
+  const auto thread = threadSpan(vertices, *wall, free, claim);
+  if (!thread) return refused("the shaft has no groove that is as narrow as the hole");
+  const std::vector<Around> crests = crestsOf(vertices, *thread, claim);
+  if (!ringAround(crests, {claim.crest - offOf(claim.crest), claim.crest}))
+    return refused("the crests are not around the axis that the file states");
+  if (!areHelix(crests, claim.pitch)) return refused("the shaft has no helix of the pitch that the file states");
+  const Span taken = toTheEnds(*thread, vertices, std::abs(claim.pitch));
+  ThreadCore core{claim.point, claim.axis, taken.low, taken.high};
+  core.crest = claim.crest + offOf(claim.crest);
+  core.hole = free;
+  core.spacing = shaft.spacing + hole.spacing;
+  core.margin = assembledMargin(std::max({shaft.radius, shaft.halfDiagonal, hole.radius, hole.halfDiagonal})) +
+                kThreadPlay * std::abs(claim.pitch);
+  core.radius = free - core.spacing - core.margin;
+  const double deep = claim.crest - core.radius;
+  const double most = std::min(kSharpThread * std::abs(claim.pitch), kDeepest * 2.0 * claim.crest);
+  if (core.radius > 0.0 && deep > 0.0 && deep <= most) return core;
+  return refused("what of the shaft is wider than the hole is no thread of this pitch");
+}
+
+std::vector<bool> trianglesOfThread(const TriangleMesh& shaft, const ThreadCore& core) {
+  const std::vector<Around> vertices = aroundOf(shaft, Cylindrical(core.point, core.axis));
+  std::vector<bool> ofThread;
+  for (const TriangleIndices& triangle : shaft.triangles) {
+    ofThread.push_back(std::all_of(triangle.begin(), triangle.end(), [&](std::uint32_t i) {
+      const Around& at = vertices[i];
+      return at.radius <= core.crest && at.height >= core.low - kSameHeight && at.height <= core.high + kSameHeight;
+    }));
+  }
+  return ofThread;
+}
+
+TriangleMesh withoutThread(const TriangleMesh& mesh, const ThreadCore& core) {
+  TriangleMesh shaft = welded(mesh);
+  const std::vector<Around> vertices = aroundOf(shaft, Cylindrical(core.point, core.axis));
+  std::vector<bool> stays;
+  for (const Around& at : vertices) stays.push_back(at.radius > core.crest || at.radius <= core.radius);
+  for (const TriangleIndices& triangle : shaft.triangles) {
+    const bool reachesBeyond = std::any_of(triangle.begin(), triangle.end(), [&](std::uint32_t i) {
+      return vertices[i].height < core.low - kSameHeight || vertices[i].height > core.high + kSameHeight;
+    });
+    if (!reachesBeyond) continue;
+    for (const std::uint32_t i : triangle) stays[i] = true;
+  }
+  for (std::size_t i = 0; i < stays.size(); ++i) {
+    if (stays[i]) continue;
+    const Vector3 arm = shaft.vertices[i] - core.point;
+    const Vector3 across = arm - arm.dot(core.axis) * core.axis;
+    shaft.vertices[i] -= (1.0 - core.radius / vertices[i].radius) * across;
+  }
+  return shaft;
+}
+
+ThreadCore inFrame(const Pose& X_FW, ThreadCore core) {
+  core.point = X_FW * core.point;
+  core.axis = X_FW.orientation * core.axis;
+  return core;
+}
+
+}  // namespace glissade::check
