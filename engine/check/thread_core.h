@@ -45,8 +45,7 @@ struct ClaimedThread {
 /// Where the product is assembled. Every claim is compared with the vertices of both bodies:
 /// - a ring of vertices of the hole is around the axis, and vertices of the shaft at the crest's radius are;
 /// - the shaft has grooves that are as narrow as what the hole leaves free; the thread reaches as far as there is no
-/// gap
-///   of a pitch between them;
+///   gap of a pitch between them;
 /// - the crests are a helix of one start about the axis with this pitch, to three percent;
 /// - the crest is beyond the core by no more than a sharp thread of this pitch is deep, and no more than 0.15 of the
 ///   diameter.

@@ -22,12 +22,11 @@ SessionSnapshot chain(std::uint64_t run, std::uint32_t edges) {
   return snapshot;
 }
 
-/// What shows of the scene behind the lines, were they spread evenly.
-double seenBehind(const RoadmapLayer& layer, std::uint32_t edges, double coveredByAnEdge) {
-  const std::vector<float> opacities = layer.opacities();
-  const double edgesOfABatch = static_cast<double>(edges) / static_cast<double>(opacities.size());
+/// What shows of the scene behind so many lines or points, were they spread evenly.
+double seenBehind(const std::vector<float>& opacities, std::uint32_t count, double coveredByOne) {
+  const double inABatch = static_cast<double>(count) / static_cast<double>(opacities.size());
   double seen = 1.0;
-  for (const float opacity : opacities) seen *= std::pow(1.0 - coveredByAnEdge, opacity * edgesOfABatch);
+  for (const float opacity : opacities) seen *= std::pow(1.0 - coveredByOne, opacity * inABatch);
   return seen;
 }
 
@@ -39,9 +38,39 @@ TEST(RoadmapLayer, TheSceneIsSeenThroughTreesOfAnySize) {
     layer.setScale(kPixelsPerMetre);
     layer.update(chain(1, edges));
     EXPECT_EQ(layer.segments(), edges);
-    EXPECT_GT(seenBehind(layer, edges, kCoveredByAnEdge), 0.5) << edges;
+    EXPECT_GT(seenBehind(layer.opacities(), edges, kCoveredByAnEdge), 0.5) << edges;
     EXPECT_GT(layer.opacities().back(), 0.0F) << "what is new is seen";
   }
+}
+
+TEST(RoadmapLayer, TheSceneIsSeenThroughPointsOfAnyNumber) {
+  constexpr double kPixelsPerMetre = 500.0;
+  constexpr double kCoveredByAPoint = 16.0 / (kPixelsPerMetre * kPixelsPerMetre);
+  for (const std::uint32_t edges : {8000U, 100000U, 500000U}) {
+    SessionSnapshot snapshot = chain(1, edges);
+    auto chunk = std::make_shared<RoadmapChunk>(*snapshot.roadmap.front());
+    for (RoadmapNode& node : chunk->nodes) node.author = Author::Contact;
+    snapshot.roadmap.front() = chunk;
+    RoadmapLayer layer;
+    layer.setScale(kPixelsPerMetre);
+    layer.update(snapshot);
+    EXPECT_GT(seenBehind(layer.pointOpacities(), edges, kCoveredByAPoint), 0.5) << edges;
+    EXPECT_GT(layer.pointOpacities().back(), 0.0F) << "what is new is seen";
+  }
+}
+
+/// A node far away makes the box of a tree large, and the tree no thinner.
+TEST(RoadmapLayer, TheSceneIsSeenThroughATreeWithANodeFarAway) {
+  constexpr std::uint32_t kEdges = 100000;
+  SessionSnapshot snapshot = chain(1, kEdges);
+  auto chunk = std::make_shared<RoadmapChunk>(*snapshot.roadmap.front());
+  chunk->nodes.back().q.position = {0.0, 20.0, 20.0};
+  chunk->edges.pop_back();
+  snapshot.roadmap.front() = chunk;
+  RoadmapLayer layer;
+  layer.setScale(500.0);
+  layer.update(snapshot);
+  EXPECT_GT(seenBehind(layer.opacities(), kEdges, 1.2 / 500.0), 0.5);
 }
 
 TEST(RoadmapLayer, OlderLinesAreFainterAndFewAreNot) {

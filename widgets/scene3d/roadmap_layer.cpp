@@ -7,6 +7,7 @@
 #include <osg/Point>
 
 #include <algorithm>
+#include <limits>
 
 #include "widgets/scene3d/geometry_builder.h"
 #include "widgets/scene3d/osg_convert.h"
@@ -17,8 +18,9 @@ namespace {
 /// Vertices in a batch: uploads stay small, draw calls few.
 constexpr int kBatch = 8192;
 constexpr float kLineWidth = 1.2F;
-/// Lines that would cover more of their area than this fade.
-constexpr double kMostCovered = 0.6;
+constexpr float kPointSize = 4.0F;
+/// Lines that would cover more of their area than this fade, and so do points.
+constexpr double kMostCovered = 0.5;
 /// Of a batch, beside the next younger one.
 constexpr double kAgeing = 0.7;
 /// Fainter lines cannot be told from what is behind them, and are not drawn.
@@ -38,7 +40,7 @@ void RoadmapLayer::setPalette(const ScenePalette& palette) {
   palette_ = palette;
   osg::StateSet* state = root_->getOrCreateStateSet();
   state->setAttributeAndModes(new osg::LineWidth(kLineWidth * palette.pixelScale));
-  state->setAttributeAndModes(new osg::Point(4.0F * palette.pixelScale));
+  state->setAttributeAndModes(new osg::Point(kPointSize * palette.pixelScale));
   const auto recolour = [&](std::size_t vertex, const osg::Vec4ub& colour) {
     (*lines_[vertex / kBatch].colours)[vertex % kBatch] = colour;
   };
@@ -68,16 +70,24 @@ void RoadmapLayer::update(const SessionSnapshot& snapshot) {
   fade();
 }
 
-/// A batch has one opacity, blended by a constant colour: the colours of its lines need not be uploaded again.
 void RoadmapLayer::fade() {
+  const double pixel = palette_.pixelScale;
+  fade(lines_, [&](const Batch& batch) { return batch.length * pixelsPerMetre_ * kLineWidth * pixel; });
+  fade(points_, [&](const Batch& batch) { return batch.used * kPointSize * kPointSize * pixel * pixel; });
+}
+
+/// A batch has one opacity, blended by a constant colour: the colours of its vertices need not be uploaded again.
+void RoadmapLayer::fade(std::vector<Batch>& batches, const std::function<double(const Batch&)>& pixelsOf) {
+  const double area = pixelsOfTrees();
   double covered = 0.0;
   double age = 1.0;
-  for (auto batch = lines_.rbegin(); batch != lines_.rend(); ++batch, age *= kAgeing) covered += age * coverage(*batch);
+  for (auto batch = batches.rbegin(); batch != batches.rend(); ++batch, age *= kAgeing) {
+    covered += age * pixelsOf(*batch) / area;
+  }
   double opacity = (faded_ ? kFadedShare : 1.0) * std::min(1.0, kMostCovered / std::max(covered, 1e-9));
   const bool ages = covered > kMostCovered;
-  for (Batch& batch : points_) setOpacity(batch, static_cast<float>(std::max(kFaintest, opacity)));
   bool newest = true;
-  for (auto batch = lines_.rbegin(); batch != lines_.rend(); ++batch) {
+  for (auto batch = batches.rbegin(); batch != batches.rend(); ++batch) {
     const double shown = newest ? std::max(kFaintest, opacity) : opacity;
     setOpacity(*batch, shown < kFaintest ? 0.0F : static_cast<float>(shown));
     if (ages) opacity *= kAgeing;
@@ -85,13 +95,18 @@ void RoadmapLayer::fade() {
   }
 }
 
-double RoadmapLayer::coverage(const Batch& batch) const {
-  if (pixelsPerMetre_ <= 0.0 || box_.isEmpty()) return 0.0;
-  Vector3 sides = box_.diagonal() * pixelsPerMetre_;
+/// The area in which most nodes are. Nodes crowd in some places, and a few are far away: what counts is how they are
+/// spread, not their box. Infinite while the scale of the picture is not known.
+double RoadmapLayer::pixelsOfTrees() const {
+  if (pixelsPerMetre_ <= 0.0 || nodes_.empty()) return std::numeric_limits<double>::infinity();
+  const double count = static_cast<double>(nodes_.size());
+  const Vector3 mean = sum_ / count;
+  const Vector3 variance = (sumOfSquares_ / count - mean.cwiseAbs2()).cwiseMax(0.0);
+  // A box that is filled evenly has the sides sqrt(12 variance).
+  Vector3 sides = (12.0 * variance).cwiseSqrt().cwiseMin(box_.diagonal()) * pixelsPerMetre_;
   std::sort(sides.data(), sides.data() + 3);
-  const double width = kLineWidth * palette_.pixelScale;
-  const double area = std::max(width, sides[1]) * std::max(width, sides[2]);
-  return batch.length * pixelsPerMetre_ * width / area;
+  const double least = kPointSize * palette_.pixelScale;
+  return std::max(least, sides[1]) * std::max(least, sides[2]);
 }
 
 /// While faded, lines do not hide each other.
@@ -119,9 +134,9 @@ void RoadmapLayer::setScale(double pixelsPerMetre) {
   fade();
 }
 
-std::vector<float> RoadmapLayer::opacities() const {
+std::vector<float> RoadmapLayer::opacitiesOf(const std::vector<Batch>& batches) {
   std::vector<float> opacities;
-  for (const Batch& batch : lines_) opacities.push_back(batch.opacity);
+  for (const Batch& batch : batches) opacities.push_back(batch.opacity);
   return opacities;
 }
 
@@ -140,6 +155,7 @@ void RoadmapLayer::clear() {
   droppedTaken_ = 0;
   segmentsDrawn_ = 0;
   box_ = Box3();
+  sum_ = sumOfSquares_ = Vector3::Zero();
   content_ = {};
 }
 
@@ -157,6 +173,8 @@ bool RoadmapLayer::isPrefixOf(const SessionSnapshot& snapshot) const {
 void RoadmapLayer::takeNode(const RoadmapNode& node) {
   nodes_.push_back(node);
   box_.extend(node.q.position);
+  sum_ += node.q.position;
+  sumOfSquares_ += node.q.position.cwiseAbs2();
   content_.operatorNodes |= node.author == Author::Operator;
   content_.contactNodes |= node.author == Author::Contact;
   if (node.author != Author::Computer) addVertex(points_, GL_POINTS, node.q.position, colourOf(node, palette_));

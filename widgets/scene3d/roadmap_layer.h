@@ -4,6 +4,8 @@
 #include <osg/Geometry>
 #include <osg/Group>
 #include <osg/ref_ptr>
+
+#include <functional>
 #include <vector>
 
 #include "engine/session/session.h"
@@ -12,8 +14,8 @@
 namespace glissade {
 
 /// The two trees, growing: segments live in preallocated chunks of which only the last is uploaded
-/// again; operator and contact nodes are points besides. Lines fade where they would cover much of what lies behind
-/// them, the older ones first.
+/// again; operator and contact nodes are points besides. Lines and points fade where they would cover much of what lies
+/// behind them, the older ones first.
 class RoadmapLayer {
  public:
   /// What is drawn of the trees.
@@ -40,7 +42,9 @@ class RoadmapLayer {
   const Content& content() const { return content_; }
   std::size_t segments() const { return segmentsDrawn_; }
   /// 1: these lines cover what is behind them; 0: they are not drawn. Batches are ordered by age, the oldest first.
-  std::vector<float> opacities() const;
+  std::vector<float> opacities() const { return opacitiesOf(lines_); }
+  /// The same of the points.
+  std::vector<float> pointOpacities() const { return opacitiesOf(points_); }
   /// How many chunk uploads there have been: grows with what is new, not with what is there.
   std::size_t uploads() const { return uploads_; }
 
@@ -61,8 +65,10 @@ class RoadmapLayer {
   void takeEdge(const RoadmapEdge& edge);
   void drop(const RoadmapEdge& edge);
   void fade();
-  /// The share of the roadmap's area that the lines of a batch cover, were they side by side.
-  double coverage(const Batch& batch) const;
+  /// `pixelsOf` a batch: what its lines or points cover, were they side by side.
+  void fade(std::vector<Batch>& batches, const std::function<double(const Batch&)>& pixelsOf);
+  double pixelsOfTrees() const;
+  static std::vector<float> opacitiesOf(const std::vector<Batch>& batches);
   static void setOpacity(Batch& batch, float opacity);
   void addVertex(std::vector<Batch>& batches, GLenum mode, const Vector3& position, const osg::Vec4ub& colour);
   Batch makeBatch(GLenum mode);
@@ -78,8 +84,10 @@ class RoadmapLayer {
   std::size_t segmentsDrawn_ = 0;
   std::size_t uploads_ = 0;
   bool faded_ = false;
-  double pixelsPerMetre_ = 0.0;  ///< 0: not known yet
-  Box3 box_;                     ///< of the nodes
+  double pixelsPerMetre_ = 0.0;             ///< 0: not known yet
+  Box3 box_;                                ///< of the nodes
+  Vector3 sum_ = Vector3::Zero();           ///< of the nodes' positions, metres
+  Vector3 sumOfSquares_ = Vector3::Zero();  ///< of each coordinate
   Content content_;
   std::vector<RoadmapNode> nodes_;
   std::vector<RoadmapEdge> edges_;  ///< in the order drawn
