@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/check/path.h"
 #include "engine/planning/path.h"
 #include "engine/product/fit.h"
+#include "engine/product/fit_thread.h"
 #include "engine/product/joint.h"
 #include "engine/sequence/fastener_kind.h"
 #include "engine/sequence/order_rules.h"

@@ -20,7 +20,7 @@ RigidBody threadedBody(const std::string& id, TriangleMesh mesh) {
   return body;
 }
 
-/// A nut of 4 mm whose wall is less than five overlaps thick, on the end of the screw.
+/// A nut whose wall is less than five overlaps thick, on the end of the screw.
 AssembledProduct screwInNut(const test::ThreadedScrew& screw = {}, double hole = kNutHole) {
   return test::productOf(
       {threadedBody("screw", screw.mesh()), threadedBody("nut", test::plainNut(hole, -0.0075, -0.0035))}, true);
