@@ -240,7 +240,8 @@ void writeCloseFits(const std::string& file) {
   const TDF_Label unit = product.assembly("close");
   product.put(product.part("plate", plate), unit, at(0, 0, 0));
   product.put(product.part("pin", cylinder(8, 60)), unit, at(-80, 0, 10));
-  product.put(product.part("spline", BRepBuilderAPI_NurbsConvert(cylinder(6, 60))), unit, turnedAt(-30, 0, 10) * turnedAt(0, 0, 0));
+  product.put(product.part("spline", BRepBuilderAPI_NurbsConvert(cylinder(6, 60))), unit,
+              turnedAt(-30, 0, 10) * turnedAt(0, 0, 0));
   product.put(product.part("loose", cylinder(10.5, 60)), unit, at(20, 0, 10));
   product.write(file);
 }
