@@ -187,6 +187,8 @@ TEST(Architecture, OnlyTheImportingProcessKnowsOpenCascade) {
                                       "engine/import/step_face_mesher.h",
                                       "engine/import/step_faces.cpp",
                                       "engine/import/step_faces.h",
+                                      "engine/import/step_fineness.cpp",
+                                      "engine/import/step_fineness.h",
                                       "engine/import/step_healing.cpp",
                                       "engine/import/step_healing.h",
                                       "engine/import/step_healing_notes.cpp",
