@@ -28,7 +28,7 @@ AssembledProduct screwInNut(const test::ThreadedScrew& screw = {}, double hole =
 
 FitTable fitsOf(const AssembledProduct& product) {
   ThreadTeam team(0);
-  return std::move(*FitTable::find(product, team, WorkWatch{}));
+  return *FitTable::find(product, team, WorkWatch{});
 }
 
 AssemblyPlan planOf(const AssembledProduct& product) {
