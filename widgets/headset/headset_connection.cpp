@@ -113,7 +113,7 @@ std::vector<ShownPicture> HeadsetConnection::textsInRoom(const Vector3& p_RH, co
   if (const FlatLabelsPtr labels = tools_->labels.get()) {
     for (const FlatLabel& label : *labels) texts.push_back(textInRoom(label.picture, inRoom(room, label.p_W), p_RH));
   }
-  const auto& hand = controllers_.shown()[static_cast<std::size_t>(controllers_.mainHand())];
+  const auto hand = controllers_.shown()[static_cast<std::size_t>(controllers_.mainHand())];
   if (hand.reading.X_WG) {
     const Vector3 p_RN = inRoom(room, hand.reading.X_WG->position) + kOverHand * Vector3::UnitY();
     texts.push_back(textInRoom(tools_->note.get(), p_RN, p_RH));

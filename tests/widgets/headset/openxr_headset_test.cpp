@@ -191,7 +191,8 @@ TEST_F(OpenXrHeadsetTest, WherePicturesAreLateTheSceneIsSimplerUntilThereIsTime)
     RigidBody body = many.obstacles.front();
     body.id = "ball-" + std::to_string(i);
     body.mesh = ball;
-    body.X_WB = Pose::translation({5.0 * (i % 2), 0.0, 5.0 * (i / 2)});
+    const int row = i / 2;
+    body.X_WB = Pose::translation({5.0 * (i % 2), 0.0, 5.0 * row});
     many.obstacles.push_back(body);
   }
   view_.setScenario(std::make_shared<const LoadedScenario>(many));
