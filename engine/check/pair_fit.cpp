@@ -63,7 +63,7 @@ class PairFitter {
       takeCore(stated);
       return std::move(fit_);
     }
-    findBounds();
+    findBounds(word_);
     if (!question_.stated) {
       applyOwn();
     } else {
@@ -92,13 +92,14 @@ class PairFitter {
     return goesAlong(way, question_.moving, question_.path, question_.other);
   }
 
-  void findBounds() {
+  /// What the pair may be taken thinner, with this word about it.
+  void findBounds(const PairWord* word) {
     FitWords words = fits_;
     if (!bends()) words.snaps.clear();
     bool first = true;
     for (const Pose& end : question_.assembled) {
       const PairBounds found =
-          bodies_.boundsOf({question_.moving, end}, {question_.other, question_.other.X_WB}, words, word_, stop_);
+          bodies_.boundsOf({question_.moving, end}, {question_.other, question_.other.X_WB}, words, word, stop_);
       bounds_.one = first ? found.one : united(bounds_.one, found.one);
       bounds_.other = first ? found.other : united(bounds_.other, found.other);
       first = false;
@@ -265,12 +266,9 @@ class PairFitter {
 
   /// Faces of the shaft beside the thread have room for what they touch.
   void takeTouching(const Thread& thread, const ThreadCore& core) {
-    const PairWord* said = word_;
-    PairWord accepted = said != nullptr ? *said : PairWord{question_.moving.id, question_.other.id};
+    PairWord accepted = word_ != nullptr ? *word_ : PairWord{question_.moving.id, question_.other.id};
     accepted.accepted = true;
-    word_ = &accepted;
-    findBounds();
-    word_ = said;
+    findBounds(&accepted);
     const PlacedBody& moving = bodies_.at({question_.moving, thread.assembled});
     const PlacedBody& other = bodies_.at({question_.other, question_.other.X_WB});
     const bool own = thread.movingIsShaft;

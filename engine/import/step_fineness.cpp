@@ -5,7 +5,9 @@
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
+#include <NCollection_DataMap.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_ShapeMapHasher.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
@@ -35,32 +37,28 @@ constexpr double kFinest = 0.01;
 constexpr double kEccentric = 0.1;
 /// Millimetres that a B-spline may be off a cylinder.
 constexpr double kSameSurface = 1e-4;
-/// Sine of the angle between them.
+/// Sine of the angle between the axes of a shaft and of its hole.
 constexpr double kTilt = 1e-3;
+/// Millimetres along the axis: cylinders that only meet end to end are no fit.
+constexpr double kOverlap = 0.01;
 
-double usualDeflectionOf(const StepSolid& solid) {
+double diagonalOf(const TopoDS_Shape& shape) {
   Bnd_Box box;
-  BRepBndLib::Add(solid.shape, box, false);
-  const double diagonal = box.IsVoid() ? 0.0 : solid.placement.scale * std::sqrt(box.SquareExtent());
-  return usualDeflection(protocol::kMillimetre * diagonal) / protocol::kMillimetre;
+  BRepBndLib::Add(shape, box, false);
+  return box.IsVoid() ? 0.0 : std::sqrt(box.SquareExtent());
 }
 
-/// A cylindrical face where the assembly has it.
+/// A cylindrical face, in the frame of its shape or where the assembly has it.
 struct Cylinder {
   TopoDS_Face face;
+  gp_XYZ point;  ///< on the axis; in the assembly, the one that is nearest to the origin
+  gp_XYZ axis;   ///< of unit length
+  double radius = 0.0;
+  double low = std::numeric_limits<double>::infinity();  ///< along the axis, from the point
+  double high = -std::numeric_limits<double>::infinity();
   std::size_t solid = 0;
   double usual = 0.0;  ///< deflection of the solid
-  gp_XYZ foot;         ///< the point of the axis that is nearest to the origin
-  gp_XYZ axis;         ///< of unit length
-  double radius = 0.0;
-  double low = std::numeric_limits<double>::infinity();  ///< along the axis, from the foot
-  double high = -std::numeric_limits<double>::infinity();
 };
-
-gp_XYZ mirroredIf(bool mirrored, gp_XYZ vector) {
-  if (mirrored) vector.SetX(-vector.X());
-  return vector;
-}
 
 struct SurfaceSample {
   gp_XYZ point;
@@ -121,39 +119,50 @@ std::optional<gp_Cylinder> cylinderOf(const TopoDS_Face& face) {
   }
 }
 
-Cylinder placed(const TopoDS_Face& face, const gp_Cylinder& surface, const StepPlacement& placement) {
-  const auto inAssembly = [&](const gp_Pnt& point) {
-    gp_XYZ moved = mirroredIf(placement.mirrored, placement.scale * point.XYZ());
-    placement.rigid.Transforms(moved);
-    return moved;
-  };
-  gp_XYZ axis = mirroredIf(placement.mirrored, surface.Axis().Direction().XYZ());
-  axis.Multiply(placement.rigid.HVectorialPart());
-  const gp_XYZ point = inAssembly(surface.Location());
-  Cylinder cylinder;
-  cylinder.face = face;
-  cylinder.foot = point - point.Dot(axis) * axis;
-  cylinder.axis = axis;
-  cylinder.radius = placement.scale * surface.Radius();
-  for (TopExp_Explorer at(face, TopAbs_VERTEX); at.More(); at.Next()) {
-    const double along = inAssembly(BRep_Tool::Pnt(TopoDS::Vertex(at.Current()))).Dot(axis);
-    cylinder.low = std::min(cylinder.low, along);
-    cylinder.high = std::max(cylinder.high, along);
+std::vector<Cylinder> cylindersOf(const TopoDS_Shape& shape) {
+  std::vector<Cylinder> cylinders;
+  for (TopExp_Explorer at(shape, TopAbs_FACE); at.More(); at.Next()) {
+    const TopoDS_Face& face = TopoDS::Face(at.Current());
+    const auto surface = cylinderOf(face);
+    if (!surface) continue;
+    Cylinder cylinder{face, surface->Location().XYZ(), surface->Axis().Direction().XYZ(), surface->Radius()};
+    for (TopExp_Explorer end(face, TopAbs_VERTEX); end.More(); end.Next()) {
+      const double along = (BRep_Tool::Pnt(TopoDS::Vertex(end.Current())).XYZ() - cylinder.point).Dot(cylinder.axis);
+      cylinder.low = std::min(cylinder.low, along);
+      cylinder.high = std::max(cylinder.high, along);
+    }
+    cylinders.push_back(cylinder);
   }
+  return cylinders;
+}
+
+gp_XYZ mirroredIf(bool mirrored, gp_XYZ vector) {
+  if (mirrored) vector.SetX(-vector.X());
+  return vector;
+}
+
+Cylinder placed(Cylinder cylinder, const StepPlacement& placement) {
+  cylinder.axis = mirroredIf(placement.mirrored, cylinder.axis);
+  cylinder.axis.Multiply(placement.rigid.HVectorialPart());
+  cylinder.point = mirroredIf(placement.mirrored, placement.scale * cylinder.point);
+  placement.rigid.Transforms(cylinder.point);
+  const double along = cylinder.point.Dot(cylinder.axis);
+  cylinder.point -= along * cylinder.axis;
+  cylinder.radius *= placement.scale;
+  cylinder.low = along + placement.scale * cylinder.low;
+  cylinder.high = along + placement.scale * cylinder.high;
   return cylinder;
 }
 
+/// Where the assembly has them. Each shape is looked at once, however many solids have it.
 std::vector<Cylinder> cylindersOf(const std::vector<StepSolid>& solids) {
+  NCollection_DataMap<TopoDS_Shape, std::vector<Cylinder>, TopTools_ShapeMapHasher> ofShapes;
   std::vector<Cylinder> cylinders;
   for (std::size_t i = 0; i < solids.size(); ++i) {
-    const double usual = usualDeflectionOf(solids[i]);
-    for (TopExp_Explorer at(solids[i].shape, TopAbs_FACE); at.More(); at.Next()) {
-      const TopoDS_Face& face = TopoDS::Face(at.Current());
-      const auto surface = cylinderOf(face);
-      if (!surface) continue;
-      cylinders.push_back(placed(face, *surface, solids[i].placement));
+    if (!ofShapes.IsBound(solids[i].shape)) ofShapes.Bind(solids[i].shape, cylindersOf(solids[i].shape));
+    for (const Cylinder& own : ofShapes.Find(solids[i].shape)) {
+      cylinders.push_back(placed(own, solids[i].placement));
       cylinders.back().solid = i;
-      cylinders.back().usual = usual;
     }
   }
   return cylinders;
@@ -162,22 +171,24 @@ std::vector<Cylinder> cylindersOf(const std::vector<StepSolid>& solids) {
 /// One around the other, so closely that the deflection of their triangles is no smaller than the gap.
 bool fitClosely(const Cylinder& a, const Cylinder& b) {
   if (a.solid == b.solid || std::abs(a.radius - b.radius) > a.usual + b.usual) return false;
-  if (a.axis.Crossed(b.axis).Modulus() > kTilt || (a.foot - b.foot).Modulus() > kEccentric) return false;
+  if (a.axis.Crossed(b.axis).Modulus() > kTilt || (a.point - b.point).Modulus() > kEccentric) return false;
   const bool alike = a.axis.Dot(b.axis) > 0.0;
-  return a.low < (alike ? b.high : -b.low) && (alike ? b.low : -b.high) < a.high;
+  const double low = std::max(a.low, alike ? b.low : -b.high);
+  const double high = std::min(a.high, alike ? b.high : -b.low);
+  return high - low > kOverlap;
 }
 
 /// Cylinders by the place of their axes.
 class AxisGrid {
  public:
   explicit AxisGrid(const std::vector<Cylinder>& cylinders) {
-    for (std::size_t i = 0; i < cylinders.size(); ++i) cells_[cellOf(cylinders[i].foot)].push_back(i);
+    for (std::size_t i = 0; i < cylinders.size(); ++i) cells_[cellOf(cylinders[i].point)].push_back(i);
   }
 
-  /// Calls `visit` with each cylinder whose foot may be within kEccentric of `foot`, until it returns true.
+  /// Calls `visit` with each cylinder whose point may be within kEccentric of `point`, until it returns true.
   template <class Visit>
-  bool anyNear(const gp_XYZ& foot, const Visit& visit) const {
-    const Cell centre = cellOf(foot);
+  bool anyNear(const gp_XYZ& point, const Visit& visit) const {
+    const Cell centre = cellOf(point);
     for (int i = 0; i < 27; ++i) {
       const auto found = cells_.find({centre[0] + i % 3 - 1, centre[1] + i / 3 % 3 - 1, centre[2] + i / 9 - 1});
       if (found != cells_.end() && std::any_of(found->second.begin(), found->second.end(), visit)) return true;
@@ -188,9 +199,9 @@ class AxisGrid {
  private:
   using Cell = std::array<long long, 3>;
 
-  static Cell cellOf(const gp_XYZ& foot) {
+  static Cell cellOf(const gp_XYZ& point) {
     const auto index = [](double coordinate) { return std::llround(std::clamp(coordinate / kEccentric, -1e15, 1e15)); };
-    return {index(foot.X()), index(foot.Y()), index(foot.Z())};
+    return {index(point.X()), index(point.Y()), index(point.Z())};
   }
 
   std::map<Cell, std::vector<std::size_t>> cells_;
@@ -200,17 +211,27 @@ class AxisGrid {
 
 StepFineness::StepFineness(double deflection, const std::vector<StepSolid>& solids) : deflection_(deflection) {
   if (deflection_ > 0.0) return;
-  const std::vector<Cylinder> cylinders = cylindersOf(solids);
+  for (const StepSolid& solid : solids) {
+    if (!diagonals_.IsBound(solid.shape)) diagonals_.Bind(solid.shape, diagonalOf(solid.shape));
+  }
+  std::vector<Cylinder> cylinders = cylindersOf(solids);
+  for (Cylinder& cylinder : cylinders) cylinder.usual = deflectionOf(solids[cylinder.solid]);
   const AxisGrid grid(cylinders);
   for (const Cylinder& cylinder : cylinders) {
     if (fine_.IsBound(cylinder.face)) continue;
     const auto isClose = [&](std::size_t other) { return fitClosely(cylinder, cylinders[other]); };
-    if (grid.anyNear(cylinder.foot, isClose)) fine_.Bind(cylinder.face, std::max(kFinest, kFine * cylinder.radius));
+    if (grid.anyNear(cylinder.point, isClose)) fine_.Bind(cylinder.face, std::max(kFinest, kFine * cylinder.radius));
   }
 }
 
+double StepFineness::deflectionOf(const StepSolid& solid) const {
+  if (deflection_ > 0.0) return deflection_;
+  const double diagonal = protocol::kMillimetre * solid.placement.scale * diagonals_.Find(solid.shape);
+  return usualDeflection(diagonal) / protocol::kMillimetre;
+}
+
 Fineness StepFineness::of(const StepSolid& solid) const {
-  Fineness fineness{deflection_ > 0.0 ? deflection_ : usualDeflectionOf(solid), {}};
+  Fineness fineness{deflectionOf(solid), {}};
   const BRep_Builder builder;
   for (TopExp_Explorer at(solid.shape, TopAbs_FACE); at.More(); at.Next()) {
     const double* deflection = fine_.Seek(at.Current());

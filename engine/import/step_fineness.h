@@ -29,8 +29,11 @@ class StepFineness {
   Fineness of(const StepSolid& solid) const;
 
  private:
+  double deflectionOf(const StepSolid& solid) const;
+
   double deflection_;
-  TopTools_DataMapOfShapeReal fine_;  ///< deflection by face
+  TopTools_DataMapOfShapeReal diagonals_;  ///< by shape, at its own size
+  TopTools_DataMapOfShapeReal fine_;       ///< deflection by face
 };
 
 }  // namespace glissade

@@ -229,7 +229,8 @@ void writeFits(const std::string& file) {
 }
 
 /// A large plate with holes of 8, 6.01, 12 and 20 mm radius; in the first a pin of its radius, in the second a pin of
-/// 6 mm that is written as B-splines and turned upside down, in the third a pin that is 1.5 mm thinner.
+/// 6 mm that is written as B-splines and turned upside down, in the third a pin that is 1.5 mm thinner. Beside it two
+/// rods of one radius end to end.
 void writeCloseFits(const std::string& file) {
   TopoDS_Shape plate = blockAt(0, 0, 0, 240, 100, 20);
   plate = BRepAlgoAPI_Cut(plate, shaft(-80, 0, -5, 8, 30));
@@ -243,6 +244,9 @@ void writeCloseFits(const std::string& file) {
   product.put(product.part("spline", BRepBuilderAPI_NurbsConvert(cylinder(6, 60))), unit,
               turnedAt(-30, 0, 10) * turnedAt(0, 0, 0));
   product.put(product.part("loose", cylinder(10.5, 60)), unit, at(20, 0, 10));
+  const TDF_Label rod = product.part("rod", cylinder(5, 100));
+  product.put(rod, unit, at(0, 80.3, 0.1));
+  product.put(rod, unit, at(0, 80.3, 100.1));
   product.write(file);
 }
 

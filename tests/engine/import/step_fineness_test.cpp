@@ -64,6 +64,11 @@ TEST(StepFineness, OthersOfTheSameSolidAreNot) {
   EXPECT_GT(deviationAt(plate, {0.08, 0, 0}, 0.020), 0.9 * kCoarse * 0.020);
 }
 
+/// The second rod begins where the first one ends.
+TEST(StepFineness, CylindersEndToEndAreNoFit) {
+  EXPECT_GT(deviationAt(*closeFits().at("rod").mesh, Vector3::Zero(), 0.005), kCoarse * 0.005);
+}
+
 TEST(StepFineness, SolidsWithFineFacesAreClosed) {
   for (const auto& [path, part] : closeFits()) {
     SCOPED_TRACE(path);
