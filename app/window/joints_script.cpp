@@ -14,7 +14,7 @@ Result<JointKind> kindIn(const std::string& word) {
   const auto kind = jointByName(word);
   if (kind) return *kind;
   return wrongCommand("'" + word + "' is no kind of joint",
-                      "Say screw, nut, insert, pin, snap, flexible, permanent or unit.");
+                      "Say screw, nut, thread, insert, pin, snap, flexible, permanent or unit.");
 }
 
 /// Those that count, of this kind as the panel shows it.

@@ -110,7 +110,7 @@ const std::vector<ColumnHelp>& columnHelp() {
         QT_TRANSLATE_NOOP("WhatsThis", "What was decided about the pair.")}},
       {"joints-table",
        {QT_TRANSLATE_NOOP("WhatsThis",
-                          "How they are joined: screw, nut, insert, pin, snap, flexible, permanent, unit."),
+                          "How they are joined: screw, nut, thread, insert, pin, snap, flexible, permanent, unit."),
         QT_TRANSLATE_NOOP("WhatsThis", "The body that leaves: the screw, the nut, the insert, the pin."),
         QT_TRANSLATE_NOOP("WhatsThis", "What it is joined with, and what it clamps."),
         QT_TRANSLATE_NOOP("WhatsThis", "The designation or the size of the thread, and the turns until it is free."),

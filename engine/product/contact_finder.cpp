@@ -9,6 +9,7 @@
 
 #include "engine/geometry/triangle_pair.h"
 #include "engine/product/region_pair.h"
+#include "engine/product/thread_pitch.h"
 
 namespace glissade {
 namespace {
@@ -19,8 +20,6 @@ using LabelKind = SurfaceRegions::Kind;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Fitted surfaces that are nearer to each other touch, metres: what fitting and rounding leave.
 constexpr double kTouching = 3e-6;
-/// Share of the shaft's radius: a coaxial overlap above is a thread drawn as a cylinder, below a press fit.
-constexpr double kThreadShare = 0.02;
 
 /// Everything that is learned from the pairs of triangles that are near.
 class PairExaminer {
@@ -113,7 +112,7 @@ class PairExaminer {
     } else if (thickest_ > kTouching) {
       const double shaft = std::max(axis_->radiusA, axis_->radiusB);
       thickness_ = 2.0 * shaft;
-      setOverlap(thickest_ > kThreadShare * shaft ? ContactKind::Thread : ContactKind::Press, thickest_, 0.0);
+      setOverlap(isThreadDepth(shaft, thickest_) ? ContactKind::Thread : ContactKind::Press, thickest_, 0.0);
     } else if (coaxialTouch_ || planarTouch_) {
       set(coaxialTouch_ ? ContactKind::Cylindrical : ContactKind::Planar, 0.0, 0.0);
     } else if (tangentTouch_ || nested_.touches || meetsExactly_ ||

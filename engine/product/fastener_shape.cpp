@@ -383,6 +383,23 @@ std::vector<Vector3> cylinderDirections(const TriangleMesh& mesh) {
 
 }  // namespace
 
+std::optional<double> wrenchFlats(const TurnedShape& shape) {
+  constexpr double kLeastHexagon = 0.08;  // of the length
+  constexpr double kLeastNarrow = 0.2;
+  double flats = 0.0;
+  double prism = 0.0;
+  for (const AxialSlab& slab : shape.slabs) {
+    const auto across = acrossFlats(slab.farthest, 6);
+    if (!across) continue;
+    flats = *across;
+    prism += slab.length();
+  }
+  double narrow = 0.0;
+  for (const AxialSlab& slab : shape.slabs) narrow += slab.outerMost() < 0.5 * flats ? slab.length() : 0.0;
+  const bool isCollar = prism >= kLeastHexagon * shape.length() && narrow >= kLeastNarrow * shape.length();
+  return isCollar ? std::optional(flats) : std::nullopt;
+}
+
 std::optional<TurnedShape> turnedShapeOf(const TriangleMesh& mesh, const AxialMesh& axial) {
   const MainAxes axes = mainAxesOf(axial.tree());
   for (const Vector3& direction : axes.directions) {

@@ -37,4 +37,8 @@ struct TurnedShape {
 /// Nothing where the mesh has no such shape. The axis is that of its longest cylinder, or the main axis of its surface.
 std::optional<TurnedShape> turnedShapeOf(const TriangleMesh& mesh, const AxialMesh& axial);
 
+/// The width across the flats of a hexagon that is wider than another part of the body, for a wrench: of a nozzle, a
+/// fitting, a hollow screw. Nothing where it has none. Metres.
+std::optional<double> wrenchFlats(const TurnedShape& shape);
+
 }  // namespace glissade

@@ -8,7 +8,7 @@
 namespace glissade {
 namespace {
 
-constexpr std::array<const char*, 8> kJointNames{"screw", "nut",      "insert",    "pin",
+constexpr std::array<const char*, 9> kJointNames{"screw", "nut",      "thread",    "insert", "pin",
                                                  "snap",  "flexible", "permanent", "unit"};
 constexpr std::array<const char*, 3> kJointStateNames{"recognised", "suggested", "confirmed"};
 constexpr std::array<const char*, 6> kDriveNames{"none", "hex", "hex_socket", "cross", "slot", "six_lobe"};
@@ -42,6 +42,10 @@ bool saysTheSame(const Joint& a, const Joint& b) {
 const char* jointName(JointKind kind) { return kJointNames[static_cast<std::size_t>(kind)]; }
 
 std::optional<JointKind> jointByName(const std::string& name) { return enumByName<JointKind>(kJointNames, name); }
+
+bool isScrewed(JointKind kind) {
+  return kind == JointKind::Screw || kind == JointKind::Nut || kind == JointKind::Thread;
+}
 
 const char* jointStateName(JointState state) { return kJointStateNames[static_cast<std::size_t>(state)]; }
 

@@ -13,6 +13,7 @@ namespace glissade {
 enum class JointKind {
   Screw,      ///< turns out of what its thread is in; what it clamps stays until then
   Nut,        ///< turns off its shaft; what it clamps stays until then
+  Thread,     ///< two bodies that are screwed together, neither a screw nor a nut: either turns off the other
   Insert,     ///< pressed or melted in: host and guest are one body, unless a person says that it is pressed out
   Pin,        ///< leaves along its axis
   Snap,       ///< leaves along a direction while its hook is bent
@@ -21,9 +22,11 @@ enum class JointKind {
   Unit        ///< bodies of one assembly that are not taken apart
 };
 
-/// "screw", "nut", "insert", "pin", "snap", "flexible", "permanent", "unit".
+/// "screw", "nut", "thread", "insert", "pin", "snap", "flexible", "permanent", "unit".
 const char* jointName(JointKind kind);
 std::optional<JointKind> jointByName(const std::string& name);
+/// It has a thread, and comes apart by turning only.
+bool isScrewed(JointKind kind);
 
 /// Who says that a joint is there.
 enum class JointState {
@@ -59,8 +62,8 @@ struct JointThread {
 struct Joint {
   JointKind kind = JointKind::Screw;
   JointState state = JointState::Recognised;
-  /// The screw, the nut, the guest of an insert, the pin, the body with the hook, the flexible body. Of a unit and a
-  /// permanent joint the first body.
+  /// The screw, the nut, one of two bodies that are screwed together, the guest of an insert, the pin, the body with
+  /// the hook, the flexible body. Of a unit and a permanent joint the first body.
   std::size_t body = 0;
   /// What the thread is in or on; the host of an insert; the body with the hole of a pin or the edge of a snap; what a
   /// flexible body goes around; the other bodies of a unit or of a permanent joint.
@@ -69,7 +72,7 @@ struct Joint {
   std::vector<std::size_t> clamped{};
   Vector3 point = Vector3::Zero();       ///< on the axis, world frame
   Vector3 direction = Vector3::UnitZ();  ///< unit, world frame: the way in which the body leaves
-  std::optional<JointThread> thread{};   ///< of a screw or a nut
+  std::optional<JointThread> thread{};   ///< of what is screwed
   DriveKind drive = DriveKind::None;
   /// Metres, across the flats of a hexagon, the width of a slot, the width of a cross or of six lobes from tip to tip;
   /// 0: not known.

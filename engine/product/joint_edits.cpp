@@ -118,8 +118,7 @@ class JointEditor {
       const auto said = designationOf(made.designation);
       if (!said) return refusal(edit.key, said.error().reason, said.error().advice);
     }
-    const bool turns = made.kind == JointKind::Screw || made.kind == JointKind::Nut;
-    if (turns && (!made.thread || made.thread->pitch == 0.0)) {
+    if (isScrewed(made.kind) && (!made.thread || made.thread->pitch == 0.0)) {
       return refusal(edit.key, "its thread is not stated", "Give 'thread' with diameter, pitch and engaged length.");
     }
     made.evidence = {"a person says so"};

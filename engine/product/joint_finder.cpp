@@ -8,6 +8,7 @@
 #include "engine/product/rolling_bearings.h"
 #include "engine/product/suggested_joints.h"
 #include "engine/product/threaded_joints.h"
+#include "engine/product/threaded_parts.h"
 
 namespace glissade {
 namespace {
@@ -73,6 +74,7 @@ Joints findJoints(const ProductShapes& shapes, const StopToken& stop, const std:
   Joints joints = std::move(threaded);
   append(std::move(pressed), joints);
   append(std::move(units), joints);
+  append(findThreadedParts(shapes, joints, stop), joints);
   for (Joint& joint : joints) {
     if (said[joint.body]) addDesignation(*said[joint.body], joint);
     if (const TurnedShape* shape = shapes.turned(joint.body)) addUsualDrive(*shape, joint);

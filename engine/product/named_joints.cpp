@@ -23,6 +23,8 @@ bool agrees(StandardPart part, JointKind kind) {
   switch (kind) {
     case JointKind::Screw: return part == StandardPart::Screw || part == StandardPart::SetScrew;
     case JointKind::Nut: return part == StandardPart::Nut;
+    case JointKind::Thread:
+      return part == StandardPart::Screw || part == StandardPart::SetScrew || part == StandardPart::Nut;
     case JointKind::Insert:
       return part == StandardPart::Insert || part == StandardPart::Bearing || part == StandardPart::Pin ||
              part == StandardPart::Nut || part == StandardPart::Seal || part == StandardPart::Ring;

@@ -178,6 +178,7 @@ class PressedJointFinder {
   }
 
   void addRing(std::size_t body, const TurnedShape& shape, Joints& joints) const {
+    if (!isInsertByName_[body] && wrenchFlats(shape)) return;  // it is screwed in
     const std::vector<HostFit> hosts = hostsOf(body, shape);
     const HostFit* best = nullptr;
     for (const HostFit& fit : hosts) {

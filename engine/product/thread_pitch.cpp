@@ -23,6 +23,10 @@ constexpr std::array<CoarseThread, 39> kCoarseThreads{
 /// Share of the nominal diameter that one of this size may be off it.
 constexpr double kNominalShare = 0.04;
 
+/// Share of the shaft's radius, and of the coarse pitch: what is drawn thicker by less is pressed in.
+constexpr double kLeastDepth = 0.02;
+constexpr double kLeastDepthInPitches = 0.15;
+
 /// `diameter`: millimetres.
 const CoarseThread& nearestTo(double diameter) {
   return *std::min_element(kCoarseThreads.begin(), kCoarseThreads.end(),
@@ -48,6 +52,10 @@ std::string nominalSize(double diameter) {
   const CoarseThread& nearest = nearestTo(1e3 * diameter);
   const bool isNominal = std::abs(1e3 * diameter - nearest.diameter) <= kNominalShare * nearest.diameter;
   return isNominal ? sizeOf(nearest) : std::string();
+}
+
+bool isThreadDepth(double radius, double depth) {
+  return depth > kLeastDepth * radius && depth > kLeastDepthInPitches * isoCoarsePitch(radius).pitch;
 }
 
 }  // namespace glissade

@@ -23,7 +23,7 @@ JointEdit::Word readWord(const JsonCursor& at) {
 JointKind readJointKind(const JsonCursor& at) {
   const auto kind = jointByName(at.text());
   if (!kind) {
-    at.fail("is not a kind of joint", "Give screw, nut, insert, pin, snap, flexible, permanent or unit.");
+    at.fail("is not a kind of joint", "Give screw, nut, thread, insert, pin, snap, flexible, permanent or unit.");
   }
   return *kind;
 }

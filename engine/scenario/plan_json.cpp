@@ -85,6 +85,7 @@ Json toJson(const StepTool& tool) {
     if (access == tool.access) json["access"] = name;
   }
   if (!tool.blockedBy.empty()) json["blocked_by"] = tool.blockedBy;
+  if (!tool.turned.empty()) json["turned"] = tool.turned;
   return json;
 }
 
@@ -289,7 +290,7 @@ class PlanReader {
   }
 
   StepTool readTool(const JsonCursor& at) const {
-    at.allowOnly({"kind", "access", "blocked_by"});
+    at.allowOnly({"kind", "access", "blocked_by", "turned"});
     const auto kind = toolByName(at.at("kind").text());
     if (!kind) at.at("kind").fail("is not hex_key, socket, screwdriver, open_wrench or none");
     StepTool tool{*kind};
@@ -299,6 +300,7 @@ class PlanReader {
     if (known == kAccessNames.end()) at.at("access").fail("is not not_asked, free or blocked");
     tool.access = known->first;
     if (const auto blockers = at.find("blocked_by")) tool.blockedBy = readIds(*blockers);
+    if (const auto turned = at.find("turned")) tool.turned = readId(*turned);
     return tool;
   }
 

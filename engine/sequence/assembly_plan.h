@@ -38,6 +38,7 @@ struct StepTool {
   ToolKind kind = ToolKind::None;
   ToolAccess access = ToolAccess::NotAsked;
   std::vector<std::string> blockedBy{};  ///< ids of bodies in its way
+  std::string turned{};  ///< id of the bolt that it turns while the step's nut is held; empty: it turns the fastener
 };
 
 /// A joint that comes apart by a step: what people read, and what has to be true of the step's motion.

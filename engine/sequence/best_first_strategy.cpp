@@ -16,6 +16,8 @@ namespace {
 
 /// Cosine above which two directions are one.
 constexpr double kSameWay = 0.98;
+/// Sine of the slope from which a direction is upwards or downwards.
+constexpr double kUpright = 0.7;
 /// Where it is asked what stands, a linear program for each step of each state may be solved.
 constexpr std::size_t kExpansionsWithStanding = 200;
 constexpr std::size_t kMostOrderExpansions = 2000;
@@ -44,6 +46,9 @@ double assemblyChangeOf(const std::vector<std::size_t>& one, const std::vector<s
       one.begin(), one.begin() + static_cast<std::ptrdiff_t>(std::min(one.size(), other.size())), other.begin());
   return 1.0 - static_cast<double>(end - one.begin()) / static_cast<double>(most);
 }
+
+/// 1: upwards; -1: downwards; 0: to a side. Products stand on the plane z = 0, as they are drawn in instructions.
+double sideOf(const Vector3& way) { return std::abs(way.z()) < kUpright ? 0.0 : std::copysign(1.0, way.z()); }
 
 class Reordering {
  public:
@@ -108,6 +113,7 @@ class Reordering {
   StepFigures figuresOf(std::size_t step, const std::size_t* last, const std::vector<bool>& done) const {
     StepFigures figures = figures_[step];
     figures.directionChange = last == nullptr || ways_[step].dot(ways_[*last]) < kSameWay;
+    figures.turnOver = last == nullptr ? 0.0 : 0.5 * std::abs(sideOf(ways_[step]) - sideOf(ways_[*last]));
     figures.toolChange = last == nullptr || usesAnotherTool(plan_.steps[step], plan_.steps[*last]);
     figures.taskChange = last == nullptr || tasks_[step] == 0 || tasks_[step] != tasks_[*last];
     figures.assemblyChange = last == nullptr ? 0.0 : assemblyChangeOf(assemblies_[step], assemblies_[*last]);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 
+#include "engine/sequence/assemblies_there.h"
 #include "engine/sequence/plan_steps.h"
 #include "engine/sequence/step_precedence.h"
 #include "engine/sequence/stuck_reasons.h"
@@ -101,11 +102,11 @@ class GreedySearch {
     if (leave() || flexibleLeaves()) return true;
     const int efforts = question_.trial.efforts();
     for (int effort = 0; effort < efforts && !stopped(); ++effort) {
-      if (effort == kShortEffort + 1 && groupsLeave(kFewBodies)) return true;
+      if (effort == kShortEffort + 1 && (groupsLeave(kFewBodies) || assembliesLeave())) return true;
       if (askAll(openUnits(effort, false), effort)) return true;
     }
     if (stopped()) return false;
-    if (efforts <= kShortEffort + 1 && groupsLeave(kFewBodies)) return true;
+    if (efforts <= kShortEffort + 1 && (groupsLeave(kFewBodies) || assembliesLeave())) return true;
     return searchedGroupsLeave() || groupsLeave(kMostBodies) || leaveAtPlaces(true);
   }
 
@@ -253,6 +254,15 @@ class GreedySearch {
     return ask(groups, 0);
   }
 
+  /// The assemblies of the file along lines, whatever their size: a carriage slides off its rail.
+  bool assembliesLeave() {
+    std::vector<BodyGroup> open;
+    for (const BodyGroup& group : assembliesThere(question_, present_)) {
+      if (mayLeave(group, false) && isOpen(group, 0)) open.push_back(group);
+    }
+    return askAll(std::move(open), 0);
+  }
+
   /// Each unit with one of those in its way, and the assemblies of the file.
   bool searchedGroupsLeave() {
     if (question_.trial.efforts() <= 1) return false;
@@ -264,7 +274,9 @@ class GreedySearch {
         for (const std::size_t other : refusal.blockedBy) addGroup(groups, unit, unitOf(other));
       }
     }
-    for (const BodyGroup& group : assembliesOfTheFile()) groups.insert(group);
+    for (const BodyGroup& group : assembliesThere(question_, present_)) {
+      if (group.size() <= kMostBodies) groups.insert(group);
+    }
     std::vector<BodyGroup> open;
     const int effort = std::min(kGroupEffort, question_.trial.efforts() - 1);
     for (const BodyGroup& group : groups) {
@@ -281,34 +293,6 @@ class GreedySearch {
     both.insert(both.end(), other.begin(), other.end());
     std::sort(both.begin(), both.end());
     if (both.size() <= kFewBodies) groups.insert(std::move(both));
-  }
-
-  /// What is still there of them.
-  std::vector<BodyGroup> assembliesOfTheFile() const {
-    const Product& tree = question_.product.tree;
-    std::map<std::string, std::size_t> numbers;
-    for (std::size_t body = 0; body < present_.size(); ++body) {
-      if (present_[body]) numbers.emplace(idOf(body), body);
-    }
-    std::map<std::string, BodyGroup> assemblies;
-    for (std::size_t node = 0; node < tree.nodes().size(); ++node) {
-      if (tree.nodes()[node].children.empty()) continue;
-      BodyGroup& bodies = assemblies[tree.nodes()[node].id];
-      for (const std::string& id : tree.bodiesBelow(node)) {
-        if (const auto there = numbers.find(id); there != numbers.end()) bodies.push_back(there->second);
-      }
-      std::sort(bodies.begin(), bodies.end());
-    }
-    std::vector<BodyGroup> groups;
-    for (const auto& assembly : assemblies) {
-      const BodyGroup& bodies = assembly.second;
-      const bool whole = std::all_of(bodies.begin(), bodies.end(), [&](std::size_t body) {
-        const BodyGroup unit = unitOf(body);
-        return std::includes(bodies.begin(), bodies.end(), unit.begin(), unit.end());
-      });
-      if (whole && bodies.size() > 1 && bodies.size() <= kMostBodies) groups.push_back(bodies);
-    }
-    return groups;
   }
 
   /// True where something has left. The groups have no body in common. After a stop all answers are dropped: what is

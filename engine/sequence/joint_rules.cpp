@@ -16,8 +16,6 @@ bool hasAny(const BodyGroup& group, const std::vector<std::size_t>& bodies) {
   return std::any_of(bodies.begin(), bodies.end(), [&](std::size_t body) { return has(group, body); });
 }
 
-bool isScrewed(const Joint& joint) { return joint.kind == JointKind::Screw || joint.kind == JointKind::Nut; }
-
 bool isBonded(const Joint& joint) {
   return joint.kind == JointKind::Insert || joint.kind == JointKind::Permanent || joint.kind == JointKind::Unit;
 }
@@ -63,9 +61,9 @@ JointRules::JointRules(Joints joints, const AssembledProduct& product, const std
     if (joint.kind == JointKind::Flexible) isFlexible_[joint.body] = true;
     if (joint.kind == JointKind::Nut) isNut_[joint.body] = true;
     for (const std::size_t other : joint.others) {
-      if (isScrewed(joint) && fasteners[other] == FastenerKind::Nut) isNut_[other] = true;
+      if (isScrewed(joint.kind) && fasteners[other] == FastenerKind::Nut) isNut_[other] = true;
     }
-    if (!isScrewed(joint) && joint.kind != JointKind::Flexible) continue;
+    if (!isScrewed(joint.kind) && joint.kind != JointKind::Flexible) continue;
     std::set<std::size_t> bodies{joint.body};
     bodies.insert(joint.others.begin(), joint.others.end());
     bodies.insert(joint.clamped.begin(), joint.clamped.end());
@@ -94,20 +92,23 @@ void JointRules::bond(const AssembledProduct& product) {
   }
 }
 
-/// By designation; by thread and drive where no name says.
+/// By designation; by thread and drive where no name says. Bolts that nuts are turned off are tasks of their own.
 void JointRules::findTasks(const AssembledProduct& product) {
-  using Key = std::tuple<JointKind, std::string, std::vector<long>, std::vector<std::size_t>>;
+  using Key = std::tuple<JointKind, bool, std::string, std::vector<long>, std::vector<std::size_t>>;
   std::map<Key, std::vector<std::size_t>> alike;
   std::vector<Key> order;
   for (const Joint& joint : joints_) {
-    if (!isScrewed(joint) || joint.clamped.empty()) continue;
+    if (!isScrewed(joint.kind) || joint.clamped.empty()) continue;
     std::vector<std::size_t> clamped = joint.clamped;
     std::sort(clamped.begin(), clamped.end());
-    Key key{joint.kind, joint.designation, joint.designation.empty() ? sizesOf(joint) : std::vector<long>(),
-            std::move(clamped)};
-    const auto [at, isNew] = alike.try_emplace(key);
-    if (isNew) order.push_back(std::move(key));
-    at->second.push_back(joint.body);
+    const auto sizes = joint.designation.empty() ? sizesOf(joint) : std::vector<long>();
+    for (const bool isBolt : {false, true}) {
+      if (isBolt && (joint.kind != JointKind::Nut || joint.others.size() != 1)) continue;
+      const Key key{joint.kind, isBolt, joint.designation, sizes, clamped};
+      const auto [at, isNew] = alike.try_emplace(key);
+      if (isNew) order.push_back(key);
+      at->second.push_back(isBolt ? joint.others.front() : joint.body);
+    }
   }
   tasks_.assign(product.bodies.size(), 0);
   std::size_t number = 0;
@@ -162,7 +163,7 @@ std::vector<std::size_t> JointRules::opened(const BodyGroup& group, const BodySe
   const BodySet others = without(present, group);
   for (const std::size_t index : jointsOf(group)) {
     const Joint& joint = joints_[index];
-    if (!isScrewed(joint) || !joint.thread) continue;
+    if (!isScrewed(joint.kind) || !joint.thread) continue;
     const auto stays = [&](std::size_t other) { return others[other]; };
     const bool threadStays = std::any_of(joint.others.begin(), joint.others.end(), stays);
     const bool leaves = has(group, joint.body) ? threadStays : hasAny(group, joint.others) && others[joint.body];
@@ -190,7 +191,7 @@ BodyGroup JointRules::holders(const std::vector<std::size_t>& joints, const Body
 std::vector<std::pair<std::size_t, std::size_t>> JointRules::links(const BodySet& present) const {
   std::vector<std::pair<std::size_t, std::size_t>> links;
   for (const Joint& joint : joints_) {
-    if (!isScrewed(joint) || !isClosed(joint, present)) continue;
+    if (!isScrewed(joint.kind) || !isClosed(joint, present)) continue;
     for (const std::size_t other : joint.others) {
       if (!present[other]) continue;
       links.emplace_back(joint.body, other);

@@ -66,7 +66,7 @@ std::vector<std::size_t> dividedInOrder(const LineTasks& tasks, std::size_t stat
   return stationOf;
 }
 
-struct ModelDeleter {
+struct CbcDeleter {
   void operator()(Cbc_Model* model) const { Cbc_deleteModel(model); }
 };
 
@@ -140,7 +140,7 @@ class Program {
   const LineTasks& tasks_;
   std::size_t stations_;
   int cycle_;  ///< column
-  std::unique_ptr<Cbc_Model, ModelDeleter> model_;
+  std::unique_ptr<Cbc_Model, CbcDeleter> model_;
 };
 
 Outcome checked(const LineTasks& tasks, std::size_t stations) {

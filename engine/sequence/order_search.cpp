@@ -150,6 +150,88 @@ class OrderSearch {
   std::size_t number_ = 0;
 };
 
+/// Moves runs of steps to other places of an order while it costs less so (I. Or, 1976). What is moved changes the
+/// costs between the two places only.
+class RunMover {
+ public:
+  RunMover(std::vector<std::size_t> order, const OrderQuestion& question, const StopToken& stop)
+      : question_(question), stop_(stop), order_(std::move(order)) {}
+
+  std::vector<std::size_t> run() {
+    while (!stop_.stopRequested() && moveOne()) {
+    }
+    return std::move(order_);
+  }
+
+ private:
+  bool moveOne() {
+    for (std::size_t length = 1; length <= std::min(kMostMoved, order_.size() - 1); ++length) {
+      for (std::size_t from = 0; from + length <= order_.size(); ++from) {
+        for (std::size_t to = 0; to + length <= order_.size(); ++to) {
+          if (asked_ >= kMostAsked || stop_.stopRequested()) return false;
+          if (to != from && move(from, length, to)) return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  /// True where the order costs less with the run at this place.
+  bool move(std::size_t from, std::size_t length, std::size_t to) {
+    std::vector<std::size_t> moved = order_;
+    const auto at = [&](std::size_t place) { return moved.begin() + static_cast<std::ptrdiff_t>(place); };
+    if (from < to) {
+      std::rotate(at(from), at(from + length), at(to + length));
+    } else {
+      std::rotate(at(to), at(from), at(from + length));
+    }
+    const std::size_t first = std::min(from, to);
+    const std::size_t end = std::min(std::max(from, to) + length + 1, order_.size());
+    if (!isAllowed(moved, first, end)) return false;
+    const double before = costBetween(order_, first, end, question_.cost);
+    if (question_.atLeast && costBetween(moved, first, end, question_.atLeast) >= before - kLeastGain) return false;
+    if (costBetween(moved, first, end, question_.cost) >= before - kLeastGain) return false;
+    order_ = std::move(moved);
+    return true;
+  }
+
+  CarriedOut doneBefore(const std::vector<std::size_t>& order, std::size_t place) const {
+    CarriedOut done(order.size(), false);
+    for (std::size_t i = 0; i < place; ++i) done[order[i]] = true;
+    return done;
+  }
+
+  bool isAllowed(const std::vector<std::size_t>& order, std::size_t first, std::size_t end) const {
+    CarriedOut done = doneBefore(order, first);
+    for (std::size_t place = first; place < end; ++place) {
+      if (!mayFollow(order[place], done, question_)) return false;
+      done[order[place]] = true;
+    }
+    return true;
+  }
+
+  template <class Cost>
+  double costBetween(const std::vector<std::size_t>& order, std::size_t first, std::size_t end, const Cost& cost) {
+    CarriedOut done = doneBefore(order, first);
+    double sum = 0.0;
+    for (std::size_t place = first; place < end; ++place) {
+      sum += cost(order[place], place == 0 ? nullptr : &order[place - 1], done);
+      done[order[place]] = true;
+      ++asked_;
+    }
+    return sum;
+  }
+
+  static constexpr std::size_t kMostMoved = 12;
+  static constexpr std::size_t kMostAsked = 100000;
+  static constexpr double kLeastGain = 1e-9;
+
+  const OrderQuestion& question_;
+  const StopToken& stop_;
+  std::vector<std::size_t> order_;
+  std::size_t asked_ = 0;  ///< costs
+};
+
 }  // namespace
 
 double costOf(const std::vector<std::size_t>& order, const OrderQuestion& question) {
@@ -165,7 +247,8 @@ double costOf(const std::vector<std::size_t>& order, const OrderQuestion& questi
 }
 
 std::vector<std::size_t> cheapestOrder(const OrderQuestion& question, const StopToken& stop) {
-  return OrderSearch(question, stop).run();
+  std::vector<std::size_t> order = OrderSearch(question, stop).run();
+  return order.size() < 2 ? order : RunMover(std::move(order), question, stop).run();
 }
 
 }  // namespace glissade

@@ -24,7 +24,8 @@ struct OrderQuestion {
 /// Best first over costs: states are the steps carried out and the last one of them, and those of the least cost, with
 /// the mean cost of a step for each that is missing, are expanded first. Begins with the order that always takes the
 /// cheapest step (or with 0, 1, ..., where that leads nowhere because of fixed steps), so there is an order whenever
-/// the search ends. Precondition: `after` has no circle.
+/// the search ends. Then runs of steps are moved to other places while the order costs less so. Precondition: `after`
+/// has no circle.
 std::vector<std::size_t> cheapestOrder(const OrderQuestion& question, const StopToken& stop);
 
 /// What an order costs.

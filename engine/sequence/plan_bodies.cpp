@@ -39,6 +39,7 @@ class Renaming {
     all(step.with);
     all(step.falling);
     all(step.tool.blockedBy);
+    one(step.tool.turned);
     for (StepViolation& violation : step.violates) all(violation.bodies);
     one(step.proof.nearest);
     for (StepAllowance& allowance : step.allowances) {

@@ -106,7 +106,7 @@ AssemblyStep makeStep(const BodyGroup& group, const Removed& removed, const Sequ
   step.with = idsOf({group.begin() + 1, group.end()}, product);
   if (group.size() == 1 && !question.fasteners.empty()) step.fastener = question.fasteners[group.front()];
   if (group.size() == 1 && !question.tools.empty() && !question.tools[group.front()].empty()) {
-    step.tool.kind = question.tools[group.front()].front();
+    step.tool.kind = question.tools[group.front()].front().kind;
   }
   step.proof = {afterSteps, certificate.tolerance, certificate.provedClearance, certificate.minClearance, {}};
   const int nearest = certificate.nearest.body;

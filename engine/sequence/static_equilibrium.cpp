@@ -18,7 +18,7 @@ constexpr double kUnbalanced = 0.01;
 constexpr double kLeastWeight = 1e-12;
 constexpr int kMostIterations = 200'000;
 
-struct ModelDeleter {
+struct ClpDeleter {
   void operator()(Clp_Simplex* model) const { Clp_deleteModel(model); }
 };
 
@@ -86,7 +86,7 @@ class Balance {
     }
     columns_.end();
     const auto columnCount = static_cast<int>(columns_.costs.size());
-    const std::unique_ptr<Clp_Simplex, ModelDeleter> model(Clp_newModel());
+    const std::unique_ptr<Clp_Simplex, ClpDeleter> model(Clp_newModel());
     Clp_setLogLevel(model.get(), 0);
     const std::vector<double> lower(columns_.costs.size(), 0.0);
     Clp_loadProblem(model.get(), columnCount, rowCount_, columns_.starts.data(), columns_.rows.data(),

@@ -15,10 +15,11 @@ struct NamedFigure {
   double (*value)(const StepFigures& figures);
 };
 
-constexpr std::array<NamedFigure, 14> kFigures{{
+constexpr std::array<NamedFigure, 15> kFigures{{
     {"length", [](const StepFigures& figures) { return figures.length; }},
     {"turns", [](const StepFigures& figures) { return figures.turns; }},
     {"direction_change", [](const StepFigures& figures) { return figures.directionChange ? 1.0 : 0.0; }},
+    {"turn_over", [](const StepFigures& figures) { return figures.turnOver; }},
     {"tool_change", [](const StepFigures& figures) { return figures.toolChange ? 1.0 : 0.0; }},
     {"falling", [](const StepFigures& figures) { return figures.falling; }},
     {"bodies", [](const StepFigures& figures) { return figures.bodies; }},
@@ -64,7 +65,7 @@ std::optional<RuleType> typeOfAttribute(const std::string& name, const std::map<
 std::vector<StepCostPreset> stepCostPresets() {
   return {{"fitter", "As a fitter would",
            "20 * tool_blocked + 10 * falling + 4 * task_change + 4 * assembly_change + 2 * tool_change + "
-           "direction_change + "
+           "4 * turn_over + direction_change + "
            "2 * distance + 4 * size * early - 4 * fragile * early"},
           {"balanced", "Balanced", "length + direction_change + tool_change + 10 * falling"},
           {"steady", "Steady", "100 * falling + 0.1 * (length + direction_change + tool_change)"},

@@ -25,6 +25,7 @@ struct StepFigures {
   double distance = 0.0;         ///< from where the step before was, by the diagonal of the product's box
   double size = 0.0;             ///< of the boxes of the bodies that leave, by that of the product
   double early = 0.0;            ///< share of the steps that are still to come
+  double turnOver = 0.0;         ///< 1: it ends upwards and the step before downwards, or the reverse; 0.5: to a side
 };
 
 /// An expression with a name.
@@ -38,9 +39,9 @@ struct StepCostPreset {
 std::vector<StepCostPreset> stepCostPresets();
 
 /// What a step costs, as an expression that a user can read and change, in the language of the rules of coarse
-/// planning (see Expression). Names: length, turns, direction_change, tool_change, falling, bodies, mass, fragile,
-/// tool_blocked, task_change, assembly_change, distance, size, early, and body.<attribute> of the first body that
-/// leaves. Costs below zero, and those that are no number, count as 0.
+/// planning (see Expression). Names: length, turns, direction_change, turn_over, tool_change, falling, bodies, mass,
+/// fragile, tool_blocked, task_change, assembly_change, distance, size, early, and body.<attribute> of the first body
+/// that leaves. Costs below zero, and those that are no number, count as 0.
 class StepCost {
  public:
   /// `demands.cost`: a preset's id, an expression, or empty. Errors, MalformedInput at /sequence/cost: what does not

@@ -37,11 +37,9 @@ StepJoint stepJoint(const Joint& joint, const BodySet& present, const AssembledP
   return own;
 }
 
-bool isScrewed(const Joint& joint) { return joint.kind == JointKind::Screw || joint.kind == JointKind::Nut; }
-
 /// Of the joints without a thread: the body leaves, and something that it is joined to stays.
 bool isLeft(const Joint& joint, const BodyGroup& group, const BodySet& others) {
-  return !isScrewed(joint) && std::binary_search(group.begin(), group.end(), joint.body) &&
+  return !isScrewed(joint.kind) && std::binary_search(group.begin(), group.end(), joint.body) &&
          std::any_of(joint.others.begin(), joint.others.end(), [&](std::size_t other) { return others[other]; });
 }
 

@@ -66,7 +66,7 @@ void addJointPrecedence(const JointRules& rules, const std::vector<std::size_t>&
     if (step != 0 && step < number) after.insert(step);
   };
   for (const Joint& joint : rules.joints()) {
-    const bool screwed = joint.kind == JointKind::Screw || joint.kind == JointKind::Nut;
+    const bool screwed = isScrewed(joint.kind);
     if (!screwed && joint.kind != JointKind::Flexible) continue;
     const std::size_t own = stepOf[joint.body];
     for (const std::size_t other : joint.others) {

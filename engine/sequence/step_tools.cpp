@@ -24,16 +24,15 @@ class ToolMeshes {
   ToolMeshes(const AssemblyPlan& plan, const SequenceQuestion& question) {
     for (const AssemblyStep& step : plan.steps) {
       if (step.tool.kind == ToolKind::None) continue;
-      const std::size_t body = *question.product.indexOf(step.body);
-      const MeshPtr& mesh = question.product.bodies[body].mesh;
-      const auto [at, isNew] = heads_.try_emplace(mesh);
-      if (isNew) at->second = headOf(*mesh);
-      if (!at->second) continue;
-      for (const ToolKind kind : question.tools[body]) {
-        ToolMesh& tool = tools_[{mesh, kind}];
+      for (const ToolUse& use : question.tools[*question.product.indexOf(step.body)]) {
+        const MeshPtr& mesh = question.product.bodies[use.turned].mesh;
+        const auto [at, isNew] = heads_.try_emplace(mesh);
+        if (isNew) at->second = headOf(*mesh);
+        if (!at->second) continue;
+        ToolMesh& tool = tools_[{mesh, use.kind}];
         if (tool.inPlace) continue;
-        tool.inPlace = std::make_shared<const TriangleMesh>(toolShape(kind, *at->second));
-        const auto entering = enteringToolShape(kind, *at->second);
+        tool.inPlace = std::make_shared<const TriangleMesh>(toolShape(use.kind, *at->second));
+        const auto entering = enteringToolShape(use.kind, *at->second);
         tool.entering = entering ? std::make_shared<const TriangleMesh>(*entering) : tool.inPlace;
       }
     }
@@ -87,16 +86,17 @@ struct ToolFacts::Position {
 
 /// Of one tool at the head of one step.
 struct ToolFacts::Tool {
-  ToolKind kind;
+  ToolUse use;
   ToolMesh mesh;
-  std::vector<Pose> frames;  ///< of the positions of its handle
+  std::vector<std::size_t> others;  ///< all bodies but what is turned and what leaves
+  std::vector<Pose> frames;         ///< of the positions of its handle
   std::vector<Vector3> offWays;
   std::vector<Position> positions{};
 };
 
 struct ToolFacts::Step {
-  std::vector<Tool> tools;          ///< the preferred one first
-  std::vector<std::size_t> others;  ///< all bodies but the fastener
+  std::size_t body = 0;     ///< the fastener
+  std::vector<Tool> tools;  ///< the preferred one first
 };
 
 ToolFacts::ToolFacts(const AssemblyPlan& plan, const SequenceQuestion& question) : question_(question) {
@@ -105,16 +105,20 @@ ToolFacts::ToolFacts(const AssemblyPlan& plan, const SequenceQuestion& question)
     steps_.emplace_back();
     if (step.tool.kind == ToolKind::None) continue;
     const std::size_t body = *question.product.indexOf(step.body);
-    const RigidBody& own = question.product.bodies[body];
-    const FastenerHead* head = meshes.head(own.mesh);
-    if (head == nullptr) continue;
-    steps_.back().others = bodiesIn(without(question.initial(), {body}));
-    for (const ToolKind kind : question.tools[body]) {
-      Tool tool{kind, meshes.tool(own.mesh, kind), {}, takeOffWays(kind, *head)};
-      const int positions = handlePositions(kind);
+    steps_.back().body = body;
+    for (const ToolUse& use : question.tools[body]) {
+      const RigidBody& turned = question.product.bodies[use.turned];
+      const FastenerHead* head = meshes.head(turned.mesh);
+      if (head == nullptr) continue;
+      Tool tool{use,
+                meshes.tool(turned.mesh, use.kind),
+                bodiesIn(without(without(question.initial(), {body}), {use.turned})),
+                {},
+                takeOffWays(use.kind, *head)};
+      const int positions = handlePositions(use.kind);
       for (int i = 0; i < positions; ++i) {
         const double turn = 2.0 * std::numbers::pi * i / positions;
-        tool.frames.push_back(toolFrame(*head, own.X_WB, exitDirection(step.path), turn));
+        tool.frames.push_back(toolFrame(*head, turned.X_WB, exitDirection(step.path), turn));
       }
       tool.positions.resize(tool.frames.size(), {std::nullopt, {tool.offWays.size(), std::nullopt}});
       steps_.back().tools.push_back(std::move(tool));
@@ -126,28 +130,28 @@ ToolFacts::~ToolFacts() = default;
 
 /// Not kept after a stop.
 std::vector<std::size_t> ToolFacts::blocking(std::optional<std::vector<std::size_t>>& fact, const Placing& placing,
-                                             const Step& step, const BodySet& there, const StopToken& stop) {
+                                             const Tool& tool, const BodySet& there, const StopToken& stop) {
   if (fact) return presentOf(*fact, there);
-  Blockers found = question_.trial.inTheWayOfTool(placing.mesh, placing.motion, step.others, stop);
+  Blockers found = question_.trial.inTheWayOfTool(placing.mesh, placing.motion, tool.others, stop);
   Blockers present = presentOf(found, there);
   if (!stop.stopRequested()) fact = std::move(found);
   return present;
 }
 
 /// What is in the way of a tool that is in place in this position, or else of the best way to bring it on.
-std::vector<std::size_t> ToolFacts::blockersAt(std::size_t position, Tool& tool, const Step& step, const BodySet& there,
+std::vector<std::size_t> ToolFacts::blockersAt(std::size_t position, Tool& tool, const BodySet& there,
                                                const StopToken& stop) {
   const Pose& X_WT = tool.frames[position];
   Position& facts = tool.positions[position];
   if (tool.mesh.entering != tool.mesh.inPlace) {
-    Blockers inPlace = blocking(facts.inPlace, {tool.mesh.inPlace, {X_WT, X_WT}}, step, there, stop);
+    Blockers inPlace = blocking(facts.inPlace, {tool.mesh.inPlace, {X_WT, X_WT}}, tool, there, stop);
     if (!inPlace.empty()) return inPlace;
   }
   std::optional<Blockers> best;
   for (std::size_t way = 0; way < tool.offWays.size(); ++way) {
     Pose off = X_WT;
     off.position += X_WT.orientation * tool.offWays[way];
-    Blockers onWay = blocking(facts.ways[way], {tool.mesh.entering, {off, X_WT}}, step, there, stop);
+    Blockers onWay = blocking(facts.ways[way], {tool.mesh.entering, {off, X_WT}}, tool, there, stop);
     best = best ? fewer(std::move(*best), std::move(onWay)) : std::move(onWay);
   }
   return best ? std::move(*best) : Blockers();
@@ -159,12 +163,15 @@ std::optional<StepTool> ToolFacts::toolOf(std::size_t number, const BodySet& the
   for (Tool& tool : step.tools) {
     std::optional<Blockers> fewest;
     for (std::size_t i = 0; i < tool.frames.size() && !(fewest && fewest->empty()); ++i) {
-      Blockers blocking = blockersAt(i, tool, step, there, stop);
+      Blockers blocking = blockersAt(i, tool, there, stop);
       fewest = fewest ? fewer(std::move(*fewest), std::move(blocking)) : std::move(blocking);
     }
     if (stop.stopRequested()) return std::nullopt;
-    if (fewest->empty()) return StepTool{tool.kind, ToolAccess::Free, {}};
-    if (!preferred) preferred = StepTool{tool.kind, ToolAccess::Blocked, idsOf(*fewest, question_.product)};
+    StepTool found{tool.use.kind, ToolAccess::Free, idsOf(*fewest, question_.product), {}};
+    if (tool.use.turned != step.body) found.turned = question_.product.bodies[tool.use.turned].id;
+    if (fewest->empty()) return found;
+    found.access = ToolAccess::Blocked;
+    if (!preferred) preferred = std::move(found);
   }
   return preferred;
 }

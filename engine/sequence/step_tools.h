@@ -18,7 +18,7 @@ class ToolFacts {
   ToolFacts& operator=(const ToolFacts&) = delete;
 
   /// The tools of the body are tried in their order, each with its handle in all positions, against those of `there`,
-  /// the fastener excepted. The first that nothing blocks; where all are blocked the preferred one, with the fewest
+  /// what is turned excepted. The first that nothing blocks; where all are blocked the preferred one, with the fewest
   /// bodies in its way. Nothing after a stop, and where the step needs no tool or its body has no head. `step`: its
   /// index. May be called from several threads at a time, for different steps.
   std::optional<StepTool> toolOf(std::size_t step, const BodySet& there, const StopToken& stop);
@@ -33,9 +33,8 @@ class ToolFacts {
     std::pair<Pose, Pose> motion;
   };
   std::vector<std::size_t> blocking(std::optional<std::vector<std::size_t>>& fact, const Placing& placing,
-                                    const Step& step, const BodySet& there, const StopToken& stop);
-  std::vector<std::size_t> blockersAt(std::size_t position, Tool& tool, const Step& step, const BodySet& there,
-                                      const StopToken& stop);
+                                    const Tool& tool, const BodySet& there, const StopToken& stop);
+  std::vector<std::size_t> blockersAt(std::size_t position, Tool& tool, const BodySet& there, const StopToken& stop);
 
   const SequenceQuestion& question_;
   std::vector<Step> steps_;

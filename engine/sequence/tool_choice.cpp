@@ -38,16 +38,27 @@ std::vector<ToolKind> toolsByShape(const ProductShapes& shapes, std::size_t body
   return {head->height >= kSocketHead * head->shaft ? ToolKind::HexKey : ToolKind::Screwdriver};
 }
 
-/// A bolt in a nut leaves when the nut has been turned off: nothing turns the bolt.
+std::vector<ToolUse> usesOf(const std::vector<ToolKind>& tools, std::size_t turned) {
+  std::vector<ToolUse> uses;
+  for (const ToolKind kind : tools) uses.push_back({kind, turned});
+  return uses;
+}
+
+/// A bolt in a nut leaves when the nut has been turned off: it needs no tool then. The nut comes off, too, where it is
+/// held and the bolt is turned.
 void addJointTools(const Joints& joints, ToolChoices& choices) {
+  const ToolChoices byShape = choices;
   for (const Joint& joint : joints) {
     if (joint.kind != JointKind::Nut) continue;
     for (const std::size_t bolt : joint.others) choices[bolt].clear();
   }
   for (const Joint& joint : joints) {
-    if (joint.kind != JointKind::Screw && joint.kind != JointKind::Nut) continue;
+    if (!isScrewed(joint.kind)) continue;
+    std::vector<ToolUse>& own = choices[joint.body];
     const std::vector<ToolKind> tools = toolsByDrive(joint.drive);
-    if (!tools.empty()) choices[joint.body] = tools;
+    if (!tools.empty()) own = usesOf(tools, joint.body);
+    if (joint.kind != JointKind::Nut) continue;
+    for (const std::size_t bolt : joint.others) own.insert(own.end(), byShape[bolt].begin(), byShape[bolt].end());
   }
 }
 
@@ -65,7 +76,7 @@ Result<ToolChoices> chooseTools(const ProductShapes& shapes, const std::vector<F
                                 const Joints& joints, const SequenceDemands& demands) {
   ToolChoices choices;
   for (std::size_t body = 0; body < shapes.size(); ++body) {
-    choices.push_back(toolsByShape(shapes, body, kinds[body]));
+    choices.push_back(usesOf(toolsByShape(shapes, body, kinds[body]), body));
   }
   addJointTools(joints, choices);
   for (const auto& [name, tool] : demands.tools) {
@@ -75,7 +86,7 @@ Result<ToolChoices> chooseTools(const ProductShapes& shapes, const std::vector<F
                         "Choose hex_key, socket, screwdriver, open_wrench or none."};
     }
     for (const std::size_t body : bodiesNamed(shapes.product(), name)) {
-      choices[body] = *kind == ToolKind::None ? std::vector<ToolKind>() : std::vector<ToolKind>{*kind};
+      choices[body] = *kind == ToolKind::None ? std::vector<ToolUse>() : std::vector<ToolUse>{{*kind, body}};
     }
   }
   return choices;

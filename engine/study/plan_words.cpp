@@ -79,11 +79,15 @@ std::string PlanWords::someOf(const std::vector<std::string>& ids, const Assembl
 std::string PlanWords::toolName(const AssemblyStep& step) const {
   static constexpr std::array<const char*, 5> kTools{"", "hex key", "socket", "screwdriver", "open wrench"};
   if (step.tool.kind == ToolKind::None) return {};
-  return words_(kTools[static_cast<std::size_t>(step.tool.kind)]) + sizeOfTool(step, words_.language());
+  const std::string name = words_(kTools[static_cast<std::size_t>(step.tool.kind)]);
+  return step.tool.turned.empty() ? name + sizeOfTool(step, words_.language()) : name;
 }
 
 std::string PlanWords::tool(const AssemblyStep& step, const AssembledProduct& product) const {
   const std::string name = toolName(step);
+  if (!step.tool.turned.empty()) {
+    return words_("%1 at %2, %3 is held", {name, someOf({step.tool.turned}, product), someOf({step.body}, product)});
+  }
   if (step.tool.access != ToolAccess::Blocked) return name;
   return words_("%1, blocked by %2", {name, someOf(step.tool.blockedBy, product)});
 }
@@ -147,6 +151,10 @@ std::string PlanWords::joint(const StepJoint& joint, const AssemblyStep& step, c
         return words_(removal ? "turn off nut %1, %2 turns" : "screw on nut %1, %2 turns", {what, turns});
       }
       return words_(removal ? "turn out screw %1, %2 turns" : "screw in %1, %2 turns", {what, turns});
+    }
+    case JointKind::Thread: {
+      const std::string with = isOwn ? someOf(joint.others, product) : what;
+      return words_(removal ? "unscrew from %1, %2 turns" : "screw together with %1, %2 turns", {with, turns});
     }
     case JointKind::Insert:
       return words_(removal ? "press out of %1" : "press into %1", {someOf(joint.others, product)});

@@ -103,12 +103,26 @@ class LineJudge {
     if (!step.certified) judgeWithoutProof(step);
     Ids left = present_;
     for (const std::string& id : leaving) left.erase(id);
+    judgePulled(step, left);
     for (const StatedJoint& joint : joints_) {
       if (!joint.isScrewed()) continue;
       judgeClamped(joint, leaving);
       if (isClosed(joint) && opens(joint, leaving, left)) judgeOpening(joint, step, leaving);
     }
     present_ = left;
+  }
+
+  /// Whatever joints are known.
+  void judgePulled(const StatedStep& step, const Ids& left) {
+    double turned = 0.0;
+    for (std::size_t i = 1; i < step.path.size(); ++i) {
+      const auto [x, y, z, w] = since(step.path[i - 1], step.path[i]).orientation;
+      turned += 2.0 * std::atan2(length(Point{x, y, z}), std::abs(w));
+    }
+    if (turned >= 2.0 * kPi) return;
+    for (const std::string& id : step.threads) {
+      if (left.count(id) != 0) say("'" + step.bodies.front() + "' is pulled off the thread of '" + id + "'");
+    }
   }
 
   void judgeWithoutProof(const StatedStep& step) {
@@ -200,6 +214,9 @@ StatedLine lineIn(const Json& json) {
     StatedStep step{idsIn(each, "bodies"), {}, each.at("certificate").at("status") == "certified"};
     for (const Json& at : each.at("path")) {
       step.path.push_back({at.at("position").get<Point>(), at.at("orientation").get<Rotation>()});
+    }
+    for (const Json& allowance : each.at("allowances")) {
+      if (allowance.at("kind") == "thread") step.threads.push_back(allowance.at("body"));
     }
     line.steps.push_back(std::move(step));
   }

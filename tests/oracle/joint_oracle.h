@@ -18,7 +18,7 @@ struct StatedJoint {
   double pitch = 0.0;   ///< a turn; below 0: left-handed; 0: no thread
   double travel = 0.0;  ///< until the thread is free
 
-  bool isScrewed() const { return kind == "screw" || kind == "nut"; }
+  bool isScrewed() const { return kind == "screw" || kind == "nut" || kind == "thread"; }
 };
 
 /// A step of a plan: who leaves, and where the frame of the step is.
@@ -26,6 +26,7 @@ struct StatedStep {
   std::vector<std::string> bodies;
   std::vector<Placement> path;
   bool certified = true;
+  std::vector<std::string> threads{};  ///< bodies that its fits call its threads
 };
 
 /// A plan, or a line of a group that is taken apart by itself.
@@ -41,6 +42,7 @@ struct StatedLine {
 /// What a plan does that a fitter would refuse, for people; empty: nothing.
 /// - a thread opens: on all of the way until it is free the step turns about its axis by its pitch, no point of the
 ///   axis is off it by more than two hundredths of the pitch
+/// - a body leaves from another one that its own allowances call a thread, without a turn
 /// - a body leaves that a closed joint clamps
 /// - a screw or a nut leaves after what it clamps, although its thread was closed then
 /// - a body is there twice, or not at all: each leaves once, stays, or is stuck

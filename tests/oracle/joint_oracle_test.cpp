@@ -57,6 +57,15 @@ TEST(JointOracle, RefusesAThreadThatIsPulled) {
   EXPECT_TRUE(isSaid(violations, "step 1: the thread of screw 'screw' opens, and it advances by")) << violations[0];
 }
 
+TEST(JointOracle, RefusesWhatIsPulledOffWhatItsOwnAllowancesCallAThread) {
+  StatedStep pulled{{"cover"}, straight()};
+  pulled.threads = {"base"};
+  EXPECT_TRUE(isSaid(violationsOf(planOf({pulled, {{"screw"}, straight()}}), {}),
+                     "step 1: 'cover' is pulled off the thread of 'base'"));
+  pulled.path = turnedOut(4);
+  EXPECT_EQ(violationsOf(planOf({pulled, {{"screw"}, straight()}}), {}), std::vector<std::string>());
+}
+
 TEST(JointOracle, RefusesTurnsThatAreTooFewOrTooCoarse) {
   EXPECT_TRUE(isSaid(violationsOf(planOf({{{"screw"}, turnedOut(3)}, {{"cover"}, straight()}}), {screw()}),
                      "before it is free"));

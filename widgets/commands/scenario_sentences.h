@@ -291,7 +291,7 @@ inline constexpr const char* kScenarioSentences[] = {
     QT_TRANSLATE_NOOP("Diagnostics", "is not a step before it"),
     QT_TRANSLATE_NOOP("Diagnostics", "is no word about a joint"),
     QT_TRANSLATE_NOOP("Diagnostics", "Give confirmed, dissolved, pressed_out or opened."),
-    QT_TRANSLATE_NOOP("Diagnostics", "Give screw, nut, insert, pin, snap, flexible, permanent or unit."),
+    QT_TRANSLATE_NOOP("Diagnostics", "Give screw, nut, thread, insert, pin, snap, flexible, permanent or unit."),
     QT_TRANSLATE_NOOP("Diagnostics", "has no length"),
     QT_TRANSLATE_NOOP("Diagnostics", "Give a direction, as [0, 0, 1]."),
     QT_TRANSLATE_NOOP("Diagnostics", "is not a drive"),

@@ -44,7 +44,7 @@ QString directionText(const Vector3& direction) {
 }
 
 bool leavesAlong(JointKind kind) {
-  return isThreaded(kind) || kind == JointKind::Pin || kind == JointKind::Insert || kind == JointKind::Snap;
+  return isScrewed(kind) || kind == JointKind::Pin || kind == JointKind::Insert || kind == JointKind::Snap;
 }
 
 void setRowShown(QFormLayout& form, QWidget* field, bool shown) {
@@ -187,7 +187,7 @@ void JointDialog::draftAgain() {
 }
 
 void JointDialog::enable() {
-  const bool turns = isThreaded(kind());
+  const bool turns = isScrewed(kind());
   setRowShown(*form_, clamped_, turns && bodies_.size() > 2);
   setRowShown(*form_, direction_, leavesAlong(kind()));
   for (QWidget* field : {static_cast<QWidget*>(diameter_), static_cast<QWidget*>(pitch_),
@@ -207,7 +207,7 @@ Joint JointDialog::joint() const {
   joint.clamped.clear();
   for (int i = 0; i < clamped_->count(); ++i) {
     const auto body = static_cast<std::size_t>(clamped_->item(i)->data(Qt::UserRole).toULongLong());
-    const bool isClamped = isThreaded(joint.kind) && clamped_->item(i)->checkState() == Qt::Checked;
+    const bool isClamped = isScrewed(joint.kind) && clamped_->item(i)->checkState() == Qt::Checked;
     (isClamped ? joint.clamped : joint.others).push_back(body);
   }
   const int direction = direction_->currentIndex();
@@ -225,7 +225,7 @@ Joint JointDialog::joint() const {
 
 void JointDialog::accept() {
   const Joint given = joint();
-  if (isThreaded(given.kind) && given.others.empty()) {
+  if (isScrewed(given.kind) && given.others.empty()) {
     refuse(tr("All other bodies are clamped. Uncheck the one that the thread is in."));
   } else if (const Outcome accepted = accept_(given); !accepted) {
     refuse(diagnosticText(accepted.error()));

@@ -102,7 +102,7 @@ JointEdit wordThatMakes(Joint joint, const AssembledProduct& product) {
   joint.state = JointState::Confirmed;
   joint.isDoubtful = false;
   joint.evidence.clear();
-  if (!isThreaded(joint.kind)) {
+  if (!isScrewed(joint.kind)) {
     joint.others.insert(joint.others.end(), joint.clamped.begin(), joint.clamped.end());
     joint.clamped.clear();
     joint.thread.reset();

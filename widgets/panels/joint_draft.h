@@ -18,6 +18,4 @@ Joint draftJoint(const AssembledProduct& product, const std::vector<std::size_t>
 /// A person's word that this joint is there. What its kind has no use for is left out.
 JointEdit wordThatMakes(Joint joint, const AssembledProduct& product);
 
-inline bool isThreaded(JointKind kind) { return kind == JointKind::Screw || kind == JointKind::Nut; }
-
 }  // namespace glissade

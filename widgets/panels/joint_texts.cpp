@@ -47,6 +47,7 @@ QString jointKindText(JointKind kind) {
   switch (kind) {
     case JointKind::Screw: return Joined::tr("screw");
     case JointKind::Nut: return Joined::tr("nut");
+    case JointKind::Thread: return Joined::tr("thread");
     case JointKind::Insert: return Joined::tr("insert");
     case JointKind::Pin: return Joined::tr("pin");
     case JointKind::Snap: return Joined::tr("snap");

@@ -15,6 +15,7 @@ const char* sentenceOf(const StepJoint& joint, bool isOwn) {
   switch (joint.kind) {
     case JointKind::Screw: return "Screw in %1.";
     case JointKind::Nut: return isOwn ? "Screw on %1." : "Screw in %1.";
+    case JointKind::Thread: return "Screw on %1.";
     case JointKind::Insert: return "Press in %1.";
     case JointKind::Pin: return "Push in %1.";
     case JointKind::Snap: return "Snap in %1.";

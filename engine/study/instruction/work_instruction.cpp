@@ -159,6 +159,10 @@ class Instructor {
       if (!tool.empty() && std::find(made_.tools.begin(), made_.tools.end(), tool) == made_.tools.end()) {
         made_.tools.push_back(tool);
       }
+      if (!step.tool.turned.empty()) {
+        const std::string note = say("Hold %1, turn %2.", {supported({step.body}), supported({step.tool.turned})});
+        if (said.insert(note).second) panel.notes.push_back(note);
+      }
       if (step.falling.empty()) continue;
       const std::string note = say("Needs support: %1", {supported(step.falling)});
       if (said.insert(note).second) panel.notes.push_back(note);
@@ -181,9 +185,8 @@ class Instructor {
   }
 
   static bool isScrewed(const AssemblyStep& step) {
-    return std::any_of(step.joints.begin(), step.joints.end(), [](const StepJoint& joint) {
-      return joint.kind == JointKind::Screw || joint.kind == JointKind::Nut;
-    });
+    return std::any_of(step.joints.begin(), step.joints.end(),
+                       [](const StepJoint& joint) { return glissade::isScrewed(joint.kind); });
   }
 
   std::string supported(const Ids& ids) {

@@ -130,6 +130,59 @@ TEST(JointFinder, AHeatSetInsertIsOneBodyWithItsHost) {
   }
 }
 
+/// A heater block of a printer: a nozzle from below and a heat break from above are screwed into one core hole.
+ProductOfParts heaterBlock(double hole) {
+  ProductOfParts parts;
+  parts.add("block", plateMesh(hole, 0.016, 0.0, 0.012))
+      .add("nozzle", turnedMesh({{-0.003, circle(0.001)},
+                                 {-0.003, prism(0.007, 6)},
+                                 {0.0, prism(0.007, 6)},
+                                 {0.0, circle(0.003)},
+                                 {0.0055, circle(0.003)},
+                                 {0.0055, circle(0.001)}},
+                                true))
+      .add("break", turnedMesh({{0.006, circle(0.001)},
+                                {0.006, circle(0.003)},
+                                {0.012, circle(0.003)},
+                                {0.012, circle(0.005)},
+                                {0.03, circle(0.005)},
+                                {0.03, circle(0.001)}},
+                               true));
+  return parts;
+}
+
+TEST(JointFinder, PartsThatAreScrewedTogetherWithoutAScrewAreFound) {
+  const Joints joints = findJoints(heaterBlock(0.0025).product());
+  const auto threads = ofKind(joints, JointKind::Thread);
+  ASSERT_EQ(threads.size(), 2U);
+  EXPECT_EQ(joints.size(), 2U) << "the nozzle is no insert: it has a hexagon";
+  EXPECT_EQ(threads[0].body, 1U);
+  EXPECT_THAT(threads[0].others, ElementsAre(0U));
+  EXPECT_LT(threads[0].direction.z(), -0.999) << "its hexagon does not pass the hole";
+  EXPECT_EQ(threads[0].drive, DriveKind::HexOutside);
+  EXPECT_NEAR(threads[0].driveSize, 0.007, 1e-4);
+  EXPECT_NEAR(threads[0].thread->diameter, 0.006, 2e-5);
+  EXPECT_NEAR(threads[0].thread->engaged, 0.0055, 1e-4);
+  EXPECT_EQ(threads[0].thread->pitch, 0.001);
+  EXPECT_EQ(threads[1].body, 2U);
+  EXPECT_THAT(threads[1].others, ElementsAre(0U));
+  EXPECT_GT(threads[1].direction.z(), 0.999) << "its shoulder does not pass the hole";
+  EXPECT_NEAR(threads[1].thread->travel, 0.006, 1e-4);
+}
+
+TEST(JointFinder, WhatIsThickerByLessThanAThreadIsNotScrewedIn) {
+  EXPECT_THAT(ofKind(findJoints(heaterBlock(0.0029).product()), JointKind::Thread), IsEmpty()) << "0.1 of 3 mm";
+  EXPECT_THAT(ofKind(findJoints(heaterBlock(0.0031).product()), JointKind::Thread), IsEmpty()) << "it is loose";
+}
+
+TEST(JointFinder, ATubeInATubeIsNotScrewedIn) {
+  ProductOfParts parts;
+  parts.add("inner", tubeMesh(circle(0.005), circle(0.008), 0.0, 0.02))
+      .add("outer", tubeMesh(circle(0.008), circle(0.01), 0.0, 0.02));
+  EXPECT_THAT(ofKind(findJoints(parts.product()), JointKind::Thread), IsEmpty())
+      << "the outer one's outside is wider than the inner one's hole, and nothing is between them";
+}
+
 TEST(JointFinder, ADowelIsPressedInWhereItIsThickerThanItsHoleAndAPinWhereItIsNot) {
   for (const bool isPressed : {true, false}) {
     ProductOfParts parts;

@@ -21,5 +21,13 @@ TEST(ThreadPitch, ANominalSizeIsThatOfTheDiameterToAFewPercent) {
   EXPECT_EQ(nominalSize(0.2), "");
 }
 
+TEST(ThreadPitch, WhatIsThickerByLessThanTheFinestThreadIsPressedIn) {
+  EXPECT_TRUE(isThreadDepth(0.003, 0.0005)) << "M6 in its tap drill";
+  EXPECT_TRUE(isThreadDepth(0.005, 0.0005)) << "M10x1 in its tap drill";
+  EXPECT_TRUE(isThreadDepth(0.015, 0.0006)) << "M30x1";
+  EXPECT_FALSE(isThreadDepth(0.0024, 0.000075)) << "a horn on the shaft of a servo";
+  EXPECT_FALSE(isThreadDepth(0.005, 0.0001)) << "2 % of the radius";
+}
+
 }  // namespace
 }  // namespace glissade

@@ -136,6 +136,16 @@ TEST(JointRules, AlikeScrewsThatClampTheSameAreOneTask) {
   EXPECT_EQ(rules.inWords(rules.holding({1}, BodySet(7, true), false)), "held by 2 screws M3x8 and 1 screw M4x8");
 }
 
+TEST(JointRules, TheBoltsOfAlikeNutsAreOneTaskBesideThatOfTheNuts) {
+  Joints joints{screwIn(2, {3}, {1}), screwIn(4, {5}, {1})};
+  for (Joint& joint : joints) joint.kind = JointKind::Nut;
+  const JointRules rules = rulesOf(joints, 6);
+  EXPECT_EQ(rules.taskOf(2), rules.taskOf(4));
+  EXPECT_EQ(rules.taskOf(3), rules.taskOf(5));
+  EXPECT_NE(rules.taskOf(2), rules.taskOf(3));
+  EXPECT_NE(rules.taskOf(3), 0U);
+}
+
 TEST(JointRules, SuggestedJointsCountWhereTheyAreAskedFor) {
   Joints joints{screwIn(2, {0}, {1}), jointOf(JointKind::Flexible, 1, {0})};
   joints[1].state = JointState::Suggested;
@@ -174,6 +184,22 @@ TEST(JointPlan, AScrewTurnsOutBeforeWhatItClamps) {
   EXPECT_NEAR(turnsOf(step.path), kEngaged / kPitch, 1e-9);
   EXPECT_EQ(plan.steps.back().after, std::vector<std::size_t>{1});
   EXPECT_TRUE(judgePlan(plan, product, std::nullopt, {}).valid()) << "the independent check proves the turn";
+}
+
+TEST(JointPlan, EitherOfTwoBodiesThatAreScrewedTogetherTurnsOffTheOther) {
+  const AssembledProduct product = screwedCover();
+  Joint thread = jointOf(JointKind::Thread, 2, {0});
+  thread.thread = JointThread{0.005, kPitch, false, kEngaged, kEngaged};
+  for (const char* staying : {"base", "screw"}) {
+    const AssemblyPlan plan = planOf(product, {thread}, staying);
+    ASSERT_EQ(plan.steps.size(), 2U) << staying;
+    for (const AssemblyStep& step : plan.steps) {
+      const bool opens = step.body != "cover";
+      EXPECT_EQ(step.method == kTurned, opens) << step.body;
+      EXPECT_EQ(step.joints.size(), opens ? 1U : 0U);
+    }
+    EXPECT_TRUE(judgePlan(plan, product, std::nullopt, {}).valid());
+  }
 }
 
 TEST(JointPlan, WithoutJointsTheScrewIsPulled) {

@@ -79,5 +79,21 @@ TEST(OrderSearch, HasAnOrderHoweverFewStatesItExpands) {
   EXPECT_TRUE(cheapestOrder({}, {}).empty());
 }
 
+/// Steps of two sorts, of which each change costs: with one state expanded, runs that are moved put them together.
+TEST(OrderSearch, MovesRunsOfStepsToWhereTheyCostLess) {
+  constexpr std::size_t kSteps = 10;
+  OrderQuestion question;
+  question.mostExpansions = 1;
+  question.after.resize(kSteps);
+  question.cost = [](std::size_t step, const std::size_t* last, const std::vector<bool>& done) {
+    const auto carriedOut = static_cast<std::size_t>(std::count(done.begin(), done.end(), true));
+    const double early = carriedOut < 4 && step != carriedOut ? 2.0 : 0.0;  // leads the first order astray
+    return early + (last != nullptr && step % 2 != *last % 2 ? 5.0 : 0.0);
+  };
+  const auto order = cheapestOrder(question, {});
+  EXPECT_LE(costOf(order, question), 11.0) << "of one change, or of none in the first four";
+  EXPECT_TRUE(keeps(order, question));
+}
+
 }  // namespace
 }  // namespace glissade

@@ -7,7 +7,7 @@
 namespace glissade {
 namespace {
 
-using Tools = std::vector<ToolKind>;
+using Tools = std::vector<ToolUse>;
 
 const std::vector<FastenerKind> kKinds{FastenerKind::None, FastenerKind::Screw, FastenerKind::Nut};
 
@@ -37,7 +37,8 @@ TEST(ToolChoice, NothingTurnsABoltWhoseNutIsTurned) {
   EXPECT_FALSE(toolsOf({})[1].empty()) << "without joints its shape counts";
   const ToolChoices tools = toolsOf({fastener(JointKind::Nut, 2, {1}, DriveKind::None)});
   EXPECT_TRUE(tools[1].empty());
-  EXPECT_EQ(tools[2], (Tools{ToolKind::Socket, ToolKind::OpenWrench})) << "its shape";
+  EXPECT_EQ(tools[2], (Tools{{ToolKind::Socket, 2}, {ToolKind::OpenWrench, 2}, {ToolKind::Screwdriver, 1}}))
+      << "its shape, and the bolt's while the nut is held";
 }
 
 TEST(ToolChoice, TheDriveOfAJointCountsBeforeTheShape) {
@@ -47,7 +48,7 @@ TEST(ToolChoice, TheDriveOfAJointCountsBeforeTheShape) {
         std::pair{DriveKind::SixLobe, ToolKind::Screwdriver}}) {
     const ToolChoices tools = toolsOf({fastener(JointKind::Screw, 1, {0}, drive)});
     ASSERT_FALSE(tools[1].empty());
-    EXPECT_EQ(tools[1].front(), tool) << driveName(drive);
+    EXPECT_EQ(tools[1].front().kind, tool) << driveName(drive);
   }
   EXPECT_EQ(toolsOf({fastener(JointKind::Screw, 1, {0}, DriveKind::None)}), toolsOf({})) << "no drive is known";
 }
@@ -55,7 +56,8 @@ TEST(ToolChoice, TheDriveOfAJointCountsBeforeTheShape) {
 TEST(ToolChoice, APersonsWordCountsFirst) {
   SequenceDemands demands;
   demands.tools = {{"bolt", "hex_key"}};
-  EXPECT_EQ(toolsOf({fastener(JointKind::Nut, 2, {1}, DriveKind::HexOutside)}, demands)[1], Tools{ToolKind::HexKey});
+  EXPECT_EQ(toolsOf({fastener(JointKind::Nut, 2, {1}, DriveKind::HexOutside)}, demands)[1],
+            (Tools{{ToolKind::HexKey, 1}}));
 }
 
 }  // namespace

@@ -1,0 +1,206 @@
+#include "engine/product/threaded_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "engine/base/quantity_text.h"
+#include "engine/product/thread_pitch.h"
+
+namespace glissade {
+namespace {
+
+/// Overlaps above are clashes, as in ContactLimits: metres, share of the shaft's diameter.
+constexpr double kMostDepth = 1e-3;
+constexpr double kMostDepthShare = 0.2;
+/// Axes are one within this share of the shaft's radius.
+constexpr double kOneAxisShare = 0.02;
+/// The thread is engaged by so much at least, by the shaft's radius.
+constexpr double kLeastThreadLength = 0.15;
+/// Share of the directions in which both bodies have to fill what is between hole and shaft.
+constexpr double kLeastFilled = 0.5;
+/// What is wider than a hole by less passes it, as a share.
+constexpr double kPasses = 0.01;
+/// How far about the axis is looked for what does not pass, by the shaft's radius.
+constexpr double kLookedAbout = 3.0;
+
+/// A part of an axis of the world.
+struct Span {
+  double low = 0.0;
+  double high = 0.0;
+
+  double length() const { return high - low; }
+};
+
+Span spanOf(const CylinderRegion& cylinder, const AxisLine& axis) {
+  const double first = axis.heightOf(cylinder.point + cylinder.low * cylinder.direction);
+  const double last = axis.heightOf(cylinder.point + cylinder.high * cylinder.direction);
+  return {std::min(first, last), std::max(first, last)};
+}
+
+/// A shaft of one body in a narrower hole of another one. Heights along the axis of the shaft.
+struct DrawnThread {
+  std::size_t shaftBody = 0;
+  std::size_t holeBody = 0;
+  AxisLine axis;
+  double shaft = 0.0;  ///< radius, metres
+  double hole = 0.0;
+  Span ofShaft;
+  Span ofHole;
+
+  Span engaged() const { return {std::max(ofShaft.low, ofHole.low), std::min(ofShaft.high, ofHole.high)}; }
+  double depth() const { return shaft - hole; }
+};
+
+class ThreadedPartFinder {
+ public:
+  ThreadedPartFinder(const ProductShapes& shapes, const Joints& known, const StopToken& stop)
+      : shapes_(shapes), stop_(stop) {
+    for (const Joint& joint : known) {
+      std::vector<std::size_t> bodies{joint.body};
+      bodies.insert(bodies.end(), joint.others.begin(), joint.others.end());
+      for (const std::size_t one : bodies) {
+        for (const std::size_t other : bodies) joined_.emplace(one, other);
+      }
+    }
+  }
+
+  Joints find() const {
+    Joints joints;
+    for (std::size_t a = 0; a < shapes_.size(); ++a) {
+      for (std::size_t b = a + 1; b < shapes_.size() && !stop_.stopRequested(); ++b) {
+        if (!shapes_.box(a).intersects(shapes_.box(b)) || joined_.count({a, b}) != 0) continue;
+        std::optional<DrawnThread> best;
+        takeLonger(a, b, best);
+        takeLonger(b, a, best);
+        if (best) joints.push_back(jointOf(*best));
+      }
+    }
+    std::stable_sort(joints.begin(), joints.end(), [](const Joint& a, const Joint& b) { return a.body < b.body; });
+    return joints;
+  }
+
+ private:
+  void takeLonger(std::size_t shaftBody, std::size_t holeBody, std::optional<DrawnThread>& best) const {
+    const std::vector<CylinderRegion> holes = shapes_.cylindersOf(holeBody);
+    for (const CylinderRegion& shaft : shapes_.cylindersOf(shaftBody)) {
+      if (!shaft.shaft) continue;
+      for (const CylinderRegion& hole : holes) {
+        if (hole.shaft) continue;
+        const auto thread = threadOf(shaftBody, shaft, holeBody, hole);
+        if (thread && (!best || thread->engaged().length() > best->engaged().length())) best = thread;
+      }
+    }
+  }
+
+  std::optional<DrawnThread> threadOf(std::size_t shaftBody, const CylinderRegion& shaft, std::size_t holeBody,
+                                      const CylinderRegion& hole) const {
+    const double depth = shaft.radius - hole.radius;
+    const bool isClash = depth > kMostDepth || depth > kMostDepthShare * 2.0 * shaft.radius;
+    if (isClash || !isThreadDepth(shaft.radius, depth)) return std::nullopt;
+    const AxisLine axis{shaft.point, shaft.direction};
+    if (!isSameAxis(axis, {hole.point, hole.direction}, kOneAxisShare * shaft.radius)) return std::nullopt;
+    DrawnThread thread{shaftBody, holeBody, axis, shaft.radius, hole.radius, spanOf(shaft, axis), spanOf(hole, axis)};
+    const bool isEngaged = thread.engaged().length() >= kLeastThreadLength * shaft.radius;
+    if (!isEngaged || !isFilledBy(shaftBody, thread) || !isFilledBy(holeBody, thread)) return std::nullopt;
+    return thread;
+  }
+
+  /// Between hole and shaft. A tube in a tube that is inside out is no thread.
+  bool isFilledBy(std::size_t body, const DrawnThread& thread) const {
+    const double middle = 0.5 * (thread.engaged().low + thread.engaged().high);
+    const AxisLine seen = shapes_.seenFrom(body, thread.axis);
+    return shapes_.axial(body).filledShare(seen, middle, 0.5 * (thread.shaft + thread.hole)) >= kLeastFilled;
+  }
+
+  Joint jointOf(const DrawnThread& thread) const {
+    const auto shaftFlats = wrenchFlatsOf(thread.shaftBody);
+    const auto holeFlats = wrenchFlatsOf(thread.holeBody);
+    const bool shaftIsSmaller = volumeOf(thread.shaftBody) <= volumeOf(thread.holeBody);
+    const bool turnsShaft = shaftFlats.has_value() != holeFlats.has_value() ? shaftFlats.has_value() : shaftIsSmaller;
+    const bool isUp = leavesUp(thread);
+    Joint joint;
+    joint.kind = JointKind::Thread;
+    joint.body = turnsShaft ? thread.shaftBody : thread.holeBody;
+    joint.others = {turnsShaft ? thread.holeBody : thread.shaftBody};
+    joint.point = thread.axis.point;
+    joint.direction = isUp == turnsShaft ? thread.axis.direction : Vector3(-thread.axis.direction);
+    JointThread& turned = joint.thread.emplace();
+    turned.diameter = 2.0 * thread.shaft;
+    turned.pitch = isoCoarsePitch(thread.shaft).pitch;
+    turned.engaged = thread.engaged().length();
+    turned.travel = isUp ? thread.ofHole.high - thread.ofShaft.low : thread.ofShaft.high - thread.ofHole.low;
+    if (const auto flats = turnsShaft ? shaftFlats : holeFlats) {
+      joint.drive = DriveKind::HexOutside;
+      joint.driveSize = *flats;
+    }
+    joint.evidence = {"a shaft of " + inMillimetres(2.0 * thread.shaft) + " is " + inMillimetres(thread.depth()) +
+                          " thicker than the hole around it, as a thread is",
+                      "neither body is a screw or a nut by its shape"};
+    return joint;
+  }
+
+  std::optional<double> wrenchFlatsOf(std::size_t body) const {
+    const TurnedShape* shape = shapes_.turned(body);
+    return shape == nullptr ? std::nullopt : wrenchFlats(*shape);
+  }
+
+  double volumeOf(std::size_t body) const { return shapes_.box(body).volume(); }
+
+  /// Whether the shaft leaves in the direction of the axis; against it, where something does not let it pass, or where
+  /// it is free sooner.
+  bool leavesUp(const DrawnThread& thread) const {
+    const bool up = passes(thread, true);
+    const bool down = passes(thread, false);
+    if (up != down) return up;
+    return thread.ofHole.high - thread.ofShaft.low <= thread.ofShaft.high - thread.ofHole.low;
+  }
+
+  /// Behind the shaft nothing of its body is wider than the hole; before the hole nothing of the other is narrower than
+  /// the shaft.
+  bool passes(const DrawnThread& thread, bool up) const {
+    const Span behind = up ? Span{lowest(thread.shaftBody, thread.axis), thread.ofShaft.low}
+                           : Span{thread.ofShaft.high, highest(thread.shaftBody, thread.axis)};
+    for (const AxialSlab& slab : slabsOf(thread.shaftBody, thread, behind)) {
+      if (slab.outerMost() > (1.0 + kPasses) * thread.shaft) return false;
+    }
+    const Span before = up ? Span{thread.ofHole.high, highest(thread.holeBody, thread.axis)}
+                           : Span{lowest(thread.holeBody, thread.axis), thread.ofHole.low};
+    for (const AxialSlab& slab : slabsOf(thread.holeBody, thread, before)) {
+      if (slab.isSolid || slab.nearestAt(0.0) < (1.0 - kPasses) * thread.hole) return false;
+    }
+    return true;
+  }
+
+  std::vector<AxialSlab> slabsOf(std::size_t body, const DrawnThread& thread, const Span& span) const {
+    if (!(span.length() > kPasses * thread.shaft)) return {};
+    const AxisLine seen = shapes_.seenFrom(body, thread.axis);
+    return shapes_.axial(body).slabsAbout(seen, {span.low, span.high, kLookedAbout * thread.shaft});
+  }
+
+  double lowest(std::size_t body, const AxisLine& axis) const { return extentOf(body, axis).low; }
+  double highest(std::size_t body, const AxisLine& axis) const { return extentOf(body, axis).high; }
+
+  Span extentOf(std::size_t body, const AxisLine& axis) const {
+    const AxisLine seen = shapes_.seenFrom(body, axis);
+    const std::vector<Vector3>& vertices = shapes_.body(body).mesh->vertices;
+    Span span{seen.heightOf(vertices.front()), seen.heightOf(vertices.front())};
+    for (const Vector3& vertex : vertices) {
+      span.low = std::min(span.low, seen.heightOf(vertex));
+      span.high = std::max(span.high, seen.heightOf(vertex));
+    }
+    return span;
+  }
+
+  const ProductShapes& shapes_;
+  const StopToken& stop_;
+  std::set<std::pair<std::size_t, std::size_t>> joined_;
+};
+
+}  // namespace
+
+Joints findThreadedParts(const ProductShapes& shapes, const Joints& known, const StopToken& stop) {
+  return ThreadedPartFinder(shapes, known, stop).find();
+}
+
+}  // namespace glissade

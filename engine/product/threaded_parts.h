@@ -1,0 +1,14 @@
+#pragma once
+
+#include "engine/base/stop_token.h"
+#include "engine/product/joint.h"
+#include "engine/product/product_shapes.h"
+
+namespace glissade {
+
+/// Bodies that are screwed together although neither is a screw or a nut by its shape: a nozzle and its heater block, a
+/// pipe and its fitting. A shaft of the one is thicker than the coaxial hole of the other around it by the depth of a
+/// thread (isThreadDepth()). `known`: joints that were found before; pairs that these join are left out. By body.
+Joints findThreadedParts(const ProductShapes& shapes, const Joints& known, const StopToken& stop);
+
+}  // namespace glissade
