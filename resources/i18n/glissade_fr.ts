@@ -6183,10 +6183,6 @@
         <translation>Donnez confirmed, dissolved, pressed_out ou opened.</translation>
     </message>
     <message>
-        <source>Give screw, nut, insert, pin, snap, flexible, permanent or unit.</source>
-        <translation>Donnez screw, nut, insert, pin, snap, flexible, permanent ou unit.</translation>
-    </message>
-    <message>
         <source>has no length</source>
         <translation>n&apos;a pas de longueur</translation>
     </message>
@@ -6586,6 +6582,10 @@
         <source>Fetch it (git lfs pull), and load again.</source>
         <translation>Récupérez-le (git lfs pull), puis rechargez.</translation>
     </message>
+    <message>
+        <source>Give screw, nut, thread, insert, pin, snap, flexible, permanent or unit.</source>
+        <translation>Donnez screw, nut, thread, insert, pin, snap, flexible, permanent ou unit.</translation>
+    </message>
 </context>
 <context>
     <name>FilmWriter</name>
@@ -6749,6 +6749,10 @@
     <message>
         <source>%1; clamps %2</source>
         <translation>%1&#xa0;; serre %2</translation>
+    </message>
+    <message>
+        <source>thread</source>
+        <translation>filetage</translation>
     </message>
 </context>
 <context>
@@ -8161,10 +8165,6 @@
         <translation>Comment les corps sont liés&#xa0;: vis, écrous, inserts, goupilles, unités. Le menu d&apos;une ligne confirme ou supprime des liaisons. Les plans d&apos;assemblage les respectent.</translation>
     </message>
     <message>
-        <source>How they are joined: screw, nut, insert, pin, snap, flexible, permanent, unit.</source>
-        <translation>Comment ils sont liés&#xa0;: vis, écrou, insert, goupille, clip, souple, permanente, unité.</translation>
-    </message>
-    <message>
         <source>The body that leaves: the screw, the nut, the insert, the pin.</source>
         <translation>Le corps qui sort&#xa0;: la vis, l&apos;écrou, l&apos;insert, la goupille.</translation>
     </message>
@@ -8179,6 +8179,10 @@
     <message>
         <source>Recognised by shape, suggested by name or class, or decided by you. A (?) marks doubt.</source>
         <translation>Reconnue à la forme, proposée d&apos;après le nom ou la classe, ou décidée par vous. Un (?) signale un doute.</translation>
+    </message>
+    <message>
+        <source>How they are joined: screw, nut, thread, insert, pin, snap, flexible, permanent, unit.</source>
+        <translation>Comment ils sont liés&#xa0;: vis, écrou, filetage, insert, goupille, clip, souple, permanente, unité.</translation>
     </message>
 </context>
 <context>
