@@ -58,6 +58,8 @@ class WayRecorder {
   /// Changes with every point.
   std::uint64_t version() const { return version_; }
   double spread() const;
+  /// Share of the latest configurations that were in contact or nearly: a person who works there shows what is hard.
+  double inContact() const { return inContact_; }
   std::shared_ptr<const ShownWay> way(double share, const ShownWay::ContactRule& contact) const;
 
  private:
@@ -65,6 +67,8 @@ class WayRecorder {
   std::vector<ShownWay::Point> points_;
   std::uint64_t version_ = 0;
   double meanSquare_ = 0.0;  ///< of what the latest configurations were moved
+  double inContact_ = 0.0;
+  std::uint64_t added_ = 0;
 };
 
 }  // namespace glissade

@@ -76,18 +76,51 @@ TEST(WaySampler, DrawsTheHandsShareFromTheTube) {
   EXPECT_NEAR(near, 300, 40);
 }
 
+TEST(WayRecorder, SaysHowOftenTheHandIsInContact) {
+  const Problem problem = windowProblem();
+  const double radius = problem.world->objectRadius();
+  WayRecorder way(problem.metric());
+  NearestObstacle far;
+  far.distance = radius;
+  NearestObstacle touching;
+  touching.distance = 0.01 * radius;
+  way.add(problem.start, far, 0.0);
+  EXPECT_EQ(way.inContact(), 0.0);
+  way.add(problem.start, touching, 0.0);
+  way.add(problem.start, far, 0.1 * radius);  // was retracted
+  way.add(problem.start, far, 0.0);
+  EXPECT_NEAR(way.inContact(), 0.5, 1e-12);
+  for (int i = 0; i < 500; ++i) way.add(problem.start, far, 0.0);
+  EXPECT_LT(way.inContact(), 0.01);
+}
+
+TEST(HandAccount, ItsMembersHaveHalfOfTheWorkOfHardProblemsWhereTheHandIsInContact) {
+  HandAccount account;
+  account.charge(100'000, {HandAccount::kEasy, 0, 0});
+  EXPECT_FALSE(account.coversMembers(1.0));
+  account.charge(100'000, {1'000'000, 0, 0});
+  EXPECT_TRUE(account.coversMembers(1.0));
+  EXPECT_FALSE(account.coversMembers(0.0));
+  account.charge(100'000, {1'000'000, 0, 300'000});
+  EXPECT_TRUE(account.coversMembers(0.5));
+  EXPECT_FALSE(account.coversMembers(0.2));
+  account.charge(100'000, {1'000'000, 0, 1'200'000});
+  EXPECT_FALSE(account.coversMembers(1.0));
+  EXPECT_TRUE(account.covers());  // what the members cost is not the hand's
+}
+
 TEST(HandAccount, LimitsTheHandByWorkUnlessStepsAreScarce) {
   HandAccount account;
   EXPECT_TRUE(account.covers());
-  account.charge(100'000, 1'000'000, 0);
-  account.charge(1, 200'000, 200'000);
+  account.charge(100'000, {1'000'000, 0, 0});
+  account.charge(1, {200'000, 200'000, 0});
   EXPECT_FALSE(account.covers());
   account.noteShown(20);  // each is worth something
   EXPECT_TRUE(account.covers());
-  account.charge(1, 2'000'000, 2'000'000);
+  account.charge(1, {2'000'000, 2'000'000, 0});
   EXPECT_FALSE(account.covers());
   for (std::uint64_t shown = 21; shown < 80; ++shown) {  // a dozen steps each, as in lockstep
-    account.charge(12, 60'000, 60'000);
+    account.charge(12, {60'000, 60'000, 0});
     account.noteShown(shown);
   }
   EXPECT_TRUE(account.stepsAreScarce());
