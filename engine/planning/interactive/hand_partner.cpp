@@ -78,7 +78,7 @@ bool HandPartner::takesTurn(PlannerHost& host) {
   if (!sample) return false;
   noteMovement(sample->q_device);
   beforeRound_ = sample->q_device;
-  publish(host.parameters());
+  publish(host.parameters(), sample->hand);
   const bool covered = account_.covers();
   const bool handHasWork = follower_->hasWork(*sample, covered);
   const bool shown = follower_->way().size() > 0;
@@ -117,16 +117,18 @@ void HandPartner::noteMovement(const Pose& q) {
   if (moved < kLittleMovement) mostWork_ = std::min(kMostWork, 2 * mostWork_);
 }
 
-void HandPartner::publish(const ParameterValues& parameters) {
+void HandPartner::publish(const ParameterValues& parameters, const std::optional<Pose>& hand) {
   const WayRecorder& way = follower_->way();
   if (way.size() == 0) return;
   const double hands = account_.covers() ? share(parameters) : 0.0;
-  const bool known = board_->current() && published_ == way.version() && board_->current()->share == hands;
+  const bool known =
+      board_->current() && published_ == way.version() && publishedHand_ == hand && board_->current()->share == hands;
   if (known) return;
   const InteractionSettings inForce = follower_->settings(parameters);
   published_ = way.version();
+  publishedHand_ = hand;
   board_->publish(
-      way.way(hands, {inForce.contactSamples, inForce.contactDistance, parameters[ParameterId::ContactGap]}));
+      way.way(hands, {inForce.contactSamples, inForce.contactDistance, parameters[ParameterId::ContactGap]}, hand));
 }
 
 void HandPartner::turnDone(std::uint64_t work) {
