@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint64_t kPatience = 400;
 constexpr double kLeftInVain = 0.1;
 /// Share of the computer's steps that grow the trees which the hand draws.
-constexpr double kFollowersShare = 0.9;
+constexpr double kFollowersShare = 0.97;
 /// Movement of the hand in a round, in radii of the object. Above the first value the next rounds are shorter, so that
 /// the hand does not wait. Below the second one they are longer.
 constexpr double kMostMovement = 0.05;
