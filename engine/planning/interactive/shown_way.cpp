@@ -38,7 +38,8 @@ std::vector<Pose> ShownWay::withoutLoops(const Se3Metric& metric, double near) c
 
 void WayRecorder::add(const Pose& q, const NearestObstacle& nearest, double moved) {
   meanSquare_ += (moved * moved - meanSquare_) / kMemory;
-  const bool touches = moved > 0.0 || nearest.distance <= kSpacing * metric_.radius();
+  const bool free = nearest.distance > 0.0;  // a hand deep in an obstacle shows nothing
+  const bool touches = free && (moved > 0.0 || nearest.distance <= kSpacing * metric_.radius());
   inContact_ += ((touches ? 1.0 : 0.0) - inContact_) / std::min(kMemory, static_cast<double>(++added_));
   const double step = points_.empty() ? 0.0 : metric_.distance(points_.back().q, q);
   if (!points_.empty() && step < kSpacing * metric_.radius()) return;

@@ -142,6 +142,10 @@ TEST(WayRecorder, SaysHowOftenTheHandIsInContact) {
   way.add(problem.start, far, 0.1 * radius);  // was retracted
   way.add(problem.start, far, 0.0);
   EXPECT_NEAR(way.inContact(), 0.5, 1e-12);
+  NearestObstacle deep;
+  deep.distance = 0.0;
+  way.add(problem.start, deep, 0.5 * radius);  // could not be made free
+  EXPECT_NEAR(way.inContact(), 0.4, 1e-12);
   for (int i = 0; i < 500; ++i) way.add(problem.start, far, 0.0);
   EXPECT_LT(way.inContact(), 0.01);
 }
