@@ -9,6 +9,8 @@ class ConfigurationSampler {
  public:
   virtual ~ConfigurationSampler() = default;
   virtual Pose draw() = 0;
+  /// A tree has a new node. `query` is the planner's own, so that what is asked is counted as its work.
+  virtual void grew(const Pose& /*q*/, CollisionQuery& /*query*/) {}
 };
 
 /// Uniform in the problem's region or bounds.

@@ -113,6 +113,7 @@ RrtConnect::ComponentId RrtConnect::nearestOther(ComponentId grown, const Pose& 
 
 RrtConnect::Node RrtConnect::addChild(Node parent, const Pose& q) {
   domains_.push_back(std::numeric_limits<double>::infinity());
+  sampler_->grew(q, *query_);
   return roadmap_.addChild(parent, {q, Author::Computer, roadmap_.nodes()[parent].side});
 }
 

@@ -1,5 +1,6 @@
 #include "engine/planning/automatic/shrink_repair.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "engine/planning/automatic/path_repair.h"
@@ -81,6 +82,18 @@ void ShrinkRepair::halveGrowth() {
   search_.reset();
 }
 
+/// A smaller object is "out" nearer to the obstacles than the whole one.
+void ShrinkRepair::endAtGoal() {
+  const auto query = problem_.world->makeQuery();
+  const std::vector<Pose> goals = goalRoots(problem_, *query);
+  if (goals.empty()) return;
+  const Se3Metric metric = problem_.metric();
+  const Pose& goal = *std::min_element(goals.begin(), goals.end(), [&](const Pose& a, const Pose& b) {
+    return metric.distance(way_.back(), a) < metric.distance(way_.back(), b);
+  });
+  if (way_.back() != goal) way_.push_back(goal);
+}
+
 void ShrinkRepair::endLevel() {
   const Path& path = *search_->planner().path();
   if (isLast()) {
@@ -88,6 +101,7 @@ void ShrinkRepair::endLevel() {
     return;
   }
   way_ = path.configurations();
+  endAtGoal();
   wayDepth_ = depths_[level_];
   search_.reset();
   ++level_;

@@ -46,6 +46,7 @@ class ShrinkRepair final : public Planner, public ReportsStages {
   void step(PlannerHost& host);
   void startLevel();
   void endLevel();
+  void endAtGoal();
   void halveGrowth();
 
   Problem problem_;

@@ -39,6 +39,7 @@ std::unique_ptr<Planner> makeSearch(const Problem& problem, const Pose& from, co
   const double radius = problem.world->objectRadius();
   RrtConnect::Options options;
   options.range = kRange * radius;
+  options.slides = true;
   auto tube = std::make_unique<TubeSampler>(part, std::vector<Pose>{from, to}, deviation, seed);
   auto sampler = std::make_unique<FreedSampler>(std::move(tube), configuration, tolerance::kContactGap * radius);
   return std::make_unique<RrtConnect>(part, seed, options, std::move(sampler));

@@ -6,8 +6,8 @@
 
 namespace glissade {
 
-/// Local planning between two configurations of a way: two trees whose configurations are drawn from a tube between
-/// them and made free, so that they lie in contact where the passage is narrow.
+/// Local planning between two configurations of a way: two trees that slide on in contact. Their configurations are
+/// drawn from a tube between both ends and made free, so that they lie in contact where the passage is narrow.
 class GapSearch {
  public:
   /// `deviation` of the tube in metres of the metric.

@@ -29,7 +29,7 @@ constexpr int kPieces = 6;
 constexpr double kProgress = 0.2;
 /// Share of the computer's configurations that are between the hand and the goal, and their deviation in the distance
 /// of both.
-constexpr double kAhead = 0.5;
+constexpr double kAhead = 0.8;
 constexpr double kAheadDeviation = 0.3;
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint64_t kPatience = 400;
 constexpr double kLeftInVain = 0.1;
 /// Share of the computer's steps that grow the trees which the hand draws.
-constexpr double kFollowersShare = 0.9;
+constexpr double kFollowersShare = 0.97;
 /// Movement of the hand in a round, in radii of the object. Above the first value the next rounds are shorter, so that
 /// the hand does not wait. Below the second one they are longer.
 constexpr double kMostMovement = 0.05;
@@ -30,14 +30,15 @@ constexpr double kAlong = 0.2;
 /// A path that runs along the way for less of its length is the computer's.
 constexpr double kLeastFollowed = 0.1;
 constexpr const char* kWayMember = "hand-way";
-/// Share of the draws of the member that grows trees in the tube.
-constexpr double kTubeShare = 0.9;
+/// Least share of the draws in the tube of the member that grows trees there. It draws the others everywhere: a hand
+/// that misleads makes it slower by a factor of two at most.
+constexpr double kTubeShare = 0.5;
 
-/// Two trees, by turns with short steps for tunnels and with longer ones.
+/// Two trees that slide on in contact, by turns with short steps for tunnels and with longer ones: as `sliding-steps`
+/// and `sliding-trees`.
 RrtConnect::Options treesOf(const Problem& problem, std::uint64_t life) {
-  if (life % 2 == 1) return turning(problem, 0.005, 0.3);
-  RrtConnect::Options options = turning(problem, 0.02, 0.1);
-  options.domain = 10.0;
+  RrtConnect::Options options = life % 2 == 1 ? turning(problem, 0.005, 0.3) : turning(problem, 0.02, 1.0);
+  options.slides = true;
   return options;
 }
 
@@ -77,7 +78,7 @@ bool HandPartner::takesTurn(PlannerHost& host) {
   if (!sample) return false;
   noteMovement(sample->q_device);
   beforeRound_ = sample->q_device;
-  publish(host.parameters());
+  publish(host.parameters(), sample->hand);
   const bool covered = account_.covers();
   const bool handHasWork = follower_->hasWork(*sample, covered);
   const bool shown = follower_->way().size() > 0;
@@ -116,20 +117,22 @@ void HandPartner::noteMovement(const Pose& q) {
   if (moved < kLittleMovement) mostWork_ = std::min(kMostWork, 2 * mostWork_);
 }
 
-void HandPartner::publish(const ParameterValues& parameters) {
+void HandPartner::publish(const ParameterValues& parameters, const std::optional<Pose>& hand) {
   const WayRecorder& way = follower_->way();
   if (way.size() == 0) return;
   const double hands = account_.covers() ? share(parameters) : 0.0;
-  const bool known = board_->current() && published_ == way.version() && board_->current()->share == hands;
+  const bool known =
+      board_->current() && published_ == way.version() && publishedHand_ == hand && board_->current()->share == hands;
   if (known) return;
   const InteractionSettings inForce = follower_->settings(parameters);
   published_ = way.version();
+  publishedHand_ = hand;
   board_->publish(
-      way.way(hands, {inForce.contactSamples, inForce.contactDistance, parameters[ParameterId::ContactGap]}));
+      way.way(hands, {inForce.contactSamples, inForce.contactDistance, parameters[ParameterId::ContactGap]}, hand));
 }
 
 void HandPartner::turnDone(std::uint64_t work) {
-  account_.charge(1, work, work);
+  account_.charge(1, {work, work, 0});
   account_.noteShown(follower_->handReport().shown);
 }
 
@@ -137,14 +140,14 @@ void HandPartner::roundDone(const RoundOutcome& outcome) {
   lastQuantum_ = outcome.quantum;
   prepaid_ += outcome.turns - 1;
   const double shared = board_->current() ? board_->current()->share : 0.0;
-  const double hands =
-      static_cast<double>(outcome.partnersWork) + shared * static_cast<double>(outcome.work - outcome.partnersWork);
-  account_.charge(outcome.turns, outcome.work, static_cast<std::uint64_t>(hands));
+  const double hands = shared * static_cast<double>(outcome.work - outcome.partnersWork);
+  account_.charge(outcome.turns, {outcome.work, static_cast<std::uint64_t>(hands), outcome.partnersWork});
   if (held_) follower_->computerHadTurn(outcome.reach);
 }
 
 bool HandPartner::membersTakePart() const {
-  return board_->current() && board_->current()->points.size() > 1 && account_.covers();
+  return board_->current() && board_->current()->points.size() > 1 &&
+         account_.coversMembers(follower_->way().inContact());
 }
 
 std::unique_ptr<ConfigurationSampler> HandPartner::sampler(std::unique_ptr<ConfigurationSampler> own,
@@ -154,9 +157,9 @@ std::unique_ptr<ConfigurationSampler> HandPartner::sampler(std::unique_ptr<Confi
 }
 
 std::vector<Member> HandPartner::members() {
-  constexpr double kWayShare = 4.0;
-  constexpr double kTreesShare = 3.0;
-  constexpr std::uint64_t kFirstLife = 2'500'000;
+  constexpr double kWayShare = 2.0;
+  constexpr double kTreesShare = 10.0;
+  constexpr std::uint64_t kFirstLife = 10'000'000;
   return {
       {kWayMember,
        {kWayShare, 0, 0, Restart::Luby, kNoEntry},

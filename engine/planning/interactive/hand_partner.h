@@ -40,7 +40,7 @@ class HandPartner final : public PortfolioPartner {
   HandPartner(const Problem& problem, std::uint64_t seed, std::shared_ptr<ErodedWorlds> worlds,
               std::unique_ptr<HandFollower> follower);
   void noteMovement(const Pose& q);
-  void publish(const ParameterValues& parameters);
+  void publish(const ParameterValues& parameters, const std::optional<Pose>& hand);
   double share(const ParameterValues& parameters) const;
   double followedShare(const Path& path) const;
 
@@ -55,7 +55,8 @@ class HandPartner final : public PortfolioPartner {
   std::uint64_t prepaid_ = 0;  ///< steps of the computer's that were taken at once
   Pose beforeRound_;           ///< where the hand was then
   std::uint64_t mostWork_ = kMostWork;
-  std::uint64_t published_ = 0;    ///< version of the way on the board
+  std::uint64_t published_ = 0;  ///< version of the way on the board
+  std::optional<Pose> publishedHand_;
   bool held_ = false;              ///< somebody held the object when the round began
   std::uint64_t lastQuantum_ = 0;  ///< of the round before; 0: it was looked at
 

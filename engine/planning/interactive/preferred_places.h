@@ -32,6 +32,7 @@ class PreferredSampler final : public ConfigurationSampler {
       : own_(std::move(own)), stream_(seed, "preferred places"), places_(std::move(places)) {}
 
   Pose draw() override;
+  void grew(const Pose& q, CollisionQuery& query) override { own_->grew(q, query); }
 
  private:
   std::unique_ptr<ConfigurationSampler> own_;

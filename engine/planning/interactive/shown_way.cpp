@@ -1,5 +1,6 @@
 #include "engine/planning/interactive/shown_way.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace glissade {
@@ -9,6 +10,8 @@ namespace {
 constexpr double kSpacing = 0.05;      ///< of two points
 constexpr double kStride = 0.5;        ///< what is farther is no movement, but another place
 constexpr double kLeastSpread = 0.02;  ///< also an exact hand leaves something to search
+constexpr double kPushed = 0.25;       ///< of the latest movement, which tells where the hand pushes to
+constexpr double kReach = 1.0;         ///< how far ahead of it members search
 /// Points that are kept. When they are full the older half is forgotten.
 constexpr std::size_t kMostPoints = 1500;
 /// Configurations that the spread is the mean of.
@@ -35,6 +38,9 @@ std::vector<Pose> ShownWay::withoutLoops(const Se3Metric& metric, double near) c
 
 void WayRecorder::add(const Pose& q, const NearestObstacle& nearest, double moved) {
   meanSquare_ += (moved * moved - meanSquare_) / kMemory;
+  const bool free = nearest.distance > 0.0;  // a hand deep in an obstacle shows nothing
+  const bool touches = free && (moved > 0.0 || nearest.distance <= kSpacing * metric_.radius());
+  inContact_ += ((touches ? 1.0 : 0.0) - inContact_) / std::min(kMemory, static_cast<double>(++added_));
   const double step = points_.empty() ? 0.0 : metric_.distance(points_.back().q, q);
   if (!points_.empty() && step < kSpacing * metric_.radius()) return;
   if (points_.size() == kMostPoints) points_.erase(points_.begin(), points_.begin() + kMostPoints / 2);
@@ -44,10 +50,25 @@ void WayRecorder::add(const Pose& q, const NearestObstacle& nearest, double move
 
 double WayRecorder::spread() const { return std::hypot(kLeastSpread * metric_.radius(), std::sqrt(meanSquare_)); }
 
-std::shared_ptr<const ShownWay> WayRecorder::way(double share, const ShownWay::ContactRule& contact) const {
+/// The movement that led to the last point, and on to the hand where that is held back.
+std::optional<ShownWay::Push> WayRecorder::push(const std::optional<Pose>& hand) const {
+  if (points_.empty()) return std::nullopt;
+  const Pose to = hand.value_or(points_.back().q);
+  std::size_t first = points_.size() - 1;
+  while (first > 0 && points_[first].follows && metric_.distance(points_[first].q, to) < kPushed * metric_.radius()) {
+    --first;
+  }
+  const double length = metric_.distance(points_[first].q, to);
+  if (length < kLeastSpread * metric_.radius()) return std::nullopt;
+  return ShownWay::Push{ScrewDisplacement(points_[first].q, to), 1.0 + kReach * metric_.radius() / length};
+}
+
+std::shared_ptr<const ShownWay> WayRecorder::way(double share, const ShownWay::ContactRule& contact,
+                                                 const std::optional<Pose>& hand) const {
   auto way = std::make_shared<ShownWay>();
   way->points = points_;
   way->contact = contact;
+  way->push = push(hand);
   way->spread = spread();
   way->share = share;
   return way;

@@ -2,10 +2,12 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "engine/base/random_stream.h"
 #include "engine/collision/collision_query.h"
+#include "engine/geometry/screw_displacement.h"
 #include "engine/geometry/se3_metric.h"
 
 namespace glissade {
@@ -25,7 +27,14 @@ struct ShownWay {
     double gap = 0.0;       ///< metres
   };
 
+  /// Where the hand pushes to: an axis or a screw. It goes on from share 1 of the motion to share `end`.
+  struct Push {
+    ScrewDisplacement motion;
+    double end;
+  };
+
   std::vector<Point> points;
+  std::optional<Push> push;
   ContactRule contact;
   double spread = 0.0;  ///< deviation of the tube about the points, metres of the metric, for each direction
   double share = 0.0;   ///< of the members' draws, that are the hand's
@@ -58,13 +67,21 @@ class WayRecorder {
   /// Changes with every point.
   std::uint64_t version() const { return version_; }
   double spread() const;
-  std::shared_ptr<const ShownWay> way(double share, const ShownWay::ContactRule& contact) const;
+  /// Share of the latest configurations that were in contact or nearly: a person who works there shows what is hard.
+  double inContact() const { return inContact_; }
+  /// `hand`: where the hand leads to, where obstacles stop the object before it.
+  std::shared_ptr<const ShownWay> way(double share, const ShownWay::ContactRule& contact,
+                                      const std::optional<Pose>& hand) const;
 
  private:
+  std::optional<ShownWay::Push> push(const std::optional<Pose>& hand) const;
+
   Se3Metric metric_;
   std::vector<ShownWay::Point> points_;
   std::uint64_t version_ = 0;
   double meanSquare_ = 0.0;  ///< of what the latest configurations were moved
+  double inContact_ = 0.0;
+  std::uint64_t added_ = 0;
 };
 
 }  // namespace glissade

@@ -9,6 +9,10 @@ namespace {
 
 /// Radius of the disc on a tangent plane, in deviations of the tube.
 constexpr double kDisc = 4.0;
+/// Share of the draws that are ahead of the hand.
+constexpr double kAheadShare = 0.1;
+/// Share of a member's nodes at which contact is looked for.
+constexpr double kLookedAt = 0.02;
 
 }  // namespace
 
@@ -17,6 +21,7 @@ WaySampler::WaySampler(const Problem& problem, std::unique_ptr<ConfigurationSamp
     : own_(std::move(own)),
       stream_(seed, "hand's way"),
       contactSampler_(seed),
+      ownContact_(seed),
       board_(std::move(board)),
       bounds_(problem.bounds),
       radius_(problem.world->objectRadius()),
@@ -26,7 +31,32 @@ Pose WaySampler::draw() {
   const ShownWay* way = board_->current().get();
   const double share = way == nullptr || way->points.empty() ? 0.0 : std::max(way->share, leastShare_);
   if (share <= 0.0 || stream_.uniform() >= share) return own_->draw();
-  return fromTube(*way);
+  if (ownContactSamplesLeft_ > 0) {
+    --ownContactSamplesLeft_;
+    return inside(ownContact_.sample());
+  }
+  return way->push && stream_.uniform() < kAheadShare ? ahead(*way) : fromTube(*way);
+}
+
+void WaySampler::grew(const Pose& q, CollisionQuery& query) {
+  const ShownWay* way = board_->current().get();
+  if (way == nullptr || way->share <= 0.0 || ownContactSamplesLeft_ > 0 || stream_.uniform() >= kLookedAt) return;
+  OperatorSample node;
+  node.q_device = q;
+  node.nearest = query.nearestObstacle(q);
+  if (node.nearest.distance <= 0.0 || node.nearest.distance >= way->contact.distance) return;
+  ownContact_.enter(node, way->contact.gap, kDisc * way->spread);
+  ownContactSamplesLeft_ = way->contact.samples;
+}
+
+Pose WaySampler::ahead(const ShownWay& way) {
+  const Pose q = way.push->motion.at(1.0 + stream_.uniform() * (way.push->end - 1.0));
+  return perturbed(q, way.spread * stream_.uniform(), radius_, bounds_, stream_);
+}
+
+Pose WaySampler::inside(Pose q) const {
+  q.position = q.position.cwiseMax(bounds_.min()).cwiseMin(bounds_.max());
+  return q;
 }
 
 Pose WaySampler::fromTube(const ShownWay& way) {
@@ -39,9 +69,7 @@ Pose WaySampler::fromTube(const ShownWay& way) {
     touching.q_device = point.q;
     touching.nearest = point.nearest;
     contactSampler_.enter(touching, contact.gap, kDisc * way.spread);
-    Pose q = contactSampler_.sample();
-    q.position = q.position.cwiseMax(bounds_.min()).cwiseMin(bounds_.max());
-    return q;
+    return inside(contactSampler_.sample());
   }
   Pose q = point.q;
   if (point.follows && index > 0) q = interpolate(way.points[index - 1].q, q, stream_.uniform());

@@ -9,7 +9,9 @@ namespace glissade {
 /// A member's share in what the hand shows: a number a from [0, 1) is drawn as in line 3 of Algorithm 1 (paper 1). The
 /// computer's own sampler draws for a at or below its share, else the configuration is from the tube about the hand's
 /// way: a point of it, moved at random. Where that point is nearer to an obstacle than d, N of N + 1 such draws are on
-/// the tangent plane there. While nothing is shown it draws as its own sampler, and no random number is used up.
+/// the tangent plane there. One draw in ten is ahead of the hand, where it pushes to. Nodes of the member that are
+/// nearer than d have N draws on their tangent plane, too: one node in fifty is looked at. While nothing is shown it
+/// draws as its own sampler, and no random number is used up.
 class WaySampler final : public ConfigurationSampler {
  public:
   /// `leastShare`: of the hand, whatever the way says; for members that are the hand's.
@@ -17,13 +19,18 @@ class WaySampler final : public ConfigurationSampler {
              std::shared_ptr<const WayBoard> board, double leastShare = 0.0);
 
   Pose draw() override;
+  void grew(const Pose& q, CollisionQuery& query) override;
 
  private:
   Pose fromTube(const ShownWay& way);
+  Pose ahead(const ShownWay& way);
+  Pose inside(Pose q) const;
 
   std::unique_ptr<ConfigurationSampler> own_;
   RandomStream stream_;
   ContactSampler contactSampler_;
+  ContactSampler ownContact_;  ///< at nodes of the member
+  int ownContactSamplesLeft_ = 0;
   std::shared_ptr<const WayBoard> board_;
   Box3 bounds_;
   double radius_;

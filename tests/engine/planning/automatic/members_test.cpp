@@ -116,5 +116,27 @@ TEST(ShrinkRepair, GrowsBackThroughAWindowThatJustFits) {
   EXPECT_GE(solved, 2);
 }
 
+/// The smaller object of the first level is out of a tube sooner than the whole one.
+TEST(ShrinkRepair, GoesOutAsFarAsTheWholeObjectHasTo) {
+  Problem problem = windowProblem();
+  problem.bounds = Box3(Vector3::Constant(-3.0), Vector3::Constant(3.0));
+  problem.world = CollisionWorld::build({boxBody("left", {2.0, 0.2, 1.4}, Pose::translation({0.0, -0.6, 0.0})),
+                                         boxBody("right", {2.0, 0.2, 1.4}, Pose::translation({0.0, 0.6, 0.0})),
+                                         boxBody("below", {2.0, 1.0, 0.2}, Pose::translation({0.0, 0.0, -0.6})),
+                                         boxBody("above", {2.0, 1.0, 0.2}, Pose::translation({0.0, 0.0, 0.6}))},
+                                        std::make_shared<const TriangleMesh>(makeBox({0.9, 0.9, 0.9})));
+  problem.start = Pose::identity();
+  problem.goal = GoalOut{};
+  const double r = problem.world->objectRadius();
+  ShrinkRepair::Options options;
+  options.erosion = 0.1 * r;
+  options.growth = 1e-3 * r;
+  options.search.range = 0.2;
+  ShrinkRepair planner(problem, 1, options, std::make_shared<ErodedWorlds>(problem.world));
+  TestHost host(problem);
+  ASSERT_TRUE(planner.solve(host));
+  EXPECT_NEAR(std::abs(planner.path()->points.back().q.position.x()), 1.0 + r, 1e-9);
+}
+
 }  // namespace
 }  // namespace glissade

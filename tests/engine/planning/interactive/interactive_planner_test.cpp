@@ -156,9 +156,22 @@ TEST(Interactive, AHandThatMisleadsCostsATenthOfTheWork) {
   AutomaticPlanner planner(problem, 1, 2, std::move(partner));
   EXPECT_FALSE(planner.solve(hand));
   EXPECT_GT(handReportOf(planner)->shown, 20U);
-  EXPECT_GT(account.hand(), 0U);
-  const double beyondItsCredit = static_cast<double>(account.hand()) - static_cast<double>(HandAccount::kFirstCredit);
-  EXPECT_LT(beyondItsCredit, 0.1 * static_cast<double>(account.all()));
+  EXPECT_GT(account.work().hand, 0U);
+  const HandAccount::Work& work = account.work();
+  const double beyondItsCredit = static_cast<double>(work.hand) - static_cast<double>(HandAccount::kFirstCredit);
+  EXPECT_LT(beyondItsCredit, 0.1 * static_cast<double>(work.all));
+  EXPECT_LT(10 * work.members, work.all);  // it is in contact nowhere
+}
+
+TEST(Interactive, TheHandsMembersSearchWhereTheHandIsInContact) {
+  Problem problem = closedProblem();
+  problem.start = Pose::translation({-0.305, 0.0, 0.0});  // 5 mm before the wall
+  WalkingHand hand(problem, {{-0.305, 1.0, 0.0}, {-0.305, -1.0, 0.0}}, 200'000, 3.5e-6);
+  auto partner = std::make_unique<HandPartner>(problem, 1);
+  const HandAccount& account = partner->account();
+  AutomaticPlanner planner(problem, 1, 2, std::move(partner));
+  EXPECT_FALSE(planner.solve(hand));
+  EXPECT_GT(3 * account.work().members, account.work().all);
 }
 
 TEST(Interactive, SaysWhatTheHandHasShown) {

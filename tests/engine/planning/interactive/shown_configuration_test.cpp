@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/geometry/screw_axis.h"
 #include "engine/planning/interactive/hand_account.h"
 #include "engine/planning/interactive/way_sampler.h"
 #include "tests/engine/support/random_pose.h"
@@ -76,18 +77,106 @@ TEST(WaySampler, DrawsTheHandsShareFromTheTube) {
   EXPECT_NEAR(near, 300, 40);
 }
 
+/// A hand that turns a screw: the object is on the screw motion ahead of it in a tenth of the hand's draws.
+TEST(WaySampler, DrawsAheadOfAHandThatPushes) {
+  const Problem problem = windowProblem();
+  const ScrewAxis screw{{-1.2, 0.0, 0.0}, Vector3::UnitX(), 0.5};
+  const Pose start = Pose::translation({-1.2, 0.3, 0.0});
+  WayRecorder recorder(problem.metric());
+  NearestObstacle far;
+  far.distance = 1.0;
+  for (int i = 0; i < 6; ++i) recorder.add(screwed(screw, start, 0.005 * i), far, 0.0);
+  const Pose hand = screwed(screw, start, 0.03);  // the object is held back at 0.025
+  const auto board = std::make_shared<WayBoard>();
+  board->publish(recorder.way(1.0, {}, hand));
+  WaySampler sampler(problem, std::make_unique<UniformSampler>(problem, 1), 1, board);
+  const auto onTheScrewAhead = [&](const Pose& q) {
+    const double advance = q.position.x() - start.position.x();
+    if (advance < 0.032) return false;
+    return problem.metric().distance(q, screwed(screw, start, advance)) < 0.2 * problem.world->objectRadius();
+  };
+  int ahead = 0;
+  for (int i = 0; i < 1000; ++i) ahead += onTheScrewAhead(sampler.draw()) ? 1 : 0;
+  EXPECT_GT(ahead, 50);
+  EXPECT_LT(ahead, 150);
+}
+
+/// N and d are for the nodes of a member, too, while a hand has a share in its draws.
+TEST(WaySampler, DrawsContactSamplesAtNodesOfTheMember) {
+  const Problem problem = windowProblem();
+  const auto query = problem.world->makeQuery();
+  const Pose node = Pose::translation({-0.31, 1.5, 0.0});  // 10 mm before the wall, far from the hand
+  NearestObstacle far;
+  far.distance = 1.0;
+  const auto drawnThere = [&](double share) {
+    auto way = std::make_shared<ShownWay>();
+    way->points.push_back({problem.start, far, false});
+    way->contact = {10, 0.05, 0.001};
+    way->spread = 0.05;
+    way->share = share;
+    const auto board = std::make_shared<WayBoard>();
+    board->publish(way);
+    WaySampler sampler(problem, std::make_unique<UniformSampler>(problem, 1), 1, board);
+    int there = 0;
+    for (int i = 0; i < 2000; ++i) {
+      sampler.grew(node, *query);
+      there += std::abs(sampler.draw().position.x() - -0.301) < 1e-6 ? 1 : 0;
+    }
+    return there;
+  };
+  EXPECT_GT(drawnThere(0.8), 100);
+  EXPECT_EQ(drawnThere(0.0), 0);
+}
+
+TEST(WayRecorder, SaysHowOftenTheHandIsInContact) {
+  const Problem problem = windowProblem();
+  const double radius = problem.world->objectRadius();
+  WayRecorder way(problem.metric());
+  NearestObstacle far;
+  far.distance = radius;
+  NearestObstacle touching;
+  touching.distance = 0.01 * radius;
+  way.add(problem.start, far, 0.0);
+  EXPECT_EQ(way.inContact(), 0.0);
+  way.add(problem.start, touching, 0.0);
+  way.add(problem.start, far, 0.1 * radius);  // was retracted
+  way.add(problem.start, far, 0.0);
+  EXPECT_NEAR(way.inContact(), 0.5, 1e-12);
+  NearestObstacle deep;
+  deep.distance = 0.0;
+  way.add(problem.start, deep, 0.5 * radius);  // could not be made free
+  EXPECT_NEAR(way.inContact(), 0.4, 1e-12);
+  for (int i = 0; i < 500; ++i) way.add(problem.start, far, 0.0);
+  EXPECT_LT(way.inContact(), 0.01);
+}
+
+TEST(HandAccount, ItsMembersHaveHalfOfTheWorkOfHardProblemsWhereTheHandIsInContact) {
+  HandAccount account;
+  account.charge(100'000, {HandAccount::kEasy, 0, 0});
+  EXPECT_FALSE(account.coversMembers(1.0));
+  account.charge(100'000, {1'000'000, 0, 0});
+  EXPECT_TRUE(account.coversMembers(1.0));
+  EXPECT_FALSE(account.coversMembers(0.0));
+  account.charge(100'000, {1'000'000, 0, 300'000});
+  EXPECT_TRUE(account.coversMembers(0.5));
+  EXPECT_FALSE(account.coversMembers(0.2));
+  account.charge(100'000, {1'000'000, 0, 1'200'000});
+  EXPECT_FALSE(account.coversMembers(1.0));
+  EXPECT_TRUE(account.covers());  // what the members cost is not the hand's
+}
+
 TEST(HandAccount, LimitsTheHandByWorkUnlessStepsAreScarce) {
   HandAccount account;
   EXPECT_TRUE(account.covers());
-  account.charge(100'000, 1'000'000, 0);
-  account.charge(1, 200'000, 200'000);
+  account.charge(100'000, {1'000'000, 0, 0});
+  account.charge(1, {200'000, 200'000, 0});
   EXPECT_FALSE(account.covers());
   account.noteShown(20);  // each is worth something
   EXPECT_TRUE(account.covers());
-  account.charge(1, 2'000'000, 2'000'000);
+  account.charge(1, {2'000'000, 2'000'000, 0});
   EXPECT_FALSE(account.covers());
   for (std::uint64_t shown = 21; shown < 80; ++shown) {  // a dozen steps each, as in lockstep
-    account.charge(12, 60'000, 60'000);
+    account.charge(12, {60'000, 60'000, 0});
     account.noteShown(shown);
   }
   EXPECT_TRUE(account.stepsAreScarce());
