@@ -4,6 +4,7 @@
 #include <QSignalBlocker>
 #include <QStatusBar>
 
+#include "app/window/access_controller.h"
 #include "app/window/arrange_controller.h"
 #include "app/window/assembly_controller.h"
 #include "app/window/body_visibility.h"
@@ -122,6 +123,7 @@ void MainWindow::addParts() {
   new SweepController(bench_);
   auto* kept = new KeptPathsController(bench_);
   auto* sequence = new SequenceController(bench_);
+  new AccessController(bench_, *sequence, *path->panel());
   auto* stepCamera = new StepCamera(bench_, *sequence);
   connect(stepCamera, &StepCamera::cameraMoved, view, &ViewController::publishOperatorFrame);
   eyes->addTools(*refusal, *sequence, {*sections, *measure});

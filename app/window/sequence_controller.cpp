@@ -168,6 +168,7 @@ void SequenceController::takeGrown(const GrownPlan& grown, bool growing) {
   ShownPlan next = shown();
   next.plan = grown.plan;
   next.growing = growing;
+  next.access = nullptr;
   next.foundAfter.resize(knownSteps_);
   for (const double seconds : grown.foundAfter) next.foundAfter.emplace_back(seconds);
   next.checks.resize(std::min(next.checks.size(), knownSteps_));
@@ -186,6 +187,14 @@ void SequenceController::noteChecks(const PlanPtr& plan, const std::vector<StepC
   if (plan != shown().plan || checks == shown().checks) return;
   ShownPlan next = shown();
   next.checks = checks;
+  setPlan(next);
+  remember();
+}
+
+void SequenceController::noteAccess(const PlanPtr& plan, const std::shared_ptr<const PlanAccess>& access) {
+  if (plan != shown().plan || access == shown().access) return;
+  ShownPlan next = shown();
+  next.access = access;
   setPlan(next);
   remember();
 }

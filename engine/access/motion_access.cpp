@@ -88,7 +88,8 @@ MotionAccess AccessChecker::of(const ReachedMotion& motion, const StopToken& sto
   Grip grip = gripOf(motion, bodies_W);
   grip.question.obstacles = motion.others;
   const std::vector<Vector3> eyes = person_.eye ? std::vector<Vector3>{*person_.eye} : eyesAbout(boundingBox(bodies_W));
-  return {search_.find(grip.question, stop), grip.follow, grip.tool, sight_.of(bodies_W, eyes, motion.others)};
+  const HandAnswer hand = search_.find(grip.question, stop);
+  return {hand, grip.follow, grip.tool, sight_.of(bodies_W, eyes, motion.others), std::move(grip.question.samples)};
 }
 
 }  // namespace glissade

@@ -31,8 +31,10 @@ struct MotionAccess {
   HandFollow follow;               ///< how the hand goes with the bodies
   ToolKind tool = ToolKind::None;  ///< in the hand
   SightAnswer sight;
+  std::vector<HandSample> samples{};  ///< that were asked, in their order
 
   bool isReached() const { return hand.access == HandAccess::Free; }
+  bool hasHold() const { return hand.access == HandAccess::Free || hand.access == HandAccess::Blocked; }
 };
 
 /// Asks for the bodies of one product. Bodies stand where they are assembled. Not for several threads.

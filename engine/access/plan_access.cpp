@@ -63,7 +63,7 @@ Result<PathAccess> pathAccess(const std::vector<RigidBody>& obstacles, RigidBody
   std::vector<Pose> way = path;
   access.beginsAtEnd = clearanceAt(*query, path.back()) < clearanceAt(*query, path.front());
   if (access.beginsAtEnd) std::reverse(way.begin(), way.end());
-  object.X_WB = way.front();
+  object.X_WB = access.X_WB = way.front();
   ReachedMotion motion;
   for (const Pose& q : way) motion.moved.push_back(q * inverse(way.front()));
   motion.bodies = {obstacles.size()};

@@ -27,6 +27,7 @@ Result<PlanAccess> planAccess(const AssembledProduct& product, const AssemblyPla
 struct PathAccess {
   MotionAccess motion;
   MeshPtr forearm;
+  Pose X_WB;                 ///< of the object at the place
   bool beginsAtEnd = false;  ///< the place is the path's end
 };
 /// `path`: one configuration of the object or more. After a stop: Interrupted.

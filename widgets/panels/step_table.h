@@ -3,9 +3,11 @@
 #include <QTreeWidget>
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
+#include "engine/access/plan_access.h"
 #include "engine/study/plan_words.h"
 #include "widgets/bridge/sequence_planner.h"
 
@@ -18,6 +20,7 @@ struct ShownPlan {
   bool growing = false;
   std::vector<std::optional<double>> foundAfter;  ///< seconds, of each step; nothing: not found here
   std::vector<StepCheck> checks;                  ///< of each step; empty: not asked
+  std::shared_ptr<const PlanAccess> access{};     ///< of a hand, to each step; null: not asked
 };
 
 /// Steps of an assembly plan, two lines a row, and stuck parts with the whole reason. Steps can be dragged to another
