@@ -30,7 +30,7 @@ Json toJson(const MotionAccess& motion, const std::vector<RigidBody>& bodies) {
   Json json{{"hand", handAccessName(motion.hand.access)}, {"tool", toolName(motion.tool)}};
   if (motion.hand.access == HandAccess::Free || motion.hand.access == HandAccess::Blocked) {
     json["hand_pose"] = poseJson(motion.hand.hold.X_WH);
-    json["free_share"] = motion.hand.share;
+    json["blocked_at_share"] = motion.hand.access == HandAccess::Free ? Json(nullptr) : Json(motion.hand.share);
     json["blocked_by"] = name(motion.hand.blockedBy);
   }
   json["holds_tried"] = motion.hand.tried;
@@ -47,7 +47,8 @@ std::string handInWords(const HandAnswer& hand, const std::vector<RigidBody>& bo
   const std::string by = hand.blockedBy ? " by '" + bodies[*hand.blockedBy].shown() + "'" : "";
   switch (hand.access) {
     case HandAccess::Free: return "the hand gets there";
-    case HandAccess::Blocked: return "the hand is blocked" + by + " after " + percent(hand.share) + " of the way";
+    case HandAccess::Blocked:
+      return "the hand is blocked" + by + ", " + percent(hand.share) + " of the way from the place";
     case HandAccess::NoGrip: return "no place of it fits into one hand";
     case HandAccess::NotAsked: break;
   }

@@ -21,7 +21,7 @@ constexpr std::array<std::pair<const char*, HandSize>, 3> kSizes{{{"access.small
 ReachPicture pictureOf(const MotionAccess& motion, const Pose& moved, const MeshPtr& forearm) {
   if (!motion.hasHold()) return {};
   const PlacedHand placed = placedHand(motion, moved);
-  ReachPicture picture{{{placed.hand, placed.X_WH}, {forearm, placed.X_WF}}, placed.isFree && motion.isReached()};
+  ReachPicture picture{{{placed.hand, placed.X_WH}, {forearm, placed.X_WF}}, placed.isFree};
   if (placed.tool) picture.parts.push_back({placed.tool, placed.X_WT, true});
   return picture;
 }

@@ -7,6 +7,7 @@
 
 #include "app/window/workbench.h"
 #include "engine/access/placed_hand.h"
+#include "engine/access/plan_access.h"
 
 namespace glissade {
 

@@ -14,6 +14,9 @@ namespace glissade {
 /// Metres that a hand is open more than what it pinches is thick.
 inline constexpr double kPadGap = 0.001;
 
+/// Of the hand's breadth: so far behind a place the middle of the pads may be, which then touch it with their tips.
+inline constexpr double kPadBack = 0.08;
+
 /// A hand that holds something where its motion begins, and the tool in it.
 struct HandHold {
   MeshPtr hand;  ///< in the hand's frame

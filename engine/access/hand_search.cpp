@@ -35,9 +35,12 @@ class Surroundings {
 
 /// How far one hold goes.
 struct Trial {
-  std::vector<std::size_t> bends;
+  std::vector<std::size_t> bends;  ///< of the samples that are free, in the order in which they were asked
   std::optional<std::size_t> blockedBy{};
 };
+
+/// Of the holds that are looked at once more where none is free.
+constexpr std::size_t kNaturalHolds = 60;
 
 class Trials {
  public:
@@ -76,27 +79,26 @@ class Trials {
     return trial;
   }
 
-  /// The first of the holds that is free at all of these samples, or the one that goes farthest.
+  /// The first of the holds that is free at all of these samples, or the one that comes nearest to the place.
   HandAnswer best(const std::vector<HandHold>& holds, std::span<const HandSample> samples, const StopToken& stop) {
     HandAnswer answer;
     answer.access = HandAccess::NoGrip;
+    std::vector<const HandHold*> natural;
     for (const HandHold& hold : holds) {
       const std::vector<std::size_t> bends = bendsAbout(hold);
       if (bends.empty()) continue;
-      Trial trial = of(hold, bends, samples, stop);
+      const Trial trial = of(hold, bends, samples, stop);
       if (stop.stopRequested()) return {};
       ++answer.tried;
-      const bool isFirst = answer.access == HandAccess::NoGrip;
-      if (!isFirst && trial.bends.size() <= answer.bends.size()) continue;
-      const bool isFree = trial.bends.size() == samples.size();
-      answer.access = isFree ? HandAccess::Free : HandAccess::Blocked;
-      answer.share = isFree ? 1.0 : samples[trial.bends.size()].share;
-      answer.blockedBy = isFree ? std::nullopt : trial.blockedBy;
+      if (natural.size() < kNaturalHolds) natural.push_back(&hold);
+      if (trial.bends.size() < samples.size()) continue;
+      answer.access = HandAccess::Free;
       answer.hold = hold;
-      answer.bends = std::move(trial.bends);
-      if (isFree) break;
+      answer.bends.assign(trial.bends.begin(), trial.bends.end());
+      return answer;
     }
-    return answer;
+    for (const HandHold* hold : natural) comeNearer(*hold, samples, answer, stop);
+    return stop.stopRequested() ? HandAnswer() : answer;
   }
 
  private:
@@ -114,6 +116,21 @@ class Trials {
     }
     trial.blockedBy = inTheWay;
     return std::nullopt;
+  }
+
+  /// A hold that comes nearer to the place than the answer's becomes the answer's.
+  void comeNearer(const HandHold& hold, std::span<const HandSample> samples, HandAnswer& answer,
+                  const StopToken& stop) {
+    const std::vector<HandSample> fromTheEnd(samples.rbegin(), samples.rend());
+    const Trial trial = of(hold, bendsAbout(hold), fromTheEnd, stop);
+    const std::size_t blocked = samples.size() - std::min(samples.size(), trial.bends.size() + 1);
+    if (answer.access == HandAccess::Blocked && samples[blocked].share >= answer.share) return;
+    answer.access = HandAccess::Blocked;
+    answer.hold = hold;
+    answer.share = samples[blocked].share;
+    answer.blockedBy = trial.blockedBy;
+    answer.bends.assign(samples.size(), std::nullopt);
+    std::copy(trial.bends.begin(), trial.bends.end(), answer.bends.rbegin());
   }
 
   const HandQuestion& question_;

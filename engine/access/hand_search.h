@@ -16,7 +16,7 @@ namespace glissade {
 enum class HandAccess {
   NotAsked,
   Free,     ///< one of the holds stays free at every sample: no proof of what lies between the samples
-  Blocked,  ///< each of the holds meets a body
+  Blocked,  ///< each of the holds meets a body at a sample
   NoGrip    ///< no place of the body fits into one hand
 };
 
@@ -35,9 +35,12 @@ struct HandQuestion {
 
 struct HandAnswer {
   HandAccess access = HandAccess::NotAsked;
-  HandHold hold;                           ///< the one that stays free, or the one that goes farthest; unless NoGrip
-  std::vector<std::size_t> bends;          ///< of wristBends(), at each sample that is free, from the first one on
-  double share = 0.0;                      ///< of the way, where the hold meets a body; of a free one 1
+  /// The one that stays free. Else, of the most natural ones, the one that comes nearest to the place from the end of
+  /// the way; unless NoGrip.
+  HandHold hold;
+  std::vector<std::optional<std::size_t>>
+      bends;                               ///< of wristBends(), at each sample; nothing: blocked there, or before
+  double share = 0.0;                      ///< of the way from the place, where the hand is blocked; of a free one 0
   std::optional<std::size_t> blockedBy{};  ///< body that it meets there
   std::size_t tried = 0;                   ///< holds
   /// The body goes into its place by a push: at so many samples from the first one, the hand is held so.

@@ -57,8 +57,12 @@ TriangleMesh forearmShape(const HandMeasures& hand) {
     return ringAt(-along * L, wrist.thick + share * (most.thick - wrist.thick),
                   wrist.wide + share * (most.wide - wrist.wide));
   };
-  return loft({ringAt(-L, 0.45 * most.thick, 0.45 * most.wide), ringAt(-0.97 * L, 0.75 * most.thick, 0.75 * most.wide),
-               ring(0.9, 0.85), ring(0.75, 1.0), ring(0.6, 0.9), ring(0.4, 0.5), ring(0.2, 0.15), ring(0.0, 0.0),
+  const auto elbow = [&](double along, double share) {
+    return ringAt(-along * L, share * most.thick, share * most.wide);
+  };
+  return loft({elbow(1.0, 0.2), elbow(0.993, 0.42), elbow(0.978, 0.6), elbow(0.955, 0.75), elbow(0.92, 0.86),
+               elbow(0.87, 0.94), ring(0.8, 0.99), ring(0.7, 0.98), ring(0.6, 0.88), ring(0.5, 0.7), ring(0.4, 0.48),
+               ring(0.3, 0.28), ring(0.2, 0.13), ring(0.1, 0.04), ring(0.0, 0.0),
                ringAt(0.04 * L, 0.8 * wrist.thick, 0.8 * wrist.wide)});
 }
 

@@ -13,9 +13,7 @@ namespace glissade {
 namespace {
 
 constexpr std::size_t kGripPoints = 80;
-constexpr int kSides = 8;  ///< from which a place is gripped
-/// Of the hand's breadth: so far behind the place the middle of the pads may be, which then touch it with their tips.
-constexpr double kPadBack = 0.08;
+constexpr int kSides = 8;         ///< from which a place is gripped
 constexpr double kFacing = 0.85;  ///< least cosine between a surface and the direction in which it is pressed
 
 /// Two places of a surface that face away from each other.

@@ -22,10 +22,10 @@ PlacedHand placedHand(const MotionAccess& motion, const Pose& moved) {
   const Pose hand = motion.follow.movedWith(moved);
   const std::size_t sample = nearestSample(motion.samples, hand, motion.hand.hold.X_WH.position);
   const HandHold& hold = motion.hand.holdAt(sample);
-  const bool isFree = sample < motion.hand.bends.size();
-  const std::size_t bend = isFree ? motion.hand.bends[sample] : hold.firstBend;
+  const std::optional<std::size_t>& free = motion.hand.bends[sample];
+  const std::size_t bend = free.value_or(hold.firstBend);
   const Pose X_WH = hand * hold.X_WH;
-  return {hold.hand, X_WH, X_WH * wristBends()[bend], hold.tool, hand * hold.X_WT, isFree};
+  return {hold.hand, X_WH, X_WH * wristBends()[bend], hold.tool, hand * hold.X_WT, free.has_value()};
 }
 
 }  // namespace glissade

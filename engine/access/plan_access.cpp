@@ -27,6 +27,7 @@ void noteTool(const StepTool& tool, const AssembledProduct& product, HandAnswer&
   if (tool.access != ToolAccess::Blocked || hand.access != HandAccess::Free) return;
   hand.access = HandAccess::Blocked;
   hand.share = 0.0;
+  hand.bends.front() = std::nullopt;
   if (!tool.blockedBy.empty()) hand.blockedBy = product.indexOf(tool.blockedBy.front());
 }
 

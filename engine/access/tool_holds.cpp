@@ -60,7 +60,10 @@ class ToolHolds {
       for (int i = 0; i < 4; ++i) {
         const Pose about = Pose::translation(at) * turnedAbout(Vector3::UnitX(), turnOf(i, 4));
         add(*shape, X_WT, about * turnedAbout(Vector3::UnitY(), -0.5 * std::numbers::pi), 0);  // from the end
-        add(*shape, X_WT, about * barAlongX(1.0), 0);                                          // from a side
+        const Pose back = Pose::translation({0.0, 0.0, -kPadBack * shapes_.measures().handBreadth});
+        for (const Pose& depth : {Pose::identity(), back}) {  // from a side
+          add(*shape, X_WT, about * barAlongX(1.0) * depth, 0);
+        }
       }
     }
   }
@@ -94,9 +97,10 @@ std::vector<HandHold> toolHolds(ToolKind kind, const FastenerHead& head, const P
       holds.addBehind(turned);
     } else if (holds.isLongForFist()) {
       holds.addFists(turned);
-    } else {
-      holds.addPinches(turned);
     }
+  }
+  for (int i = 0; kind != ToolKind::Screwdriver && i < positions; ++i) {
+    holds.addPinches(X_WT * turnedAbout(Vector3::UnitZ(), turnOf(i, positions)));
   }
   return holds.take();
 }

@@ -8,7 +8,7 @@
 namespace glissade {
 
 /// Ways to hold a tool on a fastener's head: a screwdriver by its handle with the forearm behind it, another tool in a
-/// fist at the end of its arm, or between thumb and fingers where the arm is shorter than a hand is broad; with the
+/// fist at the end of its arm, where that is longer than a hand is broad, or between thumb and fingers; with the
 /// handle in all positions. `X_WT`: the tool's frame with its handle in the first position.
 std::vector<HandHold> toolHolds(ToolKind kind, const FastenerHead& head, const Pose& X_WT, HandShapes& shapes);
 

@@ -8370,12 +8370,12 @@
         <translation>La main n&apos;a pas été vérifiée</translation>
     </message>
     <message>
-        <source>The hand is blocked after %1 % of the way</source>
-        <translation>La main est bloquée après %1 % du trajet</translation>
+        <source>The hand is blocked at %1 % of the way from the place</source>
+        <translation>La main est bloquée à %1 % du trajet depuis l&apos;endroit</translation>
     </message>
     <message>
-        <source>The hand is blocked by %1 after %2 % of the way</source>
-        <translation>La main est bloquée par %1 après %2 % du trajet</translation>
+        <source>The hand is blocked by %1, %2 % of the way from the place</source>
+        <translation>La main est bloquée par %1, à %2 % du trajet depuis l&apos;endroit</translation>
     </message>
     <message>
         <source>%1 % of the place is seen</source>
@@ -8387,11 +8387,11 @@
     </message>
     <message>
         <source>no hand</source>
-        <translation>main bloquée</translation>
+        <translation>inaccessible</translation>
     </message>
     <message>
-        <source>hand gets there</source>
-        <translation>main passe</translation>
+        <source>reached</source>
+        <translation>accessible</translation>
     </message>
     <message>
         <source>not seen</source>

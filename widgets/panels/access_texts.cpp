@@ -20,8 +20,8 @@ class AccessTexts {
       case HandAccess::Blocked: break;
     }
     const int percent = static_cast<int>(std::floor(100.0 * hand.share));
-    if (!hand.blockedBy) return tr("The hand is blocked after %1 % of the way").arg(percent);
-    return tr("The hand is blocked by %1 after %2 % of the way")
+    if (!hand.blockedBy) return tr("The hand is blocked at %1 % of the way from the place").arg(percent);
+    return tr("The hand is blocked by %1, %2 % of the way from the place")
         .arg(QString::fromStdString(bodies[*hand.blockedBy].shown()))
         .arg(percent);
   }
@@ -35,7 +35,7 @@ class AccessTexts {
   static QString mark(const MotionAccess& motion) {
     if (motion.hand.access == HandAccess::NotAsked) return {};
     if (!motion.isReached()) return tr("no hand");
-    return motion.sight.isSeen() ? tr("hand gets there") : tr("not seen");
+    return motion.sight.isSeen() ? tr("reached") : tr("not seen");
   }
 
   static QString size(HandSize size) {
