@@ -1,5 +1,6 @@
 #include "app/cli/access_command.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <iostream>
@@ -149,6 +150,10 @@ int runAccess(const AccessOptions& options) {
   if (options.path.empty() == options.plan.empty()) {
     return reportError({ErrorKind::Usage, options.file, "--path, --plan", "one of them is needed, and not both",
                         "Give a path of the scenario's object, or an assembly plan."},
+                       options.format);
+  }
+  if (!std::all_of(options.eye.begin(), options.eye.end(), [](double x) { return std::isfinite(x); })) {
+    return reportError({ErrorKind::Usage, "", "--eye", "is not a place", "Give three numbers in metres."},
                        options.format);
   }
   const Interrupt interrupt;
