@@ -84,7 +84,7 @@ void AccessController::checkSequence() {
       }
       const auto access = std::make_shared<const PlanAccess>(std::move(**found));
       bench_.actions["access.show"]->setChecked(true);
-      sequence_.noteAccess(plan, access);
+      sequence_.note(plan, sequence_.shown().checks, access);
       bench_.messages.showStatus(tr("Hand (%1): %2 of %3 steps are reached and seen; sampled, no proof")
                                      .arg(handSizeText(person.size))
                                      .arg(access->reached())
@@ -192,6 +192,8 @@ void AccessController::updateHand() {
       picture = pictureOnPath();
     }
   }
+  const bool isDrawn = !picture.parts.empty();
+  if (!std::exchange(isDrawn_, isDrawn) && !isDrawn) return;
   bench_.scene.view().setReach(std::move(picture));
   bench_.scene.refresh();
 }

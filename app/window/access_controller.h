@@ -48,6 +48,7 @@ class AccessController final : public QObject {
   Person person_;
   std::shared_ptr<const Path> checkedPath_;  ///< null: no path was checked
   PathAccess pathAccess_;                    ///< of that path
+  bool isDrawn_ = false;                     ///< a hand was drawn last
 };
 
 }  // namespace glissade

@@ -86,7 +86,7 @@ void InstructionJob::start(PlanDocument document, const QString& file, Finished 
         const SaveResult saved =
             document == PlanDocument::Instruction ? writeInstruction(*content, watch) : writeReport(*content, watch);
         return [this, content, saved, finished] {
-          sequence_.noteChecks(content->plan, content->checks);
+          sequence_.note(content->plan, content->checks, sequence_.shown().access);
           finished(saved);
         };
       });

@@ -4,7 +4,6 @@
 #include <QSignalBlocker>
 #include <QStatusBar>
 
-#include "app/window/access_controller.h"
 #include "app/window/arrange_controller.h"
 #include "app/window/assembly_controller.h"
 #include "app/window/body_visibility.h"
@@ -123,10 +122,9 @@ void MainWindow::addParts() {
   new SweepController(bench_);
   auto* kept = new KeptPathsController(bench_);
   auto* sequence = new SequenceController(bench_);
-  new AccessController(bench_, *sequence, *path->panel());
   auto* stepCamera = new StepCamera(bench_, *sequence);
   connect(stepCamera, &StepCamera::cameraMoved, view, &ViewController::publishOperatorFrame);
-  eyes->addTools(*refusal, *sequence, {*sections, *measure});
+  eyes->addTools(*refusal, *sequence, {*sections, *measure}, *path->panel());
   new TimesController(bench_, *sequence);
   new ManualController(bench_);
   remember_ = [this, path, sequence, eyes] {

@@ -67,7 +67,7 @@ SequenceController::SequenceController(const Workbench& bench)
   connect(&planner_, &SequencePlanner::judged, this, [this](const PlanPtr& plan, const std::vector<bool>& agreed) {
     std::vector<StepCheck> checks;
     for (const bool agrees : agreed) checks.push_back(agrees ? StepCheck::Agrees : StepCheck::Disagrees);
-    noteChecks(plan, checks);
+    note(plan, checks, shown().access);
   });
   connect(&planner_, &SequencePlanner::failed, &bench.work, &WorkController::reportFailure);
   connect(&planner_.task(), &BackgroundTask::started, this, &SequenceController::enableActions);
@@ -183,17 +183,10 @@ void SequenceController::takeGrown(const GrownPlan& grown, bool growing) {
   panel_->chooseBody(std::exchange(chosenLater_, {}));
 }
 
-void SequenceController::noteChecks(const PlanPtr& plan, const std::vector<StepCheck>& checks) {
-  if (plan != shown().plan || checks == shown().checks) return;
+void SequenceController::note(const PlanPtr& plan, const std::vector<StepCheck>& checks, const PlanAccessPtr& access) {
+  if (plan != shown().plan || (checks == shown().checks && access == shown().access)) return;
   ShownPlan next = shown();
   next.checks = checks;
-  setPlan(next);
-  remember();
-}
-
-void SequenceController::noteAccess(const PlanPtr& plan, const std::shared_ptr<const PlanAccess>& access) {
-  if (plan != shown().plan || access == shown().access) return;
-  ShownPlan next = shown();
   next.access = access;
   setPlan(next);
   remember();

@@ -13,6 +13,8 @@
 
 namespace glissade {
 
+using PlanAccessPtr = std::shared_ptr<const PlanAccess>;
+
 /// What the panel shows of an assembly plan.
 struct ShownPlan {
   ProductPtr product;  ///< null: there is none
@@ -20,7 +22,7 @@ struct ShownPlan {
   bool growing = false;
   std::vector<std::optional<double>> foundAfter;  ///< seconds, of each step; nothing: not found here
   std::vector<StepCheck> checks;                  ///< of each step; empty: not asked
-  std::shared_ptr<const PlanAccess> access{};     ///< of a hand, to each step; null: not asked
+  PlanAccessPtr access{};                         ///< of a hand, to each step; null: not asked
 };
 
 /// Steps of an assembly plan, two lines a row, and stuck parts with the whole reason. Steps can be dragged to another

@@ -13,6 +13,12 @@ const osg::Vec4 kSteel(0.48F, 0.52F, 0.57F, 1.0F);
 
 osg::Vec4 reachColour(bool isFree, const ScenePalette& palette) { return isFree ? kGlove : palette.penetration; }
 
+Box3 boxOf(const ReachPicture& reach) {
+  Box3 box;
+  for (const ReachPicture::Part& part : reach.parts) box.extend(boundingBox(*part.mesh, part.X_WM));
+  return box;
+}
+
 osg::ref_ptr<osg::Group> makeReach(const ReachPicture& reach, BodyShapes& shapes, const ScenePalette& palette) {
   osg::ref_ptr<osg::Group> group = new osg::Group;
   for (const ReachPicture::Part& part : reach.parts) {

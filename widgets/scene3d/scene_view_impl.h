@@ -339,13 +339,6 @@ struct SceneView::Impl {
     if (!reach.parts.empty()) camera.enclose(extent());
   }
 
-  /// Of the hand that is shown.
-  Box3 extentOfReach() const {
-    Box3 box;
-    for (const ReachPicture::Part& part : reach.parts) box.extend(boundingBox(*part.mesh, part.X_WM));
-    return box;
-  }
-
   void makePalette() {
     const float scale = palette.pixelScale;
     palette = paletteOf(theme);
@@ -483,7 +476,7 @@ struct SceneView::Impl {
 
   Box3 extent() const {
     if (!scenario) return Box3();
-    Box3 box = extentOfReach();
+    Box3 box = boxOf(reach);
     if (!sequence.bodies.empty()) return box.merged(extentOfSequence());
     for (const RigidBody& body : scenario->obstacles) box.extend(boundingBox(*body.mesh, body.X_WB));
     box.extend(boundingBox(*scenario->object.mesh, scenario->problem.start));
