@@ -157,7 +157,7 @@ void HeadsetThread::count() {
   sinceCount_ = 0;
   const EyeFigures eye = scene_->figures();
   const std::lock_guard lock(mutex_);
-  figures_ = {connection_->detailStep(), eye.drawCalls, eye.triangles};
+  figures_ = {connection_->detailStep(), eye.drawCalls, eye.triangles, eye.cullSeconds, eye.drawSeconds};
 }
 
 void HeadsetThread::fail(HeadsetTrouble trouble, const std::string& detail) {

@@ -13,7 +13,7 @@ const osg::Vec4 kSteel(0.48F, 0.52F, 0.57F, 1.0F);
 
 osg::Vec4 reachColour(bool isFree, const ScenePalette& palette) { return isFree ? kGlove : palette.penetration; }
 
-Box3 boxOf(const ReachPicture& reach) {
+Box3 boxOfReach(const ReachPicture& reach) {
   Box3 box;
   for (const ReachPicture::Part& part : reach.parts) box.extend(boundingBox(*part.mesh, part.X_WM));
   return box;

@@ -12,7 +12,7 @@ namespace glissade {
 osg::ref_ptr<osg::Group> makeReach(const ReachPicture& reach, BodyShapes& shapes, const ScenePalette& palette);
 
 /// Empty where nothing is shown.
-Box3 boxOf(const ReachPicture& reach);
+Box3 boxOfReach(const ReachPicture& reach);
 
 /// The colour of a hand.
 osg::Vec4 reachColour(bool isFree, const ScenePalette& palette);

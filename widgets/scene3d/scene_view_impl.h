@@ -476,7 +476,7 @@ struct SceneView::Impl {
 
   Box3 extent() const {
     if (!scenario) return Box3();
-    Box3 box = boxOf(reach);
+    Box3 box = boxOfReach(reach);
     if (!sequence.bodies.empty()) return box.merged(extentOfSequence());
     for (const RigidBody& body : scenario->obstacles) box.extend(boundingBox(*body.mesh, body.X_WB));
     box.extend(boundingBox(*scenario->object.mesh, scenario->problem.start));
