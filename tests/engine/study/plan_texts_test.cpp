@@ -207,7 +207,7 @@ TEST(PlanReport, SaysWhetherAHandGetsThereWhereThatWasAsked) {
   const AssemblyPlan plan = somePlan();
   const AssembledProduct product = test::lockedDrawer();
   PlanReportContent content{plan, product, "drawer"};
-  const auto page = [&] { return reportHtml(planReport(content, wordsIn(Language::English)), ""); };
+  const auto page = [&] { return *reportHtml(planReport(content, wordsIn(Language::English))); };
   EXPECT_EQ(page().find("Access of a hand"), std::string::npos);
   content.access = {"the cap is reached", "the pin is not"};
   EXPECT_NE(page().find("Access of a hand, sampled"), std::string::npos);
