@@ -7057,7 +7057,7 @@
     </message>
     <message>
         <source>Access of a &amp;hand</source>
-        <translation>&amp;Accès d&apos;une main</translation>
+        <translation>Accès d&apos;une ma&amp;in</translation>
     </message>
 </context>
 <context>
