@@ -27,13 +27,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json vectorJson(const Vector3& v) { return Json::array({number(v.x()), number(v.y()), number(v.z())}); }
-
-Json poseJson(const Pose& pose) {
-  const Quaternion& q = pose.orientation;
-  return {{"position", vectorJson(pose.position)}, {"orientation", Json::array({q.x(), q.y(), q.z(), q.w()})}};
-}
-
 Json boxJson(const Box3& box) { return {{"min", vectorJson(box.min())}, {"max", vectorJson(box.max())}}; }
 
 /// How far the mesh of a body may be off, metres; 0 where it is what was given.

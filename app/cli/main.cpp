@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 
+#include "app/cli/access_command.h"
 #include "app/cli/check_command.h"
 #include "app/cli/convert_command.h"
 #include "app/cli/fits_command.h"
@@ -281,6 +282,30 @@ CLI::App* addTimes(CLI::App& app, TimesOptions& options) {
   return times;
 }
 
+CLI::App* addAccess(CLI::App& app, AccessOptions& options) {
+  CLI::App* access = app.add_subcommand(
+      "access", "Whether a hand gets to a path or to the steps of an assembly plan, and an eye sees");
+  access->footer(
+      "Hand, forearm and tool are sampled along each motion; this is no proof. Measures: ANSUR II (NATICK/TR-15/007).\n"
+      "Exit codes: 0 all is reached and seen, 1 not all, 2 wrong usage, 3 unreadable input, 130 interrupted.");
+  access->add_option("FILE", options.file, "The scenario of the path, or the product of the plan")->required();
+  access->add_option("--path", options.path, "Path of the object: " + readablePathFormats());
+  access->add_option("--plan", options.plan, "Assembly plan, as 'sequence --out' writes it");
+  std::map<std::string, HandSize> sizes;
+  for (const HandSize size : kHandSizes) sizes[handSizeName(size)] = size;
+  access
+      ->add_option_function<std::string>(
+          "--hand", [&options, sizes](const std::string& size) { options.hand = sizes.at(size); },
+          "Whose hand: p5f 5th percentile of women, p50 average, p95m 95th percentile of men (default: p50)")
+      ->check(CLI::IsMember(sizes));
+  access
+      ->add_option("--eye", options.eye,
+                   "From where the place is looked at: x y z in metres (default: 17 positions above it are tried)")
+      ->expected(3);
+  addFormat(*access, options.format);
+  return access;
+}
+
 CLI::App* addConvert(CLI::App& app, ConvertOptions& options) {
   CLI::App* convert =
       app.add_subcommand("convert", "Convert an OMPL.app .cfg to a scenario, or a path to another format");
@@ -391,6 +416,7 @@ int run(int argc, char** argv) {
   JointsOptions joints;
   SequenceOptions sequence;
   TimesOptions times;
+  AccessOptions access;
   ConvertOptions convert;
   NewOptions fresh;
   StudyOptions study;
@@ -407,6 +433,7 @@ int run(int argc, char** argv) {
   const CLI::App* jointsCommand = addJoints(app, joints);
   const CLI::App* sequenceCommand = addSequence(app, sequence);
   const CLI::App* timesCommand = addTimes(app, times);
+  const CLI::App* accessCommand = addAccess(app, access);
   const CLI::App* studyCommand = addStudy(app, study);
   const CLI::App* mergeCommand = addMerge(app, merge);
   const CLI::App* reportCommand = addReport(app, report);
@@ -428,6 +455,7 @@ int run(int argc, char** argv) {
   if (jointsCommand->parsed()) return runJoints(joints);
   if (sequenceCommand->parsed()) return runSequence(sequence);
   if (timesCommand->parsed()) return runTimes(times);
+  if (accessCommand->parsed()) return runAccess(access);
   if (studyCommand->parsed()) return runStudyCommand(study);
   if (mergeCommand->parsed()) return runMerge(merge);
   if (reportCommand->parsed()) return runReport(report);

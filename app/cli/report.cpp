@@ -32,6 +32,13 @@ void reportWarnings(const Warnings& warnings) {
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
+Json vectorJson(const Vector3& v) { return Json::array({number(v.x()), number(v.y()), number(v.z())}); }
+
+Json poseJson(const Pose& pose) {
+  const Quaternion& q = pose.orientation;
+  return {{"position", vectorJson(pose.position)}, {"orientation", Json::array({q.x(), q.y(), q.z(), q.w()})}};
+}
+
 Json toJson(const Diagnostic& error) {
   return {{"file", printableLine(error.file)},
           {"place", printableLine(error.location)},

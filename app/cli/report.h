@@ -25,6 +25,9 @@ void reportWarnings(const Warnings& warnings);
 
 /// Number of a JSON report; null where it is not finite.
 nlohmann::ordered_json number(double value);
+/// x, y and z; position and the quaternion x y z w.
+nlohmann::ordered_json vectorJson(const Vector3& v);
+nlohmann::ordered_json poseJson(const Pose& pose);
 nlohmann::ordered_json toJson(const MotionCertificate& certificate, const CollisionWorld& world, bool edges = false);
 /// A line for every edge, to stdout.
 void printEdges(const MotionCertificate& certificate, const CollisionWorld& world);

@@ -2,6 +2,7 @@
 
 #include <QScreen>
 
+#include "app/window/access_controller.h"
 #include "app/window/head_controller.h"
 #include "app/window/headset_controller.h"
 #include "app/window/headset_panel_controller.h"
@@ -22,7 +23,8 @@ EyesController::EyesController(const Workbench& bench) : QObject(&bench.window),
 }
 
 void EyesController::addTools(const RefusalController& refusal, SequenceController& sequence,
-                              const MeasuringTools& measuring) {
+                              const MeasuringTools& measuring, PathPanel& path) {
+  new AccessController(bench_, sequence, path);
   new HeadsetPanelController(bench_, refusal, sequence, measuring);
 }
 

@@ -18,6 +18,7 @@
 #include "widgets/commands/length_text.h"
 #include "widgets/commands/window_language.h"
 #include "widgets/instruction/instruction_painter.h"
+#include "widgets/panels/access_texts.h"
 #include "widgets/plots/picture_file.h"
 #include "widgets/studies/plan_graph_view.h"
 
@@ -64,6 +65,11 @@ void InstructionJob::start(PlanDocument document, const QString& file, Finished 
   content->plan = shown.plan;
   content->product = shown.product;
   content->checks = shown.checks;
+  if (shown.access) {
+    for (const MotionAccess& step : shown.access->steps) {
+      content->access.push_back(accessText(step, shown.product->bodies).toStdString());
+    }
+  }
   content->title = nameOfProduct(*bench_.document.scenario());
   content->deviation = surfaceDeviation(*bench_.document.scenario());
   content->times = sequence_.workTimes().times();
@@ -80,7 +86,7 @@ void InstructionJob::start(PlanDocument document, const QString& file, Finished 
         const SaveResult saved =
             document == PlanDocument::Instruction ? writeInstruction(*content, watch) : writeReport(*content, watch);
         return [this, content, saved, finished] {
-          sequence_.noteChecks(content->plan, content->checks);
+          sequence_.note(content->plan, content->checks, sequence_.shown().access);
           finished(saved);
         };
       });
@@ -115,6 +121,7 @@ SaveResult InstructionJob::writeReport(Content& content, const WorkWatch& watch)
       workInstruction(plan, *content.product, content.title, words, watch.part(0.0, kChoosingViews));
   const StepDrawer drawer(*content.product);
   PlanReportContent report{plan, *content.product, content.title, content.deviation, content.checks};
+  report.access = content.access;
   const auto add = [&](const QImage& picture, const QString& name, std::string& file) {
     file = pathOf(name).toStdString();
     return savePicture(picture, pathOf(name));

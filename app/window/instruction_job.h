@@ -41,6 +41,7 @@ class InstructionJob final : public QObject {
     PlanPtr plan;
     ProductPtr product;
     std::vector<StepCheck> checks;
+    std::vector<std::string> access;  ///< a text for each step; empty: not asked
     std::string title;
     double deviation = 0.0;
     WorkTimes times;

@@ -124,7 +124,7 @@ void MainWindow::addParts() {
   auto* sequence = new SequenceController(bench_);
   auto* stepCamera = new StepCamera(bench_, *sequence);
   connect(stepCamera, &StepCamera::cameraMoved, view, &ViewController::publishOperatorFrame);
-  eyes->addTools(*refusal, *sequence, {*sections, *measure});
+  eyes->addTools(*refusal, *sequence, {*sections, *measure}, *path->panel());
   new TimesController(bench_, *sequence);
   new ManualController(bench_);
   remember_ = [this, path, sequence, eyes] {

@@ -67,7 +67,7 @@ SequenceController::SequenceController(const Workbench& bench)
   connect(&planner_, &SequencePlanner::judged, this, [this](const PlanPtr& plan, const std::vector<bool>& agreed) {
     std::vector<StepCheck> checks;
     for (const bool agrees : agreed) checks.push_back(agrees ? StepCheck::Agrees : StepCheck::Disagrees);
-    noteChecks(plan, checks);
+    note(plan, checks, shown().access);
   });
   connect(&planner_, &SequencePlanner::failed, &bench.work, &WorkController::reportFailure);
   connect(&planner_.task(), &BackgroundTask::started, this, &SequenceController::enableActions);
@@ -168,6 +168,7 @@ void SequenceController::takeGrown(const GrownPlan& grown, bool growing) {
   ShownPlan next = shown();
   next.plan = grown.plan;
   next.growing = growing;
+  next.access = nullptr;
   next.foundAfter.resize(knownSteps_);
   for (const double seconds : grown.foundAfter) next.foundAfter.emplace_back(seconds);
   next.checks.resize(std::min(next.checks.size(), knownSteps_));
@@ -182,10 +183,11 @@ void SequenceController::takeGrown(const GrownPlan& grown, bool growing) {
   panel_->chooseBody(std::exchange(chosenLater_, {}));
 }
 
-void SequenceController::noteChecks(const PlanPtr& plan, const std::vector<StepCheck>& checks) {
-  if (plan != shown().plan || checks == shown().checks) return;
+void SequenceController::note(const PlanPtr& plan, const std::vector<StepCheck>& checks, const PlanAccessPtr& access) {
+  if (plan != shown().plan || (checks == shown().checks && access == shown().access)) return;
   ShownPlan next = shown();
   next.checks = checks;
+  next.access = access;
   setPlan(next);
   remember();
 }

@@ -39,8 +39,8 @@ class SequenceController final : public QObject {
   bool isEditable() const;
   /// The plan of the scenario and the demands as they are, where it is known.
   void showRemembered() { followArrangement(false); }
-  /// What was found when the steps of this plan were judged.
-  void noteChecks(const PlanPtr& plan, const std::vector<StepCheck>& checks);
+  /// What was found when the steps of this plan were judged, and whether a hand gets to them.
+  void note(const PlanPtr& plan, const std::vector<StepCheck>& checks, const PlanAccessPtr& access);
   /// The row of this body becomes the current one when the next plan is there.
   void chooseLater(const std::string& body) { chosenLater_ = body; }
   /// Reads a plan of the product that is open and judges it; nothing on success.

@@ -50,20 +50,6 @@ class ToolMeshes {
   std::map<std::pair<MeshPtr, ToolKind>, ToolMesh> tools_;
 };
 
-/// The frame of a tool at the head: a nut's tool comes from where the nut leaves to.
-Pose toolFrame(const FastenerHead& head, const Pose& X_WB, const Vector3& exit, double turn) {
-  Vector3 end = X_WB * head.end;
-  Vector3 outwards = X_WB.orientation * head.outwards;
-  if (head.bothEnds && outwards.dot(exit) < 0.0) {
-    end -= head.height * outwards;
-    outwards = -outwards;
-  }
-  Pose X_WT = Pose::translation(end);
-  X_WT.orientation =
-      Quaternion::FromTwoVectors(Vector3::UnitZ(), outwards) * Quaternion(Eigen::AngleAxisd(turn, Vector3::UnitZ()));
-  return X_WT;
-}
-
 using Blockers = std::vector<std::size_t>;
 
 Blockers fewer(Blockers one, Blockers other) { return other.size() < one.size() ? std::move(other) : std::move(one); }

@@ -71,18 +71,24 @@ TriangleMesh hexKey(const FastenerHead& head) {
   return both(bar(leg, 0.02 * R, 6.0 * R), sector({0.5 * leg, 14.0 * R, 6.0 * R - 2.0 * leg, 6.0 * R}, kSwing));
 }
 
-TriangleMesh socket(const FastenerHead& head) {
+TriangleMesh shankOfSocket(const FastenerHead& head) {
   const double R = head.radius;
   TriangleMesh mesh = sector({kAbout * R, 1.22 * R, -0.9 * head.height, 4.0 * R}, kFullTurn);
   append(mesh, bar(1.22 * R, 4.0 * R, 5.0 * R));
   append(mesh, bar(0.6 * R, 5.0 * R, 11.0 * R));
-  append(mesh, sector({0.3 * R, 14.0 * R, 10.0 * R, 11.0 * R}, kSwing));
   return mesh;
 }
 
+TriangleMesh socket(const FastenerHead& head) {
+  const double R = head.radius;
+  return both(shankOfSocket(head), sector({0.3 * R, 14.0 * R, 10.0 * R, 11.0 * R}, kSwing));
+}
+
+double handleRadius(const FastenerHead& head) { return std::max(1.5 * head.radius, kLeastHandle); }
+
 TriangleMesh screwdriver(const FastenerHead& head) {
   const double R = head.radius;
-  return both(bar(0.5 * R, 0.02 * R, 10.0 * R), bar(std::max(1.5 * R, kLeastHandle), 10.0 * R, 25.0 * R));
+  return both(bar(0.5 * R, 0.02 * R, 10.0 * R), bar(handleRadius(head), 10.0 * R, 25.0 * R));
 }
 
 TriangleMesh openWrench(const FastenerHead& head) {
@@ -92,8 +98,8 @@ TriangleMesh openWrench(const FastenerHead& head) {
   return both(sector({kAbout * R, 1.6 * R, low, high}, kFullTurn), sector({1.5 * R, 12.0 * R, low, high}, kSwing));
 }
 
-/// Where an open wrench begins its swing: its jaw is open away from the arm, and as wide as the head.
-TriangleMesh wrenchAtRest(const FastenerHead& head) {
+/// The jaw of an open wrench: open away from the arm, and as wide as the head.
+TriangleMesh openJaw(const FastenerHead& head) {
   const double R = head.radius;
   const double low = -0.9 * head.height;
   const double high = -0.1 * head.height;
@@ -105,8 +111,19 @@ TriangleMesh wrenchAtRest(const FastenerHead& head) {
     const Vector3 middle(-0.3 * R, side * 0.5 * (kAbout + 1.6) * R, 0.5 * (low + high));
     append(mesh, transformed(prong, Pose::translation(middle)));
   }
-  append(mesh, sector({1.5 * R, 12.0 * R, low, high}, kSwing / 5.0));
   return mesh;
+}
+
+/// Where an open wrench begins its swing.
+TriangleMesh wrenchAtRest(const FastenerHead& head) {
+  const double R = head.radius;
+  return both(openJaw(head), sector({1.5 * R, 12.0 * R, -0.9 * head.height, -0.1 * head.height}, kSwing / 5.0));
+}
+
+/// A handle across the axis.
+TriangleMesh armShape(const ToolHandle& handle) {
+  const TriangleMesh arm = makeBox({(handle.to - handle.from).norm(), handle.thickness, handle.thickness});
+  return transformed(arm, Pose::translation(0.5 * (handle.from + handle.to)));
 }
 
 }  // namespace
@@ -125,6 +142,46 @@ TriangleMesh toolShape(ToolKind kind, const FastenerHead& head) {
 std::optional<TriangleMesh> enteringToolShape(ToolKind kind, const FastenerHead& head) {
   if (kind != ToolKind::OpenWrench) return std::nullopt;
   return wrenchAtRest(head);
+}
+
+ToolHandle handleOf(ToolKind kind, const FastenerHead& head) {
+  const double R = head.radius;
+  const double leg = keyRadius(head);
+  const double middle = -0.5 * head.height;
+  switch (kind) {
+    case ToolKind::HexKey: return {{0.0, 0.0, 6.0 * R - leg}, {14.0 * R, 0.0, 6.0 * R - leg}, 2.0 * leg};
+    case ToolKind::Socket: return {{0.0, 0.0, 10.5 * R}, {14.0 * R, 0.0, 10.5 * R}, R};
+    case ToolKind::Screwdriver: return {{0.0, 0.0, 10.0 * R}, {0.0, 0.0, 25.0 * R}, 2.0 * handleRadius(head)};
+    case ToolKind::OpenWrench: return {{1.5 * R, 0.0, middle}, {12.0 * R, 0.0, middle}, 0.8 * head.height};
+    case ToolKind::None: break;
+  }
+  return {Vector3::Zero(), Vector3::Zero(), 0.0};
+}
+
+TriangleMesh toolAtRest(ToolKind kind, const FastenerHead& head) {
+  const double R = head.radius;
+  const ToolHandle handle = handleOf(kind, head);
+  switch (kind) {
+    case ToolKind::HexKey: return both(bar(keyRadius(head), 0.02 * R, 6.0 * R), armShape(handle));
+    case ToolKind::Socket: return both(shankOfSocket(head), armShape(handle));
+    case ToolKind::Screwdriver: return screwdriver(head);
+    case ToolKind::OpenWrench: return both(openJaw(head), armShape(handle));
+    case ToolKind::None: break;
+  }
+  return {};
+}
+
+Pose toolFrame(const FastenerHead& head, const Pose& X_WB, const Vector3& exit, double turn) {
+  Vector3 end = X_WB * head.end;
+  Vector3 outwards = X_WB.orientation * head.outwards;
+  if (head.bothEnds && outwards.dot(exit) < 0.0) {
+    end -= head.height * outwards;
+    outwards = -outwards;
+  }
+  Pose X_WT = Pose::translation(end);
+  X_WT.orientation =
+      Quaternion::FromTwoVectors(Vector3::UnitZ(), outwards) * Quaternion(Eigen::AngleAxisd(turn, Vector3::UnitZ()));
+  return X_WT;
 }
 
 std::vector<Vector3> takeOffWays(ToolKind kind, const FastenerHead& head) {

@@ -26,6 +26,21 @@ std::optional<TriangleMesh> enteringToolShape(ToolKind kind, const FastenerHead&
 /// and an open wrench also to the side of its handle. Each is a way to bring it on.
 std::vector<Vector3> takeOffWays(ToolKind kind, const FastenerHead& head);
 
+/// The part of a tool that a hand holds: a bar, in the tool's frame.
+struct ToolHandle {
+  Vector3 from;  ///< the end that is nearer to the head
+  Vector3 to;
+  double thickness = 0.0;
+};
+ToolHandle handleOf(ToolKind kind, const FastenerHead& head);
+
+/// The tool itself, as it stands: its handle does not turn, and lies along x where it is not along the axis.
+TriangleMesh toolAtRest(ToolKind kind, const FastenerHead& head);
+
+/// The frame of a tool at the head of a body at X_WB, turned about the axis. A nut's tool comes from where the nut
+/// leaves to. `exit`: in the world.
+Pose toolFrame(const FastenerHead& head, const Pose& X_WB, const Vector3& exit, double turn);
+
 /// How many positions of the handle are tried, evenly about the axis.
 int handlePositions(ToolKind kind);
 

@@ -180,6 +180,10 @@ class Composer {
         say("Clearance"), steps, [&](const AssemblyStep& step) { return Texts{clearanceText(step)}; }, rows);
     addRows(
         say("Tool"), steps, [&](const AssemblyStep& step) { return Texts{plain_.tool(step, product)}; }, rows);
+    for (std::size_t at = place; !content_.access.empty() && at < place + steps.size(); ++at) {
+      const std::string& text = content_.access[content_.plan.steps.size() - 1 - at];
+      if (rows.back().back() != text) rows.push_back({say("Access of a hand, sampled"), text});
+    }
     addRows(
         say("To be held"), steps, [&](const AssemblyStep& step) { return Texts{plain_.standing(step, product)}; },
         rows);

@@ -21,6 +21,7 @@ struct PlanReportContent {
   std::string graphPicture{};           ///< a PNG file of planGraphSvg(); empty: none
   std::vector<std::string> pictures{};  ///< a PNG file of each task (taskRanges()); empty: none
   std::optional<PlanTiming> timing{};   ///< how long the work takes; nothing: not said
+  std::vector<std::string> access{};    ///< whether a hand gets there, a text for each step; empty: not asked
 };
 
 /// What an engineer reads of a plan: cover, parts list, a page for each task in the order of assembly with its motions,

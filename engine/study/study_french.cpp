@@ -163,6 +163,7 @@ const std::map<std::string_view, std::string_view>& studyFrench() {
       {"Work of each station", "Travail de chaque poste"},
       {"seconds", "secondes"},
       {"To be held", "À tenir"},
+      {"Access of a hand, sampled", "Accès d'une main, par échantillons"},
       {"hex key", "clé à six pans"},
       {"socket", "clé à douille"},
       {"screwdriver", "tournevis"},

@@ -83,6 +83,10 @@
         <source>It holds for keys and devices. F over the scene does the same.</source>
         <translation>Cela vaut pour les touches et les périphériques. La touche F dans la vue fait de même.</translation>
     </message>
+    <message>
+        <source>Several ways to hold the part or its tool are tried, with the wrist bent in six ways. Hand, forearm and tool are sampled along the motion: this is no proof. Measures of the hand are those of ANSUR II.</source>
+        <translation>Plusieurs prises de la pièce ou de son outil sont essayées, avec six flexions du poignet. La main, l&apos;avant-bras et l&apos;outil sont vérifiés par échantillons le long du mouvement : ce n&apos;est pas une preuve. Les mesures de la main sont celles d&apos;ANSUR II.</translation>
+    </message>
 </context>
 <context>
     <name>Actions</name>
@@ -2169,6 +2173,62 @@
     <message>
         <source>Show the step after the one that is shown</source>
         <translation>Montrer l&apos;étape après celle qui est montrée</translation>
+    </message>
+    <message>
+        <source>Check the hand&apos;s access to the &amp;sequence</source>
+        <translation>Vérifier l&apos;accès d&apos;une main à la &amp;séquence</translation>
+    </message>
+    <message>
+        <source>Check for each step whether hand, forearm and tool get there, and an eye sees</source>
+        <translation>Vérifier à chaque étape si la main, l&apos;avant-bras et l&apos;outil passent, et si l&apos;œil voit</translation>
+    </message>
+    <message>
+        <source>Check the hand&apos;s access to the &amp;path</source>
+        <translation>Vérifier l&apos;accès d&apos;une main au &amp;chemin</translation>
+    </message>
+    <message>
+        <source>Check whether a hand that holds the object stays free along the path</source>
+        <translation>Vérifier si une main qui tient l&apos;objet reste libre le long du chemin</translation>
+    </message>
+    <message>
+        <source>&amp;Next place that the hand does not reach</source>
+        <translation>Endroit inaccessible suiva&amp;nt</translation>
+    </message>
+    <message>
+        <source>Show the next step that is not reached or not seen, where the hand is blocked</source>
+        <translation>Montrer la prochaine étape inaccessible ou invisible, là où la main est bloquée</translation>
+    </message>
+    <message>
+        <source>Show the &amp;hand at what moves</source>
+        <translation>Afficher la m&amp;ain sur ce qui bouge</translation>
+    </message>
+    <message>
+        <source>Draw hand, forearm and tool where they were found to hold what moves</source>
+        <translation>Dessiner la main, l&apos;avant-bras et l&apos;outil là où ils tiennent ce qui bouge</translation>
+    </message>
+    <message>
+        <source>Hand of a small &amp;woman</source>
+        <translation>Main d&apos;une petite &amp;femme</translation>
+    </message>
+    <message>
+        <source>Check with the hand of the 5th percentile of women</source>
+        <translation>Vérifier avec la main du 5e centile des femmes</translation>
+    </message>
+    <message>
+        <source>&amp;Average hand</source>
+        <translation>Main mo&amp;yenne</translation>
+    </message>
+    <message>
+        <source>Check with the mean of the median hands of women and men</source>
+        <translation>Vérifier avec la moyenne des mains médianes des femmes et des hommes</translation>
+    </message>
+    <message>
+        <source>Hand of a large &amp;man</source>
+        <translation>Main d&apos;un grand &amp;homme</translation>
+    </message>
+    <message>
+        <source>Check with the hand of the 95th percentile of men</source>
+        <translation>Vérifier avec la main du 95e centile des hommes</translation>
     </message>
 </context>
 <context>
@@ -6586,6 +6646,10 @@
         <source>Give screw, nut, thread, insert, pin, snap, flexible, permanent or unit.</source>
         <translation>Donnez screw, nut, thread, insert, pin, snap, flexible, permanent ou unit.</translation>
     </message>
+    <message>
+        <source>the access of the hand was not checked to its end</source>
+        <translation>la vérification de l&apos;accès de la main n&apos;est pas terminée</translation>
+    </message>
 </context>
 <context>
     <name>FilmWriter</name>
@@ -6994,6 +7058,10 @@
     <message>
         <source>He&amp;adset</source>
         <translation>Visi&amp;ocasque</translation>
+    </message>
+    <message>
+        <source>Access of a &amp;hand</source>
+        <translation>Accès d&apos;une ma&amp;in</translation>
     </message>
 </context>
 <context>
@@ -8262,6 +8330,88 @@
     <message>
         <source>Default: %1 %3. It is an estimate of the size of the tables for manual assembly in Boothroyd, Dewhurst and Knight, Product Design for Manufacture and Assembly (2011), and was not measured. Values from 0 to %2 %3 are taken.</source>
         <translation>Valeur par défaut&#xa0;: %1 %3. C&apos;est une estimation de l&apos;ordre des tables d&apos;assemblage manuel de Boothroyd, Dewhurst et Knight, Product Design for Manufacture and Assembly (2011), et elle n&apos;a pas été mesurée. Les valeurs de 0 à %2 %3 sont acceptées.</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::AccessController</name>
+    <message>
+        <source>The access of the hand was not checked</source>
+        <translation>L&apos;accès de la main n&apos;a pas été vérifié</translation>
+    </message>
+    <message>
+        <source>Hand (%1): %2 of %3 steps are reached and seen; sampled, no proof</source>
+        <translation>Main (%1) : %2 étapes sur %3 sont accessibles et visibles ; par échantillons, sans preuve</translation>
+    </message>
+    <message>
+        <source>Checking the access of the hand</source>
+        <translation>Vérification de l&apos;accès de la main</translation>
+    </message>
+    <message>
+        <source>Hand (%1): %2; sampled, no proof</source>
+        <translation>Main (%1) : %2 ; par échantillons, sans preuve</translation>
+    </message>
+    <message>
+        <source>The hand reaches all steps</source>
+        <translation>La main accède à toutes les étapes</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::AccessTexts</name>
+    <message>
+        <source>The hand gets there, and pushes at the end</source>
+        <translation>La main passe, et pousse à la fin</translation>
+    </message>
+    <message>
+        <source>The hand gets there</source>
+        <translation>La main passe</translation>
+    </message>
+    <message>
+        <source>No place of the part fits into one hand</source>
+        <translation>Aucun endroit de la pièce ne tient dans une main</translation>
+    </message>
+    <message>
+        <source>The hand was not asked</source>
+        <translation>La main n&apos;a pas été vérifiée</translation>
+    </message>
+    <message>
+        <source>The hand is blocked at %1 % of the way from the place</source>
+        <translation>La main est bloquée à %1 % du trajet depuis l&apos;endroit</translation>
+    </message>
+    <message>
+        <source>The hand is blocked by %1, %2 % of the way from the place</source>
+        <translation>La main est bloquée par %1, à %2 % du trajet depuis l&apos;endroit</translation>
+    </message>
+    <message>
+        <source>%1 % of the place is seen</source>
+        <translation>%1 % de l&apos;endroit est visible</translation>
+    </message>
+    <message>
+        <source>%1, hidden by %2</source>
+        <translation>%1, caché par %2</translation>
+    </message>
+    <message>
+        <source>no hand</source>
+        <translation>inaccessible</translation>
+    </message>
+    <message>
+        <source>reached</source>
+        <translation>accessible</translation>
+    </message>
+    <message>
+        <source>not seen</source>
+        <translation>pas visible</translation>
+    </message>
+    <message>
+        <source>5th percentile of women</source>
+        <translation>5e centile des femmes</translation>
+    </message>
+    <message>
+        <source>95th percentile of men</source>
+        <translation>95e centile des hommes</translation>
+    </message>
+    <message>
+        <source>average</source>
+        <translation>moyenne</translation>
     </message>
 </context>
 <context>
@@ -10488,6 +10638,14 @@
     <message>
         <source>Where your hand helps</source>
         <translation>Où votre main est utile</translation>
+    </message>
+    <message>
+        <source>Hand that gets there</source>
+        <translation>Main qui passe</translation>
+    </message>
+    <message>
+        <source>Hand that is blocked</source>
+        <translation>Main bloquée</translation>
     </message>
 </context>
 <context>

@@ -954,6 +954,36 @@ TEST_F(Cli, WrongUseOfASequenceIsNamed) {
   EXPECT_NE(resume.err.find("/version"), std::string::npos) << resume.err;
 }
 
+TEST_F(Cli, AccessSaysWhichStepsAHandReaches) {
+  const std::string plan = (folder / "plan.json").string();
+  const std::string stand = sample("roller-stand");
+  ASSERT_EQ(run("sequence " + stand + " --out " + plan).exitCode, 0);
+  const Finished access = run("access " + stand + " --plan " + plan + " --hand p95m --json");
+  EXPECT_EQ(access.exitCode, 1) << "not all steps";
+  const Json report = Json::parse(access.out);
+  EXPECT_EQ(report["hand"], "p95m");
+  EXPECT_EQ(report["sampled"], true);
+  ASSERT_EQ(report["steps"].size(), 10U);
+  std::size_t reached = 0;
+  for (const Json& step : report["steps"]) {
+    if (step["hand"] == "free" && step["sight"]["seen"] == true) ++reached;
+  }
+  EXPECT_EQ(report["reached"], reached);
+  const Finished below = run("access " + stand + " --plan " + plan + " --eye 0 0 -2");
+  EXPECT_NE(below.out.find("hidden by"), std::string::npos) << "seen from below the base";
+  EXPECT_NE(below.out.find("no proof"), std::string::npos);
+}
+
+TEST_F(Cli, WrongUseOfAccessIsNamed) {
+  const std::string stand = sample("roller-stand");
+  EXPECT_EQ(run("access " + stand).exitCode, 2);
+  EXPECT_EQ(run("access " + stand + " --plan a.json --path b.csv").exitCode, 2);
+  EXPECT_EQ(run("access " + stand + " --plan a.json --hand p99").exitCode, 2);
+  EXPECT_EQ(run("access " + stand + " --plan a.json --eye 0 0 nan").exitCode, 2);
+  EXPECT_EQ(run("access " + stand + " --plan " + (folder / "none.json").string()).exitCode, 3);
+  EXPECT_EQ(run("access " + stand + " --path " + (folder / "none.csv").string()).exitCode, 3);
+}
+
 TEST_F(Cli, AScenarioIsTakenApartWhereFitsAreOff) {
   const std::string file = scenario([](Json& json) {
     json["bodies"].push_back({{"id", "lid"},

@@ -24,6 +24,9 @@ class SequenceWindow : public WindowTest {
   }
 };
 
+/// Steps of the roller stand that an average hand gets to.
+constexpr int kReached = 9;
+
 TEST_F(SequenceWindow, AProductIsPlannedPlayedAndExploded) {
   expectGood(
       runOnStand(QStringLiteral("expect-sequence end none\nplan-sequence all\nexpect-sequence parts 10\n"
@@ -285,6 +288,23 @@ TEST_F(SequenceWindow, TheWorkInstructionIsInTheLanguageOfTheWindow) {
   expectGood(runOnStand(QStringLiteral("plan-sequence 2\nexport-sequence %1\n").arg(file("fr.html")),
                         {QStringLiteral("--language"), QStringLiteral("fr")}));
   EXPECT_TRUE(content("fr.html").contains("Suivant"));
+}
+
+TEST_F(SequenceWindow, AHandIsShownAtTheStepsAndTheTableSaysWhichItReaches) {
+  expectGood(
+      runOnStand(QStringLiteral("expect-access none\nplan-sequence all\naction access.sequence\nexpect-access %1\n"
+                                "expect-row 6 reached\nshow-step 6\nscreenshot %2\naction access.show\nscreenshot %3\n"
+                                "action access.show\naction access.next\naction access.small\nexpect-access %1\n")
+                     .arg(QString::number(kReached), file("hand.png"), file("no-hand.png"))));
+  EXPECT_GT(difference(QImage(file("hand.png")), QImage(file("no-hand.png"))).share, 0.01);
+  expectLike(file("hand.png"), QStringLiteral("sequence-access"));
+}
+
+TEST_F(SequenceWindow, AHandIsAskedAlongThePathOfTheObject) {
+  const char* script =
+      "expect-access none\nselect-operator expert\naction run.start\nwait solved 20000\naction access.path\n"
+      "expect-access no_grip\naction access.next\n";
+  expectGood(run(QStringLiteral("environment-1"), QLatin1String(script)));
 }
 
 TEST_F(SequenceWindow, WrongCommandsAndFilesAreErrors) {

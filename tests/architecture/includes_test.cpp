@@ -64,6 +64,7 @@ const std::map<std::string, std::set<std::string>>& allowedRooms() {
       {"planning", {"base", "geometry", "assembly", "environment", "collision", "product"}},
       {"operator", {"base", "geometry", "assembly", "environment", "collision"}},
       {"sequence", {"base", "geometry", "assembly", "environment", "collision", "product", "planning"}},
+      {"access", {"base", "geometry", "assembly", "environment", "collision", "product", "planning", "sequence"}},
       {"scenario",
        {"base", "geometry", "assembly", "import", "check", "environment", "collision", "product", "planning",
         "sequence", "operator", "sweep"}},

@@ -55,6 +55,10 @@ constexpr std::pair<const char*, const char*> kMore[] = {
     {"sequence.plan", QT_TRANSLATE_NOOP("ActionHelp",
                                         "Assembly is the reverse order. The plan says which step makes way for which, "
                                         "which parts have to be held, and which tool turns a fastener.")},
+    {"access.sequence", QT_TRANSLATE_NOOP("ActionHelp",
+                                          "Several ways to hold the part or its tool are tried, with the wrist bent in "
+                                          "six ways. Hand, forearm and tool are sampled along the motion: this is no "
+                                          "proof. Measures of the hand are those of ANSUR II.")},
     {"path.smooth",
      QT_TRANSLATE_NOOP("ActionHelp", "The shortened path is proved like the planned one; both are kept.")},
     {"path.sweep", QT_TRANSLATE_NOOP("ActionHelp",

@@ -187,6 +187,7 @@ inline constexpr const char* kDiagnosticSentences[] = {
     QT_TRANSLATE_NOOP("Diagnostics", "is not a valid configuration"),
     QT_TRANSLATE_NOOP("Diagnostics", "Give finite numbers and a unit quaternion."),
     QT_TRANSLATE_NOOP("Diagnostics", "the swept volume was not finished"),
+    QT_TRANSLATE_NOOP("Diagnostics", "the access of the hand was not checked to its end"),
     QT_TRANSLATE_NOOP("Diagnostics", "the bound of the swept volume needs more than 4 GiB"),
     QT_TRANSLATE_NOOP("Diagnostics",
                       "the bound of the swept volume is finer than 32-bit coordinates are so far from the origin"),

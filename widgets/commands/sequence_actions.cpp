@@ -78,6 +78,22 @@ const std::vector<ActionSpec>& sequenceActionSpecs() {
        false},
       {"sequence.leave-hand", QT_TRANSLATE_NOOP("Actions", "&Back to the sequence"), "",
        QT_TRANSLATE_NOOP("Actions", "Go back to the sequence without a path"), false},
+      {"access.sequence", QT_TRANSLATE_NOOP("Actions", "Check the hand's access to the &sequence"), "Shift+F6",
+       QT_TRANSLATE_NOOP("Actions", "Check for each step whether hand, forearm and tool get there, and an eye sees"),
+       false},
+      {"access.path", QT_TRANSLATE_NOOP("Actions", "Check the hand's access to the &path"), "Shift+F7",
+       QT_TRANSLATE_NOOP("Actions", "Check whether a hand that holds the object stays free along the path"), false},
+      {"access.next", QT_TRANSLATE_NOOP("Actions", "&Next place that the hand does not reach"), "Shift+F8",
+       QT_TRANSLATE_NOOP("Actions", "Show the next step that is not reached or not seen, where the hand is blocked"),
+       false},
+      {"access.show", QT_TRANSLATE_NOOP("Actions", "Show the &hand at what moves"), "Shift+F9",
+       QT_TRANSLATE_NOOP("Actions", "Draw hand, forearm and tool where they were found to hold what moves"), true},
+      {"access.small", QT_TRANSLATE_NOOP("Actions", "Hand of a small &woman"), "",
+       QT_TRANSLATE_NOOP("Actions", "Check with the hand of the 5th percentile of women"), true},
+      {"access.average", QT_TRANSLATE_NOOP("Actions", "&Average hand"), "",
+       QT_TRANSLATE_NOOP("Actions", "Check with the mean of the median hands of women and men"), true},
+      {"access.large", QT_TRANSLATE_NOOP("Actions", "Hand of a large &man"), "",
+       QT_TRANSLATE_NOOP("Actions", "Check with the hand of the 95th percentile of men"), true},
   };
   return specs;
 }

@@ -4,12 +4,16 @@
 #include <osg/GLExtensions>
 #include <osgUtil/Statistics>
 
+#include <chrono>
+
 #include "widgets/headset/headset_failure.h"
 #include "widgets/scene3d/osg_convert.h"
 #include "widgets/scene3d/scene_view.h"
 
 namespace glissade {
 namespace {
+
+using Clock = std::chrono::steady_clock;
 
 constexpr int kSamples = 4;  ///< of a pixel, as in the window
 
@@ -78,15 +82,19 @@ void EyePainter::draw(const EyeSight& sight, const EyeDetail& detail, unsigned t
   view_->setViewMatrix(toOsg(inverse(sight.X_WE)));
   view_->setProjectionMatrixAsFrustum(sight.sides.left * distance, sight.sides.right * distance,
                                       sight.sides.down * distance, sight.sides.up * distance, distance, sight.farPlane);
+  const auto begin = Clock::now();
   view_->cull();
+  const auto culled = Clock::now();
   view_->draw();
   copyTo(texture);
+  cullSeconds_ = std::chrono::duration<double>(culled - begin).count();
+  drawSeconds_ = std::chrono::duration<double>(Clock::now() - culled).count();
 }
 
 EyeFigures EyePainter::figures() {
   osgUtil::Statistics found;
   view_->getStats(found);
-  EyeFigures figures{found.numDrawables + found.numFastDrawables, 0};
+  EyeFigures figures{found.numDrawables + found.numFastDrawables, 0, cullSeconds_, drawSeconds_};
   for (const auto& [mode, number] : found.getPrimitiveCountMap()) {
     if (mode >= GL_TRIANGLES && mode <= GL_POLYGON) figures.triangles += number;
   }

@@ -14,6 +14,8 @@ namespace glissade {
 struct EyeFigures {
   int drawCalls = 0;
   std::int64_t triangles = 0;
+  double cullSeconds = 0.0;  ///< of the processor's choice of what is drawn
+  double drawSeconds = 0.0;  ///< of OpenGL's calls; with software drawing, part of the drawing is in them
 };
 
 /// Draws what an eye sees into textures. Used on the thread of its context, while that is current and the graph's mutex
@@ -43,6 +45,8 @@ class EyePainter {
   unsigned colour_ = 0;  ///< its buffers
   unsigned depth_ = 0;
   unsigned copied_ = 0;  ///< framebuffer of the texture
+  double cullSeconds_ = 0.0;
+  double drawSeconds_ = 0.0;
 };
 
 }  // namespace glissade

@@ -17,6 +17,8 @@ struct HeadsetFigures {
   int detailStep = 0;          ///< how simple the scene is; 0: in full detail (PictureRate)
   int drawCalls = 0;           ///< for each eye
   std::int64_t triangles = 0;  ///< for each eye
+  double cullSeconds = 0.0;    ///< for an eye: of the processor's choice of what is drawn
+  double drawSeconds = 0.0;    ///< for an eye: of OpenGL's calls
 };
 
 /// Shows a scene in a headset, from a thread of its own. All functions are called on one thread, the window's, and

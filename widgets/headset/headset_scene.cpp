@@ -44,6 +44,7 @@ void HeadsetScene::draw(const std::array<EyeSight, 2>& eyes, const EyeDetail& de
   panel_.show(hands.panel, 1.0 / hands.scale);
   showTexts(hands);
   for (std::size_t eye = 0; eye < painters_.size(); ++eye) {
+    if (eye > 0) graph_.mutex->giveWay();
     horizon_.moveTo(eyes[eye]);
     painters_[eye]->draw(eyes[eye], detail, textures[eye]);
   }

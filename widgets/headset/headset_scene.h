@@ -34,7 +34,8 @@ class HeadsetScene {
   void setBackground(const Colour& above, const Colour& below);
   /// Size and format of the textures of an eye, 0 the left one.
   void setTarget(std::size_t eye, int width, int height, std::int64_t format);
-  /// One picture for each eye: textures of the context.
+  /// One picture for each eye: textures of the context. Between the two, a window that waits has its turn, so that it
+  /// waits for one eye only; an edit that falls there is seen by one eye a picture earlier.
   void draw(const std::array<EyeSight, 2>& eyes, const EyeDetail& detail, const ShownHands& hands,
             const std::array<unsigned, 2>& textures);
   /// Of the last picture of the left eye.

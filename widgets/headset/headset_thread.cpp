@@ -78,10 +78,11 @@ void HeadsetThread::run() {
   }
 }
 
-/// Until it is not wanted any more.
+/// Until it is not wanted any more, or the person has left.
 void HeadsetThread::serve() {
+  left_ = false;
   machine_.ask(Clock::now());
-  while (isWanted()) {
+  while (!left_ && isWanted()) {
     try {
       step();
     } catch (const HeadsetFailure& why) {
@@ -89,7 +90,7 @@ void HeadsetThread::serve() {
     } catch (const std::exception& why) {
       fail(HeadsetTrouble::Failed, why.what());
     }
-    publish();
+    if (!left_) publish();
   }
   disconnect();
 }
@@ -128,14 +129,23 @@ void HeadsetThread::follow(SessionNews news) {
     case SessionNews::Began: machine_.begin(); break;
     case SessionNews::Ended: machine_.end(); break;
     case SessionNews::Lost: throw HeadsetFailure(HeadsetTrouble::SessionLost, "the session ends");
-    case SessionNews::Left: {
-      machine_.leave();
-      publish();
-      const std::lock_guard lock(mutex_);
-      wanted_ = false;
-      break;
-    }
+    case SessionNews::Left: leave(); break;
   }
+}
+
+/// It is not wanted any more before anybody is told: who asks for it then is served anew.
+void HeadsetThread::leave() {
+  machine_.leave();
+  left_ = true;
+  std::function<void()> listener;
+  {
+    const std::lock_guard lock(mutex_);
+    if (!wanted_) return;
+    wanted_ = false;
+    status_ = machine_.status();
+    listener = listener_;
+  }
+  if (listener) listener();
 }
 
 void HeadsetThread::show() {
@@ -157,7 +167,7 @@ void HeadsetThread::count() {
   sinceCount_ = 0;
   const EyeFigures eye = scene_->figures();
   const std::lock_guard lock(mutex_);
-  figures_ = {connection_->detailStep(), eye.drawCalls, eye.triangles};
+  figures_ = {connection_->detailStep(), eye.drawCalls, eye.triangles, eye.cullSeconds, eye.drawSeconds};
 }
 
 void HeadsetThread::fail(HeadsetTrouble trouble, const std::string& detail) {

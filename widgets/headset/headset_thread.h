@@ -43,6 +43,7 @@ class HeadsetThread : public std::enable_shared_from_this<HeadsetThread> {
   void step();
   void search();
   void follow(SessionNews news);
+  void leave();
   void show();
   void count();
   void fail(HeadsetTrouble trouble, const std::string& detail);
@@ -67,6 +68,7 @@ class HeadsetThread : public std::enable_shared_from_this<HeadsetThread> {
 
   // Of the thread alone.
   HeadsetMachine machine_;
+  bool left_ = false;  ///< the person has ended what was wanted
   RoomWalk walk_;
   int sinceCount_ = 0;  ///< pictures
   std::unique_ptr<HeadsetScene> scene_;

@@ -19,6 +19,7 @@
 #include "widgets/commands/diagnostic_text.h"
 #include "widgets/commands/length_text.h"
 #include "widgets/commands/window_language.h"
+#include "widgets/panels/access_texts.h"
 #include "widgets/panels/quiet_focus.h"
 
 namespace glissade {
@@ -243,9 +244,13 @@ void StepTable::addStep(std::size_t place) {
                                  .trimmed());
   const auto after = i < shown_.foundAfter.size() ? shown_.foundAfter[i] : std::nullopt;
   const StepCheck check = i < shown_.checks.size() ? shown_.checks[i] : StepCheck::NotAsked;
-  const QString mark = markOf(demandsOn(step.bodies(), shown_.plan->demands), step);
-  row->setText(StepState, twoLines(checkText(check), mark));
+  const MotionAccess* access = shown_.access ? &shown_.access->steps[i] : nullptr;
+  QStringList marks{access != nullptr ? accessMark(*access) : QString(),
+                    markOf(demandsOn(step.bodies(), shown_.plan->demands), step)};
+  marks.removeAll(QString());
+  row->setText(StepState, twoLines(checkText(check), marks.join(QStringLiteral(", "))));
   QStringList tips{checkTip(check), tr("found by %1").arg(QString::fromStdString(step.method))};
+  if (access != nullptr) tips << accessText(*access, shown_.product->bodies);
   if (after) tips << tr("found after %1 s of computing").arg(QLocale().toString(*after, 'f', 1));
   row->setToolTip(StepState, tips.join(QLatin1Char('\n')));
 }

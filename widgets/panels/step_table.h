@@ -3,13 +3,17 @@
 #include <QTreeWidget>
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
+#include "engine/access/plan_access.h"
 #include "engine/study/plan_words.h"
 #include "widgets/bridge/sequence_planner.h"
 
 namespace glissade {
+
+using PlanAccessPtr = std::shared_ptr<const PlanAccess>;
 
 /// What the panel shows of an assembly plan.
 struct ShownPlan {
@@ -18,6 +22,7 @@ struct ShownPlan {
   bool growing = false;
   std::vector<std::optional<double>> foundAfter;  ///< seconds, of each step; nothing: not found here
   std::vector<StepCheck> checks;                  ///< of each step; empty: not asked
+  PlanAccessPtr access{};                         ///< of a hand, to each step; null: not asked
 };
 
 /// Steps of an assembly plan, two lines a row, and stuck parts with the whole reason. Steps can be dragged to another

@@ -62,6 +62,8 @@ QString textOf(LegendItem item) {
     case LegendItem::Selected: return LegendOverlay::tr("Selected");
     case LegendItem::MovingPart: return LegendOverlay::tr("Part of the step");
     case LegendItem::WayOfPart: return LegendOverlay::tr("Its way");
+    case LegendItem::Reach: return LegendOverlay::tr("Hand that gets there");
+    case LegendItem::ReachBlocked: return LegendOverlay::tr("Hand that is blocked");
   }
   return {};
 }

@@ -32,6 +32,10 @@ class LegendMaker {
     addPlan();
     addTroubles();
     if (isDrawn(SceneLayer::Sweep)) add(LegendItem::Sweep, LegendMark::Fill, palette_.contact);
+    if (!impl_.reach.parts.empty()) {
+      const bool isFree = impl_.reach.isFree;
+      add(isFree ? LegendItem::Reach : LegendItem::ReachBlocked, LegendMark::Fill, reachColour(isFree, palette_));
+    }
     if (hasSelection()) add(LegendItem::Selected, LegendMark::Fill, palette_.path);
     return std::move(rows_);
   }

@@ -48,7 +48,9 @@ enum class LegendItem {
   RefusedEnd,
   Selected,
   MovingPart,
-  WayOfPart
+  WayOfPart,
+  Reach,
+  ReachBlocked
 };
 
 /// How the thing is drawn in the scene.

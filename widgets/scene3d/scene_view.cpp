@@ -76,6 +76,7 @@ void SceneView::rearrange(std::shared_ptr<const LoadedScenario> scenario) {
   impl_->help = {};
   impl_->refusal.reset();
   impl_->measure = {};
+  impl_->reach = {};
   impl_->inHand.clear();
   impl_->sequence = {};
   impl_->motionLayers->setNodeMask(~0U);
@@ -251,6 +252,12 @@ void SceneView::setSweep(std::shared_ptr<const SweptVolume> sweep) {
   const std::lock_guard lock(*impl_->graphMutex);
   impl_->sweep = std::move(sweep);
   impl_->showOverlays();
+}
+
+void SceneView::setReach(ReachPicture reach) {
+  const std::lock_guard lock(*impl_->graphMutex);
+  impl_->reach = std::move(reach);
+  impl_->showReach();
 }
 
 void SceneView::setMeasure(MeasurePicture measure) {

@@ -78,9 +78,10 @@ enum class SceneLayer {
   Refusal,
   Measure,
   Grid,
-  Help
+  Help,
+  Reach
 };
-inline constexpr int kSceneLayerCount = 25;
+inline constexpr int kSceneLayerCount = 26;
 
 struct EnvironmentPicture;
 
@@ -130,6 +131,17 @@ struct SequenceBody {
 struct SequencePicture {
   std::vector<SequenceBody> bodies;  ///< the obstacles in their order, then the object; empty: no plan is shown
   std::vector<Vector3> way;          ///< of the body that moves: points in the world
+};
+
+/// A hand with its forearm and its tool where they hold something.
+struct ReachPicture {
+  struct Part {
+    MeshPtr mesh;
+    Pose X_WM;
+    bool isTool = false;
+  };
+  std::vector<Part> parts;  ///< empty: nothing is shown
+  bool isFree = true;       ///< it gets there
 };
 
 /// The 3D picture of one scenario and its session: an OSG scene graph and a camera. No Qt; used on
@@ -214,6 +226,8 @@ class SceneView {
   void setRoadmapKept(bool kept);
   /// Colours the path by its clearance, from tight to wide; null: one colour.
   void setPathProfile(std::shared_ptr<const ClearanceProfile> profile);
+  /// A person's hand at what moves. None when a scenario is opened.
+  void setReach(ReachPicture reach);
   /// Where the object is drawn along the path.
   void setGhosts(const PathSpacing& spacing);
   /// The spacing of the grid is a round number of this unit, metres.

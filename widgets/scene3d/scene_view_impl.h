@@ -24,6 +24,7 @@
 #include "widgets/scene3d/measure_layer.h"
 #include "widgets/scene3d/osg_convert.h"
 #include "widgets/scene3d/path_layer.h"
+#include "widgets/scene3d/reach_layer.h"
 #include "widgets/scene3d/refusal_layer.h"
 #include "widgets/scene3d/roadmap_layer.h"
 #include "widgets/scene3d/scene_view.h"
@@ -72,6 +73,7 @@ struct SceneView::Impl {
   std::vector<KeptPathPicture> keptPaths;
   MeasurePicture measure;
   std::shared_ptr<const SweptVolume> sweep;
+  ReachPicture reach;
   BodyShapes shapes;
   DisplayMode mode = DisplayMode::ShadedWithEdges;
   std::vector<DisplayMode> drawnModes;          ///< of the obstacles, as they are drawn
@@ -329,6 +331,12 @@ struct SceneView::Impl {
     fill(SceneLayer::KeptPaths, makeKeptPaths(keptPaths, palette));
     fill(SceneLayer::Measure, makeMeasure(measure, palette));
     fill(SceneLayer::Sweep, sweep ? makeSweep(sweep->surface_W, palette) : nullptr);
+    showReach();
+  }
+
+  void showReach() {
+    fill(SceneLayer::Reach, makeReach(reach, shapes, palette));
+    if (!reach.parts.empty()) camera.enclose(extent());
   }
 
   void makePalette() {
@@ -468,8 +476,8 @@ struct SceneView::Impl {
 
   Box3 extent() const {
     if (!scenario) return Box3();
-    if (!sequence.bodies.empty()) return extentOfSequence();
-    Box3 box;
+    Box3 box = boxOfReach(reach);
+    if (!sequence.bodies.empty()) return box.merged(extentOfSequence());
     for (const RigidBody& body : scenario->obstacles) box.extend(boundingBox(*body.mesh, body.X_WB));
     box.extend(boundingBox(*scenario->object.mesh, scenario->problem.start));
     if (const Pose* goal = std::get_if<Pose>(&scenario->problem.goal)) {

@@ -203,6 +203,17 @@ TEST(PlanReport, HasAPageForEachStepInTheOrderOfAssembly) {
 }
 
 /// No English sentence is left in the French one.
+TEST(PlanReport, SaysWhetherAHandGetsThereWhereThatWasAsked) {
+  const AssemblyPlan plan = somePlan();
+  const AssembledProduct product = test::lockedDrawer();
+  PlanReportContent content{plan, product, "drawer"};
+  const auto page = [&] { return *reportHtml(planReport(content, wordsIn(Language::English))); };
+  EXPECT_EQ(page().find("Access of a hand"), std::string::npos);
+  content.access = {"the cap is reached", "the pin is not"};
+  EXPECT_NE(page().find("Access of a hand, sampled"), std::string::npos);
+  EXPECT_LT(page().find("the pin is not"), page().find("the cap is reached")) << "in the order of assembly";
+}
+
 TEST(PlanReport, IsWhollyInFrench) {
   const AssembledProduct product = test::lockedDrawer();
   const AssemblyPlan plan = somePlan();

@@ -138,6 +138,23 @@ TEST_F(HeadsetLossesTest, WindowRunAndPlanGoOnWhileTheHeadsetIsLostAgainAndAgain
   EXPECT_TRUE(headset().isChecked());
 }
 
+/// GLISSADE_HEADSET_SCENARIO measures another scenario.
+TEST_F(HeadsetWindowTest, APictureSaysWhatItCosts) {
+  if (const char* file = std::getenv("GLISSADE_HEADSET_SCENARIO")) {
+    ASSERT_EQ(window_->openScenario(QString::fromLocal8Bit(file), true), std::nullopt);
+  }
+  headset().trigger();
+  ASSERT_TRUE(isRunning());
+  const auto figures = [this] { return bench().scene.headset()->figures(); };
+  ASSERT_TRUE(until([&] { return figures().drawSeconds > 0.0; }, 120'000));
+  const HeadsetFigures eye = figures();
+  std::printf("an eye: %d draw calls, %lld triangles, detail %d, %.2f ms to choose, %.2f ms in OpenGL\n", eye.drawCalls,
+              static_cast<long long>(eye.triangles), eye.detailStep, 1e3 * eye.cullSeconds, 1e3 * eye.drawSeconds);
+  EXPECT_GT(eye.drawCalls, 0);
+  EXPECT_GT(eye.triangles, 0);
+  EXPECT_GT(eye.cullSeconds, 0.0);
+}
+
 class HeadsetBeforeWindowTest : public test::WindowWithHeadset {
  protected:
   HeadsetBeforeWindowTest() : WindowWithHeadset("environment-1/scenario.json", test::Shown::Later) {}

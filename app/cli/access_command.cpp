@@ -1,0 +1,163 @@
+#include "app/cli/access_command.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/interrupt.h"
+#include "engine/access/plan_access.h"
+#include "engine/scenario/path_reader.h"
+#include "engine/scenario/plan_file.h"
+#include "engine/scenario/product_file.h"
+#include "engine/scenario/scenario_io.h"
+#include "engine/study/plan_words.h"
+
+namespace glissade::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kSampled =
+    "hand, forearm and tool were sampled along each motion: this is no proof of what lies between the samples, and "
+    "the rest of the body is not considered";
+
+/// Bodies are named by the index that answers have.
+Json toJson(const MotionAccess& motion, const std::vector<RigidBody>& bodies) {
+  const auto name = [&bodies](const std::optional<std::size_t>& body) {
+    return body ? Json(bodies[*body].id) : Json(nullptr);
+  };
+  Json json{{"hand", handAccessName(motion.hand.access)}, {"tool", toolName(motion.tool)}};
+  if (motion.hand.access == HandAccess::Free || motion.hand.access == HandAccess::Blocked) {
+    json["hand_pose"] = poseJson(motion.hand.hold.X_WH);
+    json["blocked_at_share"] = motion.hand.access == HandAccess::Free ? Json(nullptr) : Json(motion.hand.share);
+    json["blocked_by"] = name(motion.hand.blockedBy);
+  }
+  json["holds_tried"] = motion.hand.tried;
+  json["sight"] = {{"seen", motion.sight.isSeen()},
+                   {"share", motion.sight.share},
+                   {"eye_m", vectorJson(motion.sight.eye)},
+                   {"hidden_by", name(motion.sight.blockedBy)}};
+  return json;
+}
+
+std::string percent(double share) { return std::to_string(static_cast<int>(std::floor(100.0 * share))) + " %"; }
+
+std::string handInWords(const HandAnswer& hand, const std::vector<RigidBody>& bodies) {
+  const std::string by = hand.blockedBy ? " by '" + bodies[*hand.blockedBy].shown() + "'" : "";
+  switch (hand.access) {
+    case HandAccess::Free: return "the hand gets there";
+    case HandAccess::Blocked:
+      return "the hand is blocked" + by + ", " + percent(hand.share) + " of the way from the place";
+    case HandAccess::NoGrip: return "no place of it fits into one hand";
+    case HandAccess::NotAsked: break;
+  }
+  return "not asked";
+}
+
+std::string sightInWords(const SightAnswer& sight, const std::vector<RigidBody>& bodies) {
+  std::string text = percent(sight.share) + " of the place is seen";
+  if (!sight.isSeen() && sight.blockedBy) text += ", hidden by '" + bodies[*sight.blockedBy].shown() + "'";
+  return text;
+}
+
+std::string inWords(const MotionAccess& motion, const std::vector<RigidBody>& bodies) {
+  std::string text = handInWords(motion.hand, bodies);
+  if (motion.tool != ToolKind::None) text += " with the tool (" + std::string(toolName(motion.tool)) + ")";
+  return text + "; " + sightInWords(motion.sight, bodies);
+}
+
+Json header(const AccessOptions& options) {
+  return {{"file", options.file}, {"hand", handSizeName(options.hand)}, {"sampled", true}};
+}
+
+Person personOf(const AccessOptions& options) {
+  Person person{options.hand, std::nullopt};
+  if (!options.eye.empty()) person.eye = Vector3(options.eye[0], options.eye[1], options.eye[2]);
+  return person;
+}
+
+int accessExitCode(bool reached) { return reached ? 0 : exitCode(ErrorKind::NoPath); }
+
+int accessOfPath(const AccessOptions& options, const StopToken& stop) {
+  const auto loaded = loadScenario(options.file);
+  if (!loaded) return reportError(loaded.error(), options.format);
+  reportWarnings(loaded->warnings);
+  const auto points = readPath(options.path);
+  if (!points) return reportError(points.error(), options.format);
+  const auto access = pathAccess(loaded->obstacles, loaded->object, configurationsOf(*points), personOf(options), stop);
+  if (!access) return reportError(access.error(), options.format);
+  std::vector<RigidBody> bodies = loaded->obstacles;
+  bodies.push_back(loaded->object);
+  if (options.format == Format::Json) {
+    Json json = header(options);
+    json["path"] = options.path;
+    json["place"] = access->beginsAtEnd ? "end" : "start";
+    json.update(toJson(access->motion, bodies));
+    json["hand"] = handSizeName(options.hand);
+    json["access"] = handAccessName(access->motion.hand.access);
+    printJson(json);
+  } else {
+    std::cout << inWords(access->motion, bodies) << "\n" << kSampled << "\n";
+  }
+  return accessExitCode(access->motion.isReached() && access->motion.sight.isSeen());
+}
+
+void printPlanAccess(const PlanAccess& access, const AssemblyPlan& plan, const AssembledProduct& product) {
+  for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+    std::cout << std::setw(4) << plan.steps.size() - i << "  " << nameOfStep(plan.steps[i], product) << ": "
+              << inWords(access.steps[i], product.bodies) << "\n";
+  }
+  std::cout << access.reached() << " of " << plan.steps.size() << " steps are reached and seen by the hand "
+            << handSizeName(access.person.size) << "\n"
+            << kSampled << "\n";
+}
+
+int accessOfPlan(const AccessOptions& options, const StopToken& stop) {
+  const auto plan = readPlan(options.plan);
+  if (!plan) return reportError(plan.error(), options.format);
+  const auto loaded = loadProduct(options.file, stop, plan->deflection);
+  if (!loaded) return reportError(loaded.error(), options.format);
+  reportWarnings(loaded->warnings);
+  const AssembledProduct& product = loaded->product;
+  std::vector<std::string> ids;
+  for (const RigidBody& body : product.bodies) ids.push_back(body.id);
+  if (const Outcome same = checkSameBodies(*plan, ids, options.plan); !same) {
+    return reportError(same.error(), options.format);
+  }
+  const auto access = planAccess(product, *plan, personOf(options), stop);
+  if (!access) return reportError(access.error(), options.format);
+  if (options.format == Format::Json) {
+    Json json = header(options);
+    json["plan"] = options.plan;
+    json["steps"] = Json::array();
+    for (std::size_t i = 0; i < plan->steps.size(); ++i) {
+      json["steps"].push_back({{"bodies", plan->steps[i].bodies()}});
+      json["steps"].back().update(toJson(access->steps[i], product.bodies));
+    }
+    json["reached"] = access->reached();
+    printJson(json);
+  } else {
+    printPlanAccess(*access, *plan, product);
+  }
+  return accessExitCode(access->reached() == plan->steps.size());
+}
+
+}  // namespace
+
+int runAccess(const AccessOptions& options) {
+  if (options.path.empty() == options.plan.empty()) {
+    return reportError({ErrorKind::Usage, options.file, "--path, --plan", "one of them is needed, and not both",
+                        "Give a path of the scenario's object, or an assembly plan."},
+                       options.format);
+  }
+  if (!std::all_of(options.eye.begin(), options.eye.end(), [](double x) { return std::isfinite(x); })) {
+    return reportError({ErrorKind::Usage, "", "--eye", "is not a place", "Give three numbers in metres."},
+                       options.format);
+  }
+  const Interrupt interrupt;
+  return options.path.empty() ? accessOfPlan(options, interrupt.token()) : accessOfPath(options, interrupt.token());
+}
+
+}  // namespace glissade::cli
