@@ -52,10 +52,11 @@ struct AccessChecker::Grip {
 AccessChecker::AccessChecker(const std::vector<RigidBody>& bodies, const Person& person)
     : person_(person), bodies_(bodies), search_(bodies_, person.size), sight_(bodies) {}
 
-/// The tool stays on the head, and its handle is swung before the motion begins.
+/// The tool stays on the head, and its handle is swung before the motion begins. At a bolt whose nut is held it swings
+/// only: the bolt stays.
 std::optional<AccessChecker::Grip> AccessChecker::toolGripOf(const ReachedMotion& motion, const Vector3& leaving) {
   if (motion.tool == ToolKind::None) return std::nullopt;
-  const RigidBody& fastener = bodies_.bodies()[motion.bodies.front()];
+  const RigidBody& fastener = bodies_.bodies()[motion.bolt.value_or(motion.bodies.front())];
   const auto head = headOf(*fastener.mesh);
   if (!head) return std::nullopt;
   const Pose X_WT = toolFrame(*head, fastener.X_WB, leaving, 0.0);
@@ -64,6 +65,7 @@ std::optional<AccessChecker::Grip> AccessChecker::toolGripOf(const ReachedMotion
   grip.follow = HandFollow::point(X_WT.position);
   grip.question.holds = toolHolds(motion.tool, *head, X_WT, search_.shapes());
   for (const double share : {0.5, 1.0}) grip.question.samples.push_back({turnedAbout(X_WT, share * kSwing), 0.0});
+  if (motion.bolt) return grip;
   const std::vector<HandSample> way = samplesOf(motion.moved, grip.follow, X_WT.position);
   grip.question.samples.insert(grip.question.samples.end(), way.begin(), way.end());
   return grip;

@@ -23,6 +23,8 @@ struct ReachedMotion {
   std::vector<std::size_t> others;  ///< that are there meanwhile
   std::vector<Pose> moved;          ///< each body stands at moved * X_WB; the first one is the identity
   ToolKind tool = ToolKind::None;   ///< that turns the first body
+  /// What the tool turns while the first body is held: the bolt of a nut, which stays; none of the others.
+  std::optional<std::size_t> bolt{};
 };
 
 /// Whether a person gets to a motion with their hand, and sees where it begins. It is sampled: no proof.

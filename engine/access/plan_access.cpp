@@ -14,8 +14,11 @@ Diagnostic interrupted() {
   return {ErrorKind::Interrupted, "", "", "the access of the hand was not checked to its end", "Start it again."};
 }
 
-ReachedMotion motionOf(const AssemblyStep& step, std::vector<std::size_t> bodies, const BodySet& there) {
-  ReachedMotion motion{std::move(bodies), bodiesIn(there), {}, step.tool.kind};
+ReachedMotion motionOf(const AssemblyStep& step, const AssembledProduct& product, std::vector<std::size_t> bodies,
+                       const BodySet& there) {
+  ReachedMotion motion{std::move(bodies), bodiesIn(there), {}, step.tool.kind, {}};
+  if (!step.tool.turned.empty()) motion.bolt = product.indexOf(step.tool.turned);
+  if (motion.bolt) std::erase(motion.others, *motion.bolt);
   const Pose back = step.path.empty() ? Pose::identity() : inverse(step.path.front().q);
   for (const PathPoint& point : step.path) motion.moved.push_back(point.q * back);
   if (motion.moved.empty()) motion.moved.push_back(Pose::identity());
@@ -48,7 +51,7 @@ Result<PlanAccess> planAccess(const AssembledProduct& product, const AssemblyPla
   for (const AssemblyStep& step : plan.steps) {
     std::vector<std::size_t> bodies = bodiesOf(step, product);
     there = without(std::move(there), bodies);
-    MotionAccess found = checker.of(motionOf(step, std::move(bodies), there), watch.stop);
+    MotionAccess found = checker.of(motionOf(step, product, std::move(bodies), there), watch.stop);
     if (watch.stop.stopRequested()) return interrupted();
     noteTool(step.tool, product, found.hand);
     access.steps.push_back(std::move(found));
