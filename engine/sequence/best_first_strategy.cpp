@@ -21,6 +21,8 @@ constexpr double kUpright = 0.7;
 /// Where it is asked what stands, a linear program for each step of each state may be solved.
 constexpr std::size_t kExpansionsWithStanding = 200;
 constexpr std::size_t kMostOrderExpansions = 2000;
+/// Half of a change of direction: an order that is only a little shorter on its way is not worth another one.
+constexpr double kLeastGain = 0.5;
 /// Of these numbers for products of so many bodies.
 constexpr double kSmallProduct = 30.0;
 
@@ -104,6 +106,7 @@ class Reordering {
     if (!question_.rules.placed.empty()) {
       for (const BodyGroup& group : groups_) question.fixed.push_back(question_.rules.placeOf(group) != 0);
     }
+    question.leastGain = kLeastGain;
     question.mostExpansions = expansionsFor(question_.product.bodies.size(), question_.standing != nullptr);
     return cheapestOrder(question, stop_);
   }

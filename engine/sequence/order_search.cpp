@@ -189,8 +189,9 @@ class RunMover {
     const std::size_t end = std::min(std::max(from, to) + length + 1, order_.size());
     if (!isAllowed(moved, first, end)) return false;
     const double before = costBetween(order_, first, end, question_.cost);
-    if (question_.atLeast && costBetween(moved, first, end, question_.atLeast) >= before - kLeastGain) return false;
-    if (costBetween(moved, first, end, question_.cost) >= before - kLeastGain) return false;
+    if (question_.atLeast && costBetween(moved, first, end, question_.atLeast) >= before - question_.leastGain)
+      return false;
+    if (costBetween(moved, first, end, question_.cost) >= before - question_.leastGain) return false;
     order_ = std::move(moved);
     return true;
   }
@@ -224,7 +225,6 @@ class RunMover {
 
   static constexpr std::size_t kMostMoved = 12;
   static constexpr std::size_t kMostAsked = 100000;
-  static constexpr double kLeastGain = 1e-9;
 
   const OrderQuestion& question_;
   const StopToken& stop_;

@@ -17,6 +17,7 @@ struct OrderQuestion {
   /// is always asked.
   std::function<double(std::size_t step, const std::size_t* last, const std::vector<bool>& done)> atLeast{};
   std::size_t mostExpansions = 2000;
+  double leastGain = 1e-9;  ///< by which an order with a run of steps at another place has to cost less
   /// Steps that keep their index in the order; empty: none. Where some do, `after` has to allow for the order 0, 1, ...
   std::vector<bool> fixed{};
 };
