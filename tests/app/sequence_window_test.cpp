@@ -115,7 +115,7 @@ TEST_F(SequenceWindow, APersonMovesLocksAndForbidsStepsAndTakesItBack) {
       QStringLiteral(
           "plan-sequence all\nmove-step 7 2\nexpect-row 2 bar\nexpect-row 2 placed\nexpect-sequence steps 10\n"
           "show-step 8\naction sequence.lock\nexpect-row 8 locked\naction sequence.step-down\n"
-          "expect-row 9 screw_1\nexpect-sequence steps 10\nexport-sequence %1\naction edit.undo\n"
+          "expect-row 9 cap_left\nexpect-sequence steps 10\nexport-sequence %1\naction edit.undo\n"
           "expect-row 8 locked\naction edit.undo\naction edit.undo\nexpect-row 7 bar\n"
           "expect-sequence end complete\naction edit.redo\nexpect-row 2 bar\naction edit.undo\n"
           // What cannot be proved at its place is stuck: its screws hold the cap.
