@@ -6650,6 +6650,14 @@
         <source>the access of the hand was not checked to its end</source>
         <translation>la vérification de l&apos;accès de la main n&apos;est pas terminée</translation>
     </message>
+    <message>
+        <source>a shaft of %1 is %2 thicker than the hole around it, as a thread is</source>
+        <translation>un axe de %1, plus gros de %2 que le trou qui l&apos;entoure, comme un filetage</translation>
+    </message>
+    <message>
+        <source>neither body is a screw or a nut by its shape</source>
+        <translation>aucun des deux corps n&apos;a la forme d&apos;une vis ou d&apos;un écrou</translation>
+    </message>
 </context>
 <context>
     <name>FilmWriter</name>
