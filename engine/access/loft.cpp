@@ -56,7 +56,7 @@ TriangleMesh loft(const std::vector<LoftRing>& rings) {
 TriangleMesh taperedLimb(const Vector3& from, double fromRadius, const Vector3& to, double toRadius) {
   const double length = (to - from).norm();
   const Vector3 way = (to - from) / length;
-  const auto [a, b] = across(way);
+  const auto sides = across(way);
   // The hull touches the balls where its side is at right angles to their radius.
   const double tilt = std::asin(std::clamp((fromRadius - toRadius) / length, -1.0, 1.0));
   const double quarter = 0.5 * std::numbers::pi;
@@ -64,7 +64,7 @@ TriangleMesh taperedLimb(const Vector3& from, double fromRadius, const Vector3& 
   std::vector<LoftRing> rings;
   const auto add = [&](const Vector3& middle, double radius, double latitude) {
     const double r = radius * std::cos(latitude);
-    rings.push_back({middle + radius * std::sin(latitude) * way, r * a, r * b});
+    rings.push_back({middle + radius * std::sin(latitude) * way, r * sides.first, r * sides.second});
   };
   for (int i = 0; i <= kCapRings; ++i) add(from, fromRadius, -quarter + kTip + (quarter - kTip + tilt) * i / kCapRings);
   for (int i = 0; i <= kCapRings; ++i) add(to, toRadius, tilt + (quarter - kTip - tilt) * i / kCapRings);
