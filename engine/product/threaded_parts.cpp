@@ -2,24 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 
 #include "engine/base/quantity_text.h"
+#include "engine/product/contact_report.h"
 #include "engine/product/thread_pitch.h"
 
 namespace glissade {
 namespace {
 
-/// Overlaps above are clashes, as in ContactLimits: metres, share of the shaft's diameter.
-constexpr double kMostDepth = 1e-3;
-constexpr double kMostDepthShare = 0.2;
 /// Axes are one within this share of the shaft's radius.
 constexpr double kOneAxisShare = 0.02;
 /// The thread is engaged by so much at least, by the shaft's radius.
 constexpr double kLeastThreadLength = 0.15;
 /// Share of the directions in which both bodies have to fill what is between hole and shaft.
 constexpr double kLeastFilled = 0.5;
-/// What is wider than a hole by less passes it, as a share.
+/// What is wider than the shaft, or narrower than the hole, by less than this share passes.
 constexpr double kPasses = 0.01;
 /// How far about the axis is looked for what does not pass, by the shaft's radius.
 constexpr double kLookedAbout = 3.0;
@@ -55,7 +54,7 @@ struct DrawnThread {
 class ThreadedPartFinder {
  public:
   ThreadedPartFinder(const ProductShapes& shapes, const Joints& known, const StopToken& stop)
-      : shapes_(shapes), stop_(stop) {
+      : shapes_(shapes), stop_(stop), cylinders_(shapes.size()) {
     for (const Joint& joint : known) {
       std::vector<std::size_t> bodies{joint.body};
       bodies.insert(bodies.end(), joint.others.begin(), joint.others.end());
@@ -65,7 +64,7 @@ class ThreadedPartFinder {
     }
   }
 
-  Joints find() const {
+  Joints find() {
     Joints joints;
     for (std::size_t a = 0; a < shapes_.size(); ++a) {
       for (std::size_t b = a + 1; b < shapes_.size() && !stop_.stopRequested(); ++b) {
@@ -81,9 +80,15 @@ class ThreadedPartFinder {
   }
 
  private:
-  void takeLonger(std::size_t shaftBody, std::size_t holeBody, std::optional<DrawnThread>& best) const {
-    const std::vector<CylinderRegion> holes = shapes_.cylindersOf(holeBody);
-    for (const CylinderRegion& shaft : shapes_.cylindersOf(shaftBody)) {
+  /// In the world, each body looked at once.
+  const std::vector<CylinderRegion>& cylindersOf(std::size_t body) {
+    if (!cylinders_[body]) cylinders_[body] = shapes_.cylindersOf(body);
+    return *cylinders_[body];
+  }
+
+  void takeLonger(std::size_t shaftBody, std::size_t holeBody, std::optional<DrawnThread>& best) {
+    const std::vector<CylinderRegion>& holes = cylindersOf(holeBody);
+    for (const CylinderRegion& shaft : cylindersOf(shaftBody)) {
       if (!shaft.shaft) continue;
       for (const CylinderRegion& hole : holes) {
         if (hole.shaft) continue;
@@ -96,7 +101,8 @@ class ThreadedPartFinder {
   std::optional<DrawnThread> threadOf(std::size_t shaftBody, const CylinderRegion& shaft, std::size_t holeBody,
                                       const CylinderRegion& hole) const {
     const double depth = shaft.radius - hole.radius;
-    const bool isClash = depth > kMostDepth || depth > kMostDepthShare * 2.0 * shaft.radius;
+    const ContactLimits limits;
+    const bool isClash = depth > limits.clashOverlap || depth > limits.clashThickness * 2.0 * shaft.radius;
     if (isClash || !isThreadDepth(shaft.radius, depth)) return std::nullopt;
     const AxisLine axis{shaft.point, shaft.direction};
     if (!isSameAxis(axis, {hole.point, hole.direction}, kOneAxisShare * shaft.radius)) return std::nullopt;
@@ -150,22 +156,20 @@ class ThreadedPartFinder {
   /// Whether the shaft leaves in the direction of the axis; against it, where something does not let it pass, or where
   /// it is free sooner.
   bool leavesUp(const DrawnThread& thread) const {
-    const bool up = passes(thread, true);
-    const bool down = passes(thread, false);
+    const Span shaft = extentOf(thread.shaftBody, thread.axis);
+    const Span hole = extentOf(thread.holeBody, thread.axis);
+    const bool up = passes(thread, {shaft.low, thread.ofShaft.low}, {thread.ofHole.high, hole.high});
+    const bool down = passes(thread, {thread.ofShaft.high, shaft.high}, {hole.low, thread.ofHole.low});
     if (up != down) return up;
     return thread.ofHole.high - thread.ofShaft.low <= thread.ofShaft.high - thread.ofHole.low;
   }
 
-  /// Behind the shaft nothing of its body is wider than the hole; before the hole nothing of the other is narrower than
-  /// the shaft.
-  bool passes(const DrawnThread& thread, bool up) const {
-    const Span behind = up ? Span{lowest(thread.shaftBody, thread.axis), thread.ofShaft.low}
-                           : Span{thread.ofShaft.high, highest(thread.shaftBody, thread.axis)};
+  /// Behind the shaft nothing of its body is wider than the shaft; before the hole nothing of the other body is
+  /// narrower than the hole.
+  bool passes(const DrawnThread& thread, const Span& behind, const Span& before) const {
     for (const AxialSlab& slab : slabsOf(thread.shaftBody, thread, behind)) {
       if (slab.outerMost() > (1.0 + kPasses) * thread.shaft) return false;
     }
-    const Span before = up ? Span{thread.ofHole.high, highest(thread.holeBody, thread.axis)}
-                           : Span{lowest(thread.holeBody, thread.axis), thread.ofHole.low};
     for (const AxialSlab& slab : slabsOf(thread.holeBody, thread, before)) {
       if (slab.isSolid || slab.nearestAt(0.0) < (1.0 - kPasses) * thread.hole) return false;
     }
@@ -177,9 +181,6 @@ class ThreadedPartFinder {
     const AxisLine seen = shapes_.seenFrom(body, thread.axis);
     return shapes_.axial(body).slabsAbout(seen, {span.low, span.high, kLookedAbout * thread.shaft});
   }
-
-  double lowest(std::size_t body, const AxisLine& axis) const { return extentOf(body, axis).low; }
-  double highest(std::size_t body, const AxisLine& axis) const { return extentOf(body, axis).high; }
 
   Span extentOf(std::size_t body, const AxisLine& axis) const {
     const AxisLine seen = shapes_.seenFrom(body, axis);
@@ -194,6 +195,7 @@ class ThreadedPartFinder {
 
   const ProductShapes& shapes_;
   const StopToken& stop_;
+  std::vector<std::optional<std::vector<CylinderRegion>>> cylinders_;  ///< of each body, where it was asked
   std::set<std::pair<std::size_t, std::size_t>> joined_;
 };
 
