@@ -101,7 +101,7 @@ int accessOfPath(const AccessOptions& options, const StopToken& stop) {
   } else {
     std::cout << inWords(access->motion, bodies) << "\n" << kSampled << "\n";
   }
-  return accessExitCode(access->motion.isReached() && access->motion.sight.isSeen());
+  return accessExitCode(access->motion.isReachedAndSeen());
 }
 
 void printPlanAccess(const PlanAccess& access, const AssemblyPlan& plan, const AssembledProduct& product) {

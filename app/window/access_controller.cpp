@@ -26,8 +26,6 @@ ReachPicture pictureOf(const MotionAccess& motion, const Pose& moved, const Mesh
   return picture;
 }
 
-bool isReachedAndSeen(const MotionAccess& motion) { return motion.isReached() && motion.sight.isSeen(); }
-
 }  // namespace
 
 AccessController::AccessController(const Workbench& bench, SequenceController& sequence, PathPanel& pathPanel)
@@ -158,7 +156,7 @@ void AccessController::showNextUnreached() {
   std::size_t step = panel.chosenStep().value_or(forwards ? count - 1 : 0);
   for (std::size_t i = 0; i < count; ++i) {
     step = (step + (forwards ? 1 : count - 1)) % count;
-    if (isReachedAndSeen(steps[step])) continue;
+    if (steps[step].isReachedAndSeen()) continue;
     panel.chooseStep(step);
     panel.showTime(static_cast<double>(step) + std::min(0.99, steps[step].hand.share));
     bench_.messages.showStatus(accessText(steps[step], sequence_.shown().product->bodies));

@@ -19,12 +19,25 @@ double wayBetween(const Pose& from, const Pose& to, const Vector3& middle_W) {
 
 HandFollow HandFollow::point(const Vector3& p_W) {
   HandFollow follow;
-  follow.turns_ = false;
+  follow.kind_ = Kind::Point;
   follow.p_W_ = p_W;
   return follow;
 }
 
-Pose HandFollow::movedWith(const Pose& moved) const { return turns_ ? moved : Pose::translation(moved * p_W_ - p_W_); }
+HandFollow HandFollow::still() {
+  HandFollow follow;
+  follow.kind_ = Kind::Still;
+  return follow;
+}
+
+Pose HandFollow::movedWith(const Pose& moved) const {
+  switch (kind_) {
+    case Kind::Rigidly: return moved;
+    case Kind::Point: return Pose::translation(moved * p_W_ - p_W_);
+    case Kind::Still: break;
+  }
+  return Pose::identity();
+}
 
 HandFollow followOf(const std::vector<Pose>& moved, const Vector3& middle_W) {
   double turned = 0.0;

@@ -19,12 +19,15 @@ class HandFollow {
   static HandFollow rigidly() { return HandFollow(); }
   /// Without its turns, as fingers that grip again and again: what is at this point stays in the hand.
   static HandFollow point(const Vector3& p_W);
+  /// Not at all: it turns a bolt that stays.
+  static HandFollow still();
 
   /// Where the hand has moved to when the body has moved so.
   Pose movedWith(const Pose& moved) const;
 
  private:
-  bool turns_ = true;
+  enum class Kind { Rigidly, Point, Still };
+  Kind kind_ = Kind::Rigidly;
   Vector3 p_W_ = Vector3::Zero();
 };
 

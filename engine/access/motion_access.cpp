@@ -62,10 +62,9 @@ std::optional<AccessChecker::Grip> AccessChecker::toolGripOf(const ReachedMotion
   const Pose X_WT = toolFrame(*head, fastener.X_WB, leaving, 0.0);
   Grip grip;
   grip.tool = motion.tool;
-  grip.follow = HandFollow::point(X_WT.position);
+  grip.follow = motion.bolt ? HandFollow::still() : HandFollow::point(X_WT.position);
   grip.question.holds = toolHolds(motion.tool, *head, X_WT, search_.shapes());
   for (const double share : {0.5, 1.0}) grip.question.samples.push_back({turnedAbout(X_WT, share * kSwing), 0.0});
-  if (motion.bolt) return grip;
   const std::vector<HandSample> way = samplesOf(motion.moved, grip.follow, X_WT.position);
   grip.question.samples.insert(grip.question.samples.end(), way.begin(), way.end());
   return grip;

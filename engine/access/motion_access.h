@@ -36,6 +36,7 @@ struct MotionAccess {
   std::vector<HandSample> samples{};  ///< that were asked, in their order
 
   bool isReached() const { return hand.access == HandAccess::Free; }
+  bool isReachedAndSeen() const { return isReached() && sight.isSeen(); }
   bool hasHold() const { return hand.access == HandAccess::Free || hand.access == HandAccess::Blocked; }
 };
 

@@ -39,8 +39,8 @@ double clearanceAt(CollisionQuery& query, const Pose& X_WB) { return query.neare
 }  // namespace
 
 std::size_t PlanAccess::reached() const {
-  return static_cast<std::size_t>(std::count_if(
-      steps.begin(), steps.end(), [](const MotionAccess& step) { return step.isReached() && step.sight.isSeen(); }));
+  return static_cast<std::size_t>(
+      std::count_if(steps.begin(), steps.end(), [](const MotionAccess& step) { return step.isReachedAndSeen(); }));
 }
 
 Result<PlanAccess> planAccess(const AssembledProduct& product, const AssemblyPlan& plan, const Person& person,

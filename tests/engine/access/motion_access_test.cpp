@@ -207,6 +207,9 @@ TEST(HandWay, FingersThatGripAgainDoNotTurnWithAScrew) {
   const std::vector<Pose> quarter{turns[0], turns[3]};
   EXPECT_GT(angleBetween(followOf(quarter, Vector3::Zero()).movedWith(turns[3]).orientation, Quaternion::Identity()),
             1.0);
+  const auto still = samplesOf(turns, HandFollow::still(), Vector3::Zero());
+  ASSERT_EQ(still.size(), 1U) << "the bolt stays where its nut is held, and so does the hand";
+  EXPECT_EQ(still[0].moved, Pose::identity());
 }
 
 }  // namespace
