@@ -206,6 +206,18 @@ const SnapWord* FitWords::snapOf(const std::string& a, const std::string& b) con
   return found == snaps.end() ? nullptr : &*found;
 }
 
+std::string FitWords::partingOf(const std::string& a, const std::string& b) const {
+  if (partings.anyPair) return "a person uses no joints";
+  const std::pair<std::string, std::string> pair = std::minmax(a, b);
+  if (std::find(partings.pairs.begin(), partings.pairs.end(), pair) != partings.pairs.end()) {
+    return "a person has dissolved their joint, or has it pressed out";
+  }
+  const PairWord* word = about(a, b);
+  if (word == nullptr || word->isThread()) return {};
+  if (!word->kind.empty()) return "a person calls the pair '" + word->kind + "'";
+  return word->accepted ? "a person accepts their clash" : "";
+}
+
 const PairWord* FitWords::about(const std::string& a, const std::string& b) const {
   const auto found = std::find_if(pairs.begin(), pairs.end(), [&](const PairWord& word) {
     return (word.a == a && word.b == b) || (word.a == b && word.b == a);

@@ -23,6 +23,7 @@ struct StatedAllowance {
   std::string body;        ///< id of the other one
   double allowance = 0.0;  ///< metres
   bool yields = false;     ///< the other one is taken thinner, not the moving one
+  bool isThread = false;   ///< the file calls the pair a thread
   std::optional<double> pitch{};
   std::optional<StatedThread> thread{};
   std::optional<StatedThread> core{};  ///< its thread, which is taken away: the pair comes apart by turning only

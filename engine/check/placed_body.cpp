@@ -28,6 +28,7 @@ PlacedBody::PlacedBody(const Body& body, const Pose& X_WB)
     largestDeflection = std::max(largestDeflection, deflections.back());
   }
   for (Vector3& normal : normals) normal *= volume < 0.0 ? -1.0 : 1.0;
+  rounds = roundFacesOf(*this);
 }
 
 }  // namespace glissade::check

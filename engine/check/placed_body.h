@@ -5,6 +5,7 @@
 
 #include "engine/check/body.h"
 #include "engine/check/face_regions.h"
+#include "engine/check/round_faces.h"
 #include "engine/geometry/solid_interior.h"
 #include "engine/geometry/triangle_tree.h"
 
@@ -27,6 +28,7 @@ struct PlacedBody {
   double spacing = 0.0;
   double radius = 0.0;        ///< about the frame of the mesh, metres
   double halfDiagonal = 0.0;  ///< of the box along the axes of the mesh, metres
+  std::vector<RoundFace> rounds{};
 
   bool contains(const Vector3& p) const { return interior && interior->contains(p); }
 };

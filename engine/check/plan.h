@@ -43,7 +43,8 @@ struct Plan {
   std::string end;  ///< "complete", "stuck", "time_limit" or "interrupted"
   Demands demands{};
   std::vector<SnapWord> snaps{};  ///< bends that a person has confirmed
-  double deflection = 0.0;        ///< metres; 0: not stated
+  PartingWords partings{};
+  double deflection = 0.0;  ///< metres; 0: not stated
   std::optional<std::uint64_t> parts{};
   std::optional<std::uint64_t> removed{};
   std::optional<bool> certified{};

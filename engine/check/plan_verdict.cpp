@@ -80,11 +80,14 @@ Demands ofLines(Demands demands) {
   return demands;
 }
 
-/// The product's file says bends before the plan does.
-Product withBends(Product product, const Plan& plan) {
+/// The product's file says of joints before the plan does.
+Product withWords(Product product, const Plan& plan) {
   for (const SnapWord& word : plan.snaps) {
     if (product.fits.snapOf(word.hook, word.edge) == nullptr) product.fits.snaps.push_back(word);
   }
+  PartingWords& partings = product.fits.partings;
+  partings.anyPair = partings.anyPair || plan.partings.anyPair;
+  partings.pairs.insert(partings.pairs.end(), plan.partings.pairs.begin(), plan.partings.pairs.end());
   return product;
 }
 
@@ -116,7 +119,7 @@ bool LineVerdict::valid() const {
 }
 
 PlanVerdict judgePlan(const Product& read, const Plan& plan, std::optional<double> required, const WorkWatch& watch) {
-  const Product product = withBends(read, plan);
+  const Product product = withWords(read, plan);
   PlanVerdict verdict;
   verdict.refusals = wrongClaims(product, plan);
   verdict.deviation = largestTwo(product);

@@ -19,6 +19,8 @@ struct StepVerdict {
   std::vector<AppliedAllowance> allowances{};
   std::vector<std::string> refusals{};  ///< of what it states, for people
   bool isFlexible = false;              ///< of a flexible body: nothing is said of its motion
+  /// Threads that it pulls although they are drawn as threads, and why it may, for people.
+  std::vector<std::string> pulls{};
 
   bool certified() const { return motion.verdict.status == Status::Certified; }
   bool valid() const { return (certified() || isFlexible) && endsOutside && againstDemand.empty() && refusals.empty(); }

@@ -34,16 +34,25 @@ struct SnapWord {
   bool operator==(const SnapWord&) const = default;
 };
 
+/// What a person says of threads and inserts that come apart without a turn.
+struct PartingWords {
+  bool anyPair = false;                                      ///< joints are not used
+  std::vector<std::pair<std::string, std::string>> pairs{};  ///< ids, the lesser first
+};
+
 struct FitWords {
   bool on = false;             ///< false: clearance is required of every pair
   double acceptedClash = 0.0;  ///< metres: clashes up to this overlap are accepted
   std::vector<PairWord> pairs{};
   std::vector<SnapWord> snaps{};
+  PartingWords partings{};
 
   /// In either order; null: nothing is said.
   const PairWord* about(const std::string& a, const std::string& b) const;
   /// In either order; null: the pair is no snap.
   const SnapWord* snapOf(const std::string& a, const std::string& b) const;
+  /// What a person says for which the pair may come apart without a turn, for people; empty: nothing.
+  std::string partingOf(const std::string& a, const std::string& b) const;
 };
 
 /// Where a person forbids the object's reference point to be, world frame.

@@ -81,6 +81,7 @@ Plan planIn(const JsonCursor& at) {
   if (const auto demands = at.find("sequence")) {
     plan.demands = readDemands(*demands);
     if (const auto joints = demands->find("joints")) plan.snaps = readSnaps(*joints);
+    plan.partings = readPartingsOfSequence(*demands, {});
   }
   if (const auto deflection = at.find("deflection_m")) plan.deflection = deflection->number();
   if (plan.deflection != 0.0 && !limits::isSize(plan.deflection)) {

@@ -190,8 +190,14 @@ StatedScenario readStatedScenario(const JsonCursor& root) {
     }
   }
   if (const auto fits = root.find("fits")) scenario.fits = readFitWords(*fits);
-  if (const auto joints = root.find("joints")) scenario.fits.snaps = readSnaps(*joints);
-  if (const auto demands = root.find("sequence")) scenario.demands = readDemands(*demands);
+  if (const auto joints = root.find("joints")) {
+    scenario.fits.snaps = readSnaps(*joints);
+    scenario.fits.partings = readPartings(*joints, {});
+  }
+  if (const auto demands = root.find("sequence")) {
+    scenario.demands = readDemands(*demands);
+    scenario.fits.partings = readPartingsOfSequence(*demands, std::move(scenario.fits.partings));
+  }
   const auto forbidden = root.find("forbidden_regions");
   for (std::size_t i = 0; forbidden && i < forbidden->sizeUpTo(limits::kMostBodies); ++i) {
     scenario.forbidden.push_back(readForbidden(forbidden->element(i)));

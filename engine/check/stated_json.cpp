@@ -60,6 +60,7 @@ std::vector<StatedAllowance> readAllowances(const JsonCursor& at) {
     allowance.body = each.at("body").nonEmptyText();
     allowance.allowance = metres(each.at("allowance_m"));
     if (const auto yields = each.find("yields")) allowance.yields = yields->boolean();
+    if (const auto kind = each.find("kind")) allowance.isThread = kind->text() == "thread";
     if (const auto pitch = each.find("pitch_m")) allowance.pitch = pitch->coordinate();
     if (const auto thread = each.find("thread")) allowance.thread = readThread(*thread);
     if (const auto core = each.find("core")) allowance.core = readThread(*core);
@@ -82,6 +83,27 @@ std::vector<Point> readPoints(const JsonCursor& at) {
   }
   if (points.empty()) at.fail("is empty", "Give a path.");
   return points;
+}
+
+PartingWords readPartings(const JsonCursor& joints, PartingWords words) {
+  for (std::size_t i = 0; i < joints.sizeUpTo(limits::kMostBodies); ++i) {
+    const JsonCursor joint = joints.element(i);
+    const std::string word = joint.at("word").text();
+    const std::string body = joint.at("body").nonEmptyText();
+    const auto others = joint.find("others");
+    for (const std::string& other : others ? readTexts(*others) : std::vector<std::string>()) {
+      const std::pair<std::string, std::string> pair = std::minmax(body, other);
+      std::erase(words.pairs, pair);
+      if (word == "dissolved" || word == "pressed_out") words.pairs.push_back(pair);
+    }
+  }
+  return words;
+}
+
+PartingWords readPartingsOfSequence(const JsonCursor& sequence, PartingWords words) {
+  if (const auto use = sequence.find("joint_use")) words.anyPair = use->text() == "off";
+  const auto joints = sequence.find("joints");
+  return joints ? readPartings(*joints, std::move(words)) : words;
 }
 
 std::vector<SnapWord> readSnaps(const JsonCursor& at) {

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "engine/base/parameters.h"
+#include "engine/check/pulled_thread.h"
 #include "engine/check/verdict_words.h"
 
 namespace glissade::check {
@@ -95,6 +96,24 @@ class StepJudge {
     }
   }
 
+  /// A thread comes apart by turning. What a person marks as one, and what is taken away, is judged with the motion.
+  void judgeThread(const PairQuestion& asked, const PairFit& fit, StepVerdict& verdict) const {
+    if (fit.thread || !product_.fits.on) return;
+    const bool isCalled = std::any_of(asked.stated->begin(), asked.stated->end(), [&](const StatedAllowance& each) {
+      return each.isThread && each.body == asked.other.id &&
+             (each.moving.empty() ? asked.first : each.moving) == asked.moving.id;
+    });
+    if (!isCalled && !fit.isThinned()) return;
+    const std::string pulled = pulledThread({placed_.at({asked.moving, asked.moving.X_WB}),
+                                             placed_.at({asked.other, asked.other.X_WB}), asked.path, isCalled});
+    if (pulled.empty()) return;
+    const std::string what =
+        "'" + asked.moving.name + "' " + pulled + ", which is in common with '" + asked.other.name + "'";
+    std::string may = product_.fits.partingOf(asked.moving.id, asked.other.id);
+    if (asked.moving.mesh->faces.empty() || asked.other.mesh->faces.empty()) may = "their meshes state no cylinders";
+    (may.empty() ? verdict.refusals : verdict.pulls).push_back(what + (may.empty() ? "" : "; " + may));
+  }
+
   JudgedMotion judgeBody(std::size_t body, const std::vector<Pose>& path, StepVerdict& verdict) const {
     const Body& own = product_.bodies[body];
     const Pose X_PB = inverse(path.front()) * own.X_WB;
@@ -122,6 +141,7 @@ class StepJudge {
       }
       const PairQuestion asked{own, obstacle, {own.X_WB}, stated, numbered_.step->bodies.front(), ofBody};
       MotionPair pair{other, &obstacle, fitOf(asked, product_.fits, placed_, watch_.stop)};
+      judgeThread(asked, pair.fit, verdict);
       verdict.allowances.insert(verdict.allowances.end(), pair.fit.applied.begin(), pair.fit.applied.end());
       verdict.refusals.insert(verdict.refusals.end(), pair.fit.refusals.begin(), pair.fit.refusals.end());
       motion.pairs.push_back(std::move(pair));

@@ -221,6 +221,7 @@ std::string whyInvalid(const StepVerdict& step, const Product& product) {
 void addStep(const StepVerdict& step, const std::string& name, const Product& product, std::ostream& text) {
   const std::string body = step.bodies.empty() ? "" : step.bodies.front();
   for (const AppliedAllowance& each : step.allowances) text << name << ": allowance: " << inWords(each) << "\n";
+  for (const std::string& each : step.pulls) text << name << ": note: " << each << "\n";
   if (step.isFlexible) text << name << " (" << body << "): nothing is proved of its motion, it is flexible\n";
   if (!step.valid()) text << name << " (" << body << ") is invalid:" << whyInvalid(step, product) << "\n";
 }
@@ -278,6 +279,7 @@ Report stepsJson(const std::vector<StepVerdict>& steps, const Product& product) 
          {"nearest", nearest < 0 ? Report(nullptr) : Report(product.bodies[static_cast<std::size_t>(nearest)].id)},
          {"allowances", allowancesJson(step.allowances)}});
     if (step.isFlexible) report.back()["flexible"] = true;
+    if (!step.pulls.empty()) report.back()["pulls"] = step.pulls;
   }
   return report;
 }

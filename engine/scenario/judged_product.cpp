@@ -42,6 +42,7 @@ check::Step judgedStep(const AssemblyStep& step) {
   for (const StepAllowance& each : step.allowances) {
     check::StatedAllowance allowance{each.moving, each.body, each.allowance, each.yields};
     allowance.core = each.core;
+    allowance.isThread = each.kind == ContactKind::Thread;
     if (each.pitch != 0.0) allowance.pitch = each.pitch;
     judged.allowances.push_back(std::move(allowance));
   }
@@ -50,6 +51,21 @@ check::Step judgedStep(const AssemblyStep& step) {
                       return joint.kind == JointKind::Flexible && joint.body == step.body;
                     });
   return judged;
+}
+
+/// What a person says of joints counts in the order in which it is said.
+check::PartingWords partingsOf(const SequenceDemands& demands) {
+  check::PartingWords words;
+  words.anyPair = demands.jointUse == JointUse::Off;
+  for (const JointEdit& edit : demands.joints) {
+    for (const std::string& other : edit.key.others) {
+      const std::pair<std::string, std::string> pair = std::minmax(edit.key.body, other);
+      std::erase(words.pairs, pair);
+      const bool parts = edit.word == JointEdit::Word::Dissolved || edit.word == JointEdit::Word::PressedOut;
+      if (parts) words.pairs.push_back(pair);
+    }
+  }
+  return words;
 }
 
 check::Line judgedLine(const SubassemblyLine& line) {
@@ -94,6 +110,7 @@ check::Plan judgedPlan(const AssemblyPlan& plan) {
   judged.end = nameOf(plan.end);
   judged.demands = judgedDemands(plan.demands);
   judged.snaps = bendsOf(plan.demands.joints);
+  judged.partings = partingsOf(plan.demands);
   judged.deflection = plan.deflection;
   for (const SubassemblyLine& line : plan.lines) judged.lines.push_back(judgedLine(line));
   return judged;

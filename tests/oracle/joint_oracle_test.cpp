@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "tests/engine/support/directories.h"
 #include "tests/oracle/child_run.h"
@@ -138,6 +139,37 @@ TEST(JointOracle, AcceptsThePlanOfAProductWithScrewsAndNuts) {
   const std::string product = test::stepFileDirectory() + "/fits.step";
   EXPECT_EQ(violationsOfProduct(product, "fits", false), std::vector<std::string>());
   EXPECT_EQ(violationsOfProduct(product, "suggested", true), std::vector<std::string>());
+}
+
+/// A plan that pulls is valid only where it says that a person uses no joints.
+TEST(JointOracle, TheJudgeRefusesAPullThatNobodyAskedFor) {
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "joint_oracle_pulled";
+  std::filesystem::create_directories(folder);
+  const std::string product = test::stepFileDirectory() + "/fits.step";
+  const std::string program = test::programDirectory() + "/glissade-cli";
+  const std::string file = folder / "plan.json";
+  runChild({program, "sequence", product, "--out", file, "--joints", "off"}, {200.0, 4096});
+  const ChildEnd asked = runChild({program, "check", product, file}, {100.0, 4096});
+  EXPECT_NE(asked.output.find("note: "), std::string::npos) << asked.output;
+  EXPECT_NE(asked.output.find("without a turn"), std::string::npos);
+  EXPECT_EQ(asked.output.find("is invalid"), std::string::npos) << asked.output;
+
+  nlohmann::json plan = nlohmann::json::parse(std::ifstream(file));
+  plan.erase("checksum");
+  plan["sequence"].erase("joint_use");
+  std::ofstream(file) << plan;
+  const ChildEnd refused = runChild({program, "check", product, file}, {100.0, 4096});
+  EXPECT_NE(refused.exitCode, asked.exitCode);
+  EXPECT_NE(refused.output.find("is invalid: '"), std::string::npos) << refused.output;
+  EXPECT_NE(refused.output.find("without a turn"), std::string::npos) << refused.output;
+
+  for (auto& step : plan["steps"]) {
+    for (auto& allowance : step["allowances"]) allowance["kind"] = "cylindrical";
+  }
+  std::ofstream(file) << plan;
+  EXPECT_EQ(runChild({program, "check", product, file}, {100.0, 4096}).exitCode, refused.exitCode)
+      << "whatever the plan calls the pairs";
+  std::filesystem::remove_all(folder);
 }
 
 /// Its parts are meshes without stated faces: nothing is allowed for other angles than the assembled one, unless a

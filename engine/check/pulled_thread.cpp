@@ -1,0 +1,124 @@
+#include "engine/check/pulled_thread.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "engine/base/quantity_text.h"
+#include "engine/check/thread.h"
+
+namespace glissade::check {
+namespace {
+
+/// Radians: an axis that is tilted by less is not tilted.
+constexpr double kTilt = 1e-4;
+constexpr double kParallel = 1e-4;
+constexpr double kFullTurn = 2.0 * std::numbers::pi;
+/// Radians, from which on the pitch of a turn is taken.
+constexpr double kEnoughTurn = 0.1;
+/// In diameters of the shaft: what is steeper is a pull with a turn in it. Screws for wood have 0.45.
+constexpr double kSteepest = 0.5;
+
+/// Two cylinders that are around each other where the product is assembled.
+struct RoundPair {
+  Vector3 point;
+  Vector3 axis;
+  double depth;   ///< by which the shaft is thicker than the hole, metres
+  double radius;  ///< of the shaft
+  double low;     ///< of the moving one's cylinder, along the axis from the point
+  double high;
+  double lowOther;
+  double highOther;
+
+  bool isEngagedAfter(double advance) const { return low + advance < highOther && high + advance > lowOther; }
+};
+
+std::optional<RoundPair> aroundEachOther(const RoundFace& own, const RoundFace& other) {
+  const bool coaxial = own.axis.cross(other.axis).norm() < kParallel &&
+                       (other.point - own.point).cross(own.axis).norm() <= 2.0 * kOnCylinder;
+  if (own.isShaft == other.isShaft || !coaxial) return std::nullopt;
+  const auto [shaft, hole] = own.isShaft ? std::pair(own.radius, other.radius) : std::pair(other.radius, own.radius);
+  const double from = (other.point - own.point).dot(own.axis);
+  const double sense = own.axis.dot(other.axis) < 0.0 ? -1.0 : 1.0;
+  const auto [low, high] = std::minmax(from + sense * other.low, from + sense * other.high);
+  const RoundPair pair{own.point, own.axis, shaft - hole, shaft, own.low, own.high, low, high};
+  return pair.isEngagedAfter(0.0) ? std::optional(pair) : std::nullopt;
+}
+
+/// Those that are too thick for their holes; where none is and the file calls the pair a thread, the closest one.
+std::vector<RoundPair> threadsOf(const LeavingPair& pair) {
+  std::vector<RoundPair> threads;
+  std::optional<RoundPair> closest;
+  for (const RoundFace& own : pair.moving.rounds) {
+    for (const RoundFace& other : pair.other.rounds) {
+      const auto round = aroundEachOther(own, other);
+      if (!round) continue;
+      if (round->depth > kLeastThreadDepth * round->radius) threads.push_back(*round);
+      if (!closest || std::abs(round->depth) < std::abs(closest->depth)) closest = round;
+    }
+  }
+  if (threads.empty() && closest && pair.isCalledThread) threads.push_back(*closest);
+  return threads;
+}
+
+/// Follows the motion about the axis of a thread until it is free.
+class TurnOut {
+ public:
+  explicit TurnOut(const RoundPair& thread) : thread_(thread) {}
+
+  /// How much of the thread is pulled, metres; 0: it is turned out.
+  double pulled(const std::vector<Pose>& path) {
+    const Pose start = inverse(path.front());
+    double turnedUpTo = 0.0;
+    for (std::size_t i = 1; i < path.size() && thread_.isEngagedAfter(advance_); ++i) {
+      if (!follow(path[i - 1] * start, path[i] * start)) break;
+      turnedUpTo = advance_;
+    }
+    if (!thread_.isEngagedAfter(turnedUpTo)) return 0.0;
+    const double rest =
+        std::min(thread_.high + turnedUpTo - thread_.lowOther, thread_.highOther - thread_.low - turnedUpTo);
+    return rest > std::max(pitch_.value_or(0.0), kOnCylinder) ? rest : 0.0;
+  }
+
+ private:
+  /// The edge turns about the axis by the pitch.
+  bool follow(const Pose& from, const Pose& to) {
+    const Eigen::AngleAxisd rotation((to.orientation * from.orientation.conjugate()).normalized());
+    const Vector3 vector = rotation.angle() * rotation.axis();
+    const double turn = vector.dot(thread_.axis);
+    if ((vector - turn * thread_.axis).norm() > kTilt || std::abs(turn) > std::numbers::pi - 1e-6) return false;
+    turn_ += turn;
+    const Vector3 way = to * thread_.point - thread_.point;
+    advance_ = way.dot(thread_.axis);
+    if (!pitch_ && std::abs(turn_) >= kEnoughTurn) {
+      pitch_ = std::abs(advance_ / turn_) * kFullTurn;
+      isRight_ = advance_ * turn_ > 0.0;
+    }
+    const double pitch = pitch_.value_or(0.0);
+    if (pitch > kSteepest * 2.0 * thread_.radius) return false;
+    const double play = std::max(kThreadPlay * pitch, kOnCylinder);
+    const double expected = (isRight_ ? 1.0 : -1.0) * turn_ / kFullTurn * pitch;
+    return std::abs(advance_ - expected) <= play && (way - advance_ * thread_.axis).norm() <= play;
+  }
+
+  const RoundPair& thread_;
+  std::optional<double> pitch_;  ///< metres, of the motion; nothing: it has not turned yet
+  bool isRight_ = true;
+  double turn_ = 0.0;     ///< radians
+  double advance_ = 0.0;  ///< metres
+};
+
+}  // namespace
+
+std::string pulledThread(const LeavingPair& pair) {
+  for (const RoundPair& thread : threadsOf(pair)) {
+    const double pulled = TurnOut(thread).pulled(pair.path);
+    if (pulled <= 0.0) continue;
+    return "is pulled " + inMillimetres(pulled) + " off a thread of " + inMillimetres(2.0 * thread.radius) +
+           " without a turn";
+  }
+  return {};
+}
+
+}  // namespace glissade::check

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/check/placed_body.h"
+
+namespace glissade::check {
+
+/// A pair of bodies, the one of which leaves the other.
+struct LeavingPair {
+  const PlacedBody& moving;       ///< where the product is assembled
+  const PlacedBody& other;        ///< likewise
+  const std::vector<Pose>& path;  ///< of the moving body, from there
+  bool isCalledThread = false;    ///< by the file: also where both cylinders are equally wide
+};
+
+/// A share of the shaft's radius: what is thicker than its hole by more is neither pressed nor slid in. Threads are
+/// deeper, those of ISO 261 by 0.06 radii or more.
+inline constexpr double kLeastThreadDepth = 0.05;
+
+/// How a motion takes a body off a thread without turning it; empty: it does not. A thread is a shaft of the one in a
+/// hole of the other about the same axis. While the two are around each other, the body turns about the axis and
+/// advances by the same pitch in each turn; the last pitch may be pulled, because a thread ends in its run-out.
+std::string pulledThread(const LeavingPair& pair);
+
+}  // namespace glissade::check

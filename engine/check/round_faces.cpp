@@ -1,0 +1,116 @@
+#include "engine/check/round_faces.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "engine/check/placed_body.h"
+
+namespace glissade::check {
+namespace {
+
+constexpr std::size_t kFewestTriangles = 6;
+constexpr double kParallel = 1e-4;
+
+/// The first region of the smooth surface that each region is of.
+std::vector<std::uint32_t> smoothSurfaces(const FaceRegions& regions) {
+  std::vector<std::uint32_t> first(regions.count, regions.count);
+  for (std::uint32_t r = 0; r < regions.count; ++r) {
+    if (first[r] != regions.count) continue;
+    first[r] = r;
+    for (std::vector<std::uint32_t> open{r}; !open.empty();) {
+      const std::uint32_t one = open.back();
+      open.pop_back();
+      for (const std::uint32_t next : regions.next[one]) {
+        if (first[next] != regions.count) continue;
+        first[next] = r;
+        open.push_back(next);
+      }
+    }
+  }
+  return first;
+}
+
+/// The circle through points that are seen along an axis (I. Kasa, 1976).
+std::optional<RoundFace> roundThrough(const std::vector<Vector3>& points, const Vector3& axis) {
+  const Vector3 u = axis.unitOrthogonal();
+  const Vector3 v = axis.cross(u);
+  const Vector3& origin = points.front();
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  Vector3 right = Vector3::Zero();
+  double scale = 0.0;
+  for (const Vector3& p : points) scale = std::max(scale, (p - origin).norm());
+  if (!(scale > 0.0)) return std::nullopt;
+  for (const Vector3& p : points) {
+    const Vector3 row((p - origin).dot(u) / scale, (p - origin).dot(v) / scale, 1.0);
+    normal += row * row.transpose();
+    right += row * row.head<2>().squaredNorm();
+  }
+  const Vector3 found = normal.ldlt().solve(right);
+  const double squared = found.z() + 0.25 * found.head<2>().squaredNorm();
+  if (!found.allFinite() || !(squared > 0.0)) return std::nullopt;
+  RoundFace round{origin + 0.5 * scale * (found.x() * u + found.y() * v), axis, scale * std::sqrt(squared)};
+  const double off = std::max(kOnCylinder, kShareOfCylinderRadius * round.radius);
+  for (const Vector3& p : points) {
+    if (std::abs((p - round.point).cross(axis).norm() - round.radius) > off) return std::nullopt;
+    const double along = (p - round.point).dot(axis);
+    round.low = std::min(round.low, along);
+    round.high = std::max(round.high, along);
+  }
+  return round;
+}
+
+/// The direction that the normals of the triangles are across.
+Vector3 directionOf(const PlacedBody& body, const std::vector<std::uint32_t>& triangles) {
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  for (const std::uint32_t t : triangles) sum += body.normals[t] * body.normals[t].transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(sum);
+  return solver.eigenvectors().col(0);
+}
+
+/// Of the triangles of a region whose normals are across the direction.
+std::optional<RoundFace> roundFaceOf(const PlacedBody& body, const std::vector<std::uint32_t>& triangles,
+                                     const Vector3& direction) {
+  std::vector<Vector3> points;
+  double outwards = 0.0;
+  std::vector<std::uint32_t> across;
+  for (const std::uint32_t t : triangles) {
+    if (std::abs(body.normals[t].dot(direction)) > kParallel || body.normals[t].isZero(0.0)) continue;
+    across.push_back(t);
+    for (const Vector3& p : body.tree.triangles()[t]) points.push_back(p);
+  }
+  if (points.size() < 3 * kFewestTriangles) return std::nullopt;
+  auto round = roundThrough(points, direction);
+  if (!round) return std::nullopt;
+  for (const std::uint32_t t : across) {
+    const Vector3 arm = body.tree.triangles()[t][0] - round->point;
+    outwards += body.normals[t].dot(arm - arm.dot(direction) * direction);
+  }
+  round->isShaft = outwards > 0.0;
+  return round;
+}
+
+}  // namespace
+
+std::vector<RoundFace> roundFacesOf(const PlacedBody& body) {
+  std::vector<RoundFace> faces;
+  const std::vector<std::uint32_t> surfaceOf = smoothSurfaces(body.regions);
+  std::vector<std::vector<std::uint32_t>> byRegion(body.regions.count);
+  for (std::uint32_t t = 0; t < body.mesh.triangles.size(); ++t) byRegion[surfaceOf[body.regions.of[t]]].push_back(t);
+  for (const auto& triangles : byRegion) {
+    if (triangles.size() < kFewestTriangles) continue;
+    const auto round = roundFaceOf(body, triangles, directionOf(body, triangles));
+    if (round) faces.push_back(*round);
+  }
+  std::vector<std::vector<std::uint32_t>> byFace(body.mesh.faces.size());
+  for (std::uint32_t t = 0; t < body.mesh.faceOf.size(); ++t) byFace[body.mesh.faceOf[t]].push_back(t);
+  for (std::size_t f = 0; f < byFace.size(); ++f) {
+    if (body.mesh.faces[f].kind != SurfaceFace::Kind::Cylinder) continue;
+    const auto round = roundFaceOf(body, byFace[f], body.mesh.faces[f].axis.normalized());
+    if (round) faces.push_back(*round);
+  }
+  return faces;
+}
+
+}  // namespace glissade::check
