@@ -30,6 +30,9 @@ struct RoundPair {
   double lowOther;
   double highOther;
 
+  bool isThread(double overlap) const {
+    return depth > kLeastThreadDepth * radius && depth < kMostThreadDepth * radius && overlap >= 0.5 * depth;
+  }
   bool isEngagedAfter(double advance) const { return low + advance < highOther && high + advance > lowOther; }
 };
 
@@ -53,7 +56,7 @@ std::vector<RoundPair> threadsOf(const LeavingPair& pair) {
     for (const RoundFace& other : pair.other.rounds) {
       const auto round = aroundEachOther(own, other);
       if (!round) continue;
-      if (round->depth > kLeastThreadDepth * round->radius) threads.push_back(*round);
+      if (round->isThread(pair.overlap)) threads.push_back(*round);
       if (!closest || std::abs(round->depth) < std::abs(closest->depth)) closest = round;
     }
   }
