@@ -32,6 +32,7 @@ MotionTrial::MotionTrial(const AssembledProduct& product, const ProductFits& fit
       straight_(product, fits, worlds_, forbidden_),
       turned_(fits, worlds_),
       joints_(joints),
+      twoLines_(product, fits, worlds_),
       searched_(product, fits, worlds_, seed) {
   if (joints != nullptr) jointed_.emplace(product, fits, worlds_, *joints);
 }
@@ -47,10 +48,8 @@ RemovalAnswer MotionTrial::tryRemoval(const BodyGroup& group, const BodySet& pre
   if (effort == 0) return tryDirectly(group, present, stop);
   RemovalAnswer answer = Refused{};
   if (!turned_.isHeld(group, present) && !fits_.isHooked(group, present)) {
-    answer = searched_.tryRemoval(group, present, kSearchSteps[static_cast<std::size_t>(effort - 1)], stop);
+    answer = search(group, present, effort, stop);
   }
-  const auto* removed = std::get_if<Removed>(&answer);
-  if (removed != nullptr && !mayLeaveIn(exitDirection(removed->path.points), group)) answer = Refused{};
   auto* refused = std::get_if<Refused>(&answer);
   if (refused == nullptr || refused->stopped) return answer;
   const RemovalAnswer direct = tryDirectly(group, present, stop);
@@ -60,6 +59,21 @@ RemovalAnswer MotionTrial::tryRemoval(const BodyGroup& group, const BodySet& pre
   for (const BodyFit& fit : fits_.fitsOf(group, present)) blocking.insert(fit.fit.obstacle);
   refused->blockedBy.assign(blocking.begin(), blocking.end());
   return answer;
+}
+
+/// Two lines are tried before the first search.
+RemovalAnswer MotionTrial::search(const BodyGroup& group, const BodySet& present, int effort, const StopToken& stop) {
+  const auto mayLeave = [&](const RemovalAnswer& answer) {
+    const auto* removed = std::get_if<Removed>(&answer);
+    return removed == nullptr || mayLeaveIn(exitDirection(removed->path.points), group);
+  };
+  if (effort == 1) {
+    RemovalAnswer lines = twoLines_.tryRemoval(group, present, stop);
+    if (std::holds_alternative<Removed>(lines) && mayLeave(lines)) return lines;
+  }
+  const std::uint64_t steps = kSearchSteps[static_cast<std::size_t>(effort - 1)];
+  RemovalAnswer searched = searched_.tryRemoval(group, present, steps, stop);
+  return mayLeave(searched) ? searched : Refused{};
 }
 
 /// What is hooked does not turn. Threads that a person has marked have a rule of their own in the worlds. Facets of a

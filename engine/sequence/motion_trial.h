@@ -4,6 +4,7 @@
 #include "engine/sequence/searched_removal.h"
 #include "engine/sequence/straight_removal.h"
 #include "engine/sequence/turned_removal.h"
+#include "engine/sequence/two_line_removal.h"
 
 namespace glissade {
 
@@ -39,6 +40,7 @@ class MotionTrial final : public RemovalTrial {
 
  private:
   RemovalAnswer tryDirectly(const BodyGroup& group, const BodySet& present, const StopToken& stop);
+  RemovalAnswer search(const BodyGroup& group, const BodySet& present, int effort, const StopToken& stop);
   RemovalAnswer tryTurning(const BodyGroup& group, const BodySet& present, const std::vector<std::size_t>& opened,
                            const StopToken& stop);
   bool hasFacetsOnly(const BodyGroup& group, const std::vector<std::size_t>& opened) const;
@@ -55,6 +57,7 @@ class MotionTrial final : public RemovalTrial {
   TurnedRemoval turned_;
   const JointRules* joints_;
   std::optional<JointRemoval> jointed_;  ///< where there are joints
+  TwoLineRemoval twoLines_;
   SearchedRemoval searched_;
 };
 

@@ -4,6 +4,9 @@
 
 #include <cmath>
 #include <memory>
+#include <numbers>
+#include <utility>
+#include <vector>
 
 #include "engine/geometry/primitives.h"
 #include "tests/engine/product/ring.h"
@@ -34,6 +37,48 @@ TEST(Overlap, OfATiltedPlateInAFineRingIsThatAtItsRim) {
     const double atRim = kOuter * std::sin(tilt) / (1.0 + std::sin(tilt));
     EXPECT_NEAR(overlap.deepest, atRim, 0.01 * atRim) << tilt;
   }
+}
+
+/// A disc about z whose upper rim is rounded in so many steps.
+TriangleMesh roundedDisc(double radius, double rounding, double height, int around, int steps) {
+  TriangleMesh mesh;
+  std::vector<std::pair<double, double>> profile{{radius, 0.0}};
+  for (int i = 0; i <= steps; ++i) {
+    const double angle = 0.5 * std::numbers::pi * i / steps;
+    profile.emplace_back(radius - rounding * (1.0 - std::cos(angle)), height - rounding * (1.0 - std::sin(angle)));
+  }
+  for (const auto& [r, z] : profile) {
+    for (int i = 0; i < around; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / around;
+      mesh.vertices.emplace_back(r * std::cos(angle), r * std::sin(angle), z);
+    }
+  }
+  const auto n = static_cast<std::uint32_t>(around);
+  const auto rings = static_cast<std::uint32_t>(profile.size());
+  mesh.vertices.emplace_back(0.0, 0.0, 0.0);
+  mesh.vertices.emplace_back(0.0, 0.0, height);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t k = (i + 1) % n;
+    for (std::uint32_t ring = 0; ring + 1 < rings; ++ring) {
+      mesh.triangles.push_back({ring * n + i, ring * n + k, (ring + 1) * n + k});
+      mesh.triangles.push_back({ring * n + i, (ring + 1) * n + k, (ring + 1) * n + i});
+    }
+    mesh.triangles.push_back({rings * n, k, i});
+    mesh.triangles.push_back({rings * n + 1, (rings - 1) * n + i, (rings - 1) * n + k});
+  }
+  return mesh;
+}
+
+/// At the rim the plate leaves the body along a curve over many small facets: cells that have to become as small as the
+/// depth there take minutes.
+TEST(Overlap, OfALargePlateOnARoundedRimIsThatBelowThePlate) {
+  constexpr double kHeight = 0.02;
+  constexpr double kDeep = 1.2e-4;
+  const PlacedBody disc = placed(roundedDisc(0.02, 0.002, kHeight, 240, 12), Pose::identity());
+  const PlacedBody plate = placed(makeBox({0.8, 0.8, 0.036}), Pose::translation({0.1, 0.05, kHeight - kDeep + 0.018}));
+  const Overlap overlap = overlapIn(disc, plate, {});
+  EXPECT_NEAR(overlap.deepest, kDeep, 0.01 * kDeep);
+  for (const double depth : overlap.depths) EXPECT_LE(depth, kDeep * (1.0 + 1e-9));
 }
 
 }  // namespace

@@ -53,6 +53,50 @@ TEST(MotionTrial, AnAnswerDoesNotDependOnWhatWasAskedBefore) {
   }
 }
 
+/// A peg in a blind hole of a frame, with a roof over it.
+AssembledProduct pegUnderARoof() {
+  const RigidBody frame = test::bodyOf("frame", {{{1.0, 0.44, 0.2}, {0.0, -0.28, 0.0}},
+                                                 {{1.0, 0.44, 0.2}, {0.0, 0.28, 0.0}},
+                                                 {{0.44, 1.0, 0.2}, {-0.28, 0.0, 0.0}},
+                                                 {{0.44, 1.0, 0.2}, {0.28, 0.0, 0.0}},
+                                                 {{1.0, 1.0, 0.1}, {0.0, 0.0, -0.15}},
+                                                 {{0.1, 1.0, 1.0}, {-0.45, 0.0, 0.4}},
+                                                 {{1.0, 1.0, 0.1}, {0.0, 0.0, 0.85}}});
+  return test::productOf({frame, boxBody("peg", {0.1, 0.1, 0.3}, Pose::translation({0.0, 0.0, 0.06}))});
+}
+
+TEST(MotionTrial, APegLeavesAlongTwoLines) {
+  const AssembledProduct product = pegUnderARoof();
+  const ProductFits fits = test::fitsOf(product);
+  MotionTrial trial(product, fits, 1);
+  const BodyGroup peg{bodyNamed(product, "peg")};
+  EXPECT_TRUE(std::holds_alternative<Refused>(trial.tryRemoval(peg, BodySet(2, true), 0, {})));
+  const RemovalAnswer answer = trial.tryRemoval(peg, BodySet(2, true), 1, {});
+  ASSERT_TRUE(std::holds_alternative<Removed>(answer));
+  const Removed& removed = std::get<Removed>(answer);
+  EXPECT_EQ(removed.method, kTwoLines);
+  ASSERT_EQ(removed.path.points.size(), 3U);
+  EXPECT_EQ(removed.path.certificate.status, CertificateStatus::Certified);
+  const Vector3 up = removed.path.points[1].q.position - removed.path.points[0].q.position;
+  EXPECT_NEAR(up.z(), 0.3, 1e-9) << "as far as the peg is long";
+}
+
+/// What a person forbids holds for the second line, too.
+TEST(MotionTrial, TwoLinesKeepToForbiddenDirections) {
+  const AssembledProduct product = pegUnderARoof();
+  const ProductFits fits = test::fitsOf(product);
+  const BodyGroup peg{bodyNamed(product, "peg")};
+  std::vector<std::vector<Vector3>> forbidden(2);
+  for (const double x : {-1.0, 1.0}) {
+    forbidden[peg.front()].push_back(Vector3(x, 0.0, 0.0));
+    forbidden[peg.front()].push_back(Vector3(0.0, x, 0.0));
+  }
+  MotionTrial trial(product, fits, 1, 1, forbidden);
+  const RemovalAnswer answer = trial.tryRemoval(peg, BodySet(2, true), 1, {});
+  const auto* removed = std::get_if<Removed>(&answer);
+  EXPECT_TRUE(removed == nullptr || removed->method != kTwoLines);
+}
+
 /// What was proved against bodies holds when some of them have left.
 TEST(MotionTrial, MotionsHoldForEverySubset) {
   const AssembledProduct product = test::lockedDrawer();
