@@ -276,6 +276,21 @@ TEST_F(OpenXrHeadsetTest, AfterThePersonHasLeftItWaitsUntilItIsAskedForAgain) {
   ASSERT_TRUE(becomes(HeadsetState::Running));
 }
 
+/// A runtime says each state once, whatever comes meanwhile.
+TEST_F(OpenXrHeadsetTest, WhoLeavesWhileTheHeadsetIsTakenOffHasLeft) {
+  for (const bool isPutOnAgain : {false, true}) {
+    headset_->start();
+    ASSERT_TRUE(becomes(HeadsetState::Running));
+    const int sessions = test::madeSessions();
+    test::setWorn(false);
+    test::setWorn(isPutOnAgain);
+    test::leaveProgram();
+    EXPECT_TRUE(becomes(HeadsetState::Left));
+    EXPECT_EQ(test::madeSessions(), sessions) << "nothing was lost";
+    test::setWorn(true);
+  }
+}
+
 TEST_F(OpenXrHeadsetTest, AStallHoldsNeitherTheWindowNorItsEdits) {
   headset_->start();
   ASSERT_TRUE(becomes(HeadsetState::Running));
