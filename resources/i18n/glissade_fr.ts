@@ -12880,6 +12880,17 @@
         <source>Next: move it by hand (menu of the row), or look at the order as a graph.</source>
         <translation>Ensuite&#xa0;: déplacez-le à la main (menu de la ligne), ou regardez l&apos;ordre en graphe.</translation>
     </message>
+    <message numerus="yes">
+        <source>%n inside not reached</source>
+        <translation>
+            <numerusform>%n à l&apos;intérieur non atteinte</numerusform>
+            <numerusform>%n à l&apos;intérieur non atteintes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, in its group: %2</source>
+        <translation>%1, dans son groupe : %2</translation>
+    </message>
 </context>
 <context>
     <name>glissade::StereoController</name>
