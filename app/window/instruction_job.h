@@ -42,7 +42,7 @@ class InstructionJob final : public QObject {
     PlanPtr plan;
     ProductPtr product;
     std::vector<StepCheck> checks;
-    LineTexts access;                 ///< without steps: not asked
+    LineTexts access;  ///< without steps: not asked
     std::string title;
     double deviation = 0.0;
     WorkTimes times;

@@ -86,8 +86,8 @@ std::size_t LineAccess::count() const {
 }
 
 std::size_t LineAccess::reached() const {
-  const auto here = std::count_if(steps.begin(), steps.end(),
-                                  [](const MotionAccess& step) { return step.isReachedAndSeen(); });
+  const auto here =
+      std::count_if(steps.begin(), steps.end(), [](const MotionAccess& step) { return step.isReachedAndSeen(); });
   return std::accumulate(lines.begin(), lines.end(), static_cast<std::size_t>(here),
                          [](std::size_t sum, const LineAccess& line) { return sum + line.reached(); });
 }
@@ -96,8 +96,7 @@ Result<PlanAccess> planAccess(const AssembledProduct& product, const AssemblyPla
                               const WorkWatch& watch) {
   AccessChecker checker(product.bodies, person);
   PlanAsker asker(product, checker, stepsIn(plan.steps, plan.lines), watch);
-  PlanAccess access{asker.ask(plan.steps, plan.lines, BodySet(product.bodies.size(), true)), person,
-                    checker.forearm()};
+  PlanAccess access{asker.ask(plan.steps, plan.lines, BodySet(product.bodies.size(), true)), person, checker.forearm()};
   if (watch.stop.stopRequested()) return interrupted();
   return access;
 }
