@@ -19,6 +19,7 @@
 #include "widgets/headset/picture_rate.h"
 #include "widgets/headset/private_context.h"
 #include "widgets/scene3d/camera_controller.h"
+#include "widgets/scene3d/merged_bodies.h"
 #include "widgets/scene3d/scene_renderer.h"
 
 namespace glissade {
@@ -211,6 +212,67 @@ TEST_F(OpenXrHeadsetTest, WherePicturesAreLateTheSceneIsSimplerUntilThereIsTime)
   test::setPictureInterval(1.0 / 90.0);
   EXPECT_TRUE(until([&] { return headset_->figures().detailStep + 2 == PictureRate::kSteps; }, 120s))
       << "it comes back";
+}
+
+class ManyBodiesInHeadsetTest : public OpenXrHeadsetTest {
+ protected:
+  static constexpr int kSide = 12;  ///< bodies of the wall
+
+  /// A wall of boxes in three colours.
+  ManyBodiesInHeadsetTest() {
+    LoadedScenario many = *scenario_;
+    const auto box = std::make_shared<const TriangleMesh>(makeBox({0.3, 0.3, 0.3}));
+    for (int i = 0; i < kSide * kSide; ++i) {
+      RigidBody body = many.obstacles.front();
+      body.id = "box-" + std::to_string(i);
+      body.mesh = box;
+      body.X_WB = Pose::translation({0.5 * (i % kSide) - 2.0, -3.0, 0.4 * (i / kSide)});
+      body.colour = {0.3 * (i % 3), 0.9, 1.0 - 0.3 * (i % 3)};
+      many.obstacles.push_back(body);
+    }
+    first_ = many.obstacles.size() - kSide * kSide;
+    view_.setDepthShading(false);
+    SceneColours colours;
+    colours.background = Colour{0.5, 0.6, 0.7};
+    view_.setColours(colours);
+    view_.setScenario(std::make_shared<const LoadedScenario>(many));
+    room_ = placeRoom(view_.extent(), ProductSize::OnTable);
+    headset_->setPlacement(room_);
+    headset_->setBackground(view_.background(), view_.backgroundBelow());
+    headset_->start();
+  }
+
+  bool isMerged() {
+    return until([this] { return headset_->figures().drawCalls > 0 && headset_->figures().drawCalls < kSide * kSide; });
+  }
+  void expectLikeWindow(const char* what) {
+    const QImage eye = imageOf(pictures().at(0));
+    lookThrough(view_.camera(), sightOf(room_, kHead * test::scriptedEye(0), test::scriptedSides(0)));
+    const test::Difference found = test::difference(eye, window_.picture(view_));
+    EXPECT_LT(found.mean, 0.7) << what;
+    EXPECT_LT(found.share, 0.005) << what;
+  }
+
+  std::size_t first_ = 0;  ///< obstacle of the wall
+};
+
+TEST_F(ManyBodiesInHeadsetTest, BodiesThatStandStillAreDrawnTogetherAndWhatChangesIsSeen) {
+  ASSERT_TRUE(becomes(HeadsetState::Running));
+  ASSERT_TRUE(isMerged()) << headset_->figures().drawCalls;
+  expectLikeWindow("merged");
+  const QImage before = imageOf(pictures().at(0));
+  view_.placeObstacle(first_ + kSide + 3, Pose::translation({0.0, -4.0, 5.5}));
+  EXPECT_GT(test::difference(before, imageOf(pictures().at(0))).mean, 0.01);
+  expectLikeWindow("moved");
+  view_.setHiddenBodies({"box-0", "box-1", "box-2", "box-40"});
+  expectLikeWindow("hidden");
+  view_.putBackObstacles();
+  view_.setHiddenBodies({});
+  view_.setBodyDisplayModes({{"box-50", DisplayMode::Wireframe}});
+  expectLikeWindow("wireframe");
+  ASSERT_TRUE(isMerged());
+  for (int i = 0; i < 2 * MergedBodies::kStill; ++i) showsMore();
+  expectLikeWindow("merged again");
 }
 
 TEST_F(OpenXrHeadsetTest, AnEditOfTheSceneIsSeenAndTheHeadMoves) {
