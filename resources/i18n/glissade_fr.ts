@@ -6686,6 +6686,17 @@
     </message>
 </context>
 <context>
+    <name>HeadsetQuestions</name>
+    <message>
+        <source>This dialog is in the window. Take the headset off to answer it.</source>
+        <translation>Ce dialogue est dans la fenêtre. Retirez le casque pour y répondre.</translation>
+    </message>
+    <message>
+        <source>Close it</source>
+        <translation>Le fermer</translation>
+    </message>
+</context>
+<context>
     <name>HelpPages</name>
     <message>
         <source>Keys and shortcuts</source>
