@@ -35,7 +35,13 @@ class Joiner {
 
   void add(const MergeableBody& body, const osg::Matrix& X_WB) {
     const osg::Vec4 colour = body.colour->front();
-    for (const osg::Vec3& corner : *body.shape.corners) shape_.corners->push_back(corner * X_WB);
+    osg::BoundingBox box;
+    for (const osg::Vec3& corner : *body.shape.corners) {
+      shape_.corners->push_back(corner * X_WB);
+      box.expandBy(shape_.corners->back());
+    }
+    box_.expandBy(box);
+    largest_ = std::max(largest_, box.radius());
     for (const osg::Vec3& normal : *body.shape.normals) {
       shape_.normals->push_back(osg::Matrix::transform3x3(normal, X_WB));
     }
@@ -59,6 +65,7 @@ class Joiner {
     lines->setColorArray(colour, osg::Array::BIND_OVERALL);
     osg::ref_ptr<FadingEdges> edges = new FadingEdges(colour, edgeWidth_);
     edges->addEdges(geodeOf(lines), 0.0, edgeDensity(shape_));
+    edges->measureAt({box_.center(), largest_});  // they fade as those of a body in the middle
     drawing->addChild(edges);
     return drawing;
   }
@@ -68,6 +75,8 @@ class Joiner {
   osg::ref_ptr<osg::Vec4Array> colours_ = new osg::Vec4Array;
   osg::Vec4 edgeColour_;
   float edgeWidth_ = 0.0F;
+  osg::BoundingBox box_;
+  float largest_ = 0.0F;  ///< radius of a body
 };
 
 }  // namespace
