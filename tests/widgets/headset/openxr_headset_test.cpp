@@ -386,7 +386,7 @@ TEST_F(OpenXrHeadsetTest, SomeHundredLossesStallsAndExitsAtRandomPoints) {
       case 4:
       case 5: test::loseSession(); break;
       case 6: test::stallOnce(std::chrono::milliseconds(number(1, 60))); break;
-      case 7: test::setWorn(number(0, 1) == 1); break;
+      case 7: test::setWorn(number(0, 3) > 0); break;
       case 8: test::leaveProgram(); break;
       default: headset_->stop(); break;
     }
@@ -395,7 +395,7 @@ TEST_F(OpenXrHeadsetTest, SomeHundredLossesStallsAndExitsAtRandomPoints) {
     std::this_thread::sleep_for(std::chrono::milliseconds(number(0, 40)));
     if (state() == HeadsetState::Left || state() == HeadsetState::Off) headset_->start();
   }
-  EXPECT_GT(test::madeSessions(), kEvents / 10);
+  EXPECT_GT(test::madeSessions(), kEvents / 20);
   test::setWorn(true);
   if (state() != HeadsetState::Running) headset_->start();
   ASSERT_TRUE(becomes(HeadsetState::Running));
