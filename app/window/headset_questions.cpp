@@ -8,14 +8,9 @@
 #include <algorithm>
 
 #include "widgets/bridge/queued_once.h"
+#include "widgets/commands/action_catalogue.h"
 
 namespace glissade {
-namespace {
-
-QString withoutMnemonic(QString text) { return text.remove(QLatin1Char('&')); }
-
-}  // namespace
-
 HeadsetQuestions::HeadsetQuestions(HeadsetPage& page) : page_(page), showSoon_(queuedOnce(this, [this] { show(); })) {
   connect(&page, &HeadsetPage::answered, this, &HeadsetQuestions::answer);
   qApp->installEventFilter(this);

@@ -6,6 +6,7 @@
 #include <QImage>
 
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <random>
 #include <thread>
@@ -42,6 +43,30 @@ QImage imageOf(const EyePicture& picture) {
   return QImage(picture.rgba.data(), picture.width, picture.height, QImage::Format_RGBX8888).copy();
 }
 
+/// How long a window goes without a picture.
+struct Gaps {
+  using Clock = std::chrono::steady_clock;
+  using Milliseconds = std::chrono::duration<double, std::milli>;
+
+  void begin() { last = begun = Clock::now(); }
+  void addPicture() {
+    const auto now = Clock::now();
+    longest = std::max(longest, Milliseconds(now - last));
+    last = now;
+    ++pictures;
+  }
+  void end() {
+    addPicture();
+    all += Clock::now() - begun;
+  }
+
+  Clock::time_point last{};
+  Clock::time_point begun{};
+  Milliseconds longest{0.0};
+  Clock::duration all{};
+  int pictures = 0;
+};
+
 class OpenXrHeadsetTest : public testing::Test {
  protected:
   OpenXrHeadsetTest() {
@@ -69,6 +94,7 @@ class OpenXrHeadsetTest : public testing::Test {
     const auto end = std::chrono::steady_clock::now() + longest;
     while (!condition() && std::chrono::steady_clock::now() < end) {
       window_.draw(view_);
+      if (gaps_ != nullptr) gaps_->addPicture();
       std::this_thread::sleep_for(2ms);
     }
     return condition();
@@ -84,6 +110,7 @@ class OpenXrHeadsetTest : public testing::Test {
     return test::nextPictures(20s);
   }
 
+  Gaps* gaps_ = nullptr;                 ///< of the window's pictures that are counted now
   test::WindowTarget window_{320, 320};  ///< the window's own context, on this thread
   SceneView view_;
   std::shared_ptr<const LoadedScenario> scenario_;
@@ -400,6 +427,77 @@ TEST_F(OpenXrHeadsetTest, SomeHundredLossesStallsAndExitsAtRandomPoints) {
   if (state() != HeadsetState::Running) headset_->start();
   ASSERT_TRUE(becomes(HeadsetState::Running));
   EXPECT_TRUE(showsMore());
+}
+
+class HeadsetLossesTest : public OpenXrHeadsetTest {
+ protected:
+  /// GLISSADE_HEADSET_LOSSES=1000 takes minutes.
+  static int losses() {
+    const char* wanted = std::getenv("GLISSADE_HEADSET_LOSSES");
+    return wanted != nullptr ? std::atoi(wanted) : 60;
+  }
+  int number(int least, int most) { return std::uniform_int_distribution(least, most)(random_); }
+  void drawFor(std::chrono::nanoseconds time) {
+    until([] { return false; }, std::chrono::duration_cast<std::chrono::milliseconds>(time));
+  }
+
+  void lose() {
+    ASSERT_TRUE(becomes(HeadsetState::Running));
+    const int sessions = test::madeSessions();
+    switch (number(0, 9)) {
+      case 0: test::stallOnce(std::chrono::milliseconds(number(1, 60))); return;
+      case 1:
+        test::leaveProgram();
+        ASSERT_TRUE(becomes(HeadsetState::Left));
+        headset_->start();
+        return;
+      case 2:
+        test::setWorn(false);
+        drawFor(std::chrono::milliseconds(number(0, 20)));
+        test::setWorn(true);
+        return;
+      case 3:
+      case 4:
+      case 5: test::loseSession(); break;
+      default: test::loseRuntime(); break;
+    }
+    EXPECT_TRUE(until([&] { return test::madeSessions() > sessions; }));
+  }
+
+ private:
+  std::mt19937 random_{7};
+};
+
+/// In turn with losses and for as long without a headset, so that both see the same machine. The gaps are printed, and
+/// not judged: the machine may be busy.
+TEST_F(HeadsetLossesTest, TheWindowDrawsOnWhileTheHeadsetIsLostAgainAndAgain) {
+  constexpr int kTogether = 20;
+  Gaps alone;
+  Gaps beside;
+  const auto count = [this](Gaps& gaps, const auto& work) {
+    gaps_ = &gaps;
+    gaps.begin();
+    work();
+    gaps.end();
+    gaps_ = nullptr;
+  };
+  for (int done = 0; done < losses() && !HasFailure(); done += kTogether) {
+    const auto before = beside.all;
+    headset_->start();
+    count(beside, [&] {
+      for (int i = 0; i < kTogether && !HasFailure(); ++i) {
+        lose();
+        drawFor(std::chrono::milliseconds(number(0, 30)));
+      }
+    });
+    headset_->stop();
+    ASSERT_TRUE(until([] { return test::heldHandles() == 0; }));
+    count(alone, [&] { drawFor(beside.all - before); });
+  }
+  std::printf("%d losses in %.1f s; longest gap of the window %.0f ms (%d pictures), %.0f ms (%d) without a headset\n",
+              losses(), std::chrono::duration<double>(beside.all).count(), beside.longest.count(), beside.pictures,
+              alone.longest.count(), alone.pictures);
+  EXPECT_GT(beside.pictures, losses() / 10) << "the window goes on";
 }
 
 }  // namespace
