@@ -11,6 +11,7 @@
 #include "widgets/commands/action_catalogue.h"
 
 namespace glissade {
+
 HeadsetQuestions::HeadsetQuestions(HeadsetPage& page) : page_(page), showSoon_(queuedOnce(this, [this] { show(); })) {
   connect(&page, &HeadsetPage::answered, this, &HeadsetQuestions::answer);
   qApp->installEventFilter(this);
