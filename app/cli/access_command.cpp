@@ -12,6 +12,7 @@
 #include "engine/scenario/plan_file.h"
 #include "engine/scenario/product_file.h"
 #include "engine/scenario/scenario_io.h"
+#include "engine/study/plan_tasks.h"
 #include "engine/study/plan_words.h"
 
 namespace glissade::cli {
@@ -104,14 +105,43 @@ int accessOfPath(const AccessOptions& options, const StopToken& stop) {
   return accessExitCode(access->motion.isReachedAndSeen());
 }
 
-void printPlanAccess(const PlanAccess& access, const AssemblyPlan& plan, const AssembledProduct& product) {
-  for (std::size_t i = 0; i < plan.steps.size(); ++i) {
-    std::cout << std::setw(4) << plan.steps.size() - i << "  " << nameOfStep(plan.steps[i], product) << ": "
-              << inWords(access.steps[i], product.bodies) << "\n";
+/// Those of a group are numbered after the step that brings it, as in the work instruction.
+void printLine(const LineAccess& access, const std::vector<AssemblyStep>& steps,
+               const std::vector<SubassemblyLine>& lines, const std::string& group, const AssembledProduct& product) {
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    std::cout << std::setw(4) << stepNumber(steps.size() - 1 - i, group) << "  " << nameOfStep(steps[i], product)
+              << ": " << inWords(access.steps[i], product.bodies) << "\n";
   }
-  std::cout << access.reached() << " of " << plan.steps.size() << " steps are reached and seen by the hand "
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::string number = stepNumber(steps.size() - lines[i].step, group);
+    printLine(access.lines[i], lines[i].steps, lines[i].lines, number, product);
+  }
+}
+
+void printPlanAccess(const PlanAccess& access, const AssemblyPlan& plan, const AssembledProduct& product) {
+  printLine(access, plan.steps, plan.lines, {}, product);
+  std::cout << access.reached() << " of " << access.count() << " steps are reached and seen by the hand "
             << handSizeName(access.person.size) << "\n"
             << kSampled << "\n";
+}
+
+Json stepsJson(const LineAccess& access, const std::vector<AssemblyStep>& steps, const AssembledProduct& product) {
+  Json json = Json::array();
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    json.push_back({{"bodies", steps[i].bodies()}});
+    json.back().update(toJson(access.steps[i], product.bodies));
+  }
+  return json;
+}
+
+Json linesJson(const LineAccess& access, const std::vector<SubassemblyLine>& lines, const AssembledProduct& product) {
+  Json json = Json::array();
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    json.push_back({{"step", lines[i].step}, {"steps", stepsJson(access.lines[i], lines[i].steps, product)}});
+    Json below = linesJson(access.lines[i], lines[i].lines, product);
+    if (!below.empty()) json.back()["lines"] = std::move(below);
+  }
+  return json;
 }
 
 int accessOfPlan(const AccessOptions& options, const StopToken& stop) {
@@ -131,17 +161,14 @@ int accessOfPlan(const AccessOptions& options, const StopToken& stop) {
   if (options.format == Format::Json) {
     Json json = header(options);
     json["plan"] = options.plan;
-    json["steps"] = Json::array();
-    for (std::size_t i = 0; i < plan->steps.size(); ++i) {
-      json["steps"].push_back({{"bodies", plan->steps[i].bodies()}});
-      json["steps"].back().update(toJson(access->steps[i], product.bodies));
-    }
+    json["steps"] = stepsJson(*access, plan->steps, product);
+    if (!plan->lines.empty()) json["lines"] = linesJson(*access, plan->lines, product);
     json["reached"] = access->reached();
     printJson(json);
   } else {
     printPlanAccess(*access, *plan, product);
   }
-  return accessExitCode(access->reached() == plan->steps.size());
+  return accessExitCode(access->reached() == access->count());
 }
 
 }  // namespace

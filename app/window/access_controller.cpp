@@ -86,7 +86,7 @@ void AccessController::checkSequence() {
       bench_.messages.showStatus(tr("Hand (%1): %2 of %3 steps are reached and seen; sampled, no proof")
                                      .arg(handSizeText(person.size))
                                      .arg(access->reached())
-                                     .arg(access->steps.size()));
+                                     .arg(access->count()));
     };
   };
   bench_.work.run(tr("Checking the access of the hand"), work);

@@ -1,5 +1,9 @@
 #include "app/window/headset_controller.h"
 
+#include <QLocale>
+
+#include "widgets/headset/picture_rate.h"
+
 namespace glissade {
 namespace {
 
@@ -40,6 +44,17 @@ QString HeadsetController::textOf(const HeadsetStatus& status) {
   return {};
 }
 
+QString HeadsetController::textOf(const HeadsetFigures& figures) {
+  if (figures.drawCalls == 0) return tr("The headset has shown no pictures yet");
+  const QLocale locale;
+  return tr("A picture of an eye: %1 draw calls, %2 triangles, %3 ms to choose them, %4 ms in OpenGL; the scene is "
+            "simplified %5 of %6 times")
+      .arg(locale.toString(figures.drawCalls), locale.toString(static_cast<qlonglong>(figures.triangles)),
+           locale.toString(1e3 * figures.cullSeconds, 'f', 2), locale.toString(1e3 * figures.drawSeconds, 'f', 2))
+      .arg(figures.detailStep)
+      .arg(PictureRate::kSteps - 1);
+}
+
 HeadsetController::HeadsetController(const Workbench& bench)
     : QObject(&bench.window), bench_(bench), sign_(new QLabel(bench.scene.widget())), headset_(bench.scene.headset()) {
   sign_->setObjectName(QStringLiteral("headset-sign"));
@@ -56,6 +71,7 @@ HeadsetController::HeadsetController(const Workbench& bench)
       [this] { QMetaObject::invokeMethod(this, &HeadsetController::showStatus, Qt::QueuedConnection); });
   connect(bench.actions["view.headset"], &QAction::toggled, this, &HeadsetController::setOn);
   bench.onAction("headset.on-table", this, [this] { place(); });
+  bench.onAction("headset.figures", this, [this] { showFigures(); });
   connect(&bench.document, &WorkbenchDocument::changed, this, [this](Changes what) {
     if (what & Change::Scenario) place();  // an edit does not move the person
   });
@@ -65,7 +81,7 @@ HeadsetController::HeadsetController(const Workbench& bench)
 
 void HeadsetController::disable() {
   for (const char* id : {"view.headset", "headset.on-table", "headset.panel-in-front", "headset.section",
-                         "headset.measure", "headset.left-handed", "headset.grip-alpha"}) {
+                         "headset.measure", "headset.left-handed", "headset.grip-alpha", "headset.figures"}) {
     QAction* action = bench_.actions[QLatin1String(id)];
     action->setEnabled(false);
     action->setStatusTip(tr("This program was built without OpenXR, or there is no display"));
@@ -114,5 +130,7 @@ void HeadsetController::showStatus() {
   }
   bench_.scene.refresh();
 }
+
+void HeadsetController::showFigures() { bench_.messages.showStatus(textOf(headset_->figures())); }
 
 }  // namespace glissade

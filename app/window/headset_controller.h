@@ -16,12 +16,15 @@ class HeadsetController final : public QObject {
 
   /// What a person reads about the headset; empty while it shows pictures and while it is off.
   static QString textOf(const HeadsetStatus& status);
+  /// What a picture costs.
+  static QString textOf(const HeadsetFigures& figures);
 
  private:
   static QString troubleText(const HeadsetStatus& status);
   void disable();
   void setOn(bool on);
   void showStatus();
+  void showFigures();
   void place();
   void setBackground();
 

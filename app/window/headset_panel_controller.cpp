@@ -30,6 +30,7 @@ HeadsetPanelController::HeadsetPanelController(const Workbench& bench, const Ref
 void HeadsetPanelController::make() {
   page_ = std::make_unique<HeadsetPage>(bench_.actions);
   view_ = std::make_unique<HeadsetPanelView>(*page_, tools_);
+  questions_ = std::make_unique<HeadsetQuestions>(*page_);
   connect(page_.get(), &HeadsetPage::commanded, &bench_.session, &SessionBridge::post);
   connect(&bench_.document, &WorkbenchDocument::changed, this, [this](Changes what) {
     if (what & (Change::Scenario | Change::Arrangement)) showScenario();

@@ -4,6 +4,7 @@
 
 #include "app/window/hand_tools.h"
 #include "app/window/headset_panel_view.h"
+#include "app/window/headset_questions.h"
 #include "app/window/headset_texts.h"
 #include "app/window/instruction_walk.h"
 #include "app/window/workbench.h"
@@ -45,6 +46,7 @@ class HeadsetPanelController final : public QObject {
   HandTools handTools_;
   std::unique_ptr<HeadsetPage> page_;
   std::unique_ptr<HeadsetPanelView> view_;
+  std::unique_ptr<HeadsetQuestions> questions_;
 };
 
 }  // namespace glissade

@@ -48,6 +48,13 @@ std::vector<StepCheck> checksOf(const AssemblyPlan& plan, const AssembledProduct
   return checks;
 }
 
+LineTexts textsOf(const LineAccess& access, const std::vector<RigidBody>& bodies) {
+  LineTexts texts;
+  for (const MotionAccess& step : access.steps) texts.steps.push_back(accessText(step, bodies).toStdString());
+  for (const LineAccess& line : access.lines) texts.lines.push_back(textsOf(line, bodies));
+  return texts;
+}
+
 bool isPdf(const QString& file) { return file.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive); }
 
 }  // namespace
@@ -65,11 +72,7 @@ void InstructionJob::start(PlanDocument document, const QString& file, Finished 
   content->plan = shown.plan;
   content->product = shown.product;
   content->checks = shown.checks;
-  if (shown.access) {
-    for (const MotionAccess& step : shown.access->steps) {
-      content->access.push_back(accessText(step, shown.product->bodies).toStdString());
-    }
-  }
+  if (shown.access) content->access = textsOf(*shown.access, shown.product->bodies);
   content->title = nameOfProduct(*bench_.document.scenario());
   content->deviation = surfaceDeviation(*bench_.document.scenario());
   content->times = sequence_.workTimes().times();

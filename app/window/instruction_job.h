@@ -8,6 +8,7 @@
 #include "engine/base/file_save.h"
 #include "engine/sequence/work_times.h"
 #include "engine/study/instruction/instruction_template.h"
+#include "engine/study/plan_report.h"
 #include "engine/study/plan_words.h"
 #include "widgets/bridge/sequence_planner.h"
 
@@ -41,7 +42,7 @@ class InstructionJob final : public QObject {
     PlanPtr plan;
     ProductPtr product;
     std::vector<StepCheck> checks;
-    std::vector<std::string> access;  ///< a text for each step; empty: not asked
+    LineTexts access;  ///< without steps: not asked
     std::string title;
     double deviation = 0.0;
     WorkTimes times;

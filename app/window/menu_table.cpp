@@ -63,7 +63,7 @@ const std::vector<MenuSpec>& menuTable() {
       {"menu.headset",
        QT_TRANSLATE_NOOP("Menus", "He&adset"),
        {"view.headset", "headset.on-table", "headset.panel-in-front", "", "headset.section", "headset.measure",
-        "headset.instruction", "", "headset.left-handed", "headset.grip-alpha"}},
+        "headset.instruction", "", "headset.left-handed", "headset.grip-alpha", "", "headset.figures"}},
       {"menu.layers",
        QT_TRANSLATE_NOOP("Menus", "&Layers"),
        {"layer.bodies", "layer.object", "layer.ends", "layer.workspace", "layer.grid", "layer.legend", "layer.keys", "",

@@ -36,27 +36,68 @@ void noteTool(const StepTool& tool, const AssembledProduct& product, HandAnswer&
 
 double clearanceAt(CollisionQuery& query, const Pose& X_WB) { return query.nearestObstacle(X_WB).distance; }
 
+std::size_t stepsIn(const std::vector<AssemblyStep>& steps, const std::vector<SubassemblyLine>& lines) {
+  std::size_t count = steps.size();
+  for (const SubassemblyLine& line : lines) count += stepsIn(line.steps, line.lines);
+  return count;
+}
+
+/// Asks about the steps of a plan and of its groups, one after the other.
+class PlanAsker {
+ public:
+  PlanAsker(const AssembledProduct& product, AccessChecker& checker, std::size_t count, const WorkWatch& watch)
+      : product_(product), checker_(checker), count_(count), watch_(watch) {}
+
+  /// What was asked before a stop.
+  LineAccess ask(const std::vector<AssemblyStep>& steps, const std::vector<SubassemblyLine>& lines, BodySet there) {
+    LineAccess access;
+    for (const AssemblyStep& step : steps) {
+      std::vector<std::size_t> bodies = bodiesOf(step, product_);
+      there = without(std::move(there), bodies);
+      MotionAccess found = checker_.of(motionOf(step, product_, std::move(bodies), there), watch_.stop);
+      if (watch_.stop.stopRequested()) return access;
+      noteTool(step.tool, product_, found.hand);
+      access.steps.push_back(std::move(found));
+      watch_.report(static_cast<double>(++asked_) / static_cast<double>(count_));
+    }
+    for (const SubassemblyLine& line : lines) access.lines.push_back(ask(line.steps, line.lines, groupOf(line)));
+    return access;
+  }
+
+ private:
+  BodySet groupOf(const SubassemblyLine& line) const {
+    BodySet there(product_.bodies.size(), false);
+    for (const std::string& id : line.bodies) there[*product_.indexOf(id)] = true;
+    return there;
+  }
+
+  const AssembledProduct& product_;
+  AccessChecker& checker_;
+  std::size_t count_;
+  const WorkWatch& watch_;
+  std::size_t asked_ = 0;
+};
+
 }  // namespace
 
-std::size_t PlanAccess::reached() const {
-  return static_cast<std::size_t>(
-      std::count_if(steps.begin(), steps.end(), [](const MotionAccess& step) { return step.isReachedAndSeen(); }));
+std::size_t LineAccess::count() const {
+  return std::accumulate(lines.begin(), lines.end(), steps.size(),
+                         [](std::size_t sum, const LineAccess& line) { return sum + line.count(); });
+}
+
+std::size_t LineAccess::reached() const {
+  const auto here =
+      std::count_if(steps.begin(), steps.end(), [](const MotionAccess& step) { return step.isReachedAndSeen(); });
+  return std::accumulate(lines.begin(), lines.end(), static_cast<std::size_t>(here),
+                         [](std::size_t sum, const LineAccess& line) { return sum + line.reached(); });
 }
 
 Result<PlanAccess> planAccess(const AssembledProduct& product, const AssemblyPlan& plan, const Person& person,
                               const WorkWatch& watch) {
   AccessChecker checker(product.bodies, person);
-  PlanAccess access{person, {}, checker.forearm()};
-  BodySet there(product.bodies.size(), true);
-  for (const AssemblyStep& step : plan.steps) {
-    std::vector<std::size_t> bodies = bodiesOf(step, product);
-    there = without(std::move(there), bodies);
-    MotionAccess found = checker.of(motionOf(step, product, std::move(bodies), there), watch.stop);
-    if (watch.stop.stopRequested()) return interrupted();
-    noteTool(step.tool, product, found.hand);
-    access.steps.push_back(std::move(found));
-    watch.report(static_cast<double>(access.steps.size()) / static_cast<double>(plan.steps.size()));
-  }
+  PlanAsker asker(product, checker, stepsIn(plan.steps, plan.lines), watch);
+  PlanAccess access{asker.ask(plan.steps, plan.lines, BodySet(product.bodies.size(), true)), person, checker.forearm()};
+  if (watch.stop.stopRequested()) return interrupted();
   return access;
 }
 

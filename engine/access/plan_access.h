@@ -6,19 +6,26 @@
 
 namespace glissade {
 
-/// Of every step of a plan, in its order.
-struct PlanAccess {
-  Person person;
-  std::vector<MotionAccess> steps;
-  MeshPtr forearm;  ///< of this person, in the forearm's frame
+/// Of every step of a plan, or of a group that is taken apart, in its order.
+struct LineAccess {
+  std::vector<MotionAccess> steps{};
+  std::vector<LineAccess> lines{};  ///< of the groups among them, in the order of AssemblyPlan::lines
 
-  /// Steps that a hand gets to, and of which enough is seen.
+  /// Steps, those of the groups too.
+  std::size_t count() const;
+  /// Of these the ones that a hand gets to, and of which enough is seen.
   std::size_t reached() const;
 };
 
-/// Asks of each step while those bodies are there that the steps before it have left. Where the plan says that the
-/// step's tool is blocked, so is the hand. Steps of groups that are taken apart are not asked (AssemblyPlan::lines).
-/// After a stop: Interrupted. Precondition: the plan is about this product.
+/// Of every step of a plan.
+struct PlanAccess : LineAccess {
+  Person person;
+  MeshPtr forearm;  ///< of this person, in the forearm's frame
+};
+
+/// Asks of each step while those bodies are there that the steps before it have left; of a step of a group while the
+/// others of the group are. Where the plan says that the step's tool is blocked, so is the hand. After a stop:
+/// Interrupted. Precondition: the plan is about this product.
 Result<PlanAccess> planAccess(const AssembledProduct& product, const AssemblyPlan& plan, const Person& person,
                               const WorkWatch& watch);
 

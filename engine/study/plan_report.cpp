@@ -28,7 +28,8 @@ class Composer {
     const std::vector<TaskRange> tasks = taskRanges(content_.plan.steps, parts_);
     for (std::size_t task = 0; task < tasks.size(); ++task) {
       const std::size_t place = tasks[task].place;
-      addSubassemblies(content_.plan.lines, content_.plan.steps.size() - place, stepNumber(place));
+      addSubassemblies(content_.plan.lines, content_.access.lines, content_.plan.steps.size() - place,
+                       stepNumber(place));
       addPage(task, tasks[task]);
     }
     if (content_.timing) addTimesSection(*content_.timing, plain_.words(), report_);
@@ -103,17 +104,21 @@ class Composer {
 
   /// A page for each group that a step brings: it is put together before, and so are the groups in it. `number`: of the
   /// step, "12" or "12.3" of a step in a group.
-  void addSubassemblies(const std::vector<SubassemblyLine>& lines, std::size_t step, const std::string& number) {
-    for (const SubassemblyLine& line : lines) {
+  void addSubassemblies(const std::vector<SubassemblyLine>& lines, const std::vector<LineTexts>& access,
+                        std::size_t step, const std::string& number) {
+    for (std::size_t l = 0; l < lines.size(); ++l) {
+      const SubassemblyLine& line = lines[l];
       if (line.step != step) continue;
+      const LineTexts reached = l < access.size() ? access[l] : LineTexts();
       for (std::size_t i = line.steps.size(); i > 0; --i) {
-        addSubassemblies(line.lines, i, stepNumber(line.steps.size() - i, number));
+        addSubassemblies(line.lines, reached.lines, i, stepNumber(line.steps.size() - i, number));
       }
-      addSubassembly(line, number);
+      addSubassembly(line, reached.steps, number);
     }
   }
 
-  void addSubassembly(const SubassemblyLine& line, const std::string& number) {
+  /// `access`: of each step; empty: not asked.
+  void addSubassembly(const SubassemblyLine& line, const std::vector<std::string>& access, const std::string& number) {
     report_.blocks.emplace_back(ReportHeading{say("Subassembly for step %1", {number}), 2, true});
     report_.blocks.emplace_back(facts({{say("Parts"), namesOf(line.bodies)}, {say("Base"), namesOf(line.staying)}}));
     ReportTable table{"",
@@ -122,11 +127,13 @@ class Composer {
                        {say("Work"), ReportColumn::Kind::Prose},
                        {say("Tool"), ReportColumn::Kind::Prose}},
                       {}};
+    if (!access.empty()) table.columns.push_back({say("Access of a hand, sampled"), ReportColumn::Kind::Prose});
     for (std::size_t i = line.steps.size(); i > 0; --i) {
       const AssemblyStep& step = line.steps[i - 1];
       const std::string tool = plain_.tool(step, content_.product);
       table.rows.push_back({stepNumber(line.steps.size() - i, number), nameOfStep(step, content_.product),
                             plain_.work(step, content_.product, PlanOrder::Assembly), tool.empty() ? kDash : tool});
+      if (!access.empty()) table.rows.back().push_back(access[i - 1]);
     }
     report_.blocks.emplace_back(std::move(table));
     for (const StuckBody& stuck : line.stuck) {
@@ -180,8 +187,8 @@ class Composer {
         say("Clearance"), steps, [&](const AssemblyStep& step) { return Texts{clearanceText(step)}; }, rows);
     addRows(
         say("Tool"), steps, [&](const AssemblyStep& step) { return Texts{plain_.tool(step, product)}; }, rows);
-    for (std::size_t at = place; !content_.access.empty() && at < place + steps.size(); ++at) {
-      const std::string& text = content_.access[content_.plan.steps.size() - 1 - at];
+    for (std::size_t at = place; !content_.access.steps.empty() && at < place + steps.size(); ++at) {
+      const std::string& text = content_.access.steps[content_.plan.steps.size() - 1 - at];
       if (rows.back().back() != text) rows.push_back({say("Access of a hand, sampled"), text});
     }
     addRows(

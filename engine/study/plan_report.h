@@ -10,6 +10,12 @@
 
 namespace glissade {
 
+/// A text for each step of a plan, or of a group that is taken apart, and those of its groups.
+struct LineTexts {
+  std::vector<std::string> steps{};
+  std::vector<LineTexts> lines{};  ///< in the order of AssemblyPlan::lines
+};
+
 /// What the report of a plan is made of. Refers to its members for the time of the call.
 struct PlanReportContent {
   const AssemblyPlan& plan;
@@ -21,7 +27,7 @@ struct PlanReportContent {
   std::string graphPicture{};           ///< a PNG file of planGraphSvg(); empty: none
   std::vector<std::string> pictures{};  ///< a PNG file of each task (taskRanges()); empty: none
   std::optional<PlanTiming> timing{};   ///< how long the work takes; nothing: not said
-  std::vector<std::string> access{};    ///< whether a hand gets there, a text for each step; empty: not asked
+  LineTexts access{};                   ///< whether a hand gets there; without steps: not asked
 };
 
 /// What an engineer reads of a plan: cover, parts list, a page for each task in the order of assembly with its motions,

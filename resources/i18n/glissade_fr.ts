@@ -2230,6 +2230,14 @@
         <source>Check with the hand of the 95th percentile of men</source>
         <translation>Vérifier avec la main du 95e centile des hommes</translation>
     </message>
+    <message>
+        <source>&amp;Figures of drawing in the headset</source>
+        <translation>C&amp;hiffres du dessin dans le casque</translation>
+    </message>
+    <message>
+        <source>Say what a picture of the headset costs, and how simple the scene is for it</source>
+        <translation>Dire ce que coûte une image du casque, et combien la scène est simplifiée pour lui</translation>
+    </message>
 </context>
 <context>
     <name>Arranging</name>
@@ -6686,6 +6694,17 @@
     </message>
 </context>
 <context>
+    <name>HeadsetQuestions</name>
+    <message>
+        <source>This dialog is in the window. Take the headset off to answer it.</source>
+        <translation>Ce dialogue est dans la fenêtre. Retirez le casque pour y répondre.</translation>
+    </message>
+    <message>
+        <source>Close it</source>
+        <translation>Le fermer</translation>
+    </message>
+</context>
+<context>
     <name>HelpPages</name>
     <message>
         <source>Keys and shortcuts</source>
@@ -10008,6 +10027,14 @@
         <source>The scene is shown in the headset %1</source>
         <translation>La scène est montrée dans le casque %1</translation>
     </message>
+    <message>
+        <source>The headset has shown no pictures yet</source>
+        <translation>Le casque n&apos;a pas encore montré d&apos;images</translation>
+    </message>
+    <message>
+        <source>A picture of an eye: %1 draw calls, %2 triangles, %3 ms to choose them, %4 ms in OpenGL; the scene is simplified %5 of %6 times</source>
+        <translation>Une image d&apos;un œil : %1 appels de dessin, %2 triangles, %3 ms pour les choisir, %4 ms dans OpenGL ; la scène est simplifiée %5 fois sur %6</translation>
+    </message>
 </context>
 <context>
     <name>glissade::HeadsetPage</name>
@@ -12879,6 +12906,17 @@
     <message>
         <source>Next: move it by hand (menu of the row), or look at the order as a graph.</source>
         <translation>Ensuite&#xa0;: déplacez-le à la main (menu de la ligne), ou regardez l&apos;ordre en graphe.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n inside not reached</source>
+        <translation>
+            <numerusform>%n à l&apos;intérieur non atteinte</numerusform>
+            <numerusform>%n à l&apos;intérieur non atteintes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, in its group: %2</source>
+        <translation>%1, dans son groupe : %2</translation>
     </message>
 </context>
 <context>

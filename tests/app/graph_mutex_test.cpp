@@ -4,6 +4,9 @@
 
 #include <atomic>
 #include <chrono>
+#include <functional>
+
+#include "widgets/scene3d/scene_view.h"
 
 namespace glissade {
 namespace {
@@ -77,6 +80,28 @@ TEST(GraphMutex, WhoGivesWayHasItAgainAfterThoseWhoWait) {
   EXPECT_TRUE(drawn);
   mutex.unlock();
   window.join();
+}
+
+/// What is drawn meanwhile would be taken away from under the headset.
+TEST(GraphMutex, AnEditOfTheSceneWaitsForWhoDraws) {
+  SceneView view;
+  const std::function<void()> edits[] = {[&] { view.setHelp({}); },          [&] { view.setReach({}); },
+                                         [&] { view.setMeasure({}); },       [&] { view.setScenario(nullptr); },
+                                         [&] { view.setHiddenBodies({}); },  [&] { view.setSections({}); },
+                                         [&] { view.setSnapshot(nullptr); }, [&] { view.setColours({}); }};
+  for (std::size_t i = 0; i < std::size(edits); ++i) {
+    std::atomic<bool> done{false};
+    std::unique_lock drawing(*view.graphMutex());
+    std::thread window([&] {
+      edits[i]();
+      done = true;
+    });
+    std::this_thread::sleep_for(20ms);
+    EXPECT_FALSE(done) << i;
+    drawing.unlock();
+    window.join();
+    EXPECT_TRUE(done) << i;
+  }
 }
 
 }  // namespace

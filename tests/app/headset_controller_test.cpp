@@ -1,6 +1,8 @@
 // View > Headset in the whole window, with a headset that says what the test lets it say.
 #include "app/window/headset_controller.h"
 
+#include <QStatusBar>
+
 #include "tests/app/said_headset.h"
 #include "tests/app/whole_window.h"
 
@@ -52,6 +54,17 @@ TEST_F(HeadsetControllerTest, EveryTroubleHasWordsOfItsOwn) {
   EXPECT_EQ(said.removeDuplicates(), 0);
   EXPECT_TRUE(said.last().contains(QStringLiteral("xrWaitFrame -1")));
   EXPECT_FALSE(said.contains(QString()));
+}
+
+TEST_F(HeadsetControllerTest, WhatAPictureCostsIsSaid) {
+  action("headset.figures").trigger();
+  const QString before = window_.statusBar()->currentMessage();
+  headset_.setFigures({2, 64, 1224, 1.2e-4, 1.18e-2});
+  action("headset.figures").trigger();
+  const QString text = window_.statusBar()->currentMessage();
+  EXPECT_NE(text, before);
+  for (const char* part : {"64", "1,224", "0.12", "11.80", "2"})
+    EXPECT_TRUE(text.contains(QLatin1String(part))) << part;
 }
 
 TEST_F(HeadsetControllerTest, WhoLeavesItFindsTheActionOffAndStartsItAgain) {

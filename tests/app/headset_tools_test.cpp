@@ -1,9 +1,13 @@
 // What a person with a headset works with besides the object, in the whole window, with a headset that says what the
 // test lets it say.
+#include <QPushButton>
 #include <QTest>
+#include <QToolButton>
 
 #include <cmath>
 
+#include "app/window/headset_panel_controller.h"
+#include "app/window/plain_message_box.h"
 #include "tests/app/said_headset.h"
 #include "tests/app/whole_window.h"
 #include "widgets/devices/device_settings.h"
@@ -207,6 +211,49 @@ TEST_F(HeadsetToolsTest, ThereIsAPanelOnceTheHeadsetIsAskedFor) {
   EXPECT_EQ(picture->rgba.size(), 4U * static_cast<std::size_t>(picture->width * picture->height));
   action("headset.panel-in-front").trigger();
   EXPECT_TRUE(headset_.tools().panelInFront);
+}
+
+/// A message in the window is not seen with the headset on.
+TEST_F(HeadsetToolsTest, ErrorsAndQuestionsOfTheWindowAreAskedOnThePanelAndAnsweredThere) {
+  HeadsetPage& page = *window_.findChild<HeadsetPanelController*>()->page();
+  const auto text = [&page](const char* name) { return page.findChild<QLabel*>(QLatin1String(name))->text(); };
+  const QWidget& question = *page.findChild<QWidget*>(QStringLiteral("headset-question"));
+  const auto answers = [&question] {
+    QList<QToolButton*> shown;
+    for (QToolButton* button : question.findChildren<QToolButton*>()) {
+      if (button->isVisible()) shown << button;
+    }
+    return shown;
+  };
+  EXPECT_TRUE(question.isHidden());
+  PlainMessageBox box(QMessageBox::Question, QStringLiteral("t"), QStringLiteral("Which one?"),
+                      QStringLiteral("There are two."), &window_);
+  const QPushButton* first = box.addButton(QStringLiteral("&Keep"), QMessageBox::RejectRole);
+  const QPushButton* second = box.addButton(QStringLiteral("&Take"), QMessageBox::AcceptRole);
+  QAbstractButton* clicked = nullptr;
+  QObject::connect(&box, &QMessageBox::buttonClicked, &box, [&](QAbstractButton* button) { clicked = button; });
+  box.open();
+  ASSERT_TRUE(until([&] { return !question.isHidden(); }));
+  EXPECT_EQ(text("headset-asked"), QStringLiteral("Which one?"));
+  EXPECT_EQ(text("headset-details"), QStringLiteral("There are two."));
+  ASSERT_EQ(answers().size(), 2);
+  EXPECT_EQ(page.childAt(page.rect().center())->window(), &page);
+  EXPECT_TRUE(question.geometry().contains(page.rect().center())) << "nothing else is pressed meanwhile";
+  for (QToolButton* button : answers()) {
+    if (button->text() == QStringLiteral("Take")) button->click();
+  }
+  EXPECT_EQ(clicked, second);
+  EXPECT_NE(clicked, first);
+  EXPECT_TRUE(until([&] { return question.isHidden(); }));
+  QDialog dialog(&window_);
+  dialog.setWindowTitle(QStringLiteral("Film"));
+  dialog.open();
+  ASSERT_TRUE(until([&] { return !question.isHidden(); }));
+  EXPECT_EQ(text("headset-asked"), QStringLiteral("Film"));
+  ASSERT_EQ(answers().size(), 1);
+  answers().front()->click();
+  EXPECT_FALSE(dialog.isVisible());
+  EXPECT_TRUE(until([&] { return question.isHidden(); }));
 }
 
 TEST_F(HeadsetToolsTest, WhereTheOnlyButtonIsTheGripItMeasuresNothing) {

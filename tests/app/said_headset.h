@@ -14,7 +14,7 @@ class SaidHeadset final : public Headset {
   void start() override { ++starts_; }
   void stop() override { ++stops_; }
   HeadsetStatus status() const override { return status_; }
-  HeadsetFigures figures() const override { return {}; }
+  HeadsetFigures figures() const override { return figures_; }
   void setPlacement(const RoomPlacement& room) override { room_ = room; }
   void setBackground(const Colour& /*above*/, const Colour& /*below*/) override {}
   void setHands(HandInputsPtr hands) override { hands_ = std::move(hands); }
@@ -26,6 +26,7 @@ class SaidHeadset final : public Headset {
     callback_();
     QCoreApplication::processEvents();
   }
+  void setFigures(const HeadsetFigures& figures) { figures_ = figures; }
   int starts() const { return starts_; }
   int stops() const { return stops_; }
   const RoomPlacement& room() const { return room_; }
@@ -34,6 +35,7 @@ class SaidHeadset final : public Headset {
 
  private:
   HeadsetStatus status_;
+  HeadsetFigures figures_;
   RoomPlacement room_;
   HandInputsPtr hands_;
   HeadsetToolsPtr tools_;

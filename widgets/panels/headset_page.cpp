@@ -6,6 +6,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "widgets/commands/flow_layout.h"
 #include "widgets/panels/strategy_use.h"
 
 namespace glissade {
@@ -28,7 +29,8 @@ const char* const kPointedAt =
     "#headset-page QSlider::sub-page:horizontal { height: 10px; border-radius: 5px; background: palette(highlight); }"
     "#headset-page QSlider::handle:horizontal { width: 32px; margin: -11px 0px; border-radius: 16px; "
     "background: palette(button); border: 3px solid palette(highlight); }"
-    "#headset-page QLabel#headset-refused { font-weight: 600; }"
+    "#headset-page QLabel#headset-refused, #headset-page QLabel#headset-asked { font-weight: 600; }"
+    "#headset-page QWidget#headset-question { background: palette(window); border: 3px solid palette(highlight); }"
     "#headset-page QDoubleSpinBox { border: none; background: transparent; }";
 
 QLabel* makeLabel(const char* name, QWidget* parent) {
@@ -72,7 +74,11 @@ HeadsetPage::HeadsetPage(const ActionCatalogue& actions, QWidget* parent)
       sequence_(new QWidget(this)),
       step_(makeLabel("headset-step", this)),
       what_(makeLabel("headset-refused", this)),
-      why_(makeLabel("headset-reason", this)) {
+      why_(makeLabel("headset-reason", this)),
+      question_(new QWidget(this)),
+      asked_(makeLabel("headset-asked", question_)),
+      details_(makeLabel("headset-details", question_)),
+      answers_(new FlowLayout) {
   setObjectName(QStringLiteral("headset-page"));
   setAttribute(Qt::WA_StyledBackground);
   setAccessibleName(tr("Panel in the headset"));
@@ -92,8 +98,26 @@ HeadsetPage::HeadsetPage(const ActionCatalogue& actions, QWidget* parent)
   layout->addWidget(sequence_);
   layout->addStretch();
   layout->addLayout(makeRefusal());
+  makeQuestion();
   setStep({});
   setRefusal({}, {});
+  ask({}, {}, {});
+}
+
+/// It lies over what it keeps hands from.
+void HeadsetPage::makeQuestion() {
+  question_->setObjectName(QStringLiteral("headset-question"));
+  question_->setAttribute(Qt::WA_StyledBackground);
+  question_->setGeometry(rect());
+  auto* column = new QVBoxLayout(question_);
+  column->setContentsMargins(56, 44, 56, 44);
+  column->setSpacing(24);
+  column->addStretch();
+  column->addWidget(asked_);
+  column->addWidget(details_);
+  answers_->setSpacing(18);
+  column->addLayout(answers_);
+  column->addStretch();
 }
 
 /// Those for daily use. Another one keeps its name above them.
@@ -170,6 +194,26 @@ void HeadsetPage::setRefusal(const QString& what, const QString& why) {
   why_->setText(why);
   what_->setVisible(!what.isEmpty());
   why_->setVisible(!why.isEmpty());
+}
+
+void HeadsetPage::ask(const QString& what, const QString& why, const QStringList& answers) {
+  asked_->setText(what);
+  details_->setText(why);
+  details_->setVisible(!why.isEmpty());
+  while (QLayoutItem* item = answers_->takeAt(0)) {
+    item->widget()->deleteLater();  // it may be what was pressed
+    item->widget()->hide();
+    delete item;
+  }
+  for (int i = 0; i < answers.size(); ++i) {
+    auto* button = new QToolButton(question_);
+    button->setText(answers[i]);
+    answers_->addWidget(button);
+    button->show();
+    connect(button, &QToolButton::clicked, this, [this, i] { emit answered(i); });
+  }
+  question_->setVisible(!answers.isEmpty());
+  question_->raise();
 }
 
 }  // namespace glissade

@@ -2,6 +2,7 @@
 
 #include <QButtonGroup>
 #include <QLabel>
+#include <QStringList>
 #include <QWidget>
 
 #include "widgets/commands/action_catalogue.h"
@@ -33,14 +34,19 @@ class HeadsetPage final : public QWidget {
   void setStep(const QString& place);
   /// What was refused and why; empty: nothing.
   void setRefusal(const QString& what, const QString& why);
+  /// What is asked or said before anything else can be done, over the whole page; without answers: nothing.
+  void ask(const QString& what, const QString& why, const QStringList& answers);
 
  signals:
   void commanded(const glissade::Command& command);
+  /// By its place among the answers.
+  void answered(int answer);
 
  private:
   QLayout* makeStrategies();
   QLayout* makeSequence(const ActionCatalogue& actions);
   QLayout* makeRefusal();
+  void makeQuestion();
 
   QLabel* strategy_;
   QButtonGroup* strategies_;
@@ -50,6 +56,10 @@ class HeadsetPage final : public QWidget {
   QLabel* step_;
   QLabel* what_;
   QLabel* why_;
+  QWidget* question_;
+  QLabel* asked_;
+  QLabel* details_;
+  QLayout* answers_;
 };
 
 }  // namespace glissade

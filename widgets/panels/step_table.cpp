@@ -31,6 +31,8 @@ constexpr int kStepRole = Qt::UserRole;         // counted in the plan
 constexpr int kStuckRole = Qt::UserRole + 1;    // id of a stuck part
 constexpr int kPictureRole = Qt::UserRole + 2;  // id of the body that the picture is of
 constexpr int kPartColumn = 184;
+constexpr int kLeastPartColumn = 120;
+constexpr int kLeastToolColumn = 48;
 constexpr int kPictureSize = 32;
 constexpr int kWrappedMargin = 16;  ///< about the text beside a picture, and between them
 
@@ -180,13 +182,20 @@ void StepTable::show(const ShownPlan& shown, PlanOrder order) {
   if (shown.plan && !shown.growing) {
     for (const StuckBody& stuck : shown.plan->stuck) addStuck(stuck);
   }
-  for (const int column : {StepNumber, StepGaps, StepState}) resizeColumnToContents(column);
-  setColumnWidth(StepPart, kPartColumn);
-  const int used = columnWidth(StepNumber) + kPartColumn + columnWidth(StepGaps) + columnWidth(StepState);
-  const int inside = width() - 2 * frameWidth() - style()->pixelMetric(QStyle::PM_ScrollBarExtent);
-  setColumnWidth(StepTools, std::max(columnWidth(StepGaps), inside - used));
+  fitColumns();
   verticalScrollBar()->setValue(shown.growing ? verticalScrollBar()->maximum() : scrolled);
   setDragEnabled(!shown.growing);
+}
+
+/// The state is seen without scrolling: where there is little room, names of parts and tools are cut.
+void StepTable::fitColumns() {
+  for (const int column : {StepNumber, StepGaps, StepState}) resizeColumnToContents(column);
+  const int used = columnWidth(StepNumber) + columnWidth(StepGaps) + columnWidth(StepState);
+  const int inside = width() - 2 * frameWidth() - style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+  const int left = inside - used;
+  const int part = std::clamp(left - columnWidth(StepGaps), kLeastPartColumn, kPartColumn);
+  setColumnWidth(StepPart, part);
+  setColumnWidth(StepTools, std::max(kLeastToolColumn, left - part));
 }
 
 void StepTable::setIcon(QTreeWidgetItem& row, const std::string& bodyId) {
@@ -245,14 +254,36 @@ void StepTable::addStep(std::size_t place) {
   const auto after = i < shown_.foundAfter.size() ? shown_.foundAfter[i] : std::nullopt;
   const StepCheck check = i < shown_.checks.size() ? shown_.checks[i] : StepCheck::NotAsked;
   const MotionAccess* access = shown_.access ? &shown_.access->steps[i] : nullptr;
+  const QStringList inside = access != nullptr ? unreachedInside(i) : QStringList();
   QStringList marks{access != nullptr ? accessMark(*access) : QString(),
+                    inside.isEmpty() ? QString() : tr("%n inside not reached", "", inside.size()),
                     markOf(demandsOn(step.bodies(), shown_.plan->demands), step)};
   marks.removeAll(QString());
   row->setText(StepState, twoLines(checkText(check), marks.join(QStringLiteral(", "))));
   QStringList tips{checkTip(check), tr("found by %1").arg(QString::fromStdString(step.method))};
-  if (access != nullptr) tips << accessText(*access, shown_.product->bodies);
+  if (access != nullptr) tips << accessText(*access, shown_.product->bodies) << inside;
   if (after) tips << tr("found after %1 s of computing").arg(QLocale().toString(*after, 'f', 1));
   row->setToolTip(StepState, tips.join(QLatin1Char('\n')));
+}
+
+/// A line for each step of the groups of a step that the hand does not reach, or that is not seen.
+QStringList StepTable::unreachedInside(std::size_t step) const {
+  QStringList texts;
+  const auto& lines = shown_.plan->lines;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (lines[i].step == step + 1) addUnreached(lines[i], shown_.access->lines[i], texts);
+  }
+  return texts;
+}
+
+void StepTable::addUnreached(const SubassemblyLine& line, const LineAccess& access, QStringList& texts) const {
+  for (std::size_t i = 0; i < access.steps.size(); ++i) {
+    if (access.steps[i].isReachedAndSeen()) continue;
+    texts << tr("%1, in its group: %2")
+                 .arg(QString::fromStdString(nameOfStep(line.steps[i], *shown_.product)),
+                      accessText(access.steps[i], shown_.product->bodies));
+  }
+  for (std::size_t i = 0; i < access.lines.size(); ++i) addUnreached(line.lines[i], access.lines[i], texts);
 }
 
 /// The reason in full, and what to do next, over all columns.

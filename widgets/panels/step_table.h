@@ -64,6 +64,9 @@ class StepTable final : public QTreeWidget {
  private:
   void addStep(std::size_t place);
   void addStuck(const StuckBody& stuck);
+  void fitColumns();
+  QStringList unreachedInside(std::size_t step) const;
+  void addUnreached(const SubassemblyLine& line, const LineAccess& access, QStringList& texts) const;
   void setIcon(QTreeWidgetItem& row, const std::string& bodyId);
   QString allNames(const std::vector<std::string>& ids) const;
 

@@ -11,6 +11,7 @@
 #include "engine/environment/rigid_body.h"
 #include "widgets/scene3d/detail_node.h"
 #include "widgets/scene3d/geometry_builder.h"
+#include "widgets/scene3d/mergeable_body.h"
 #include "widgets/scene3d/osg_convert.h"
 
 namespace glissade {
@@ -106,6 +107,24 @@ osg::ref_ptr<osg::Group> hiddenSilhouetteOf(const BodyShape& shape, const osg::V
   return group;
 }
 
+/// The one that all details share.
+osg::Vec4Array* coloursOf(osg::Group& surface) {
+  return static_cast<osg::Vec4Array*>(surface.getChild(0)->asGeode()->getDrawable(0)->asGeometry()->getColorArray());
+}
+
+/// Null where a body is drawn by itself: it is seen through, or has coarser details, which go by its distance.
+osg::ref_ptr<MergeableBody> mergeableOf(const BodyShape& shape, osg::Group& surface, DisplayMode mode,
+                                        const ScenePalette& palette) {
+  const bool isOpaque = mode == DisplayMode::Shaded || mode == DisplayMode::ShadedWithEdges;
+  if (!isOpaque || shape.corners->size() >= 3 * kFewestTrianglesOfDetails) return nullptr;
+  osg::ref_ptr<MergeableBody> body = new MergeableBody;
+  body->shape = shape;
+  body->colour = coloursOf(surface);
+  if (mode == DisplayMode::ShadedWithEdges) body->edgeColour = palette.lines;
+  body->edgeWidth = kEdgeWidth * palette.pixelScale;
+  return body;
+}
+
 osg::ref_ptr<osg::Group> ghostOf(const BodyShape& shape, const osg::Vec4& colour, const ScenePalette& palette) {
   const double edges = 0.5 * static_cast<double>(shape.edges->size());
   const double shown = kPlainEdges / std::max(kPlainEdges, edges);
@@ -131,6 +150,7 @@ osg::ref_ptr<osg::MatrixTransform> makeBody(const BodyShape& shape, const Pose& 
     surface->getOrCreateStateSet()->setAttribute(new osg::ColorMask(false, false, false, false));
   }
   transform->addChild(surface);
+  transform->setUserData(mergeableOf(shape, *surface, mode, palette));
   if (mode == DisplayMode::Shaded) return transform;
   transform->addChild(edgesOf(shape, palette.lines, kEdgeWidth * palette.pixelScale));
   if (mode == DisplayMode::Wireframe) transform->addChild(hiddenEdgesOf(shape, palette));
@@ -189,7 +209,7 @@ osg::ref_ptr<osg::MatrixTransform> makeMovedBody(const BodyShape& shape, const P
 void setBodyColour(osg::MatrixTransform& body, const osg::Vec4& colour) {
   osg::Group* details = body.getChild(0)->asGroup();
   const auto geometryOf = [&](unsigned i) { return details->getChild(i)->asGeode()->getDrawable(0)->asGeometry(); };
-  auto* colours = static_cast<osg::Vec4Array*>(geometryOf(0)->getColorArray());
+  osg::Vec4Array* colours = coloursOf(*details);
   const osg::Vec4 tint(colour.r(), colour.g(), colour.b(), colours->front().a());
   if (colours->front() == tint) return;
   colours->front() = tint;

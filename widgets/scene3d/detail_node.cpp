@@ -57,7 +57,7 @@ void DetailNode::traverse(osg::NodeVisitor& visitor) {
     return;
   }
   if (errors_.empty()) return;
-  const double pixelsPerMetre = pixelsPerMetreAt(*cull, getBound());
+  const double pixelsPerMetre = pixelsPerMetreAt(*cull, measured_.value_or(getBound()));
   const double tolerance = cull->getLODScale();
   if (tolerance > 0.0 && late_) addMade();
   drawn_ = std::clamp(drawn_, coarsestWithin(kClearlyBetter * tolerance, pixelsPerMetre),

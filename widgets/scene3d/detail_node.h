@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "widgets/scene3d/late_details.h"
@@ -21,6 +22,8 @@ class DetailNode : public osg::Group {
   void addDetail(osg::Node* child, double error);
   /// Calls `add` for each of these once they are made and a picture may be coarse. `details` may be null.
   void addLater(const std::shared_ptr<LateDetails>& details, std::function<void(const ShapeDetail&)> add);
+  /// Its distance is that of this sphere, and not of its bound.
+  void measureAt(const osg::BoundingSphere& sphere) { measured_ = sphere; }
   void traverse(osg::NodeVisitor& visitor) override;
   osg::BoundingSphere computeBound() const override;
 
@@ -36,6 +39,7 @@ class DetailNode : public osg::Group {
   std::shared_ptr<LateDetails> late_;  ///< null: nothing is to be added any more
   std::function<void(const ShapeDetail&)> add_;
   std::vector<double> errors_;
+  std::optional<osg::BoundingSphere> measured_;
   unsigned drawn_ = 0;
 };
 

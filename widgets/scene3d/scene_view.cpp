@@ -5,6 +5,7 @@
 #include <osg/LightModel>
 
 #include "widgets/scene3d/detail_control.h"
+#include "widgets/scene3d/merged_bodies.h"
 #include "widgets/scene3d/scene_view_impl.h"
 
 namespace glissade {
@@ -29,6 +30,7 @@ SceneView::SceneView() : impl_(std::make_unique<Impl>()) {
   state->setMode(GL_LINE_SMOOTH, osg::StateAttribute::ON);
   impl_->root->addChild(impl_->backdrop);
   for (auto& layer : impl_->layers) layer = new osg::Group;
+  impl_->layers[static_cast<std::size_t>(SceneLayer::Bodies)] = new MergedBodies;
   for (int id = 0; id < kSceneLayerCount; ++id) {
     const auto which = static_cast<SceneLayer>(id);
     if (which == SceneLayer::StartAndGoal) impl_->root->addChild(impl_->motionLayers);
@@ -231,6 +233,7 @@ void SceneView::setDifficulty(std::shared_ptr<const Difficulty> difficulty) {
 }
 
 void SceneView::setHelp(HelpPicture help) {
+  const std::lock_guard lock(*impl_->graphMutex);
   impl_->help = std::move(help);
   impl_->showHelp();
   impl_->showMarks();

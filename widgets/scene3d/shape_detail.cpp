@@ -13,8 +13,6 @@
 namespace glissade {
 namespace {
 
-/// A mesh of fewer triangles is drawn as it is.
-constexpr std::size_t kFewestTriangles = 1000;
 /// Cells along the longest side of the finest grid; each coarser grid has half of them.
 constexpr int kFinestCells = 128;
 constexpr int kCoarsestCells = 4;
@@ -230,7 +228,7 @@ double edgeDensity(const ShapeDetail& detail) {
 
 std::vector<ShapeDetail> coarserDetails(const ShapeDetail& finest, const StopToken& stop) {
   std::vector<ShapeDetail> details;
-  if (finest.corners->size() < 3 * kFewestTriangles) return details;
+  if (finest.corners->size() < 3 * kFewestTrianglesOfDetails) return details;
   const IndexedShape original = indexed(finest);
   IndexedShape shape = original;
   osg::BoundingBox box;

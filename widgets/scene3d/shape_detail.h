@@ -20,9 +20,12 @@ struct ShapeDetail {
 
 double edgeDensity(const ShapeDetail& detail);
 
+/// A mesh of fewer triangles has no coarser details.
+inline constexpr std::size_t kFewestTrianglesOfDetails = 1000;
+
 /// Coarser arrays of a mesh, the finest first, each with at most 0.6 of the triangles of the one before. Vertices of a
 /// cell of a grid become one (Rossignac and Borrel 1993): the vertex of the least quadric error (Garland and Heckbert
-/// 1997). Empty for meshes of few triangles. For display only. A stop leaves out the rest.
+/// 1997). Empty for meshes of few triangles (kFewestTrianglesOfDetails). For display only. A stop leaves out the rest.
 std::vector<ShapeDetail> coarserDetails(const ShapeDetail& finest, const StopToken& stop = {});
 
 }  // namespace glissade

@@ -49,6 +49,29 @@ TEST(PlanAccess, CountsOnlyWhatIsStillThere) {
   EXPECT_EQ(pinLast->reached(), 5U);
 }
 
+/// The tube leaves with its pin, and is taken apart then: the pin first, or last. The floor is not there any more.
+TEST(PlanAccess, AsksAboutGroupsThatAreTakenApart) {
+  const AssembledProduct product = pinInTube();
+  const auto withTube = [&product](const std::vector<std::string>& order) {
+    AssemblyPlan plan = planOf(product, {"pin"});
+    plan.steps[0].with = {"x0", "x1", "y0", "y1"};
+    plan.lines = {{1, plan.steps[0].bodies(), {}, planOf(product, order).steps}};
+    return plan;
+  };
+  const auto pinFirst = planAccess(product, withTube({"pin", "x0", "x1", "y0"}), {}, {});
+  ASSERT_TRUE(pinFirst.ok());
+  ASSERT_EQ(pinFirst->lines.size(), 1U);
+  EXPECT_EQ(pinFirst->lines[0].steps[0].hand.access, HandAccess::Blocked);
+  EXPECT_EQ(pinFirst->count(), 5U);
+  EXPECT_EQ(pinFirst->reached() + 1, planAccess(product, withTube({"x0", "x1", "y0", "pin"}), {}, {})->reached());
+  AssemblyPlan onFloor = withTube({"x0", "x1", "y0", "pin"});
+  const Vector3 down(0.0, 0.0, -0.5);
+  onFloor.lines[0].steps[3].path.back().q.position = onFloor.lines[0].steps[3].path.front().q.position + down;
+  const auto downwards = planAccess(product, onFloor, {}, {});
+  ASSERT_TRUE(downwards.ok());
+  EXPECT_NE(downwards->lines[0].steps[3].hand.blockedBy, product.indexOf("floor"));
+}
+
 TEST(PlanAccess, AToolThatThePlanFoundBlockedIsBlocked) {
   const AssembledProduct product = pinInTube();
   AssemblyPlan plan = planOf(product, {"x0"});

@@ -209,7 +209,7 @@ TEST(PlanReport, SaysWhetherAHandGetsThereWhereThatWasAsked) {
   PlanReportContent content{plan, product, "drawer"};
   const auto page = [&] { return *reportHtml(planReport(content, wordsIn(Language::English))); };
   EXPECT_EQ(page().find("Access of a hand"), std::string::npos);
-  content.access = {"the cap is reached", "the pin is not"};
+  content.access.steps = {"the cap is reached", "the pin is not"};
   EXPECT_NE(page().find("Access of a hand, sampled"), std::string::npos);
   EXPECT_LT(page().find("the pin is not"), page().find("the cap is reached")) << "in the order of assembly";
 }
@@ -252,6 +252,11 @@ TEST(PlanReport, HasAPageForASubassemblyBeforeTheStepThatBringsIt) {
   EXPECT_LT(own, page->find("Step 1 of 1"));
   EXPECT_NE(page->find("screw in ISO 4762 M3x8, 9.5 turns", own), std::string::npos);
   EXPECT_NE(page->find(">1.1<", own), std::string::npos) << "the number of the step";
+  PlanReportContent asked{plan, product, "drawer"};
+  asked.access = {{"the group is reached"}, {{{"the cap is not"}, {}}}};
+  const auto askedPage = reportHtml(planReport(asked, wordsIn(Language::English)));
+  ASSERT_TRUE(askedPage.ok());
+  EXPECT_LT(askedPage->find("the cap is not"), askedPage->find("Step 1 of 1"));
 }
 
 TEST(PlanReport, StepsOfOneTaskAreOnePage) {

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Runs a test program on a virtual display with the runtime for tests, if wished under a layer of OpenXR that judges
-# its calls.
+# its calls. LEAKS and KEPT, where they are set: the leak sanitizer's library, which judges what is
+# left at the end, and one that keeps others loaded. FILTER: a test's option that chooses some.
 # usage: with_headset.sh PROGRAM RUNTIME_MANIFEST [LAYER]
 set -u
 program=$1
@@ -15,7 +16,12 @@ TOOLS=
 for _ in $(seq 50); do xdotool getdisplaygeometry >/dev/null 2>&1 && break; sleep 0.1; done
 export XR_RUNTIME_JSON=$manifest
 [ -z "$layer" ] || export XR_ENABLE_API_LAYERS=$layer
-"$program" >"$work/glissade.log" 2>&1 || fail "$program"
+leaks=${LEAKS:-}
+if [ -n "$leaks" ]; then
+  [ -e "$leaks" ] || { echo "skipped: there is no leak sanitizer ($leaks)"; exit 77; }
+  leaks="LD_PRELOAD=$leaks $KEPT"
+fi
+env ${leaks:+"$leaks"} "$program" ${FILTER:+"$FILTER"} >"$work/glissade.log" 2>&1 || fail "$program"
 if [ -n "$layer" ]; then
   grep -q '^Core Validation output' "$work/glissade.log" || fail "the layer has not run"
   ! grep -q 'VALID_ERROR\|VALID_WARNING' "$work/glissade.log" || fail "the layer has found errors"

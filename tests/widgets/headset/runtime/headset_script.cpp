@@ -47,6 +47,22 @@ void changeSessionState(RuntimeState& state, XrSessionState to) {
   state.events.push_back(to);
 }
 
+void followPerson(RuntimeState& state) {
+  if (state.session == XR_NULL_HANDLE) return;
+  const bool isUsed = state.worn && !state.leaving;
+  if (state.begun) {
+    if (!isUsed && state.sessionState != XR_SESSION_STATE_STOPPING) {
+      changeSessionState(state, XR_SESSION_STATE_STOPPING);
+    }
+  } else if (state.sessionState == XR_SESSION_STATE_IDLE) {
+    if (state.leaving) {
+      changeSessionState(state, XR_SESSION_STATE_EXITING);
+    } else if (state.worn) {
+      changeSessionState(state, XR_SESSION_STATE_READY);
+    }
+  }
+}
+
 void complainOf(RuntimeState& state, const std::string& what) { state.complaints.push_back(what); }
 
 XrResult instanceResult(const RuntimeState& state) {
@@ -94,9 +110,7 @@ void setHeadsetThere(bool there) {
 void setWorn(bool worn) {
   change([worn](RuntimeState& state) {
     state.worn = worn;
-    if (state.session == XR_NULL_HANDLE) return;
-    if (worn && !state.begun) changeSessionState(state, XR_SESSION_STATE_READY);
-    if (!worn && state.begun) changeSessionState(state, XR_SESSION_STATE_STOPPING);
+    followPerson(state);
   });
 }
 
@@ -169,9 +183,8 @@ void loseRuntime() {
 
 void leaveProgram() {
   change([](RuntimeState& state) {
-    if (!state.begun) return;
-    state.leaving = true;
-    changeSessionState(state, XR_SESSION_STATE_STOPPING);
+    state.leaving = state.session != XR_NULL_HANDLE;
+    followPerson(state);
   });
 }
 

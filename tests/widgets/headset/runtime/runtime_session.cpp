@@ -37,7 +37,7 @@ XRAPI_ATTR XrResult XRAPI_CALL createSession(XrInstance /*instance*/, const XrSe
   ++state.sessions;
   *session = state.session;
   changeSessionState(state, XR_SESSION_STATE_IDLE);
-  if (state.worn) changeSessionState(state, XR_SESSION_STATE_READY);
+  followPerson(state);
   return XR_SUCCESS;
 }
 
@@ -62,6 +62,7 @@ XRAPI_ATTR XrResult XRAPI_CALL beginSession(XrSession /*session*/, const XrSessi
        {XR_SESSION_STATE_SYNCHRONIZED, XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_FOCUSED}) {
     changeSessionState(state, next);
   }
+  followPerson(state);  // who has taken it off meanwhile
   return XR_SUCCESS;
 }
 
@@ -72,11 +73,7 @@ XRAPI_ATTR XrResult XRAPI_CALL endSession(XrSession /*session*/) {
   if (state.sessionState != XR_SESSION_STATE_STOPPING) return XR_ERROR_SESSION_NOT_STOPPING;
   state.begun = false;
   changeSessionState(state, XR_SESSION_STATE_IDLE);
-  if (state.leaving) {
-    changeSessionState(state, XR_SESSION_STATE_EXITING);
-  } else if (state.worn) {  // put on again before the session had ended
-    changeSessionState(state, XR_SESSION_STATE_READY);
-  }
+  followPerson(state);
   return XR_SUCCESS;
 }
 

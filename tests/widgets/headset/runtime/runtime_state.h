@@ -98,6 +98,9 @@ RuntimeState& runtimeState();
 
 /// The state of the session becomes this one, and the program is told. The mutex is held.
 void changeSessionState(RuntimeState& state, XrSessionState to);
+/// The session goes on to what the person wants of it, one state after the other and none twice: it ends where the
+/// headset is taken off or the program is left, and begins where it is worn. The mutex is held.
+void followPerson(RuntimeState& state);
 void complainOf(RuntimeState& state, const std::string& what);
 /// XR_SUCCESS, or how a call fails now. The mutex is held.
 XrResult instanceResult(const RuntimeState& state);
