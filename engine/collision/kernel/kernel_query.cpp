@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "engine/collision/kernel/motion_search.h"
+#include "engine/collision/kernel/repeated_triangles.h"
 
 namespace glissade {
 namespace {
@@ -36,6 +37,7 @@ std::vector<OwnedTriangle> trianglesOf(const std::vector<RigidBody>& obstacles, 
   for (std::size_t body = 0; body < obstacles.size(); ++body) {
     addTriangles(transformed(*obstacles[body].mesh, obstacles[body].X_WB), scale, static_cast<int>(body), triangles);
   }
+  dropRepeated(triangles);
   return triangles;
 }
 
@@ -43,6 +45,7 @@ std::vector<OwnedTriangle> trianglesOf(const TriangleMesh& mesh, double scale) {
   std::vector<OwnedTriangle> triangles;
   triangles.reserve(mesh.triangles.size());
   addTriangles(mesh, scale, 0, triangles);
+  dropRepeated(triangles);
   return triangles;
 }
 
