@@ -18,7 +18,7 @@ constexpr BoxPair kRoots{};
 constexpr std::size_t kMostInALeafOfObstacles = 4;
 constexpr std::size_t kMostInALeafOfObject = 2;
 /// A motion that meets something is mostly found to at one of these, far apart first.
-constexpr std::array<double, 9> kTriedFirst{0.0, 1.0, 0.5, 0.25, 0.75, 0.125, 0.625, 0.375, 0.875};
+constexpr std::array<double, 3> kTriedFirst{0.0, 1.0, 0.5};
 
 Box3 boxAround(const std::vector<RigidBody>& bodies) {
   Box3 box;
