@@ -127,11 +127,10 @@ struct Arithmetic {
     /// separations over the length of these axes, the squared sine of their angles.
     F squaredByEdges(int k, F slack) const {
       const F zero = F::all(0.0F);
-      const F almostOne = F::all(1.000001F);
       const V gap = separationByEdges(k);
       const auto squared = [&](F separation, F cosine) {
         const F left = max(separation - slack, zero);
-        return left * left / (almostOne - cosine * cosine);
+        return left * left / (F::all(1.000001F) - cosine * cosine);
       };
       return max(max(squared(gap.x, axes[k].x), squared(gap.y, axes[k].y)), squared(gap.z, axes[k].z));
     }
