@@ -232,7 +232,7 @@ TEST(Kernel, FacesWithTwoSidesAreOneFace) {
 
 TEST(Kernel, TheSameFaceOfTwoBodiesIsTwoFaces) {
   const TriangleMesh box = makeBox({1, 1, 1});
-  const KernelGeometry geometry({bodyOf(box), bodyOf(box)}, makeL());
+  const KernelGeometry geometry({bodyOf(box), bodyOf(box)}, *makeL());
   EXPECT_EQ(geometry.obstacles->triangles.size(), 2 * box.triangles.size());
 }
 
