@@ -138,7 +138,8 @@ MotionSearch::Finding MotionSearch::examine(const BoxPair& leaves, double half) 
   const bool fine = way < kFine * static_cast<double>(traversal_.placed.slack());
   unsigned doubtful = traversal_.mayMeetInSweep(leaves, reach, !fine);
   if (doubtful == 0) return Finding::Clear;
-  if (sizeOf(leaves) < kWorthAPlane * way) return Finding::Doubtful;
+  const bool worthAPlane = sizeOf(leaves) >= kWorthAPlane * way;  // false of a way beyond all measure
+  if (!worthAPlane) return Finding::Doubtful;
   const unsigned exact = fine ? doubtful : doubtful & traversal_.within(leaves, above(required_));
   const std::uint32_t firstObstacle = traversal_.obstacles().leafOf(leaves.obstacle).first;
   const std::uint32_t firstObject = traversal_.object.leafOf(leaves.object).first;
