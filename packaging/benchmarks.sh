@@ -27,11 +27,11 @@ done
 case "$out" in /*) ;; *) out=$caller/$out ;; esac
 
 programs=(collision nearest_neighbours octree growth)
-studies=(automatic public-problems)
+studies=(automatic public-problems made-problems)
 
 packaging/setup.sh build run bench
 # shellcheck disable=SC2086
-packaging/build.sh release glissade-cli glissade-import "${programs[@]/%/_benchmark}" six_axes_comparison -- -DGLISSADE_BENCHMARKS=ON
+packaging/build.sh release glissade-cli glissade-import "${programs[@]/%/_benchmark}" six_axes_comparison generate-made-problems -- -DGLISSADE_BENCHMARKS=ON
 
 mkdir -p "$out"
 : >"$out/commands.txt"
@@ -62,6 +62,7 @@ if [ -n "$products" ]; then
   build/release/bin/six_axes_comparison "${files[@]}" >"$out/six_axes.md"
 fi
 
+build/release/bin/generate-made-problems build/made-problems
 for study in "${studies[@]}"; do
   if [ "$study" = public-problems ] && [ ! -d ../shared/problems/omplapp ]; then
     echo "public-problems: left out, ../shared/problems/omplapp is not there" | tee -a "$out/commands.txt"

@@ -423,6 +423,27 @@ const std::map<std::string_view, std::string_view>& studyFrench() {
        "temps qu'il a eu."},
       {"Problems nobody here wrote: auto beside OMPL's planners",
        "Des problèmes que personne ici n'a écrits : auto à côté des planificateurs d'OMPL"},
+      {"Problems of our own making: auto beside OMPL's planners",
+       "Des problèmes que nous avons faits : auto à côté des planificateurs d'OMPL"},
+      {"Spirals, mazes, furniture in rooms and twisted tubes, as generate-made-problems writes them; generator and "
+       "seeds "
+       "were fixed before the first run. OMPL's planners run as OMPL's users run them: its metric and defaults, "
+       "collisions by FCL, edges looked at every 0.1 % of the extent, the range its default (20 % of the extent), 3 % "
+       "or "
+       "1 %. Our certificate judges their paths; one that it refuses (not-certified) is not solved. Seconds are of the "
+       "processor; over all runs: one that was not solved counts with the time it had.",
+       "Spirales, labyrinthes, meubles dans des pièces et tubes tordus, tels que generate-made-problems les écrit ; le "
+       "générateur et les graines ont été fixés avant le premier essai. Les planificateurs d'OMPL tournent comme chez "
+       "leurs utilisateurs : métrique et valeurs par défaut d'OMPL, collisions par FCL, arêtes regardées tous les 0,1 "
+       "% "
+       "de l'étendue, portée par défaut (20 % de l'étendue), 3 % ou 1 %. Notre certificat juge leurs chemins ; celui "
+       "qu'il refuse (non certifié) n'est pas résolu. Les secondes sont celles du processeur ; sur tous les essais : "
+       "un "
+       "essai non résolu compte avec le temps qu'il a eu."},
+      {"auto takes a quarter of the processor time of OMPL's best.",
+       "auto prend un quart du temps de processeur du meilleur d'OMPL."},
+      {"RRT-Connect, range 3 %", "RRT-Connect, portée 3 %"},
+      {"RRT-Connect, range 1 %", "RRT-Connect, portée 1 %"},
       {"auto solves 18 of 20 runs of bugtrap at least.", "auto résout au moins 18 essais sur 20 de bugtrap."},
       {"auto solves every run of Easy, cubicles, Twistycool and alpha-1.5, with a certified path.",
        "auto résout tous les essais d'Easy, cubicles, Twistycool et alpha-1.5, avec un chemin certifié."},

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "engine/collision/kernel/motion_search.h"
+#include "engine/collision/kernel/repeated_triangles.h"
 
 namespace glissade {
 namespace {
@@ -17,7 +18,7 @@ constexpr BoxPair kRoots{};
 constexpr std::size_t kMostInALeafOfObstacles = 4;
 constexpr std::size_t kMostInALeafOfObject = 2;
 /// A motion that meets something is mostly found to at one of these, far apart first.
-constexpr std::array<double, 9> kTriedFirst{0.0, 1.0, 0.5, 0.25, 0.75, 0.125, 0.625, 0.375, 0.875};
+constexpr std::array<double, 3> kTriedFirst{0.0, 1.0, 0.5};
 
 Box3 boxAround(const std::vector<RigidBody>& bodies) {
   Box3 box;
@@ -36,6 +37,7 @@ std::vector<OwnedTriangle> trianglesOf(const std::vector<RigidBody>& obstacles, 
   for (std::size_t body = 0; body < obstacles.size(); ++body) {
     addTriangles(transformed(*obstacles[body].mesh, obstacles[body].X_WB), scale, static_cast<int>(body), triangles);
   }
+  dropRepeated(triangles);
   return triangles;
 }
 
@@ -43,6 +45,7 @@ std::vector<OwnedTriangle> trianglesOf(const TriangleMesh& mesh, double scale) {
   std::vector<OwnedTriangle> triangles;
   triangles.reserve(mesh.triangles.size());
   addTriangles(mesh, scale, 0, triangles);
+  dropRepeated(triangles);
   return triangles;
 }
 

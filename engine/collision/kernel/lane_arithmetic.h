@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/collision/kernel/lanes.h"
+#include "engine/collision/kernel/lane_vector.h"
 
 /// What LaneFunctions promise, over a vector of eight floats `F` (`F::tiny()` is below any squared area
 /// or product of squared lengths met, and keeps divisions defined). Each instruction set instantiates
@@ -19,31 +19,6 @@ inline constexpr float kNearlyParallel = 1e-8F;
 /// Takes the rounding of a few products away.
 inline constexpr float kRoundedDown = 0.999999F;
 inline constexpr float kRoundedUp = 1.000002F;
-
-template <class F>
-struct Vec3 {
-  F x, y, z;
-
-  static Vec3 load(const float (&rows)[3][kWidth]) { return {F::load(rows[0]), F::load(rows[1]), F::load(rows[2])}; }
-  static Vec3 broadcast(const float (&rows)[3][kWidth], std::size_t lane) {
-    return {F::all(rows[0][lane]), F::all(rows[1][lane]), F::all(rows[2][lane])};
-  }
-  void store(float (&rows)[3][kWidth]) const {
-    x.store(rows[0]);
-    y.store(rows[1]);
-    z.store(rows[2]);
-  }
-
-  friend Vec3 operator-(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-  friend Vec3 operator+(const Vec3& a, const Vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-  friend Vec3 operator*(F s, const Vec3& a) { return {s * a.x, s * a.y, s * a.z}; }
-  friend F dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-  friend Vec3 cross(const Vec3& a, const Vec3& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-  }
-  friend Vec3 absolute(const Vec3& a) { return {abs(a.x), abs(a.y), abs(a.z)}; }
-  friend F sumOfAbsolutes(const Vec3& a) { return abs(a.x) + abs(a.y) + abs(a.z); }
-};
 
 template <class F>
 struct Arithmetic {
@@ -152,11 +127,10 @@ struct Arithmetic {
     /// separations over the length of these axes, the squared sine of their angles.
     F squaredByEdges(int k, F slack) const {
       const F zero = F::all(0.0F);
-      const F almostOne = F::all(1.000001F);
       const V gap = separationByEdges(k);
       const auto squared = [&](F separation, F cosine) {
         const F left = max(separation - slack, zero);
-        return left * left / (almostOne - cosine * cosine);
+        return left * left / (F::all(1.000001F) - cosine * cosine);
       };
       return max(max(squared(gap.x, axes[k].x), squared(gap.y, axes[k].y)), squared(gap.z, axes[k].z));
     }
@@ -337,7 +311,7 @@ struct Arithmetic {
 
   /// Triangles `b` of the pairs go `ways` to both sides, corner by corner.
   static unsigned mayMeetInSweep(const TriangleLanes& la, const TriangleLanes& lb, const TriangleLanes& lways,
-                                 std::size_t first, F slack, F reach) {
+                                 std::size_t first, F slack, F reach, bool byNearest) {
     const TrianglePairs pairs = TrianglePairs::ofLeaves(la, lb, first);
     V ways[3];
     for (std::size_t corner = 0; corner < 3; ++corner) {
@@ -345,16 +319,19 @@ struct Arithmetic {
       ways[corner] = {F::halves(lways.coordinate[0] + at), F::halves(lways.coordinate[1] + at),
                       F::halves(lways.coordinate[2] + at)};
     }
-    return unseparated(pairs, [&](const V& axis) {
+    const auto apart = [&](const V& axis) {
       return bits(less(slack * sumOfAbsolutes(axis) + reach * sqrt(dot(axis, axis)), pairs.gapAlong(axis, ways)));
-    });
+    };
+    const unsigned left = unseparated(pairs, apart);
+    return byNearest && left != 0 ? left & ~apart(shortestBetweenEdges(pairs)) : left;
   }
 
   static unsigned trianglesMayMeetInSweep(const TriangleLanes& a, const TriangleLanes& b, const TriangleLanes& ways,
-                                          unsigned count, float slack, float reach) {
+                                          unsigned count, float slack, float reach, bool byNearest) {
     const F s = F::all(slack);
     const F r = F::all(reach);
-    return mayMeetInSweep(a, b, ways, 0, s, r) | (count > 2 ? mayMeetInSweep(a, b, ways, 2, s, r) << kWidth : 0U);
+    return mayMeetInSweep(a, b, ways, 0, s, r, byNearest) |
+           (count > 2 ? mayMeetInSweep(a, b, ways, 2, s, r, byNearest) << kWidth : 0U);
   }
 
   static F clamped(F value) { return min(max(value, F::all(0.0F)), F::all(1.0F)); }
@@ -385,13 +362,20 @@ struct Arithmetic {
           e(dot(second.along, w)) {}
 
     F determinant() const { return first.squared * second.squared - b * b; }
-    F squaredFrom(F s0) const {
+    V gapFrom(F s0) const {
       const F t = clamped((b * s0 + e) * second.inverse);
       const F s = clamped((b * t - d) * first.inverse);
-      const V gap = w + s * first.along - t * second.along;
+      return w + s * first.along - t * second.along;
+    }
+    F squaredFrom(F s0) const {
+      const V gap = gapFrom(s0);
       return dot(gap, gap);
     }
-    F squared() const { return squaredFrom(clamped((b * e - second.squared * d) / max(determinant(), F::tiny()))); }
+    V shortest() const { return gapFrom(clamped((b * e - second.squared * d) / max(determinant(), F::tiny()))); }
+    F squared() const {
+      const V gap = shortest();
+      return dot(gap, gap);
+    }
     /// Where some are nearly parallel the ends of the first are tried besides.
     F squaredRefined() const {
       const F found = squared();
@@ -401,6 +385,22 @@ struct Arithmetic {
       return min(found, min(squaredFrom(F::all(0.0F)), squaredFrom(F::all(1.0F))));
     }
   };
+
+  /// From triangle a of each pair to b, between the points of their edges that are nearest.
+  static V shortestBetweenEdges(const TrianglePairs& pairs) {
+    F best = F::all(kALot);
+    V shortest = pairs.b[0] - pairs.a[0];
+    for (int i = 0; i < 3; ++i) {
+      const Edge a(pairs.a[i], pairs.ea[i]);
+      for (int k = 0; k < 3; ++k) {
+        const V gap = Segments(a, Edge(pairs.b[k], pairs.eb[k])).shortest();
+        const F squared = dot(gap, gap);
+        shortest = select(less(squared, best), gap, shortest);
+        best = min(best, squared);
+      }
+    }
+    return shortest;
+  }
 
   /// A triangle's inside: where the products with the three inward normals of its edges are positive.
   struct Face {

@@ -84,9 +84,11 @@ struct LaneFunctions {
   unsigned (*trianglesMayMeet)(const TriangleLanes& a, const TriangleLanes& b, unsigned count, float slack);
   /// Bit 4 k + i is clear only if they certainly do not meet and are farther apart than `reach`.
   unsigned (*trianglesWithin)(const TriangleLanes& a, const TriangleLanes& b, unsigned count, float slack, float reach);
-  /// The same of triangles `b` that go `ways` to both sides, which have to keep `reach`.
+  /// The same of triangles `b` that go `ways` to both sides, which have to keep `reach`. `byNearest`: the axis between
+  /// the nearest points of their edges is tried, too; corners and edges that are near each other are kept apart by no
+  /// other.
   unsigned (*trianglesMayMeetInSweep)(const TriangleLanes& a, const TriangleLanes& b, const TriangleLanes& ways,
-                                      unsigned count, float slack, float reach);
+                                      unsigned count, float slack, float reach, bool byNearest);
   /// squared[4 k + i]: at most the squared distance between triangle i of `a` and k of `b`;
   /// estimate[4 k + i]: at least that, unless a triangle is a sliver.
   void (*triangleDistances)(const TriangleLanes& a, const TriangleLanes& b, unsigned count, float slack, float* squared,

@@ -19,6 +19,8 @@ constexpr double kShortestHalf = 0x1p-50;
 constexpr double kWorthOpening = 8.0;
 /// Triangles this much larger than the way they go are worth a plane between them.
 constexpr double kWorthAPlane = 2.0;
+/// Ways of more than this many roundings of single precision are long.
+constexpr double kFine = 16.0;
 float above(double value) { return static_cast<float>(value) * 1.000001F + 1e-37F; }
 
 /// The sense of a turn by half a circle is a matter of rounding: that of half of it is not.
@@ -82,10 +84,8 @@ bool MotionSearch::prove(const Interval& interval, const Doubts& doubts, const S
   const bool known = check_.status == CertificateStatus::Violated;
   const double located = std::max(required_, kLocated * traversal_.object.reach);
   if (known && (longest <= located || half <= 0.0)) return false;
-  // What a violation cut short is looked at anew.
-  const Doubts& halves = clear ? left : doubts;
   const bool proved =
-      prove({interval.begin, middle}, halves, stop) && !violated && prove({middle, interval.end}, halves, stop);
+      prove({interval.begin, middle}, left, stop) && !violated && prove({middle, interval.end}, left, stop);
   doubts_.resize(begin);
   return proved;
 }
@@ -93,15 +93,18 @@ bool MotionSearch::prove(const Interval& interval, const Doubts& doubts, const S
 bool MotionSearch::examine(const Interval& interval, const Doubts& doubts) {
   const double half = interval.half();
   if (traversal_.placed.sphereGap() > required_ + half * longest_) return true;
+  bool clear = !violating_ || allowedDistance(*violating_);
   for (std::size_t i = doubts.begin; i < doubts.end; ++i) {
     open_.assign(1, doubts_[i]);
-    while (!open_.empty()) {
+    while (clear && !open_.empty()) {
       const Opened opened = open_.back();
       open_.pop_back();
-      if (!examine(opened, half)) return false;
+      clear = examine(opened, half);
+      if (!clear) open_.push_back(opened);
     }
+    doubts_.insert(doubts_.end(), open_.begin(), open_.end());
   }
-  return true;
+  return clear;
 }
 
 double MotionSearch::sizeOf(const BoxPair& pair) const {
@@ -129,28 +132,43 @@ bool MotionSearch::examine(Opened opened, double half) {
 
 MotionSearch::Finding MotionSearch::examine(const BoxPair& leaves, double half) {
   const double way = traversal_.wayOf(leaves.object);
-  const bool planes = sizeOf(leaves) >= kWorthAPlane * way;
+  const float reach = above(required_ + static_cast<double>(traversal_.bendOf(leaves.object)));
+  // A way that is long beside the rounding of single precision is decided in single precision, but for what is
+  // violated in its middle.
+  const bool fine = way < kFine * static_cast<double>(traversal_.placed.slack());
+  unsigned doubtful = traversal_.mayMeetInSweep(leaves, reach, !fine);
+  if (doubtful == 0) return Finding::Clear;
+  const bool worthAPlane = sizeOf(leaves) >= kWorthAPlane * way;  // false of a way beyond all measure
+  if (!worthAPlane) return Finding::Doubtful;
+  const unsigned exact = fine ? doubtful : doubtful & traversal_.within(leaves, above(required_));
   const std::uint32_t firstObstacle = traversal_.obstacles().leafOf(leaves.obstacle).first;
   const std::uint32_t firstObject = traversal_.object.leafOf(leaves.object).first;
-  const float reach = above(required_ + static_cast<double>(traversal_.bendOf(leaves.object)));
-  for (unsigned mask = traversal_.mayMeetInSweep(leaves, reach); mask != 0; mask &= mask - 1) {
-    if (!planes) return Finding::Doubtful;
+  for (unsigned mask = exact; mask != 0; mask &= mask - 1) {
     const auto bit = static_cast<std::uint32_t>(__builtin_ctz(mask));
     const TrianglePair pair{firstObstacle + bit % lanes::kLeafTriangles, firstObject + bit / lanes::kLeafTriangles};
     const Finding finding = examine(pair, half, way);
-    if (finding != Finding::Clear) return finding;
+    if (finding == Finding::Violation) return finding;
+    if (finding == Finding::Clear) doubtful &= ~(1U << bit);
   }
-  return Finding::Clear;
+  return doubtful == 0 ? Finding::Clear : Finding::Doubtful;
+}
+
+std::optional<TriangleDistance> MotionSearch::allowedDistance(const TrianglePair& pair) const {
+  const Triangle& obstacle = traversal_.obstacleTriangle(pair.obstacle);
+  const Triangle object = traversal_.placed.triangle(pair.object);
+  if (trianglesMeet(obstacle, object)) return std::nullopt;
+  const TriangleDistance distance = triangleDistance(obstacle, object);
+  return distance.squared < required_ * required_ ? std::nullopt : std::optional(distance);
 }
 
 MotionSearch::Finding MotionSearch::examine(const TrianglePair& pair, double half, double way) {
-  const Triangle& obstacle = traversal_.obstacleTriangle(pair.obstacle);
-  const Triangle object = traversal_.placed.triangle(pair.object);
-  if (trianglesMeet(obstacle, object)) return Finding::Violation;
-  const TriangleDistance distance = triangleDistance(obstacle, object);
-  if (distance.squared < required_ * required_) return Finding::Violation;
+  const std::optional<TriangleDistance> distance = allowedDistance(pair);
+  if (!distance) {
+    violating_ = pair;
+    return Finding::Violation;
+  }
   const double reach = required_ + way;
-  return distance.squared > reach * reach || keptApart(pair, distance, half) ? Finding::Clear : Finding::Doubtful;
+  return distance->squared > reach * reach || keptApart(pair, *distance, half) ? Finding::Clear : Finding::Doubtful;
 }
 
 bool MotionSearch::keptApart(const TrianglePair& pair, const TriangleDistance& distance, double half) const {

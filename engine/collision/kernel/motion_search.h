@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "engine/collision/kernel/pair_traversal.h"
 #include "engine/collision/motion_bound.h"
 #include "engine/collision/surface_query.h"
@@ -11,7 +13,7 @@ namespace glissade {
 /// only the speed along that axis counts, so that sliding along a surface costs no more than going
 /// through the open. What is large for the way it goes is opened, what is small waits for both halves;
 /// so nothing is ruled out twice, and a narrow place costs what its own pairs cost. Left halves come
-/// first: what is found is the first violation.
+/// first: what is found is the first violation. The pair that violated last is looked at first.
 class MotionSearch {
  public:
   MotionSearch(PairTraversal& traversal, const Pose& from, const Pose& to, double required, SeekViolation seek);
@@ -37,13 +39,15 @@ class MotionSearch {
 
   /// False where it is not: then `check_` says why.
   bool prove(const Interval& interval, const Doubts& doubts, const StopToken& stop);
-  /// What of the doubts is left in this interval goes to the end of `doubts_`. False where the
-  /// requirement is violated in its middle.
+  /// What of the doubts is left in this interval, or has not been looked at, goes to the end of `doubts_`. False where
+  /// the requirement is violated in its middle.
   bool examine(const Interval& interval, const Doubts& doubts);
   bool examine(Opened opened, double half);
   Finding examine(const BoxPair& leaves, double half);
   Finding examine(const TrianglePair& pair, double half, double way);
   /// The plane between the triangles at the interval's middle keeps them apart all the time.
+  /// At the interval's middle; nothing where it violates the requirement.
+  std::optional<TriangleDistance> allowedDistance(const TrianglePair& pair) const;
   bool keptApart(const TrianglePair& pair, const TriangleDistance& distance, double half) const;
   double sizeOf(const BoxPair& pair) const;
 
@@ -59,6 +63,7 @@ class MotionSearch {
   MotionCheck check_;
   std::vector<Opened> doubts_;
   std::vector<Opened> open_;
+  std::optional<TrianglePair> violating_;  ///< the last that was found
 };
 
 }  // namespace glissade

@@ -62,14 +62,14 @@ unsigned PairTraversal::within(const BoxPair& leaves, float reach) {
          columnsOf(leaves);
 }
 
-unsigned PairTraversal::mayMeetInSweep(const BoxPair& leaves, float reach) {
+unsigned PairTraversal::mayMeetInSweep(const BoxPair& leaves, float reach, bool byNearest) {
   lanes::TriangleLanes moved;
   lanes::TriangleLanes ways;
   placed.leaf(leaves.object, moved);
   placed.sweepTriangles(moved, ways);
   return functions_.trianglesMayMeetInSweep(obstacles_->leafOf(leaves.obstacle).lanes, moved, ways,
                                             object.leafOf(leaves.object).count, placed.slack() + placed.sweepSlack(),
-                                            reach) &
+                                            reach, byNearest) &
          columnsOf(leaves);
 }
 

@@ -70,8 +70,8 @@ class PairTraversal {
   unsigned mayMeet(const BoxPair& leaves);
   /// The same of those that may be at `reach` or nearer.
   unsigned within(const BoxPair& leaves, float reach);
-  /// The same of those that may be nearer than `reach` at some time of the sweep.
-  unsigned mayMeetInSweep(const BoxPair& leaves, float reach);
+  /// The same of those that may be nearer than `reach` at some time of the sweep; `byNearest`: see LaneFunctions.
+  unsigned mayMeetInSweep(const BoxPair& leaves, float reach, bool byNearest);
   /// How far a box of the object goes in the sweep, at most; and what its points may leave a straight
   /// way by.
   float wayOf(BoxTree::Box box) const {

@@ -204,6 +204,38 @@ TEST(Kernel, AgreesWithFclOnAHundredThousandPoses) {
   EXPECT_EQ(compared, 100'000);
 }
 
+/// Every face once more, seen from the other side, and begun at another corner.
+TriangleMesh withBothSides(const TriangleMesh& mesh) {
+  TriangleMesh doubled = mesh;
+  for (const auto& [a, b, c] : mesh.triangles) doubled.triangles.push_back({b, a, c});
+  return doubled;
+}
+
+TEST(Kernel, FacesWithTwoSidesAreOneFace) {
+  for (const World& world : worlds()) {
+    std::vector<RigidBody> obstacles = world.obstacles;
+    for (RigidBody& body : obstacles) body.mesh = share(withBothSides(*body.mesh));
+    const auto single = std::make_shared<const KernelGeometry>(world.obstacles, *world.object);
+    const auto doubled = std::make_shared<const KernelGeometry>(obstacles, withBothSides(*world.object));
+    EXPECT_EQ(doubled->obstacles->triangles.size(), single->obstacles->triangles.size());
+    EXPECT_EQ(doubled->object->triangles.size(), single->object->triangles.size());
+    KernelQuery one(single);
+    KernelQuery two(doubled);
+    RandomStream stream(8, "poses");
+    for (int k = 0; k < 300; ++k) {
+      const Pose q = poseIn(world, stream);
+      ASSERT_EQ(one.touchingBody(q), two.touchingBody(q));
+      ASSERT_EQ(one.nearest(q, kInfinity).p_WPo, two.nearest(q, kInfinity).p_WPo);
+    }
+  }
+}
+
+TEST(Kernel, TheSameFaceOfTwoBodiesIsTwoFaces) {
+  const TriangleMesh box = makeBox({1, 1, 1});
+  const KernelGeometry geometry({bodyOf(box), bodyOf(box)}, *makeL());
+  EXPECT_EQ(geometry.obstacles->triangles.size(), 2 * box.triangles.size());
+}
+
 TEST(TrianglePair, DegenerateAndCoplanarTrianglesMeetWhereTheyDo) {
   const Triangle face{Vector3(0, 0, 0), Vector3(4, 0, 0), Vector3(0, 4, 0)};
   const auto meets = [&](const Vector3& a, const Vector3& b, const Vector3& c) {

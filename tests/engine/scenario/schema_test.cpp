@@ -132,7 +132,7 @@ TEST(StudySchema, AcceptsWhatIsShipped) {
   Schema schema("study-1");
   EXPECT_EQ(schema.complaint(test::tinyStudy().dump()), "");
   for (const char* name : {"table-1", "table-2", "table-3", "table-4", "table-5", "figure-14", "figure-14-paper-like",
-                           "automatic", "public-problems", "tuned"}) {
+                           "automatic", "public-problems", "made-problems", "tuned"}) {
     const std::string file = test::sourceDirectory() + "/samples/studies/" + name + ".json";
     EXPECT_EQ(schema.complaint(test::readWhole(file)), "") << name;
   }
