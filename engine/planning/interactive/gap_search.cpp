@@ -59,9 +59,10 @@ std::optional<std::vector<Pose>> GapSearch::step(PlannerHost& host) {
   return search_.planner().path()->configurations();
 }
 
-QueryCounts GapSearch::queries() const {
-  QueryCounts sum = configuration_->counts();
-  return sum += search_.planner().counts().queries;
+PlannerCounts GapSearch::counts() const {
+  PlannerCounts counts = search_.planner().counts();
+  counts.queries += configuration_->counts();
+  return counts;
 }
 
 }  // namespace glissade

@@ -30,6 +30,7 @@ constexpr double kAlong = 0.2;
 /// A path that runs along the way for less of its length is the computer's.
 constexpr double kLeastFollowed = 0.1;
 constexpr const char* kWayMember = "hand-way";
+constexpr const char* kTubeMember = "hand-tube";
 /// Least share of the draws in the tube of the member that grows trees there. It draws the others everywhere: a hand
 /// that misleads makes it slower by a factor of two at most.
 constexpr double kTubeShare = 0.5;
@@ -167,7 +168,7 @@ std::vector<Member> HandPartner::members() {
          const PathRepair::Options options{problem.world, 0.0, treesOf(problem, life), kRepairWork * lubyTerm(life)};
          return std::make_unique<PathRepair>(problem, seed, fromStartToGoal(problem, *board->current()), options);
        }},
-      {"hand-tube",
+      {kTubeMember,
        {kTreesShare, 0, kFirstLife, Restart::Luby, kNoEntry},
        [problem = problem_, board = board_](std::uint64_t seed, std::uint64_t life) -> std::unique_ptr<Planner> {
          auto own = std::make_unique<UniformSampler>(problem, seed);
@@ -178,7 +179,7 @@ std::vector<Member> HandPartner::members() {
 
 void HandPartner::solved(const Path& path, const std::string& solver) {
   const double followed = followedShare(path);
-  const bool hands = solver.empty() || solver == kWayMember;
+  const bool hands = solver.empty() || solver == kWayMember || solver == kTubeMember;
   follower_->pathFound(hands && followed >= kLeastFollowed, followed);
 }
 
