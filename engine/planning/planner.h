@@ -29,7 +29,6 @@ struct PlannerCounts {
   std::uint64_t edges = 0;          ///< both directions, as the papers count
   std::uint64_t droppedEdges = 0;   ///< removed because a candidate path failed its certificate there
   std::uint64_t rejectedPaths = 0;  ///< whole paths that failed their certificate (OMPL's planners)
-  std::uint64_t slides = 0;         ///< motions along contact planes that were computed
   QueryCounts queries;
 };
 

@@ -151,7 +151,6 @@ void PathRepair::updateCounts() {
   counts_.queries.collision = own.collision + smaller.collision + gap_.counts.queries.collision;
   counts_.queries.distance = own.distance + smaller.distance + gap_.counts.queries.distance;
   counts_.queries.motion = own.motion + smaller.motion + gap_.counts.queries.motion;
-  counts_.slides = gap_.counts.slides;
   counts_.randomConfigurations = gap_.counts.randomConfigurations;
   counts_.nodes = nodes_.size();
   counts_.edges = 2 * edges_.size();

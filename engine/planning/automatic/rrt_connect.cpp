@@ -42,7 +42,6 @@ bool RrtConnect::solve(PlannerHost& host) {
     iterate(host);
     if (joined_) deliverPath(host);
     updateCounts();
-    if (sliding_) counts_.slides = sliding_->motions();
     if (!host.afterStep()) break;
   }
   return path_.has_value();

@@ -36,7 +36,6 @@ std::optional<Pose> SlidingExtension::slide(Node from, const Pose& q, const Pose
   std::optional<Pose> end;
   for (bool known = !planes.empty();; known = true) {
     if (known) {
-      ++motions_;
       blocked = moved(q, planes.along(q, wanted));
       if (metric_.distance(q, blocked) < least || !bounds_.contains(blocked.position)) break;
       if (freeFraction(query_, q, blocked, step, stop) >= 1.0) end = blocked;

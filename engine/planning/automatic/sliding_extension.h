@@ -28,8 +28,6 @@ class SlidingExtension {
   std::optional<Pose> slide(Node from, const Pose& q, const Pose& target, double step, const StopToken& stop);
   /// The extension of `from` that was found last has become this node.
   void keep(Node from, Node child);
-  /// Motions along planes that were computed so far.
-  std::uint64_t motions() const { return motions_; }
 
  private:
   using Planes = std::shared_ptr<const ContactPlanes>;
@@ -41,7 +39,6 @@ class SlidingExtension {
   Box3 bounds_;
   Se3Metric metric_;
   ContactPlanes::Rule rule_;
-  std::uint64_t motions_ = 0;
   std::vector<Planes> planes_;  ///< per node; null: none are known
 };
 

@@ -70,7 +70,6 @@ void SubPlanner::collect(SharedRoadmap& roadmap) {
   add(all.randomConfigurations, now.randomConfigurations, counted_.randomConfigurations);
   add(all.operatorConfigurations, now.operatorConfigurations, counted_.operatorConfigurations);
   add(all.contactConfigurations, now.contactConfigurations, counted_.contactConfigurations);
-  add(all.slides, now.slides, counted_.slides);
   add(all.queries.collision, now.queries.collision, counted_.queries.collision);
   add(all.queries.distance, now.queries.distance, counted_.queries.distance);
   add(all.queries.motion, now.queries.motion, counted_.queries.motion);

@@ -13,11 +13,6 @@ constexpr std::uint64_t kFirstSteps = 100;
 /// Deviation of the tube, in the distance that it bridges.
 constexpr double kTubeDeviation = 0.25;
 
-void addSearch(PlannerCounts& sum, const PlannerCounts& more) {
-  sum.queries += more.queries;
-  sum.slides += more.slides;
-}
-
 }  // namespace
 
 GapBridges::GapBridges(const Problem& problem, std::uint64_t seed, std::shared_ptr<ErodedWorlds> worlds)
@@ -56,13 +51,13 @@ void GapBridges::begin(const RoadmapGraph& roadmap, RoadmapGraph::ComponentId tr
 
 void GapBridges::end() {
   if (!search_) return;
-  addSearch(past_, search_->counts());
+  past_ += search_->queries();
   search_.reset();
 }
 
-PlannerCounts GapBridges::counts() const {
-  PlannerCounts sum = past_;
-  if (search_) addSearch(sum, search_->counts());
+QueryCounts GapBridges::queries() const {
+  QueryCounts sum = past_;
+  if (search_) sum += search_->queries();
   return sum;
 }
 

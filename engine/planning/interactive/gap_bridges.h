@@ -23,7 +23,7 @@ class GapBridges {
   /// What was found last.
   const Bridge& bridge() const { return bridge_; }
   /// Of all searches.
-  PlannerCounts counts() const;
+  QueryCounts queries() const;
 
  private:
   void begin(const RoadmapGraph& roadmap, RoadmapGraph::ComponentId tree, const FollowedWay& way);
@@ -36,7 +36,7 @@ class GapBridges {
   std::optional<GapSearch> search_;
   Bridge bridge_;             ///< of the present search; without poses until one is found
   std::uint64_t inVain_ = 0;  ///< searches since one found a way, the present one with them
-  PlannerCounts past_;        ///< of searches that are over
+  QueryCounts past_;          ///< of searches that are over
 };
 
 }  // namespace glissade

@@ -59,10 +59,9 @@ std::optional<std::vector<Pose>> GapSearch::step(PlannerHost& host) {
   return search_.planner().path()->configurations();
 }
 
-PlannerCounts GapSearch::counts() const {
-  PlannerCounts counts = search_.planner().counts();
-  counts.queries += configuration_->counts();
-  return counts;
+QueryCounts GapSearch::queries() const {
+  QueryCounts sum = configuration_->counts();
+  return sum += search_.planner().counts().queries;
 }
 
 }  // namespace glissade

@@ -18,8 +18,8 @@ class GapSearch {
   std::optional<std::vector<Pose>> step(PlannerHost& host);
   std::uint64_t steps() const { return search_.planner().counts().steps; }
   const Pose& target() const { return target_; }
-  /// Of all queries and slides.
-  PlannerCounts counts() const;
+  /// Of all queries.
+  QueryCounts queries() const;
 
  private:
   Pose target_;

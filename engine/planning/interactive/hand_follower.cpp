@@ -52,9 +52,7 @@ bool HandFollower::solve(PlannerHost& host) {
     observe(edgesBefore, host);
     updateCounts();
     counts_.queries += configuration_.counts();
-    const PlannerCounts gaps = gaps_.counts();
-    counts_.queries += gaps.queries;
-    counts_.slides = gaps.slides;
+    counts_.queries += gaps_.queries();
     if (!host.afterStep()) break;
   }
   return path_.has_value();
