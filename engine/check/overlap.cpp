@@ -94,11 +94,11 @@ class DepthSearch {
   /// triangle may be nearer there, and the bounds of the cells are worth nothing.
   double deepestInCells(const Triangle& part, const Vector3& normal, const Near& near, const StopToken& stop) {
     double deepest = 0.0;
-    PartCells cells(part, body_.tree.triangles(), near.triangles);
+    PartCells cells(part, body_.tree.triangles(), body_.normals, near.triangles);
     while (!cells.empty() && deepest <= near.reach && !stop.stopRequested()) {
       const PartCell cell = cells.take();
       const bool inside = body_.tree.box().contains(cell.middle) && body_.contains(cell.middle);
-      const double most = inside ? cell.bound : cell.radius - cell.distance;
+      const double most = inside ? cell.bound : std::min(cell.bound, cell.radius - cell.distance);
       if (most <= kLeastDepth) continue;
       if (inside && !isKnown(cell.near, normal, cell.distance)) deepest = std::max(deepest, meet(cell.middle, normal));
       const double finest = std::max(kLeastDepth, kFinestShare * overlap_.deepest);

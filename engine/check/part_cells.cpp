@@ -2,10 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/geometry/nearest_point.h"
 
 namespace glissade::check {
+namespace {
+
+/// Cosine: triangles whose normals differ by less face about the same way.
+constexpr double kSameWay = 0.94;
+/// Of so many triangles it is looked whether they are convex.
+constexpr std::size_t kFewTriangles = 32;
+constexpr double kRounding = 1e-9;  ///< metres
+
+}  // namespace
 
 double longestEdge(const Triangle& triangle) {
   double longest = 0.0;
@@ -15,9 +25,9 @@ double longestEdge(const Triangle& triangle) {
   return std::sqrt(longest);
 }
 
-PartCells::PartCells(const Triangle& part, const std::vector<Triangle>& triangles,
+PartCells::PartCells(const Triangle& part, const std::vector<Triangle>& triangles, const std::vector<Vector3>& normals,
                      const std::vector<std::uint32_t>& near)
-    : triangles_(triangles) {
+    : triangles_(triangles), normals_(normals) {
   open_.push(cellOf(part, near));
 }
 
@@ -58,7 +68,38 @@ PartCell PartCells::cellOf(const Triangle& corners, const std::vector<std::uint3
   for (std::size_t i = 0; i < near.size(); ++i) {
     if (distances[i] <= cell.distance + 2.0 * cell.radius) cell.near.push_back(near[i]);
   }
+  cell.bound = std::min(cell.bound, belowPlanes(cell));
   return cell;
+}
+
+/// No point of the cell is deeper, as far as the planes of the triangles say; infinity: they do not.
+double PartCells::belowPlanes(const PartCell& cell) const {
+  const Vector3& first = normals_[cell.near.front()];
+  const bool sameWay =
+      std::all_of(cell.near.begin(), cell.near.end(), [&](auto t) { return normals_[t].dot(first) >= kSameWay; });
+  const bool convex = isConvex(cell.near);
+  if (!sameWay && !convex) return std::numeric_limits<double>::infinity();
+  double least = std::numeric_limits<double>::infinity();
+  double most = 0.0;
+  for (const std::uint32_t t : cell.near) {
+    double below = 0.0;
+    for (const Vector3& corner : cell.corners) below = std::max(below, heightBelow(t, corner));
+    least = std::min(least, below);
+    most = std::max(most, below);
+  }
+  return convex ? least : most;
+}
+
+/// None of a few triangles is above the plane of another one.
+bool PartCells::isConvex(const std::vector<std::uint32_t>& near) const {
+  if (near.size() > kFewTriangles) return false;
+  return std::all_of(near.begin(), near.end(), [&](std::uint32_t t) {
+    return std::all_of(near.begin(), near.end(), [&](std::uint32_t other) {
+      const Triangle& corners = triangles_[other];
+      return std::all_of(corners.begin(), corners.end(),
+                         [&](const Vector3& corner) { return heightBelow(t, corner) >= -kRounding; });
+    });
+  });
 }
 
 }  // namespace glissade::check

@@ -13,7 +13,6 @@ namespace {
 
 /// Radians: an axis that is tilted by less is not tilted.
 constexpr double kTilt = 1e-4;
-constexpr double kParallel = 1e-4;
 constexpr double kFullTurn = 2.0 * std::numbers::pi;
 /// Radians, from which on the pitch of a turn is taken.
 constexpr double kEnoughTurn = 0.1;
@@ -31,17 +30,20 @@ struct RoundPair {
   double lowOther;
   double highOther;
 
+  bool isThread(double overlap) const {
+    return depth > kLeastThreadDepth * radius && depth < kMostThreadDepth * radius && overlap >= 0.5 * depth;
+  }
   bool isEngagedAfter(double advance) const { return low + advance < highOther && high + advance > lowOther; }
 };
 
 std::optional<RoundPair> aroundEachOther(const RoundFace& own, const RoundFace& other) {
-  const bool coaxial = own.axis.cross(other.axis).norm() < kParallel &&
+  const bool coaxial = own.axis.cross(other.axis).norm() < kParallelAxes &&
                        (other.point - own.point).cross(own.axis).norm() <= 2.0 * kOnCylinder;
   if (own.isShaft == other.isShaft || !coaxial) return std::nullopt;
   const auto [shaft, hole] = own.isShaft ? std::pair(own.radius, other.radius) : std::pair(other.radius, own.radius);
   const double from = (other.point - own.point).dot(own.axis);
   const double sense = own.axis.dot(other.axis) < 0.0 ? -1.0 : 1.0;
-  const auto [low, high] = std::minmax(from + sense * other.low, from + sense * other.high);
+  const auto [low, high] = std::minmax({from + sense * other.low, from + sense * other.high});
   const RoundPair pair{own.point, own.axis, shaft - hole, shaft, own.low, own.high, low, high};
   return pair.isEngagedAfter(0.0) ? std::optional(pair) : std::nullopt;
 }
@@ -54,7 +56,7 @@ std::vector<RoundPair> threadsOf(const LeavingPair& pair) {
     for (const RoundFace& other : pair.other.rounds) {
       const auto round = aroundEachOther(own, other);
       if (!round) continue;
-      if (round->depth > kLeastThreadDepth * round->radius) threads.push_back(*round);
+      if (round->isThread(pair.overlap)) threads.push_back(*round);
       if (!closest || std::abs(round->depth) < std::abs(closest->depth)) closest = round;
     }
   }
@@ -78,10 +80,12 @@ class TurnOut {
     if (!thread_.isEngagedAfter(turnedUpTo)) return 0.0;
     const double rest =
         std::min(thread_.high + turnedUpTo - thread_.lowOther, thread_.highOther - thread_.low - turnedUpTo);
-    return rest > std::max(pitch_.value_or(0.0), kOnCylinder) ? rest : 0.0;
+    return rest > std::max(isTooSteep() ? 0.0 : pitch_.value_or(0.0), kOnCylinder) ? rest : 0.0;
   }
 
  private:
+  bool isTooSteep() const { return pitch_.value_or(0.0) > kSteepest * 2.0 * thread_.radius; }
+
   /// The edge turns about the axis by the pitch.
   bool follow(const Pose& from, const Pose& to) {
     const Eigen::AngleAxisd rotation((to.orientation * from.orientation.conjugate()).normalized());
@@ -95,8 +99,8 @@ class TurnOut {
       pitch_ = std::abs(advance_ / turn_) * kFullTurn;
       isRight_ = advance_ * turn_ > 0.0;
     }
+    if (isTooSteep()) return false;
     const double pitch = pitch_.value_or(0.0);
-    if (pitch > kSteepest * 2.0 * thread_.radius) return false;
     const double play = std::max(kThreadPlay * pitch, kOnCylinder);
     const double expected = (isRight_ ? 1.0 : -1.0) * turn_ / kFullTurn * pitch;
     return std::abs(advance_ - expected) <= play && (way - advance_ * thread_.axis).norm() <= play;

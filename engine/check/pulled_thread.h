@@ -12,12 +12,15 @@ struct LeavingPair {
   const PlacedBody& moving;       ///< where the product is assembled
   const PlacedBody& other;        ///< likewise
   const std::vector<Pose>& path;  ///< of the moving body, from there
+  double overlap = 0.0;           ///< metres, as deep as the one is in the other
   bool isCalledThread = false;    ///< by the file: also where both cylinders are equally wide
 };
 
 /// A share of the shaft's radius: what is thicker than its hole by more is neither pressed nor slid in. Threads are
-/// deeper, those of ISO 261 by 0.06 radii or more.
+/// deeper, those of ISO 261 by 0.06 radii or more, and none by 0.3. The bodies overlap by half of that depth or more:
+/// else the one cylinder is around the material of the other.
 inline constexpr double kLeastThreadDepth = 0.05;
+inline constexpr double kMostThreadDepth = 0.3;
 
 /// How a motion takes a body off a thread without turning it; empty: it does not. A thread is a shaft of the one in a
 /// hole of the other about the same axis. While the two are around each other, the body turns about the axis and

@@ -11,7 +11,6 @@ namespace glissade::check {
 namespace {
 
 constexpr std::size_t kFewestTriangles = 6;
-constexpr double kParallel = 1e-4;
 
 /// The first region of the smooth surface that each region is of.
 std::vector<std::uint32_t> smoothSurfaces(const FaceRegions& regions) {
@@ -76,7 +75,7 @@ std::optional<RoundFace> roundFaceOf(const PlacedBody& body, const std::vector<s
   double outwards = 0.0;
   std::vector<std::uint32_t> across;
   for (const std::uint32_t t : triangles) {
-    if (std::abs(body.normals[t].dot(direction)) > kParallel || body.normals[t].isZero(0.0)) continue;
+    if (std::abs(body.normals[t].dot(direction)) > kParallelAxes || body.normals[t].isZero(0.0)) continue;
     across.push_back(t);
     for (const Vector3& p : body.tree.triangles()[t]) points.push_back(p);
   }

@@ -11,6 +11,8 @@ struct PlacedBody;
 /// What the vertices of a cylinder are off it at most: metres, or a share of its radius where that is more.
 inline constexpr double kOnCylinder = 1e-5;
 inline constexpr double kShareOfCylinderRadius = 1e-3;
+/// Sine of the angle between two axes that are taken for parallel.
+inline constexpr double kParallelAxes = 1e-4;
 
 /// A cylinder that vertices of a body lie on, world frame.
 struct RoundFace {

@@ -104,8 +104,11 @@ class StepJudge {
              (each.moving.empty() ? asked.first : each.moving) == asked.moving.id;
     });
     if (!isCalled && !fit.isThinned()) return;
-    const std::string pulled = pulledThread({placed_.at({asked.moving, asked.moving.X_WB}),
-                                             placed_.at({asked.other, asked.other.X_WB}), asked.path, isCalled});
+    double overlap = 0.0;
+    for (const AppliedAllowance& each : fit.applied) overlap = std::max(overlap, each.evidence.overlap);
+    const std::string pulled =
+        pulledThread({placed_.at({asked.moving, asked.moving.X_WB}), placed_.at({asked.other, asked.other.X_WB}),
+                      asked.path, overlap, isCalled});
     if (pulled.empty()) return;
     const std::string what =
         "'" + asked.moving.name + "' " + pulled + ", which is in common with '" + asked.other.name + "'";

@@ -12,7 +12,6 @@ namespace {
 constexpr std::size_t kFewestVertices = 6;
 /// The radii of a shaft and its hole differ by no more than this share of the larger one.
 constexpr double kMostDifference = 0.3;
-constexpr double kParallel = 1e-4;
 
 /// Along the axis, of vertices at this distance from it; nothing where there are few.
 std::optional<std::pair<double, double>> spanOf(const PlacedBody& body, const Vector3& point, const Vector3& axis,
@@ -70,7 +69,7 @@ Result<Thread> threadAxis(const PlacedBody& moving, const PlacedBody& other,
     for (const RoundFace& b : other.rounds) {
       const double difference = std::abs(a.radius - b.radius);
       const bool coaxial =
-          a.axis.cross(b.axis).norm() < kParallel && (b.point - a.point).cross(a.axis).norm() <= 2.0 * kOnCylinder;
+          a.axis.cross(b.axis).norm() < kParallelAxes && (b.point - a.point).cross(a.axis).norm() <= 2.0 * kOnCylinder;
       if (a.isShaft == b.isShaft || !coaxial || difference >= least) continue;
       if (difference > kMostDifference * std::max(a.radius, b.radius)) continue;
       Thread thread;

@@ -11,19 +11,21 @@ constexpr double kPitch = 0.0015;
 
 /// A bolt of 10 mm along z, and what is around it from z = 10 mm to 20 mm.
 struct Parts {
-  explicit Parts(double holeRadius) : around(placed(test::holedPlate(48, holeRadius, 0.009, 0.01, 0.02))) {}
+  explicit Parts(double holeRadius)
+      : overlap(0.005 - holeRadius), around(placed(test::holedPlate(48, holeRadius, 0.009, 0.01, 0.02))) {}
 
   static PlacedBody placed(TriangleMesh mesh) {
     return PlacedBody(test::checkBody("body", std::move(mesh)), Pose::identity());
   }
 
   std::string boltLeaves(const std::vector<Pose>& path, bool isCalled = false) const {
-    return pulledThread({bolt, around, path, isCalled});
+    return pulledThread({bolt, around, path, overlap, isCalled});
   }
   std::string boltStays(const std::vector<Pose>& path, bool isCalled = false) const {
-    return pulledThread({around, bolt, path, isCalled});
+    return pulledThread({around, bolt, path, overlap, isCalled});
   }
 
+  double overlap;
   PlacedBody bolt = placed(test::prism(40, 0.005, 0.03));
   PlacedBody around;
 };
@@ -87,6 +89,13 @@ TEST(PulledThread, WhatIsPressedOrLooseMayBePulled) {
   EXPECT_EQ(Parts(0.0052).boltStays(turned(0.0)), "");
 }
 
+/// A ring around a tube: its outside is wider than the hole of the tube, and nothing overlaps.
+TEST(PulledThread, MaterialBetweenTwoCylindersIsNoThread) {
+  Parts parts(0.0042);
+  parts.overlap = 1e-5;
+  EXPECT_EQ(parts.boltStays(turned(0.0)), "");
+}
+
 TEST(PulledThread, EqualCylindersAreAThreadWhereTheFileSaysSo) {
   const Parts parts(0.005);
   EXPECT_EQ(parts.boltStays(turned(0.0)), "");
@@ -103,7 +112,7 @@ TEST(PulledThread, EachOfTwoHolesCountsForItself) {
   const PlacedBody around = Parts::placed(two);
   const PlacedBody bolt = Parts::placed(test::prism(40, 0.005, 0.03));
   const std::vector<Pose> path = turned(0.02 / kPitch);
-  EXPECT_EQ(pulledThread({around, bolt, path, false}), "") << "free after the length of the hole that it is in";
+  EXPECT_EQ(pulledThread({around, bolt, path, 0.0008}), "") << "free after the length of the hole that it is in";
 }
 
 }  // namespace
