@@ -58,14 +58,14 @@ TEST(WaySampler, DrawsTheHandsShareFromTheTube) {
   way->share = 0.25;
   way->slidersShare = 0.75;
   board->publish(way);
-  const auto near = [&](bool slides) {
+  const auto drawnNear = [&](bool slides) {
     WaySampler shown = sampler(slides);
     int near = 0;
     for (int i = 0; i < 400; ++i) near += (shown.draw().position - way->points[0].q.position).norm() < 0.1 ? 1 : 0;
     return near;
   };
-  EXPECT_NEAR(near(false), 100, 40);
-  EXPECT_NEAR(near(true), 300, 40);
+  EXPECT_NEAR(drawnNear(false), 100, 40);
+  EXPECT_NEAR(drawnNear(true), 300, 40);
 }
 
 /// A hand that turns a screw: the object is on the screw motion ahead of it in a tenth of the hand's draws.
