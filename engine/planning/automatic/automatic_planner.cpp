@@ -47,14 +47,12 @@ AutomaticPlanner::AutomaticPlanner(const Problem& problem, std::uint64_t seed, s
 
 AutomaticPlanner::~AutomaticPlanner() = default;
 
-/// The partner's come last: the others draw and are dealt work as without them.
 std::vector<Member> AutomaticPlanner::membersOf(const Problem& problem) const {
   if (!partner_) return makeMembers(problem);
-  auto members = makeMembers(problem, partner_->worlds(), [partner = partner_.get()](auto own, std::uint64_t seed) {
-    return partner->sampler(std::move(own), seed);
-  });
-  for (Member& member : partner_->members()) members.push_back(std::move(member));
-  return members;
+  return makeMembers(problem, partner_->worlds(),
+                     [partner = partner_.get()](auto own, std::uint64_t seed, bool slides) {
+                       return partner->sampler(std::move(own), seed, slides);
+                     });
 }
 
 std::string AutomaticPlanner::member() const {
@@ -107,7 +105,7 @@ void AutomaticPlanner::partnersTurn(PlannerHost& host) {
   partner_->turnDone(result.work);
   if (result.state != SubPlanner::State::Solved) return;
   path_ = *planner.planner().path();
-  partner_->solved(*path_, "");
+  partner_->solved(*path_, true);
   solver_ = kPartner;
 }
 
@@ -117,14 +115,15 @@ void AutomaticPlanner::tellPartner(std::uint64_t quantum, std::size_t edgesBefor
   for (const Part& part : parts_) {
     outcome.turns += part.result.turns;
     outcome.work += part.result.work;
-    if (members_[part.member].contender.entry == kNoEntry) outcome.partnersWork += part.result.work;
   }
   for (std::size_t i = edgesBefore; i < roadmap_.edges.size(); ++i) {
     const RoadmapEdge& edge = roadmap_.edges[i];
     outcome.reach = std::max(outcome.reach, metric_.distance(roadmap_.nodes[edge.from].q, roadmap_.nodes[edge.to].q));
   }
   partner_->roundDone(outcome);
-  if (path_) partner_->solved(*path_, solver_);
+  const auto solver =
+      std::find_if(members_.begin(), members_.end(), [&](const Member& m) { return m.name == solver_; });
+  if (path_) partner_->solved(*path_, solver != members_.end() && solver->shares);
 }
 
 /// Of a member's lives those that have got on farthest come first.
@@ -133,9 +132,6 @@ void AutomaticPlanner::deal(std::size_t slots, std::uint64_t quantum) {
   for (std::vector<Life>& lives : lives_) {
     if (lives.size() < 2) continue;
     std::stable_sort(lives.begin(), lives.end(), [&](const Life& a, const Life& b) { return stages(a) > stages(b); });
-  }
-  for (std::size_t i = 0; partner_ && i < members_.size(); ++i) {
-    if (members_[i].contender.entry == kNoEntry) portfolio_.admit(i, partner_->membersTakePart());
   }
   std::vector<std::size_t> dealt(members_.size(), 0);
   parts_.clear();

@@ -51,9 +51,9 @@ Member directMotions(const Problem& problem) {
           }};
 }
 
-std::unique_ptr<ConfigurationSampler> shared(std::unique_ptr<ConfigurationSampler> own, std::uint64_t seed,
+std::unique_ptr<ConfigurationSampler> shared(std::unique_ptr<ConfigurationSampler> own, std::uint64_t seed, bool slides,
                                              const SamplerMaker& sampler) {
-  return sampler ? sampler(std::move(own), seed) : std::move(own);
+  return sampler ? sampler(std::move(own), seed, slides) : std::move(own);
 }
 
 Member rrtConnect(std::string name, const Contender& contender, const Problem& problem,
@@ -61,8 +61,10 @@ Member rrtConnect(std::string name, const Contender& contender, const Problem& p
   return {std::move(name), contender,
           [problem, options, sampler](std::uint64_t seed, std::uint64_t) -> std::unique_ptr<Planner> {
             auto own = std::make_unique<UniformSampler>(problem, seed);
-            return std::make_unique<RrtConnect>(problem, seed, options, shared(std::move(own), seed, sampler));
-          }};
+            return std::make_unique<RrtConnect>(problem, seed, options,
+                                                shared(std::move(own), seed, options.slides, sampler));
+          },
+          true};
 }
 
 /// The quickest where space is open but for a few bars and walls.

@@ -19,11 +19,13 @@ struct Member {
   Contender contender;
   /// For a life with this number, from 1; called for several lives at once.
   std::function<std::unique_ptr<Planner>(std::uint64_t seed, std::uint64_t life)> make;
+  bool shares = false;  ///< its sampler is made by a SamplerMaker, where there is one
 };
 
-/// Makes the sampler of a life of a member from its own one. Called on any thread.
-using SamplerMaker =
-    std::function<std::unique_ptr<ConfigurationSampler>(std::unique_ptr<ConfigurationSampler> own, std::uint64_t seed)>;
+/// Makes the sampler of a life of a member from its own one. `slides`: the member's trees go on in contact. Called on
+/// any thread.
+using SamplerMaker = std::function<std::unique_ptr<ConfigurationSampler>(std::unique_ptr<ConfigurationSampler> own,
+                                                                         std::uint64_t seed, bool slides)>;
 
 /// The members that may solve this problem. Explicit, no static initialisers. `sampler` makes the samplers of the
 /// members that grow trees of our own; null: they keep their own.

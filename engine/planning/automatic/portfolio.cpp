@@ -46,7 +46,7 @@ std::size_t Portfolio::next() const {
   std::size_t first = kNobody;  // to enter, if nobody else is there
   for (std::size_t i = 0; i < states_.size(); ++i) {
     const State& state = states_[i];
-    if (state.retired || state.contender.entry == kNoEntry) continue;
+    if (state.retired) continue;
     if (state.contender.entry > total_) {
       if (first == kNobody || state.contender.entry < states_[first].contender.entry) first = i;
     } else if (best == kNobody || state.virtualWork < states_[best].virtualWork) {
@@ -110,14 +110,6 @@ void Portfolio::encourage(std::size_t contender) {
   state.share = kGain * state.contender.share;
   state.patience = state.contender.patience;
   state.lossAt = state.work + state.patience;
-}
-
-void Portfolio::admit(std::size_t contender, bool admitted) {
-  State& state = states_[contender];
-  if (admitted == (state.contender.entry != kNoEntry)) return;
-  state.contender.entry = admitted ? total_ : kNoEntry;
-  state.entered = false;
-  if (admitted) enter(state);
 }
 
 void Portfolio::retire(std::size_t contender) { states_[contender].retired = true; }

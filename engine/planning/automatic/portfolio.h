@@ -18,16 +18,13 @@ enum class Restart {
 /// The i-th term (from 1) of Luby's sequence.
 std::uint64_t lubyTerm(std::uint64_t i);
 
-/// Of a contender that has turns only while admit() lets it.
-inline constexpr std::uint64_t kNoEntry = static_cast<std::uint64_t>(-1);
-
 /// One who wants machine time.
 struct Contender {
   double share = 1.0;           ///< at first, of the work, relative to the others' shares; > 0
   std::uint64_t patience = 0;   ///< work without a path until the share is halved; 0: it stays
   std::uint64_t firstLife = 0;  ///< work until the first restart; 0: it ends its lives itself
   Restart restart = Restart::Never;
-  std::uint64_t entry = 0;  ///< work of all before it first has a turn; kNoEntry: see Portfolio::admit
+  std::uint64_t entry = 0;  ///< work of all before it first has a turn
 };
 
 /// Work of a contender's life, by its number from 1; the largest number where it has no end.
@@ -52,8 +49,6 @@ class Portfolio {
   void charge(std::size_t contender, std::uint64_t work);
   /// It has got on: its share is four times what it was at first, its patience the same as then.
   void encourage(std::size_t contender);
-  /// A contender with kNoEntry has turns from now on, or none until it is admitted again.
-  void admit(std::size_t contender, bool admitted);
   /// No more turns.
   void retire(std::size_t contender);
 

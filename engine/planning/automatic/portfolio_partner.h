@@ -2,12 +2,9 @@
 
 #include <cstdint>
 #include <memory>
-#include <string>
-#include <vector>
 
 #include "engine/planning/automatic/configuration_sampler.h"
 #include "engine/planning/automatic/eroded_worlds.h"
-#include "engine/planning/automatic/member.h"
 #include "engine/planning/fine/sub_planner.h"
 
 namespace glissade {
@@ -16,13 +13,12 @@ namespace glissade {
 struct RoundOutcome {
   std::uint64_t quantum = 0;  ///< work that each slot was dealt
   std::uint64_t turns = 0;
-  std::uint64_t work = 0;          ///< of all members
-  std::uint64_t partnersWork = 0;  ///< of those that are the partner's
-  double reach = 0.0;              ///< the longest edge that was added, metres in the metric; 0 where nothing was
+  std::uint64_t work = 0;  ///< of all members
+  double reach = 0.0;      ///< the longest edge that was added, metres in the metric; 0 where nothing was
 };
 
-/// Works with a portfolio: it takes turns between the rounds, draws configurations for the members, and may have
-/// members of its own. Called by the thread that calls solve() of the portfolio, except where stated.
+/// Works with a portfolio: it takes turns between the rounds, and draws configurations for the members. Called by the
+/// thread that calls solve() of the portfolio, except where stated.
 class PortfolioPartner {
  public:
   virtual ~PortfolioPartner() = default;
@@ -33,19 +29,16 @@ class PortfolioPartner {
   virtual const SubPlanner& planner() const = 0;
   virtual void turnDone(std::uint64_t work) = 0;
   virtual void roundDone(const RoundOutcome& outcome) = 0;
-  /// `solver` is the member's name; empty: the partner's own planner.
-  virtual void solved(const Path& path, const std::string& solver) = 0;
+  /// `shared`: found by the partner's own planner, or by a member that draws from its sampler.
+  virtual void solved(const Path& path, bool shared) = 0;
 
-  /// Its own members. Their entry is kNoEntry: they take part in a round where membersTakePart() says so.
-  virtual std::vector<Member> members() = 0;
-  virtual bool membersTakePart() const = 0;
   /// Of the problem; all members share them.
   virtual const std::shared_ptr<ErodedWorlds>& worlds() const = 0;
   /// Most work of a slot in the next round.
   virtual std::uint64_t mostWork() const = 0;
-  /// The sampler of a life of a member, given its own. On any thread.
-  virtual std::unique_ptr<ConfigurationSampler> sampler(std::unique_ptr<ConfigurationSampler> own,
-                                                        std::uint64_t seed) const = 0;
+  /// The sampler of a life of a member, given its own. `slides`: the member's trees go on in contact. On any thread.
+  virtual std::unique_ptr<ConfigurationSampler> sampler(std::unique_ptr<ConfigurationSampler> own, std::uint64_t seed,
+                                                        bool slides) const = 0;
 };
 
 }  // namespace glissade

@@ -8,29 +8,23 @@ namespace glissade {
 ///
 /// On a machine at full speed thousands of steps fall on each configuration that a hand shows (they are a twentieth of
 /// the object's radius apart). There the hand is limited by work: a small share of all, and a credit at the beginning
-/// and for each configuration. Its own members search as others do, and draw half of their configurations everywhere:
-/// once the problem has proved to be hard, they may have half of the work where the hand works in contact, and less the
-/// more it moves where all is free. At the pace of the first paper a dozen steps fall on it. Steps are scarce there,
+/// and for each configuration. At the pace of the first paper a dozen steps fall on it. Steps are scarce there,
 /// work is not, and alpha alone decides.
 class HandAccount {
  public:
   static constexpr std::uint64_t kFirstCredit = 100'000;
   static constexpr std::uint64_t kCredit = 5'000;  ///< for each configuration
   static constexpr double kShare = 0.02;
-  static constexpr std::uint64_t kEasy = 1'000'000;  ///< of what is solved with less, its members have no share
-  static constexpr double kMembersShare = 0.5;
 
   struct Work {
     std::uint64_t all = 0;
-    std::uint64_t hand = 0;     ///< the hand's turns, and the other members' draws from its tube
-    std::uint64_t members = 0;  ///< the hand's own members
+    std::uint64_t hand = 0;  ///< the hand's turns, and the members' draws from its tube
   };
 
   /// Steps and work of a turn or a round.
   void charge(std::uint64_t steps, const Work& work) {
     work_.all += work.all;
     work_.hand += work.hand;
-    work_.members += work.members;
     sinceShown_ += steps;
   }
   /// So many configurations have been shown in all.
@@ -44,11 +38,6 @@ class HandAccount {
   bool covers() const {
     const double credit = kFirstCredit + static_cast<double>(kCredit) * static_cast<double>(shown_);
     return stepsAreScarce() || static_cast<double>(work_.hand) <= credit + kShare * static_cast<double>(work_.all);
-  }
-  /// `inContact`: share of what the hand shows.
-  bool coversMembers(double inContact) const {
-    const double hard = static_cast<double>(work_.all) - static_cast<double>(kEasy);
-    return stepsAreScarce() || static_cast<double>(work_.members) < kMembersShare * inContact * hard;
   }
   const Work& work() const { return work_; }
 

@@ -4,23 +4,19 @@
 #include <cmath>
 
 #include "engine/base/tolerances.h"
-#include "engine/planning/automatic/portfolio.h"
 #include "engine/planning/automatic/tube_sampler.h"
 #include "engine/planning/interactive/query_sum.h"
 
 namespace glissade {
 namespace {
 
-/// Nearer to it, a configuration of the hand is the same as another. In radii of the object.
-constexpr double kSame = 0.05;
-/// Steps about a gap of the way, for each movement of the hand; and of a search until it begins with another target.
+/// Steps about a gap of the way, for each movement of the hand.
 constexpr int kGapSamples = 8;
-constexpr std::uint64_t kGapSteps = 100;  // the first time; the next ones follow Luby's sequence
 /// Configurations near the one that is shown, where that cannot be retracted.
 constexpr int kAttempts = 8;
 /// Share of the computer's steps that search a gap of the way, while there is one.
 constexpr double kGapShare = 0.5;
-/// Deviation of these, in the distance that they bridge.
+/// Deviation of configurations about a gap, in the distance that they bridge.
 constexpr double kDeviation = 0.25;
 /// Sliding in contact: length of a motion in radii of the object, how many at most, and what share of its length each
 /// has to bring.
@@ -42,6 +38,7 @@ HandFollower::HandFollower(const Problem& problem, std::uint64_t seed, std::shar
       worlds_(std::move(worlds)),
       configuration_(problem, worlds_, seed, kAttempts),
       way_(metric_),
+      gaps_(problem, seed, worlds_),
       tuner_(problem.world->objectRadius()),
       shown_(problem.start),
       free_(problem.start) {}
@@ -55,18 +52,19 @@ bool HandFollower::solve(PlannerHost& host) {
     observe(edgesBefore, host);
     updateCounts();
     counts_.queries += configuration_.counts();
-    counts_.queries += pastGaps_;
-    if (gap_) counts_.queries += gap_->queries();
+    counts_.queries += gaps_.queries();
     if (!host.afterStep()) break;
   }
   return path_.has_value();
 }
 
 bool HandFollower::hasWork(const OperatorSample& sample, bool extras) const {
-  return movedFar(sample.q_device) || (extras && (contactSamplesLeft_ > 0 || (gapSamplesLeft_ > 0 && lags())));
+  return movedFar(sample.q_device) || (extras && (contactSamplesLeft_ > 0 || (gapSamplesLeft_ > 0 && way_.lags())));
 }
 
-bool HandFollower::movedFar(const Pose& q) const { return metric_.distance(q, shown_) >= kSame * metric_.radius(); }
+bool HandFollower::movedFar(const Pose& q) const {
+  return metric_.distance(q, shown_) >= FollowedWay::kSame * metric_.radius();
+}
 
 InteractionSettings HandFollower::settings(const ParameterValues& parameters) const {
   return settingsInForce(parameters, tuner_.settings());
@@ -76,7 +74,7 @@ void HandFollower::step(PlannerHost& host) {
   ++counts_.iterations;
   const auto sample = host.operatorSample();
   const bool moved = sample && movedFar(sample->q_device);
-  const bool gap = gapSamplesLeft_ > 0 && lags();
+  const bool gap = gapSamplesLeft_ > 0 && way_.lags();
   if (turn_ == Turn::Computer) {
     sampleForComputer(host);
   } else if (moved && !(gap && gapNext_)) {
@@ -107,19 +105,18 @@ void HandFollower::follow(const Pose& q, PlannerHost& host) {
   free_ = freed ? freed->q : q;
   if (!freed || freed->moved > 0.0) ++report_.collided;
   if (freed && freed->moved > 0.0) ++report_.movedToContact;
-  const std::uint64_t before = way_.version();
-  way_.add(free_, freed ? freed->nearest : NearestObstacle(),
-           freed ? freed->moved : ShownConfiguration::kMostMoved * metric_.radius());
+  const bool another = way_.add(free_, freed ? freed->nearest : NearestObstacle(),
+                                freed ? freed->moved : ShownConfiguration::kMostMoved * metric_.radius());
   addTree(free_, Author::Operator, host);
   slide(free_, host);
   if (startTreeIsAt(free_)) {
-    reached_ = way_.version();
+    way_.reachedAll();
     return;
   }
-  noteReached();
+  followWay();
   gapSamplesLeft_ = kGapSamples;
   const InteractionSettings inForce = settings(host.parameters());
-  if (way_.version() == before || !freed || freed->nearest.distance >= inForce.contactDistance) return;
+  if (!another || !freed || freed->nearest.distance >= inForce.contactDistance) return;
   OperatorSample touching;
   touching.q_device = free_;
   touching.nearest = freed->nearest;
@@ -128,23 +125,10 @@ void HandFollower::follow(const Pose& q, PlannerHost& host) {
   contactSamplesLeft_ = inForce.contactSamples;
 }
 
-/// Goes on along the way as far as the start's tree has got by the nodes since the last time.
-void HandFollower::noteReached() {
-  const auto& points = way_.points();
-  const std::uint64_t first = way_.version() - points.size();
-  reached_ = std::max(reached_, first);
-  const ComponentId start = roadmap_.componentOf(startRoot_);
-  for (; nodesSeen_ < roadmap_.nodes().size(); ++nodesSeen_) {
-    if (roadmap_.componentOf(static_cast<Node>(nodesSeen_)) != start) continue;
-    const Pose& q = roadmap_.nodes()[nodesSeen_].q;
-    for (std::uint64_t i = way_.version(); i > reached_; --i) {
-      if (metric_.distance(points[i - 1 - first].q, q) <= kSame * metric_.radius()) reached_ = i;
-    }
-  }
-}
+void HandFollower::followWay() { way_.follow(roadmap_, roadmap_.componentOf(startRoot_)); }
 
 bool HandFollower::startTreeIsAt(const Pose& q) const {
-  return roadmap_.nearest(roadmap_.componentOf(startRoot_), q).distance <= kSame * metric_.radius();
+  return roadmap_.nearest(roadmap_.componentOf(startRoot_), q).distance <= FollowedWay::kSame * metric_.radius();
 }
 
 void HandFollower::sampleContact(PlannerHost& host) {
@@ -160,66 +144,36 @@ void HandFollower::sampleContact(PlannerHost& host) {
 
 /// Local planning from the start's tree to a point of the way that it has not reached.
 void HandFollower::searchGap(PlannerHost& host) {
-  if (!gap_ || gap_->steps() >= kGapSteps * lubyTerm(gapsInVain_) || startTreeIsAt(gap_->target())) beginGap();
-  if (!gap_) {
+  const GapBridges::State state = gaps_.step(roadmap_, roadmap_.componentOf(startRoot_), way_, host);
+  if (state == GapBridges::State::NothingToSearch) {
     sampleGap(host);
     return;
   }
   passStep(Author::Operator);
-  const auto bridge = gap_->step(host);
-  if (!bridge) return;
-  Node at = gapFrom_;
-  for (std::size_t i = 1; i < bridge->size(); ++i) {
-    at = roadmap_.addChild(at, {(*bridge)[i], Author::Operator, roadmap_.nodes()[gapFrom_].side});
+  if (state == GapBridges::State::Searching) return;
+  const auto& [from, poses] = gaps_.bridge();
+  Node at = from;
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    at = roadmap_.addChild(at, {poses[i], Author::Operator, roadmap_.nodes()[from].side});
   }
-  endGap();
-  gapsInVain_ = 0;
-  noteReached();
-}
-
-void HandFollower::beginGap() {
-  endGap();
-  ++gapsInVain_;
-  const auto& points = way_.points();
-  const std::uint64_t first = way_.version() - points.size();
-  std::vector<Pose> targets;
-  for (std::uint64_t i = reached_; i < way_.version(); ++i) {
-    if (points[i - first].nearest.distance > 0.0) targets.push_back(points[i - first].q);
-  }
-  if (targets.empty()) return;
-  // The latest ones more often: that is where the hand waits.
-  const double late = std::sqrt(stream_.uniform());
-  const Pose& target = targets[static_cast<std::size_t>(late * static_cast<double>(targets.size()))];
-  const auto near = roadmap_.nearest(roadmap_.componentOf(startRoot_), target);
-  if (near.distance <= kSame * metric_.radius()) return;
-  gapFrom_ = near.index;
-  const double deviation = std::max(way_.spread(), kDeviation * near.distance);
-  gap_.emplace(problem_, roadmap_.nodes()[near.index].q, target, deviation, stream_.bits(), worlds_);
+  followWay();
 }
 
 /// Where no configuration beyond the gap is free: one near a point of the way, or between that and the tree.
 void HandFollower::sampleGap(PlannerHost& host) {
-  const auto& points = way_.points();
-  const std::uint64_t missing = std::min<std::uint64_t>(way_.version() - reached_, points.size());
-  const std::uint64_t back = 1 + static_cast<std::uint64_t>(stream_.uniform() * static_cast<double>(missing));
-  const Pose& target = points[points.size() - std::min(back, missing)].q;
+  const Pose& target = way_.anyMissing(stream_);
   const auto near = roadmap_.nearest(roadmap_.componentOf(startRoot_), target);
   const Pose between = interpolate(roadmap_.nodes()[near.index].q, target, std::sqrt(stream_.uniform()));
-  const double deviation = std::max(kSame * metric_.radius(), kDeviation * near.distance) * stream_.uniform();
+  const double least = FollowedWay::kSame * metric_.radius();
+  const double deviation = std::max(least, kDeviation * near.distance) * stream_.uniform();
   const Pose q = perturbed(between, deviation, metric_.radius(), problem_.bounds, stream_);
   addTree(q, Author::Operator, host);
   slide(q, host);
-  noteReached();
-}
-
-void HandFollower::endGap() {
-  if (!gap_) return;
-  pastGaps_ += gap_->queries();
-  gap_.reset();
+  followWay();
 }
 
 void HandFollower::sampleForComputer(PlannerHost& host) {
-  if (lags() && stream_.uniform() < kGapShare) {
+  if (way_.lags() && stream_.uniform() < kGapShare) {
     searchGap(host);
     return;
   }
@@ -232,7 +186,7 @@ void HandFollower::sampleForComputer(PlannerHost& host) {
   }
   addTree(q, Author::Computer, host);
   slide(q, host);
-  noteReached();
+  followWay();
 }
 
 /// Where a component was blocked on its way to q, it goes on in contact: a short motion towards q is retracted from

@@ -4,10 +4,9 @@
 #include "engine/planning/contact/contact_sampler.h"
 #include "engine/planning/contact/interaction_report.h"
 #include "engine/planning/contact/interaction_tuner.h"
-#include "engine/planning/interactive/gap_search.h"
+#include "engine/planning/interactive/gap_bridges.h"
 #include "engine/planning/interactive/hand_report.h"
 #include "engine/planning/interactive/shown_configuration.h"
-#include "engine/planning/interactive/shown_way.h"
 #include "engine/planning/random_shooter.h"
 
 namespace glissade {
@@ -37,7 +36,7 @@ class HandFollower final : public AddTreePlanner, public ReportsInteraction, pub
   void computerHadTurn(double reach);
   void pathFound(bool joined, double followed);
 
-  const WayRecorder& way() const { return way_; }
+  const WayRecorder& way() const { return way_.recorder(); }
   /// Steps since the trees last grew.
   std::uint64_t stepsInVain() const { return stepsInVain_; }
 
@@ -47,14 +46,11 @@ class HandFollower final : public AddTreePlanner, public ReportsInteraction, pub
   void sampleContact(PlannerHost& host);
   void searchGap(PlannerHost& host);
   void sampleGap(PlannerHost& host);
-  void beginGap();
-  void endGap();
   void sampleForComputer(PlannerHost& host);
   void slide(const Pose& q, PlannerHost& host);
   bool movedFar(const Pose& q) const;
   bool startTreeIsAt(const Pose& q) const;
-  bool lags() const { return reached_ < way_.version(); }
-  void noteReached();
+  void followWay();
   void observe(std::size_t edgesBefore, PlannerHost& host);
 
   RandomStream stream_;
@@ -62,19 +58,14 @@ class HandFollower final : public AddTreePlanner, public ReportsInteraction, pub
   ContactSampler contactSampler_;
   std::shared_ptr<ErodedWorlds> worlds_;
   ShownConfiguration configuration_;
-  WayRecorder way_;
+  FollowedWay way_;
+  GapBridges gaps_;
   InteractionTuner tuner_;
   HandReport report_;
   Pose shown_;  ///< what the hand showed last, as it did
   Pose free_;   ///< the same, made free
   int contactSamplesLeft_ = 0;
   int gapSamplesLeft_ = 0;
-  std::uint64_t reached_ = 0;  ///< points of the way up to the last one that the start's tree has reached
-  std::size_t nodesSeen_ = 0;  ///< by noteReached()
-  std::optional<GapSearch> gap_;
-  std::uint64_t gapsInVain_ = 0;  ///< searches since one found a way, the present one with them
-  Node gapFrom_ = 0;              ///< of the start's tree, where the search begins
-  QueryCounts pastGaps_;          ///< of searches that are over
   Turn turn_ = Turn::Hand;
   bool gapNext_ = false;  ///< while the hand moves and the trees lag, its configurations and the gap's take turns
   double contactClearance_ = 0.0;

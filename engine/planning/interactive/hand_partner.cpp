@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "engine/planning/automatic/path_repair.h"
-#include "engine/planning/goal_roots.h"
 #include "engine/planning/interactive/way_sampler.h"
 #include "engine/planning/nearest_neighbours.h"
 
@@ -20,40 +18,12 @@ constexpr double kFollowersShare = 0.97;
 /// the hand does not wait. Below the second one they are longer.
 constexpr double kMostMovement = 0.05;
 constexpr double kLittleMovement = 0.01;
-/// Queries of the first repair of the way; the next ones follow Luby's sequence.
-constexpr std::uint64_t kRepairWork = 40'000;
-/// Points of the way that are nearer to each other than this belong to a loop, which is left out. In radii of the
-/// object.
-constexpr double kBesides = 0.06;
 /// What is nearer to the way than this runs along it. In radii of the object.
 constexpr double kAlong = 0.2;
 /// A path that runs along the way for less of its length is the computer's.
 constexpr double kLeastFollowed = 0.1;
-constexpr const char* kWayMember = "hand-way";
-/// Least share of the draws in the tube of the member that grows trees there. It draws the others everywhere: a hand
-/// that misleads makes it slower by a factor of two at most.
-constexpr double kTubeShare = 0.5;
-
-/// Two trees that slide on in contact, by turns with short steps for tunnels and with longer ones: as `sliding-steps`
-/// and `sliding-trees`.
-RrtConnect::Options treesOf(const Problem& problem, std::uint64_t life) {
-  RrtConnect::Options options = life % 2 == 1 ? turning(problem, 0.005, 0.3) : turning(problem, 0.02, 1.0);
-  options.slides = true;
-  return options;
-}
-
-/// From the start along the way to the nearest of the goal's configurations.
-std::vector<Pose> fromStartToGoal(const Problem& problem, const ShownWay& shown) {
-  const Se3Metric metric = problem.metric();
-  std::vector<Pose> way = shown.withoutLoops(metric, kBesides * metric.radius());
-  way.insert(way.begin(), problem.start);
-  const auto query = problem.world->makeQuery();
-  const std::vector<Pose> goals = goalRoots(problem, *query);
-  way.push_back(*std::min_element(goals.begin(), goals.end(), [&](const Pose& a, const Pose& b) {
-    return metric.distance(way.back(), a) < metric.distance(way.back(), b);
-  }));
-  return way;
-}
+/// Share of the draws in the tube, of members that slide, where the hand is in contact all the time.
+constexpr double kSlidersShare = 0.5;
 
 }  // namespace
 
@@ -127,12 +97,18 @@ void HandPartner::publish(const ParameterValues& parameters, const std::optional
   const InteractionSettings inForce = follower_->settings(parameters);
   published_ = way.version();
   publishedHand_ = hand;
-  board_->publish(
-      way.way(hands, {inForce.contactSamples, inForce.contactDistance, parameters[ParameterId::ContactGap]}, hand));
+  auto shown = std::make_shared<ShownWay>();
+  shown->points = way.points();
+  shown->push = way.push(hand);
+  shown->contact = {inForce.contactSamples, inForce.contactDistance, parameters[ParameterId::ContactGap]};
+  shown->spread = way.spread();
+  shown->share = hands;
+  shown->slidersShare = kSlidersShare * way.inContact();
+  board_->publish(std::move(shown));
 }
 
 void HandPartner::turnDone(std::uint64_t work) {
-  account_.charge(1, {work, work, 0});
+  account_.charge(1, {work, work});
   account_.noteShown(follower_->handReport().shown);
 }
 
@@ -140,46 +116,20 @@ void HandPartner::roundDone(const RoundOutcome& outcome) {
   lastQuantum_ = outcome.quantum;
   prepaid_ += outcome.turns - 1;
   const double shared = board_->current() ? board_->current()->share : 0.0;
-  const double hands = shared * static_cast<double>(outcome.work - outcome.partnersWork);
-  account_.charge(outcome.turns, {outcome.work, static_cast<std::uint64_t>(hands), outcome.partnersWork});
+  const double hands = shared * static_cast<double>(outcome.work);
+  account_.charge(outcome.turns, {outcome.work, static_cast<std::uint64_t>(hands)});
   if (held_) follower_->computerHadTurn(outcome.reach);
 }
 
-bool HandPartner::membersTakePart() const {
-  return board_->current() && board_->current()->points.size() > 1 &&
-         account_.coversMembers(follower_->way().inContact());
-}
-
 std::unique_ptr<ConfigurationSampler> HandPartner::sampler(std::unique_ptr<ConfigurationSampler> own,
-                                                           std::uint64_t seed) const {
-  auto ofWay = std::make_unique<WaySampler>(problem_, std::move(own), seed, board_);
+                                                           std::uint64_t seed, bool slides) const {
+  auto ofWay = std::make_unique<WaySampler>(problem_, std::move(own), seed, board_, slides);
   return std::make_unique<PreferredSampler>(std::move(ofWay), seed, preferred_);
 }
 
-std::vector<Member> HandPartner::members() {
-  constexpr double kWayShare = 2.0;
-  constexpr double kTreesShare = 10.0;
-  constexpr std::uint64_t kFirstLife = 10'000'000;
-  return {
-      {kWayMember,
-       {kWayShare, 0, 0, Restart::Luby, kNoEntry},
-       [problem = problem_, board = board_](std::uint64_t seed, std::uint64_t life) -> std::unique_ptr<Planner> {
-         const PathRepair::Options options{problem.world, 0.0, treesOf(problem, life), kRepairWork * lubyTerm(life)};
-         return std::make_unique<PathRepair>(problem, seed, fromStartToGoal(problem, *board->current()), options);
-       }},
-      {"hand-tube",
-       {kTreesShare, 0, kFirstLife, Restart::Luby, kNoEntry},
-       [problem = problem_, board = board_](std::uint64_t seed, std::uint64_t life) -> std::unique_ptr<Planner> {
-         auto own = std::make_unique<UniformSampler>(problem, seed);
-         auto sampler = std::make_unique<WaySampler>(problem, std::move(own), seed, board, kTubeShare);
-         return std::make_unique<RrtConnect>(problem, seed, treesOf(problem, life), std::move(sampler));
-       }}};
-}
-
-void HandPartner::solved(const Path& path, const std::string& solver) {
+void HandPartner::solved(const Path& path, bool shared) {
   const double followed = followedShare(path);
-  const bool hands = solver.empty() || solver == kWayMember;
-  follower_->pathFound(hands && followed >= kLeastFollowed, followed);
+  follower_->pathFound(shared && followed >= kLeastFollowed, followed);
 }
 
 /// By length, in the metric.

@@ -11,11 +11,12 @@ namespace glissade {
 ///
 /// Authority is that of Algorithm 1 (paper 1), step by step: a number a is drawn, and for a > alpha the step is the
 /// hand's, where it has shown something new. Steps of a round that side by side have taken at once are the computer's
-/// next ones. Members draw from the tube about the hand's way, and two members are the hand's own: one repairs its way
-/// from start to goal, one grows trees in the tube. What these cost is limited (HandAccount). The hand loses most of
-/// its authority while its steps grow nothing. Without a hand, and without a place that is preferred, no random
-/// number is drawn and nothing is shared: the portfolio does what it does alone, bit by bit. Members draw from the
-/// places that a person prefers, too.
+/// next ones. Members draw from the tube about the hand's way, as much as HandAccount covers. Those whose trees slide
+/// on in contact have half of their draws there while the hand works in contact. Nothing is added to the work of the
+/// members, so that a hand that misleads makes them slower by a factor of two at most and the others not at all. The
+/// hand loses most of its authority while its steps grow nothing. Without a hand, and without a place that is
+/// preferred, no random number is drawn and nothing is shared: the portfolio does what it does alone, bit by bit.
+/// Members draw from the places that a person prefers, too.
 class HandPartner final : public PortfolioPartner {
  public:
   HandPartner(const Problem& problem, std::uint64_t seed);
@@ -25,13 +26,11 @@ class HandPartner final : public PortfolioPartner {
   const SubPlanner& planner() const override { return planner_; }
   void turnDone(std::uint64_t work) override;
   void roundDone(const RoundOutcome& outcome) override;
-  void solved(const Path& path, const std::string& solver) override;
+  void solved(const Path& path, bool shared) override;
 
-  std::vector<Member> members() override;
-  bool membersTakePart() const override;
   std::uint64_t mostWork() const override { return mostWork_; }
-  std::unique_ptr<ConfigurationSampler> sampler(std::unique_ptr<ConfigurationSampler> own,
-                                                std::uint64_t seed) const override;
+  std::unique_ptr<ConfigurationSampler> sampler(std::unique_ptr<ConfigurationSampler> own, std::uint64_t seed,
+                                                bool slides) const override;
   const std::shared_ptr<ErodedWorlds>& worlds() const override { return worlds_; }
   const HandAccount& account() const { return account_; }
 

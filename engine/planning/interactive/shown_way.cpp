@@ -19,23 +19,6 @@ constexpr double kMemory = 50.0;
 
 }  // namespace
 
-std::vector<Pose> ShownWay::withoutLoops(const Se3Metric& metric, double near) const {
-  std::vector<Pose> free;
-  for (const Point& point : points) {
-    if (point.nearest.distance > 0.0) free.push_back(point.q);
-  }
-  std::vector<Pose> way;
-  for (std::size_t i = 0; i < free.size(); ++i) {
-    way.push_back(free[i]);
-    std::size_t last = i;
-    for (std::size_t j = i + 1; j < free.size(); ++j) {
-      if (metric.distance(free[i], free[j]) <= near) last = j;
-    }
-    if (last > i + 1) i = last - 1;
-  }
-  return way;
-}
-
 void WayRecorder::add(const Pose& q, const NearestObstacle& nearest, double moved) {
   meanSquare_ += (moved * moved - meanSquare_) / kMemory;
   const bool free = nearest.distance > 0.0;  // a hand deep in an obstacle shows nothing
@@ -61,17 +44,6 @@ std::optional<ShownWay::Push> WayRecorder::push(const std::optional<Pose>& hand)
   const double length = metric_.distance(points_[first].q, to);
   if (length < kLeastSpread * metric_.radius()) return std::nullopt;
   return ShownWay::Push{ScrewDisplacement(points_[first].q, to), 1.0 + kReach * metric_.radius() / length};
-}
-
-std::shared_ptr<const ShownWay> WayRecorder::way(double share, const ShownWay::ContactRule& contact,
-                                                 const std::optional<Pose>& hand) const {
-  auto way = std::make_shared<ShownWay>();
-  way->points = points_;
-  way->contact = contact;
-  way->push = push(hand);
-  way->spread = spread();
-  way->share = share;
-  return way;
 }
 
 }  // namespace glissade

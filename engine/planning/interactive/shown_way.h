@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -36,11 +37,11 @@ struct ShownWay {
   std::vector<Point> points;
   std::optional<Push> push;
   ContactRule contact;
-  double spread = 0.0;  ///< deviation of the tube about the points, metres of the metric, for each direction
-  double share = 0.0;   ///< of the members' draws, that are the hand's
+  double spread = 0.0;        ///< deviation of the tube about the points, metres of the metric, for each direction
+  double share = 0.0;         ///< of the members' draws, that are the hand's
+  double slidersShare = 0.0;  ///< the same at least, of members whose trees go on in contact
 
-  /// Free configurations, where loops are left out: no way comes back to where it was.
-  std::vector<Pose> withoutLoops(const Se3Metric& metric, double near) const;
+  double shareOf(bool slides) const { return slides ? std::max(share, slidersShare) : share; }
 };
 
 /// The way as it is in force. Published between the rounds of a portfolio, read by its members within them: who reads
@@ -69,13 +70,10 @@ class WayRecorder {
   double spread() const;
   /// Share of the latest configurations that were in contact or nearly: a person who works there shows what is hard.
   double inContact() const { return inContact_; }
-  /// `hand`: where the hand leads to, where obstacles stop the object before it.
-  std::shared_ptr<const ShownWay> way(double share, const ShownWay::ContactRule& contact,
-                                      const std::optional<Pose>& hand) const;
-
- private:
+  /// Where the hand pushes to. `hand`: where it leads to, where obstacles stop the object before it.
   std::optional<ShownWay::Push> push(const std::optional<Pose>& hand) const;
 
+ private:
   Se3Metric metric_;
   std::vector<ShownWay::Point> points_;
   std::uint64_t version_ = 0;

@@ -17,7 +17,7 @@ constexpr double kLookedAt = 0.02;
 }  // namespace
 
 WaySampler::WaySampler(const Problem& problem, std::unique_ptr<ConfigurationSampler> own, std::uint64_t seed,
-                       std::shared_ptr<const WayBoard> board, double leastShare)
+                       std::shared_ptr<const WayBoard> board, bool slides)
     : own_(std::move(own)),
       stream_(seed, "hand's way"),
       contactSampler_(seed),
@@ -25,11 +25,11 @@ WaySampler::WaySampler(const Problem& problem, std::unique_ptr<ConfigurationSamp
       board_(std::move(board)),
       bounds_(problem.bounds),
       radius_(problem.world->objectRadius()),
-      leastShare_(leastShare) {}
+      slides_(slides) {}
 
 Pose WaySampler::draw() {
   const ShownWay* way = board_->current().get();
-  const double share = way == nullptr || way->points.empty() ? 0.0 : std::max(way->share, leastShare_);
+  const double share = way == nullptr || way->points.empty() ? 0.0 : way->shareOf(slides_);
   if (share <= 0.0 || stream_.uniform() >= share) return own_->draw();
   if (ownContactSamplesLeft_ > 0) {
     --ownContactSamplesLeft_;
@@ -40,7 +40,8 @@ Pose WaySampler::draw() {
 
 void WaySampler::grew(const Pose& q, CollisionQuery& query) {
   const ShownWay* way = board_->current().get();
-  if (way == nullptr || way->share <= 0.0 || ownContactSamplesLeft_ > 0 || stream_.uniform() >= kLookedAt) return;
+  if (way == nullptr || way->shareOf(slides_) <= 0.0 || ownContactSamplesLeft_ > 0 || stream_.uniform() >= kLookedAt)
+    return;
   OperatorSample node;
   node.q_device = q;
   node.nearest = query.nearestObstacle(q);

@@ -14,9 +14,9 @@ namespace glissade {
 /// draws as its own sampler, and no random number is used up.
 class WaySampler final : public ConfigurationSampler {
  public:
-  /// `leastShare`: of the hand, whatever the way says; for members that are the hand's.
+  /// `slides`: the member's trees go on in contact.
   WaySampler(const Problem& problem, std::unique_ptr<ConfigurationSampler> own, std::uint64_t seed,
-             std::shared_ptr<const WayBoard> board, double leastShare = 0.0);
+             std::shared_ptr<const WayBoard> board, bool slides);
 
   Pose draw() override;
   void grew(const Pose& q, CollisionQuery& query) override;
@@ -34,7 +34,7 @@ class WaySampler final : public ConfigurationSampler {
   std::shared_ptr<const WayBoard> board_;
   Box3 bounds_;
   double radius_;
-  double leastShare_;
+  bool slides_;
 };
 
 }  // namespace glissade

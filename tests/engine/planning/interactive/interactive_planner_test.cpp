@@ -160,18 +160,56 @@ TEST(Interactive, AHandThatMisleadsCostsATenthOfTheWork) {
   const HandAccount::Work& work = account.work();
   const double beyondItsCredit = static_cast<double>(work.hand) - static_cast<double>(HandAccount::kFirstCredit);
   EXPECT_LT(beyondItsCredit, 0.1 * static_cast<double>(work.all));
-  EXPECT_LT(10 * work.members, work.all);  // it is in contact nowhere
 }
 
-TEST(Interactive, TheHandsMembersSearchWhereTheHandIsInContact) {
-  Problem problem = closedProblem();
-  problem.start = Pose::translation({-0.305, 0.0, 0.0});  // 5 mm before the wall
-  WalkingHand hand(problem, {{-0.305, 1.0, 0.0}, {-0.305, -1.0, 0.0}}, 200'000, 3.5e-6);
+/// Draws one configuration, which no hand shows.
+class Nowhere final : public ConfigurationSampler {
+ public:
+  static Pose pose() { return Pose::translation({100.0, 0.0, 0.0}); }
+  Pose draw() override { return pose(); }
+};
+
+/// Of a thousand draws of a member that slides, those that are not its own, after a run with a hand at full speed.
+int drawnAboutTheHand(const Problem& problem, std::vector<Vector3> points) {
+  WalkingHand hand(problem, std::move(points), 200'000, 3.5e-6);
   auto partner = std::make_unique<HandPartner>(problem, 1);
-  const HandAccount& account = partner->account();
+  const HandPartner& ofPlanner = *partner;
   AutomaticPlanner planner(problem, 1, 2, std::move(partner));
   EXPECT_FALSE(planner.solve(hand));
-  EXPECT_GT(3 * account.work().members, account.work().all);
+  const auto sampler = ofPlanner.sampler(std::make_unique<Nowhere>(), 1, true);
+  int drawn = 0;
+  for (int i = 0; i < 1000; ++i) drawn += sampler->draw() == Nowhere::pose() ? 0 : 1;
+  return drawn;
+}
+
+TEST(Interactive, MembersThatSlideDrawHalfAboutAHandInContact) {
+  Problem problem = closedProblem();
+  EXPECT_LT(drawnAboutTheHand(problem, kElsewhere), 350);
+  problem.start = Pose::translation({-0.305, 0.0, 0.0});  // 5 mm before the wall
+  EXPECT_NEAR(drawnAboutTheHand(problem, {{-0.305, 1.0, 0.0}, {-0.305, -1.0, 0.0}}), 500, 60);
+}
+
+/// A path along the hand's way is the hand's where a member found it that draws there.
+TEST(Interactive, SaysWhoJoinedStartAndGoal) {
+  const Problem problem = closedProblem();
+  WalkingHand hand(problem, kElsewhere, 2'000);
+  auto owned = std::make_unique<HandPartner>(problem, 1);
+  HandPartner& partner = *owned;
+  AutomaticPlanner planner(problem, 1, 2, std::move(owned));
+  EXPECT_FALSE(planner.solve(hand));
+  Path along;
+  Path elsewhere;
+  for (int i = 0; i <= 10; ++i) {
+    along.points.push_back({interpolate(problem.start, Pose::translation(kElsewhere[0]), i / 10.0), Author::Computer});
+    elsewhere.points.push_back({Pose::translation({2.0, 0.0, 0.1 * i}), Author::Computer});
+  }
+  const auto joined = [&](const Path& path, bool shared) {
+    partner.solved(path, shared);
+    return handReportOf(planner)->joined;
+  };
+  EXPECT_TRUE(joined(along, true));
+  EXPECT_FALSE(joined(along, false));
+  EXPECT_FALSE(joined(elsewhere, true));
 }
 
 TEST(Interactive, SaysWhatTheHandHasShown) {

@@ -33,7 +33,7 @@ class Preferences : public testing::Test {
   /// How many of a thousand draws are in the place, of a sampler that the partner makes for a member.
   int drawnThere(const HandPartner& partner) const {
     const SamplingRegion region(problem.scene.knowledge->environment->map.grid, place().cells);
-    const auto sampler = partner.sampler(std::make_unique<OneConfiguration>(), 1);
+    const auto sampler = partner.sampler(std::make_unique<OneConfiguration>(), 1, false);
     int there = 0;
     for (int i = 0; i < 1000; ++i) {
       const Pose q = sampler->draw();
