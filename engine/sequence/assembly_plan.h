@@ -91,7 +91,8 @@ struct AssemblyStep {
   /// Of the frame that stands at the first configuration where the product is assembled: that of the body (see
   /// AssembledProduct), or of the group. Every body of the step has X_WB = X(t) X(0)^-1 X_WB(assembled).
   std::vector<PathPoint> path;
-  /// "straight", "two lines", "turned", "by hand" (kByHand), or "auto" and what found it: "auto: turning-rrt"; kFlexible
+  /// "straight", "two lines", "turned", "by hand" (kByHand), or "auto" and what found it: "auto: turning-rrt";
+  /// kFlexible
   std::string method;
   std::size_t wave = 0;  ///< steps of one wave were found together, from 1
   StepProof proof;
