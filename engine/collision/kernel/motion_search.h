@@ -45,9 +45,9 @@ class MotionSearch {
   bool examine(Opened opened, double half);
   Finding examine(const BoxPair& leaves, double half);
   Finding examine(const TrianglePair& pair, double half, double way);
-  /// The plane between the triangles at the interval's middle keeps them apart all the time.
   /// At the interval's middle; nothing where it violates the requirement.
   std::optional<TriangleDistance> allowedDistance(const TrianglePair& pair) const;
+  /// The plane between the triangles at the interval's middle keeps them apart all the time.
   bool keptApart(const TrianglePair& pair, const TriangleDistance& distance, double half) const;
   double sizeOf(const BoxPair& pair) const;
 
