@@ -15,7 +15,7 @@ namespace {
 constexpr double kTilt = 1e-4;
 constexpr double kFullTurn = 2.0 * std::numbers::pi;
 /// Radians, from which on the pitch of a turn is taken.
-constexpr double kEnoughTurn = 0.1;
+constexpr double kEnoughTurn = 0.01;
 /// In diameters of the shaft: what is steeper is a pull with a turn in it. Screws for wood have 0.45.
 constexpr double kSteepest = 0.5;
 

@@ -61,6 +61,13 @@ TEST(PulledThread, WhatIsTurnedOffIsNot) {
   }
 }
 
+/// The planner's turns have 64 edges each.
+TEST(PulledThread, TurnsOfShortEdgesAreTurns) {
+  const Parts parts(0.0042);
+  EXPECT_EQ(parts.boltStays(turned(0.02 / kPitch, kPitch, 64)), "");
+  EXPECT_NE(parts.boltStays(turned(6, kPitch, 64)), "");
+}
+
 TEST(PulledThread, TooFewTurnsAreAPull) {
   const Parts parts(0.0042);
   EXPECT_NE(parts.boltStays(turned(6)), "") << "11 mm of 20 remain";
