@@ -6099,6 +6099,10 @@
         <translation>à la main</translation>
     </message>
     <message>
+        <source>two lines</source>
+        <translation>deux droites</translation>
+    </message>
+    <message>
         <source>and %1 more</source>
         <translation>et %1 autres</translation>
     </message>

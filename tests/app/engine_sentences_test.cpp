@@ -60,6 +60,7 @@ constexpr const char* kNotForTheWindow[] = {
     "round %1",
     "milestone of %1",
     "contact follower",
+    "gap bridges",
     "contact sampler",
     "milestones, attempt %1",
     "step %1, attempt %2",

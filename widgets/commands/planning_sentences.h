@@ -249,6 +249,7 @@ inline constexpr const char* kPlanningSentences[] = {
     QT_TRANSLATE_NOOP("Diagnostics", "workspace"),
     QT_TRANSLATE_NOOP("Diagnostics", "bounds"),
     QT_TRANSLATE_NOOP("Diagnostics", "by hand"),
+    QT_TRANSLATE_NOOP("Diagnostics", "two lines"),
     QT_TRANSLATE_NOOP("Diagnostics", "and %1 more"),
 };
 // NOLINTEND(bugprone-suspicious-missing-comma)
