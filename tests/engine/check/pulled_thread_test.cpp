@@ -36,8 +36,8 @@ std::vector<Pose> turned(double turns, double pitch = kPitch, int perTurn = 8) {
   const int count = static_cast<int>(std::lround(turns * perTurn));
   for (int i = 0; i <= count; ++i) {
     const double turn = static_cast<double>(i) / perTurn;
-    path.emplace_back(Vector3(0.0, 0.0, pitch * turn),
-                      Quaternion(Eigen::AngleAxisd(2.0 * std::numbers::pi * turn, Vector3::UnitZ())));
+    path.push_back({Vector3(0.0, 0.0, pitch * turn),
+                    Quaternion(Eigen::AngleAxisd(2.0 * std::numbers::pi * turn, Vector3::UnitZ()))});
   }
   path.push_back(path.back());
   path.back().position.z() += 0.1;
