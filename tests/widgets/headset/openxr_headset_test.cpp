@@ -251,11 +251,12 @@ class ManyBodiesInHeadsetTest : public OpenXrHeadsetTest {
       RigidBody body = many.obstacles.front();
       body.id = "box-" + std::to_string(i);
       body.mesh = box;
-      body.X_WB = Pose::translation({0.5 * (i % kSide) - 2.0, -3.0, 0.4 * (i / kSide)});
+      const int row = i / kSide;
+      body.X_WB = Pose::translation({0.5 * (i % kSide) - 2.0, -3.0, 0.4 * row});
       body.colour = {0.3 * (i % 3), 0.9, 1.0 - 0.3 * (i % 3)};
       many.obstacles.push_back(body);
     }
-    first_ = many.obstacles.size() - kSide * kSide;
+    first_ = scenario_->obstacles.size();
     view_.setDepthShading(false);
     SceneColours colours;
     colours.background = Colour{0.5, 0.6, 0.7};
