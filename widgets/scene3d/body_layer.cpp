@@ -118,7 +118,7 @@ osg::ref_ptr<MergeableBody> mergeableOf(const BodyShape& shape, osg::Group& surf
   const bool isOpaque = mode == DisplayMode::Shaded || mode == DisplayMode::ShadedWithEdges;
   if (!isOpaque || shape.corners->size() >= 3 * kFewestTrianglesOfDetails) return nullptr;
   osg::ref_ptr<MergeableBody> body = new MergeableBody;
-  body->shape = shape;
+  body->shape = static_cast<const ShapeDetail&>(shape);  // of the whole mesh
   body->colour = coloursOf(surface);
   if (mode == DisplayMode::ShadedWithEdges) body->edgeColour = palette.lines;
   body->edgeWidth = kEdgeWidth * palette.pixelScale;
