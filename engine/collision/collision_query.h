@@ -60,6 +60,17 @@ struct QueryCounts {
   std::uint64_t collision = 0;
   std::uint64_t distance = 0;  ///< exact ones, and up to a bound
   std::uint64_t motion = 0;
+  /// Pairs of boxes and of leaves that our kernel has looked at for all of these: what they cost, by the same measure
+  /// on every machine. FCL and screws do not count.
+  std::uint64_t pairs = 0;
+
+  QueryCounts& operator+=(const QueryCounts& more) {
+    collision += more.collision;
+    distance += more.distance;
+    motion += more.motion;
+    pairs += more.pairs;
+    return *this;
+  }
 };
 
 /// Who answers for surfaces: our own kernel, or FCL as its reference and fallback.
@@ -98,7 +109,7 @@ class CollisionQuery {
 
   /// Of the object of this query's world.
   virtual const MotionBound& motionBound() const = 0;
-  virtual const QueryCounts& counts() const = 0;
+  virtual QueryCounts counts() const = 0;
 };
 
 /// What the object is taken to be against some of the obstacles: a mesh inside its own, in the same frame.

@@ -110,7 +110,11 @@ class SolidQuery final : public CollisionQuery {
   }
 
   const MotionBound& motionBound() const override { return *motionBound_; }
-  const QueryCounts& counts() const override { return counts_; }
+  QueryCounts counts() const override {
+    QueryCounts counts = counts_;
+    counts.pairs = surfaces_->pairs();
+    return counts;
+  }
 
  private:
   static void addTriangles(const TriangleMesh& mesh, const Pose& X_WM, std::vector<Triangle>& triangles) {

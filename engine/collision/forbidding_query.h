@@ -26,7 +26,7 @@ class ForbiddingQuery final : public CollisionQuery {
   std::optional<ForbiddenStretch> forbiddenOn(const Pose& from, const Pose& to) override;
 
   const MotionBound& motionBound() const override { return bodies_->motionBound(); }
-  const QueryCounts& counts() const override { return bodies_->counts(); }
+  QueryCounts counts() const override { return bodies_->counts(); }
 
  private:
   const ForbiddenRegions* regions();

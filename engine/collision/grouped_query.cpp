@@ -120,4 +120,11 @@ double GroupedQuery::screwClearance(const Pose& from, const ScrewAxis& screw, do
   return enough;
 }
 
+/// A question counts once, however many groups it was passed on to.
+QueryCounts GroupedQuery::counts() const {
+  QueryCounts counts = counts_;
+  for (const Part& part : parts_) counts.pairs += part.query->counts().pairs;
+  return counts;
+}
+
 }  // namespace glissade

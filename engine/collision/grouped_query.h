@@ -30,7 +30,7 @@ class GroupedQuery final : public CollisionQuery {
   double screwClearance(const Pose& from, const ScrewAxis& screw, double advance, double enough, double off) override;
 
   const MotionBound& motionBound() const override { return *motionBound_; }
-  const QueryCounts& counts() const override { return counts_; }
+  QueryCounts counts() const override;
 
  private:
   struct Part {

@@ -24,6 +24,8 @@ class SurfaceQuery {
   /// As CollisionQuery::checkMotion, of the surfaces; nothing from a library that cannot.
   virtual std::optional<MotionCheck> checkMotion(const Pose& from, const Pose& to, double required, SeekViolation seek,
                                                  const StopToken& stop) = 0;
+  /// Looked at so far (QueryCounts::pairs).
+  virtual std::uint64_t pairs() const { return 0; }
 };
 
 }  // namespace glissade

@@ -154,4 +154,10 @@ double ThreadedQuery::screwClearance(const Pose& from, const ScrewAxis& screw, d
   return whole_->screwClearance(screwed(screw, begin, wholeFrom), screw, along - wholeFrom, shown, off);
 }
 
+QueryCounts ThreadedQuery::counts() const {
+  QueryCounts counts = counts_;
+  counts.pairs = screwed_->counts().pairs + whole_->counts().pairs;
+  return counts;
+}
+
 }  // namespace glissade

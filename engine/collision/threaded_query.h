@@ -33,7 +33,7 @@ class ThreadedQuery final : public CollisionQuery {
   double screwClearance(const Pose& from, const ScrewAxis& screw, double advance, double enough, double off) override;
 
   const MotionBound& motionBound() const override { return screwed_->motionBound(); }
-  const QueryCounts& counts() const override { return counts_; }
+  QueryCounts counts() const override;
 
  private:
   /// What the object is taken as in a configuration; or the obstacle of the thread that forbids it.

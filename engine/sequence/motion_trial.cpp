@@ -13,8 +13,9 @@
 namespace glissade {
 namespace {
 
-/// Steps of the automatic planner: about a quarter of a second, one, four and sixteen.
-constexpr std::array<std::uint64_t, MotionTrial::kMostSearches> kSearchSteps{150, 600, 2400, 9600};
+/// Work of the automatic planner (SearchedRemoval): about half a second, one and a half, four and thirteen.
+constexpr std::array<std::uint64_t, MotionTrial::kMostSearches> kSearchWork{2'000'000, 6'000'000, 18'000'000,
+                                                                            54'000'000};
 
 /// A tool does not touch what it is brought past, metres.
 constexpr double kToolClearance = 1e-5;
@@ -71,8 +72,8 @@ RemovalAnswer MotionTrial::search(const BodyGroup& group, const BodySet& present
     RemovalAnswer lines = twoLines_.tryRemoval(group, present, stop);
     if (std::holds_alternative<Removed>(lines) && mayLeave(lines)) return lines;
   }
-  const std::uint64_t steps = kSearchSteps[static_cast<std::size_t>(effort - 1)];
-  RemovalAnswer searched = searched_.tryRemoval(group, present, steps, stop);
+  const std::uint64_t work = kSearchWork[static_cast<std::size_t>(effort - 1)];
+  RemovalAnswer searched = searched_.tryRemoval(group, present, work, stop);
   return mayLeave(searched) ? searched : Refused{};
 }
 

@@ -7,22 +7,35 @@
 namespace glissade {
 namespace {
 
-/// Lets a planner work for so many steps.
-class BudgetHost final : public PlannerHost {
+/// A step counts as so many pairs of the kernel.
+constexpr std::uint64_t kStepWork = 50;
+
+/// Lets a planner work for one step at a time.
+class StepHost final : public PlannerHost {
  public:
-  BudgetHost(const ParameterValues& parameters, std::uint64_t steps, const StopToken& stop)
-      : parameters_(parameters), left_(steps), stop_(stop) {}
+  StepHost(const ParameterValues& parameters, const StopToken& stop) : parameters_(parameters), stop_(stop) {}
 
   std::optional<OperatorSample> operatorSample() override { return std::nullopt; }
   const ParameterValues& parameters() const override { return parameters_; }
-  bool afterStep() override { return --left_ > 0 && !stop_.stopRequested(); }
+  bool afterStep() override { return false; }
   const StopToken& stopToken() const override { return stop_; }
 
  private:
   ParameterValues parameters_;
-  std::uint64_t left_;
   const StopToken& stop_;
 };
+
+/// What a planner has done: pairs that the kernel has looked at, and steps, which look for neighbours.
+std::uint64_t workOf(const PlannerCounts& counts) { return counts.queries.pairs + kStepWork * counts.steps; }
+
+/// Step after step, until it has found a path, cannot find one, or has done so much work.
+bool solveWithin(Planner& planner, PlannerHost& host, std::uint64_t work) {
+  while (!planner.solve(host)) {
+    const bool isOver = planner.failure() || host.stopToken().stopRequested();
+    if (isOver || workOf(planner.counts()) >= work) return false;
+  }
+  return true;
+}
 
 /// Room to leave on every side.
 Box3 roomAbout(Box3 box, const MovingObject& object) {
@@ -41,15 +54,15 @@ std::unique_ptr<Planner> plannerOf(const Problem& problem, std::uint64_t seed) {
 
 }  // namespace
 
-RemovalAnswer SearchedRemoval::tryRemoval(const BodyGroup& group, const BodySet& present, std::uint64_t steps,
+RemovalAnswer SearchedRemoval::tryRemoval(const BodyGroup& group, const BodySet& present, std::uint64_t work,
                                           const StopToken& stop) const {
   const MovingObject& object = worlds_.object(group);
   const MotionWorld motion = worlds_.world(group, present);
   Problem problem{motion.world, object.X_WB, GoalOut{}, roomAbout(motion.world->obstaclesBox(), object), nullptr, {}};
   if (!motion.world->makeQuery()->clearAbove(object.X_WB, object.required)) return Refused{};
-  const auto planner = plannerOf(problem, seedOf(group, present, steps));
-  BudgetHost host(worlds_.parameters(group), steps, stop);
-  if (planner->solve(host)) {
+  const auto planner = plannerOf(problem, seedOf(group, present, work));
+  StepHost host(worlds_.parameters(group), stop);
+  if (solveWithin(*planner, host, work)) {
     Path path = *planner->path();
     nameByProduct(path.certificate, motion.bodies);
     return Removed{std::move(path), "auto: " + memberOf(*planner), fits_.fitsOf(group, present)};
@@ -58,10 +71,10 @@ RemovalAnswer SearchedRemoval::tryRemoval(const BodyGroup& group, const BodySet&
 }
 
 /// Of its own for each question, so that it does not matter which were asked before.
-std::uint64_t SearchedRemoval::seedOf(const BodyGroup& group, const BodySet& present, std::uint64_t steps) const {
+std::uint64_t SearchedRemoval::seedOf(const BodyGroup& group, const BodySet& present, std::uint64_t work) const {
   std::string question;
   for (const std::size_t body : group) question += product_.bodies[body].id + "/";
-  question += std::to_string(bodiesIn(present).size()) + "/" + std::to_string(steps);
+  question += std::to_string(bodiesIn(present).size()) + "/" + std::to_string(work);
   return RandomStream(seed_, question).bits();
 }
 

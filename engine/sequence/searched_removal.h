@@ -7,19 +7,20 @@
 
 namespace glissade {
 
-/// Removal by the automatic planner. Budgets are counted in its steps, each a fixed amount of work, so that the answer
-/// does not depend on the machine.
+/// Removal by the automatic planner. Budgets are counted in its work, above all in pairs of the kernel
+/// (QueryCounts::pairs), so that the answer does not depend on the machine, and a body that is cheap to ask for gets
+/// more steps than one that is not.
 class SearchedRemoval {
  public:
   SearchedRemoval(const AssembledProduct& product, const ProductFits& fits, MotionWorlds& worlds, std::uint64_t seed)
       : product_(product), fits_(fits), worlds_(worlds), seed_(seed) {}
 
-  /// `steps` of the planner at most. The refusal names nobody: a search does not know who was in its way.
-  RemovalAnswer tryRemoval(const BodyGroup& group, const BodySet& present, std::uint64_t steps,
+  /// `work` of the planner at most. The refusal names nobody: a search does not know who was in its way.
+  RemovalAnswer tryRemoval(const BodyGroup& group, const BodySet& present, std::uint64_t work,
                            const StopToken& stop) const;
 
  private:
-  std::uint64_t seedOf(const BodyGroup& group, const BodySet& present, std::uint64_t steps) const;
+  std::uint64_t seedOf(const BodyGroup& group, const BodySet& present, std::uint64_t work) const;
 
   const AssembledProduct& product_;
   const ProductFits& fits_;

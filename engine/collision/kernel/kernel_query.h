@@ -47,6 +47,7 @@ class KernelQuery final : public SurfaceQuery {
   bool isWithin(const Pose& X_WB, double bound) override;
   std::optional<MotionCheck> checkMotion(const Pose& from, const Pose& to, double required, SeekViolation seek,
                                          const StopToken& stop) override;
+  std::uint64_t pairs() const override { return traversal_.pairs(); }
 
  private:
   struct Candidate {

@@ -43,6 +43,7 @@ class OccurrenceQuery final : public SurfaceQuery {
   bool isWithin(const Pose& X_WB, double bound) override;
   std::optional<MotionCheck> checkMotion(const Pose& from, const Pose& to, double required, SeekViolation seek,
                                          const StopToken& stop) override;
+  std::uint64_t pairs() const override { return one_.pairs(); }
 
  private:
   Box3 boxAt(const Pose& X_WB) const;

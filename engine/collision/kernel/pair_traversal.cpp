@@ -6,6 +6,7 @@
 namespace glissade {
 
 unsigned PairTraversal::within(const Opened& opened, float reach, float* separation) {
+  ++pairs_;
   const lanes::BoxLanes& obstacle = obstacles_->nodes[BoxTree::nodeAround(opened.first.obstacle)];
   const lanes::BoxLanes& moved = placed.node(BoxTree::nodeAround(opened.first.object));
   const unsigned near = opened.obstacle
@@ -17,6 +18,7 @@ unsigned PairTraversal::within(const Opened& opened, float reach, float* separat
 }
 
 unsigned PairTraversal::withinSweep(const Opened& opened, float reach) {
+  ++pairs_;
   const std::uint32_t index = BoxTree::nodeAround(opened.first.object);
   const lanes::BoxLanes& obstacle = obstacles_->nodes[BoxTree::nodeAround(opened.first.obstacle)];
   const lanes::BoxLanes& moved = placed.node(index);
@@ -31,6 +33,7 @@ unsigned PairTraversal::withinSweep(const Opened& opened, float reach) {
 }
 
 void PairTraversal::distances(const Opened& opened, float* squared) {
+  ++pairs_;
   const lanes::BoxLanes& obstacle = obstacles_->nodes[BoxTree::nodeAround(opened.first.obstacle)];
   const lanes::BoxLanes& moved = placed.node(BoxTree::nodeAround(opened.first.object));
   if (opened.obstacle) {
@@ -47,6 +50,7 @@ unsigned PairTraversal::columnsOf(const BoxPair& leaves) const {
 }
 
 unsigned PairTraversal::mayMeet(const BoxPair& leaves) {
+  ++pairs_;
   lanes::TriangleLanes moved;
   placed.leaf(leaves.object, moved);
   return functions_.trianglesMayMeet(obstacles_->leafOf(leaves.obstacle).lanes, moved,
@@ -55,6 +59,7 @@ unsigned PairTraversal::mayMeet(const BoxPair& leaves) {
 }
 
 unsigned PairTraversal::within(const BoxPair& leaves, float reach) {
+  ++pairs_;
   lanes::TriangleLanes moved;
   placed.leaf(leaves.object, moved);
   return functions_.trianglesWithin(obstacles_->leafOf(leaves.obstacle).lanes, moved,
@@ -63,6 +68,7 @@ unsigned PairTraversal::within(const BoxPair& leaves, float reach) {
 }
 
 unsigned PairTraversal::mayMeetInSweep(const BoxPair& leaves, float reach, bool byNearest) {
+  ++pairs_;
   lanes::TriangleLanes moved;
   lanes::TriangleLanes ways;
   placed.leaf(leaves.object, moved);
@@ -74,6 +80,7 @@ unsigned PairTraversal::mayMeetInSweep(const BoxPair& leaves, float reach, bool 
 }
 
 PairTraversal::LeafDistances PairTraversal::triangleDistances(const BoxPair& leaves) {
+  ++pairs_;
   const BoxTree::Leaf& obstacle = obstacles_->leafOf(leaves.obstacle);
   const BoxTree::Leaf& moved = object.leafOf(leaves.object);
   lanes::TriangleLanes lanesOfMoved;
@@ -91,6 +98,7 @@ PairTraversal::LeafDistances PairTraversal::triangleDistances(const BoxPair& lea
 }
 
 std::array<double, 4> PairTraversal::exactDistances(std::span<const TrianglePair> pairs) {
+  ++pairs_;
   lanes::TrianglePairLanes lanes;
   for (std::size_t lane = 0; lane < 4; ++lane) {
     const TrianglePair& pair = pairs[std::min(lane, pairs.size() - 1)];

@@ -98,6 +98,10 @@ class PairTraversal {
 
   const Triangle& obstacleTriangle(std::uint32_t index) const { return obstacles_->triangles[index].corners; }
 
+  /// That were looked at since the beginning: of boxes up to eight at once, of leaves their triangles at once, of
+  /// triangles four at once.
+  std::uint64_t pairs() const { return pairs_; }
+
   const BoxTree& object;
   PlacedObject placed;
 
@@ -106,6 +110,7 @@ class PairTraversal {
 
   const BoxTree* obstacles_;
   const lanes::LaneFunctions& functions_;
+  std::uint64_t pairs_ = 0;
 };
 
 }  // namespace glissade

@@ -146,11 +146,9 @@ void PathRepair::deliver(PlannerHost& host) {
 }
 
 void PathRepair::updateCounts() {
-  const QueryCounts& own = query_->counts();
-  const QueryCounts& smaller = smallerQuery_->counts();
-  counts_.queries.collision = own.collision + smaller.collision + gap_.counts.queries.collision;
-  counts_.queries.distance = own.distance + smaller.distance + gap_.counts.queries.distance;
-  counts_.queries.motion = own.motion + smaller.motion + gap_.counts.queries.motion;
+  counts_.queries = query_->counts();
+  counts_.queries += smallerQuery_->counts();
+  counts_.queries += gap_.counts.queries;
   counts_.randomConfigurations = gap_.counts.randomConfigurations;
   counts_.nodes = nodes_.size();
   counts_.edges = 2 * edges_.size();

@@ -73,6 +73,7 @@ void SubPlanner::collect(SharedRoadmap& roadmap) {
   add(all.queries.collision, now.queries.collision, counted_.queries.collision);
   add(all.queries.distance, now.queries.distance, counted_.queries.distance);
   add(all.queries.motion, now.queries.motion, counted_.queries.motion);
+  add(all.queries.pairs, now.queries.pairs, counted_.queries.pairs);
 }
 
 }  // namespace glissade

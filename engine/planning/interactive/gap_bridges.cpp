@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "engine/planning/automatic/portfolio.h"
-#include "engine/planning/interactive/query_sum.h"
 
 namespace glissade {
 namespace {

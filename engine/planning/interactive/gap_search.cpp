@@ -5,7 +5,6 @@
 #include "engine/base/tolerances.h"
 #include "engine/planning/automatic/rrt_connect.h"
 #include "engine/planning/automatic/tube_sampler.h"
-#include "engine/planning/interactive/query_sum.h"
 
 namespace glissade {
 namespace {

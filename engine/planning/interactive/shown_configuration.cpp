@@ -4,7 +4,6 @@
 
 #include "engine/planning/automatic/retraction.h"
 #include "engine/planning/automatic/tube_sampler.h"
-#include "engine/planning/interactive/query_sum.h"
 
 namespace glissade {
 namespace {

@@ -89,6 +89,34 @@ TEST(LargeWorld, IsPreparedForItsFirstQueryAndAnswersAsASmallOne) {
   }
 }
 
+TEST(QueryCounts, PairsTellWhatAnswersCost) {
+  const auto torus = [](std::uint32_t around, std::uint32_t along) {
+    RigidBody body = boxBody("torus", Vector3::Ones(), Pose::identity());
+    body.mesh = std::make_shared<const TriangleMesh>(makeTorus(0.3, 0.1, around, along));
+    return body;
+  };
+  const auto pairsOf = [](const CollisionWorldPtr& world, const Pose& q) {
+    const auto query = world->makeQuery();
+    query->nearestObstacle(q);
+    const std::uint64_t one = query->counts().pairs;
+    query->checkMotion(q, Pose::translation(q.position + Vector3(0.01, 0.0, 0.0)), 1e-6, SeekViolation::First, {});
+    EXPECT_GE(query->counts().pairs, one);
+    return query->counts().pairs;
+  };
+  const Pose near = Pose::translation({0.0, 0.0, 0.7});
+  const CollisionWorldPtr coarse = CollisionWorld::build({torus(8, 6)}, makeL());
+  const CollisionWorldPtr fine = CollisionWorld::build({torus(120, 90)}, makeL());
+  EXPECT_GT(pairsOf(coarse, near), 0U);
+  EXPECT_GT(pairsOf(fine, near), pairsOf(coarse, near));
+  EXPECT_EQ(pairsOf(fine, near), pairsOf(fine, near));
+  const auto query = fine->makeQuery();
+  EXPECT_FALSE(query->collides(Pose::translation({50.0, 0.0, 0.0})));
+  EXPECT_EQ(query->counts().pairs, 0U) << "spheres are far apart";
+  const CollisionWorldPtr grouped = CollisionWorld::build({torus(8, 6), torus(120, 90)}, makeL())
+                                        ->withVariants({{std::make_shared<const TriangleMesh>(*makeL()), {0}}});
+  EXPECT_GT(pairsOf(grouped, near), 0U) << "each group counts its own";
+}
+
 TEST(LargeWorld, TwoLevelsAnswerAsOneTree) {
   RandomStream stream(1, "levels");
   for (const std::size_t count : {0U, 1U, 2U, 30U}) {
