@@ -78,8 +78,7 @@ class PairFitter {
     std::vector<StatedAllowance> own;
     if (!question_.stated) return own;
     for (const StatedAllowance& each : *question_.stated) {
-      const std::string& moving = each.moving.empty() ? question_.first : each.moving;
-      if (moving == question_.moving.id && each.body == question_.other.id) own.push_back(each);
+      if (each.isAbout(question_.moving.id, question_.other.id, question_.first)) own.push_back(each);
     }
     return own;
   }

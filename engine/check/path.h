@@ -27,6 +27,11 @@ struct StatedAllowance {
   std::optional<double> pitch{};
   std::optional<StatedThread> thread{};
   std::optional<StatedThread> core{};  ///< its thread, which is taken away: the pair comes apart by turning only
+
+  /// About this pair, ids. `first`: the object, or the first body of the step.
+  bool isAbout(const std::string& movingBody, const std::string& other, const std::string& first) const {
+    return (moving.empty() ? first : moving) == movingBody && body == other;
+  }
 };
 
 struct Point {

@@ -19,7 +19,8 @@ constexpr double kEnoughTurn = 0.01;
 /// In diameters of the shaft: what is steeper is a pull with a turn in it. Screws for wood have 0.45.
 constexpr double kSteepest = 0.5;
 
-/// Two cylinders that are around each other where the product is assembled.
+/// Two cylinders that are around each other where the product is assembled: about one axis, or about two beside each
+/// other with all of the hole's wall in the shaft.
 struct RoundPair {
   Vector3 point;
   Vector3 axis;
@@ -37,10 +38,10 @@ struct RoundPair {
 };
 
 std::optional<RoundPair> aroundEachOther(const RoundFace& own, const RoundFace& other) {
-  const bool coaxial = own.axis.cross(other.axis).norm() < kParallelAxes &&
-                       (other.point - own.point).cross(own.axis).norm() <= 2.0 * kOnCylinder;
-  if (own.isShaft == other.isShaft || !coaxial) return std::nullopt;
+  if (own.isShaft == other.isShaft || own.axis.cross(other.axis).norm() >= kParallelAxes) return std::nullopt;
   const auto [shaft, hole] = own.isShaft ? std::pair(own.radius, other.radius) : std::pair(other.radius, own.radius);
+  const double beside = (other.point - own.point).cross(own.axis).norm();
+  if (beside > std::max(2.0 * kOnCylinder, shaft - hole)) return std::nullopt;
   const double from = (other.point - own.point).dot(own.axis);
   const double sense = own.axis.dot(other.axis) < 0.0 ? -1.0 : 1.0;
   const auto [low, high] = std::minmax({from + sense * other.low, from + sense * other.high});
@@ -119,8 +120,7 @@ std::string pulledThread(const LeavingPair& pair) {
   for (const RoundPair& thread : threadsOf(pair)) {
     const double pulled = TurnOut(thread).pulled(pair.path);
     if (pulled <= 0.0) continue;
-    return "is pulled " + inMillimetres(pulled) + " off a thread of " + inMillimetres(2.0 * thread.radius) +
-           " without a turn";
+    return inMillimetres(pulled) + " of a thread of " + inMillimetres(2.0 * thread.radius);
   }
   return {};
 }

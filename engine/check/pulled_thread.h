@@ -22,9 +22,10 @@ struct LeavingPair {
 inline constexpr double kLeastThreadDepth = 0.05;
 inline constexpr double kMostThreadDepth = 0.3;
 
-/// How a motion takes a body off a thread without turning it; empty: it does not. A thread is a shaft of the one in a
-/// hole of the other about the same axis. While the two are around each other, the body turns about the axis and
-/// advances by the same pitch in each turn; the last pitch may be pulled, because a thread ends in its run-out.
+/// How much of a thread a motion pulls instead of turning the body off, for people; empty: nothing. A thread is a shaft
+/// of the one in a hole of the other, with all of the hole's wall in the shaft. While the two are around each other,
+/// the body turns about the axis and advances by the same pitch in each turn; the last pitch may be pulled, because a
+/// thread ends in its run-out.
 std::string pulledThread(const LeavingPair& pair);
 
 }  // namespace glissade::check

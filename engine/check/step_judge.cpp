@@ -87,8 +87,7 @@ class StepJudge {
   /// What the step states for a pair that is not compared.
   void refuseStated(const Body& own, const Body& other, const char* why, StepVerdict& verdict) const {
     for (const StatedAllowance& each : numbered_.step->allowances) {
-      const std::string& moving = each.moving.empty() ? numbered_.step->bodies.front() : each.moving;
-      if (moving != own.id || each.body != other.id || each.allowance <= 0.0) continue;
+      if (!each.isAbout(own.id, other.id, numbered_.step->bodies.front()) || each.allowance <= 0.0) continue;
       AppliedAllowance refused{own.id, other.id, own.name, other.name};
       refused.stated = each.allowance;
       if (each.yields) std::swap(refused.thinner, refused.against);
@@ -100,8 +99,7 @@ class StepJudge {
   void judgeThread(const PairQuestion& asked, const PairFit& fit, StepVerdict& verdict) const {
     if (fit.thread || !product_.fits.on) return;
     const bool isCalled = std::any_of(asked.stated->begin(), asked.stated->end(), [&](const StatedAllowance& each) {
-      return each.isThread && each.body == asked.other.id &&
-             (each.moving.empty() ? asked.first : each.moving) == asked.moving.id;
+      return each.isThread && each.isAbout(asked.moving.id, asked.other.id, asked.first);
     });
     if (!isCalled && !fit.isThinned()) return;
     double overlap = 0.0;
@@ -111,7 +109,7 @@ class StepJudge {
                       asked.path, overlap, isCalled});
     if (pulled.empty()) return;
     const std::string what =
-        "'" + asked.moving.name + "' " + pulled + ", which is in common with '" + asked.other.name + "'";
+        "'" + asked.moving.name + "' is pulled off '" + asked.other.name + "' without a turn: " + pulled;
     std::string may = product_.fits.partingOf(asked.moving.id, asked.other.id);
     if (asked.moving.mesh->faces.empty() || asked.other.mesh->faces.empty()) may = "their meshes state no cylinders";
     (may.empty() ? verdict.refusals : verdict.pulls).push_back(what + (may.empty() ? "" : "; " + may));

@@ -46,8 +46,8 @@ std::vector<Pose> turned(double turns, double pitch = kPitch, int perTurn = 8) {
 
 TEST(PulledThread, WhatIsPulledOffAThreadIsSaid) {
   const Parts parts(0.0042);
-  EXPECT_EQ(parts.boltStays(turned(0.0)), "is pulled 20 mm off a thread of 10 mm without a turn");
-  EXPECT_EQ(parts.boltLeaves(turned(0.0)), "is pulled 20 mm off a thread of 10 mm without a turn");
+  EXPECT_EQ(parts.boltStays(turned(0.0)), "20 mm of a thread of 10 mm");
+  EXPECT_EQ(parts.boltLeaves(turned(0.0)), "20 mm of a thread of 10 mm");
 }
 
 TEST(PulledThread, WhatIsTurnedOffIsNot) {
@@ -108,6 +108,19 @@ TEST(PulledThread, EqualCylindersAreAThreadWhereTheFileSaysSo) {
   EXPECT_EQ(parts.boltStays(turned(0.0)), "");
   EXPECT_NE(parts.boltStays(turned(0.0), true), "");
   EXPECT_EQ(parts.boltStays(turned(0.02 / kPitch), true), "");
+}
+
+/// As CAD systems place fasteners: beside their holes by a part of the thread's depth.
+TEST(PulledThread, AxesBesideEachOtherAreAThreadWhileTheWallIsInTheShaft) {
+  Parts parts(0.0042);
+  for (const double beside : {0.00003, 0.0003, 0.00079}) {
+    parts.bolt = Parts::placed(transformed(test::prism(40, 0.005, 0.03), Pose::translation({beside, 0.0, 0.0})));
+    EXPECT_NE(parts.boltLeaves(turned(0.0)), "") << beside;
+    EXPECT_NE(parts.boltStays(turned(0.0)), "") << beside;
+    EXPECT_EQ(parts.boltStays(turned(0.02 / kPitch)), "") << beside;
+  }
+  parts.bolt = Parts::placed(transformed(test::prism(40, 0.005, 0.03), Pose::translation({0.0009, 0.0, 0.0})));
+  EXPECT_EQ(parts.boltLeaves(turned(0.0)), "");
 }
 
 TEST(PulledThread, EachOfTwoHolesCountsForItself) {
