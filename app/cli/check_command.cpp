@@ -63,11 +63,11 @@ int checkPath(const CheckOptions& options, const Interrupt& interrupt, const Sto
                         "is for assembly plans: a path is of a scenario", "Remove the body from the scenario."},
                        options.format);
   }
+  const auto path = check::readPath(options.path);
+  if (!path) return reportError(path.error(), options.format);
   auto question = check::readQuestion(options.scenario, {options.fits.on, options.fits.acceptedClash}, stop);
   if (!question) return reportStopped(question.error(), interrupt, options.format);
   reportWarnings(question->product.warnings);
-  const auto path = check::readPath(options.path);
-  if (!path) return reportError(path.error(), options.format);
   if (options.requiredClearance) {
     ParameterValues parameters(radiusAboutOrigin(*question->object().mesh));
     const Outcome set = parameters.set(ParameterId::RequiredClearance, *options.requiredClearance);

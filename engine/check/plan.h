@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/check/path.h"
@@ -24,6 +25,7 @@ struct Step {
   std::vector<StatedViolation> violates;
   bool certified = true;  ///< what the step says of itself
   bool flexible = false;  ///< it says so of its one body, of whose motion nothing is proved
+  std::vector<std::pair<std::string, std::string>> turned{};  ///< ids: pairs that it says come apart by turning
 };
 
 /// A group that has left, taken apart in a frame of its own: nothing but its bodies is there.

@@ -29,6 +29,20 @@ bool saysFlexible(const JsonCursor& at, const std::vector<std::string>& bodies) 
   return false;
 }
 
+/// Joints that are threads.
+std::vector<std::pair<std::string, std::string>> turnedPairs(const JsonCursor& at) {
+  std::vector<std::pair<std::string, std::string>> pairs;
+  const auto joints = at.find("joints");
+  for (std::size_t i = 0; joints && i < joints->sizeUpTo(limits::kMostBodies); ++i) {
+    const JsonCursor joint = joints->element(i);
+    const std::string kind = joint.at("kind").text();
+    const auto others = joint.find("others");
+    if (!others || (kind != "screw" && kind != "nut" && kind != "thread")) continue;
+    for (const std::string& other : textsOf(*others)) pairs.emplace_back(joint.at("body").text(), other);
+  }
+  return pairs;
+}
+
 Step readStep(const JsonCursor& at, std::size_t earlier) {
   Step step;
   step.bodies = textsOf(at.at("bodies"));
@@ -36,6 +50,7 @@ Step readStep(const JsonCursor& at, std::size_t earlier) {
   step.allowances = readAllowances(at.at("allowances"));
   step.certified = at.at("certificate").at("status").text() == "certified";
   step.flexible = saysFlexible(at, step.bodies);
+  step.turned = turnedPairs(at);
   const auto after = at.find("after");
   for (std::size_t number = 1; !after && number <= earlier; ++number) step.after.push_back(number);
   for (std::size_t i = 0; after && i < after->sizeUpTo(limits::kMostBodies); ++i) {

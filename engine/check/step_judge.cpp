@@ -95,12 +95,23 @@ class StepJudge {
     }
   }
 
+  /// By an allowance or by a joint of the step.
+  bool isCalledThread(const PairQuestion& asked) const {
+    const auto isThreadOfPair = [&](const StatedAllowance& each) {
+      return each.isThread && each.isAbout(asked.moving.id, asked.other.id, asked.first);
+    };
+    const auto isPair = [&](const std::pair<std::string, std::string>& pair) {
+      return std::minmax(pair.first, pair.second) == std::minmax(asked.moving.id, asked.other.id);
+    };
+    const auto& turned = numbered_.step->turned;
+    return std::any_of(asked.stated->begin(), asked.stated->end(), isThreadOfPair) ||
+           std::any_of(turned.begin(), turned.end(), isPair);
+  }
+
   /// A thread comes apart by turning. What a person marks as one, and what is taken away, is judged with the motion.
   void judgeThread(const PairQuestion& asked, const PairFit& fit, StepVerdict& verdict) const {
     if (fit.thread || !product_.fits.on) return;
-    const bool isCalled = std::any_of(asked.stated->begin(), asked.stated->end(), [&](const StatedAllowance& each) {
-      return each.isThread && each.isAbout(asked.moving.id, asked.other.id, asked.first);
-    });
+    const bool isCalled = isCalledThread(asked);
     if (!isCalled && !fit.isThinned()) return;
     double overlap = 0.0;
     for (const AppliedAllowance& each : fit.applied) overlap = std::max(overlap, each.evidence.overlap);

@@ -50,6 +50,10 @@ check::Step judgedStep(const AssemblyStep& step) {
   judged.flexible = step.with.empty() && std::any_of(step.joints.begin(), step.joints.end(), [&](const auto& joint) {
                       return joint.kind == JointKind::Flexible && joint.body == step.body;
                     });
+  for (const StepJoint& joint : step.joints) {
+    if (!isScrewed(joint.kind)) continue;
+    for (const std::string& other : joint.others) judged.turned.emplace_back(joint.body, other);
+  }
   return judged;
 }
 
