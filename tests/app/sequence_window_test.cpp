@@ -140,7 +140,7 @@ TEST_F(SequenceWindow, AStepIsMovedByHandAndItsPathComesBack) {
                            .arg(file("hand.json"))));
   // Nobody steered.
   EXPECT_FALSE(content("hand.json").contains("\"method\": \"by hand\""));
-  EXPECT_TRUE(content("hand.json").contains("\"method\": \"contact-birrt\""));
+  EXPECT_TRUE(content("hand.json").contains("\"method\": \"interactive\""));
   // Links of a URDF come as one.
   expectGood(
       runOnStand(QStringLiteral("plan-sequence all\nshow-step 7\naction sequence.by-hand\nexpect-log alone\n"

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/collision/kernel/motion_search.h"
 #include "engine/collision/kernel/repeated_triangles.h"
 
 namespace glissade {
@@ -325,7 +324,8 @@ std::optional<MotionCheck> KernelQuery::checkMotion(const Pose& from, const Pose
       if (touches(interpolate(from, to, t))) return MotionCheck{CertificateStatus::Violated, 0.0, t, tried};
     }
   }
-  MotionCheck check = MotionSearch(traversal_, scaled(from), scaled(to), geometry_->scale * required, seek).run(stop);
+  MotionSearch search(traversal_, motionStacks_, scaled(from), scaled(to), geometry_->scale * required, seek);
+  MotionCheck check = search.run(stop);
   check.configurations += tried;
   return check;
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <memory>
 
+#include "engine/collision/kernel/motion_search.h"
 #include "engine/collision/kernel/pair_traversal.h"
 #include "engine/collision/surface_query.h"
 
@@ -81,6 +82,7 @@ class KernelQuery final : public SurfaceQuery {
   std::shared_ptr<const KernelGeometry> geometry_;
   PairTraversal traversal_;
   std::vector<BoxPair> stack_;
+  MotionSearch::Stacks motionStacks_;
   std::vector<Candidate> candidates_;  ///< a heap, the nearest first: no more is opened than has to be
   std::vector<TriangleCandidate> triangles_;
   std::array<TrianglePair, 4>

@@ -24,8 +24,8 @@ constexpr double kFine = 16.0;
 float above(double value) { return static_cast<float>(value) * 1.000001F + 1e-37F; }
 
 /// The sense of a turn by half a circle is a matter of rounding: that of half of it is not.
-Velocity velocityOf(const Pose& from, const Pose& to) {
-  Velocity velocity(from, interpolate(from, to, 0.5));
+Velocity velocityOf(const StraightMotion& motion, const Pose& from, const Pose& to) {
+  Velocity velocity(from, motion.at(0.5));
   velocity.translation_W = to.position - from.position;
   velocity.rotation *= 2.0;
   return velocity;
@@ -38,20 +38,21 @@ double longestWay(const BoxTree& object, const Velocity& velocity) {
 
 }  // namespace
 
-MotionSearch::MotionSearch(PairTraversal& traversal, const Pose& from, const Pose& to, double required,
+MotionSearch::MotionSearch(PairTraversal& traversal, Stacks& stacks, const Pose& from, const Pose& to, double required,
                            SeekViolation seek)
     : traversal_(traversal),
-      from_(from),
-      to_(to),
-      velocity_(velocityOf(from, to)),
+      motion_(from, to),
+      velocity_(velocityOf(motion_, from, to)),
       longest_(longestWay(traversal.object, velocity_)),
       middle_(from),
       required_(required),
-      seek_(seek) {}
+      seek_(seek),
+      doubts_(stacks.doubts),
+      open_(stacks.open) {}
 
 MotionCheck MotionSearch::run(const StopToken& stop) {
   const BoxPair roots;
-  doubts_.push_back({roots, true, 1U});
+  doubts_.assign(1, {roots, true, 1U});
   const Doubts all{0, 1};
   const bool startIsClear = seek_ == SeekViolation::Any || prove({0.0, 0.0}, all, stop);
   if (startIsClear && prove({0.0, 1.0}, all, stop)) check_.status = CertificateStatus::Certified;
@@ -63,7 +64,7 @@ bool MotionSearch::prove(const Interval& interval, const Doubts& doubts, const S
   const double half = interval.half();
   if (half > 0.0 && half < kShortestHalf) return false;
   const double middle = interval.middle();
-  middle_ = interpolate(from_, to_, middle);
+  middle_ = motion_.at(middle);
   spin_W_ = velocity_.rotation * (middle_.orientation * velocity_.axis_B);
   traversal_.placed.moveTo(middle_);
   traversal_.placed.sweep(velocity_, half);

@@ -5,6 +5,7 @@
 #include "engine/collision/kernel/pair_traversal.h"
 #include "engine/collision/motion_bound.h"
 #include "engine/collision/surface_query.h"
+#include "engine/geometry/straight_motion.h"
 
 namespace glissade {
 
@@ -16,7 +17,14 @@ namespace glissade {
 /// first: what is found is the first violation. The pair that violated last is looked at first.
 class MotionSearch {
  public:
-  MotionSearch(PairTraversal& traversal, const Pose& from, const Pose& to, double required, SeekViolation seek);
+  /// Memory that searches use one after the other.
+  struct Stacks {
+    std::vector<PairTraversal::Opened> doubts;
+    std::vector<PairTraversal::Opened> open;
+  };
+
+  MotionSearch(PairTraversal& traversal, Stacks& stacks, const Pose& from, const Pose& to, double required,
+               SeekViolation seek);
 
   MotionCheck run(const StopToken& stop);
 
@@ -52,8 +60,7 @@ class MotionSearch {
   double sizeOf(const BoxPair& pair) const;
 
   PairTraversal& traversal_;
-  const Pose& from_;
-  const Pose& to_;
+  StraightMotion motion_;
   Velocity velocity_;
   double longest_;  ///< way of any point in all the time
   Pose middle_;     ///< of the interval looked at
@@ -61,8 +68,8 @@ class MotionSearch {
   double required_;
   SeekViolation seek_;
   MotionCheck check_;
-  std::vector<Opened> doubts_;
-  std::vector<Opened> open_;
+  std::vector<Opened>& doubts_;
+  std::vector<Opened>& open_;
   std::optional<TrianglePair> violating_;  ///< the last that was found
 };
 

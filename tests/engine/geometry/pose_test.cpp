@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/geometry/se3_metric.h"
+#include "engine/geometry/straight_motion.h"
 #include "tests/engine/support/random_pose.h"
 
 namespace glissade {
@@ -53,6 +54,20 @@ TEST(Pose, InterpolationHitsItsEndsExactlyAndTurnsTheShortWay) {
     const double whole = angleBetween(a.orientation, b.orientation);
     EXPECT_NEAR(angleBetween(a.orientation, middle.orientation), 0.25 * whole, 1e-9);
     EXPECT_LE(whole, 3.14159265358979 + 1e-9);
+  }
+}
+
+TEST(StraightMotion, IsInterpolationBitByBit) {
+  RandomStream stream(3, "straight motion");
+  for (int i = 0; i < 500; ++i) {
+    const Pose a = randomPose(stream, 3.0);
+    Pose b = randomPose(stream, 3.0);
+    if (i % 5 == 0) b.orientation = a.orientation;
+    if (i % 5 == 1) b.orientation = (a.orientation * fromRotationVector({0.0, 1e-8 * i, 0.0})).normalized();
+    if (i % 2 == 0) b.orientation.coeffs() *= -1.0;
+    const StraightMotion motion(a, b);
+    for (const double t : {0.0, 1.0, 0.5, 0.25, 0x1p-30, stream.uniform()})
+      EXPECT_EQ(motion.at(t), interpolate(a, b, t));
   }
 }
 
