@@ -60,28 +60,6 @@ TEST(GraphMutex, WhoWaitsIsNextHoweverBusyTheOtherIs) {
   EXPECT_LE(most, 20);
 }
 
-TEST(GraphMutex, WhoGivesWayHasItAgainAfterThoseWhoWait) {
-  GraphMutex mutex;
-  std::atomic<bool> waits{false};
-  std::atomic<bool> drawn{false};
-  mutex.lock();
-  mutex.giveWay();  // nobody waits
-  std::thread window([&] {
-    waits = true;
-    const std::lock_guard lock(mutex);
-    drawn = true;
-  });
-  while (!waits) std::this_thread::yield();
-  // The other thread may not have asked yet: it has its turn in one of these.
-  for (int i = 0; i < 10'000 && !drawn; ++i) {
-    mutex.giveWay();
-    std::this_thread::sleep_for(100us);
-  }
-  EXPECT_TRUE(drawn);
-  mutex.unlock();
-  window.join();
-}
-
 /// What is drawn meanwhile would be taken away from under the headset.
 TEST(GraphMutex, AnEditOfTheSceneWaitsForWhoDraws) {
   SceneView view;

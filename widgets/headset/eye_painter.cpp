@@ -15,7 +15,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kSamples = 4;  ///< of a pixel, as in the window
+constexpr int kSamples = 4;              ///< of a pixel, as in the window
+constexpr double kLongestFree = 0.0005;  ///< s
 
 const osg::GLExtensions& functionsOf(osg::GraphicsContext& context) {
   return *context.getState()->get<osg::GLExtensions>();
@@ -73,7 +74,8 @@ void EyePainter::setTarget(int width, int height, std::int64_t format) {
   }
 }
 
-void EyePainter::draw(const EyeSight& sight, const EyeDetail& detail, unsigned texture) {
+void EyePainter::draw(const EyeSight& sight, const EyeDetail& detail) {
+  freeDeleted();
   view_->setLODScale(static_cast<float>(detail.tolerance));
   view_->setSmallFeatureCullingPixelSize(static_cast<float>(detail.leastBody));
   const osg::GLExtensions& gl = functionsOf(*context_);
@@ -86,9 +88,14 @@ void EyePainter::draw(const EyeSight& sight, const EyeDetail& detail, unsigned t
   view_->cull();
   const auto culled = Clock::now();
   view_->draw();
-  copyTo(texture);
   cullSeconds_ = std::chrono::duration<double>(culled - begin).count();
   drawSeconds_ = std::chrono::duration<double>(Clock::now() - culled).count();
+}
+
+/// What OpenGL has of parts of the scene that are gone.
+void EyePainter::freeDeleted() {
+  double seconds = kLongestFree;
+  view_->flushDeletedGLObjects(seconds);
 }
 
 EyeFigures EyePainter::figures() {
@@ -102,6 +109,7 @@ EyeFigures EyePainter::figures() {
 }
 
 void EyePainter::copyTo(unsigned texture) {
+  const auto begin = Clock::now();
   const osg::GLExtensions& gl = functionsOf(*context_);
   gl.glBindFramebuffer(GL_READ_FRAMEBUFFER_EXT, smooth_);
   gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER_EXT, copied_);
@@ -109,6 +117,7 @@ void EyePainter::copyTo(unsigned texture) {
   gl.glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
   gl.glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER_EXT, GL_COLOR_ATTACHMENT0_EXT, GL_TEXTURE_2D, 0, 0);
   gl.glBindFramebuffer(GL_FRAMEBUFFER_EXT, 0);
+  drawSeconds_ += std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
 }  // namespace glissade

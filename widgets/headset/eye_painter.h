@@ -18,8 +18,7 @@ struct EyeFigures {
   double drawSeconds = 0.0;  ///< of OpenGL's calls; with software drawing, part of the drawing is in them
 };
 
-/// Draws what an eye sees into textures. Used on the thread of its context, while that is current and the graph's mutex
-/// is held.
+/// Draws what an eye sees into textures. Used on the thread of its context, while that is current.
 class EyePainter {
  public:
   EyePainter(osg::GraphicsContext& context, osg::Node* scene);
@@ -29,13 +28,16 @@ class EyePainter {
 
   /// The size and OpenGL's format of the textures from now on.
   void setTarget(int width, int height, std::int64_t format);
-  void draw(const EyeSight& sight, const EyeDetail& detail, unsigned texture);
-  /// Of the last picture.
+  /// The graph's mutex is held.
+  void draw(const EyeSight& sight, const EyeDetail& detail);
+  /// What was drawn; waits for it where drawing is in software. The graph may change meanwhile.
+  void copyTo(unsigned texture);
+  /// Of the last picture. The graph's mutex is held.
   EyeFigures figures();
 
  private:
   void removeBuffers();
-  void copyTo(unsigned texture);
+  void freeDeleted();
 
   osg::ref_ptr<osg::GraphicsContext> context_;
   osg::ref_ptr<osgUtil::SceneView> view_;

@@ -21,7 +21,7 @@ struct SharedGraph {
 };
 
 /// What both eyes see of the shared graph, and the OpenGL context that it is drawn with. Used on one thread, on which
-/// the context is current; draws while it holds the graph's mutex.
+/// the context is current; takes the graph's mutex for each eye.
 class HeadsetScene {
  public:
   /// Throws HeadsetFailure.
@@ -34,8 +34,8 @@ class HeadsetScene {
   void setBackground(const Colour& above, const Colour& below);
   /// Size and format of the textures of an eye, 0 the left one.
   void setTarget(std::size_t eye, int width, int height, std::int64_t format);
-  /// One picture for each eye: textures of the context. Between the two, a window that waits has its turn, so that it
-  /// waits for one eye only; an edit that falls there is seen by one eye a picture earlier.
+  /// One picture for each eye: textures of the context. An edit that falls between the two is seen by one eye a picture
+  /// earlier.
   void draw(const std::array<EyeSight, 2>& eyes, const EyeDetail& detail, const ShownHands& hands,
             const std::array<unsigned, 2>& textures);
   /// Of the last picture of the left eye.

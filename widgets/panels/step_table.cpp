@@ -303,6 +303,7 @@ void StepTable::addStuck(const StuckBody& stuck) {
 
 void StepTable::resizeEvent(QResizeEvent* event) {
   QTreeWidget::resizeEvent(event);
+  fitColumns();
   scheduleDelayedItemsLayout();  // texts of stuck parts are wrapped
 }
 

@@ -23,13 +23,4 @@ void GraphMutex::unlock() {
   released_.notify_all();
 }
 
-void GraphMutex::giveWay() {
-  {
-    const std::lock_guard lock(mutex_);
-    if (nextTurn_ == served_ + 1) return;  // nobody waits
-  }
-  unlock();
-  lock();
-}
-
 }  // namespace glissade

@@ -15,8 +15,6 @@ class GraphMutex {
  public:
   void lock();
   void unlock();
-  /// Lets those who wait have it first. Precondition: the calling thread has it, and has locked it once.
-  void giveWay();
 
  private:
   std::mutex mutex_;

@@ -87,7 +87,7 @@ void MergedBodies::traverse(osg::NodeVisitor& visitor) {
     osg::Group::traverse(visitor);
     return;
   }
-  if (!hasSameChildren()) divide();
+  if (!isDivided_) divide();
   for (osg::Node* body : single_) body->accept(visitor);
   mayMerge_ = true;
   for (Cell& cell : cells_) {
@@ -114,13 +114,17 @@ void MergedBodies::resizeGLObjectBuffers(unsigned size) {
   }
 }
 
-bool MergedBodies::hasSameChildren() const {
-  return std::equal(known_.begin(), known_.end(), _children.begin(), _children.end(),
-                    [](const osg::Node* known, const osg::ref_ptr<osg::Node>& child) { return known == child.get(); });
+bool MergedBodies::setChild(unsigned place, osg::Node* body) {
+  isDivided_ = false;
+  return osg::Group::setChild(place, body);
 }
 
+void MergedBodies::childInserted(unsigned /*place*/) { isDivided_ = false; }
+
+void MergedBodies::childRemoved(unsigned /*place*/, unsigned /*number*/) { isDivided_ = false; }
+
 void MergedBodies::divide() {
-  known_.assign(_children.begin(), _children.end());
+  isDivided_ = true;
   single_.clear();
   cells_.clear();
   std::vector<osg::MatrixTransform*> mergeable;

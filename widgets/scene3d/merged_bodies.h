@@ -23,6 +23,7 @@ class MergedBodies final : public osg::Group {
   static constexpr std::size_t kTogether = 32;
 
   void traverse(osg::NodeVisitor& visitor) override;
+  bool setChild(unsigned place, osg::Node* body) override;
   void releaseGLObjects(osg::State* state) const override;
   void resizeGLObjectBuffers(unsigned size) override;
 
@@ -42,14 +43,15 @@ class MergedBodies final : public osg::Group {
     osg::ref_ptr<osg::Group> merged;  ///< null: each is drawn
   };
 
-  bool hasSameChildren() const;
+  void childInserted(unsigned place) override;
+  void childRemoved(unsigned place, unsigned number) override;
   void divide();
   void divide(std::vector<osg::MatrixTransform*> bodies);
   void look(Cell& cell);
   static osg::ref_ptr<osg::Group> merge(const Cell& cell);
 
-  std::vector<const osg::Node*> known_;  ///< children that were divided
-  std::vector<osg::Node*> single_;       ///< of them those that are never merged
+  bool isDivided_ = false;
+  std::vector<osg::Node*> single_;  ///< those that are never merged
   std::vector<Cell> cells_;
   bool mayMerge_ = false;  ///< one cell a picture, so that no picture is late
 };

@@ -100,10 +100,29 @@ TEST_F(HeadsetWindowTest, TheWindowEndsWhileTheHeadsetIsShown) {
 
 class HeadsetLossesTest : public HeadsetWindowTest {
  protected:
+  /// Whoever has found a path begins anew.
+  HeadsetLossesTest() {
+    bench().session.setDevice("expert");
+    QObject::connect(&bench().session, &SessionBridge::snapshotChanged, &again_, [this](const SnapshotPtr& snapshot) {
+      if (snapshot->path == nullptr || snapshot->run == run_) return;
+      run_ = snapshot->run;
+      ++runs_;
+      again_.start(0);
+    });
+    QObject::connect(&again_, &QTimer::timeout, [this] { bench().actions["run.start"]->trigger(); });
+    again_.setSingleShot(true);
+    again_.start(0);
+  }
+
   /// GLISSADE_HEADSET_LOSSES=1000 takes minutes.
   static int losses() {
     const char* wanted = std::getenv("GLISSADE_HEADSET_LOSSES");
     return wanted != nullptr ? std::atoi(wanted) : 100;
+  }
+  /// One run, to its path.
+  void plan() {
+    const int before = runs_;
+    EXPECT_TRUE(until([&] { return runs_ > before; }, 60'000));
   }
   int number(int least, int most) { return std::uniform_int_distribution(least, most)(random_); }
 
@@ -130,17 +149,30 @@ class HeadsetLossesTest : public HeadsetWindowTest {
     EXPECT_TRUE(until([&] { return test::madeSessions() > sessions; }));
   }
 
+  int runs_ = 0;  ///< that have found a path
+
  private:
   std::mt19937 random_{7};
+  std::uint64_t run_ = 0;  ///< the last one with a path
+  QTimer again_;
 };
 
-/// In turn with losses and for as long without a headset, so that both see the same machine. The gaps are printed, and
-/// not judged: the machine may be busy.
+/// In turn with losses and for as long without a headset, with one run after the other, so that both see the same
+/// machine and the same work. What window and headset draw for the first time is compiled by software drawing before:
+/// that takes seconds. The gaps are printed, and not judged: the machine may be busy.
 TEST_F(HeadsetLossesTest, WindowRunAndPlanGoOnWhileTheHeadsetIsLostAgainAndAgain) {
   constexpr int kTogether = 20;
+  PictureCounter first(scene());
+  drawDuring(first, [this] { plan(); });
+  PictureCounter firstBeside(scene());
+  headset().trigger();
+  drawDuring(firstBeside, [this] {
+    plan();
+    EXPECT_TRUE(until([before = test::shownPictures()] { return test::shownPictures() > before + 10; }));
+  });
+  headset().trigger();
   PictureCounter alone(scene());
   PictureCounter beside(scene());
-  bench().actions["run.start"]->trigger();
   for (int done = 0; done < losses() && !HasFailure(); done += kTogether) {
     const qint64 before = beside.counted();
     headset().trigger();
@@ -154,11 +186,14 @@ TEST_F(HeadsetLossesTest, WindowRunAndPlanGoOnWhileTheHeadsetIsLostAgainAndAgain
     headset().trigger();
     drawFor(beside.counted() - before, alone);
   }
-  std::printf("%d losses in %lld ms; longest gap of the window %d ms (%d pictures), %d ms (%d) without a headset\n",
-              losses(), static_cast<long long>(beside.counted()), beside.longestGap(), beside.pictures(),
-              alone.longestGap(), alone.pictures());
+  std::printf("longest gap of the window: %d ms in its first run, %d ms in the first beside the headset\n",
+              first.longestGap(), firstBeside.longestGap());
+  std::printf(
+      "%d losses in %lld ms; longest gap of the window %d ms (%d pictures), %d ms (%d) without a headset; %d runs\n",
+      losses(), static_cast<long long>(beside.counted()), beside.longestGap(), beside.pictures(), alone.longestGap(),
+      alone.pictures(), runs_);
   EXPECT_GT(beside.pictures(), losses() / 10) << "the window goes on";
-  EXPECT_TRUE(until([this] { return bench().session.snapshot()->path != nullptr; }, 60'000));
+  plan();
   headset().trigger();
   EXPECT_TRUE(isRunning());
 }
@@ -171,7 +206,9 @@ TEST_F(HeadsetWindowTest, APictureSaysWhatItCosts) {
   headset().trigger();
   ASSERT_TRUE(isRunning());
   const auto figures = [this] { return bench().scene.headset()->figures(); };
-  ASSERT_TRUE(until([&] { return figures().drawSeconds > 0.0; }, 120'000));
+  // Small bodies are drawn together once they have been still.
+  ASSERT_TRUE(until([before = test::shownPictures()] { return test::shownPictures() > before + 150; }, 120'000));
+  ASSERT_TRUE(until([&] { return figures().drawSeconds > 0.0; }));
   const HeadsetFigures eye = figures();
   std::printf("an eye: %d draw calls, %lld triangles, detail %d, %.2f ms to choose, %.2f ms in OpenGL\n", eye.drawCalls,
               static_cast<long long>(eye.triangles), eye.detailStep, 1e3 * eye.cullSeconds, 1e3 * eye.drawSeconds);
