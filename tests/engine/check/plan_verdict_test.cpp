@@ -117,6 +117,28 @@ TEST(PlanVerdict, NutsLeaveTheirBoltFirstAndByTurningOnly) {
   EXPECT_EQ(verdict.steps[0].motion.verdict.nearest.body, static_cast<int>(*product.indexOf("bolt")));
 }
 
+/// Where nobody marks a thread and the cylinders are equal, the joint that the step turns out says that there is one.
+TEST(PlanVerdict, AJointOfTheStepIsAThread) {
+  AssembledProduct product = boltedPlate();
+  product.fits.pairs.clear();
+  AssemblyPlan plan = test::planOf(product, "plate");
+  ASSERT_EQ(plan.steps[0].method, "straight");
+  const auto isSaid = [&] {
+    const check::StepVerdict step = judgePlan(plan, product, std::nullopt).steps[0];
+    return !step.pulls.empty() || !step.refusals.empty();
+  };
+  EXPECT_FALSE(isSaid());
+  const std::string other = plan.steps[0].body == "bolt" ? "nut" : "bolt";
+  plan.steps[0].joints = {{JointKind::Pin, plan.steps[0].body, {other}}};
+  EXPECT_FALSE(isSaid());
+  for (const JointKind kind : {JointKind::Nut, JointKind::Screw, JointKind::Thread}) {
+    plan.steps[0].joints = {{kind, plan.steps[0].body, {other}}};
+    EXPECT_TRUE(isSaid());
+    plan.steps[0].joints = {{kind, other, {plan.steps[0].body}}};
+    EXPECT_TRUE(isSaid());
+  }
+}
+
 /// A nut on a bolt that stays, and a cap that leaves with the nut as one.
 TEST(PlanVerdict, AGroupWithANutLeavesTheBoltByTurningOnly) {
   AssembledProduct product = test::productOf(
