@@ -2,7 +2,6 @@
 #include "widgets/headset/openxr_headset.h"
 
 #include <gtest/gtest.h>
-#include <malloc.h>
 
 #include <QImage>
 
@@ -238,31 +237,6 @@ TEST_F(OpenXrHeadsetTest, WherePicturesAreLateTheSceneIsSimplerUntilThereIsTime)
   test::setPictureInterval(1.0 / 90.0);
   EXPECT_TRUE(until([&] { return headset_->figures().detailStep + 2 == PictureRate::kSteps; }, 120s))
       << "it comes back";
-}
-
-/// With software drawing, what OpenGL holds is in main memory.
-TEST_F(OpenXrHeadsetTest, WhatTheSceneHasNoMoreIsFreed) {
-  constexpr int kScenes = 30;
-  constexpr std::size_t kOfAScene = std::size_t{20'480} * 3 * 2 * sizeof(osg::Vec3f);
-  const auto allocated = [] {
-    const struct mallinfo2 info = mallinfo2();
-    return info.uordblks + info.hblkhd;
-  };
-  const auto showAnother = [this](double radius) {
-    LoadedScenario another = *scenario_;
-    another.obstacles.front().mesh = std::make_shared<const TriangleMesh>(makeSphere(radius, 5));
-    view_.setScenario(std::make_shared<const LoadedScenario>(another));
-    for (int i = 0; i < 3; ++i) showsMore();
-  };
-  headset_->start();
-  ASSERT_TRUE(becomes(HeadsetState::Running));
-  for (int i = 0; i < 3; ++i) showAnother(1.0 + 0.1 * i);
-  const std::size_t before = allocated();
-  for (int i = 0; i < kScenes; ++i) showAnother(1.5 + 0.1 * i);
-  const std::size_t after = allocated();
-  std::printf("%.1f MB more after %d scenes of %.1f MB\n",
-              1e-6 * (static_cast<double>(after) - static_cast<double>(before)), kScenes, 1e-6 * kOfAScene);
-  EXPECT_LT(after, before + 4 * kOfAScene);
 }
 
 class ManyBodiesInHeadsetTest : public OpenXrHeadsetTest {
