@@ -29,7 +29,7 @@ bool saysFlexible(const JsonCursor& at, const std::vector<std::string>& bodies) 
   return false;
 }
 
-/// Joints that are threads.
+/// The pairs of bodies of those joints of the step that are threads, ids.
 std::vector<std::pair<std::string, std::string>> turnedPairs(const JsonCursor& at) {
   std::vector<std::pair<std::string, std::string>> pairs;
   const auto joints = at.find("joints");

@@ -98,8 +98,8 @@ class PairTraversal {
 
   const Triangle& obstacleTriangle(std::uint32_t index) const { return obstacles_->triangles[index].corners; }
 
-  /// That were looked at since the beginning: of boxes up to eight at once, of leaves their triangles at once, of
-  /// triangles four at once.
+  /// Pairs that were looked at so far. Up to eight pairs of boxes, all triangles of two leaves, and four pairs of
+  /// triangles count as one each.
   std::uint64_t pairs() const { return pairs_; }
 
   const BoxTree& object;
