@@ -27,6 +27,7 @@ Json toJson(const PairWay& way, const std::string& moving, const std::string& ot
   for (const Fit& fit : way.taken) {
     if (!fit.thinned) continue;
     json["thinner"].push_back({{"body", fit.yields ? other : moving}, {"allowance_m", fit.allowance}});
+    if (fit.hollow) json["thinner"].back()["hollow"] = true;
   }
   if (!way.refused.empty()) json["refused"] = way.refused;
   return json;
@@ -90,6 +91,8 @@ std::string thinnerInWords(const PairFit& row) {
   if (row.status() == FitStatus::Clash) return "clash";
   const std::vector<std::string> thinner = row.thinner();
   if (thinner.empty()) return {};
+  const auto& taken = row.way().taken;
+  if (std::any_of(taken.begin(), taken.end(), [](const Fit& fit) { return fit.hollow; })) return "without overlap";
   std::ostringstream text;
   text << (thinner.size() > 1         ? "both"
            : thinner.front() == row.a ? "a"
@@ -146,6 +149,7 @@ int runFits(const FitsOptions& options) {
   if (const Outcome left = leaveOut(options.without, *loaded); !left) return reportError(left.error(), options.format);
   reportWarnings(loaded->warnings);
   AssembledProduct product = loaded->product;
+  product.fits = withOptions(product.fits, options.fits);
   product.bodies = aboutTheirMiddles(std::move(product.bodies));
   ThreadTeam alone(0);
   const auto table = FitTable::find(product, alone, interrupt.token(), options.limits);

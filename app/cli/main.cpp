@@ -69,6 +69,16 @@ void addParameters(CLI::App& command, std::map<ParameterId, double>& values) {
   }
 }
 
+void addAcceptClashes(CLI::App& command, FitOptions& options) {
+  addLength(
+      command, "--accept-clashes",
+      [&options](double overlap) {
+        if (overlap < 0.0) throw CLI::ValidationError("--accept-clashes", "is below zero: give a length, as 1.5mm");
+        options.acceptedClash = overlap;
+      },
+      "Take clashes up to this overlap as fits, as 1.5mm");
+}
+
 void addFitOptions(CLI::App& command, FitOptions& options, const std::string& usual) {
   command
       .add_option_function<std::string>(
@@ -77,13 +87,7 @@ void addFitOptions(CLI::App& command, FitOptions& options, const std::string& us
           "(default: " +
               usual + ")")
       ->check(CLI::IsMember({"on", "off"}));
-  addLength(
-      command, "--accept-clashes",
-      [&options](double overlap) {
-        if (overlap < 0.0) throw CLI::ValidationError("--accept-clashes", "is below zero: give a length, as 1.5mm");
-        options.acceptedClash = overlap;
-      },
-      "Take clashes up to this overlap as fits, as 1.5mm");
+  addAcceptClashes(command, options);
 }
 
 CLI::App* addPlan(CLI::App& app, PlanOptions& options) {
@@ -204,6 +208,7 @@ CLI::App* addFits(CLI::App& app, FitsOptions& options) {
                    "An overlap above this share of the local thickness is a clash, too")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
+  addAcceptClashes(*fits, options.fits);
   addPartDeflection(*fits, options.deflection);
   addWithout(*fits, options.without);
   fits->add_flag("--csv", options.csv, "Comma-separated values, a line a pair");

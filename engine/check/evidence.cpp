@@ -113,23 +113,22 @@ AllowanceBound boundOf(const MeasuredBody& side, const MeasuredBody& other, doub
   return bound;
 }
 
-/// Why nothing is taken from the body whose faces the other one overlaps so deep; empty: nothing is wrong.
-std::string clashOf(double overlap, double thickness, const FitWords& fits, const PairWord* word) {
-  if (overlap <= kClashOverlap && overlap <= kClashShare * thickness) return {};
-  const bool said =
-      word != nullptr && (word->accepted || word->allowance || (!word->kind.empty() && word->kind != "clash"));
-  if (said || (fits.acceptedClash > 0.0 && overlap <= fits.acceptedClash)) return {};
+/// Nothing is taken from a body whose faces the other one is below by so much, metres.
+void refuseClash(AllowanceBound& bound, double overlap) {
+  if (!bound.inFit) return;
   std::ostringstream text;
   text.precision(3);
   text << "they overlap by " << overlap * 1e3 << " mm, which is a clash that nobody accepted";
-  return text.str();
-}
-
-void refuse(AllowanceBound& bound, const std::string& why) {
-  if (!bound.inFit || why.empty()) return;
-  bound.refused = why;
+  bound.refused = text.str();
+  bound.clash = overlap;
   bound.most = 0.0;
   std::fill(bound.atMost.begin(), bound.atMost.end(), 0.0);
+}
+
+bool isClash(double overlap, double thickness, const FitWords& fits, const PairWord* word) {
+  if (overlap <= kClashOverlap && overlap <= kClashShare * thickness) return false;
+  const bool said = word != nullptr && (word->allowance || (!word->kind.empty() && word->kind != "clash"));
+  return !said && !fits.accepts(word, overlap);
 }
 
 }  // namespace
@@ -180,9 +179,17 @@ PairBounds boundsOf(const MeasuredBody& one, const MeasuredBody& other, const Fi
   const double a = one.measured.overlap.deepest;
   const double b = other.measured.overlap.deepest;
   const double thickness = std::max(one.measured.overlap.thickness, other.measured.overlap.thickness);
-  refuse(bounds.one, clashOf(a > 0.0 ? a : b, thickness, fits, word));
-  refuse(bounds.other, clashOf(b > 0.0 ? b : a, thickness, fits, word));
+  const double ofOne = a > 0.0 ? a : b;
+  const double ofOther = b > 0.0 ? b : a;
+  if (isClash(ofOne, thickness, fits, word)) refuseClash(bounds.one, ofOne);
+  if (isClash(ofOther, thickness, fits, word)) refuseClash(bounds.other, ofOther);
   return bounds;
+}
+
+double PairBounds::clash() const {
+  if (refused().empty()) return 0.0;
+  if (one.clash <= 0.0 || other.clash <= 0.0) return std::max(one.clash, other.clash);
+  return std::min(one.clash, other.clash);
 }
 
 std::string PairBounds::refused() const {
@@ -195,7 +202,7 @@ AllowanceBound united(const AllowanceBound& a, const AllowanceBound& b) {
   for (std::size_t t = 0; t < both.atMost.size(); ++t) both.atMost[t] = std::max(a.atMost[t], b.atMost[t]);
   both.inFit = a.inFit || b.inFit;
   both.share = std::max(a.share, b.share);
-  refuse(both, a.refused.empty() ? b.refused : a.refused);
+  if (a.clash > 0.0 || b.clash > 0.0) refuseClash(both, std::max(a.clash, b.clash));
   return both;
 }
 

@@ -29,6 +29,7 @@ struct AllowanceBound {
   Evidence largest;                ///< of the face with the largest sum
   double most = 0.0;               ///< metres; 0: nothing is allowed
   std::vector<double> atMost{};    ///< of each triangle of the body
+  double clash = 0.0;              ///< metres: the overlap for which nothing is allowed; 0: it is no clash
   std::string refused{};           ///< why nothing is allowed, as "overlap by 1.2 mm, which is a clash"; may be empty
   bool inFit = false;              ///< they touch or overlap
   double share = kThicknessShare;  ///< of the thickness below it that a face may lose
@@ -39,6 +40,8 @@ struct PairBounds {
   AllowanceBound one;
   AllowanceBound other;
 
+  /// Metres: the overlap that has to be accepted for one of them to give way; 0: none.
+  double clash() const;
   /// Why nothing is taken from either of them: a clash; empty: something is, or nothing is wrong.
   std::string refused() const;
 };

@@ -4,6 +4,12 @@
 #include <map>
 
 namespace glissade::check {
+namespace {
+
+MeshPtr meshOf(const PairFit::HollowPtr& hollow) { return {hollow, &hollow->mesh}; }
+
+}  // namespace
+
 JudgedMotion judgeMotion(const MotionQuestion& question, MotionBodies& prepared, const WorkWatch& watch) {
   std::map<MeshPtr, MeshPtr> inPathFrame;  // the object as it is taken
   const auto placed = [&](const MeshPtr& mesh) {
@@ -18,9 +24,12 @@ JudgedMotion judgeMotion(const MotionQuestion& question, MotionBodies& prepared,
   std::vector<Body> bodies{question.moving};
   for (const MotionPair& pair : question.pairs) {
     if (watch.stop.stopRequested()) return {{}, "the check was stopped"};
-    objects.push_back(
-        placed(prepared.taken(question.moving.mesh, pair.fit.moving, pair.fit.share, pair.fit.coreOfMoving())));
-    others.push_back(prepared.taken(pair.other->mesh, pair.fit.other, pair.fit.share, pair.fit.coreOfOther()));
+    const PairFit& fit = pair.fit;
+    objects.push_back(placed(fit.hollowMoving
+                                 ? meshOf(fit.hollowMoving)
+                                 : prepared.taken(question.moving.mesh, fit.moving, fit.share, fit.coreOfMoving())));
+    others.push_back(fit.hollowOther ? meshOf(fit.hollowOther)
+                                     : prepared.taken(pair.other->mesh, fit.other, fit.share, fit.coreOfOther()));
     for (const MeshPtr& mesh : {objects.back(), others.back()}) meshes.push_back(mesh.get());
     bodies.push_back(*pair.other);
   }

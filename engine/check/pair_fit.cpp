@@ -63,6 +63,10 @@ class PairFitter {
       takeCore(stated);
       return std::move(fit_);
     }
+    if (std::any_of(stated.begin(), stated.end(), [](const auto& each) { return each.hollow; })) {
+      takeHollow(stated);
+      return std::move(fit_);
+    }
     findBounds(word_);
     if (!question_.stated) {
       applyOwn();
@@ -216,6 +220,68 @@ class PairFitter {
     }
     thread.pitch = said ? *said : stated.value_or(pitchOfPath(thread));
     thread.mayTurn = word_ == nullptr || word_->turned.empty() || word_->turned == question_.moving.id;
+  }
+
+  /// What the one body fills of the other one is taken away where a person accepts the clash. The one that fills it is
+  /// taken thinner all around.
+  void takeHollow(const std::vector<StatedAllowance>& stated) {
+    const bool isFirst = stated.front().hollow;
+    const StatedAllowance& host = isFirst ? stated.front() : stated.back();
+    const StatedAllowance& guest = isFirst ? stated.back() : stated.front();
+    const auto refuse = [&](const StatedAllowance& claim, const std::string& reason) {
+      AppliedAllowance& allowance = add(claim.yields, 0.0);
+      allowance.stated = claim.allowance;
+      fit_.refusals.push_back(allowanceRefused(allowance, reason));
+    };
+    if (stated.size() != 2 || guest.hollow || host.yields == guest.yields || host.core || host.thread || guest.thread)
+      return refuse(host, "what overlaps is taken away of one body of a pair, and the other one is taken thinner");
+    const PlacedBodies::HollowPtr hollow = hollowOf(host.yields);
+    if (!hollow) return refuse(host, "no overlap with the other one can be taken away of it");
+    if (!fits_.accepts(word_, hollow->depth)) return refuse(host, "it is a clash that nobody accepted");
+    (host.yields ? fit_.hollowOther : fit_.hollowMoving) = hollow;
+    fit_.acceptedClash = isClash();
+    AppliedAllowance& ofHost = add(host.yields, hollow->depth);
+    ofHost.hollow = true;
+    ofHost.stated = host.allowance;
+    ofHost.most = hollow->depth;
+    ofHost.evidence = {hollow->depth, 0.0, 0.0, 0.0, 0.0};
+    takeAllAround(guest);
+  }
+
+  /// Were nothing accepted, the evidence would refuse the pair.
+  bool isClash() {
+    FitWords strict = fits_;
+    strict.acceptedClash = 0.0;
+    return std::any_of(question_.assembled.begin(), question_.assembled.end(), [&](const Pose& end) {
+      const Placement moving{question_.moving, end};
+      const Placement other{question_.other, question_.other.X_WB};
+      return !bodies_.boundsOf(moving, other, strict, nullptr, stop_).refused().empty();
+    });
+  }
+
+  /// The other body of the pair fills what is taken away.
+  PlacedBodies::HollowPtr hollowOf(bool yields) {
+    const Placement other{question_.other, question_.other.X_WB};
+    for (const Pose& end : question_.assembled) {
+      const Placement moving{question_.moving, end};
+      const PlacedBodies::HollowPtr hollow = bodies_.hollowOf(yields ? other : moving, yields ? moving : other, stop_);
+      if (hollow) return hollow;
+    }
+    return nullptr;
+  }
+
+  void takeAllAround(const StatedAllowance& stated) {
+    const PlacedBody& moving = bodies_.at({question_.moving, question_.moving.X_WB});
+    const PlacedBody& other = bodies_.at({question_.other, question_.other.X_WB});
+    const double spacing = moving.spacing + other.spacing;
+    const double room = hollowRoom(moving, other);
+    const PlacedBody& thinner = stated.yields ? other : moving;
+    (stated.yields ? fit_.other : fit_.moving).assign(thinner.mesh.triangles.size(), std::min(stated.allowance, room));
+    AppliedAllowance& allowance = add(stated.yields, std::min(stated.allowance, room));
+    allowance.stated = stated.allowance;
+    allowance.most = room;
+    allowance.evidence = {0.0, 0.0, spacing, room - spacing, 0.0};
+    if (stated.allowance > (1.0 + kEstimate) * room) fit_.refusals.push_back(allowanceRefused(allowance, ""));
   }
 
   /// The thread of one of the bodies is taken away, and nothing else but what touches.

@@ -20,6 +20,7 @@ struct AppliedAllowance {
   std::string against;
   bool yields = false;             ///< the other one is taken thinner
   bool core = false;               ///< its thread is taken away
+  bool hollow = false;             ///< what the other one fills is taken away; `applied` is its depth
   std::optional<double> stated{};  ///< metres, by the file
   double applied = 0.0;            ///< metres, of the face that moves farthest
   double most = 0.0;               ///< metres that the meshes and the person give
@@ -30,8 +31,13 @@ struct AppliedAllowance {
 
 /// How the two bodies of a pair are taken while the one moves past the other.
 struct PairFit {
+  using HollowPtr = PlacedBodies::HollowPtr;
+
   std::vector<double> moving{};  ///< allowance of each triangle of the moving one; empty: it is whole
   std::vector<double> other{};
+  HollowPtr hollowMoving{};  ///< without what the other one fills; null: it is not hollow
+  HollowPtr hollowOther{};
+  bool acceptedClash = false;  ///< one is hollow, and the pair would be refused if nobody accepted it
   double share = kThicknessShare;  ///< as AllowanceBound::share, of either
   std::optional<Thread> thread{};  ///< its `other` is left to the caller
   /// Of the shaft of the thread, in its frame; nothing: no thread is taken away.
@@ -39,7 +45,7 @@ struct PairFit {
   std::vector<AppliedAllowance> applied{};
   std::vector<std::string> refusals{};  ///< for people; empty: nothing is wrong
 
-  bool isThinned() const { return !moving.empty() || !other.empty() || core; }
+  bool isThinned() const { return !moving.empty() || !other.empty() || core || hollowMoving || hollowOther; }
   /// Null: the body's thread is not taken away.
   const ThreadCore* coreOfMoving() const { return core && thread->movingIsShaft ? &*core : nullptr; }
   const ThreadCore* coreOfOther() const { return core && !thread->movingIsShaft ? &*core : nullptr; }

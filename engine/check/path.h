@@ -26,6 +26,7 @@ struct StatedAllowance {
   bool isThread = false;   ///< the file calls the pair a thread
   std::optional<double> pitch{};
   std::optional<StatedThread> thread{};
+  bool hollow = false;                 ///< what the other body of the pair fills is taken away
   std::optional<StatedThread> core{};  ///< its thread, which is taken away: the pair comes apart by turning only
 
   /// About this pair, ids. `first`: the object, or the first body of the step.

@@ -100,6 +100,20 @@ PlacedBodies::HookPtr PlacedBodies::measuredHook(const HookQuestion& question, c
   return hooks_.try_emplace(key, std::move(found)).first->second;
 }
 
+PlacedBodies::HollowPtr PlacedBodies::hollowOf(const Placement& body, const Placement& guest, const StopToken& stop) {
+  const PlacedBody& own = at({body.body, Pose::identity()});
+  const PlacedBody& other = at({guest.body, rounded(inverse(body.X_WB) * guest.X_WB)});
+  {
+    const std::lock_guard lock(mutex_);
+    if (const auto known = hollows_.find({&own, &other}); known != hollows_.end()) return known->second;
+  }
+  std::optional<Hollow> made = hollowed(own, other, stop);
+  HollowPtr found = made ? std::make_shared<const Hollow>(std::move(*made)) : nullptr;
+  if (stop.stopRequested()) return found;
+  const std::lock_guard lock(mutex_);
+  return hollows_.try_emplace({&own, &other}, std::move(found)).first->second;
+}
+
 PairBounds PlacedBodies::boundsInContact(const Placement& one, const Placement& other, const FitWords& fits,
                                          const PairWord* word, const StopToken& stop) {
   const bool inOrder = isFirst(one.body, other.body);

@@ -9,6 +9,7 @@
 
 #include "engine/base/stop_token.h"
 #include "engine/check/evidence.h"
+#include "engine/check/hollow.h"
 #include "engine/check/hook.h"
 #include "engine/check/placed_body.h"
 #include "engine/check/product.h"
@@ -30,6 +31,10 @@ class PlacedBodies {
   PairBounds boundsOf(const Placement& one, const Placement& other, const FitWords& fits, const PairWord* word,
                       const StopToken& stop);
 
+  using HollowPtr = std::shared_ptr<const Hollow>;
+  /// The body without what the guest fills, in the body's frame; null where hollowed() has nothing.
+  HollowPtr hollowOf(const Placement& body, const Placement& guest, const StopToken& stop);
+
  private:
   using MeasuredPtr = std::shared_ptr<const MeasuredPair>;
   using HookPtr = std::shared_ptr<const std::vector<bool>>;
@@ -50,6 +55,7 @@ class PlacedBodies {
   std::map<const TriangleMesh*, std::vector<Entry>> entries_;
   std::map<std::pair<const PlacedBody*, const PlacedBody*>, MeasuredPtr> pairs_;
   std::map<HookKey, HookPtr> hooks_;
+  std::map<std::pair<const PlacedBody*, const PlacedBody*>, HollowPtr> hollows_;
 };
 
 }  // namespace glissade::check

@@ -53,6 +53,10 @@ struct FitWords {
   const SnapWord* snapOf(const std::string& a, const std::string& b) const;
   /// What a person says for which the pair may come apart without a turn, for people; empty: nothing.
   std::string partingOf(const std::string& a, const std::string& b) const;
+  /// A person accepts a clash of this depth, metres, to a nanometre. `word`: about the pair; null: there is none.
+  bool accepts(const PairWord* word, double depth) const {
+    return (acceptedClash > 0.0 && depth <= acceptedClash + 1e-9) || (word != nullptr && word->accepted);
+  }
 };
 
 /// Where a person forbids the object's reference point to be, world frame.

@@ -63,6 +63,7 @@ std::vector<StatedAllowance> readAllowances(const JsonCursor& at) {
     if (const auto kind = each.find("kind")) allowance.isThread = kind->text() == "thread";
     if (const auto pitch = each.find("pitch_m")) allowance.pitch = pitch->coordinate();
     if (const auto thread = each.find("thread")) allowance.thread = readThread(*thread);
+    if (const auto hollow = each.find("hollow")) allowance.hollow = hollow->boolean();
     if (const auto core = each.find("core")) allowance.core = readThread(*core);
     allowances.push_back(std::move(allowance));
   }

@@ -122,6 +122,7 @@ class StepJudge {
     const std::string what =
         "'" + asked.moving.name + "' is pulled off '" + asked.other.name + "' without a turn: " + pulled;
     std::string may = product_.fits.partingOf(asked.moving.id, asked.other.id);
+    if (may.empty() && fit.acceptedClash) may = "a person accepts their clash";
     if (asked.moving.mesh->faces.empty() || asked.other.mesh->faces.empty()) may = "their meshes state no cylinders";
     (may.empty() ? verdict.refusals : verdict.pulls).push_back(what + (may.empty() ? "" : "; " + may));
   }

@@ -107,6 +107,7 @@ Report allowancesJson(const std::vector<AppliedAllowance>& allowances) {
                 {"text", inWords(each)}};
     if (evidence.byPerson > 0.0) json["by_person_m"] = evidence.byPerson;
     if (each.core) json["core"] = true;
+    if (each.hollow) json["hollow"] = true;
     if (each.thread) {
       json["thread"] = {{"point_m", toJson(each.thread->point)},
                         {"direction", toJson(each.thread->axis)},

@@ -19,6 +19,10 @@ std::string inWords(const Evidence& evidence) {
 }
 
 std::string inWords(const AppliedAllowance& allowance) {
+  if (allowance.hollow) {
+    return "'" + allowance.thinner + "' is taken without what overlaps '" + allowance.against + "', up to " +
+           inMillimetres(allowance.applied) + " deep: a clash that a person accepts";
+  }
   std::string words = "'" + allowance.thinner + "' is taken " + inMillimetres(allowance.applied) +
                       " thinner against '" + allowance.against + "' (" + inWords(allowance.evidence) + ")";
   if (allowance.bend > 0.0) words += ", at the hook that a person lets bend by " + inMillimetres(allowance.bend);

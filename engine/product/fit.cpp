@@ -18,6 +18,10 @@ Fit::Role roleOfThinner(const Fit& fit) {
 std::string inWords(const Fit& fit, const std::string& object, const std::string& obstacle) {
   const std::string& thinner = fit.yields ? obstacle : object;
   const std::string& other = fit.yields ? object : obstacle;
+  if (fit.hollow) {
+    return thinner + " taken without what overlaps " + other + ", up to " + inMillimetres(fit.allowance) +
+           " deep (accepted clash)";
+  }
   const bool isThread = fit.kind == ContactKind::Thread;
   std::string where = " against ";
   if (roleOfThinner(fit) == Fit::Role::Shaft) where = isThread ? " in the tapped hole of " : " in the hole of ";

@@ -31,6 +31,7 @@ struct Fit {
   /// Where a person has marked the pair as a thread, or the thread of the shaft is taken away.
   std::optional<FitThread> thread{};
   bool core = false;      ///< the shaft's thread is taken away (core_fit.h)
+  bool hollow = false;    ///< what the other body of the pair fills is taken away (check/hollow.h)
   MeshPtr thinned{};      ///< the body taken so; null where it is whole
   bool yields = false;    ///< the obstacle is taken thinner, not the object
   std::string refused{};  ///< why nothing is allowed, for people; empty: it is

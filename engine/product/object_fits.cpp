@@ -61,8 +61,9 @@ std::vector<double> limited(std::vector<double> allowances, double most) {
 /// What a person's word and the evidence make of a contact.
 struct Decision {
   ContactKind kind = ContactKind::Contact;
-  bool refused = false;  ///< a clash that nobody accepted
-  bool given = false;    ///< a person gave the allowance
+  bool refused = false;   ///< a clash that nobody accepted
+  bool given = false;     ///< a person gave the allowance
+  bool accepted = false;  ///< a person accepts a clash of this depth
 };
 
 /// Whether an overlap is a clash is decided by the evidence, which is measured face by face. A smaller limit that was
@@ -71,7 +72,7 @@ Decision decide(const Contact& contact, const FitEdit* edit, const FitSettings& 
                 const check::PairBounds& bounds, const ContactLimits& limits) {
   const bool small = settings.acceptedClash > 0.0 && contact.overlap <= settings.acceptedClash;
   const bool accepted = small || (edit != nullptr && edit->accepted);
-  Decision decision{contact.kind, false, edit != nullptr && edit->allowance};
+  Decision decision{contact.kind, false, edit != nullptr && edit->allowance, accepted};
   const bool usual = limits.clashOverlap == ContactLimits().clashOverlap;
   const bool clash = !bounds.refused().empty();
   if (contact.kind == ContactKind::Clash && !clash && !accepted && usual) decision.kind = ContactKind::Overlap;
@@ -81,10 +82,9 @@ Decision decide(const Contact& contact, const FitEdit* edit, const FitSettings& 
   return decision;
 }
 
-/// That has to be accepted: as the contact has it, exact for fitted surfaces; else by the evidence.
+/// That has to be accepted: as the contact has it, exact for fitted surfaces, and as the evidence has it.
 double clashOverlap(const Contact& contact, const check::PairBounds& bounds) {
-  if (contact.kind == ContactKind::Clash) return contact.overlap;
-  return std::max({contact.overlap, bounds.one.largest.overlap, bounds.other.largest.overlap});
+  return std::max(contact.overlap, bounds.clash());
 }
 
 class FitFinder {
@@ -268,15 +268,14 @@ class FitFinder {
     if (marked && found.contact.axis) fit.thread = threadOf(found, edit);
     if (decision.refused) {
       if (takeWithoutThread(fit, found)) return;
-      const double overlap = clashOverlap(found.contact, bounds);
-      fit.allowance = overlap + found.contact.deviation;
-      refuse(fit, "overlap by " + inMillimetres(overlap) + ", which is a clash",
-             "Accept it (--accept-clashes " + millimetresUp(overlap) + "), or mend the parts.");
+      refuseClash(fit, found, clashOverlap(found.contact, bounds));
     } else if ((found.contact.kind == ContactKind::Clearance && !hookYields(obstacle)) ||
                (bounds.one.most <= 0.0 && bounds.other.most <= 0.0)) {
       if (fit.thread) fits_.allowed.push_back(fit);
+    } else if (decision.kind == ContactKind::Clash && decision.accepted && takeHollow(fit, found)) {
+      return;
     } else if (decision.given || !isClearInThread(fit, found)) {
-      takeThinner(fit, bounds, found);
+      takeThinner(fit, bounds, found, decision.accepted);
     }
   }
 
@@ -320,10 +319,16 @@ class FitFinder {
     fits_.clashes.push_back(std::move(fit));
   }
 
+  void refuseClash(Fit fit, const FoundContact& found, double overlap) {
+    fit.allowance = overlap + found.contact.deviation;
+    refuse(fit, "overlap by " + inMillimetres(overlap) + ", which is a clash",
+           "Accept it (--accept-clashes " + millimetresUp(overlap) + "), or mend the parts.");
+  }
+
   /// One body alone gives way where that frees the pair. Of a shaft in a hole it has to free the way along the axis,
   /// too: corners between faces that move and faces that stay move less, and a shaft that is taken thinner may be
   /// thicker at its end. Else both give way.
-  void takeThinner(const Fit& fit, const check::PairBounds& bounds, const FoundContact& found) {
+  void takeThinner(const Fit& fit, const check::PairBounds& bounds, const FoundContact& found, bool accepted) {
     const RigidBody& other = body(fit.obstacle);
     std::vector<Fit> alone;
     for (const bool yields : inTurn(fit.obstacle)) {
@@ -335,7 +340,12 @@ class FitFinder {
     const std::vector<Fit>& taken = takesBoth ? both : alone;
     for (const Fit& unused : takesBoth ? alone : both) forget(unused.thinned);
     fits_.allowed.insert(fits_.allowed.end(), taken.begin(), taken.end());
-    if (!taken.empty() || takeWithoutThread(fit, found)) return;
+    if (!taken.empty() || takeWithoutThread(fit, found) || (accepted && takeHollow(fit, found))) return;
+    const double depth = accepted ? hollowDepth(fit.obstacle, found) : 0.0;
+    if (depth > 0.0 && !words_.accepts(wordAbout(fit.obstacle), depth)) {
+      refuseClash(fit, found, depth);
+      return;
+    }
     const auto ownOpening = openBeside(object_, bounds.one);
     const auto othersOpening = openBeside(other, bounds.other);
     if (ownOpening && othersOpening) {
@@ -348,6 +358,61 @@ class FitFinder {
     wanted.allowance = fromOther ? bounds.other.most : bounds.one.most;
     const auto opening = ownOpening ? ownOpening : othersOpening;
     refuse(wanted, opening ? noRoomBeside(wanted.allowance, *opening) : noRoom(wanted.allowance), "Mend the parts.");
+  }
+
+  /// What the smaller body fills of the larger one is taken away; where that does not help, of the smaller one.
+  bool takeHollow(const Fit& fit, const FoundContact& found) {
+    const bool larger = !inTurn(fit.obstacle).front();
+    return takeHollow(fit, found, larger) || takeHollow(fit, found, !larger);
+  }
+
+  /// `yields`: of the obstacle.
+  check::PlacedBodies::HollowPtr hollowOf(std::size_t obstacle, const FoundContact& found, bool yields) const {
+    const check::Body ownBody = measuredBody(question_.object);
+    const check::Body otherBody = measuredBody(obstacle);
+    const check::Placement own{ownBody, found.measuredAt};
+    const check::Placement others{otherBody, otherBody.X_WB};
+    return tools_.placed.hollowOf(yields ? others : own, yields ? own : others, stop_);
+  }
+
+  /// Metres; 0: neither body can be hollow.
+  double hollowDepth(std::size_t obstacle, const FoundContact& found) const {
+    double depth = 0.0;
+    for (const bool yields : {false, true}) {
+      if (const auto hollow = hollowOf(obstacle, found, yields)) depth = std::max(depth, hollow->depth);
+    }
+    return depth;
+  }
+
+  bool takeHollow(Fit host, const FoundContact& found, bool yields) {
+    const auto hollow = hollowOf(host.obstacle, found, yields);
+    if (!hollow || !words_.accepts(wordAbout(host.obstacle), hollow->depth)) return false;
+    const RigidBody& other = body(host.obstacle);
+    const check::Body ownBody = measuredBody(question_.object);
+    const check::Body otherBody = measuredBody(host.obstacle);
+    Fit guest = host;
+    guest.yields = !yields;
+    guest.allowance =
+        check::hollowRoom(tools_.placed.at({ownBody, ownBody.X_WB}), tools_.placed.at({otherBody, otherBody.X_WB}));
+    const double spacing = ownBody.spacing + otherBody.spacing;
+    guest.evidence = {0.0, 0.0, spacing, guest.allowance - spacing};
+    const MeshPtr& whole = yields ? object_.mesh : other.mesh;
+    guest.thinned = tools_.thinnable.thinned(whole, std::vector<double>(whole->triangles.size(), guest.allowance));
+    if (!guest.thinned) return false;
+    host.hollow = true;
+    host.yields = yields;
+    host.allowance = host.evidence.overlap = hollow->depth;
+    host.thinned = MeshPtr(hollow, &hollow->mesh);
+    const bool free =
+        isFree(yields ? guest.thinned : host.thinned, host.obstacle, yields ? host.thinned : guest.thinned, found.at);
+    if (!free) {
+      forget(guest.thinned);
+      forget(host.thinned);
+      return false;
+    }
+    fits_.allowed.push_back(std::move(host));
+    fits_.allowed.push_back(std::move(guest));
+    return true;
   }
 
   /// A thread that is modelled on the shaft is taken away against the other body, where nobody says anything else of

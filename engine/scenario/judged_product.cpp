@@ -41,6 +41,7 @@ check::Step judgedStep(const AssemblyStep& step) {
   check::Step judged{step.bodies(), judgedPoints(step.path), step.after, {}, {}, step.certified};
   for (const StepAllowance& each : step.allowances) {
     check::StatedAllowance allowance{each.moving, each.body, each.allowance, each.yields};
+    allowance.hollow = each.hollow;
     allowance.core = each.core;
     allowance.isThread = each.kind == ContactKind::Thread;
     if (each.pitch != 0.0) allowance.pitch = each.pitch;
@@ -141,6 +142,7 @@ check::Path judgedPath(const std::vector<PathPoint>& points, const LoadedScenari
   for (const Fit& fit : scenario.fits.allowed) {
     check::StatedAllowance allowance{scenario.object.id, scenario.obstacles[fit.obstacle].id, fit.allowance};
     allowance.yields = fit.yields;
+    allowance.hollow = fit.hollow;
     if (fit.core) allowance.core = statedThread(fit.thread->rule);
     if (fit.thread) allowance.pitch = fit.thread->rule.pitch;
     path.allowances->push_back(std::move(allowance));

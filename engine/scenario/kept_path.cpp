@@ -39,7 +39,7 @@ KeptPath keptPath(const std::string& name, const Path& path, const PathProvenanc
   kept.provedClearance = path.certificate.provedClearance;
   for (const Fit& fit : scenario.fits.allowed) {
     if (fit.allowance > 0.0) {
-      kept.allowances.push_back({scenario.obstacles[fit.obstacle].id, fit.allowance, fit.yields});
+      kept.allowances.push_back({scenario.obstacles[fit.obstacle].id, fit.allowance, fit.yields, fit.hollow});
     }
   }
   kept.problemSha256 = problemSha256(scenario.scenario);

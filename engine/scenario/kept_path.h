@@ -15,6 +15,7 @@ struct KeptAllowance {
   std::string body;     ///< id of the obstacle
   double metres = 0;    ///< > 0
   bool yields = false;  ///< the obstacle was taken thinner
+  bool hollow = false;  ///< what overlaps was taken away, so deep: an accepted clash
 
   friend bool operator==(const KeptAllowance&, const KeptAllowance&) = default;
 };

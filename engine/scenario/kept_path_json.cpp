@@ -29,9 +29,10 @@ PathPoint readPoint(const JsonCursor& at) {
 }
 
 KeptAllowance readKeptAllowance(const JsonCursor& at) {
-  at.allowOnly({"body", "allowance", "yields"});
+  at.allowOnly({"body", "allowance", "yields", "hollow"});
   KeptAllowance allowance{at.at("body").nonEmptyText(), at.at("allowance").length()};
   if (const auto yields = at.find("yields")) allowance.yields = yields->boolean();
+  if (const auto hollow = at.find("hollow")) allowance.hollow = hollow->boolean();
   return allowance;
 }
 
@@ -88,6 +89,7 @@ Json toJson(const KeptPath& path) {
   for (const KeptAllowance& given : path.allowances) {
     Json& allowance = json["allowances"].emplace_back(Json{{"body", given.body}, {"allowance", given.metres}});
     if (given.yields) allowance["yields"] = true;
+    if (given.hollow) allowance["hollow"] = true;
   }
   if (!path.problemSha256.empty()) json["problem_sha256"] = path.problemSha256;
   json["configurations"] = Json::array();

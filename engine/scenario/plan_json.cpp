@@ -68,6 +68,7 @@ Json toJson(const StepAllowance& allowance) {
             {"text", allowance.text}};
   if (!allowance.moving.empty()) json["moving"] = allowance.moving;
   if (allowance.yields) json["yields"] = true;
+  if (allowance.hollow) json["hollow"] = true;
   if (allowance.core) json["core"] = threadJson(*allowance.core);
   if (allowance.evidence.sum() > 0.0) json["evidence"] = toJson(allowance.evidence);
   if (allowance.pitch == 0.0) return json;
@@ -366,14 +367,15 @@ class PlanReader {
   }
 
   StepAllowance readAllowance(const JsonCursor& at) const {
-    at.allowOnly({"body", "kind", "overlap_m", "allowance_m", "text", "moving", "yields", "core", "evidence", "pitch_m",
-                  "turns"});
+    at.allowOnly({"body", "kind", "overlap_m", "allowance_m", "text", "moving", "yields", "hollow", "core", "evidence",
+                  "pitch_m", "turns"});
     const auto kind = kindByName(at.at("kind").text());
     if (!kind) at.at("kind").fail("is not a kind of fit");
     StepAllowance allowance{readId(at.at("body")), *kind, readLength(at.at("overlap_m")),
                             readLength(at.at("allowance_m")), at.at("text").text()};
     if (const auto moving = at.find("moving")) allowance.moving = readId(*moving);
     if (const auto yields = at.find("yields")) allowance.yields = yields->boolean();
+    if (const auto hollow = at.find("hollow")) allowance.hollow = hollow->boolean();
     if (const auto core = at.find("core")) allowance.core = check::readThread(*core);
     if (const auto evidence = at.find("evidence")) allowance.evidence = readEvidence(*evidence);
     if (const auto pitch = at.find("pitch_m")) {

@@ -148,6 +148,7 @@ nlohmann::ordered_json allowancesJson(const LoadedScenario& scenario, const std:
                     {"margin_m", fit.evidence.margin},
                     {"text", words[i]}});
     if (fit.yields) list.back()["yields"] = true;
+    if (fit.hollow) list.back()["hollow"] = true;
     if (fit.core) list.back()["core"] = threadJson(statedThread(fit.thread->rule));
     if (fit.evidence.byPerson > 0.0) list.back()["by_person_m"] = fit.evidence.byPerson;
     if (!fit.thread) continue;

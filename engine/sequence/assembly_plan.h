@@ -24,6 +24,7 @@ struct StepAllowance {
   std::string text;                           ///< for people, with names
   std::string moving{};                       ///< id of the body of the step; empty: its first one
   bool yields = false;                        ///< the other one is taken thinner, not the moving one
+  bool hollow = false;                        ///< what the other body of the pair fills is taken away
   std::optional<check::StatedThread> core{};  ///< its thread, which is taken away against the other one
   double pitch = 0.0;                         ///< of a thread that comes apart by turning only, metres a turn; 0: none
   double turns = 0.0;          ///< of the body in it, by the right hand about the direction in which it leaves

@@ -84,6 +84,7 @@ void addAllowances(AssemblyStep& step, const BodyGroup& group, const std::vector
     StepAllowance allowance{other.id, fit.kind, fit.overlap, fit.allowance, inWords(fit, body.shown(), other.shown())};
     if (each.body != group.front()) allowance.moving = body.id;
     allowance.yields = fit.yields;
+    allowance.hollow = fit.hollow;
     if (fit.core) allowance.core = statedThread(each.fit.thread->rule);
     allowance.evidence = fit.evidence;
     if (fit.thread) {

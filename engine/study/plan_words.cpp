@@ -215,6 +215,13 @@ std::vector<std::string> PlanWords::allowances(const AssemblyStep& step, const A
   for (const StepAllowance& allowance : step.allowances) {
     const RigidBody& other = product.bodies[*product.indexOf(allowance.body)];
     const std::string length = length_(allowance.allowance);
+    if (allowance.hollow) {
+      texts.push_back(
+          allowance.yields
+              ? words_("%1 without what overlaps it, up to %2 deep (accepted clash)", {other.shown(), length})
+              : words_("without what overlaps %2, up to %1 deep (accepted clash)", {length, other.shown()}));
+      continue;
+    }
     std::string kind = words_(kindName(allowance.kind));
     if (allowance.evidence.byPerson > 0.0) kind += words_(", as a person allows");
     texts.push_back(allowance.yields ? words_("%1 taken %2 thinner (%3)", {other.shown(), length, kind})

@@ -9641,6 +9641,10 @@
 <context>
     <name>glissade::FitsPanel</name>
     <message>
+        <source>%1 is taken without what overlaps, up to %2 deep</source>
+        <translation>%1 est prise sans ce qui se chevauche, jusqu'à %2 de profondeur</translation>
+    </message>
+    <message>
         <source>%1 is taken %2 thinner</source>
         <translation>%1 est amincie de %2</translation>
     </message>
@@ -10360,6 +10364,10 @@
 </context>
 <context>
     <name>glissade::KeptPathsPanel</name>
+    <message>
+        <source>accepted clash with %1, %2 deep</source>
+        <translation>collision acceptée avec %1, profonde de %2</translation>
+    </message>
     <message>
         <source>taken %1 thinner against %2</source>
         <translation>aminci de %1 face à %2</translation>
@@ -11361,6 +11369,10 @@
 </context>
 <context>
     <name>glissade::PathPanel</name>
+    <message>
+        <source>accepted clash with %1, %2 deep</source>
+        <translation>collision acceptée avec %1, profonde de %2</translation>
+    </message>
     <message>
         <source>a forbidden place</source>
         <translation>un lieu interdit</translation>

@@ -54,6 +54,11 @@ QString wayText(const PairFit& fit) {
   for (const Fit& taken : fit.way().taken) {
     if (!taken.thinned) continue;
     const std::string& thinner = fit.shown[taken.yields == fit.givesWayFirstIsA ? 1 : 0];
+    if (taken.hollow) {
+      lines << FitsPanel::tr("%1 is taken without what overlaps, up to %2 deep")
+                   .arg(QString::fromStdString(thinner), lengthText(taken.allowance));
+      continue;
+    }
     lines << FitsPanel::tr("%1 is taken %2 thinner").arg(QString::fromStdString(thinner), lengthText(taken.allowance));
   }
   return lines.isEmpty() ? FitsPanel::tr("Both bodies are taken as they are") : lines.join(QLatin1Char('\n'));

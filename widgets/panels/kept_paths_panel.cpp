@@ -39,6 +39,10 @@ QString allowanceTip(const KeptPath& path) {
   for (const KeptAllowance& allowance : path.allowances) {
     const QString body = QString::fromStdString(allowance.body);
     const QString length = lengthText(allowance.metres);
+    if (allowance.hollow) {
+      lines << KeptPathsPanel::tr("accepted clash with %1, %2 deep").arg(body, length);
+      continue;
+    }
     lines << (allowance.yields ? KeptPathsPanel::tr("%1 taken %2 thinner").arg(body, length)
                                : KeptPathsPanel::tr("taken %1 thinner against %2").arg(length, body));
   }

@@ -29,6 +29,7 @@ QString nameOf(int body, const LoadedScenario& scenario) {
 QString allowanceText(const Fit& fit, const std::vector<PathPoint>& points, const LoadedScenario& scenario) {
   const QString body = nameOf(static_cast<int>(fit.obstacle), scenario);
   const QString length = lengthText(fit.allowance);
+  if (fit.hollow) return PathPanel::tr("accepted clash with %1, %2 deep").arg(body, length);
   QString text = fit.yields ? PathPanel::tr("%1 taken %2 thinner").arg(body, length)
                             : PathPanel::tr("taken %1 thinner against %2").arg(length, body);
   if (fit.evidence.byPerson > 0.0) text += PathPanel::tr(", as a person allows");
