@@ -84,9 +84,7 @@ int checkPath(const CheckOptions& options, const Interrupt& interrupt, const Sto
   } else {
     std::cout << check::reportText(verdict, *question, options.edges);
   }
-  const bool undecided = verdict.motion.verdict.status == check::Status::Undecided && !verdict.outside;
-  const bool refused = !undecided || !verdict.refusals.empty() || verdict.forbidden || !verdict.beginsAtStart;
-  return exitCodeOf(verdict.valid(), refused, interrupt, stop);
+  return exitCodeOf(verdict.valid(), verdict.refused(), interrupt, stop);
 }
 
 int checkPlan(const CheckOptions& options, const Interrupt& interrupt, const StopToken& stop) {
@@ -110,15 +108,8 @@ int checkPlan(const CheckOptions& options, const Interrupt& interrupt, const Sto
   } else {
     std::cout << check::reportText(verdict, *product);
   }
-  const auto isRefused = [](const check::StepVerdict& step) {
-    return step.motion.verdict.status == check::Status::Violated || !step.refusals.empty();
-  };
-  bool refused = !verdict.refusals.empty() || std::any_of(verdict.steps.begin(), verdict.steps.end(), isRefused);
-  for (const check::LineVerdict& line : verdict.lines) {
-    refused = refused || !line.refusals.empty() || std::any_of(line.steps.begin(), line.steps.end(), isRefused);
-  }
   if (verdict.valid() && verdict.stepsWithoutProof() > 0) return kExitWithoutProof;
-  return exitCodeOf(verdict.valid(), refused, interrupt, stop);
+  return exitCodeOf(verdict.valid(), verdict.refused(), interrupt, stop);
 }
 
 }  // namespace

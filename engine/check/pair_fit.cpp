@@ -235,6 +235,7 @@ class PairFitter {
     };
     if (stated.size() != 2 || guest.hollow || host.yields == guest.yields || host.core || host.thread || guest.thread)
       return refuse(host, "what overlaps is taken away of one body of a pair, and the other one is taken thinner");
+    if (word_ != nullptr && word_->isThread()) return refuse(host, "a person says that the pair is a thread");
     const PlacedBodies::HollowPtr hollow = hollowOf(host.yields);
     if (!hollow) return refuse(host, "no overlap with the other one can be taken away of it");
     if (!fits_.accepts(word_, hollow->depth)) return refuse(host, "it is a clash that nobody accepted");

@@ -32,6 +32,11 @@ struct PathVerdict {
     return motion.verdict.status == Status::Certified && beginsAtStart && endsAtGoal && !outside && !forbidden &&
            refusals.empty();
   }
+  /// Shown to be wrong; neither valid nor refused: undecided.
+  bool refused() const {
+    const bool undecided = motion.verdict.status == Status::Undecided && !outside;
+    return !valid() && (!undecided || !refusals.empty() || forbidden || !beginsAtStart);
+  }
 };
 
 PathVerdict judgePath(const Question& question, const Path& path, const WorkWatch& watch = {});

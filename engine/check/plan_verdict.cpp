@@ -113,6 +113,16 @@ bool PlanVerdict::valid() const {
          std::all_of(lines.begin(), lines.end(), [](const LineVerdict& line) { return line.valid(); });
 }
 
+bool PlanVerdict::refused() const {
+  return !refusals.empty() ||
+         std::any_of(steps.begin(), steps.end(), [](const auto& step) { return step.refused(); }) ||
+         std::any_of(lines.begin(), lines.end(), [](const auto& line) { return line.refused(); });
+}
+
+bool LineVerdict::refused() const {
+  return !refusals.empty() || std::any_of(steps.begin(), steps.end(), [](const auto& step) { return step.refused(); });
+}
+
 bool LineVerdict::valid() const {
   return refusals.empty() &&
          std::all_of(steps.begin(), steps.end(), [](const StepVerdict& step) { return step.valid(); });

@@ -24,6 +24,11 @@ struct StepVerdict {
 
   bool certified() const { return motion.verdict.status == Status::Certified; }
   bool valid() const { return (certified() || isFlexible) && endsOutside && againstDemand.empty() && refusals.empty(); }
+  /// Shown to be wrong; neither valid nor refused: undecided.
+  bool refused() const {
+    const bool endsInside = certified() && !endsOutside;
+    return motion.verdict.status == Status::Violated || endsInside || !againstDemand.empty() || !refusals.empty();
+  }
 };
 
 /// What is said of a group that has left and is taken apart.
@@ -33,6 +38,7 @@ struct LineVerdict {
   std::vector<std::string> refusals{};  ///< of what the line states of itself, for people
 
   bool valid() const;
+  bool refused() const;  ///< as of StepVerdict
 };
 
 /// What is said of a plan: it is valid only where nothing is wrong with any step, nor with what it states of itself.
@@ -47,6 +53,7 @@ struct PlanVerdict {
   std::size_t validSteps() const;         ///< of the plan's own
   std::size_t stepsWithoutProof() const;  ///< of flexible bodies, those of lines too
   bool valid() const;
+  bool refused() const;  ///< as of StepVerdict
 };
 
 /// Judges every step, those of lines too, each of its bodies along the common motion: against all bodies but those of

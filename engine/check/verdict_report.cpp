@@ -138,6 +138,13 @@ void addEdges(const MotionVerdict& verdict, const Product& product, std::ostring
   }
 }
 
+/// Of a path or a plan.
+template <class Verdict>
+const char* headlineOf(const Verdict& verdict) {
+  if (verdict.valid()) return "valid: ";
+  return verdict.refused() ? "invalid: " : "undecided: ";
+}
+
 }  // namespace
 
 std::string reportText(const PathVerdict& verdict, const Question& question, bool edges) {
@@ -145,8 +152,7 @@ std::string reportText(const PathVerdict& verdict, const Question& question, boo
   const MotionVerdict& motion = verdict.motion.verdict;
   std::ostringstream text;
   const std::string thread = threadInWords(verdict, question);
-  text << (verdict.valid() ? "valid: " : "invalid: ") << verdict.configurations << " configurations, "
-       << motionInWords(motion, product);
+  text << headlineOf(verdict) << verdict.configurations << " configurations, " << motionInWords(motion, product);
   for (const std::string& why : {verdict.motion.why, thread}) text << (why.empty() ? "" : ": ") << why;
   text << "\n";
   for (const AppliedAllowance& each : verdict.allowances) text << "allowance: " << inWords(each) << "\n";
@@ -224,7 +230,10 @@ void addStep(const StepVerdict& step, const std::string& name, const Product& pr
   for (const AppliedAllowance& each : step.allowances) text << name << ": allowance: " << inWords(each) << "\n";
   for (const std::string& each : step.pulls) text << name << ": note: " << each << "\n";
   if (step.isFlexible) text << name << " (" << body << "): nothing is proved of its motion, it is flexible\n";
-  if (!step.valid()) text << name << " (" << body << ") is invalid:" << whyInvalid(step, product) << "\n";
+  if (!step.valid()) {
+    text << name << " (" << body << ") is " << (step.refused() ? "invalid:" : "undecided:") << whyInvalid(step, product)
+         << "\n";
+  }
 }
 
 /// "step 3, then step 1": steps of lines follow the step by which their group has left.
@@ -249,9 +258,9 @@ std::string reportText(const PlanVerdict& verdict, const Product& product) {
     }
   }
   for (const std::string& refusal : verdict.refusals) text << "refused: " << refusal << "\n";
-  text << (verdict.valid() ? "valid: " : "invalid: ") << verdict.validSteps() << " of " << verdict.steps.size()
-       << " steps are " << (verdict.stepsWithoutProof() == 0 ? "certified" : "as stated") << ", " << verdict.remaining
-       << " of " << verdict.parts << " parts have no step\n";
+  text << headlineOf(verdict) << verdict.validSteps() << " of " << verdict.steps.size() << " steps are "
+       << (verdict.stepsWithoutProof() == 0 ? "certified" : "as stated") << ", " << verdict.remaining << " of "
+       << verdict.parts << " parts have no step\n";
   if (verdict.stepsWithoutProof() > 0) {
     text << verdict.stepsWithoutProof() << " steps of flexible bodies have no proof\n";
   }

@@ -11,6 +11,7 @@
 #include "engine/product/fit_thread.h"
 #include "engine/product/fit_words.h"
 #include "engine/product/giving_way.h"
+#include "engine/product/hollow_fit.h"
 #include "engine/product/modelled_thread.h"
 
 namespace glissade {
@@ -272,8 +273,6 @@ class FitFinder {
     } else if ((found.contact.kind == ContactKind::Clearance && !hookYields(obstacle)) ||
                (bounds.one.most <= 0.0 && bounds.other.most <= 0.0)) {
       if (fit.thread) fits_.allowed.push_back(fit);
-    } else if (decision.kind == ContactKind::Clash && decision.accepted && takeHollow(fit, found)) {
-      return;
     } else if (decision.given || !isClearInThread(fit, found)) {
       takeThinner(fit, bounds, found, decision.accepted);
     }
@@ -362,57 +361,49 @@ class FitFinder {
 
   /// What the smaller body fills of the larger one is taken away; where that does not help, of the smaller one.
   bool takeHollow(const Fit& fit, const FoundContact& found) {
+    if (fit.thread) return false;
     const bool larger = !inTurn(fit.obstacle).front();
     return takeHollow(fit, found, larger) || takeHollow(fit, found, !larger);
   }
 
-  /// `yields`: of the obstacle.
-  check::PlacedBodies::HollowPtr hollowOf(std::size_t obstacle, const FoundContact& found, bool yields) const {
-    const check::Body ownBody = measuredBody(question_.object);
-    const check::Body otherBody = measuredBody(obstacle);
-    const check::Placement own{ownBody, found.measuredAt};
-    const check::Placement others{otherBody, otherBody.X_WB};
-    return tools_.placed.hollowOf(yields ? others : own, yields ? own : others, stop_);
-  }
-
-  /// Metres; 0: neither body can be hollow.
-  double hollowDepth(std::size_t obstacle, const FoundContact& found) const {
-    double depth = 0.0;
-    for (const bool yields : {false, true}) {
-      if (const auto hollow = hollowOf(obstacle, found, yields)) depth = std::max(depth, hollow->depth);
-    }
-    return depth;
-  }
-
   bool takeHollow(Fit host, const FoundContact& found, bool yields) {
-    const auto hollow = hollowOf(host.obstacle, found, yields);
-    if (!hollow || !words_.accepts(wordAbout(host.obstacle), hollow->depth)) return false;
-    const RigidBody& other = body(host.obstacle);
-    const check::Body ownBody = measuredBody(question_.object);
-    const check::Body otherBody = measuredBody(host.obstacle);
+    const auto taken = hollowFit(host.obstacle, found, yields);
+    if (!taken || !words_.accepts(wordAbout(host.obstacle), taken->depth)) return false;
     Fit guest = host;
-    guest.yields = !yields;
-    guest.allowance =
-        check::hollowRoom(tools_.placed.at({ownBody, ownBody.X_WB}), tools_.placed.at({otherBody, otherBody.X_WB}));
-    const double spacing = ownBody.spacing + otherBody.spacing;
-    guest.evidence = {0.0, 0.0, spacing, guest.allowance - spacing};
-    const MeshPtr& whole = yields ? object_.mesh : other.mesh;
-    guest.thinned = tools_.thinnable.thinned(whole, std::vector<double>(whole->triangles.size(), guest.allowance));
-    if (!guest.thinned) return false;
     host.hollow = true;
     host.yields = yields;
-    host.allowance = host.evidence.overlap = hollow->depth;
-    host.thinned = MeshPtr(hollow, &hollow->mesh);
-    const bool free =
-        isFree(yields ? guest.thinned : host.thinned, host.obstacle, yields ? host.thinned : guest.thinned, found.at);
+    host.thinned = taken->host;
+    host.allowance = host.evidence.overlap = taken->depth;
+    guest.yields = !yields;
+    guest.thinned = taken->guest;
+    guest.allowance = taken->room;
+    guest.evidence = {0.0, 0.0, taken->spacing, taken->room - taken->spacing};
+    const bool free = yields ? isFree(guest.thinned, host.obstacle, host.thinned, found.at)
+                             : isFree(host.thinned, host.obstacle, guest.thinned, found.at);
     if (!free) {
-      forget(guest.thinned);
       forget(host.thinned);
+      forget(guest.thinned);
       return false;
     }
     fits_.allowed.push_back(std::move(host));
     fits_.allowed.push_back(std::move(guest));
     return true;
+  }
+
+  /// `yields`: the obstacle is the one without what the other one fills.
+  std::optional<HollowFit> hollowFit(std::size_t obstacle, const FoundContact& found, bool yields) const {
+    const check::Body ownBody = measuredBody(question_.object);
+    const check::Body otherBody = measuredBody(obstacle);
+    const check::Placement own{ownBody, found.measuredAt};
+    const check::Placement other{otherBody, otherBody.X_WB};
+    return hollowFitOf(yields ? other : own, yields ? own : other, tools_.placed, tools_.thinnable, stop_);
+  }
+
+  /// Metres that would have to be accepted for the overlap to be taken away; 0: it cannot be.
+  double hollowDepth(std::size_t obstacle, const FoundContact& found) const {
+    const auto own = hollowFit(obstacle, found, false);
+    const auto others = hollowFit(obstacle, found, true);
+    return std::max(own ? own->depth : 0.0, others ? others->depth : 0.0);
   }
 
   /// A thread that is modelled on the shaft is taken away against the other body, where nobody says anything else of

@@ -215,6 +215,9 @@ TEST(Hollow, FalseClaimsAreRefused) {
   both[1].hollow = true;
   EXPECT_NE(refused(1e-3, both), "") << "both are hollow";
   EXPECT_NE(refused(1e-3, {hollowLip().front()}), "") << "the knob is whole, and no claim says otherwise";
+  Question thread = knobInItsLip(1e-3);
+  thread.product.fits.pairs.push_back({"knob", "lip", "thread"});
+  EXPECT_FALSE(judgePath(thread, along(-0.1, hollowLip())).valid()) << "a person calls the pair a thread";
   Question apart = knobInItsLip(1e-3);
   apart.product.bodies[0].X_WB = Pose::translation({0.0, 0.0, 0.05});
   EXPECT_FALSE(judgePath(apart, along(-0.1, hollowLip())).valid()) << "nothing overlaps";

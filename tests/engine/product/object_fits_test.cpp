@@ -59,6 +59,31 @@ TEST(ObjectFits, AllowsAThreadWhatItOverlapsByAndLeavesAGap) {
   }
 }
 
+TEST(ObjectFits, AnAcceptedRodThroughAPlateLeavesAlongAHoleOfItsOwnShape) {
+  const std::vector<RigidBody> obstacles{test::partAt("plate", makeBox({0.04, 0.04, 0.006}), Pose::identity())};
+  const RigidBody rod = test::partAt("rod", test::makeRing(0.0, 0.004, 0.05, 32), Pose::identity());
+  FitSettings settings = switchedOn();
+  const auto refused = findObjectFits({test::productOf(obstacles, rod, settings), 1});
+  ASSERT_TRUE(refused);
+  ASSERT_EQ(refused->clashes.size(), 1U);
+  const std::string advice = refused->warnings.front().advice;
+  EXPECT_NE(advice.find("--accept-clashes 3mm"), std::string::npos) << advice;
+  settings.acceptedClash = 4e-3;
+  const auto fits = findObjectFits({test::productOf(obstacles, rod, settings), 1});
+  ASSERT_TRUE(fits);
+  ASSERT_EQ(fits->allowed.size(), 2U);
+  EXPECT_TRUE(fits->allowed[0].hollow && fits->allowed[0].yields) << "the plate, which is the larger one";
+  EXPECT_LT(fits->allowed[1].allowance, 1e-5);
+  EXPECT_EQ(inWords(fits->allowed[0], "rod", "plate"),
+            "plate taken without what overlaps rod, up to 3 mm deep (accepted clash)");
+  const auto query = withFits(CollisionWorld::build(obstacles, rod.mesh), rod.mesh, fits->allowed)->makeQuery();
+  const auto to = [&](const Vector3& way) {
+    return query->checkMotion(rod.X_WB, Pose::translation(way), 2e-7, SeekViolation::Any, {}).status;
+  };
+  EXPECT_EQ(to({0.0, 0.0, 0.1}), CertificateStatus::Certified);
+  EXPECT_EQ(to({0.1, 0.0, 0.0}), CertificateStatus::Violated);
+}
+
 TEST(ObjectFits, SaysItInWords) {
   const Fit screw{0, ContactKind::Thread, Fit::Role::Shaft, 0.0004, 0.00041};
   EXPECT_EQ(inWords(screw, "screw", "plate"), "screw taken 0.41 mm thinner in the tapped hole of plate (thread)");
