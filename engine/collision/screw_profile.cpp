@@ -33,6 +33,8 @@ constexpr std::size_t kElementsOfLeaf = 4;
 /// Turns.
 constexpr double kTurnRounding = 1e-9;
 
+double sizeOf(const Range& range) { return range.high - range.low; }
+
 double gapOf(const Range& a, const Range& b) { return std::max({0.0, a.low - b.high, b.low - a.high}); }
 
 /// A triangle, or several. Its (r, s) lie within `error` of a convex polygon.
@@ -205,6 +207,13 @@ class ScrewProfile {
     return own.shape.error > mostError ? own.shape.error : 0.0;
   }
 
+  /// By how much its radii and heights may be known better, likewise.
+  double extent(std::uint32_t element, double mostError) const {
+    const Element& own = elements_[element];
+    const double size = std::max(sizeOf(own.shape.radius), sizeOf(own.shape.height));
+    return own.divisions > 0 && size > mostError ? size : 0.0;
+  }
+
   /// The first of the four elements that the element is divided into.
   std::uint32_t partsOf(std::uint32_t element) {
     if (elements_[element].parts == 0) {
@@ -349,11 +358,13 @@ class ProfileDistance {
     }
   }
 
-  /// The one of which less is known is divided.
+  /// The one of which less is known is divided: of its (r, s) as long as these can be known better, else of its radii
+  /// and heights.
   void compareElements(std::uint32_t i, std::uint32_t k) {
     const double bound = apart(moving_.shape(i), fixed_.shape(k));
     if (bound >= found_) return;
-    const double coarse[]{moving_.coarseness(i, mostError_), fixed_.coarseness(k, mostError_)};
+    std::array coarse{moving_.coarseness(i, mostError_), fixed_.coarseness(k, mostError_)};
+    if (std::max(coarse[0], coarse[1]) == 0.0) coarse = {moving_.extent(i, mostError_), fixed_.extent(k, mostError_)};
     if (bound >= target_ || std::max(coarse[0], coarse[1]) == 0.0) {
       found_ = std::min(found_, bound);
       shown_ = std::min(shown_, bound);
