@@ -9,6 +9,7 @@
 #include "engine/collision/motion_certificate.h"
 #include "engine/collision/screw_run.h"
 #include "samples/nut-and-bolt/shapes.h"
+#include "tests/engine/check/check_bodies.h"
 #include "tests/engine/support/independent_check.h"
 
 namespace glissade {
@@ -119,6 +120,30 @@ TEST(ScrewProfile, ProvesManyTurnsOfAThread) {
     EXPECT_GE(judged.provedClearance, 1e-6);
     EXPECT_LE(judged.distanceQueries, 100U * path.size());
   }
+}
+
+/// A part of the rounding under a screw's head, which is below the edge of its hole's large face and inside of it, by
+/// 0.02 mm: their radii and heights overlap, and so little is known of the angles of the face that (r, s) do not help.
+TEST(ScrewProfile, ProvesATurnOverTheEdgeOfALargeFace) {
+  constexpr int kSides = 36;
+  std::vector<Triangle> rounding;
+  const auto at = [](double radius, double z, int i) {
+    const double angle = 2.0 * std::numbers::pi * i / kSides;
+    return Vector3(radius * std::cos(angle), radius * std::sin(angle), z);
+  };
+  for (int i = 0; i < kSides; ++i) {
+    const Vector3 a = at(2.5795e-3, -6.61e-5, i);
+    const Vector3 b = at(2.5795e-3, -6.61e-5, i + 1);
+    const Vector3 c = at(2.6331e-3, -3.56e-5, i);
+    const Vector3 d = at(2.6331e-3, -3.56e-5, i + 1);
+    rounding.push_back({a, b, d});
+    rounding.push_back({a, d, c});
+  }
+  const std::vector<Triangle> plate = trianglesOf(test::holedPlate(58, 2.63e-3, 0.037, -4e-3, -6.44e-5));
+  const ScrewAxis screw{Vector3::Zero(), Vector3::UnitZ(), 0.794e-3};
+  constexpr double kRequired = 1e-7;
+  EXPECT_GE(screwDistance(rounding, plate, screw, 9.7 * screw.pitch, 1.7e-5, kRequired), kRequired);
+  EXPECT_EQ(screwDistance(rounding, plate, screw, -0.1 * screw.pitch, 1.7e-5, kRequired), 0.0) << "into the face";
 }
 
 /// A pitch that is off by a few percent runs the flanks into each other, after some turns.
