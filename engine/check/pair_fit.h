@@ -37,7 +37,7 @@ struct PairFit {
   std::vector<double> other{};
   HollowPtr hollowMoving{};  ///< without what the other one fills; null: it is not hollow
   HollowPtr hollowOther{};
-  bool acceptedClash = false;  ///< one is hollow, and the pair would be refused if nobody accepted it
+  bool acceptedClash = false;      ///< one is hollow, and the pair would be refused if nobody accepted it
   double share = kThicknessShare;  ///< as AllowanceBound::share, of either
   std::optional<Thread> thread{};  ///< its `other` is left to the caller
   /// Of the shaft of the thread, in its frame; nothing: no thread is taken away.

@@ -319,6 +319,7 @@ class FitFinder {
   }
 
   void refuseClash(Fit fit, const FoundContact& found, double overlap) {
+    fit.overlap = overlap;
     fit.allowance = overlap + found.contact.deviation;
     refuse(fit, "overlap by " + inMillimetres(overlap) + ", which is a clash",
            "Accept it (--accept-clashes " + millimetresUp(overlap) + "), or mend the parts.");
