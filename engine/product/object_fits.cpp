@@ -21,6 +21,8 @@ namespace {
 constexpr double kPathShare = 0.25;
 /// Of the same gap: the least clearance where paths begin.
 constexpr double kStartShare = 0.3;
+/// Metres: by so much a clash may be deeper than what a person accepts (check::FitWords::accepts()).
+constexpr double kAcceptedSlack = 1e-9;
 constexpr std::array<double, 2> kBothWays{1.0, -1.0};
 
 /// A contact of the object, which is `b`, with an obstacle, and at which of the ends.
@@ -322,7 +324,7 @@ class FitFinder {
     fit.overlap = overlap;
     fit.allowance = overlap + found.contact.deviation;
     refuse(fit, "overlap by " + inMillimetres(overlap) + ", which is a clash",
-           "Accept it (--accept-clashes " + millimetresUp(overlap) + "), or mend the parts.");
+           "Accept it (--accept-clashes " + millimetresUp(overlap - kAcceptedSlack) + "), or mend the parts.");
   }
 
   /// One body alone gives way where that frees the pair. Of a shaft in a hole it has to free the way along the axis,

@@ -6187,6 +6187,10 @@
         <translation>le centre de gravité de ses triangles est à %1&#xa0;mm de celui que le fichier indique&#xa0;: plus que ce que l&apos;écart des triangles explique</translation>
     </message>
     <message>
+        <source>%1 taken without what overlaps %2, up to %3 deep (accepted clash)</source>
+        <translation>%1 sans ce qui pénètre dans %2, jusqu&apos;à %3 de profondeur (collision acceptée)</translation>
+    </message>
+    <message>
         <source>touch where neither can be taken thinner: the surfaces are open %1 and %2 from the contact, so that what is inside them there is not known</source>
         <translation>se touchent là où aucun des deux ne peut être aminci&#xa0;: leurs surfaces sont ouvertes à %1 et %2 du contact, et l&apos;intérieur n&apos;y est donc pas connu</translation>
     </message>

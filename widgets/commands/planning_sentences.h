@@ -122,6 +122,7 @@ inline constexpr const char* kPlanningSentences[] = {
                       "touch where neither can be taken thinner: the surfaces are open %1 and %2 from the contact, so "
                       "that what is inside them there is not known"),
     QT_TRANSLATE_NOOP("Diagnostics", "Close the surface of one of them."),
+    QT_TRANSLATE_NOOP("Diagnostics", "%1 taken without what overlaps %2, up to %3 deep (accepted clash)"),
     QT_TRANSLATE_NOOP("Diagnostics",
                       "fit so that one of them would have to be taken %1 thinner, which the local thickness or the "
                       "shape of neither gives: it counts as a clash"),

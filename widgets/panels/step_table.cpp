@@ -189,8 +189,10 @@ void StepTable::show(const ShownPlan& shown, PlanOrder order) {
 
 /// The state is seen without scrolling: where there is little room, names of parts and tools are cut.
 void StepTable::fitColumns() {
-  for (const int column : {StepNumber, StepGaps, StepState}) resizeColumnToContents(column);
-  const int used = columnWidth(StepNumber) + columnWidth(StepGaps) + columnWidth(StepState);
+  for (const int column : {StepNumber, StepGaps}) resizeColumnToContents(column);
+  // The last column is as wide as what is left: its width says nothing of its contents.
+  const int state = std::max(sizeHintForColumn(StepState), header()->sectionSizeHint(StepState));
+  const int used = columnWidth(StepNumber) + columnWidth(StepGaps) + state;
   const int inside = width() - 2 * frameWidth() - style()->pixelMetric(QStyle::PM_ScrollBarExtent);
   const int left = inside - used;
   const int part = std::clamp(left - columnWidth(StepGaps), kLeastPartColumn, kPartColumn);
