@@ -2,17 +2,16 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <memory>
 
 #include "engine/base/quantity_text.h"
-#include "engine/product/common_axis.h"
 #include "engine/product/fit_refusals.h"
 #include "engine/product/fit_thread.h"
 #include "engine/product/fit_words.h"
 #include "engine/product/giving_way.h"
 #include "engine/product/hollow_fit.h"
 #include "engine/product/modelled_thread.h"
+#include "engine/product/object_contacts.h"
 
 namespace glissade {
 namespace {
@@ -24,30 +23,6 @@ constexpr double kStartShare = 0.3;
 /// Metres: by so much a clash may be deeper than what a person accepts (check::FitWords::accepts()).
 constexpr double kAcceptedSlack = 1e-9;
 constexpr std::array<double, 2> kBothWays{1.0, -1.0};
-
-/// A contact of the object, which is `b`, with an obstacle, and at which of the ends.
-struct FoundContact {
-  Contact contact;
-  std::vector<Pose> at;
-  Pose measuredAt{};  ///< the end that the contact was measured at
-};
-
-/// The same with its bodies exchanged.
-ContactAxis exchanged(ContactAxis axis) {
-  std::swap(axis.radiusA, axis.radiusB);
-  axis.shaftIsA = !axis.shaftIsA;
-  return axis;
-}
-Contact exchanged(Contact contact) {
-  std::swap(contact.a, contact.b);
-  if (contact.axis) contact.axis = exchanged(*contact.axis);
-  return contact;
-}
-
-/// A cylinder of the one is in a cylinder of the other.
-bool hasShaft(const Contact& contact) { return contact.axis && !contact.axis->conical; }
-
-double measured(const Contact& contact) { return contact.overlap + contact.deviation; }
 
 /// The object's place in the coaxial pair; it is `b`.
 Fit::Role roleOf(const Contact& contact) {
@@ -104,12 +79,9 @@ class FitFinder {
   }
 
   Result<ObjectFits> find() {
-    if (const Outcome known = checkBodies(); !known) return known.error();
-    findContactsAtEnds();
-    addHooks();
-    if (const Outcome marked = addMarkedThreads(); !marked) return marked.error();
-    if (const Outcome sound = checkAllowances(); !sound) return sound.error();
-    for (const auto& [obstacle, found] : contacts_) {
+    const auto contacts = findObjectContacts(question_, ends_, tools_.thinnable, stop_);
+    if (!contacts) return contacts.error();
+    for (const auto& [obstacle, found] : *contacts) {
       if (stop_.stopRequested()) break;
       resolve(obstacle, found);
     }
@@ -117,121 +89,15 @@ class FitFinder {
   }
 
  private:
-  const std::vector<FitEdit>& edits() const { return question_.product.fits.pairs; }
   const FitEdit* editAbout(std::size_t obstacle) const {
     return editOf(question_.product.fits, object_.id, body(obstacle).id);
   }
   const RigidBody& body(std::size_t index) const { return question_.product.bodies[index]; }
 
-  static Diagnostic refused(std::size_t edit, const std::string& reason, const std::string& advice) {
-    return {ErrorKind::MalformedInput, "", "/fits/pairs/" + std::to_string(edit), reason, advice};
-  }
-
-  Outcome checkBodies() const {
-    for (std::size_t i = 0; i < edits().size(); ++i) {
-      for (const std::string& id : {edits()[i].a, edits()[i].b}) {
-        if (question_.product.indexOf(id)) continue;
-        return refused(i, "names the body '" + id + "', which is not there", "See 'glissade-cli fits' for the names.");
-      }
-    }
-    return Done{};
-  }
-
-  void findContactsAtEnds() {
-    if (question_.contacts != nullptr) {
-      for (const Contact& contact : *question_.contacts) addContact(contact, ends_.front());
-      return;
-    }
-    std::vector<ContactBody> bodies = contactBodiesOf(question_.product);
-    ContactLimits limits = question_.limits;
-    limits.only = question_.object;
-    for (const Pose& end : ends_) {
-      bodies[question_.object].X_WB = end;
-      for (const Contact& contact : findContacts(bodies, limits, stop_).contacts) addContact(contact, end);
-    }
-  }
-
-  void addContact(const Contact& found, const Pose& end) {
-    if (found.a != question_.object && found.b != question_.object) return;
-    const Contact contact = found.b == question_.object ? found : exchanged(found);
-    FoundContact& known = contacts_.try_emplace(contact.a, FoundContact{contact, {}, end}).first->second;
-    if (measured(contact) > measured(known.contact)) known = {contact, std::move(known.at), end};
-    known.at.push_back(end);
-  }
-
-  /// A hook and its edge need not touch.
-  void addHooks() {
-    for (const check::SnapWord& snap : words_.snaps) {
-      if (snap.hook != object_.id && snap.edge != object_.id) continue;
-      const auto other = question_.product.indexOf(snap.hook == object_.id ? snap.edge : snap.hook);
-      if (!other) continue;
-      const Contact apart{*other, question_.object, ContactKind::Clearance, 0, 0, 0, 0, 0, {}};
-      contacts_.try_emplace(*other, FoundContact{apart, ends_, ends_.front()});
-    }
-  }
-
   /// Whether the obstacle is the one with the hook that bends; nothing where the pair is no snap.
   std::optional<bool> hookYields(std::size_t obstacle) const {
     const check::SnapWord* snap = words_.snapOf(object_.id, body(obstacle).id);
     return snap == nullptr ? std::nullopt : std::optional(snap->hook != object_.id);
-  }
-
-  Outcome checkAllowances() const {
-    for (std::size_t i = 0; i < edits().size(); ++i) {
-      const FitEdit& edit = edits()[i];
-      if (!edit.allowance || *edit.allowance == 0.0) continue;
-      if (edit.a != object_.id && edit.b != object_.id) continue;
-      const std::size_t other = *question_.product.indexOf(edit.a == object_.id ? edit.b : edit.a);
-      if (contacts_.count(other) == 0) {
-        return refused(i,
-                       "allows for '" + edit.a + "' and '" + edit.b + "', which do not touch where they are assembled",
-                       "Remove the allowance.");
-      }
-      const double most = kMostThinning * std::max(thicknessOf(object_), thicknessOf(body(other)));
-      if (*edit.allowance > most) {
-        return refused(i,
-                       "allows " + inMillimetres(*edit.allowance) + ", more than the thickness of '" + edit.a +
-                           "' or of '" + edit.b + "' gives",
-                       "Give at most " + inMillimetres(most) + ".");
-      }
-    }
-    return Done{};
-  }
-
-  double thicknessOf(const RigidBody& body) const {
-    const ThinnableMesh* thinnable = tools_.thinnable.of(body.mesh);
-    return thinnable != nullptr ? thinnable->thickness() : 0.0;
-  }
-
-  static ContactBody contactBody(const RigidBody& body, const Pose& X_WB) { return {body.id, body.mesh, X_WB, 0.0}; }
-
-  /// Pairs that a person calls a thread need not touch.
-  Outcome addMarkedThreads() {
-    for (const FitEdit& edit : edits()) {
-      if (edit.kind != ContactKind::Thread || (edit.a != object_.id && edit.b != object_.id)) continue;
-      const std::size_t obstacle = *question_.product.indexOf(edit.a == object_.id ? edit.b : edit.a);
-      const auto known = contacts_.find(obstacle);
-      if (known != contacts_.end() && hasShaft(known->second.contact)) continue;
-      FoundContact found{Contact{obstacle, question_.object, ContactKind::Clearance, 0, 0, 0, 0, 0, {}}, {}, {}};
-      if (known != contacts_.end()) found = known->second;
-      found.contact.axis.reset();  // that of a cone is no thread's
-      for (const Pose& end : ends_) {
-        const RigidBody& other = body(obstacle);
-        const auto axis = commonAxisOf(contactBody(other, other.X_WB), contactBody(object_, end));
-        if (!axis) continue;
-        if (!found.contact.axis) found.measuredAt = end;
-        if (!found.contact.axis) found.contact.axis = axis;
-        if (known == contacts_.end()) found.at.push_back(end);
-      }
-      if (!found.contact.axis) {
-        return refused(static_cast<std::size_t>(&edit - edits().data()),
-                       "calls '" + edit.a + "' and '" + edit.b +
-                           "' a thread, but no shaft of the one is on the axis of a hole of the other",
-                       "Give another kind.");
-      }
-      contacts_[obstacle] = std::move(found);
-    }
-    return Done{};
   }
 
   check::Body measuredBody(std::size_t index) const {
@@ -274,10 +140,21 @@ class FitFinder {
       refuseClash(fit, found, clashOverlap(found.contact, bounds));
     } else if ((found.contact.kind == ContactKind::Clearance && !hookYields(obstacle)) ||
                (bounds.one.most <= 0.0 && bounds.other.most <= 0.0)) {
-      if (fit.thread) fits_.allowed.push_back(fit);
+      if (fit.thread) {
+        fits_.allowed.push_back(fit);
+      } else if (contact.kind != ContactKind::Clearance) {
+        resolveCrossing(fit, found);
+      }
     } else if (decision.given || !isClearInThread(fit, found)) {
       takeThinner(fit, bounds, found, decision.accepted);
     }
+  }
+
+  /// Surfaces that go through each other where no face of the one faces the other, as of a rod that is drawn through a
+  /// plate: nothing is below a face, and the overlap is a clash all the same.
+  void resolveCrossing(const Fit& fit, const FoundContact& found) {
+    if (isFree(object_.mesh, fit.obstacle, body(fit.obstacle).mesh, found.at) || takeHollow(fit, found)) return;
+    if (const double depth = hollowDepth(fit.obstacle, found); depth > 0.0) refuseClash(fit, found, depth);
   }
 
   /// The object moves clear in a thread that is modelled: it is taken as it is.
@@ -543,7 +420,6 @@ class FitFinder {
   FitTools ownTools_;
   FitTools& tools_;
   double gap_;
-  std::map<std::size_t, FoundContact> contacts_;  ///< by obstacle
   check::FitWords words_;
   ObjectFits fits_;
 };

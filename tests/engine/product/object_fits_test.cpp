@@ -6,6 +6,7 @@
 
 #include "engine/geometry/primitives.h"
 #include "engine/geometry/thinned_mesh.h"
+#include "tests/engine/check/check_bodies.h"
 #include "tests/engine/product/screwed_parts.h"
 #include "tests/engine/product/turned_parts.h"
 #include "tests/engine/support/random_pose.h"
@@ -61,7 +62,7 @@ TEST(ObjectFits, AllowsAThreadWhatItOverlapsByAndLeavesAGap) {
 
 TEST(ObjectFits, AnAcceptedRodThroughAPlateLeavesAlongAHoleOfItsOwnShape) {
   const std::vector<RigidBody> obstacles{test::partAt("plate", makeBox({0.04, 0.04, 0.006}), Pose::identity())};
-  const RigidBody rod = test::partAt("rod", test::makeRing(0.0, 0.004, 0.05, 32), Pose::identity());
+  const RigidBody rod = test::partAt("rod", test::prism(32, 0.004, 0.05), Pose::translation({0.0, 0.0, -0.02}));
   FitSettings settings = switchedOn();
   const auto refused = findObjectFits({test::productOf(obstacles, rod, settings), 1});
   ASSERT_TRUE(refused);
