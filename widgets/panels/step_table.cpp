@@ -198,6 +198,7 @@ void StepTable::fitColumns() {
   const int part = std::clamp(left - columnWidth(StepGaps), kLeastPartColumn, kPartColumn);
   setColumnWidth(StepPart, part);
   setColumnWidth(StepTools, std::max(kLeastToolColumn, left - part));
+  setColumnWidth(StepState, state);
 }
 
 void StepTable::setIcon(QTreeWidgetItem& row, const std::string& bodyId) {
