@@ -16,9 +16,11 @@ constexpr std::size_t kMostPieces = 4'000'000;
 /// Convex, its corners in the order of its triangle.
 using Polygon = std::vector<Vector3>;
 
-Box3 boxOf(const Polygon& polygon) {
+/// Of a polygon or a triangle.
+template <class Corners>
+Box3 boxOf(const Corners& corners) {
   Box3 box;
-  for (const Vector3& corner : polygon) box.extend(corner);
+  for (const Vector3& corner : corners) box.extend(corner);
   return box;
 }
 
@@ -104,7 +106,7 @@ class SurfaceCut {
  private:
   std::vector<std::uint32_t> meeting(const Triangle& triangle) const {
     std::vector<std::uint32_t> others;
-    const Box3 box = boxOf({triangle.begin(), triangle.end()});
+    const Box3 box = boxOf(triangle);
     other_.tree.visit(box, [&](std::uint32_t k) {
       if (!other_.normals[k].isZero() && trianglesMeet(triangle, other_.tree.triangles()[k])) others.push_back(k);
       return !stop_.stopRequested();
@@ -128,7 +130,7 @@ class SurfaceCut {
       bool parted = false;
       for (; piece.next < others.size() && !parted; ++piece.next) {
         const Triangle& triangle = other_.tree.triangles()[others[piece.next]];
-        if (!box.intersects(boxOf({triangle.begin(), triangle.end()}))) continue;
+        if (!box.intersects(boxOf(triangle))) continue;
         Halves halves = halved(piece.polygon, {triangle[0], other_.normals[others[piece.next]]});
         parted = !halves.below.empty() && !halves.above.empty();
         if (!parted) continue;

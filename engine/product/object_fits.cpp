@@ -46,10 +46,8 @@ struct Decision {
 
 /// Whether an overlap is a clash is decided by the evidence, which is measured face by face. A smaller limit that was
 /// asked for still gives the pair its kind.
-Decision decide(const Contact& contact, const FitEdit* edit, const FitSettings& settings,
-                const check::PairBounds& bounds, const ContactLimits& limits) {
-  const bool small = settings.acceptedClash > 0.0 && contact.overlap <= settings.acceptedClash;
-  const bool accepted = small || (edit != nullptr && edit->accepted);
+Decision decide(const Contact& contact, const FitEdit* edit, bool accepted, const check::PairBounds& bounds,
+                const ContactLimits& limits) {
   Decision decision{contact.kind, false, edit != nullptr && edit->allowance, accepted};
   const bool usual = limits.clashOverlap == ContactLimits().clashOverlap;
   const bool clash = !bounds.refused().empty();
@@ -126,7 +124,8 @@ class FitFinder {
   void resolve(std::size_t obstacle, const FoundContact& found) {
     const FitEdit* edit = editAbout(obstacle);
     const check::PairBounds bounds = boundsWith(obstacle, wordAbout(obstacle));
-    const Decision decision = decide(found.contact, edit, question_.product.fits, bounds, question_.limits);
+    const Decision decision = decide(found.contact, edit, words_.accepts(wordAbout(obstacle), found.contact.overlap),
+                                     bounds, question_.limits);
     Contact& contact = fits_.contacts.emplace_back(found.contact);
     contact.kind = decision.kind;
     if (found.contact.kind == ContactKind::Clash && decision.kind == ContactKind::Overlap) {
