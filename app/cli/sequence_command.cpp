@@ -221,11 +221,12 @@ Diagnostic ofOptions(Diagnostic why, const SequenceOptions& options) {
   return why;
 }
 
-/// "every motion certified", but for flexible bodies.
+/// ", every motion certified", but for flexible bodies; empty where nothing leaves.
 std::string certifiedText(const AssemblyPlan& plan) {
+  if (plan.removed() == 0) return "";
   const std::size_t open = plan.removedWithoutProof();
-  if (open == 0) return "every motion certified";
-  return "every motion certified but those of " + std::to_string(open) + " flexible parts";
+  if (open == 0) return ", every motion certified";
+  return ", every motion certified but those of " + std::to_string(open) + " flexible parts";
 }
 
 /// Numbers are those of the order of assembly, as in documents; `group`: number of the step that brings the steps.
@@ -297,7 +298,7 @@ void printPlan(const AssemblyPlan& plan, const ProgressHost& host, double second
   if (apart < plan.removed()) {
     std::cout << plan.removed() - apart << " of the parts that leave remain joined in groups\n";
   }
-  std::cout << plan.removed() << " of " << plan.parts() << " parts leave in " << plan.steps.size() << " steps, "
+  std::cout << plan.removed() << " of " << plan.parts() << " parts leave in " << plan.steps.size() << " steps"
             << certifiedText(plan) << ", computed in " << seconds << " s\n";
 }
 

@@ -12710,6 +12710,24 @@
         <source>The order that costs least is chosen. An expression, as 5 * tool_change + length, or one of the list; the last of it keeps the order in which the parts were found to leave</source>
         <translation>L&apos;ordre le moins coûteux est choisi. Une expression, comme 5 * tool_change + length, ou un choix de la liste ; le dernier garde l&apos;ordre dans lequel les sorties ont été trouvées</translation>
     </message>
+    <message>
+        <source>None of %1 parts leaves.</source>
+        <translation>Aucune des %1 pièces ne sort.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of %1 parts leave,</source>
+        <translation>
+            <numerusform>%n pièce sur %1 sort,</numerusform>
+            <numerusform>%n pièces sur %1 sortent,</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them without a proof.</source>
+        <translation>
+            <numerusform>dont %n sans preuve.</numerusform>
+            <numerusform>dont %n sans preuve.</numerusform>
+        </translation>
+    </message>
     <message numerus="yes">
         <source>%n of %1 parts leave, every motion certified.</source>
         <translation>

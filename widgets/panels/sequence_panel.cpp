@@ -197,13 +197,22 @@ void SequencePanel::setPlan(const ShownPlan& shown) {
   emit selectionChanged();
 }
 
+/// What leaves, and what of it is proved.
+QString SequencePanel::leaving(const AssemblyPlan& plan) {
+  const auto removed = static_cast<int>(plan.removed());
+  const auto open = static_cast<int>(plan.removedWithoutProof());
+  if (removed == 0) return tr("None of %1 parts leaves.").arg(plan.parts());
+  if (open == 0) return tr("%n of %1 parts leave, every motion certified.", "", removed).arg(plan.parts());
+  return tr("%n of %1 parts leave,", "", removed).arg(plan.parts()) + QLatin1Char(' ') +
+         tr("%n of them without a proof.", "", open);
+}
+
 QString SequencePanel::summary() const {
   if (!notice_.isEmpty()) return notice_;
   if (!shown_.product) return tr("No product is open.");
   if (!shown_.plan) return tr("Not planned yet.");
   const AssemblyPlan& plan = *shown_.plan;
-  QString text =
-      tr("%n of %1 parts leave, every motion certified.", "", static_cast<int>(plan.removed())).arg(plan.parts());
+  QString text = leaving(plan);
   const QString base = table_->shortNames(plan.staying);
   if (!base.isEmpty()) text += QLatin1Char(' ') + tr("%1 stays.").arg(base);
   if (shown_.growing) return text + QLatin1Char(' ') + tr("Planning…");

@@ -93,6 +93,7 @@ class SequencePanel final : public QWidget {
   /// Of the step that is shown; -1 before the first one.
   int shownRow() const;
   void markRow();
+  static QString leaving(const AssemblyPlan& plan);
   QString summary() const;
 
   ShownPlan shown_;

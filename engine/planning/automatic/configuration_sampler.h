@@ -8,7 +8,8 @@ namespace glissade {
 class ConfigurationSampler {
  public:
   virtual ~ConfigurationSampler() = default;
-  virtual Pose draw() = 0;
+  /// `tree`: the box of the positions of the tree that is to grow.
+  virtual Pose draw(const Box3& tree) = 0;
   /// A tree has a new node. `query` is the planner's own, so that what is asked is counted as its work.
   virtual void grew(const Pose& /*q*/, CollisionQuery& /*query*/) {}
 };
@@ -17,7 +18,7 @@ class ConfigurationSampler {
 class UniformSampler final : public ConfigurationSampler {
  public:
   UniformSampler(const Problem& problem, std::uint64_t seed) : shooter_(problem, seed) {}
-  Pose draw() override { return shooter_.shoot(); }
+  Pose draw(const Box3& /*tree*/) override { return shooter_.shoot(); }
 
  private:
   RandomShooter shooter_;

@@ -3,6 +3,7 @@
 #include <iterator>
 
 #include "engine/base/tolerances.h"
+#include "engine/planning/automatic/assembly_sampler.h"
 #include "engine/planning/automatic/direct_motions.h"
 #include "engine/planning/automatic/direct_then_trees.h"
 #include "engine/planning/automatic/modelled_threads.h"
@@ -56,13 +57,24 @@ std::unique_ptr<ConfigurationSampler> shared(std::unique_ptr<ConfigurationSample
   return sampler ? sampler(std::move(own), seed, slides) : std::move(own);
 }
 
+/// Makes a member's own sampler for a life with this seed.
+using OwnSampler = std::function<std::unique_ptr<ConfigurationSampler>(std::uint64_t seed)>;
+
+OwnSampler uniform(const Problem& problem) {
+  return [problem](std::uint64_t seed) { return std::make_unique<UniformSampler>(problem, seed); };
+}
+
+OwnSampler inAssembly(const Problem& problem, double nearShare) {
+  return
+      [problem, nearShare](std::uint64_t seed) { return std::make_unique<AssemblySampler>(problem, seed, nearShare); };
+}
+
 Member rrtConnect(std::string name, const Contender& contender, const Problem& problem,
-                  const RrtConnect::Options& options, const SamplerMaker& sampler) {
+                  const RrtConnect::Options& options, const OwnSampler& own, const SamplerMaker& sampler) {
   return {std::move(name), contender,
-          [problem, options, sampler](std::uint64_t seed, std::uint64_t) -> std::unique_ptr<Planner> {
-            auto own = std::make_unique<UniformSampler>(problem, seed);
+          [problem, options, own, sampler](std::uint64_t seed, std::uint64_t) -> std::unique_ptr<Planner> {
             return std::make_unique<RrtConnect>(problem, seed, options,
-                                                shared(std::move(own), seed, options.slides, sampler));
+                                                shared(own(seed), seed, options.slides, sampler));
           },
           true};
 }
@@ -81,7 +93,7 @@ Member turningRrt(const Problem& problem, const SamplerMaker& sampler) {
   RrtConnect::Options options = turning(problem, 0.03, 0.02);
   options.growth = RrtConnect::Growth::FromStart;
   return rrtConnect("turning-rrt", {2.0, kFirstLife, kFirstLife, Restart::Luby, headStart(problem)}, problem, options,
-                    sampler);
+                    uniform(problem), sampler);
 }
 
 /// Two trees that are not trapped for long.
@@ -93,23 +105,25 @@ RrtConnect::Options twoTrees(const Problem& problem) {
 
 Member dynamicDomain(const Problem& problem, const SamplerMaker& sampler) {
   return rrtConnect("dynamic-domain", {3.0, kLongFirstLife, kLongFirstLife, Restart::Luby, 0}, problem,
-                    twoTrees(problem), sampler);
+                    twoTrees(problem), uniform(problem), sampler);
 }
 
 /// Two trees of which extensions slide on in contact: along walls, into traps and out of them.
 Member slidingTrees(const Problem& problem, const SamplerMaker& sampler) {
+  constexpr double kNearShare = 0.75;
   RrtConnect::Options options = turning(problem, 0.02, 1.0);
   options.slides = true;
   return rrtConnect("sliding-trees", {1.5, kFirstLife, kFirstLife, Restart::Luby, kHardEntry}, problem, options,
-                    sampler);
+                    inAssembly(problem, kNearShare), sampler);
 }
 
 /// The same with short extensions, for tunnels in which both moves and turns are small.
 Member slidingSteps(const Problem& problem, const SamplerMaker& sampler) {
+  constexpr double kNearShare = 0.5;
   RrtConnect::Options options = turning(problem, 0.005, 0.3);
   options.slides = true;
   return rrtConnect("sliding-steps", {2.0, kLongFirstLife, kLongFirstLife, Restart::Luby, kHardEntry}, problem, options,
-                    sampler);
+                    inAssembly(problem, kNearShare), sampler);
 }
 
 /// Of the object's radius. Few: a world is built for each, and for each level.

@@ -33,6 +33,7 @@ RrtConnect::RrtConnect(const Problem& problem, std::uint64_t seed, const Options
       goalStream_(seed, "goal bias") {
   if (options_.slides) sliding_.emplace(*query_, problem_.bounds, metric_, options_.range);
   addGoalRoots();
+  for (const RoadmapNode& root : roadmap_.nodes()) boxOf(root.side).extend(root.q.position);
   domains_.assign(roadmap_.nodes().size(), std::numeric_limits<double>::infinity());
   updateCounts();
 }
@@ -62,7 +63,7 @@ void RrtConnect::iterate(PlannerHost& host) {
 void RrtConnect::growBoth(PlannerHost& host) {
   const std::vector<ComponentId> components = roadmap_.components();
   const ComponentId grown = components[turn_++ % components.size()];
-  const auto node = grow(grown, sampler_->draw(), host);
+  const auto node = grow(grown, sampler_->draw(boxOf(grown)), host);
   if (!node || components.size() < 2 || host.stopToken().stopRequested()) return;
   connect(nearestOther(grown, roadmap_.nodes()[*node].q), *node, host);
 }
@@ -76,7 +77,7 @@ void RrtConnect::growOne(PlannerHost& host) {
   const ComponentId grown = roadmap_.componentOf(roots[turn_++ % roots.size()]);
   const double draw = goalStream_.uniform() / kGoalBias;
   if (draw >= 1.0) {
-    grow(grown, sampler_->draw(), host);
+    grow(grown, sampler_->draw(boxOf(grown)), host);
     return;
   }
   const Node end = ends[static_cast<std::size_t>(draw * static_cast<double>(ends.size()))];
@@ -114,7 +115,9 @@ RrtConnect::ComponentId RrtConnect::nearestOther(ComponentId grown, const Pose& 
 RrtConnect::Node RrtConnect::addChild(Node parent, const Pose& q) {
   domains_.push_back(std::numeric_limits<double>::infinity());
   sampler_->grew(q, *query_);
-  return roadmap_.addChild(parent, {q, Author::Computer, roadmap_.nodes()[parent].side});
+  const TreeSide side = roadmap_.nodes()[parent].side;
+  boxOf(side).extend(q.position);
+  return roadmap_.addChild(parent, {q, Author::Computer, side});
 }
 
 /// Grows from a node towards q by at most the range; less where something is in the way. Where q

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -63,12 +64,17 @@ class RrtConnect final : public TreePlanner {
   ComponentId nearestOther(ComponentId grown, const Pose& q) const;
   void adapt(Node node, bool grew);
   void deliverPath(PlannerHost& host);
+  Box3& boxOf(TreeSide side) { return boxes_[side == TreeSide::Start ? 0 : 1]; }
+  const Box3& boxOf(ComponentId component) {
+    return boxOf(component == roadmap_.componentOf(startRoot_) ? TreeSide::Start : TreeSide::Goal);
+  }
 
   Options options_;
   std::unique_ptr<ConfigurationSampler> sampler_;
   RandomStream goalStream_;
   std::optional<SlidingExtension> sliding_;
   std::vector<double> domains_;  ///< per node: farther samples are refused
+  std::array<Box3, 2> boxes_;    ///< of the nodes' positions, by their side
   std::uint64_t turn_ = 0;
   bool joined_ = false;      ///< components were joined: there may be a path
   double refinement_ = 1.0;  ///< of the growth step

@@ -43,8 +43,8 @@ TubeSampler::TubeSampler(const Problem& problem, std::vector<Pose> path, double 
   }
 }
 
-Pose TubeSampler::draw() {
-  if (stream_.uniform() < kUniformShare) return uniform_.draw();
+Pose TubeSampler::draw(const Box3& tree) {
+  if (stream_.uniform() < kUniformShare) return uniform_.draw(tree);
   return perturbed(onPath(), deviation_, radius_, bounds_, stream_);
 }
 

@@ -12,7 +12,7 @@ class TubeSampler final : public ConfigurationSampler {
  public:
   /// `deviation` in metres of the metric, for each direction.
   TubeSampler(const Problem& problem, std::vector<Pose> path, double deviation, std::uint64_t seed);
-  Pose draw() override;
+  Pose draw(const Box3& tree) override;
 
  private:
   Pose onPath();

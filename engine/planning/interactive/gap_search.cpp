@@ -19,8 +19,8 @@ class FreedSampler final : public ConfigurationSampler {
                double clearance)
       : from_(std::move(from)), configuration_(std::move(configuration)), clearance_(clearance) {}
 
-  Pose draw() override {
-    const Pose q = from_->draw();
+  Pose draw(const Box3& tree) override {
+    const Pose q = from_->draw(tree);
     return configuration_->freedPose(q, clearance_).value_or(q);
   }
 

@@ -26,9 +26,9 @@ void PreferredPlaces::follow(const Problem& problem, const SemanticEditsPtr& edi
   region_ = regionOf(problem, edits);
 }
 
-Pose PreferredSampler::draw() {
+Pose PreferredSampler::draw(const Box3& tree) {
   const SamplingRegionPtr& region = places_->current();
-  if (!region || stream_.uniform() >= kShare) return own_->draw();
+  if (!region || stream_.uniform() >= kShare) return own_->draw(tree);
   return {region->sample(stream_), RandomShooter::orientation(stream_)};
 }
 

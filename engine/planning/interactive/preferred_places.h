@@ -31,7 +31,7 @@ class PreferredSampler final : public ConfigurationSampler {
                    std::shared_ptr<const PreferredPlaces> places)
       : own_(std::move(own)), stream_(seed, "preferred places"), places_(std::move(places)) {}
 
-  Pose draw() override;
+  Pose draw(const Box3& tree) override;
   void grew(const Pose& q, CollisionQuery& query) override { own_->grew(q, query); }
 
  private:

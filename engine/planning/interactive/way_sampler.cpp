@@ -27,10 +27,10 @@ WaySampler::WaySampler(const Problem& problem, std::unique_ptr<ConfigurationSamp
       radius_(problem.world->objectRadius()),
       slides_(slides) {}
 
-Pose WaySampler::draw() {
+Pose WaySampler::draw(const Box3& tree) {
   const ShownWay* way = board_->current().get();
   const double share = way == nullptr || way->points.empty() ? 0.0 : way->shareOf(slides_);
-  if (share <= 0.0 || stream_.uniform() >= share) return own_->draw();
+  if (share <= 0.0 || stream_.uniform() >= share) return own_->draw(tree);
   if (ownContactSamplesLeft_ > 0) {
     --ownContactSamplesLeft_;
     return inside(ownContact_.sample());

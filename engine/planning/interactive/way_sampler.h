@@ -18,7 +18,7 @@ class WaySampler final : public ConfigurationSampler {
   WaySampler(const Problem& problem, std::unique_ptr<ConfigurationSampler> own, std::uint64_t seed,
              std::shared_ptr<const WayBoard> board, bool slides);
 
-  Pose draw() override;
+  Pose draw(const Box3& tree) override;
   void grew(const Pose& q, CollisionQuery& query) override;
 
  private:

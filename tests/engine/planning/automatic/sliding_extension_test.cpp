@@ -91,7 +91,7 @@ TEST(RrtConnect, TellsItsSamplerOfEachNode) {
   class Listening final : public ConfigurationSampler {
    public:
     Listening(const Problem& problem, std::vector<Pose>& nodes) : uniform_(problem, 1), nodes_(nodes) {}
-    Pose draw() override { return uniform_.draw(); }
+    Pose draw(const Box3& tree) override { return uniform_.draw(tree); }
     void grew(const Pose& q, CollisionQuery& query) override {
       EXPECT_FALSE(query.collides(q));
       nodes_.push_back(q);

@@ -166,7 +166,7 @@ TEST(Interactive, AHandThatMisleadsCostsATenthOfTheWork) {
 class Nowhere final : public ConfigurationSampler {
  public:
   static Pose pose() { return Pose::translation({100.0, 0.0, 0.0}); }
-  Pose draw() override { return pose(); }
+  Pose draw(const Box3& /*tree*/) override { return pose(); }
 };
 
 /// Of a thousand draws of a member that slides, those that are not its own, after a run with a hand at full speed.
@@ -178,7 +178,7 @@ int drawnAboutTheHand(const Problem& problem, std::vector<Vector3> points) {
   EXPECT_FALSE(planner.solve(hand));
   const auto sampler = ofPlanner.sampler(std::make_unique<Nowhere>(), 1, true);
   int drawn = 0;
-  for (int i = 0; i < 1000; ++i) drawn += sampler->draw() == Nowhere::pose() ? 0 : 1;
+  for (int i = 0; i < 1000; ++i) drawn += sampler->draw(problem.bounds) == Nowhere::pose() ? 0 : 1;
   return drawn;
 }
 

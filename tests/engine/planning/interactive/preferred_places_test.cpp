@@ -14,7 +14,7 @@ namespace {
 class OneConfiguration final : public ConfigurationSampler {
  public:
   static Pose pose() { return Pose::translation({100.0, 0.0, 0.0}); }
-  Pose draw() override { return pose(); }
+  Pose draw(const Box3& /*tree*/) override { return pose(); }
 };
 
 class Preferences : public testing::Test {
@@ -36,7 +36,7 @@ class Preferences : public testing::Test {
     const auto sampler = partner.sampler(std::make_unique<OneConfiguration>(), 1, false);
     int there = 0;
     for (int i = 0; i < 1000; ++i) {
-      const Pose q = sampler->draw();
+      const Pose q = sampler->draw(problem.bounds);
       if (region.contains(q.position)) {
         ++there;
       } else {

@@ -50,7 +50,7 @@ TEST(WaySampler, DrawsTheHandsShareFromTheTube) {
   };
   UniformSampler own(problem, 1);
   WaySampler nothingShown = sampler(true);
-  for (int i = 0; i < 50; ++i) EXPECT_EQ(nothingShown.draw(), own.draw());
+  for (int i = 0; i < 50; ++i) EXPECT_EQ(nothingShown.draw(problem.bounds), own.draw(problem.bounds));
   auto way = std::make_shared<ShownWay>();
   way->points.push_back({Pose::translation({-1.2, 0.3, 0.2}),
                          problem.world->makeQuery()->nearestObstacle(Pose::translation({-1.2, 0.3, 0.2})), false});
@@ -61,7 +61,8 @@ TEST(WaySampler, DrawsTheHandsShareFromTheTube) {
   const auto drawnNear = [&](bool slides) {
     WaySampler shown = sampler(slides);
     int near = 0;
-    for (int i = 0; i < 400; ++i) near += (shown.draw().position - way->points[0].q.position).norm() < 0.1 ? 1 : 0;
+    for (int i = 0; i < 400; ++i)
+      near += (shown.draw(problem.bounds).position - way->points[0].q.position).norm() < 0.1 ? 1 : 0;
     return near;
   };
   EXPECT_NEAR(drawnNear(false), 100, 40);
@@ -92,7 +93,7 @@ TEST(WaySampler, DrawsAheadOfAHandThatPushes) {
     return problem.metric().distance(q, screwed(screw, start, advance)) < 0.2 * problem.world->objectRadius();
   };
   int ahead = 0;
-  for (int i = 0; i < 1000; ++i) ahead += onTheScrewAhead(sampler.draw()) ? 1 : 0;
+  for (int i = 0; i < 1000; ++i) ahead += onTheScrewAhead(sampler.draw(problem.bounds)) ? 1 : 0;
   EXPECT_GT(ahead, 50);
   EXPECT_LT(ahead, 150);
 }
@@ -116,7 +117,7 @@ TEST(WaySampler, DrawsContactSamplesAtNodesOfTheMember) {
     int there = 0;
     for (int i = 0; i < 2000; ++i) {
       sampler.grew(node, *query);
-      there += std::abs(sampler.draw().position.x() - -0.301) < 1e-6 ? 1 : 0;
+      there += std::abs(sampler.draw(problem.bounds).position.x() - -0.301) < 1e-6 ? 1 : 0;
     }
     return there;
   };
