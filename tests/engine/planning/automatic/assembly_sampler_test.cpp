@@ -75,18 +75,18 @@ TEST_F(AssemblyDraws, StayInTheRegionOfTheProblem) {
 }
 
 /// A piece leaves a burr by moves along all three axes; the workspace is 360 times as large as the block. With uniform
-/// draws the planner needs more than 8 million steps with each of these seeds.
+/// draws three of six seeds needed more than 8 million steps, and none less than 300,000.
 TEST(AssemblySampler, LeadsTheAutomaticPlannerOutOfABurr) {
   const auto loaded = loadScenario(test::sourceDirectory() + "/samples/puzzles/burr.json");
   ASSERT_TRUE(loaded) << toString(loaded.error());
   int solved = 0;
-  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    constexpr std::uint64_t kSteps = 600'000;
+  for (std::uint64_t seed = 2; seed <= 6; ++seed) {
+    constexpr std::uint64_t kSteps = 200'000;
     TestHost host(loaded->problem, kSteps);
     AutomaticPlanner planner(loaded->problem, seed);
     solved += planner.solve(host) ? 1 : 0;
   }
-  EXPECT_GE(solved, 2);
+  EXPECT_GE(solved, 3);
 }
 
 }  // namespace
