@@ -231,7 +231,9 @@ class PairFitter {
     const auto refuse = [&](const StatedAllowance& claim, const std::string& reason) {
       AppliedAllowance& allowance = add(claim.yields, 0.0);
       allowance.stated = claim.allowance;
-      fit_.refusals.push_back(allowanceRefused(allowance, reason));
+      AppliedAllowance claimed = allowance;
+      claimed.hollow = claim.hollow;
+      fit_.refusals.push_back(allowanceRefused(claimed, reason));
     };
     if (stated.size() != 2 || guest.hollow || host.yields == guest.yields || host.core || host.thread || guest.thread)
       return refuse(host, "what overlaps is taken away of one body of a pair, and the other one is taken thinner");

@@ -34,8 +34,11 @@ std::string inWords(const AppliedAllowance& allowance) {
 std::string allowanceRefused(const AppliedAllowance& allowance, const std::string& reason) {
   const std::string pair = pairInWords(allowance.thinner, allowance.against);
   if (!allowance.stated) return pair + ": " + reason + ". Mend the parts, or accept the clash.";
-  std::string words = "the file takes '" + allowance.thinner + "' " + inMillimetres(*allowance.stated) +
-                      " thinner against '" + allowance.against + "', and the judge finds reason for ";
+  const std::string amount = inMillimetres(*allowance.stated);
+  std::string words = "the file takes '" + allowance.thinner + "' ";
+  words += allowance.hollow ? "without what overlaps '" + allowance.against + "', up to " + amount + " deep"
+                            : amount + " thinner against '" + allowance.against + "'";
+  words += ", and the judge finds reason for ";
   words += allowance.most > 0.0 ? inMillimetres(allowance.most) + " only (" + inWords(allowance.evidence) + ")"
                                 : std::string("nothing");
   if (!reason.empty()) words += ": " + reason;

@@ -9151,6 +9151,10 @@
 <context>
     <name>glissade::ComparePathsDialog</name>
     <message>
+        <source>accepted clash, %1</source>
+        <translation>collision acceptée, %1</translation>
+    </message>
+    <message>
         <source>Proof</source>
         <translation>Preuve</translation>
     </message>

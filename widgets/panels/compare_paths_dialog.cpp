@@ -67,7 +67,9 @@ std::vector<Figure> figures() {
        [](const KeptPathRow& row) {
          QStringList lines;
          for (const KeptAllowance& allowance : row.path->allowances) {
-           lines << lengthText(allowance.metres) + QStringLiteral(" · ") + QString::fromStdString(allowance.body);
+           const QString length = lengthText(allowance.metres);
+           lines << (allowance.hollow ? ComparePathsDialog::tr("accepted clash, %1").arg(length) : length) +
+                        QStringLiteral(" · ") + QString::fromStdString(allowance.body);
          }
          return lines.isEmpty() ? QStringLiteral("–") : lines.join(QLatin1Char('\n'));
        },

@@ -103,9 +103,13 @@ RrtConnect::Options twoTrees(const Problem& problem) {
   return options;
 }
 
+/// Begins with long extensions among a few bars and walls: not among detailed parts, where they are blocked.
 Member dynamicDomain(const Problem& problem, const SamplerMaker& sampler) {
-  return rrtConnect("dynamic-domain", {3.0, kLongFirstLife, kLongFirstLife, Restart::Luby, 0}, problem,
-                    twoTrees(problem), uniform(problem), sampler);
+  constexpr std::uint64_t kLongDraws = 1'000;
+  RrtConnect::Options options = twoTrees(problem);
+  options.longDraws = headStart(problem) == 0 ? kLongDraws : 0;
+  return rrtConnect("dynamic-domain", {3.0, kLongFirstLife, kLongFirstLife, Restart::Luby, 0}, problem, options,
+                    uniform(problem), sampler);
 }
 
 /// Two trees of which extensions slide on in contact: along walls, into traps and out of them.

@@ -15,6 +15,8 @@ constexpr double kFinest = 0.125;
 /// What the domain of a node grows and shrinks by (Jaillet et al. 2005).
 constexpr double kDomainChange = 0.05;
 constexpr double kGoalBias = 0.05;
+/// What extensions are longer by at first, where Options::longDraws asks for it.
+constexpr double kLong = 10.0;
 /// A connection that slides has to come nearer by this share of the range with each extension.
 constexpr double kApproach = 0.2;
 
@@ -29,9 +31,10 @@ RrtConnect::RrtConnect(const Problem& problem, std::uint64_t seed, const Options
                        std::unique_ptr<ConfigurationSampler> sampler)
     : TreePlanner(problem, Se3Metric(options.turnWeight * problem.world->objectRadius())),
       options_(options),
+      range_(options.range),
       sampler_(std::move(sampler)),
       goalStream_(seed, "goal bias") {
-  if (options_.slides) sliding_.emplace(*query_, problem_.bounds, metric_, options_.range);
+  if (options_.slides) sliding_.emplace(*query_, problem_.bounds, metric_, range_);
   addGoalRoots();
   for (const RoadmapNode& root : roadmap_.nodes()) boxOf(root.side).extend(root.q.position);
   domains_.assign(roadmap_.nodes().size(), std::numeric_limits<double>::infinity());
@@ -49,6 +52,7 @@ bool RrtConnect::solve(PlannerHost& host) {
 }
 
 void RrtConnect::iterate(PlannerHost& host) {
+  range_ = counts_.iterations < options_.longDraws ? kLong * options_.range : options_.range;
   ++counts_.iterations;
   ++counts_.steps;
   ++counts_.randomConfigurations;
@@ -125,7 +129,7 @@ RrtConnect::Node RrtConnect::addChild(Node parent, const Pose& q) {
 RrtConnect::Extended RrtConnect::extend(Node from, const Pose& q, PlannerHost& host) {
   const double grid = tolerance::kGuidedExtensionStep * metric_.radius();
   const double step = host.parameters()[ParameterId::GrowthStep] * refinement_;
-  const ExtensionRule rule{step, grid, grid, options_.range};
+  const ExtensionRule rule{step, grid, grid, range_};
   const Extension grown = extension(from, q, metric_.distance(roadmap_.nodes()[from].q, q), rule, host);
   const bool blocked = grown.progress == Progress::Blocked || grown.progress == Progress::Trapped;
   if (sliding_ && blocked) return slideOn(from, q, step, host.stopToken());
@@ -136,7 +140,7 @@ RrtConnect::Extended RrtConnect::extend(Node from, const Pose& q, PlannerHost& h
 RrtConnect::Extended RrtConnect::slideOn(Node from, const Pose& q, double step, const StopToken& stop) {
   const Pose origin = roadmap_.nodes()[from].q;
   const double distance = metric_.distance(origin, q);
-  const Pose target = distance > options_.range ? interpolate(origin, q, options_.range / distance) : q;
+  const Pose target = distance > range_ ? interpolate(origin, q, range_ / distance) : q;
   const auto end = sliding_->slide(from, origin, target, step, stop);
   if (!end) return {Progress::Trapped, from};
   const Node child = addChild(from, *end);
@@ -156,21 +160,21 @@ void RrtConnect::connect(ComponentId component, Node target, PlannerHost& host) 
     const bool slid = sliding_ && extended.progress == Progress::Blocked;
     if ((!slid && extended.progress != Progress::Advanced) || host.stopToken().stopRequested()) return;
     const double left = metric_.distance(roadmap_.nodes()[extended.node].q, q);
-    if (slid && left > near.distance - kApproach * options_.range) return;
+    if (slid && left > near.distance - kApproach * range_) return;
     near = {extended.node, left};
   }
 }
 
 void RrtConnect::adapt(Node node, bool grew) {
   if (options_.domain <= 0.0) return;
-  const double first = options_.domain * options_.range;
+  const double first = options_.domain * range_;
   double& domain = domains_[node];
   if (grew) {
     domain *= 1.0 + kDomainChange;
   } else if (std::isinf(domain)) {
     domain = first;
   } else {
-    domain = std::max(options_.range, domain * (1.0 - kDomainChange));
+    domain = std::max(range_, domain * (1.0 - kDomainChange));
   }
 }
 

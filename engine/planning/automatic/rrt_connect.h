@@ -36,7 +36,8 @@ class RrtConnect final : public TreePlanner {
     double turnWeight = 1.0;  ///< of rotations, relative to the metric of the object's radius: with a
                               ///< small one an extension turns far while it moves little
     Growth growth = Growth::Both;
-    bool slides = false;  ///< an extension that is blocked goes on in contact (SlidingExtension)
+    std::uint64_t longDraws = 0;  ///< for so many draws at first extensions are ten times as long: in open space
+    bool slides = false;          ///< an extension that is blocked goes on in contact (SlidingExtension)
   };
 
   RrtConnect(const Problem& problem, std::uint64_t seed, const Options& options,
@@ -70,6 +71,7 @@ class RrtConnect final : public TreePlanner {
   }
 
   Options options_;
+  double range_ = 0.0;  ///< of extensions at present
   std::unique_ptr<ConfigurationSampler> sampler_;
   RandomStream goalStream_;
   std::optional<SlidingExtension> sliding_;

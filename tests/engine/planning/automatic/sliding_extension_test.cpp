@@ -87,31 +87,5 @@ TEST(SlidingTrees, FindAWindowWithFewerDrawsThanTreesThatStop) {
   EXPECT_LT(2 * sliding, stopping);
 }
 
-TEST(RrtConnect, TellsItsSamplerOfEachNode) {
-  class Listening final : public ConfigurationSampler {
-   public:
-    Listening(const Problem& problem, std::vector<Pose>& nodes) : uniform_(problem, 1), nodes_(nodes) {}
-    Pose draw(const Box3& tree) override { return uniform_.draw(tree); }
-    void grew(const Pose& q, CollisionQuery& query) override {
-      EXPECT_FALSE(query.collides(q));
-      nodes_.push_back(q);
-    }
-
-   private:
-    UniformSampler uniform_;
-    std::vector<Pose>& nodes_;
-  };
-  const Problem problem = windowProblem();
-  RrtConnect::Options options;
-  options.range = searchRange(problem, 0.03);
-  options.slides = true;
-  std::vector<Pose> told;
-  RrtConnect planner(problem, 1, options, std::make_unique<Listening>(problem, told));
-  TestHost host(problem, 200);
-  planner.solve(host);
-  ASSERT_EQ(planner.nodes().size(), told.size() + 2);  // the roots
-  for (std::size_t i = 0; i < told.size(); ++i) EXPECT_EQ(planner.nodes()[i + 2].q, told[i]);
-}
-
 }  // namespace
 }  // namespace glissade
