@@ -1,0 +1,78 @@
+#include "engine/check/taken_hollow.h"
+
+#include <algorithm>
+
+#include "engine/check/verdict_words.h"
+
+namespace glissade::check {
+namespace {
+
+/// Were nothing accepted, the evidence would refuse the pair.
+bool isClash(const PairWork& work) {
+  FitWords strict = work.fits;
+  strict.acceptedClash = 0.0;
+  return std::any_of(work.question.assembled.begin(), work.question.assembled.end(), [&](const Pose& end) {
+    const Placement moving{work.question.moving, end};
+    const Placement other{work.question.other, work.question.other.X_WB};
+    return !work.bodies.boundsOf(moving, other, strict, nullptr, work.stop).refused().empty();
+  });
+}
+
+/// The other body of the pair fills what is taken away.
+PlacedBodies::HollowPtr hollowOf(const PairWork& work, bool yields) {
+  const Placement other{work.question.other, work.question.other.X_WB};
+  for (const Pose& end : work.question.assembled) {
+    const Placement moving{work.question.moving, end};
+    const PlacedBodies::HollowPtr hollow =
+        work.bodies.hollowOf(yields ? other : moving, yields ? moving : other, work.stop);
+    if (hollow) return hollow;
+  }
+  return nullptr;
+}
+
+/// The body that fills the hollow one is taken thinner on all sides.
+void takeAllAround(const StatedAllowance& stated, PairWork& work) {
+  const PlacedBody& moving = work.bodies.at({work.question.moving, work.question.moving.X_WB});
+  const PlacedBody& other = work.bodies.at({work.question.other, work.question.other.X_WB});
+  const double spacing = moving.spacing + other.spacing;
+  const double room = hollowRoom(moving, other);
+  const PlacedBody& thinner = stated.yields ? other : moving;
+  (stated.yields ? work.fit.other : work.fit.moving)
+      .assign(thinner.mesh.triangles.size(), std::min(stated.allowance, room));
+  AppliedAllowance& allowance = work.add(stated.yields, std::min(stated.allowance, room));
+  allowance.stated = stated.allowance;
+  allowance.most = room;
+  allowance.evidence = {0.0, 0.0, spacing, room - spacing, 0.0};
+  if (stated.allowance > (1.0 + kEstimate) * room) work.fit.refusals.push_back(allowanceRefused(allowance, ""));
+}
+
+}  // namespace
+
+void takeHollow(const std::vector<StatedAllowance>& stated, PairWork& work) {
+  const bool isFirst = stated.front().hollow;
+  const StatedAllowance& host = isFirst ? stated.front() : stated.back();
+  const StatedAllowance& guest = isFirst ? stated.back() : stated.front();
+  const auto refuse = [&](const StatedAllowance& claim, const std::string& reason) {
+    AppliedAllowance& allowance = work.add(claim.yields, 0.0);
+    allowance.stated = claim.allowance;
+    AppliedAllowance claimed = allowance;
+    claimed.hollow = claim.hollow;
+    work.fit.refusals.push_back(allowanceRefused(claimed, reason));
+  };
+  if (stated.size() != 2 || guest.hollow || host.yields == guest.yields || host.core || host.thread || guest.thread)
+    return refuse(host, "what overlaps is taken away of one body of a pair, and the other one is taken thinner");
+  if (work.word != nullptr && work.word->isThread()) return refuse(host, "a person says that the pair is a thread");
+  const PlacedBodies::HollowPtr hollow = hollowOf(work, host.yields);
+  if (!hollow) return refuse(host, "no overlap with the other one can be taken away of it");
+  if (!work.fits.accepts(work.word, hollow->depth)) return refuse(host, "it is a clash that nobody accepted");
+  (host.yields ? work.fit.hollowOther : work.fit.hollowMoving) = hollow;
+  work.fit.acceptedClash = isClash(work);
+  AppliedAllowance& ofHost = work.add(host.yields, hollow->depth);
+  ofHost.hollow = true;
+  ofHost.stated = host.allowance;
+  ofHost.most = hollow->depth;
+  ofHost.evidence = {hollow->depth, 0.0, 0.0, 0.0, 0.0};
+  takeAllAround(guest, work);
+}
+
+}  // namespace glissade::check
