@@ -7,13 +7,12 @@ namespace glissade {
 /// What a hand may cost. A pure value: it counts work and steps, never seconds.
 ///
 /// On a machine at full speed thousands of steps fall on each configuration that a hand shows (they are a twentieth of
-/// the object's radius apart). There the hand is limited by work: a small share of all, and a credit at the beginning
-/// and for each configuration. At the pace of the first paper a dozen steps fall on it. Steps are scarce there,
+/// the object's radius apart). There the hand is limited by work: a small share of all, and a credit for each
+/// configuration. At the pace of the first paper a dozen steps fall on it. Steps are scarce there,
 /// work is not, and alpha alone decides.
 class HandAccount {
  public:
-  static constexpr std::uint64_t kFirstCredit = 100'000;
-  static constexpr std::uint64_t kCredit = 5'000;  ///< for each configuration
+  static constexpr std::uint64_t kCredit = 2'000;  ///< for each configuration
   static constexpr double kShare = 0.02;
 
   struct Work {
@@ -36,7 +35,7 @@ class HandAccount {
   }
   bool stepsAreScarce() const { return stepsPerShown_ < kScarce && sinceShown_ < kMemory * kScarce; }
   bool covers() const {
-    const double credit = kFirstCredit + static_cast<double>(kCredit) * static_cast<double>(shown_);
+    const double credit = static_cast<double>(kCredit) * static_cast<double>(shown_);
     return stepsAreScarce() || static_cast<double>(work_.hand) <= credit + kShare * static_cast<double>(work_.all);
   }
   const Work& work() const { return work_; }
