@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # A step of an assembly plan that its search does not find, in the real window, with keys only: a cube in a channel with
-# four bends, 2 mm wider than the cube. The plan ends stuck, the part is moved by hand, F12 takes the hand to where the
+# four bends, 1.6 mm wider than the cube. The plan ends stuck, the part is moved by hand, F12 takes the hand to where the
 # search is stuck, keys lead the cube out along the walls. The path is proved, becomes the step of the plan, and is saved.
 # The run by hand is that of the first paper: `auto` leaves the channel without a person when it has seconds for it.
 # usage: xvfb_step_by_hand.sh GLISSADE GLISSADE_CLI
@@ -16,7 +16,7 @@ scenario=$work/channel.json
 
 # The channel in cells of a grid, and the solid cells and two plates around it as one mesh.
 awk 'BEGIN {
-  side = 0.1; cell = side + 0.002
+  side = 0.1; cell = side + 0.0016
   split("0,0 1,0 2,0 2,1 2,2 3,2 4,2 4,1 4,0 5,0 6,0", channel, " ")
   for (i in channel) free[channel[i]] = 1
   for (x = -1; x <= 5; ++x) for (z = -1; z <= 3; ++z) if (!((x "," z) in free)) box(x, 0, z, 1, 1, 1)

@@ -151,7 +151,7 @@ TEST(HandAccount, LimitsTheHandByWorkUnlessStepsAreScarce) {
   HandAccount account;
   EXPECT_TRUE(account.covers());
   account.charge(100'000, {1'000'000, 0});
-  account.charge(1, {200'000, 200'000});
+  account.charge(1, {50'000, 50'000});
   EXPECT_FALSE(account.covers());
   account.noteShown(20);  // each is worth something
   EXPECT_TRUE(account.covers());
