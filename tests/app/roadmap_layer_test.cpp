@@ -59,6 +59,30 @@ TEST(RoadmapLayer, TheSceneIsSeenThroughPointsOfAnyNumber) {
   }
 }
 
+/// A run whose tree fills a square of a metre by edges of a hundredth of it.
+SessionSnapshot fineChain(std::uint32_t edges) {
+  SessionSnapshot snapshot = chain(1, edges);
+  auto chunk = std::make_shared<RoadmapChunk>(*snapshot.roadmap.front());
+  for (std::uint32_t i = 0; i <= edges; ++i) {
+    const std::uint32_t row = i / 100;
+    const std::uint32_t column = row % 2 == 0 ? i % 100 : 99 - i % 100;
+    chunk->nodes[i].q.position = {0.01 * column, 0.01 * (row % 100), 0.0};
+  }
+  snapshot.roadmap.front() = chunk;
+  return snapshot;
+}
+
+/// A batch of short edges covers little; many of them cover all.
+TEST(RoadmapLayer, TheSceneIsSeenThroughTreesOfShortEdges) {
+  constexpr double kPixelsPerMetre = 500.0;
+  for (std::uint32_t edges = 4000; edges < 2000000; edges *= 3) {
+    RoadmapLayer layer;
+    layer.setScale(kPixelsPerMetre);
+    layer.update(fineChain(edges));
+    EXPECT_GT(seenBehind(layer.opacities(), edges, 0.01 * 1.2 / kPixelsPerMetre), 0.5) << edges;
+  }
+}
+
 /// A node far away makes the box of a tree large, and the tree no thinner.
 TEST(RoadmapLayer, TheSceneIsSeenThroughATreeWithANodeFarAway) {
   constexpr std::uint32_t kEdges = 100000;

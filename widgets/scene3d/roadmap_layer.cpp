@@ -80,12 +80,16 @@ void RoadmapLayer::fade() {
 void RoadmapLayer::fade(std::vector<Batch>& batches, const std::function<double(const Batch&)>& pixelsOf) {
   const double area = pixelsOfTrees();
   double covered = 0.0;
+  double coveredAged = 0.0;
   double age = 1.0;
   for (auto batch = batches.rbegin(); batch != batches.rend(); ++batch, age *= kAgeing) {
-    covered += age * pixelsOf(*batch) / area;
+    const double share = pixelsOf(*batch) / area;
+    covered += share;
+    coveredAged += age * share;
   }
-  double opacity = (faded_ ? kFadedShare : 1.0) * std::min(1.0, kMostCovered / std::max(covered, 1e-9));
   const bool ages = covered > kMostCovered;
+  double opacity = faded_ ? kFadedShare : 1.0;
+  if (ages) opacity *= std::min(1.0, kMostCovered / coveredAged);
   bool newest = true;
   for (auto batch = batches.rbegin(); batch != batches.rend(); ++batch) {
     const double shown = newest ? std::max(kFaintest, opacity) : opacity;
