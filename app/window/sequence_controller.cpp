@@ -12,6 +12,7 @@
 #include "app/window/proposed_file.h"
 #include "app/window/sequence_output.h"
 #include "app/window/sequence_script.h"
+#include "app/window/stuck_marks.h"
 #include "engine/scenario/plan_file.h"
 #include "engine/scenario/product_file.h"
 #include "engine/scenario/product_name.h"
@@ -77,7 +78,7 @@ SequenceController::SequenceController(const Workbench& bench)
       [this] { return planner_.isPlanning() ? tr("Planning the sequence") : tr("Proving the sequence again"); },
       [this] { planner_.stop(); });
   connect(panel_, &SequencePanel::sceneChanged, this, &SequenceController::showPanelsScene);
-  connect(panel_, &SequencePanel::stuckChosen, this, &SequenceController::showStuck);
+  new StuckMarks(bench.document.semantics(), *panel_);
   connect(panel_, &SequencePanel::playbackEnded, this, [this] { bench_.actions["sequence.play"]->setChecked(false); });
   connect(&bench.document, &WorkbenchDocument::changed, this, &SequenceController::followDocument);
   connect(&bench.document.semantics(), &SemanticDocument::selectionChanged, this, [this] {
@@ -384,18 +385,6 @@ void SequenceController::placeBodies(double time, double exploded) {
     }
   }
   bench_.scene.view().setSequence(picture);
-}
-
-/// The stuck body and those that block it are selected, so that the view marks them.
-void SequenceController::showStuck(const QString& bodyId) {
-  SemanticSelection selection;
-  selection.bodies.insert(bodyId);
-  for (const StuckBody& stuck : shown().plan->stuck) {
-    if (stuck.body != bodyId.toStdString()) continue;
-    for (const std::string& other : stuck.blockedBy) selection.bodies.insert(QString::fromStdString(other));
-  }
-  panel_->showTime(static_cast<double>(shown().plan->steps.size()));
-  bench_.document.semantics().select(selection);
 }
 
 void SequenceController::remember(WindowMemory& memory) {

@@ -88,7 +88,6 @@ class SequenceController final : public QObject {
   void setPlan(const ShownPlan& shown);
   /// Shows the plan, and the document has it: it is saved with the scenario.
   void keepPlan(const ShownPlan& shown);
-  void showStuck(const QString& bodyId);
   void showGraph();
   /// The graph follows the plan while it is open.
   void updateGraph();

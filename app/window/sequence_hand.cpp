@@ -63,6 +63,7 @@ void SequenceHand::noteBegun() {
   } else {
     run_->begun = true;
     bench_.document.semantics().select({});  // the marks of what blocks the part would hide it in the hand
+    bench_.scene.widget()->setFocus();  // of the keys that move it
     sequence_.panel()->setNotice(
         tr("You move %1 by hand, among the parts that are present at its step. Start (F5) begins a run. Its certified "
            "path becomes the step.")

@@ -5,6 +5,7 @@
 #include <QSignalSpy>
 #include <QtTest>
 
+#include "app/window/stuck_marks.h"
 #include "tests/engine/sequence/products.h"
 
 namespace glissade {
@@ -189,6 +190,23 @@ TEST_F(SequencePanelTest, APartThatIsChosenElsewhereHasItsRowAndTheSceneStays) {
   panel.showBodies({QStringLiteral("cabinet")});
   EXPECT_EQ(panel.chosenStuck(), "drawer") << "nothing is about it";
   EXPECT_TRUE(shownScene.isEmpty());
+}
+
+TEST_F(SequencePanelTest, WhatBlocksAStuckPartIsMarkedUntilAStepIsChosen) {
+  QUndoStack undo;
+  SemanticDocument semantics(undo);
+  new StuckMarks(semantics, panel);
+  table().setCurrentItem(table().topLevelItem(2));
+  const QSet<QString> marked{QStringLiteral("drawer"), QStringLiteral("cabinet")};
+  EXPECT_EQ(semantics.selection().bodies, marked);
+  table().setCurrentItem(table().topLevelItem(0));
+  EXPECT_TRUE(semantics.selection().bodies.isEmpty());
+  table().setCurrentItem(table().topLevelItem(2));
+  SemanticSelection own;
+  own.bodies = {QStringLiteral("cap")};
+  semantics.select(own);
+  table().setCurrentItem(table().topLevelItem(0));
+  EXPECT_EQ(semantics.selection().bodies, own.bodies) << "what a person has selected";
 }
 
 TEST_F(SequencePanelTest, AStuckPartIsAnnounced) {

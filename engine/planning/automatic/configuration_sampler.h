@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/planning/random_shooter.h"
+#include "engine/planning/roadmap.h"
 
 namespace glissade {
 
@@ -10,6 +11,8 @@ class ConfigurationSampler {
   virtual ~ConfigurationSampler() = default;
   /// `tree`: the box of the positions of the tree that is to grow.
   virtual Pose draw(const Box3& tree) = 0;
+  /// Whose the configuration is that was drawn last.
+  virtual Author author() const { return Author::Computer; }
   /// A tree has a new node. `query` is the planner's own, so that what is asked is counted as its work.
   virtual void grew(const Pose& /*q*/, CollisionQuery& /*query*/) {}
 };

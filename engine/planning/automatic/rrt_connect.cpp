@@ -67,7 +67,7 @@ void RrtConnect::iterate(PlannerHost& host) {
 void RrtConnect::growBoth(PlannerHost& host) {
   const std::vector<ComponentId> components = roadmap_.components();
   const ComponentId grown = components[turn_++ % components.size()];
-  const auto node = grow(grown, sampler_->draw(boxOf(grown)), host);
+  const auto node = grow(grown, draw(grown), host);
   if (!node || components.size() < 2 || host.stopToken().stopRequested()) return;
   connect(nearestOther(grown, roadmap_.nodes()[*node].q), *node, host);
 }
@@ -79,13 +79,20 @@ void RrtConnect::growOne(PlannerHost& host) {
   const std::vector<Node>& roots = fromStart ? starts : goalRoots_;
   const std::vector<Node>& ends = fromStart ? goalRoots_ : starts;
   const ComponentId grown = roadmap_.componentOf(roots[turn_++ % roots.size()]);
-  const double draw = goalStream_.uniform() / kGoalBias;
-  if (draw >= 1.0) {
-    grow(grown, sampler_->draw(boxOf(grown)), host);
+  const double chance = goalStream_.uniform() / kGoalBias;
+  if (chance >= 1.0) {
+    grow(grown, draw(grown), host);
     return;
   }
-  const Node end = ends[static_cast<std::size_t>(draw * static_cast<double>(ends.size()))];
+  author_ = Author::Computer;
+  const Node end = ends[static_cast<std::size_t>(chance * static_cast<double>(ends.size()))];
   if (roadmap_.componentOf(end) != grown) connect(grown, end, host);
+}
+
+Pose RrtConnect::draw(ComponentId tree) {
+  const Pose q = sampler_->draw(boxOf(tree));
+  author_ = sampler_->author();
+  return q;
 }
 
 std::optional<RrtConnect::Node> RrtConnect::grow(ComponentId component, const Pose& q, PlannerHost& host) {
@@ -121,7 +128,7 @@ RrtConnect::Node RrtConnect::addChild(Node parent, const Pose& q) {
   sampler_->grew(q, *query_);
   const TreeSide side = roadmap_.nodes()[parent].side;
   boxOf(side).extend(q.position);
-  return roadmap_.addChild(parent, {q, Author::Computer, side});
+  return roadmap_.addChild(parent, {q, author_, side});
 }
 
 /// Grows from a node towards q by at most the range; less where something is in the way. Where q

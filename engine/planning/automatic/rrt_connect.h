@@ -59,6 +59,7 @@ class RrtConnect final : public TreePlanner {
   /// The node that the component grew by towards q.
   std::optional<Node> grow(ComponentId component, const Pose& q, PlannerHost& host);
   Node addChild(Node parent, const Pose& q);
+  Pose draw(ComponentId tree);
   Extended extend(Node from, const Pose& q, PlannerHost& host);
   Extended slideOn(Node from, const Pose& q, double step, const StopToken& stop);
   void connect(ComponentId component, Node target, PlannerHost& host);
@@ -73,6 +74,7 @@ class RrtConnect final : public TreePlanner {
   Options options_;
   double range_ = 0.0;  ///< of extensions at present
   std::unique_ptr<ConfigurationSampler> sampler_;
+  Author author_ = Author::Computer;  ///< of what the trees grow towards
   RandomStream goalStream_;
   std::optional<SlidingExtension> sliding_;
   std::vector<double> domains_;  ///< per node: farther samples are refused

@@ -28,7 +28,8 @@ void PreferredPlaces::follow(const Problem& problem, const SemanticEditsPtr& edi
 
 Pose PreferredSampler::draw(const Box3& tree) {
   const SamplingRegionPtr& region = places_->current();
-  if (!region || stream_.uniform() >= kShare) return own_->draw(tree);
+  drawnByOwn_ = !region || stream_.uniform() >= kShare;
+  if (drawnByOwn_) return own_->draw(tree);
   return {region->sample(stream_), RandomShooter::orientation(stream_)};
 }
 

@@ -32,12 +32,14 @@ class PreferredSampler final : public ConfigurationSampler {
       : own_(std::move(own)), stream_(seed, "preferred places"), places_(std::move(places)) {}
 
   Pose draw(const Box3& tree) override;
+  Author author() const override { return drawnByOwn_ ? own_->author() : Author::Computer; }
   void grew(const Pose& q, CollisionQuery& query) override { own_->grew(q, query); }
 
  private:
   std::unique_ptr<ConfigurationSampler> own_;
   RandomStream stream_;
   std::shared_ptr<const PreferredPlaces> places_;
+  bool drawnByOwn_ = true;  ///< the last one
 };
 
 }  // namespace glissade

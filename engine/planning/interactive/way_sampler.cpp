@@ -29,12 +29,14 @@ WaySampler::WaySampler(const Problem& problem, std::unique_ptr<ConfigurationSamp
 
 Pose WaySampler::draw(const Box3& tree) {
   const ShownWay* way = board_->current().get();
+  author_ = Author::Computer;
   const double share = way == nullptr || way->points.empty() ? 0.0 : way->shareOf(slides_);
   if (share <= 0.0 || stream_.uniform() >= share) return own_->draw(tree);
   if (ownContactSamplesLeft_ > 0) {
     --ownContactSamplesLeft_;
     return inside(ownContact_.sample());
   }
+  author_ = Author::Operator;
   return way->push && stream_.uniform() < kAheadShare ? ahead(*way) : fromTube(*way);
 }
 
@@ -69,6 +71,7 @@ Pose WaySampler::fromTube(const ShownWay& way) {
     OperatorSample touching;
     touching.q_device = point.q;
     touching.nearest = point.nearest;
+    author_ = Author::Contact;
     contactSampler_.enter(touching, contact.gap, kDisc * way.spread);
     return inside(contactSampler_.sample());
   }

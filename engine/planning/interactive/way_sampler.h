@@ -19,6 +19,8 @@ class WaySampler final : public ConfigurationSampler {
              std::shared_ptr<const WayBoard> board, bool slides);
 
   Pose draw(const Box3& tree) override;
+  /// The operator's about the hand's way and ahead of the hand, contact on the tangent plane at a point of the way.
+  Author author() const override { return author_; }
   void grew(const Pose& q, CollisionQuery& query) override;
 
  private:
@@ -35,6 +37,7 @@ class WaySampler final : public ConfigurationSampler {
   Box3 bounds_;
   double radius_;
   bool slides_;
+  Author author_ = Author::Computer;
 };
 
 }  // namespace glissade

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "widgets/document/semantic_document.h"
+#include "widgets/panels/sequence_panel.h"
+
+namespace glissade {
+
+/// While a stuck part is chosen in the panel, it is selected together with what blocks it, so that the view marks them.
+/// The selection ends when a step is chosen.
+class StuckMarks final : public QObject {
+  Q_OBJECT
+
+ public:
+  StuckMarks(SemanticDocument& semantics, SequencePanel& panel);
+
+ private:
+  void show(const QString& bodyId);
+  void clear();
+
+  SemanticDocument& semantics_;
+  SequencePanel& panel_;
+  SemanticSelection marked_;  ///< by this
+};
+
+}  // namespace glissade
