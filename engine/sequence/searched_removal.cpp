@@ -2,11 +2,15 @@
 
 #include "engine/base/random_stream.h"
 #include "engine/planning/automatic/automatic_planner.h"
+#include "engine/planning/smoothing/shortcuts.h"
+#include "engine/planning/smoothing/straight_end.h"
 #include "engine/planning/threaded_planner.h"
 
 namespace glissade {
 namespace {
 
+/// Attempts to shorten a path: about as many as a path has configurations.
+constexpr int kShortcuts = 100;
 /// A step counts as so many pairs of the kernel.
 constexpr std::uint64_t kStepWork = 50;
 
@@ -44,6 +48,13 @@ Box3 roomAbout(Box3 box, const MovingObject& object) {
   return {box.min() - margin, box.max() + margin};
 }
 
+/// As a person would lead it: straight out as soon as that is free, and without the detours of a random search. What a
+/// thread leads stays as it is.
+Path smoothed(const Path& path, const Problem& problem, const ParameterValues& parameters, const StopToken& stop) {
+  if (!problem.world->threads().empty()) return path;
+  return withShortcuts(withStraightEnd(path, problem, parameters, stop), problem, parameters, 0, kShortcuts, {stop});
+}
+
 std::unique_ptr<Planner> plannerOf(const Problem& problem, std::uint64_t seed) {
   const auto make = [seed](const Problem& rest) -> std::unique_ptr<Planner> {
     return std::make_unique<AutomaticPlanner>(rest, seed, 1);
@@ -63,7 +74,7 @@ RemovalAnswer SearchedRemoval::tryRemoval(const BodyGroup& group, const BodySet&
   const auto planner = plannerOf(problem, seedOf(group, present, work));
   StepHost host(worlds_.parameters(group), stop);
   if (solveWithin(*planner, host, work)) {
-    Path path = *planner->path();
+    Path path = smoothed(*planner->path(), problem, worlds_.parameters(group), stop);
     nameByProduct(path.certificate, motion.bodies);
     return Removed{std::move(path), "auto: " + memberOf(*planner), fits_.fitsOf(group, present)};
   }

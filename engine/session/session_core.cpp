@@ -10,6 +10,7 @@
 #include "engine/planning/coarse/scene_knowledge.h"
 #include "engine/planning/contact/interaction_report.h"
 #include "engine/planning/smoothing/shortcuts.h"
+#include "engine/planning/smoothing/straight_end.h"
 #include "engine/session/start_check.h"
 
 namespace glissade {
@@ -268,7 +269,11 @@ void SessionCore::deliverPath(const StopToken& stop) {
 }
 
 void SessionCore::smoothPath(int attempts, const WorkWatch& watch) {
-  Path path = attempts > 0 ? withShortcuts(*planned_, problem_, parameters_, seed_, attempts, watch) : *planned_;
+  Path path = *planned_;
+  if (attempts > 0) {
+    path = withStraightEnd(path, problem_, parameters_, watch.stop);
+    path = withShortcuts(path, problem_, parameters_, seed_, attempts, watch);
+  }
   const bool another = path_ != nullptr;  // the one delivered stays where the work is stopped
   if (another && watch.stop.stopRequested()) return;
   path_ = std::make_shared<const Path>(std::move(path));

@@ -31,11 +31,11 @@ DirectMotions::DirectMotions(const Problem& problem) : problem_(problem), query_
 void DirectMotions::outIdeas(const std::vector<Vector3>& directions) {
   for (const Vector3& direction : directions) {
     Pose out = problem_.start;
-    out.position += distanceOut(problem_, direction) * direction;
+    out.position += distanceOut(problem_, problem_.start.position, direction) * direction;
     add({problem_.start, out});
   }
   for (const Vector3& direction : directions) {
-    const double distance = distanceOut(problem_, direction);
+    const double distance = distanceOut(problem_, problem_.start.position, direction);
     for (const double turn : {kTurn, -kTurn}) {
       std::vector<Pose> screw;
       for (int piece = 0; piece <= kScrewPieces; ++piece) {

@@ -32,14 +32,14 @@ std::vector<Vector3> likelyDirections(const Problem& problem) {
   return directions;
 }
 
-double distanceOut(const Problem& problem, const Vector3& direction) {
+double distanceOut(const Problem& problem, const Vector3& from, const Vector3& direction) {
   const Box3& box = problem.world->obstaclesBox();
   const double margin = problem.world->objectRadius() * (1.0 + 1e-9);
   double least = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis) {
     if (std::abs(direction[axis]) < 1e-6) continue;
     const double face = direction[axis] > 0.0 ? box.max()[axis] + margin : box.min()[axis] - margin;
-    least = std::min(least, (face - problem.start.position[axis]) / direction[axis]);
+    least = std::min(least, (face - from[axis]) / direction[axis]);
   }
   return std::max(0.0, least);
 }
@@ -49,7 +49,7 @@ std::vector<int> firstInTheWay(const Problem& problem, CollisionQuery& query, do
   std::set<int> found;
   for (const Vector3& direction : likelyDirections(problem)) {
     Pose out = problem.start;
-    out.position += distanceOut(problem, direction) * direction;
+    out.position += distanceOut(problem, problem.start.position, direction) * direction;
     const MotionCertificate motion = certifyMotion(query, problem.start, out, required, stop);
     if (motion.status == CertificateStatus::Certified) return {};
     if (motion.status == CertificateStatus::Violated && motion.nearest.body >= 0) found.insert(motion.nearest.body);
