@@ -115,7 +115,7 @@ void SequenceHand::takePath() {
   const ShownPlan& shown = run_->plan;
   std::vector<RigidBody> bodies;
   for (const std::string& id : run_->bodies) bodies.push_back(shown.product->bodies[*shown.product->indexOf(id)]);
-  const DemandedMotion motion = motionOfRun(bodies, path->points, bench_.document.results().provenance.planner);
+  const DemandedMotion motion = motionOfRun(bodies, path->points, bench_.document.results().provenance);
   const SequenceDemands& present = bench_.document.demands();
   const DemandConflict conflict = conflictBetween(present, withMotion(motion, present));
   const bool taken = conflict.isNone() || bench_.messages.isNewDemandPreferred(

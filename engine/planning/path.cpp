@@ -1,6 +1,14 @@
 #include "engine/planning/path.h"
 
+#include <algorithm>
+
 namespace glissade {
+
+bool isSteered(const std::vector<PathPoint>& points) {
+  return std::any_of(points.begin(), points.end(), [](const PathPoint& point) {
+    return point.author != Author::Computer || point.segmentAuthor != Author::Computer;
+  });
+}
 
 std::vector<Pose> configurationsOf(const std::vector<PathPoint>& points) {
   std::vector<Pose> configurations;

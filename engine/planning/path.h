@@ -20,10 +20,14 @@ struct PathPoint {
 
 std::vector<Pose> configurationsOf(const std::vector<PathPoint>& points);
 
+/// A person has led a part of the way: configurations that a hand showed, or in contact about the object in the hand.
+bool isSteered(const std::vector<PathPoint>& points);
+
 /// The run that a path comes from.
 struct PathProvenance {
   std::string planner;  ///< its id; empty: unknown
   std::uint64_t seed = 0;
+  bool steered = false;  ///< as isSteered() of the path as planned, which smoothing changes
 };
 
 /// A solution from start to goal: straight motions between consecutive points. Only ever delivered

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "engine/planning/smoothing/shortcuts.h"
 #include "engine/product/fit_edits.h"
 #include "engine/scenario/assembly_edits.h"
 #include "engine/scenario/object_geometry.h"
@@ -99,16 +100,15 @@ Outcome prepareHandRun(const std::vector<std::string>& moving, const std::vector
   turnAbout(middleOf(bodies), loaded, scenario);
   markThreads(joints, moving, gone, scenario.fits);
   scenario.goal = GoalOut{};
+  // A step of a plan is led as a fitter would, without the detours of a random search.
+  scenario.parameters.try_emplace(ParameterId::Smoothing, kUsualShortcuts);
   return editEach(bodyIdsOf(gone), removeBody, scenario);
 }
 
 DemandedMotion motionOfRun(const std::vector<RigidBody>& bodies, const std::vector<PathPoint>& path,
-                           const std::string& planner) {
-  // Samples in contact are drawn about the object in the hand.
-  const bool steered = std::any_of(path.begin(), path.end(), [](const PathPoint& point) {
-    return point.author != Author::Computer || point.segmentAuthor != Author::Computer;
-  });
-  DemandedMotion motion{{}, {}, steered || planner.empty() ? kByHand : planner};
+                           const PathProvenance& provenance) {
+  const bool byHand = provenance.steered || isSteered(path) || provenance.planner.empty();
+  DemandedMotion motion{{}, {}, byHand ? kByHand : provenance.planner};
   for (const RigidBody& body : bodies) motion.bodies.push_back(body.id);
   const Pose X_WA = bodies.size() == 1 ? bodies.front().X_WB : Pose::translation(middleOf(bodies));  // assembled
   const Pose X_OA = inverse(path.front().q) * X_WA;

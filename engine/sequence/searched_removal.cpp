@@ -9,7 +9,7 @@
 namespace glissade {
 namespace {
 
-/// Attempts to shorten a path: about as many as a path has configurations.
+/// Attempts to shorten a path.
 constexpr int kShortcuts = 100;
 /// A step counts as so many pairs of the kernel.
 constexpr std::uint64_t kStepWork = 50;

@@ -260,6 +260,7 @@ void SessionCore::stopClock() {
 /// Where smoothing fails, the path is delivered as it was planned.
 void SessionCore::deliverPath(const StopToken& stop) {
   planned_ = std::make_shared<const Path>(*planner_->path());
+  provenance_.steered = isSteered(planned_->points);
   auto why = guarded("smoothing the path",
                      [&] { smoothPath(parameters_.integer(ParameterId::Smoothing), withTimeLimit(stop)); });
   if (!why) return;

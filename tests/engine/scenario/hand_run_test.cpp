@@ -88,7 +88,7 @@ TEST(HandRun, HasAGroupInTheHandAboutItsMiddle) {
   // The path of the group is that of the frame at the middle of its box, which has the world's orientation.
   const Pose moved = Pose::translation({0.0, 0.4, 0.1}) * run.problem.start;
   const DemandedMotion motion =
-      motionOfRun(run.objectBodies, {{run.problem.start, Author::Computer}, {moved, Author::Operator}}, "auto");
+      motionOfRun(run.objectBodies, {{run.problem.start, Author::Computer}, {moved, Author::Operator}}, {"auto"});
   EXPECT_EQ(motion.bodies, (std::vector<std::string>{"left", "base"}));
   EXPECT_LT((motion.path.front().q.position - Vector3(-0.15, 0.0, 0.0)).norm(), 1e-12);
   EXPECT_LT((motion.path.back().q.position - Vector3(-0.15, 0.4, 0.1)).norm(), 1e-12);
@@ -115,7 +115,7 @@ TEST(HandRun, ThePathOfTheObjectIsTheMotionOfTheBody) {
   const Pose X_BO{{0.02, 0.0, 0.01}, fromRollPitchYaw(0.3, 0.0, 0.0)};
   const Pose there{{0.3, 0.5, 0.0}, fromRollPitchYaw(0.0, 0.4, 1.0)};
   const DemandedMotion motion =
-      motionOfRun({body}, {{body.X_WB * X_BO, Author::Computer}, {there * X_BO, Author::Operator}}, "contact-birrt");
+      motionOfRun({body}, {{body.X_WB * X_BO, Author::Computer}, {there * X_BO, Author::Operator}}, {"contact-birrt"});
   EXPECT_EQ(motion.bodies, std::vector<std::string>{"right"});
   EXPECT_EQ(motion.method, kByHand);
   EXPECT_EQ(motion.path.front().q, body.X_WB);
@@ -123,7 +123,8 @@ TEST(HandRun, ThePathOfTheObjectIsTheMotionOfTheBody) {
   EXPECT_LT(motion.path.back().q.orientation.angularDistance(there.orientation), 1e-7);
   EXPECT_EQ(motion.path.back().author, Author::Operator);
   const std::vector<PathPoint> alone{{body.X_WB, Author::Computer}, {there, Author::Computer}};
-  EXPECT_EQ(motionOfRun({body}, alone, "auto").method, "auto") << "no hand has moved it";
+  EXPECT_EQ(motionOfRun({body}, alone, {"auto"}).method, "auto") << "no hand has moved it";
+  EXPECT_EQ(motionOfRun({body}, alone, {"interactive", 1, true}).method, kByHand) << "smoothed since";
 }
 
 }  // namespace
