@@ -5,6 +5,7 @@
 
 #include "app/window/sequence_controller.h"
 #include "app/window/sequence_edits.h"
+#include "engine/planning/smoothing/shortcuts.h"
 #include "engine/scenario/hand_run.h"
 #include "engine/sequence/demand_conflicts.h"
 #include "engine/sequence/demand_edits.h"
@@ -63,7 +64,7 @@ void SequenceHand::noteBegun() {
   } else {
     run_->begun = true;
     bench_.document.semantics().select({});  // the marks of what blocks the part would hide it in the hand
-    bench_.scene.widget()->setFocus();  // of the keys that move it
+    bench_.scene.widget()->setFocus();       // of the keys that move it
     sequence_.panel()->setNotice(
         tr("You move %1 by hand, among the parts that are present at its step. Start (F5) begins a run. Its certified "
            "path becomes the step.")
@@ -78,10 +79,19 @@ void SequenceHand::followDocument(Changes what) {
     run_.reset();
     sequence_.panel()->setNotice({});
   } else if ((what & Change::Results) && run_->begun && bench_.document.results().path) {
-    // The session that announces the path ends when it is taken.
-    QMetaObject::invokeMethod(this, &SequenceHand::takePath, Qt::QueuedConnection);
+    followPath();
   }
   enableActions();
+}
+
+void SequenceHand::followPath() {
+  if (bench_.document.results().smoothed) {
+    // The session that announces the path ends when it is taken.
+    QMetaObject::invokeMethod(this, &SequenceHand::takePath, Qt::QueuedConnection);
+  } else if (!run_->smoothing) {
+    run_->smoothing = true;
+    bench_.session.post(command::SmoothPath{kUsualShortcuts});
+  }
 }
 
 /// A person has undone the scenario of the run.

@@ -12,8 +12,8 @@ namespace glissade {
 class SequenceController;
 
 /// A step by hand: what leaves in a step, a part or a group, in the hand, among the parts that are there at that step,
-/// as a run like any other. The scenario of the run is a temporary one; its first certified path becomes the motion of
-/// the step, and the temporary scenario ends.
+/// as a run like any other. The scenario of the run is a temporary one; its first certified path is smoothed, because a
+/// fitter makes no detours, and becomes the motion of the step, and the temporary scenario ends.
 class SequenceHand final : public QObject {
   Q_OBJECT
 
@@ -30,11 +30,13 @@ class SequenceHand final : public QObject {
     std::vector<std::string> bodies;  ///< ids; the first one names the step
     std::optional<std::size_t> step;  ///< of the plan; nothing: the part was stuck
     bool begun = false;               ///< the document has the run's scenario
+    bool smoothing = false;           ///< its path is smoothed
   };
 
   void begin();
   void noteBegun();
   void followDocument(Changes what);
+  void followPath();
   void followUndo();
   void takePath();
   /// Ends the scenario of the run; then `then` is called.

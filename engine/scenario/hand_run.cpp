@@ -4,7 +4,6 @@
 #include <map>
 #include <set>
 
-#include "engine/planning/smoothing/shortcuts.h"
 #include "engine/product/fit_edits.h"
 #include "engine/scenario/assembly_edits.h"
 #include "engine/scenario/object_geometry.h"
@@ -100,8 +99,6 @@ Outcome prepareHandRun(const std::vector<std::string>& moving, const std::vector
   turnAbout(middleOf(bodies), loaded, scenario);
   markThreads(joints, moving, gone, scenario.fits);
   scenario.goal = GoalOut{};
-  // A step of a plan is led as a fitter would, without the detours of a random search.
-  scenario.parameters.try_emplace(ParameterId::Smoothing, kUsualShortcuts);
   return editEach(bodyIdsOf(gone), removeBody, scenario);
 }
 

@@ -11,7 +11,7 @@ namespace glissade {
 /// Makes of a product's scenario the question of one step: the bodies `moving` leave as one, those of `gone` are not
 /// there any more. What moves turns about the middle of its bounding box, as groups of a product's bodies do. Both by
 /// id of rigid bodies. `loaded` is the same scenario, loaded. `joints`: of the step; the threads that it turns out of
-/// are marked in the run, too, where a person says nothing of them. The path of the run is smoothed. Errors, Usage: a body that moves, or one that is
+/// are marked in the run, too, where a person says nothing of them. Errors, Usage: a body that moves, or one that is
 /// gone, is one of several links or parts that the scenario holds as one body.
 Outcome prepareHandRun(const std::vector<std::string>& moving, const std::vector<std::string>& gone,
                        const LoadedScenario& loaded, const std::vector<StepJoint>& joints, Scenario& scenario);

@@ -2,8 +2,8 @@
 
 #include "engine/base/random_stream.h"
 #include "engine/planning/automatic/automatic_planner.h"
+#include "engine/planning/automatic/straight_end.h"
 #include "engine/planning/smoothing/shortcuts.h"
-#include "engine/planning/smoothing/straight_end.h"
 #include "engine/planning/threaded_planner.h"
 
 namespace glissade {

@@ -6,11 +6,11 @@
 #include "engine/base/cpu_time.h"
 #include "engine/base/overloaded.h"
 #include "engine/planning/automatic/portfolio_report.h"
+#include "engine/planning/automatic/straight_end.h"
 #include "engine/planning/coarse/coarse_plan_report.h"
 #include "engine/planning/coarse/scene_knowledge.h"
 #include "engine/planning/contact/interaction_report.h"
 #include "engine/planning/smoothing/shortcuts.h"
-#include "engine/planning/smoothing/straight_end.h"
 #include "engine/session/start_check.h"
 
 namespace glissade {

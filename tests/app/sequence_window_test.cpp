@@ -134,7 +134,7 @@ TEST_F(SequenceWindow, AStepIsMovedByHandAndItsPathComesBack) {
   expectGood(run(turn, QStringLiteral("plan-sequence all\nexpect-sequence steps 1\nshow-step 1\n"
                                       "action sequence.by-hand\nexpect-sequence end none\naction sequence.leave-hand\n"
                                       "expect-sequence steps 1\nshow-step 1\naction sequence.by-hand\n"
-                                      "action run.start\nwait solved 20000\n"
+                                      "action run.start\nwait solved 20000\nsteps 1\n"
                                       "expect-sequence end complete\nexport-sequence %1\n"
                                       "action edit.undo\nexpect-row 1 certified\n")
                            .arg(file("hand.json"))));
@@ -177,7 +177,7 @@ TEST_F(SequenceWindow, AGroupIsMovedByHandAndItsPathComesBack) {
   expectGood(run(file("group.json"), QStringLiteral("plan-sequence all\nexpect-sequence steps 2\nexpect-row 2 right\n"
                                                     "show-step 2\naction sequence.by-hand\n"
                                                     "expect-sequence end none\naction run.start\n"
-                                                    "wait solved 20000\nexpect-sequence end complete\n"
+                                                    "wait solved 20000\nsteps 1\nexpect-sequence end complete\n"
                                                     "expect-sequence steps 2\nexport-sequence %1\n")
                                          .arg(file("group-plan.json"))));
   QProcess check;

@@ -11,7 +11,8 @@ namespace glissade {
 /// of the object's large faces, both ways, no two alike. Unit vectors in the world frame.
 std::vector<Vector3> likelyDirections(const Problem& problem);
 
-/// Metres from a position of the object along a direction (unit) until the object's ball is clear of the obstacles' box.
+/// Metres from a position of the object along a direction (unit) until the object's ball is clear of the obstacles'
+/// box.
 double distanceOut(const Problem& problem, const Vector3& from, const Vector3& direction);
 
 /// Indices of the obstacles that stop the object first on its way straight out along the likely directions, ascending.

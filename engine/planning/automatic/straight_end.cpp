@@ -1,4 +1,4 @@
-#include "engine/planning/smoothing/straight_end.h"
+#include "engine/planning/automatic/straight_end.h"
 
 #include "engine/planning/automatic/straight_ways_out.h"
 #include "engine/planning/path_certificate.h"
