@@ -68,6 +68,21 @@ osg::ref_ptr<osg::Geometry> makeLines(const osg::ref_ptr<osg::Vec3Array>& points
   return geometry;
 }
 
+void addSeenThrough(const std::function<osg::ref_ptr<osg::Geometry>(float opacity)>& make, osg::Geode& geode) {
+  geode.addDrawable(make(1.0F));
+  osg::ref_ptr<osg::Geometry> hidden = make(kSeenThrough);
+  hidden->getOrCreateStateSet()->setAttributeAndModes(new osg::Depth(osg::Depth::GREATER, 0.0, 1.0, false));
+  geode.addDrawable(hidden);
+}
+
+void addLinesSeenThrough(const std::vector<Vector3>& points, LineKind kind, const osg::Vec4& colour, float width,
+                         osg::Geode& geode) {
+  const auto make = [&](float opacity) {
+    return makeLines(points, kind, osg::Vec4(colour.r(), colour.g(), colour.b(), opacity * colour.a()), width);
+  };
+  addSeenThrough(make, geode);
+}
+
 osg::ref_ptr<osg::Geometry> makePoints(const std::vector<Vector3>& points, const osg::Vec4& colour, float size) {
   osg::ref_ptr<osg::Geometry> geometry = makeLines(points, LineKind::Segments, colour, 1.0F);
   geometry->removePrimitiveSet(0);

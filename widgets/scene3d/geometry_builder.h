@@ -3,6 +3,8 @@
 #include <osg/Geode>
 #include <osg/Geometry>
 #include <osg/ref_ptr>
+
+#include <functional>
 #include <vector>
 
 #include "engine/geometry/triangle_mesh.h"
@@ -23,6 +25,14 @@ osg::ref_ptr<osg::Geometry> makeLines(const std::vector<Vector3>& points, LineKi
 /// The same of points that are shared.
 osg::ref_ptr<osg::Geometry> makeLines(const osg::ref_ptr<osg::Vec3Array>& points, LineKind kind,
                                       const osg::Vec4& colour, float width);
+
+/// Opacity of what bodies hide, where it is seen through them.
+inline constexpr float kSeenThrough = 0.4F;
+/// What is fainter where a body hides it. Its parent is transparent.
+void addSeenThrough(const std::function<osg::ref_ptr<osg::Geometry>(float opacity)>& make, osg::Geode& geode);
+/// Lines of makeLines(), the same.
+void addLinesSeenThrough(const std::vector<Vector3>& points, LineKind kind, const osg::Vec4& colour, float width,
+                         osg::Geode& geode);
 
 /// Points of a size in pixels.
 osg::ref_ptr<osg::Geometry> makePoints(const std::vector<Vector3>& points, const osg::Vec4& colour, float size);

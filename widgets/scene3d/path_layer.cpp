@@ -26,26 +26,8 @@ constexpr float kRimOpacity = 0.55F;
 /// Of the object where a path is blocked.
 constexpr std::size_t kBlockedGhosts = 7;
 constexpr float kFaded = 0.45F;
-/// Opacity of the part of a path that bodies hide.
-constexpr float kHiddenPath = 0.4F;
 /// Of the ball at the tightest place, in radii of the tube.
 constexpr double kTightestBall = 2.5;
-
-/// A line that is fainter where a body hides it.
-void addSeenThrough(const std::function<osg::ref_ptr<osg::Geometry>(float opacity)>& make, osg::Geode& geode) {
-  geode.addDrawable(make(1.0F));
-  osg::ref_ptr<osg::Geometry> hidden = make(kHiddenPath);
-  hidden->getOrCreateStateSet()->setAttributeAndModes(new osg::Depth(osg::Depth::GREATER, 0.0, 1.0, false));
-  geode.addDrawable(hidden);
-}
-
-void addLines(const std::vector<Vector3>& points, LineKind kind, const osg::Vec4& colour, float width,
-              osg::Geode& geode) {
-  const auto make = [&](float opacity) {
-    return makeLines(points, kind, osg::Vec4(colour.r(), colour.g(), colour.b(), opacity * colour.a()), width);
-  };
-  addSeenThrough(make, geode);
-}
 
 /// Where each sample is between the tightest place and the widest, by the logarithm of its clearance.
 std::vector<double> sharesOf(const ClearanceProfile& profile) {
@@ -93,7 +75,7 @@ void addByAuthor(const Path& path, float width, osg::Geode& geode) {
   }
   for (std::size_t i = 0; i < segments.size(); ++i) {
     if (segments[i].empty()) continue;
-    addLines(segments[i], LineKind::Segments, toOsg(authorColour(static_cast<Author>(i))), width, geode);
+    addLinesSeenThrough(segments[i], LineKind::Segments, toOsg(authorColour(static_cast<Author>(i))), width, geode);
   }
 }
 
@@ -135,7 +117,7 @@ osg::ref_ptr<osg::Geode> makeSpatialWay(const PathPicture& picture, const SceneP
   std::vector<TubePoint> points = tubePointsOf(picture, palette);
   if (points.empty()) return way;
   way->addDrawable(makeTube(points, picture.tubeRadius));
-  for (TubePoint& point : points) point.colour.a() *= kHiddenPath;
+  for (TubePoint& point : points) point.colour.a() *= kSeenThrough;
   addHidden(makeTube(points, picture.tubeRadius), *way);
   if (!hasProfile(picture)) return way;
   const Pose& tightest = picture.profile->samples[*picture.profile->tightest()].q;
@@ -143,7 +125,7 @@ osg::ref_ptr<osg::Geode> makeSpatialWay(const PathPicture& picture, const SceneP
       transformed(makeSphere(kTightestBall * picture.tubeRadius, 2), Pose::translation(tightest.position)));
   osg::Vec4 colour = clearanceColour(0.0);
   way->addDrawable(makeSurface(ball, colour));
-  colour.a() *= kHiddenPath;
+  colour.a() *= kSeenThrough;
   addHidden(makeSurface(ball, colour), *way);
   return way;
 }
@@ -176,7 +158,7 @@ osg::ref_ptr<osg::Group> makePath(const PathPicture& picture, const ScenePalette
   } else if (hasProfile(picture)) {
     addByClearance(*picture.profile, width, *lines);
   } else {
-    addLines(way, LineKind::Strip, palette.path, width, *lines);
+    addLinesSeenThrough(way, LineKind::Strip, palette.path, width, *lines);
   }
   osg::ref_ptr<osg::Group> group = new osg::Group;
   lines->setNodeMask(kWindowOnly);

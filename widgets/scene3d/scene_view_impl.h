@@ -156,8 +156,9 @@ struct SceneView::Impl {
 
   osg::ref_ptr<osg::Geode> makeWay() const {
     osg::ref_ptr<osg::Geode> geode = new osg::Geode;
-    geode->addDrawable(makeLines(sequence.way, LineKind::Strip, palette.path, 2.5F * palette.pixelScale));
+    addLinesSeenThrough(sequence.way, LineKind::Strip, palette.path, 2.5F * palette.pixelScale, *geode);
     makeUnlit(*geode);
+    makeTransparent(*geode);
     return geode;
   }
 
