@@ -72,7 +72,8 @@ RemovalAnswer MotionTrial::search(const BodyGroup& group, const BodySet& present
     if (std::holds_alternative<Removed>(lines) && mayLeave(lines)) return lines;
   }
   const std::uint64_t work = kSearchWork[static_cast<std::size_t>(effort - 1)];
-  RemovalAnswer searched = searched_.tryRemoval(group, present, work, stop);
+  const auto mayLeaveTo = [&](const Vector3& direction) { return mayLeaveIn(direction, group); };
+  RemovalAnswer searched = searched_.tryRemoval(group, present, work, stop, mayLeaveTo);
   return mayLeave(searched) ? searched : Refused{};
 }
 
