@@ -29,9 +29,9 @@ case "$out" in /*) ;; *) out=$caller/$out ;; esac
 programs=(collision nearest_neighbours octree growth)
 studies=(automatic public-problems made-problems)
 
-packaging/setup.sh build run bench
+packaging/setup.sh build run test bench
 # shellcheck disable=SC2086
-packaging/build.sh release glissade-cli glissade-import "${programs[@]/%/_benchmark}" six_axes_comparison generate-made-problems -- -DGLISSADE_BENCHMARKS=ON
+packaging/build.sh release glissade-cli glissade-import "${programs[@]/%/_benchmark}" six_axes_comparison generate-made-problems work_ratchet -- -DGLISSADE_BENCHMARKS=ON
 
 mkdir -p "$out"
 : >"$out/commands.txt"
@@ -55,6 +55,16 @@ for program in "${programs[@]}"; do
   fi
   measure "${program}_benchmark" "${options[@]}"
 done
+
+# The work of more problems, seeds and products than the tests count, beside what the project has recorded of them.
+ratchet=tests/ratchet
+seeds=3
+[ -z "$quick" ] || seeds=1
+echo "work_ratchet cases.txt, benchmark_cases.txt >OUT/work.txt" | tee -a "$out/commands.txt"
+build/release/bin/work_ratchet $ratchet/cases.txt $ratchet/work.csv build/release/bin samples \
+  build/release/tests/step_files/files build/release/$ratchet/made ../shared/problems/omplapp \
+  build/release/tests/ratchet/libglissade_heap_count.so --more $ratchet/benchmark_cases.txt \
+  --seeds "$seeds" >"$out/work.txt" || cat "$out/work.txt"
 
 if [ -n "$products" ]; then
   mapfile -t files < <(find "$products" -maxdepth 1 \( -name '*.st*p' -o -name '*.json' \) | sort)

@@ -17,8 +17,7 @@ done
 log=build/$preset.log
 mkdir -p build
 echo "building $preset (log: $log)"
-defaults=(-DGLISSADE_UNITY=ON -DGLISSADE_PRECOMPILE=ON -DGLISSADE_TESTS=ON -DGLISSADE_BENCHMARKS=OFF
-  -DGLISSADE_SANITIZER_TESTS=ON)
+defaults=(-DGLISSADE_UNITY=ON -DGLISSADE_PRECOMPILE=ON -DGLISSADE_TESTS=ON -DGLISSADE_BENCHMARKS=OFF)
 if ! { cmake --preset "$preset" "${defaults[@]}" "$@" &&
        cmake --build "build/$preset" "${targets[@]}"; } >"$log" 2>&1; then
   grep -nE 'error|CMake Error|FAILED' "$log" | head -n 20 >&2 || true

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs everything that attacks Glissade, and writes what it came to as a table: packaging/RELIABILITY.md.
+# Runs everything that attacks Glissade, and writes the results as a table. packaging/RELIABILITY.md is a summary of them.
 # Takes hours; --quick, some minutes. Rows are kept in build/reliability/COMMIT and not run again for that commit, so
 # that the command can be interrupted, and rows can be run one by one. The table names rows that were not run.
 # usage: packaging/reliability.sh [--quick] [--seed N] [--fuzz-seconds N] [--only PATTERN] [--out FILE] [--work DIR]
@@ -16,7 +16,7 @@ usage() {
   sed -n '/^# usage: /,/^#  /s/^# //p' "$0" >&2
   exit 2
 }
-quick='' seed=1 fuzz_seconds='' out=packaging/RELIABILITY.md build=yes work='' only='' list=''
+quick='' seed=1 fuzz_seconds='' out=build/reliability/table.md build=yes work='' only='' list=''
 while [ $# -gt 0 ]; do
   case "$1" in
     --quick) quick=--quick ;;
@@ -33,17 +33,17 @@ while [ $# -gt 0 ]; do
 done
 
 if [ -n "$quick" ]; then
-  variants=20 truncations=20 paths=300 mutations=2000 default_fuzz_seconds=10 kills=100 sessions=100 soak_minutes=1 trapped=60 mutants=400
+  variants=20 truncations=20 paths=300 mutations=2000 default_fuzz_seconds=10 kills=100 sessions=100 soak_minutes=1 trapped=60 mutants=400 shape_mutants=100
 else
-  variants=200 truncations=1000000 paths=10000 mutations=80000 default_fuzz_seconds=600 kills=1000 sessions=1000 soak_minutes=20 trapped=1000 mutants=10000
+  variants=200 truncations=1000000 paths=10000 mutations=80000 default_fuzz_seconds=600 kills=1000 sessions=1000 soak_minutes=20 trapped=1000 mutants=10000 shape_mutants=500
 fi
 : "${fuzz_seconds:=$default_fuzz_seconds}"
 
 # The commit that is tried; with what was changed since.
 commit=$(git rev-parse --short HEAD 2>/dev/null || echo unknown)
-[ -z "$(git status --porcelain -- . ':!packaging/RELIABILITY.md' 2>/dev/null)" ] || commit=$commit-changed
+[ -z "$(git status --porcelain 2>/dev/null)" ] || commit=$commit-changed
 [ -n "$work" ] || work=$PWD/build/reliability/$commit$quick
-mkdir -p "$work"
+mkdir -p "$work" "$(dirname "$out")"
 export LC_ALL=C.UTF-8
 
 release=build/release/bin
@@ -103,9 +103,19 @@ words() {
   tests "words of a person in sessions" "$release/words_test" '*'
 }
 
+shape_mutants() {
+  export GLISSADE_SHAPE_MUTANTS=$shape_mutants GLISSADE_SHAPE_SEED=$seed
+  tests "bodies that go from STEP files" "$release/import_test" 'StepShapeMutants.*'
+}
+
 forbidden_samples() {
   export GLISSADE_FORBIDDEN=all
   tests "forbidden places of samples" "$release/forbidden_samples_test" '*'
+}
+
+forbidden_directions() {
+  export GLISSADE_FORBIDDEN=all
+  tests "forbidden directions" "$release/check_test" 'HullClearance.*:KeptDirections.*'
 }
 
 saves() { GLISSADE_SAVE_KILLS=$kills GLISSADE_SAVE_SEED=$seed "$release/save_reliability_test"; }
@@ -139,6 +149,10 @@ campaign "trapped parts that have lost faces" "$release/check_attack" \
   "$release/check_attack" open "$release/glissade-cli" "$work/open" "$seed" "$((trapped / 4))"
 campaign "mutated paths and plans" "$release/check_attack" \
   "$release/check_attack" mutants "$release/glissade-cli" "$work/mutants" "$seed" "$mutants"
+campaign "plans with words of their own" "$release/check_attack" \
+  "$release/check_attack" words "$release/glissade-cli" "$work/plan-words" build/release/tests/step_files/files/fits.step \
+  "$seed" "$mutants"
+campaign "bodies that go from STEP files" "$release/import_test" shape_mutants
 campaign "system calls of importers" "$release/confinement_test" \
   tests "system calls of importers" "$release/confinement_test" 'SystemCalls.*:Confinement.*'
 campaign "exceptions in the window" "$release/window_exceptions_test" \
@@ -150,6 +164,7 @@ campaign "words of a person in sessions" "$release/words_test" words
 campaign "forbidden places in every strategy" "$release/forbidden_places_test" \
   tests "forbidden places in every strategy" "$release/forbidden_places_test" '*'
 campaign "forbidden places of samples" "$release/forbidden_samples_test" forbidden_samples
+campaign "forbidden directions" "$release/check_test" forbidden_directions
 campaign "soak" "$release/session_soak" packaging/soak.sh --minutes "$soak_minutes" --seed "$seed"
 [ -z "$list" ] || exit 0
 
@@ -170,11 +185,11 @@ table() {
   echo
   echo "\`packaging/reliability.sh${quick:+ $quick}\` wrote this table on $(date -u +%F) for commit $commit."
   echo "A row is one campaign. A defect is a crash, a signal, exit code 70, a hang, memory over the limit, a refusal"
-  echo "without a message, triangles that are missing without a warning, a certified path that penetrates, a false path or"
-  echo "plan that is called valid, a refusal that names nothing, or a file that a save loses. Seconds are summed over the processes of a campaign; MB are the largest of one process."
+  echo "without a message, triangles or bodies that are missing without a warning, a certified path that penetrates, a false path or"
+  echo "plan that is called valid, a plan that is called valid by its own words, a refusal that names nothing, or a file that a save loses. Seconds are summed over the processes of a campaign; MB are the largest of one process."
   echo "*Malformed* are seeded changes of a sound file, *truncated* are all of its beginnings; both are given to"
   echo "\`glissade-cli\`. *In memory* means: to the reader itself, built with the address sanitizer."
-  echo "What the campaigns do is in \`tests/oracle\`, \`tests/reliability\`, \`tests/fuzz\` and the scripts beside this file."
+  echo "What the campaigns do is in \`tests/oracle\`, \`tests/reliability\`, \`tests/fuzz\` and the scripts in \`packaging\`."
   echo
   echo "| what | tried | clean | defects | seconds | peak MB | seed |"
   echo "| --- | ---: | ---: | ---: | ---: | ---: | ---: |"

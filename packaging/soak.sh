@@ -4,7 +4,7 @@
 # Two soaks run at the same time: the window offscreen by a script (open, plan, stop, edit, undo, plan again, replay,
 # export, save, open the copy), and sessions with their threads. Each writes a line a cycle: seconds, resident
 # megabytes, resident megabytes after free memory was given back to the system, megabytes that are allocated. Slopes
-# are least-squares lines through the last two columns over the second half (means of cycles that come again). Prints a row of packaging/RELIABILITY.md for each soak:
+# are least-squares lines through the last two columns over the second half (means of cycles that come again). Prints a row of the table of packaging/reliability.sh for each soak:
 #   name | tried (cycles) | clean | defects | seconds | peak MB | seed
 # The slope of resident memory has a standard error near 1 MB/h in 20 minutes, since pages come and go; that of the
 # memory that is allocated is exact. Fails where allocated memory grows by more than 1 MB/h, where resident memory does

@@ -1,7 +1,7 @@
 # Sources of one folder are compiled together, some at a time, which takes less than half of the compiler's time from
 # nothing. It needs different names for what is local to the sources of a folder.
 
-# glissade_compile_together(TARGET): gives every source of a target a group of its folder, of at most 16 sources.
+# glissade_compile_together(TARGET): gives every source of a target a group of its folder, of at most 24 sources.
 function(glissade_compile_together target)
   get_target_property(sources ${target} SOURCES)
   get_target_property(source_dir ${target} SOURCE_DIR)
@@ -21,7 +21,7 @@ function(glissade_compile_together target)
   set(units 0)
   foreach(folder IN LISTS folders)
     list(LENGTH sources_of_${folder} count)
-    math(EXPR groups "(${count} + 15) / 16")
+    math(EXPR groups "(${count} + 23) / 24")
     math(EXPR units "${units} + ${groups}")
     math(EXPR size "(${count} + ${groups} - 1) / ${groups}")
     set(position 0)
@@ -35,7 +35,8 @@ function(glissade_compile_together target)
   # GCC takes the sources of a group for headers, whose types must not be local.
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
   # A precompiled header takes as long as it saves in four or five units.
-  if(units LESS 8)
+  get_target_property(shared ${target} PRECOMPILE_HEADERS_REUSE_FROM)
+  if(units LESS 8 AND NOT shared AND NOT target STREQUAL glissade_test_headers)
     set_target_properties(${target} PROPERTIES DISABLE_PRECOMPILE_HEADERS ON)
   endif()
 endfunction()

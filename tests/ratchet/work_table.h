@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "tests/ratchet/work.h"
+
+namespace glissade::ratchet {
+
+/// The table as CSV: a row for each case, sorted by family, name and seed.
+std::string writeTable(std::vector<WorkRow> rows);
+
+/// Errors: MalformedInput with the line.
+Result<std::vector<WorkRow>> readTable(const std::string& text, const std::string& file);
+
+/// A family's geometric mean may rise by this factor, and a single case by the larger one.
+inline constexpr double kMostOfFamily = 1.05;
+inline constexpr double kMostOfCase = 1.5;
+
+/// What has risen by more than it may, one sentence for each; cases of `now` without a row in `before`, and rows whose
+/// measures are others, are named, too. Rows of `before` that were not carried out do not count.
+std::vector<std::string> risen(const std::vector<WorkRow>& before, const std::vector<WorkRow>& now);
+
+/// The table after a change: rows whose values differ are replaced and carry the reason, new ones are added.
+std::vector<WorkRow> recorded(const std::vector<WorkRow>& before, const std::vector<WorkRow>& now,
+                              const std::string& reason);
+
+}  // namespace glissade::ratchet
