@@ -43,14 +43,14 @@ Json toJson(const MotionAccess& motion, const std::vector<RigidBody>& bodies) {
   return json;
 }
 
-std::string percent(double share) { return std::to_string(static_cast<int>(std::floor(100.0 * share))) + " %"; }
+std::string wholePercent(double share) { return std::to_string(static_cast<int>(std::floor(100.0 * share))) + " %"; }
 
 std::string handInWords(const HandAnswer& hand, const std::vector<RigidBody>& bodies) {
   const std::string by = hand.blockedBy ? " by '" + bodies[*hand.blockedBy].shown() + "'" : "";
   switch (hand.access) {
     case HandAccess::Free: return "the hand gets there";
     case HandAccess::Blocked:
-      return "the hand is blocked" + by + ", " + percent(hand.share) + " of the way from the place";
+      return "the hand is blocked" + by + ", " + wholePercent(hand.share) + " of the way from the place";
     case HandAccess::NoGrip: return "no place of it fits into one hand";
     case HandAccess::NotAsked: break;
   }
@@ -58,12 +58,12 @@ std::string handInWords(const HandAnswer& hand, const std::vector<RigidBody>& bo
 }
 
 std::string sightInWords(const SightAnswer& sight, const std::vector<RigidBody>& bodies) {
-  std::string text = percent(sight.share) + " of the place is seen";
+  std::string text = wholePercent(sight.share) + " of the place is seen";
   if (!sight.isSeen() && sight.blockedBy) text += ", hidden by '" + bodies[*sight.blockedBy].shown() + "'";
   return text;
 }
 
-std::string inWords(const MotionAccess& motion, const std::vector<RigidBody>& bodies) {
+std::string accessInWords(const MotionAccess& motion, const std::vector<RigidBody>& bodies) {
   std::string text = handInWords(motion.hand, bodies);
   if (motion.tool != ToolKind::None) text += " with the tool (" + std::string(toolName(motion.tool)) + ")";
   return text + "; " + sightInWords(motion.sight, bodies);
@@ -100,7 +100,7 @@ int accessOfPath(const AccessOptions& options, const StopToken& stop) {
     json["access"] = handAccessName(access->motion.hand.access);
     printJson(json);
   } else {
-    std::cout << inWords(access->motion, bodies) << "\n" << kSampled << "\n";
+    std::cout << accessInWords(access->motion, bodies) << "\n" << kSampled << "\n";
   }
   return accessExitCode(access->motion.isReachedAndSeen());
 }
@@ -110,7 +110,7 @@ void printLine(const LineAccess& access, const std::vector<AssemblyStep>& steps,
                const std::vector<SubassemblyLine>& lines, const std::string& group, const AssembledProduct& product) {
   for (std::size_t i = 0; i < steps.size(); ++i) {
     std::cout << std::setw(4) << stepNumber(steps.size() - 1 - i, group) << "  " << nameOfStep(steps[i], product)
-              << ": " << inWords(access.steps[i], product.bodies) << "\n";
+              << ": " << accessInWords(access.steps[i], product.bodies) << "\n";
   }
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::string number = stepNumber(steps.size() - lines[i].step, group);

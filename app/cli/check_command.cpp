@@ -11,6 +11,8 @@
 #include "engine/check/read_path.h"
 #include "engine/check/read_question.h"
 #include "engine/check/verdict_report.h"
+#include "engine/scenario/forbidden_places_of.h"
+#include "engine/scenario/scenario_io.h"
 
 namespace glissade::cli {
 namespace {
@@ -37,12 +39,6 @@ class CheckProgress {
   int percent_ = -1;
 };
 
-StopToken limited(const StopToken& stop, double seconds) {
-  if (seconds <= 0.0) return stop;
-  const std::chrono::duration<double> limit(seconds);
-  return stop.withDeadline(StopToken::Clock::now() + std::chrono::duration_cast<StopToken::Clock::duration>(limit));
-}
-
 /// 0 valid; else why not: what was shown goes before a stop.
 int exitCodeOf(bool valid, bool refused, const Interrupt& interrupt, const StopToken& stop) {
   if (valid) return 0;
@@ -57,10 +53,31 @@ int reportStopped(Diagnostic error, const Interrupt& interrupt, Format format) {
   return reportError(error, format);
 }
 
+/// Forbidden places are found as planners find them, so that none is passed over that the file does not state. Regions
+/// that it states count as well.
+Outcome addForbiddenPlaces(const std::string& file, const StopToken& stop, check::Question& question) {
+  if (!question.forbidsPlaces) return Done{};
+  const auto loaded = loadScenario(file, stop);
+  if (!loaded) return loaded.error();
+  const auto places = forbiddenPlacesOf(*loaded, loaded->scenario, stop);
+  if (!places) return places.error();
+  if (const auto warning = regionsWarning(loaded->scenario, *places, file)) {
+    reportWarnings({*warning});
+    for (const ForbiddenPlace& place : *places) question.forbidden.push_back({place.name, place.boxes});
+  }
+  question.forbidsPlaces = !question.forbidden.empty();
+  return Done{};
+}
+
 int checkPath(const CheckOptions& options, const Interrupt& interrupt, const StopToken& stop) {
   if (!options.without.empty()) {
     return reportError({ErrorKind::Usage, options.scenario, "--without",
                         "is for assembly plans: a path is of a scenario", "Remove the body from the scenario."},
+                       options.format);
+  }
+  if (options.trustPlan) {
+    return reportError({ErrorKind::Usage, options.scenario, "--trust-plan",
+                        "is for assembly plans: a path states no words of a person", "Leave it out."},
                        options.format);
   }
   const auto path = check::readPath(options.path);
@@ -68,6 +85,9 @@ int checkPath(const CheckOptions& options, const Interrupt& interrupt, const Sto
   auto question = check::readQuestion(options.scenario, {options.fits.on, options.fits.acceptedClash}, stop);
   if (!question) return reportStopped(question.error(), interrupt, options.format);
   reportWarnings(question->product.warnings);
+  if (const Outcome found = addForbiddenPlaces(options.scenario, stop, *question); !found) {
+    return reportStopped(found.error(), interrupt, options.format);
+  }
   if (options.requiredClearance) {
     ParameterValues parameters(radiusAboutOrigin(*question->object().mesh));
     const Outcome set = parameters.set(ParameterId::RequiredClearance, *options.requiredClearance);
@@ -103,11 +123,15 @@ int checkPlan(const CheckOptions& options, const Interrupt& interrupt, const Sto
     verdict = check::judgePlan(*product, *plan, options.requiredClearance,
                                {stop, [&](double share) { progress.show(share); }});
   }
+  verdict.planIsTrusted = options.trustPlan;
   if (options.format == Format::Json) {
     printJson(check::reportJson(verdict, *product));
   } else {
     std::cout << check::reportText(verdict, *product);
   }
+  const check::PlanOutcome outcome = verdict.outcome();
+  if (outcome == check::PlanOutcome::Incomplete) return exitCode(ErrorKind::NoPath);
+  if (outcome == check::PlanOutcome::Conditional) return kExitUnderConditions;
   if (verdict.valid() && verdict.stepsWithoutProof() > 0) return kExitWithoutProof;
   return exitCodeOf(verdict.valid(), verdict.refused(), interrupt, stop);
 }
@@ -120,7 +144,7 @@ int runCheck(const CheckOptions& options) {
                        options.format);
   }
   const Interrupt interrupt;
-  const StopToken stop = limited(interrupt.token(), options.timeLimit);
+  const StopToken stop = withTimeLimit(interrupt.token(), options.timeLimit);
   return check::isPlan(options.path) ? checkPlan(options, interrupt, stop) : checkPath(options, interrupt, stop);
 }
 

@@ -14,13 +14,15 @@ struct CheckOptions {
   std::optional<double> requiredClearance;  ///< metres; the scenario's where absent
   FitOptions fits;
   std::vector<std::string> without{};  ///< bodies and assemblies of a plan's product that are left out
+  bool trustPlan = false;              ///< what a plan states itself counts as a person's word
   bool edges = false;                  ///< certificates of every edge
   double timeLimit = 0.0;              ///< seconds; 0: none
   Format format = Format::Text;
 };
 
-/// glissade-cli check: judges a path or an assembly plan (engine/check). Exit code 0 valid, 1 invalid, 5 where the time
-/// limit left it undecided, 6 valid but for flexible bodies, of whose motions nothing is proved, 130 interrupted.
+/// glissade-cli check: judges a path or an assembly plan (engine/check). Exit code 0 valid, 1 invalid or
+/// incomplete, 5 where the time limit left it undecided, 6 valid but for flexible bodies, of whose motions nothing is
+/// proved, 7 valid only under conditions that the plan states itself, 130 interrupted.
 int runCheck(const CheckOptions& options);
 
 }  // namespace glissade::cli

@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "engine/base/file.h"
+#include "engine/planning/coarse/prohibitions.h"
 #include "engine/planning/path_certificate.h"
 #include "engine/scenario/asset_path.h"
 #include "engine/scenario/path_exporter.h"
@@ -45,7 +46,9 @@ int convertPath(const ConvertOptions& options) {
   }
   const auto scenario = loadScenario(options.scenario);
   if (!scenario) return reportError(scenario.error(), options.format);
-  const auto query = scenario->problem.world->makeQuery();
+  const auto kept = keepingOut(scenario->problem);
+  if (!kept) return reportError(kept.error(), options.format);
+  const auto query = kept->world->makeQuery();
   path.certificate = certifyPath(*query, path.points, scenario->parameters);
   return finish(exporter->write(path, *scenario, {}, options.output), options);
 }

@@ -10,6 +10,7 @@
 #include "app/cli/interrupt.h"
 #include "engine/base/number_text.h"
 #include "engine/base/quantity_text.h"
+#include "engine/import/missing_shapes_json.h"
 #include "engine/product/alternatives.h"
 #include "engine/product/fit_table.h"
 #include "engine/scenario/product_file.h"
@@ -55,8 +56,8 @@ Json toJson(const PairFit& row) {
   return json;
 }
 
-void printPairs(const std::vector<PairFit>& rows) {
-  Json json{{"pairs", Json::array()}, {"counts", Json::object()}};
+void printPairs(const std::vector<PairFit>& rows, const MissingShapes& missing) {
+  Json json{{"pairs", Json::array()}, {"counts", Json::object()}, {"missing_shapes", missingShapesJson(missing)}};
   for (const PairFit& row : rows) json["pairs"].push_back(toJson(row));
   for (const auto& [kind, count] : countsByKind(rows)) json["counts"][kind] = count;
   // Names come from files.
@@ -103,7 +104,7 @@ std::string thinnerInWords(const PairFit& row) {
 
 void printTable(const std::vector<PairFit>& rows, std::size_t bodies) {
   std::size_t width = 1;
-  for (const PairFit& row : rows) width = std::max(width, row.a.size());
+  for (const PairFit& row : rows) width = std::max(width, row.shown[0].size());
   std::cout << std::left << std::setw(42) << "kind        gap or overlap" << std::setw(19) << "taken thinner"
             << std::setw(static_cast<int>(width) + 2) << "a"
             << "b\n"
@@ -161,7 +162,7 @@ int runFits(const FitsOptions& options) {
   const std::vector<PairFit>& rows = table->pairs();
   reportWarnings(warningsOf(findAlternatives(product.bodies, interrupt.token()), product.bodies));
   if (options.format == Format::Json) {
-    printPairs(rows);
+    printPairs(rows, loaded->missing);
   } else if (options.csv) {
     printCsv(rows);
   } else {

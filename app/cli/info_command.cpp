@@ -14,6 +14,7 @@
 #include "engine/base/length_units.h"
 #include "engine/base/quantity_text.h"
 #include "engine/geometry/mesh_audit.h"
+#include "engine/import/missing_shapes_json.h"
 #include "engine/scenario/forbidden_places_of.h"
 #include "engine/scenario/part_files.h"
 #include "engine/scenario/product_file.h"
@@ -204,6 +205,10 @@ std::string unitText(const Product& tree) {
   return ", lengths in units of " + inMillimetres(unit);
 }
 
+void printMissing(const MissingShapes& missing) {
+  if (!missing.empty()) std::cout << "\nshapes that are no bodies  " << listOf(missing) << "\n";
+}
+
 /// The bodies of a part file, which has neither an object nor a problem.
 void printProduct(const std::string& file, const AssembledProduct& product) {
   std::cout << file << "\n"
@@ -242,9 +247,12 @@ int runProductInfo(const InfoOptions& options) {
   if (!loaded) return reportError(loaded.error(), options.format);
   reportWarnings(loaded->warnings);
   if (options.format == Format::Json) {
-    printJson(toJson(options.file, loaded->product));
+    Json report = toJson(options.file, loaded->product);
+    report["missing_shapes"] = missingShapesJson(loaded->missing);
+    printJson(report);
   } else {
     printProduct(options.file, loaded->product);
+    printMissing(loaded->missing);
   }
   return 0;
 }
@@ -278,6 +286,7 @@ int runInfo(const InfoOptions& options) {
   }
   if (options.format == Format::Text) {
     printText(*loaded);
+    printMissing(missingShapes(*loaded));
     if (knowledge) printEnvironment(*knowledge, semanticsOf(loaded->problem, *knowledge, loaded->problem.scene.edits));
     return 0;
   }
@@ -287,6 +296,7 @@ int runInfo(const InfoOptions& options) {
   report["description"] = scenario.description;
   report["assets"] = Json::array();
   for (const Asset& asset : scenario.assets) report["assets"].push_back(toJson(asset));
+  report["missing_shapes"] = missingShapesJson(missingShapes(*loaded));
   report["bodies"] = Json::array();
   MeshAudits audits;
   for (const RigidBody& body : loaded->obstacles)

@@ -31,4 +31,7 @@ class Interrupt {
   std::thread waiter_;
 };
 
+/// The token with a deadline in so many seconds; 0 sets none.
+StopToken withTimeLimit(const StopToken& stop, double seconds);
+
 }  // namespace glissade::cli

@@ -39,7 +39,7 @@ std::string rounded(double value, int digits) {
 }
 
 /// "5 mm x 0.8 mm, 9.6 mm engaged"
-std::string inWords(const JointThread& thread) {
+std::string threadInWords(const JointThread& thread) {
   return rounded(1e3 * thread.diameter, 3) + " x " + rounded(1e3 * thread.pitch, 3) + " mm, " +
          rounded(1e3 * thread.engaged, 3) + " mm engaged";
 }
@@ -56,7 +56,7 @@ Cells cellsOf(const Joint& joint, const AssembledProduct& product) {
           product.bodies[joint.body].shown(),
           shownOf(joint.others, product),
           shownOf(joint.clamped, product),
-          joint.thread ? inWords(*joint.thread) : "",
+          joint.thread ? threadInWords(*joint.thread) : "",
           joint.thread ? rounded(joint.thread->turns(), 3) : "",
           driveInWords(joint),
           joined(joint.evidence, "; ")};
@@ -66,6 +66,11 @@ std::map<std::string, int> countsOf(const Joints& joints) {
   std::map<std::string, int> counts;
   for (const Joint& joint : joints) ++counts[jointName(joint.kind)];
   return counts;
+}
+
+/// Screws in bodies that the file has without a hole.
+auto screwHoles(const Joints& joints) {
+  return std::count_if(joints.begin(), joints.end(), [](const Joint& joint) { return joint.makesHole; });
 }
 
 /// Letters, not bytes, of UTF-8.
@@ -97,12 +102,19 @@ void printTable(const Joints& joints, const AssembledProduct& product) {
     separator = ", ";
   }
   std::cout << "\n";
+  const auto holes = screwHoles(joints);
+  const auto doubtful = std::count_if(joints.begin(), joints.end(), [](const Joint& one) { return one.isDoubtful; });
+  if (holes > 0)
+    std::cout << "screws in bodies without a hole in the file, each of which makes its own: " << holes << "\n";
+  if (doubtful > 0)
+    std::cout << "joints whose evidence contradicts itself, for a person to decide (?): " << doubtful << "\n";
 }
 
 void printJoints(const Joints& joints, const AssembledProduct& product) {
   Json json{{"format", "glissade-joints"}, {"version", 1}, {"joints", Json::array()}, {"counts", Json::object()}};
   for (const Joint& joint : joints) json["joints"].push_back(toJson(joint, product));
   for (const auto& [kind, count] : countsOf(joints)) json["counts"][kind] = count;
+  json["screw_holes"] = screwHoles(joints);
   printJson(json);
 }
 

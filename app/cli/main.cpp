@@ -142,6 +142,9 @@ CLI::App* addCheck(CLI::App& app, CheckOptions& options) {
       "Clearance to prove [m] (default: the scenario's)");
   addFitOptions(*check, options.fits, "the scenario's");
   check->add_flag("--edges", options.edges, "Report the certificate of every edge");
+  check->add_flag("--trust-plan", options.trustPlan,
+                  "What the plan states itself counts as a person's word: bends, flexible bodies, units, accepted "
+                  "clashes, demands that are given up");
   addWithout(*check, options.without);
   check->add_option("--time-limit", options.timeLimit, "Time limit in seconds; 0: none")->capture_default_str();
   addFormat(*check, options.format);

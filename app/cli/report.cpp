@@ -7,6 +7,7 @@
 
 #include "engine/base/printable_text.h"
 #include "engine/base/quantity_text.h"
+#include "engine/import/missing_shapes_json.h"
 #include "engine/scenario/certificate_json.h"
 #include "engine/scenario/scenario_fits.h"
 
@@ -68,6 +69,9 @@ std::string inWords(const MotionCertificate& certificate, const CollisionWorld& 
       if (const std::size_t sliding = certificate.slidingEdges(); sliding > 0) {
         text << ", " << sliding << " of " << certificate.edges.size() << " edges slide";
       }
+      if (certificate.forbiddenMargin > 0.0) {
+        text << "; " << inMillimetres(certificate.forbiddenMargin) << " from forbidden places";
+      }
       text << ")";
       break;
     case CertificateStatus::Violated:
@@ -87,12 +91,14 @@ std::string inWords(const MotionCertificate& certificate, const CollisionWorld& 
 void addUncertainties(const LoadedScenario& scenario, const std::vector<PathPoint>& path, Json& certificate) {
   certificate["surface_deviation_m"] = surfaceDeviation(scenario);
   certificate["coordinate_spacing_m"] = coordinateSpacing(scenario);
+  certificate["missing_shapes"] = missingShapesJson(missingShapes(scenario));
   if (!scenario.fits.allowed.empty()) certificate["allowances"] = allowancesJson(scenario, path);
 }
 
 std::string deviationInWords(const LoadedScenario& scenario, const std::vector<PathPoint>& path) {
   std::ostringstream text;
   for (const std::string& allowance : allowancesInWords(scenario, path)) text << "allowance: " << allowance << "\n";
+  if (const MissingShapes missing = missingShapes(scenario); !missing.empty()) text << statementOf(missing) << "\n";
   if (const double deviation = surfaceDeviation(scenario); deviation > 0.0) {
     text << "the certificate is about triangles, which are within +/- " << inMillimetres(deviation)
          << " of the CAD surfaces\n";

@@ -15,6 +15,8 @@ enum class Format { Text, Json };
 
 /// Exit code of a plan that is complete or valid, and whose flexible bodies leave without a proof.
 inline constexpr int kExitWithoutProof = 6;
+/// Exit code of a plan that is valid only under conditions that it states itself.
+inline constexpr int kExitUnderConditions = 7;
 
 /// Prints one JSON document to stdout.
 void printJson(const nlohmann::ordered_json& json);

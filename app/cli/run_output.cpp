@@ -134,6 +134,7 @@ Json toJson(const SessionSnapshot& end, const CollisionWorld& world, bool edges)
   report["contact_configurations"] = counts.contactConfigurations;
   report["collision_queries"] = counts.queries.collision;
   report["distance_queries"] = counts.queries.distance;
+  report["kernel_pairs"] = counts.queries.pairs;
   if (end.path) {
     report["path"] = {{"configurations", end.path->points.size()},
                       {"length_m", end.path->length()},

@@ -11,6 +11,7 @@
 #include "app/cli/interrupt.h"
 #include "engine/base/number_text.h"
 #include "engine/base/quantity_text.h"
+#include "engine/import/missing_shapes_json.h"
 #include "engine/product/alternatives.h"
 #include "engine/product/joint_edits.h"
 #include "engine/product/joint_finder.h"
@@ -286,6 +287,18 @@ void printLines(const std::vector<SubassemblyLine>& lines, std::size_t steps, co
   }
 }
 
+/// Screws in bodies that the file has without a hole.
+std::size_t screwHoles(const std::vector<AssemblyStep>& steps, const std::vector<SubassemblyLine>& lines) {
+  std::size_t holes = 0;
+  for (const AssemblyStep& step : steps) {
+    holes += static_cast<std::size_t>(
+        std::count_if(step.allowances.begin(), step.allowances.end(),
+                      [](const StepAllowance& each) { return each.hollow && each.kind == ContactKind::Thread; }));
+  }
+  for (const SubassemblyLine& line : lines) holes += screwHoles(line.steps, line.lines);
+  return holes;
+}
+
 void printPlan(const AssemblyPlan& plan, const ProgressHost& host, double seconds) {
   if (!plan.staying.empty()) {
     const PlanWords words(Language::English, inMillimetres);
@@ -296,15 +309,20 @@ void printPlan(const AssemblyPlan& plan, const ProgressHost& host, double second
   printStuck(plan.stuck, "", host);
   const std::size_t apart = bodiesApart(plan);
   if (apart < plan.removed()) {
-    std::cout << plan.removed() - apart << " of the parts that leave remain joined in groups\n";
+    std::cout << plan.removed() - apart << " of the parts that leave do so in groups that are not taken apart\n";
   }
   std::cout << plan.removed() << " of " << plan.parts() << " parts leave in " << plan.steps.size() << " steps"
             << certifiedText(plan) << ", computed in " << seconds << " s\n";
+  if (const std::size_t holes = screwHoles(plan.steps, plan.lines); holes > 0) {
+    std::cout << "screws in bodies without a hole in the file, each of which makes its own: " << holes << "\n";
+  }
 }
 
 int exitCodeOf(const AssemblyPlan& plan) {
   switch (plan.end) {
-    case PlanEnd::Complete: return plan.removedWithoutProof() == 0 ? 0 : kExitWithoutProof;
+    case PlanEnd::Complete:
+      if (bodiesApart(plan) < plan.removed()) return exitCode(ErrorKind::NoPath);
+      return plan.removedWithoutProof() == 0 ? 0 : kExitWithoutProof;
     case PlanEnd::Stuck: return exitCode(ErrorKind::NoPath);
     case PlanEnd::TimeLimit: return exitCode(ErrorKind::LimitReached);
     case PlanEnd::Interrupted: break;
@@ -321,13 +339,6 @@ Outcome checkOptions(const SequenceOptions& options) {
     return Diagnostic{ErrorKind::Usage, "", "--time-limit", "is below zero", "Give seconds, 0 for none."};
   }
   return Done{};
-}
-
-StopToken limited(const StopToken& stop, double seconds) {
-  constexpr double kLongest = 1e9;
-  if (seconds <= 0.0) return stop;
-  const std::chrono::duration<double> limit(std::min(seconds, kLongest));
-  return stop.withDeadline(Clock::now() + std::chrono::duration_cast<Clock::duration>(limit));
 }
 
 /// None where the demands use none, or after a stop: a word may be about a joint that was not found any more.
@@ -366,9 +377,11 @@ int deliver(const AssemblyPlan& plan, const ProductFile& loaded, const SequenceO
     nlohmann::ordered_json report = planJson(plan, options.file);
     report["wall_s"] = seconds;
     report["surface_deviation_m"] = loaded.deviation;
+    report["missing_shapes"] = missingShapesJson(loaded.missing);
     printJson(report);
   } else {
     printPlan(plan, host, seconds);
+    if (!loaded.missing.empty()) std::cout << statementOf(loaded.missing) << "\n";
   }
   return exitCodeOf(plan);
 }
@@ -379,7 +392,7 @@ int runSequence(const SequenceOptions& options) {
   if (const Outcome sound = checkOptions(options); !sound) return reportError(sound.error(), options.format);
   const Interrupt interrupt;
   const auto begin = Clock::now();
-  const StopToken stop = limited(interrupt.token(), options.timeLimit);
+  const StopToken stop = withTimeLimit(interrupt.token(), options.timeLimit);
   std::optional<AssemblyPlan> earlier;
   if (!options.resume.empty()) {
     auto read = resumedPlan(options);

@@ -34,8 +34,8 @@ struct SequenceOptions {
 };
 
 /// glissade-cli sequence: in which order the parts of a product leave, with certified motions. Exit code 0 all parts
-/// but those that stay leave, 6 all do and flexible bodies without a proof, 1 some are stuck, 5 time limit, 130
-/// interrupted; the plan so far is written always.
+/// but those that stay leave, alone or as units, 6 all do and flexible bodies without a proof, 1 some are stuck, or
+/// leave in groups that are not taken apart, 5 time limit, 130 interrupted; the plan so far is written always.
 int runSequence(const SequenceOptions& options);
 
 }  // namespace glissade::cli

@@ -82,7 +82,7 @@ void AccessController::checkSequence() {
       }
       const auto access = std::make_shared<const PlanAccess>(std::move(**found));
       bench_.actions["access.show"]->setChecked(true);
-      sequence_.note(plan, sequence_.shown().checks, access);
+      sequence_.note(plan, sequence_.shown().check, access);
       bench_.messages.showStatus(tr("Hand (%1): %2 of %3 steps are reached and seen; sampled, no proof")
                                      .arg(handSizeText(person.size))
                                      .arg(access->reached())

@@ -8,13 +8,13 @@
 #include "app/window/instruction_controller.h"
 #include "app/window/report_file.h"
 #include "app/window/sequence_controller.h"
-#include "engine/scenario/judged_product.h"
 #include "engine/scenario/plan_glb.h"
 #include "engine/scenario/product_name.h"
 #include "engine/sequence/exploded_view.h"
 #include "engine/study/instruction/instruction_viewer.h"
 #include "engine/study/plan_graph.h"
 #include "engine/study/plan_report.h"
+#include "widgets/commands/diagnostic_text.h"
 #include "widgets/commands/length_text.h"
 #include "widgets/commands/window_language.h"
 #include "widgets/instruction/instruction_painter.h"
@@ -33,19 +33,15 @@ SaveResult cancelled(const QString& file) {
   return notSaved({ErrorKind::Interrupted, file.toStdString(), "", "the document was cancelled", ""});
 }
 
-/// What the pages say of each step: as it is known, or judged now where a step was not judged yet.
-std::vector<StepCheck> checksOf(const AssemblyPlan& plan, const AssembledProduct& product,
-                                const std::vector<StepCheck>& known, const StopToken& stop) {
+/// What the pages say of the plan: as it is known, or judged now where a step was not judged yet.
+PlanCheck checkFor(const AssemblyPlan& plan, const AssembledProduct& product, const PlanCheck& known,
+                   const SequenceDemands& said, const StopToken& stop) {
+  const auto& steps = known.steps;
   const bool all =
-      known.size() == plan.steps.size() && std::find(known.begin(), known.end(), StepCheck::NotAsked) == known.end();
+      steps.size() == plan.steps.size() && std::find(steps.begin(), steps.end(), StepCheck::NotAsked) == steps.end();
   if (all) return known;
-  const check::PlanVerdict verdict = judgePlan(plan, product, std::nullopt, stop);
-  if (stop.stopRequested()) return known;
-  std::vector<StepCheck> checks;
-  for (const check::StepVerdict& step : verdict.steps) {
-    checks.push_back(step.valid() ? StepCheck::Agrees : StepCheck::Disagrees);
-  }
-  return checks;
+  const PlanCheck check = checkOf(plan, product, said, {stop, {}});
+  return stop.stopRequested() ? known : check;
 }
 
 LineTexts textsOf(const LineAccess& access, const std::vector<RigidBody>& bodies) {
@@ -71,10 +67,12 @@ void InstructionJob::start(PlanDocument document, const QString& file, Finished 
   const auto content = std::make_shared<Content>();
   content->plan = shown.plan;
   content->product = shown.product;
-  content->checks = shown.checks;
+  content->check = shown.check;
+  content->said = sequence_.saidOf(*shown.product);
   if (shown.access) content->access = textsOf(*shown.access, shown.product->bodies);
   content->title = nameOfProduct(*bench_.document.scenario());
   content->deviation = surfaceDeviation(*bench_.document.scenario());
+  content->missing = missingShapes(*bench_.document.scenario());
   content->times = sequence_.workTimes().times();
   content->look = sequence_.instructions().look();
   content->paper = sequence_.instructions().paper();
@@ -89,7 +87,7 @@ void InstructionJob::start(PlanDocument document, const QString& file, Finished 
         const SaveResult saved =
             document == PlanDocument::Instruction ? writeInstruction(*content, watch) : writeReport(*content, watch);
         return [this, content, saved, finished] {
-          sequence_.note(content->plan, content->checks, sequence_.shown().access);
+          sequence_.note(content->plan, content->check, sequence_.shown().access);
           finished(saved);
         };
       });
@@ -116,14 +114,16 @@ SaveResult InstructionJob::writeInstruction(const Content& content, const WorkWa
 
 SaveResult InstructionJob::writeReport(Content& content, const WorkWatch& watch) const {
   const AssemblyPlan& plan = *content.plan;
-  content.checks = checksOf(plan, *content.product, content.checks, watch.stop);
+  content.check = checkFor(plan, *content.product, content.check, content.said, watch.stop);
   const QTemporaryDir folder;
   const auto pathOf = [&](const QString& name) { return folder.filePath(name + QStringLiteral(".png")); };
   const PlanWords words = content.words();
   const WorkInstruction instruction =
       workInstruction(plan, *content.product, content.title, words, watch.part(0.0, kChoosingViews));
   const StepDrawer drawer(*content.product);
-  PlanReportContent report{plan, *content.product, content.title, content.deviation, content.checks};
+  PlanReportContent report{
+      plan, *content.product, content.title, content.deviation, content.missing, content.check.steps};
+  for (const std::string& each : content.check.conditions) report.conditions.push_back(engineText(each).toStdString());
   report.access = content.access;
   const auto add = [&](const QImage& picture, const QString& name, std::string& file) {
     file = pathOf(name).toStdString();

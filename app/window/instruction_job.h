@@ -41,10 +41,12 @@ class InstructionJob final : public QObject {
   struct Content {
     PlanPtr plan;
     ProductPtr product;
-    std::vector<StepCheck> checks;
+    PlanCheck check;
+    SequenceDemands said;
     LineTexts access;  ///< without steps: not asked
     std::string title;
     double deviation = 0.0;
+    MissingShapes missing{};
     WorkTimes times;
     InstructionTemplate look;
     Paper paper = Paper::A4;

@@ -65,11 +65,8 @@ SequenceController::SequenceController(const Workbench& bench)
       hand_(new SequenceHand(bench, *this)) {
   connect(&planner_, &SequencePlanner::grown, this, [this](const GrownPlan& grown) { takeGrown(grown, true); });
   connect(&planner_, &SequencePlanner::planned, this, [this](const GrownPlan& grown) { takeGrown(grown, false); });
-  connect(&planner_, &SequencePlanner::judged, this, [this](const PlanPtr& plan, const std::vector<bool>& agreed) {
-    std::vector<StepCheck> checks;
-    for (const bool agrees : agreed) checks.push_back(agrees ? StepCheck::Agrees : StepCheck::Disagrees);
-    note(plan, checks, shown().access);
-  });
+  connect(&planner_, &SequencePlanner::judged, this,
+          [this](const PlanPtr& plan, const PlanCheck& check) { note(plan, check, shown().access); });
   connect(&planner_, &SequencePlanner::failed, &bench.work, &WorkController::reportFailure);
   connect(&planner_.task(), &BackgroundTask::started, this, &SequenceController::enableActions);
   connect(&planner_.task(), &BackgroundTask::ended, this, &SequenceController::enableActions);
@@ -78,6 +75,7 @@ SequenceController::SequenceController(const Workbench& bench)
       [this] { return planner_.isPlanning() ? tr("Planning the sequence") : tr("Proving the sequence again"); },
       [this] { planner_.stop(); });
   connect(panel_, &SequencePanel::sceneChanged, this, &SequenceController::showPanelsScene);
+  connect(panel_, &SequencePanel::selectionChanged, this, &SequenceController::showPanelsScene);
   new StuckMarks(bench.document.semantics(), *panel_);
   connect(panel_, &SequencePanel::playbackEnded, this, [this] { bench_.actions["sequence.play"]->setChecked(false); });
   connect(&bench.document, &WorkbenchDocument::changed, this, &SequenceController::followDocument);
@@ -172,7 +170,8 @@ void SequenceController::takeGrown(const GrownPlan& grown, bool growing) {
   next.access = nullptr;
   next.foundAfter.resize(knownSteps_);
   for (const double seconds : grown.foundAfter) next.foundAfter.emplace_back(seconds);
-  next.checks.resize(std::min(next.checks.size(), knownSteps_));
+  next.check.steps.resize(std::min(next.check.steps.size(), knownSteps_));
+  next.check.conditions.clear();
   const bool unfinished = growing || next.plan->end == PlanEnd::Interrupted;
   if (unfinished && next.plan->steps.empty()) {
     setPlan(next);
@@ -184,10 +183,10 @@ void SequenceController::takeGrown(const GrownPlan& grown, bool growing) {
   panel_->chooseBody(std::exchange(chosenLater_, {}));
 }
 
-void SequenceController::note(const PlanPtr& plan, const std::vector<StepCheck>& checks, const PlanAccessPtr& access) {
-  if (plan != shown().plan || (checks == shown().checks && access == shown().access)) return;
+void SequenceController::note(const PlanPtr& plan, const PlanCheck& check, const PlanAccessPtr& access) {
+  if (plan != shown().plan || (check == shown().check && access == shown().access)) return;
   ShownPlan next = shown();
-  next.checks = checks;
+  next.check = check;
   next.access = access;
   setPlan(next);
   remember();
@@ -256,7 +255,12 @@ void SequenceController::followArrangement(bool another) {
   } else {
     keepPlan({product, shown().plan ? planOf(*product, shown().plan) : nullptr, false, shown().foundAfter, {}});
   }
-  if (shown().plan) planner_.judge(product, shown().plan, bench_.work.isAtOnce());
+  if (shown().plan) planner_.judge(product, shown().plan, saidOf(*product), bench_.work.isAtOnce());
+}
+
+SequenceDemands SequenceController::saidOf(const AssembledProduct& product) const {
+  const auto demands = knownDemands(bench_.document.current(), product);
+  return demands ? *demands : SequenceDemands();
 }
 
 void SequenceController::followDemands() {
@@ -351,18 +355,22 @@ std::optional<Diagnostic> SequenceController::open(const QString& file) {
   }
   planner_.drop();
   bringToFront();
+  // What the file says is not what a person had said before.
+  const SequenceDemands said = saidOf(*product);
   keepPlan({product, ours, false, {}, {}});
   adoptDemands(*ours);
-  planner_.judge(product, shown().plan, bench_.work.isAtOnce());
+  planner_.judge(product, shown().plan, said, bench_.work.isAtOnce());
   return std::nullopt;
 }
 
 void SequenceController::showPanelsScene() {
-  placeBodies(panel_->time(), panel_->exploded());
+  SequencePicture picture = pictureAt(panel_->time(), panel_->exploded());
+  picture.forbidden = edits_->forbiddenCones(picture.bodies);
+  bench_.scene.view().setSequence(picture);
   bench_.scene.refresh();
 }
 
-void SequenceController::placeBodies(double time, double exploded) {
+SequencePicture SequenceController::pictureAt(double time, double exploded) {
   const ShownPlan& plan = shown();
   SequencePicture picture;
   if (plan.plan && !plan.plan->steps.empty() && (time > 0.0 || exploded > 0.0)) {
@@ -384,7 +392,7 @@ void SequenceController::placeBodies(double time, double exploded) {
       picture.way = wayOf(moving, plan.product->bodies[bodiesOf(moving, *plan.product).front()]);
     }
   }
-  bench_.scene.view().setSequence(picture);
+  return picture;
 }
 
 void SequenceController::remember(WindowMemory& memory) {
@@ -410,9 +418,9 @@ void SequenceController::exportTo(const QString& file, const InstructionJob::Fin
 void SequenceController::film(const QString& file, const FilmJob::Finished& finished) {
   bench_.actions["sequence.play"]->setChecked(false);
   const auto show = [this](double share) {
-    placeBodies(panel_->timeAt(panel_->slider().playedShare(share)), panel_->exploded());
+    bench_.scene.view().setSequence(pictureAt(panel_->timeAt(panel_->slider().playedShare(share)), panel_->exploded()));
   };
-  const auto restore = [this] { placeBodies(panel_->time(), panel_->exploded()); };
+  const auto restore = [this] { showPanelsScene(); };
   film_.start({panel_->slider().playedSeconds(), show, restore}, file, finished);
 }
 

@@ -39,8 +39,10 @@ class SequenceController final : public QObject {
   bool isEditable() const;
   /// The plan of the scenario and the demands as they are, where it is known.
   void showRemembered() { followArrangement(false); }
-  /// What was found when the steps of this plan were judged, and whether a hand gets to them.
-  void note(const PlanPtr& plan, const std::vector<StepCheck>& checks, const PlanAccessPtr& access);
+  /// What was found when this plan was judged, and whether a hand gets to its steps.
+  void note(const PlanPtr& plan, const PlanCheck& check, const PlanAccessPtr& access);
+  /// By a person of the product, in the document.
+  SequenceDemands saidOf(const AssembledProduct& product) const;
   /// The row of this body becomes the current one when the next plan is there.
   void chooseLater(const std::string& body) { chosenLater_ = body; }
   /// Reads a plan of the product that is open and judges it; nothing on success.
@@ -96,7 +98,7 @@ class SequenceController final : public QObject {
   void chooseExport();
   void chooseFilm();
   /// The scene at so many steps of removal, parts moved apart by a share of the exploded view.
-  void placeBodies(double time, double exploded);
+  SequencePicture pictureAt(double time, double exploded);
   void film(const QString& file, const FilmJob::Finished& finished);
   void enableActions();
 

@@ -123,6 +123,23 @@ std::vector<std::string> SequenceEdits::chosenBodies() const {
   return bodies;
 }
 
+std::vector<ForbiddenCone> SequenceEdits::forbiddenCones(const std::vector<SequenceBody>& bodies) const {
+  std::vector<ForbiddenCone> cones;
+  if (!sequence_.shown().plan) return cones;
+  const AssembledProduct& product = *sequence_.shown().product;
+  const std::vector<std::string> chosen = chosenBodies();
+  for (const ForbiddenDirection& each : bench_.document.demands().forbidden) {
+    for (const std::size_t body : bodiesNamed(product, each.body)) {
+      const RigidBody& own = product.bodies[body];
+      if (std::find(chosen.begin(), chosen.end(), own.id) == chosen.end()) continue;
+      const Box3 box = boundingBox(*own.mesh);
+      const Pose& X_WB = bodies.empty() ? own.X_WB : bodies[body].X_WB;
+      cones.push_back({X_WB * box.center(), each.direction.normalized(), box.diagonal().norm()});
+    }
+  }
+  return cones;
+}
+
 void SequenceEdits::move(std::size_t from, std::size_t to) {
   if (!sequence_.isEditable()) return;
   const ShownPlan& shown = sequence_.shown();
@@ -164,7 +181,7 @@ void SequenceEdits::forbidWay() {
   SequenceDemands demands = bench_.document.demands();
   for (const std::size_t step : sequence_.panel()->selectedSteps()) {
     const AssemblyStep& own = shown.plan->steps[step];
-    demands = withForbidden(own.bodies(), exitDirection(own.path), std::move(demands));
+    demands = withForbidden(own.bodies(), firstDirection(own.path), std::move(demands));
   }
   set(tr("Forbid the way of %1").arg(joinedNames(chosenBodies(), *shown.product)), demands);
 }

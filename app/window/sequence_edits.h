@@ -2,6 +2,7 @@
 
 #include "app/window/workbench.h"
 #include "engine/sequence/demand_edits.h"
+#include "widgets/scene3d/scene_view.h"
 
 namespace glissade {
 
@@ -17,6 +18,10 @@ class SequenceEdits final : public QObject {
 
  public:
   SequenceEdits(const Workbench& bench, SequenceController& sequence);
+
+  /// Of the directions that are forbidden to the bodies of the selected steps, or to the stuck one. `bodies`: where
+  /// they are drawn; empty: where they are assembled.
+  std::vector<ForbiddenCone> forbiddenCones(const std::vector<SequenceBody>& bodies) const;
 
  private:
   void connectActions();

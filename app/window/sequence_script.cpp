@@ -32,13 +32,14 @@ std::string endOf(const ShownPlan& shown) {
 /// What can be counted of a plan; nothing where the word is unknown.
 std::optional<std::size_t> countOf(const ShownPlan& shown, const std::string& what) {
   const auto checked = [&shown](StepCheck check) {
-    return static_cast<std::size_t>(std::count(shown.checks.begin(), shown.checks.end(), check));
+    return static_cast<std::size_t>(std::count(shown.check.steps.begin(), shown.check.steps.end(), check));
   };
   if (what == "steps") return shown.plan ? shown.plan->steps.size() : 0;
   if (what == "stuck") return shown.plan ? shown.plan->stuck.size() : 0;
   if (what == "parts") return shown.plan ? shown.plan->parts() : 0;
   if (what == "proved") return checked(StepCheck::Agrees);
   if (what == "refuted") return checked(StepCheck::Disagrees);
+  if (what == "conditions") return shown.check.conditions.size();
   return std::nullopt;
 }
 
@@ -49,7 +50,7 @@ Outcome expectSequence(const ShownPlan& shown, const std::string& what, const st
   } else if (const auto count = countOf(shown, what)) {
     found = std::to_string(*count);
   } else {
-    return wrongCommand("'" + what + "' is unknown", "Say steps, stuck, parts, proved, refuted or end.");
+    return wrongCommand("'" + what + "' is unknown", "Say steps, stuck, parts, proved, refuted, conditions or end.");
   }
   if (found == expected) return Done{};
   return unmetExpectation("the sequence has " + what + " " + found + ", not " + expected);

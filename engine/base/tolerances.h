@@ -14,6 +14,20 @@ inline constexpr double kContactGap = 1e-3;
 /// 15 micrometres on the L: above the error of double distances (1e-9 relative), below any gap.
 inline constexpr double kRequiredClearance = 1e-5;
 
+/// The reference point of the object stays farther than this outside of every box of a forbidden place. The boxes are
+/// closed: their faces, edges and corners are forbidden. As large as the required clearance, for the same reasons.
+inline constexpr double kForbiddenMargin = 1e-5;
+
+/// Cosine of 30 degrees, rounded down: what is so near to a forbidden direction of a part, or nearer, is forbidden.
+inline constexpr double kForbiddenCone = 0.866;
+
+/// A motion is taken in pieces that turn by this at most, radians, to see in which direction a part moves.
+inline constexpr double kMotionPiece = 0.05;
+
+/// Parts nearer than this to each other touch, as a share of the radius of the one that leaves: above what CAD systems
+/// and triangles leave between faces that lie in each other. Convex hulls farther apart are clear of each other.
+inline constexpr double kTouching = 1e-3;
+
 /// Sampling step of edges while trees grow, in the metric: the paper's software used 0.05 m on the
 /// L. It lets penetrations of a few millimetres through; what is delivered is certified, and an edge
 /// that cannot be is dropped. Finer steps are a parameter away; on environment 1 they cost more nodes.

@@ -33,6 +33,8 @@ class Course {
     return angle_ * arm;
   }
   const Vector3& way() const { return way_; }
+  /// The axis of the rotation in the world, by radians per unit of t: the same at each time.
+  Vector3 turning() const { return angle_ * (from_.orientation.toRotationMatrix() * axis_); }
   bool isHalfACircle() const { return angle_ > 3.14159265358979323846 - kHalfCircle; }
 
  private:

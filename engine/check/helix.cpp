@@ -20,6 +20,8 @@ constexpr double kDeviation = 1e-3;
 /// Half of the angle that a triangle may have, seen from the axis, for a profile.
 constexpr double kHalfAngle = 0.5;
 constexpr int kMostSplits = 12;
+/// Parts of triangles that are compared before the edges are left to be proved one by one.
+constexpr std::uint64_t kMostHelixParts = 2'000'000;
 constexpr double kCircleRounding = 1e-9;
 constexpr double kUpwards = 1.0 + 1e-9;
 
@@ -147,7 +149,7 @@ class HelixPairs {
   double closeBound(const Corners& moving, const Profile& one, const Corners& fixed, const Profile& other,
                     int splits) const {
     const double whole = bound(one, other, kNoEnd);
-    if (whole >= wanted_ || splits == 0) return whole;
+    if (whole >= wanted_ || splits == 0 || ++parts_ > kMostHelixParts) return whole;
     double least = kNoEnd;
     const bool splitsMoving = !one.known || (other.known && one.error >= other.error);
     for (const Corners& part : quarters(splitsMoving ? moving : fixed)) {
@@ -188,19 +190,34 @@ class HelixPairs {
   const Lathe& lathe_;
   double wanted_;
   double mostFar_;
-  double aside_;  ///< radians
+  double aside_;                     ///< radians
+  mutable std::uint64_t parts_ = 0;  ///< that were divided
 };
 
-double leastRadius(const std::vector<Corners>& triangles, const Helix& helix) {
-  double least = kNoEnd;
-  for (const auto& [a, b, c] : triangles) least = std::min(least, turned(a, b, c, helix.point, helix.axis).nearest);
-  return least;
-}
+/// Of triangles as they are turned about the axis: what they are within together.
+struct TurnedAll {
+  std::vector<TurnedTriangle> each;
+  TurnedTriangle all{kNoEnd, 0.0, kNoEnd, -kNoEnd};
 
-std::vector<Profile> profilesOf(const std::vector<Corners>& triangles, const Lathe& lathe) {
-  std::vector<Profile> profiles;
-  for (const Corners& triangle : triangles) profiles.push_back(lathe.profileOf(triangle));
-  return profiles;
+  TurnedAll(const std::vector<Corners>& triangles, const Helix& helix) {
+    for (const auto& [a, b, c] : triangles) {
+      const TurnedTriangle one = turned(a, b, c, helix.point, helix.axis);
+      each.push_back(one);
+      all = {std::min(all.nearest, one.nearest), std::max(all.farthest, one.farthest), std::min(all.low, one.low),
+             std::max(all.high, one.high)};
+    }
+  }
+};
+
+/// Those that come nearer than `most` to where the others are, which rise by up to `rise` (below 0: they sink).
+std::vector<std::size_t> nearOnes(const TurnedAll& own, TurnedTriangle others, double rise, double most) {
+  others.low += std::min(0.0, rise);
+  others.high += std::max(0.0, rise);
+  std::vector<std::size_t> near;
+  for (std::size_t i = 0; i < own.each.size(); ++i) {
+    if (apartTurned(own.each[i], others) < most) near.push_back(i);
+  }
+  return near;
 }
 
 /// A rotation vector in the world; zero where its sense is not sure.
@@ -218,7 +235,14 @@ Vector3 centreOf(const Pose& from, const Pose& to, const Vector3& rotation) {
   return 0.5 * (from.position + from.position + across) + 0.5 / std::tan(0.5 * rotation.norm()) * axis.cross(across);
 }
 
-/// The helix that starts with the edge, as far as the next edges go on with it; 0 edges where it is none.
+/// Both configurations are the same, but for what is too little to have an axis.
+bool isStill(const Pose& from, const Pose& to, double reach) {
+  return angleBetween(from.orientation, to.orientation) < kSlightest &&
+         (to.position - from.position).norm() < kSlightest * reach;
+}
+
+/// The helix that starts with the edge, as far as the next edges go on with it or stand still; 0 edges where it is
+/// none.
 Helix helixFrom(const std::vector<Pose>& path, std::size_t first, double reach) {
   Helix helix;
   helix.first = helix.last = first;
@@ -229,6 +253,10 @@ Helix helixFrom(const std::vector<Pose>& path, std::size_t first, double reach) 
   const Vector3 way = path[first + 1].position - path[first].position;
   const double slope = way.dot(begin) / std::max(begin.squaredNorm(), kSlightest * kSlightest);
   for (std::size_t edge = first; edge + 1 < path.size(); ++edge) {
+    if (isStill(path[edge], path[edge + 1], reach)) {
+      helix.last = edge;
+      continue;
+    }
     const Vector3 rotation = rotationOf(path[edge], path[edge + 1]);
     if (rotation.isZero()) break;
     const Vector3 step = path[edge + 1].position - path[edge].position;
@@ -291,18 +319,23 @@ double helixDistance(const std::vector<Corners>& moving, const std::vector<Corne
                      double wanted, double enough, const StopToken& stop) {
   const Vector3 u = helix.axis.unitOrthogonal();
   Lathe lathe{helix, u, helix.axis.cross(u)};
-  lathe.setCore(std::max(leastRadius(moving, helix), leastRadius(fixed, helix)));
-  const std::vector<Profile> profiles = profilesOf(moving, lathe);
-  const std::vector<Profile> others = profilesOf(fixed, lathe);
+  const TurnedAll one(moving, helix);
+  const TurnedAll other(fixed, helix);
+  lathe.setCore(std::max(one.all.nearest, other.all.nearest));
   // A line between points that are nearer to each other than the core stays beyond half of it.
   double least = lathe.core > 0.0 ? std::min(enough, lathe.core) : enough;
   const HelixPairs pairs(lathe, wanted, least);
-  for (std::size_t i = 0; i < profiles.size(); ++i) {
+  std::vector<std::pair<std::size_t, Profile>> profiles;
+  for (const std::size_t i : nearOnes(one, other.all, -helix.advance, least)) {
+    profiles.emplace_back(i, lathe.profileOf(moving[i]));
+  }
+  for (const std::size_t k : nearOnes(other, one.all, helix.advance, least)) {
     if (stop.stopRequested()) return 0.0;
-    for (std::size_t k = 0; k < others.size(); ++k) {
-      double bound = pairs.bound(profiles[i], others[k], least);
+    const Profile profile = lathe.profileOf(fixed[k]);
+    for (const auto& [i, own] : profiles) {
+      double bound = pairs.bound(own, profile, least);
       if (bound >= least) continue;
-      if (bound < wanted) bound = pairs.closeBound(moving[i], profiles[i], fixed[k], others[k], kMostSplits);
+      if (bound < wanted) bound = pairs.closeBound(moving[i], own, fixed[k], profile, kMostSplits);
       least = std::min(least, bound);
       if (least < wanted) return std::max(0.0, least);
     }

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
 #include "engine/base/stop_token.h"
+#include "engine/check/piece_tree.h"
 #include "engine/geometry/triangle_mesh.h"
 
 namespace glissade::check {
@@ -22,8 +22,6 @@ struct Helix {
 };
 
 std::vector<Helix> helicesOf(const std::vector<Pose>& path, const TriangleMesh& object);
-
-using Corners = std::array<Vector3, 3>;
 
 /// Lower bound on the distance of two sets of triangles for every turn of the motion, from the triangles' profiles:
 /// distance from the axis, and height less that of the helix through the point. Compares every pair; triangles are

@@ -18,10 +18,6 @@ constexpr std::size_t kDistancesOfHelix = 32;
 constexpr std::size_t kPartsOfTurn = 16;
 /// Clearances are proved down to this share of the smallest distance met.
 constexpr double kCloseShare = 0.5;
-/// Distances asked for on one edge before it is given up as undecided.
-constexpr std::uint64_t kMostDistances = 400'000;
-/// An interval of time that was halved this often is as short as numbers allow.
-constexpr int kMostHalvings = 48;
 
 TriangleMesh inWorld(const TriangleMesh& whole, const Pose& X_WB, double scale) {
   TriangleMesh mesh = whole;
@@ -71,12 +67,6 @@ void addEdge(MotionVerdict& path, const MotionVerdict& edge, const Demand& deman
   path.againstThread = edge.againstThread;
 }
 
-struct Span {
-  double begin;
-  double end;
-  int halvings;
-};
-
 }  // namespace
 
 /// What is proved of an edge as a part of a turn in a thread, in the scaled geometry.
@@ -105,7 +95,7 @@ MotionCheck::MotionCheck(const std::vector<Against>& obstacles, const TriangleMe
   if (threads.empty()) return;
   const auto wholeObject = std::make_shared<const TriangleMesh>(object);
   std::vector<Against> whole = obstacles;
-  for (const Threaded& each : threads) whole[each.thread.other] = {each.whole, wholeObject, false};
+  for (const Threaded& each : threads) whole[each.thread.other] = {each.whole, wholeObject};
   whole_ = geometryOf(whole, object, scale, inThread);
   threads_ = std::make_unique<const ThreadMotion>(threads, object);
 }
@@ -119,7 +109,6 @@ std::unique_ptr<const MotionCheck::Geometry> MotionCheck::geometryOf(const std::
   geometry->object = scaled(object, Vector3::Constant(scale));
   std::vector<std::pair<MeshPtr, bool>> kinds;  // of the groups
   for (std::size_t i = 0; i < obstacles.size(); ++i) {
-    geometry->hasFits = geometry->hasFits || obstacles[i].fits;
     const std::pair<MeshPtr, bool> kind{obstacles[i].object, inThread[i]};
     const auto known = std::find(kinds.begin(), kinds.end(), kind);
     const auto group = static_cast<std::size_t>(known - kinds.begin());
@@ -152,6 +141,7 @@ std::vector<std::optional<MotionVerdict>> MotionCheck::judgeHelices(const std::v
     for (std::size_t i = helix.first; i <= helix.last; ++i) {
       known[i] = inMetres(judged, geometry_->scale);
       known[i]->demanded = demands[i].clearance;
+      if (i > helix.first) known[i]->distances = 0;  // counted once
     }
   }
   return known;
@@ -252,6 +242,8 @@ MotionVerdict MotionCheck::check(const std::vector<Pose>& path, const std::vecto
     turned.push_back(edge.forbiddenBy < 0 && edge.thread != nullptr && edge.thread->mayTurn ? edge.thread : nullptr);
   }
   const std::vector<Pose> scaled = scaledPath(path, geometry_->scale);
+  std::optional<Nearest> atEnd;
+  const Geometry* askedBefore = nullptr;
   const Proofs proofs = turnProofs(scaled, demands, turned, stop);
   for (std::size_t i = 0; i < demands.size(); ++i) {
     const Pose& to = scaled[std::min(i + 1, path.size() - 1)];
@@ -260,14 +252,17 @@ MotionVerdict MotionCheck::check(const std::vector<Pose>& path, const std::vecto
     MotionVerdict edge;
     if (helices[i]) {
       edge = *helices[i];
+      askedBefore = nullptr;
     } else if (i < threaded.size() && threaded[i].forbiddenBy >= 0) {
       edge.status = Status::Violated;
       edge.againstThread = true;
       edge.nearest.body = threaded[i].forbiddenBy;
     } else {
       const TurnProof* proof = proofs[i] ? &*proofs[i] : nullptr;
-      edge = inMetres(checkEdge(geometry, scaled[i], to, geometry.scale * demands[i].clearance, proof, stop),
-                      geometry.scale);
+      if (proof != nullptr || askedBefore != &geometry) atEnd.reset();
+      const double required = geometry.scale * demands[i].clearance;
+      edge = inMetres(checkEdge(geometry, scaled[i], to, required, proof, atEnd, stop), geometry.scale);
+      askedBefore = proof == nullptr ? &geometry : nullptr;
     }
     addEdge(result, edge, demands[i]);
     watch.report(static_cast<double>(i + 1) / static_cast<double>(demands.size()));
@@ -287,31 +282,25 @@ std::string MotionCheck::whyUndecided(const Pose& from, const Pose& to, double r
     return "the rounding of coordinates of this size is not small against the required clearance; move the scene to "
            "the origin, or require more clearance";
   }
-  return "the clearance is so close to the required one that " + std::to_string(kMostDistances) +
-         " distances do not prove it; require less clearance, or divide the edge";
+  return "the clearance is so close to the required one that " + std::to_string(EdgeProof::kMostCompared) +
+         " comparisons of triangles do not prove it; require less clearance, or divide the edge";
 }
 
-/// In the scaled geometry. An interval of time is proved by the distance at its middle less what any vertex can move
-/// until its ends; what is not proved is halved, the earlier half first. Bodies that fit leave gaps of micrometres:
-/// there a way that is straight, or has become nearly so by halving, is proved by what the object sweeps, where that is
-/// enough.
+/// In the scaled geometry. A way that is straight, or nearly so, is proved by what the object sweeps; any other, and
+/// one whose sweep comes too near, triangle by triangle.
 MotionVerdict MotionCheck::checkEdge(const Geometry& geometry, const Pose& from, const Pose& to, double required,
-                                     const TurnProof* turned, const StopToken& stop) {
+                                     const TurnProof* turned, std::optional<Nearest>& atEnd, const StopToken& stop) {
   const Course course(from, to);
-  const double speed = course.speed(geometry.object);
   MotionVerdict result;
   result.demanded = required;
   result.minClearance = result.provedClearance = std::numeric_limits<double>::infinity();
-  if (const int body = geometry.container(course.at(0.0)); body >= 0) {
+  // What is apart all the way from one edge to the next is on the same side there.
+  if (const int body = atEnd ? -1 : geometry.container(course.at(0.0)); body >= 0) {
     result.status = Status::Violated;
     result.minClearance = result.provedClearance = 0.0;
     result.nearest.body = body;
     return result;
   }
-  const double turn = course.turn(geometry.object);
-  const auto sweeps = [&](const Span& span) {
-    return geometry.hasFits && turn * (span.end - span.begin) <= distances::kErrorShare * required;
-  };
   if (course.isHalfACircle() || !geometry.resolves(from, to, required)) return result;
   std::vector<bool> asked(geometry.groups.size(), true);
   if (turned != nullptr) {
@@ -319,66 +308,98 @@ MotionVerdict MotionCheck::checkEdge(const Geometry& geometry, const Pose& from,
     result.provedClearance = turned->proved;
     result.minClearance = turned->minClearance;
     result.nearest = turned->nearest;
-    if (std::none_of(asked.begin(), asked.end(), [](bool open) { return open; })) {
-      result.certified = 1.0;
-      result.status = Status::Certified;
-      return result;
-    }
   }
-  const auto meet = [&](double t, double enough) {
-    const Nearest nearest = geometry.nearest(course.at(t), enough, asked);
+  if (std::none_of(asked.begin(), asked.end(), [](bool open) { return open; })) {
+    result.status = Status::Certified;
+  } else {
+    meetEnds(geometry, course, asked, atEnd, result);
+    if (stop.stopRequested() || result.status == Status::Violated) return result;
+    if (!proveStanding(geometry, course, result) && !proveBySweep(geometry, course, asked, result))
+      proveByPieces(geometry, course, asked, stop, result);
+  }
+  if (result.status == Status::Certified) result.certified = 1.0;
+  return result;
+}
+
+/// Where an edge begins is where the one before it ends. `atEnd`: what was met there, if it is known; then of this one.
+void MotionCheck::meetEnds(const Geometry& geometry, const Course& course, const std::vector<bool>& asked,
+                           std::optional<Nearest>& atEnd, MotionVerdict& result) {
+  const auto meet = [&](double t) {
+    const Nearest& nearest = *atEnd;
     if (nearest.distance < result.minClearance) {
       result.minClearance = nearest.distance;
       result.at = t;
       result.nearest = nearest;
     }
-    if (nearest.distance < required) result.status = Status::Violated;
-    return nearest.distance;
+    if (nearest.distance < result.demanded) result.status = Status::Violated;
   };
-  // What is swept comes as near as the object does on its way, but for its turn, which has the same speed all the way.
-  const auto sweptProof = [&](const Span& span) {
-    const double enough = std::max(2.0 * required, result.minClearance);
-    const Vector3 way = (span.end - span.begin) * course.way();
-    const double swept = geometry.sweptDistance(course.at(span.begin), way, enough, asked);
-    const double proved = swept - turn * (span.end - span.begin);
-    if (proved >= required && swept < result.minClearance) {
-      result.minClearance = swept;
-      result.at = 0.5 * (span.begin + span.end);
-    }
-    return proved;
+  const auto nearestAt = [&](double t) {
+    ++result.distances;
+    return geometry.nearest(course.at(t), std::numeric_limits<double>::infinity(), asked);
   };
-  const Span whole{0.0, 1.0, 0};
-  if (sweeps(whole)) {
-    meet(0.0, std::numeric_limits<double>::infinity());
-    meet(1.0, result.minClearance);
-    if (result.status == Status::Violated) return result;
-  }
-  std::vector<Span> open{whole};
-  while (!open.empty()) {
-    const Span span = open.back();
-    open.pop_back();
-    if (stop.stopRequested() || ++result.distances > kMostDistances) return result;
-    double proved = sweeps(span) ? sweptProof(span) : -std::numeric_limits<double>::infinity();
-    bool closely = proved >= required;
-    const double middle = 0.5 * (span.begin + span.end);
-    if (!closely) {
-      const double distance = meet(middle, std::numeric_limits<double>::infinity());
-      if (result.status == Status::Violated) return result;
-      proved = distance - 0.5 * speed * (span.end - span.begin);
-      closely = proved >= std::max(required, kCloseShare * result.minClearance);
-    }
-    if (closely) {
-      result.provedClearance = std::min(result.provedClearance, proved);
-      result.certified = span.end;
-    } else if (span.halvings == kMostHalvings) {
-      return result;
-    } else {
-      open.push_back({middle, span.end, span.halvings + 1});
-      open.push_back({span.begin, middle, span.halvings + 1});
-    }
-  }
+  if (!atEnd) atEnd = nearestAt(0.0);
+  meet(0.0);
+  atEnd = nearestAt(1.0);
+  meet(1.0);
+}
+
+/// An edge of no length.
+bool MotionCheck::proveStanding(const Geometry& geometry, const Course& course, MotionVerdict& result) {
+  if (course.speed(geometry.object) > 0.0) return false;
+  result.provedClearance = std::min(result.provedClearance, result.minClearance);
   result.status = Status::Certified;
-  return result;
+  return true;
+}
+
+/// What is swept comes as near as the object does on its way, but for its turn, which has the same speed all the way.
+bool MotionCheck::proveBySweep(const Geometry& geometry, const Course& course, const std::vector<bool>& asked,
+                               MotionVerdict& result) {
+  const double turn = course.turn(geometry.object);
+  if (turn > distances::kErrorShare * result.demanded) return false;
+  ++result.distances;
+  const double enough = std::max(2.0 * result.demanded, result.minClearance);
+  const double swept = geometry.sweptDistance(course.at(0.0), course.way(), enough, asked);
+  if (swept - turn < result.demanded) return false;
+  if (swept < result.minClearance) {
+    result.minClearance = swept;
+    result.at = 0.5;
+  }
+  result.provedClearance = std::min(result.provedClearance, swept - turn);
+  result.status = Status::Certified;
+  return true;
+}
+
+/// The clearance is proved down to a share of the smallest distance met, which is that of triangles, too.
+void MotionCheck::proveByPieces(const Geometry& geometry, const Course& course, const std::vector<bool>& asked,
+                                const StopToken& stop, MotionVerdict& result) {
+  EdgeProof proof(course, stop);
+  const auto wanted = [&] { return std::max(result.demanded, kCloseShare * result.minClearance); };
+  for (std::size_t i = 0; i < geometry.groups.size(); ++i) {
+    const Group& group = *geometry.groups[i];
+    const double error =
+        std::max(group.errorAt(course.at(0.0).translation()), group.errorAt(course.at(1.0).translation()));
+    const double motion = 0.5 * course.speed(group.object) + error;
+    for (std::size_t k = 0; asked[i] && k < group.obstacles.size(); ++k) {
+      if (group.leastDistance(*group.obstacles[k], course.at(0.5)) - motion >= wanted()) continue;
+      MetOnEdge met;
+      auto answer = EdgeProof::Answer::Near;
+      while (answer == EdgeProof::Answer::Near) {
+        ++result.distances;
+        answer =
+            proof.stayApart(group.objectSurface.pieces(), group.obstacles[k]->surface.pieces(), wanted(), error, met);
+        if (answer == EdgeProof::Answer::Open) return;
+        if (answer == EdgeProof::Answer::Apart) break;
+        result.minClearance = met.distance;
+        result.at = met.at;
+        result.nearest = {met.distance, group.numbers[k], met.onFixed, met.onMoving};
+        if (met.distance >= result.demanded) continue;
+        result.status = Status::Violated;
+        return;
+      }
+    }
+  }
+  result.provedClearance = std::min(result.provedClearance, wanted());
+  result.status = Status::Certified;
 }
 
 }  // namespace glissade::check

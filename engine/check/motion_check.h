@@ -12,6 +12,7 @@
 
 namespace glissade::check {
 
+class Course;
 class ThreadMotion;
 struct Helix;
 
@@ -31,7 +32,6 @@ class MotionCheck {
   struct Against {
     ObstaclePtr obstacle;
     MeshPtr object;
-    bool fits;  ///< one of the two is thinned for the other one: they may be micrometres apart
   };
   /// A thread that the object has in common with an obstacle.
   struct Threaded {
@@ -75,7 +75,14 @@ class MotionCheck {
   static MotionVerdict judgeHelix(const Geometry& geometry, const std::vector<Pose>& path, const Helix& helix,
                                   double required, const StopToken& stop);
   static MotionVerdict checkEdge(const Geometry& geometry, const Pose& from, const Pose& to, double required,
-                                 const TurnProof* turn, const StopToken& stop);
+                                 const TurnProof* turn, std::optional<Nearest>& atEnd, const StopToken& stop);
+  static void meetEnds(const Geometry& geometry, const Course& course, const std::vector<bool>& asked,
+                       std::optional<Nearest>& atEnd, MotionVerdict& result);
+  static bool proveStanding(const Geometry& geometry, const Course& course, MotionVerdict& result);
+  static bool proveBySweep(const Geometry& geometry, const Course& course, const std::vector<bool>& asked,
+                           MotionVerdict& result);
+  static void proveByPieces(const Geometry& geometry, const Course& course, const std::vector<bool>& asked,
+                            const StopToken& stop, MotionVerdict& result);
   void proveTurns(const std::vector<Pose>& path, const std::vector<Demand>& demands, const Thread& thread,
                   const Run& run, Proofs& proofs, const StopToken& stop) const;
   Proofs turnProofs(const std::vector<Pose>& path, const std::vector<Demand>& demands,

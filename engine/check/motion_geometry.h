@@ -8,10 +8,13 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "engine/check/course.h"
+#include "engine/check/edge_proof.h"
 #include "engine/check/helix.h"
 #include "engine/check/motion_check.h"
 #include "engine/check/ray_containment.h"
@@ -47,20 +50,44 @@ inline void addTriangles(Model& model, const TriangleMesh& mesh) {
   model.addSubModel(points, triangles);
 }
 
+inline std::vector<Corners> cornersOf(const Model& model) {
+  std::vector<Corners> corners;
+  for (int i = 0; i < model.num_tris; ++i) {
+    const fcl::Triangle& triangle = model.tri_indices[i];
+    corners.push_back({model.vertices[triangle[0]], model.vertices[triangle[1]], model.vertices[triangle[2]]});
+  }
+  return corners;
+}
+
+/// A surface for FCL's distances and, made when it is asked for first, for proofs by pieces.
+struct Surface {
+  Model model;
+
+  explicit Surface(const TriangleMesh& mesh) {
+    model.beginModel();
+    addTriangles(model, mesh);
+    model.endModel();
+  }
+  const PieceTree& pieces() const {
+    std::call_once(made_, [this] { pieces_.emplace(cornersOf(model)); });
+    return *pieces_;
+  }
+
+ private:
+  mutable std::once_flag made_;
+  mutable std::optional<PieceTree> pieces_;
+};
+
 }  // namespace distances
 
 struct MotionCheck::Obstacle {
   RaySolid solid;
-  distances::Model surface;
+  distances::Surface surface;
   Box3 box;  ///< scaled, world frame
   double farthest;
 
   explicit Obstacle(const TriangleMesh& placed)
-      : solid(placed), box(boundingBox(placed)), farthest(largestCoordinate(placed)) {
-    surface.beginModel();
-    distances::addTriangles(surface, placed);
-    surface.endModel();
-  }
+      : solid(placed), surface(placed), box(boundingBox(placed)), farthest(largestCoordinate(placed)) {}
 };
 
 /// Obstacles that the object is taken equally thin against. All lengths are multiplied by `scale`, those of the poses
@@ -68,7 +95,7 @@ struct MotionCheck::Obstacle {
 struct MotionCheck::Group {
   TriangleMesh object;
   RaySolid objectSolid;
-  distances::Model objectSurface;
+  distances::Surface objectSurface;
   Vector3 middle;  ///< of the object
   double radius;   ///< about it
   std::vector<ObstaclePtr> obstacles;
@@ -78,12 +105,10 @@ struct MotionCheck::Group {
   Group(const TriangleMesh& mesh, double scale)
       : object(welded(scaled(mesh, Vector3::Constant(scale)))),
         objectSolid(object),
+        objectSurface(object),
         middle(boundingBox(object).center()),
         radius(0.0),
         coordinates(largestCoordinate(object)) {
-    objectSurface.beginModel();
-    distances::addTriangles(objectSurface, object);
-    objectSurface.endModel();
     for (const Vector3& vertex : object.vertices) radius = std::max(radius, (vertex - middle).norm());
   }
 
@@ -115,13 +140,13 @@ struct MotionCheck::Group {
       const double wanted = std::min(enough, found.distance);
       if (least > wanted + error) break;
       const Obstacle& obstacle = *obstacles[i];
-      if (touches(obstacle, objectSurface, X_WB)) {
+      if (touches(obstacle, objectSurface.model, X_WB)) {
         found.distance = 0.0;
         found.body = numbers[i];
         return found;
       }
       const double reach = (wanted + error) * (1.0 + 4.0 * distances::kRelativeError);
-      const fcl::DistanceResultd gap = distances::between(obstacle.surface, objectSurface, X_WB, reach);
+      const fcl::DistanceResultd gap = distances::between(obstacle.surface.model, objectSurface.model, X_WB, reach);
       const double distance = std::max(0.0, gap.min_distance * (1.0 - distances::kRelativeError) - error);
       if (distance >= wanted) continue;
       found.distance = distance;
@@ -171,7 +196,7 @@ struct MotionCheck::Group {
         if (passesOver(placed.vertices[a], placed.vertices[b], placed.vertices[c], way, point)) return 0.0;
       }
     }
-    const double distance = distances::between(obstacle.surface, swept, fixed, enough).min_distance;
+    const double distance = distances::between(obstacle.surface.model, swept, fixed, enough).min_distance;
     return std::max(0.0, distance * (1.0 - distances::kRelativeError) - error);
   }
 
@@ -223,7 +248,7 @@ struct MotionCheck::Group {
  private:
   static bool touches(const Obstacle& obstacle, const distances::Model& moving, const fcl::Transform3d& X_WB) {
     fcl::CollisionResultd touch;
-    return fcl::collide(&obstacle.surface, fcl::Transform3d::Identity(), &moving, X_WB, fcl::CollisionRequestd(),
+    return fcl::collide(&obstacle.surface.model, fcl::Transform3d::Identity(), &moving, X_WB, fcl::CollisionRequestd(),
                         touch) > 0;
   }
 
@@ -238,12 +263,8 @@ struct MotionCheck::Group {
   std::vector<Corners> fixedCorners() const {
     std::vector<Corners> corners;
     for (const ObstaclePtr& obstacle : obstacles) {
-      const distances::Model& surface = obstacle->surface;
-      for (int i = 0; i < surface.num_tris; ++i) {
-        const fcl::Triangle& triangle = surface.tri_indices[i];
-        corners.push_back(
-            {surface.vertices[triangle[0]], surface.vertices[triangle[1]], surface.vertices[triangle[2]]});
-      }
+      const std::vector<Corners> own = distances::cornersOf(obstacle->surface.model);
+      corners.insert(corners.end(), own.begin(), own.end());
     }
     return corners;
   }
@@ -254,7 +275,6 @@ struct MotionCheck::Group {
 /// The groups, all in the same scale.
 struct MotionCheck::Geometry {
   double scale = 1.0;
-  bool hasFits = false;
   TriangleMesh object;  ///< as it is: no vertex of a thinned one is faster
   std::vector<std::unique_ptr<Group>> groups;
 

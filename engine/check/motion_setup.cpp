@@ -39,7 +39,7 @@ JudgedMotion judgeMotion(const MotionQuestion& question, MotionBodies& prepared,
   for (std::size_t i = 0; i < question.pairs.size(); ++i) {
     if (watch.stop.stopRequested()) return {{}, "the check was stopped"};
     const MotionPair& pair = question.pairs[i];
-    against.push_back({prepared.obstacle(others[i], pair.other->X_WB, scale), objects[i], pair.fit.isThinned()});
+    against.push_back({prepared.obstacle(others[i], pair.other->X_WB, scale), objects[i]});
     if (!pair.fit.thread) continue;
     Thread thread = *pair.fit.thread;
     thread.other = i;

@@ -16,7 +16,8 @@ std::set<std::size_t> predecessorsOf(std::size_t number, const std::vector<std::
   std::set<std::size_t> before;
   for (const std::size_t each : numbered.step->after) {
     if (each == 0 || each >= number) {
-      numbered.wrong.push_back("it is after step " + std::to_string(each) + ", which is not an earlier one");
+      numbered.wrong.push_back("it states \"after\": " + std::to_string(each) + ", and " + std::to_string(number - 1) +
+                               " steps come before it");
       continue;
     }
     before.insert(each);
@@ -62,7 +63,7 @@ std::vector<NumberedStep> numberedSteps(const Product& product, const StepList& 
   Present there = list.there;
   Present left(product.bodies.size(), false);
   for (const Step& step : list.steps) {
-    NumberedStep numbered{&step, {}, there, list.there, {}};
+    NumberedStep numbered{&step, {}, there, list.there, {}, steps.size()};
     numberBodies(product, list, left, numbered);
     before.push_back(predecessorsOf(steps.size() + 1, before, numbered));
     for (const std::size_t each : before.back()) takeAway(steps[each - 1].group, numbered.mayBeThere);

@@ -21,6 +21,7 @@ struct NumberedStep {
   Present there{};                   ///< in the order of the list
   Present mayBeThere{};              ///< in any order that keeps what has to be carried out before
   std::vector<std::string> wrong{};  ///< for people; empty: nothing is
+  std::size_t earlier = 0;           ///< steps of the list before it
 };
 
 std::vector<NumberedStep> numberedSteps(const Product& product, const StepList& list);

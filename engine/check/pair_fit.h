@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/check/evidence.h"
+#include "engine/check/named_screw.h"
 #include "engine/check/path.h"
 #include "engine/check/placed_bodies.h"
 #include "engine/check/thread.h"
@@ -21,6 +22,7 @@ struct AppliedAllowance {
   bool yields = false;             ///< the other one is taken thinner
   bool core = false;               ///< its thread is taken away
   bool hollow = false;             ///< what the other one fills is taken away; `applied` is its depth
+  bool screwHole = false;          ///< the other one is a screw, for which the file has no hole
   std::optional<double> stated{};  ///< metres, by the file
   double applied = 0.0;            ///< metres, of the face that moves farthest
   double most = 0.0;               ///< metres that the meshes and the person give
@@ -37,9 +39,10 @@ struct PairFit {
   std::vector<double> other{};
   HollowPtr hollowMoving{};  ///< without what the other one fills; null: it is not hollow
   HollowPtr hollowOther{};
-  bool acceptedClash = false;      ///< one is hollow, and the pair would be refused if nobody accepted it
-  double share = kThicknessShare;  ///< as AllowanceBound::share, of either
-  std::optional<Thread> thread{};  ///< its `other` is left to the caller
+  std::optional<ScrewInSolid> inSolid{};  ///< one is hollow because the other one is a screw that makes its hole
+  bool acceptedClash = false;             ///< one is hollow, and the pair would be refused if nobody accepted it
+  double share = kThicknessShare;         ///< as AllowanceBound::share, of either
+  std::optional<Thread> thread{};         ///< its `other` is left to the caller
   /// Of the shaft of the thread, in its frame; nothing: no thread is taken away.
   std::optional<ThreadCore> core{};
   std::vector<AppliedAllowance> applied{};

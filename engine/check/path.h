@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/check/evidence.h"
 #include "engine/geometry/pose.h"
 
 namespace glissade::check {
@@ -28,6 +29,9 @@ struct StatedAllowance {
   std::optional<StatedThread> thread{};
   bool hollow = false;                 ///< what the other body of the pair fills is taken away
   std::optional<StatedThread> core{};  ///< its thread, which is taken away: the pair comes apart by turning only
+  std::optional<double> overlap{};     ///< metres, as measured
+  std::optional<Evidence> evidence{};  ///< of the largest allowance of the pair
+  std::optional<double> turns{};       ///< that the moving body turns out of it
 
   /// About this pair, ids. `first`: the object, or the first body of the step.
   bool isAbout(const std::string& movingBody, const std::string& other, const std::string& first) const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/tolerances.h"
 #include "engine/geometry/se3_metric.h"
 
 namespace glissade::check {
@@ -46,24 +47,28 @@ std::optional<std::size_t> firstOutside(const Question& question, const std::vec
   return std::nullopt;
 }
 
-/// The part of the segment in each open slab of the box is an interval; they have a point in common, or none.
-bool entersInterior(const Vector3& from, const Vector3& to, const Box3& box) {
-  double first = 0.0;
-  double last = 1.0;
-  bool open = false;  // the interval is longer than a point, or its point is no end of it
+/// No plane separates the segment from the closed box: none across an axis, none along the segment and an axis.
+bool meetsBox(const Vector3& from, const Vector3& to, const Box3& box, double margin) {
+  const Vector3 half = 0.5 * (box.max() - box.min()) + Vector3::Constant(margin);
+  const Vector3 middle = 0.5 * (from + to) - 0.5 * (box.min() + box.max());
+  const Vector3 way = 0.5 * (to - from);
+  const Vector3 reach = way.cwiseAbs();
+  if ((middle.cwiseAbs().array() > (half + reach).array()).any()) return false;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    const double way = to[axis] - from[axis];
-    if (way == 0.0) {
-      if (from[axis] <= box.min()[axis] || from[axis] >= box.max()[axis]) return false;
-      continue;
-    }
-    const double one = (box.min()[axis] - from[axis]) / way;
-    const double other = (box.max()[axis] - from[axis]) / way;
-    first = std::max(first, std::min(one, other));
-    last = std::min(last, std::max(one, other));
-    open = true;
+    const Eigen::Index u = (axis + 1) % 3;
+    const Eigen::Index v = (axis + 2) % 3;
+    if (std::abs(middle[u] * way[v] - middle[v] * way[u]) > half[u] * reach[v] + half[v] * reach[u]) return false;
   }
-  return open ? first < last : true;
+  return true;
+}
+
+void judgeForbidden(const Question& question, const std::vector<Pose>& path, PathVerdict& verdict) {
+  if (!question.forbidden.empty()) {
+    verdict.forbiddenMargin = tolerance::kForbiddenMargin * radiusAboutOrigin(*question.object().mesh);
+    verdict.forbidden = firstForbidden(path, question.forbidden, verdict.forbiddenMargin);
+  } else if (question.forbidsPlaces) {
+    verdict.refusals.push_back("the scenario forbids places, and where they are is not known");
+  }
 }
 
 double largestOfOthers(const std::vector<Body>& bodies, double (*valueOf)(const Body&)) {
@@ -91,14 +96,14 @@ double deflectionOf(const Body& body) {
   return largest;
 }
 
-std::optional<ForbiddenEdge> firstForbidden(const std::vector<Pose>& path,
-                                            const std::vector<ForbiddenRegion>& regions) {
+std::optional<ForbiddenEdge> firstForbidden(const std::vector<Pose>& path, const std::vector<ForbiddenRegion>& regions,
+                                            double margin) {
   for (std::size_t i = 0; i < std::max<std::size_t>(1, path.size() - 1); ++i) {
     const Vector3& to = path[std::min(i + 1, path.size() - 1)].position;
     for (const ForbiddenRegion& region : regions) {
-      const bool enters = std::any_of(region.boxes.begin(), region.boxes.end(),
-                                      [&](const Box3& box) { return entersInterior(path[i].position, to, box); });
-      if (enters) return ForbiddenEdge{i, region.place};
+      const bool meets = std::any_of(region.boxes.begin(), region.boxes.end(),
+                                     [&](const Box3& box) { return meetsBox(path[i].position, to, box, margin); });
+      if (meets) return ForbiddenEdge{i, region.place};
     }
   }
   return std::nullopt;
@@ -113,7 +118,7 @@ PathVerdict judgePath(const Question& question, const Path& path, const WorkWatc
   verdict.spacing = bodies.back().spacing + largestOfOthers(bodies, [](const Body& body) { return body.spacing; });
   judgeEnds(question, configurations, verdict);
   verdict.outside = firstOutside(question, configurations);
-  verdict.forbidden = firstForbidden(configurations, question.forbidden);
+  judgeForbidden(question, configurations, verdict);
   if (verdict.outside) {
     verdict.motion.verdict.edge = *verdict.outside == 0 ? 0 : *verdict.outside - 1;
     verdict.motion.why = "configuration " + std::to_string(*verdict.outside) +

@@ -9,7 +9,7 @@
 
 namespace glissade::check {
 
-/// Where a path enters what a person forbids.
+/// Where a path meets what a person forbids.
 struct ForbiddenEdge {
   std::size_t edge = 0;
   std::string place;
@@ -22,7 +22,8 @@ struct PathVerdict {
   bool beginsAtStart = false;
   bool endsAtGoal = false;
   std::optional<std::size_t> outside{};      ///< the first configuration outside the workspace
-  std::optional<ForbiddenEdge> forbidden{};  ///< the first edge through a forbidden place
+  std::optional<ForbiddenEdge> forbidden{};  ///< the first edge that does not keep the margin from a forbidden place
+  double forbiddenMargin = 0.0;              ///< metres; 0: no place is forbidden
   std::vector<AppliedAllowance> allowances{};
   std::vector<std::string> refusals{};  ///< of allowances and threads, for people
   double deviation = 0.0;               ///< metres that surfaces may be nearer than their triangles
@@ -41,8 +42,9 @@ struct PathVerdict {
 
 PathVerdict judgePath(const Question& question, const Path& path, const WorkWatch& watch = {});
 
-/// The first edge that enters the open interior of a box; touching is allowed.
-std::optional<ForbiddenEdge> firstForbidden(const std::vector<Pose>& path, const std::vector<ForbiddenRegion>& regions);
+/// The first edge with a point in a box, on its boundary, or nearer to it than the margin along each axis.
+std::optional<ForbiddenEdge> firstForbidden(const std::vector<Pose>& path, const std::vector<ForbiddenRegion>& regions,
+                                            double margin);
 
 /// Metres that the triangles of a body may be off its surface at most.
 double deflectionOf(const Body& body);

@@ -59,7 +59,7 @@ bool areCertified(const std::vector<Line>& lines) {
 
 }  // namespace
 
-std::vector<std::string> wrongClaims(const Product& product, const Plan& plan) {
+std::vector<std::string> wrongClaims(const Product& product, const Plan& plan, std::size_t apart) {
   std::vector<std::string> wrong;
   compareBodies(product, plan, wrong);
   findNamesOfNothing(product, plan.demands, wrong);
@@ -69,6 +69,7 @@ std::vector<std::string> wrongClaims(const Product& product, const Plan& plan) {
   for (const Step& step : plan.steps) removed += step.bodies.size();
   compareNumber("parts", plan.parts, parts, wrong);
   compareNumber("removed", plan.removed, removed, wrong);
+  compareNumber("apart", plan.apart, apart, wrong);
   const bool proved = areCertified(plan.steps) && areCertified(plan.lines);
   if (plan.certified && !*plan.certified && proved) wrong.emplace_back("the plan states that it is not certified");
   if (plan.certified && *plan.certified && !proved) {

@@ -1,17 +1,12 @@
 #include "engine/check/plan_demands.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "engine/assembly/body_choice.h"
+#include "engine/check/kept_directions.h"
 
 namespace glissade::check {
 namespace {
-
-/// Cosine of 30 degrees: what is nearer to a forbidden direction is forbidden.
-constexpr double kForbiddenCosine = 0.866;
-/// Metres that nothing has moved by.
-constexpr double kStandsStill = 1e-7;
 
 bool contains(const Group& group, std::size_t body) { return std::binary_search(group.begin(), group.end(), body); }
 
@@ -26,10 +21,25 @@ Group bodiesOf(const std::vector<std::string>& names, const Product& product) {
   return all;
 }
 
-/// From the first to the last position; up where nothing has moved.
-Vector3 exitOf(const std::vector<Point>& path) {
-  const Vector3 way = path.back().q.position - path.front().q.position;
-  return way.norm() > kStandsStill ? Vector3(way.normalized()) : Vector3(Vector3::UnitZ());
+/// The body of the step that moves in a direction that is forbidden to it, for people; empty: none does.
+std::string againstDirections(const Step& step, const Group& group, const Present& there, const Product& product,
+                              const Demands& demands) {
+  for (const auto& [name, direction] : demands.forbidden) {
+    for (const std::size_t body : bodiesNamed(product, name)) {
+      if (!contains(group, body) || step.path.empty()) continue;
+      const Body& own = product.bodies[body];
+      ForbiddenMotion forbidden{own, direction, {}};
+      for (const std::size_t other : touching(product, body)) {
+        if (there[other] && !contains(group, other)) forbidden.beside.push_back(&product.bodies[other]);
+      }
+      std::vector<Pose> ofBody;
+      const Pose X_PB = inverse(step.path.front().q) * own.X_WB;
+      for (const Point& point : step.path) ofBody.push_back(point.q * X_PB);
+      if (keepsOut(forbidden, ofBody)) continue;
+      return "'" + own.name + "' moves in a direction that is forbidden to it before it is clear of what it touched";
+    }
+  }
+  return {};
 }
 
 bool says(const Step& step, const std::string& rule, const std::string& id) {
@@ -38,6 +48,9 @@ bool says(const Step& step, const std::string& rule, const std::string& id) {
     return each.rule == rule && (id.empty() || std::find(ids.begin(), ids.end(), id) != ids.end());
   });
 }
+
+/// Of the first body.
+const std::string& nameOf(const Group& group, const Product& product) { return product.bodies[group.front()].name; }
 
 bool isSameMotion(const std::vector<Pose>& demanded, const std::vector<Point>& path) {
   return std::equal(demanded.begin(), demanded.end(), path.begin(), path.end(),
@@ -52,24 +65,24 @@ Group bodiesNamed(const Product& product, const std::string& name) {
   return bodiesMeant(ids, name, product.tree);
 }
 
-std::string againstDemands(const Step& step, const Group& group, const Present& there, std::size_t number,
-                           const Product& product, const Demands& demands) {
-  const Vector3 exit = exitOf(step.path);
-  for (const auto& [name, direction] : demands.forbidden) {
-    const Group named = bodiesNamed(product, name);
-    const bool concerns =
-        std::any_of(named.begin(), named.end(), [&](std::size_t body) { return contains(group, body); });
-    if (concerns && direction.normalized().dot(exit) > kForbiddenCosine) {
-      return "it leaves in a direction that is forbidden";
-    }
-  }
+BrokenDemands brokenDemands(const Step& step, const Group& group, const Present& there, std::size_t number,
+                            const Product& product, const Demands& demands) {
+  BrokenDemands broken;
+  const auto refuse = [&](const std::string& why) {
+    if (broken.refused.empty()) broken.refused = why;
+  };
+  if (const std::string wrong = againstDirections(step, group, there, product, demands); !wrong.empty()) refuse(wrong);
   for (const auto& [first, then] : demands.before) {
     const Group later = bodiesNamed(product, then);
     if (std::none_of(later.begin(), later.end(), [&](std::size_t body) { return contains(group, body); })) continue;
     for (const std::size_t body : bodiesNamed(product, first)) {
-      if (!there[body] || contains(group, body) || says(step, "before", product.bodies[body].id)) continue;
-      return "'" + product.bodies[body].name +
-             "' is demanded to leave before, and the step does not say that it does not";
+      if (!there[body] || contains(group, body)) continue;
+      const std::string& name = product.bodies[body].name;
+      if (says(step, "before", product.bodies[body].id)) {
+        broken.givenUp.push_back(leavesBefore(nameOf(group, product), name));
+      } else {
+        refuse("'" + name + "' is demanded to leave before, and the step does not say that it does not");
+      }
     }
   }
   for (const auto& names : demands.together) {
@@ -78,17 +91,22 @@ std::string againstDemands(const Step& step, const Group& group, const Present& 
         std::any_of(together.begin(), together.end(), [&](std::size_t body) { return contains(group, body); });
     const bool all = std::all_of(together.begin(), together.end(),
                                  [&](std::size_t body) { return contains(group, body) || !there[body]; });
-    if (some && !all) return "it is demanded to leave together with others, which stay behind";
+    if (some && !all) refuse("it is demanded to leave together with others, which stay behind");
   }
   for (const Demands::Place& demanded : demands.places) {
-    if (bodiesOf(demanded.bodies, product) != group || demanded.place == number || says(step, "place", "")) continue;
-    return "it is demanded as step " + std::to_string(demanded.place);
+    if (bodiesOf(demanded.bodies, product) != group || demanded.place == number) continue;
+    if (says(step, "place", "")) {
+      broken.givenUp.push_back(leavesAs(nameOf(group, product), number, demanded.place));
+    } else {
+      refuse("it is demanded as number " + std::to_string(demanded.place) + ", and is number " +
+             std::to_string(number) + " of the removal");
+    }
   }
   for (const Demands::Motion& demanded : demands.motions) {
     if (bodiesOf(demanded.bodies, product) != group) continue;
-    if (!isSameMotion(demanded.path, step.path)) return "another motion is demanded of it";
+    if (!isSameMotion(demanded.path, step.path)) refuse("another motion is demanded of it");
   }
-  return {};
+  return broken;
 }
 
 }  // namespace glissade::check

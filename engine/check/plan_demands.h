@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/check/condition.h"
 #include "engine/check/plan.h"
 
 namespace glissade::check {
@@ -15,9 +16,14 @@ using Group = std::vector<std::size_t>;
 /// The bodies that a person means by the name, ascending: bodiesMeant().
 Group bodiesNamed(const Product& product, const std::string& name);
 
-/// What of the demands the step of this number (from 1) does not keep, and does not say that it does not; empty:
-/// nothing. `there`: the bodies when it begins, its own included.
-std::string againstDemands(const Step& step, const Group& group, const Present& there, std::size_t number,
-                           const Product& product, const Demands& demands);
+/// What of demands a step does not keep, for people.
+struct BrokenDemands {
+  std::string refused{};             ///< the first that the step does not say it does not keep; empty: there is none
+  std::vector<Condition> givenUp{};  ///< that the step says it does not keep
+};
+
+/// Of the step of this number (from 1). `there`: the bodies when it begins, its own included.
+BrokenDemands brokenDemands(const Step& step, const Group& group, const Present& there, std::size_t number,
+                            const Product& product, const Demands& demands);
 
 }  // namespace glissade::check

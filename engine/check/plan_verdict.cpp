@@ -8,6 +8,7 @@
 
 #include "engine/base/thread_team.h"
 #include "engine/check/path_verdict.h"
+#include "engine/check/plan_units.h"
 #include "engine/check/step_judge.h"
 
 namespace glissade::check {
@@ -41,7 +42,7 @@ Present presentOnly(const std::vector<std::string>& ids, const Product& product)
 /// What of a line's claims does not agree with the step by which its group has left.
 std::vector<std::string> wrongLine(const Line& line, const std::vector<Step>& above) {
   if (line.step == 0 || line.step > above.size())
-    return {"it is of step " + std::to_string(line.step) + ", which is none"};
+    return {"it states \"step\": " + std::to_string(line.step) + ", and there are " + std::to_string(above.size())};
   const auto& group = above[line.step - 1].bodies;
   std::vector<std::string> wrong;
   if (std::set<std::string>(group.begin(), group.end()) !=
@@ -57,17 +58,18 @@ std::vector<std::string> wrongLine(const Line& line, const std::vector<Step>& ab
 }
 
 /// The lines of these steps, and those below them.
-void addLines(const std::vector<Line>& lines, const std::vector<Step>& above, const std::vector<std::size_t>& way,
+void addLines(const std::vector<Line>& lines, const std::vector<Step>& above, const LineVerdict& parent,
               const Product& product, std::vector<JudgedList>& lists) {
   std::set<std::size_t> known;
   for (const Line& line : lines) {
-    std::vector<std::size_t> numbers = way;
+    std::vector<std::size_t> numbers = parent.line;
     numbers.push_back(line.step);
     JudgedList list{numberedSteps(product, {line.steps, line.staying, presentOnly(line.bodies, product)}),
-                    {numbers, {}, wrongLine(line, above)}};
+                    {numbers, {}, wrongLine(line, above), stepNumber(line.step - 1, above.size(), parent.group)}};
     if (!known.insert(line.step).second) list.verdict.refusals.emplace_back("its step has another line");
+    const LineVerdict own{numbers, {}, {}, list.verdict.group};
     lists.push_back(std::move(list));
-    if (numbers.size() < kMostDepth) addLines(line.lines, line.steps, numbers, product, lists);
+    if (numbers.size() < kMostDepth) addLines(line.lines, line.steps, own, product, lists);
   }
 }
 
@@ -80,18 +82,29 @@ Demands ofLines(Demands demands) {
   return demands;
 }
 
-/// The product's file says of joints before the plan does.
-Product withWords(Product product, const Plan& plan) {
-  for (const SnapWord& word : plan.snaps) {
+void judgeDemands(const NumberedStep& step, const Demands& demands, const Product& product, bool isLine,
+                  StepVerdict& result) {
+  if (step.group.empty()) return;
+  const BrokenDemands broken =
+      brokenDemands(*step.step, step.group, step.there, step.earlier + 1, product, isLine ? ofLines(demands) : demands);
+  if (result.againstDemand.empty()) result.againstDemand = broken.refused;
+  result.conditions.insert(result.conditions.end(), broken.givenUp.begin(), broken.givenUp.end());
+}
+
+/// With the bends that only the plan states.
+Product withBends(Product product, const Plan& plan) {
+  for (SnapWord word : plan.snaps) {
+    word.byPlan = true;
     if (product.fits.snapOf(word.hook, word.edge) == nullptr) product.fits.snaps.push_back(word);
   }
-  PartingWords& partings = product.fits.partings;
-  partings.anyPair = partings.anyPair || plan.partings.anyPair;
-  partings.pairs.insert(partings.pairs.end(), plan.partings.pairs.begin(), plan.partings.pairs.end());
   return product;
 }
 
 }  // namespace
+
+std::string stepNumber(std::size_t index, std::size_t steps, const std::string& group) {
+  return (group.empty() ? "" : group + ".") + std::to_string(steps - index);
+}
 
 std::size_t PlanVerdict::validSteps() const {
   return static_cast<std::size_t>(
@@ -119,6 +132,31 @@ bool PlanVerdict::refused() const {
          std::any_of(lines.begin(), lines.end(), [](const auto& line) { return line.refused(); });
 }
 
+std::vector<Condition> PlanVerdict::allConditions() const {
+  std::vector<Condition> all;
+  double clash = 0.0;
+  const auto add = [&](const std::vector<Condition>& some) {
+    for (const Condition& each : some) {
+      clash = std::max(clash, each.acceptedClash);
+      const bool isNew = each.acceptedClash == 0.0 && std::find(all.begin(), all.end(), each) == all.end();
+      if (isNew) all.push_back(each);
+    }
+  };
+  add(conditions);
+  for (const StepVerdict& step : steps) add(step.conditions);
+  for (const LineVerdict& line : lines) {
+    for (const StepVerdict& step : line.steps) add(step.conditions);
+  }
+  if (clash > 0.0) all.push_back(clashIsAccepted(clash));
+  return all;
+}
+
+PlanOutcome PlanVerdict::outcome() const {
+  if (!valid()) return refused() ? PlanOutcome::Invalid : PlanOutcome::Undecided;
+  if (parts == 0 || remaining > 0 || inGroups > 0) return PlanOutcome::Incomplete;
+  return planIsTrusted || allConditions().empty() ? PlanOutcome::Valid : PlanOutcome::Conditional;
+}
+
 bool LineVerdict::refused() const {
   return !refusals.empty() || std::any_of(steps.begin(), steps.end(), [](const auto& step) { return step.refused(); });
 }
@@ -129,9 +167,16 @@ bool LineVerdict::valid() const {
 }
 
 PlanVerdict judgePlan(const Product& read, const Plan& plan, std::optional<double> required, const WorkWatch& watch) {
-  const Product product = withWords(read, plan);
+  const Product product = withBends(read, plan);
   PlanVerdict verdict;
-  verdict.refusals = wrongClaims(product, plan);
+  PlacedBodies placed;
+  const Leaving leaving = leavingOf(plan, product, placed);
+  verdict.refusals = wrongClaims(product, plan, leaving.apart);
+  verdict.alone = leaving.alone;
+  verdict.asUnits = leaving.asUnits;
+  verdict.inGroups = leaving.inGroups;
+  verdict.conditions = baseOf(plan, product, placed);
+  verdict.conditions.insert(verdict.conditions.end(), leaving.conditions.begin(), leaving.conditions.end());
   verdict.deviation = largestTwo(product);
   std::vector<JudgedList> lists;
   lists.push_back({numberedSteps(product, {plan.steps, plan.staying, Present(product.bodies.size(), true)}), {}});
@@ -146,9 +191,8 @@ PlanVerdict judgePlan(const Product& read, const Plan& plan, std::optional<doubl
     list.verdict.steps.resize(list.steps.size());
     for (std::size_t i = 0; i < list.steps.size(); ++i) open.emplace_back(&list, i);
   }
-  PlacedBodies placed;
   MotionBodies prepared(product.bodies);
-  const StepTools tools{product, required, placed, prepared, watch};
+  const StepTools tools{product, plan, required, placed, prepared, watch};
   ThreadTeam team(std::max(1U, std::thread::hardware_concurrency()) - 1);
   std::mutex mutex;
   std::size_t judged = 0;
@@ -161,11 +205,8 @@ PlanVerdict judgePlan(const Product& read, const Plan& plan, std::optional<doubl
     if (watch.stop.stopRequested()) return;
     result = judgeStep(step, tools);
     const bool isLine = !list->verdict.line.empty();
-    for (const Demands* demands : {&plan.demands, &product.demands}) {
-      if (!result.againstDemand.empty()) continue;
-      result.againstDemand =
-          againstDemands(*step.step, step.group, step.there, i + 1, product, isLine ? ofLines(*demands) : *demands);
-    }
+    judgeDemands(step, plan.demands, product, isLine, result);
+    judgeDemands(step, product.demands, product, isLine, result);
     const std::lock_guard lock(mutex);
     watch.report(static_cast<double>(++judged) / static_cast<double>(open.size()));
   });

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/assembly/missing_shape.h"
 #include "engine/assembly/product.h"
 #include "engine/base/diagnostic.h"
 #include "engine/check/body.h"
@@ -30,6 +31,7 @@ struct SnapWord {
   std::string edge;                      ///< id of the body that it is hooked into
   double bend = 0.0;                     ///< metres, > 0
   Vector3 direction = Vector3::UnitZ();  ///< unit, world frame: the way in which the body with the hook leaves
+  bool byPlan = false;                   ///< a plan states it, and no person
 
   bool operator==(const SnapWord&) const = default;
 };
@@ -59,7 +61,19 @@ struct FitWords {
   }
 };
 
-/// Where a person forbids the object's reference point to be, world frame.
+/// What a person says of joints beside bends and partings; bodies by id.
+struct JointWords {
+  struct Pitch {
+    std::string a;
+    std::string b;
+    double pitch = 0.0;  ///< metres a turn; below 0: left-handed
+  };
+  std::vector<std::string> flexible{};
+  std::vector<std::vector<std::string>> units{};  ///< bodies that are handled as one
+  std::vector<Pitch> pitches{};
+};
+
+/// Where a person forbids the object's reference point to be, world frame. The boxes are closed.
 struct ForbiddenRegion {
   std::string place;
   std::vector<Box3> boxes;
@@ -81,6 +95,7 @@ struct Demands {
   std::vector<Place> places;
   std::vector<Motion> motions;
   std::vector<std::pair<std::string, Vector3>> forbidden;  ///< a body and a direction
+  std::vector<std::string> stay{};
 };
 
 /// The bodies of a product where it is assembled, and what a person says of them.
@@ -90,6 +105,8 @@ struct Product {
   Demands demands{};
   glissade::Product tree{};  ///< assemblies that the bodies are in; it may have other bodies, too
   Warnings warnings{};       ///< of reading it
+  JointWords joints{};
+  MissingShapes missing{};  ///< that its files state and that are no bodies
 };
 
 /// What a path is asked for.
@@ -98,6 +115,7 @@ struct Question {
   std::optional<Pose> goal{};  ///< nothing: anywhere clear of the others' bounding box
   Box3 workspace;              ///< of the object's reference point
   std::vector<ForbiddenRegion> forbidden{};
+  bool forbidsPlaces = false;      ///< a person does; without regions no path is valid
   double requiredClearance = 0.0;  ///< metres
   double contactGap = 0.0;         ///< metres
 

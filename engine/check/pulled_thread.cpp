@@ -19,25 +19,19 @@ constexpr double kEnoughTurn = 0.01;
 /// In diameters of the shaft: what is steeper is a pull with a turn in it. Screws for wood have 0.45.
 constexpr double kSteepest = 0.5;
 
-/// Two cylinders that are around each other where the product is assembled: about one axis, or about two beside each
-/// other with all of the hole's wall in the shaft.
-struct RoundPair {
-  Vector3 point;
-  Vector3 axis;
-  double depth;   ///< by which the shaft is thicker than the hole, metres
-  double radius;  ///< of the shaft
-  double low;     ///< of the moving one's cylinder, along the axis from the point
-  double high;
-  double lowOther;
-  double highOther;
+/// Metres: radii that differ by less are equal.
+constexpr double kLeastPressed = 5e-7;
 
-  bool isThread(double overlap) const {
-    return depth > kLeastThreadDepth * radius && depth < kMostThreadDepth * radius && overlap >= 0.5 * depth;
-  }
-  bool isEngagedAfter(double advance) const { return low + advance < highOther && high + advance > lowOther; }
-};
+bool isDeepAsThread(const CommonThread& pair, double overlap) {
+  return pair.depth > kLeastThreadDepth * pair.radius && pair.depth < kMostThreadDepth * pair.radius &&
+         overlap >= 0.5 * pair.depth;
+}
 
-std::optional<RoundPair> aroundEachOther(const RoundFace& own, const RoundFace& other) {
+bool isEngagedAfter(const CommonThread& thread, double advance) {
+  return thread.low + advance < thread.highOther && thread.high + advance > thread.lowOther;
+}
+
+std::optional<CommonThread> aroundEachOther(const RoundFace& own, const RoundFace& other) {
   if (own.isShaft == other.isShaft || own.axis.cross(other.axis).norm() >= kParallelAxes) return std::nullopt;
   const auto [shaft, hole] = own.isShaft ? std::pair(own.radius, other.radius) : std::pair(other.radius, own.radius);
   const double beside = (other.point - own.point).cross(own.axis).norm();
@@ -45,44 +39,31 @@ std::optional<RoundPair> aroundEachOther(const RoundFace& own, const RoundFace& 
   const double from = (other.point - own.point).dot(own.axis);
   const double sense = own.axis.dot(other.axis) < 0.0 ? -1.0 : 1.0;
   const auto [low, high] = std::minmax({from + sense * other.low, from + sense * other.high});
-  const RoundPair pair{own.point, own.axis, shaft - hole, shaft, own.low, own.high, low, high};
-  return pair.isEngagedAfter(0.0) ? std::optional(pair) : std::nullopt;
-}
-
-/// Those that are too thick for their holes; where none is and the file calls the pair a thread, the closest one.
-std::vector<RoundPair> threadsOf(const LeavingPair& pair) {
-  std::vector<RoundPair> threads;
-  std::optional<RoundPair> closest;
-  for (const RoundFace& own : pair.moving.rounds) {
-    for (const RoundFace& other : pair.other.rounds) {
-      const auto round = aroundEachOther(own, other);
-      if (!round) continue;
-      if (round->isThread(pair.overlap)) threads.push_back(*round);
-      if (!closest || std::abs(round->depth) < std::abs(closest->depth)) closest = round;
-    }
-  }
-  if (threads.empty() && closest && pair.isCalledThread) threads.push_back(*closest);
-  return threads;
+  const CommonThread pair{own.point, own.axis, shaft - hole, shaft, own.low, own.high, low, high, own.isShaft};
+  return isEngagedAfter(pair, 0.0) ? std::optional(pair) : std::nullopt;
 }
 
 /// Follows the motion about the axis of a thread until it is free.
 class TurnOut {
  public:
-  explicit TurnOut(const RoundPair& thread) : thread_(thread) {}
+  explicit TurnOut(const CommonThread& thread) : thread_(thread) {}
 
   /// How much of the thread is pulled, metres; 0: it is turned out.
   double pulled(const std::vector<Pose>& path) {
     const Pose start = inverse(path.front());
     double turnedUpTo = 0.0;
-    for (std::size_t i = 1; i < path.size() && thread_.isEngagedAfter(advance_); ++i) {
+    for (std::size_t i = 1; i < path.size() && isEngagedAfter(thread_, advance_); ++i) {
       if (!follow(path[i - 1] * start, path[i] * start)) break;
       turnedUpTo = advance_;
     }
-    if (!thread_.isEngagedAfter(turnedUpTo)) return 0.0;
+    if (!isEngagedAfter(thread_, turnedUpTo)) return 0.0;
     const double rest =
         std::min(thread_.high + turnedUpTo - thread_.lowOther, thread_.highOther - thread_.low - turnedUpTo);
     return rest > std::max(isTooSteep() ? 0.0 : pitch_.value_or(0.0), kOnCylinder) ? rest : 0.0;
   }
+
+  /// Metres a turn, below 0: left-handed; 0: it does not turn.
+  double pitch() const { return (isRight_ ? 1.0 : -1.0) * pitch_.value_or(0.0); }
 
  private:
   bool isTooSteep() const { return pitch_.value_or(0.0) > kSteepest * 2.0 * thread_.radius; }
@@ -107,7 +88,7 @@ class TurnOut {
     return std::abs(advance_ - expected) <= play && (way - advance_ * thread_.axis).norm() <= play;
   }
 
-  const RoundPair& thread_;
+  const CommonThread& thread_;
   std::optional<double> pitch_;  ///< metres, of the motion; nothing: it has not turned yet
   bool isRight_ = true;
   double turn_ = 0.0;     ///< radians
@@ -116,13 +97,53 @@ class TurnOut {
 
 }  // namespace
 
-std::string pulledThread(const LeavingPair& pair) {
-  for (const RoundPair& thread : threadsOf(pair)) {
-    const double pulled = TurnOut(thread).pulled(pair.path);
+/// Those that are too thick for their holes; where none is and the file calls the pair a thread, the closest one.
+std::vector<CommonThread> commonThreads(const LeavingPair& pair) {
+  if (const ScrewInSolid* screw = pair.inSolid) {
+    const bool isShaft = true;
+    return {{screw->point, screw->axis, 0.0, screw->radius, screw->low, screw->high, screw->low, screw->high, isShaft}};
+  }
+  std::vector<CommonThread> threads;
+  std::optional<CommonThread> closest;
+  for (const RoundFace& own : pair.moving.rounds) {
+    for (const RoundFace& other : pair.other.rounds) {
+      const auto round = aroundEachOther(own, other);
+      if (!round) continue;
+      if (isDeepAsThread(*round, pair.overlap)) threads.push_back(*round);
+      if (!closest || std::abs(round->depth) < std::abs(closest->depth)) closest = round;
+    }
+  }
+  if (threads.empty() && closest && pair.isCalledThread) threads.push_back(*closest);
+  return threads;
+}
+
+std::string pulledThread(const std::vector<CommonThread>& threads, const std::vector<Pose>& path) {
+  for (const CommonThread& thread : threads) {
+    const double pulled = TurnOut(thread).pulled(path);
     if (pulled <= 0.0) continue;
     return inMillimetres(pulled) + " of a thread of " + inMillimetres(2.0 * thread.radius);
   }
   return {};
+}
+
+bool isPressedIn(const PlacedBody& one, const PlacedBody& other) {
+  for (const RoundFace& own : one.rounds) {
+    for (const RoundFace& hole : other.rounds) {
+      const auto pair = aroundEachOther(own, hole);
+      if (pair && pair->depth > kLeastPressed && pair->depth <= kLeastThreadDepth * pair->radius) return true;
+    }
+  }
+  return false;
+}
+
+std::vector<TurnedThread> turnedThreads(const std::vector<CommonThread>& threads, const std::vector<Pose>& path) {
+  std::vector<TurnedThread> turned;
+  for (const CommonThread& thread : threads) {
+    TurnOut motion(thread);
+    if (motion.pulled(path) > 0.0 || motion.pitch() == 0.0) continue;
+    turned.push_back({motion.pitch(), 2.0 * thread.radius});
+  }
+  return turned;
 }
 
 }  // namespace glissade::check

@@ -3,17 +3,32 @@
 #include <string>
 #include <vector>
 
+#include "engine/check/named_screw.h"
 #include "engine/check/placed_body.h"
 
 namespace glissade::check {
 
-/// A pair of bodies, the one of which leaves the other.
+/// A pair of bodies where the product is assembled, the one of which is to leave the other.
 struct LeavingPair {
-  const PlacedBody& moving;       ///< where the product is assembled
-  const PlacedBody& other;        ///< likewise
-  const std::vector<Pose>& path;  ///< of the moving body, from there
-  double overlap = 0.0;           ///< metres, as deep as the one is in the other
-  bool isCalledThread = false;    ///< by the file: also where both cylinders are equally wide
+  const PlacedBody& moving;
+  const PlacedBody& other;
+  double overlap = 0.0;                   ///< metres, as deep as the one is in the other
+  bool isCalledThread = false;            ///< by the file: also where both cylinders are equally wide
+  const ScrewInSolid* inSolid = nullptr;  ///< one is a screw that makes its hole in the other one; null: none is
+};
+
+/// Two cylinders that are around each other where the product is assembled: about one axis, or about two beside each
+/// other with all of the hole's wall in the shaft. World frame.
+struct CommonThread {
+  Vector3 point;
+  Vector3 axis;
+  double depth;   ///< by which the shaft is thicker than the hole, metres
+  double radius;  ///< of the shaft
+  double low;     ///< of the moving one's cylinder, along the axis from the point
+  double high;
+  double lowOther;
+  double highOther;
+  bool movingIsShaft;
 };
 
 /// A share of the shaft's radius: what is thicker than its hole by more is neither pressed nor slid in. Threads are
@@ -22,10 +37,25 @@ struct LeavingPair {
 inline constexpr double kLeastThreadDepth = 0.05;
 inline constexpr double kMostThreadDepth = 0.3;
 
-/// How much of a thread a motion pulls instead of turning the body off, for people; empty: nothing. A thread is a shaft
-/// of the one in a hole of the other, with all of the hole's wall in the shaft. While the two are around each other,
-/// the body turns about the axis and advances by the same pitch in each turn; the last pitch may be pulled, because a
-/// thread ends in its run-out.
-std::string pulledThread(const LeavingPair& pair);
+/// The threads that the pair has in common, which come apart by turning: a shaft of the one in a hole of the other,
+/// with all of the hole's wall in the shaft. The one definition of what may not be pulled: planners ask for it while
+/// they make a motion, and the judge when it judges one.
+std::vector<CommonThread> commonThreads(const LeavingPair& pair);
+
+/// How much of the threads a motion pulls instead of turning the body off, for people; empty: nothing. While the two
+/// are around each other, the body turns about the axis and advances by the same pitch in each turn; the last pitch may
+/// be pulled, because a thread ends in its run-out. `path`: of the moving body, from where the product is assembled.
+std::string pulledThread(const std::vector<CommonThread>& threads, const std::vector<Pose>& path);
+
+/// Where the product is assembled, a shaft of the one is thicker than the hole of the other that it is in, by no more
+/// than what can be pressed in.
+bool isPressedIn(const PlacedBody& one, const PlacedBody& other);
+
+/// A thread that a motion turns in.
+struct TurnedThread {
+  double pitch = 0.0;     ///< metres a turn of the motion; below 0: left-handed
+  double diameter = 0.0;  ///< of the shaft, metres
+};
+std::vector<TurnedThread> turnedThreads(const std::vector<CommonThread>& threads, const std::vector<Pose>& path);
 
 }  // namespace glissade::check

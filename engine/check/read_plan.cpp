@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "engine/base/file.h"
 #include "engine/base/limits.h"
@@ -18,39 +19,76 @@ std::vector<std::string> textsOf(const JsonCursor& at) {
   return texts;
 }
 
-/// The step is of one body, and takes a joint of it apart that is flexible.
-bool saysFlexible(const JsonCursor& at, const std::vector<std::string>& bodies) {
-  const auto joints = at.find("joints");
-  for (std::size_t i = 0; joints && i < joints->sizeUpTo(limits::kMostBodies); ++i) {
-    const JsonCursor joint = joints->element(i);
-    const bool isFlexible = joint.at("kind").text() == "flexible";
-    if (isFlexible && bodies.size() == 1 && joint.at("body").text() == bodies.front()) return true;
-  }
-  return false;
+/// Metres, 0 or more.
+double lengthAt(const JsonCursor& at) {
+  const double value = at.coordinate();
+  if (value < 0.0) at.fail("is below zero");
+  return value;
 }
 
-/// The pairs of bodies of those joints of the step that are threads, ids.
-std::vector<std::pair<std::string, std::string>> turnedPairs(const JsonCursor& at) {
-  std::vector<std::pair<std::string, std::string>> pairs;
+StatedJoint readJoint(const JsonCursor& at) {
+  at.allowOnly({"kind", "body", "others", "clamped", "designation", "drive", "drive_size_m", "bend_m", "diameter_m",
+                "pitch_m", "pitch_stated", "turns"});
+  StatedJoint joint{at.at("kind").text(), at.at("body").text(), {}};
+  if (const auto others = at.find("others")) joint.others = textsOf(*others);
+  if (const auto drive = at.find("drive")) joint.drive = drive->text();
+  if (const auto name = at.find("designation")) joint.isNamed = !name->text().empty();
+  if (const auto diameter = at.find("diameter_m")) joint.diameter = lengthAt(*diameter);
+  if (const auto pitch = at.find("pitch_m")) joint.pitch = pitch->coordinate();
+  if (const auto turns = at.find("turns")) joint.turns = lengthAt(*turns);
+  if (const auto bend = at.find("bend_m")) joint.bend = lengthAt(*bend);
+  if (const auto size = at.find("drive_size_m")) joint.driveSize = lengthAt(*size);
+  return joint;
+}
+
+/// Null stands for no body that is near.
+std::optional<double> clearanceAt(const std::optional<JsonCursor>& at) {
+  if (!at) return std::nullopt;
+  return at->json().is_null() ? std::numeric_limits<double>::infinity() : lengthAt(*at);
+}
+
+StatedProof readProof(const JsonCursor& at) {
+  at.allowOnly({"status", "after_steps", "required_m", "proved_clearance_m", "min_clearance_m", "nearest"});
+  StatedProof proof;
+  if (const auto after = at.find("after_steps")) proof.afterSteps = static_cast<std::size_t>(after->wholeNumber());
+  if (const auto required = at.find("required_m")) proof.required = lengthAt(*required);
+  proof.provedClearance = clearanceAt(at.find("proved_clearance_m"));
+  proof.minClearance = clearanceAt(at.find("min_clearance_m"));
+  const auto nearest = at.find("nearest");
+  if (nearest && !nearest->json().is_null()) proof.nearest = nearest->text();
+  return proof;
+}
+
+void readNumbers(const JsonCursor& at, Step& step) {
+  if (const auto wave = at.find("wave")) step.wave = wave->wholeNumber();
+  if (const auto task = at.find("task")) step.task = task->wholeNumber();
+  if (const auto unit = at.find("unit")) step.unit = unit->boolean();
+  if (const auto tool = at.find("tool")) tool->allowOnly({"kind", "access", "blocked_by", "turned"});
+  step.proof = readProof(at.at("certificate"));
   const auto joints = at.find("joints");
   for (std::size_t i = 0; joints && i < joints->sizeUpTo(limits::kMostBodies); ++i) {
-    const JsonCursor joint = joints->element(i);
-    const std::string kind = joint.at("kind").text();
-    const auto others = joint.find("others");
-    if (!others || (kind != "screw" && kind != "nut" && kind != "thread")) continue;
-    for (const std::string& other : textsOf(*others)) pairs.emplace_back(joint.at("body").text(), other);
+    step.joints.push_back(readJoint(joints->element(i)));
   }
-  return pairs;
 }
 
 Step readStep(const JsonCursor& at, std::size_t earlier) {
+  at.allowOnly({"bodies", "method", "wave", "after", "fastener", "tool", "falling", "certificate", "allowances", "path",
+                "violates", "joints", "task", "unit"});
   Step step;
   step.bodies = textsOf(at.at("bodies"));
   step.path = readPoints(at.at("path"));
-  step.allowances = readAllowances(at.at("allowances"));
+  const JsonCursor allowances = at.at("allowances");
+  for (std::size_t i = 0; i < allowances.sizeUpTo(limits::kMostBodies); ++i) {
+    allowances.element(i).allowOnly({"body", "kind", "overlap_m", "allowance_m", "text", "moving", "yields", "hollow",
+                                     "core", "evidence", "pitch_m", "turns"});
+  }
+  step.allowances = readAllowances(allowances);
   step.certified = at.at("certificate").at("status").text() == "certified";
-  step.flexible = saysFlexible(at, step.bodies);
-  step.turned = turnedPairs(at);
+  readNumbers(at, step);
+  step.flexible =
+      step.bodies.size() == 1 && std::any_of(step.joints.begin(), step.joints.end(), [&](const auto& joint) {
+        return joint.kind == "flexible" && joint.body == step.bodies.front();
+      });
   const auto after = at.find("after");
   for (std::size_t number = 1; !after && number <= earlier; ++number) step.after.push_back(number);
   for (std::size_t i = 0; after && i < after->sizeUpTo(limits::kMostBodies); ++i) {
@@ -76,6 +114,7 @@ std::vector<Line> linesIn(const JsonCursor& at) {
   const auto list = at.find("lines");
   for (std::size_t i = 0; list && i < list->sizeUpTo(limits::kMostBodies); ++i) {
     const JsonCursor line = list->element(i);
+    line.allowOnly({"step", "bodies", "staying", "steps", "stuck", "lines"});
     lines.push_back({static_cast<std::size_t>(line.at("step").wholeNumber()), textsOf(line.at("bodies")),
                      textsOf(line.at("staying")), readSteps(line.at("steps")), linesIn(line)});
   }
@@ -83,6 +122,9 @@ std::vector<Line> linesIn(const JsonCursor& at) {
 }
 
 Plan planIn(const JsonCursor& at) {
+  at.allowOnly({"format", "version", "program",  "product", "strategy",  "seed",   "deflection_m",
+                "parts",  "removed", "apart",    "end",     "certified", "bodies", "staying",
+                "steps",  "stuck",   "refusals", "waiting", "sequence",  "lines"});
   if (at.at("format").text() != kPlanFormatName) at.at("format").fail("is not \"glissade-plan\"");
   if (at.at("version").wholeNumber() != 1) at.at("version").fail("is not 1", "Use a newer Glissade.");
   Plan plan;
@@ -95,7 +137,10 @@ Plan planIn(const JsonCursor& at) {
   }
   if (const auto demands = at.find("sequence")) {
     plan.demands = readDemands(*demands);
-    if (const auto joints = demands->find("joints")) plan.snaps = readSnaps(*joints);
+    if (const auto joints = demands->find("joints")) {
+      plan.snaps = readSnaps(*joints);
+      plan.joints = readJointWords(*joints, {});
+    }
     plan.partings = readPartingsOfSequence(*demands, {});
   }
   if (const auto deflection = at.find("deflection_m")) plan.deflection = deflection->number();
@@ -104,6 +149,7 @@ Plan planIn(const JsonCursor& at) {
   }
   if (const auto parts = at.find("parts")) plan.parts = parts->wholeNumber();
   if (const auto removed = at.find("removed")) plan.removed = removed->wholeNumber();
+  if (const auto apart = at.find("apart")) plan.apart = apart->wholeNumber();
   if (const auto certified = at.find("certified")) plan.certified = certified->boolean();
   plan.steps = readSteps(at.at("steps"));
   plan.lines = linesIn(at);

@@ -155,6 +155,7 @@ void centre(std::vector<Body>& bodies) {
 struct ReadParts {
   std::vector<Body> bodies{};
   glissade::Product tree{};
+  MissingShapes missing{};
 };
 
 Result<ReadParts> partsOf(const Asset& asset, const std::string& part, const std::string& file, Warnings& warnings,
@@ -176,6 +177,7 @@ Result<ReadParts> partsOf(const Asset& asset, const std::string& part, const std
     nodes.push_back({read.bodies[i].id, {solid.path.empty() ? lastStepOf(file) : solid.path, solid.names}});
   }
   read.tree = glissade::Product(nodes);
+  read.missing = (*loaded)->missing;
   return read;
 }
 
@@ -200,6 +202,7 @@ Result<Product> productOfParts(const std::string& text, double deflection, const
   if (!usual) return usual.error();
   product.bodies = std::move(usual->bodies);
   product.tree = std::move(usual->tree);
+  product.missing = std::move(usual->missing);
   if (deflection > 0.0 && !isUrdf(file)) {
     Asset finer = asset;
     finer.deflection = std::clamp(deflection, limits::kSmallestSize, usualDeflection(1e9));
@@ -229,6 +232,7 @@ struct ReadScenario {
   Body object;                     ///< as the one body that moves
   glissade::Product tree;
   Warnings warnings{};
+  MissingShapes missing{};
 };
 
 ProductBody nodeOf(const StatedScenario::StatedBody& body, const LoadedGeometry& geometry) {
@@ -266,6 +270,7 @@ Outcome readBodies(const std::string& file, const StopToken& stop, ReadScenario&
   read.objectBodies = {read.object};
   if (stated.object.size() > 1) read.objectBodies = groupBodiesOf(stated, ofObject);
   read.warnings.insert(read.warnings.end(), loader.warnings().begin(), loader.warnings().end());
+  read.missing = missingShapesOf(loader.loaded());
   return Done{};
 }
 
@@ -289,10 +294,12 @@ Product productOf(const ReadScenario& read, const std::vector<Body>& object, con
   product.bodies.insert(product.bodies.end(), object.begin(), object.end());
   product.tree = read.tree;
   product.warnings = read.warnings;
+  product.missing = read.missing;
   std::map<MeshPtr, bool> closed;
   for (const Body& body : product.bodies) warnIfOpen(body, file, closed, product.warnings);
   shorten(product.bodies);
   product.demands = read.stated.demands;
+  product.joints = read.stated.joints;
   return product;
 }
 
@@ -314,6 +321,7 @@ Result<Question> readQuestion(const std::string& file, const FitChoice& fits, co
   if (scenario.goal) question.goal = unitRotation(*scenario.goal);
   question.workspace = scenario.workspace;
   question.forbidden = scenario.forbidden;
+  question.forbidsPlaces = scenario.forbidsPlaces;
   if (const Outcome taken = takeParameters(scenario, file, question); !taken) return taken.error();
   return question;
 }

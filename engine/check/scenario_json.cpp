@@ -63,6 +63,17 @@ StatedScenario::StatedBody readStatedBody(const JsonCursor& at, const std::set<s
   return body;
 }
 
+/// A person says of the body that it does not leave.
+bool saysThatItStays(const JsonCursor& body) {
+  const auto attributes = body.find("attributes");
+  if (!attributes) return false;
+  const auto isTrue = [&](const char* name) {
+    const auto value = attributes->find(name);
+    return value && value->json().is_boolean() && value->boolean();
+  };
+  return isTrue("base") || isTrue("stays");
+}
+
 PairWord readPair(const JsonCursor& at) {
   at.allowOnly({"a", "b", "kind", "allowance", "accepted", "pitch_m", "turned"});
   PairWord word{at.at("a").nonEmptyText(), at.at("b").nonEmptyText()};
@@ -140,6 +151,12 @@ ForbiddenRegion readForbidden(const JsonCursor& at) {
   return region;
 }
 
+bool forbids(const JsonCursor& edit) {
+  const auto attributes = edit.find("attributes");
+  const auto forbidden = attributes ? attributes->find("forbidden") : std::nullopt;
+  return forbidden && forbidden->boolean();
+}
+
 void readFormat(const JsonCursor& root) {
   if (root.at("format").text() != "glissade-scenario") root.at("format").fail("is not \"glissade-scenario\"");
   if (root.at("version").wholeNumber() != 1) root.at("version").fail("is not 1", "Use a newer Glissade.");
@@ -161,16 +178,19 @@ StatedScenario readStatedScenario(const JsonCursor& root) {
     if (id.find('/') != std::string::npos) at.at("id").fail("holds a '/'", "Leave it out.");
     if (!ids.insert(id).second) at.at("id").fail("has the id '" + id + "' a second time");
   };
+  std::vector<std::string> staying;
   const auto addBodies = [&](const JsonCursor& list, std::vector<StatedScenario::StatedBody>& bodies) {
     for (std::size_t i = 0; i < list.sizeUpTo(limits::kMostBodies); ++i) {
       bodies.push_back(readStatedBody(list.element(i), assets));
       addId(bodies.back().id, list.element(i));
+      if (saysThatItStays(list.element(i))) staying.push_back(bodies.back().id);
     }
   };
   addBodies(root.at("bodies"), scenario.bodies);
   const JsonCursor object = root.at("object");
   scenario.object.push_back(readStatedBody(object, assets));
   addId(scenario.object.front().id, object);
+  if (saysThatItStays(object)) staying.push_back(scenario.object.front().id);
   if (const auto with = object.find("with")) addBodies(*with, scenario.object);
   if (const auto leftOut = root.find("left_out")) addBodies(*leftOut, scenario.leftOut);
   if (const auto product = root.find("product")) scenario.nodes = readNodes(*product);
@@ -193,14 +213,23 @@ StatedScenario readStatedScenario(const JsonCursor& root) {
   if (const auto joints = root.find("joints")) {
     scenario.fits.snaps = readSnaps(*joints);
     scenario.fits.partings = readPartings(*joints, {});
+    scenario.joints = readJointWords(*joints, {});
   }
   if (const auto demands = root.find("sequence")) {
     scenario.demands = readDemands(*demands);
+    if (const auto joints = demands->find("joints")) {
+      scenario.joints = readJointWords(*joints, std::move(scenario.joints));
+    }
     scenario.fits.partings = readPartingsOfSequence(*demands, std::move(scenario.fits.partings));
   }
+  scenario.demands.stay.insert(scenario.demands.stay.end(), staying.begin(), staying.end());
   const auto forbidden = root.find("forbidden_regions");
   for (std::size_t i = 0; forbidden && i < forbidden->sizeUpTo(limits::kMostBodies); ++i) {
     scenario.forbidden.push_back(readForbidden(forbidden->element(i)));
+  }
+  const auto places = root.find("places");
+  for (std::size_t i = 0; places && i < places->sizeUpTo(limits::kMostBodies); ++i) {
+    scenario.forbidsPlaces = scenario.forbidsPlaces || forbids(places->element(i));
   }
   return scenario;
 }

@@ -34,7 +34,9 @@ struct StatedScenario {
   std::map<ParameterId, double> parameters;
   FitWords fits;
   Demands demands;
+  JointWords joints;
   std::vector<ForbiddenRegion> forbidden;
+  bool forbidsPlaces = false;  ///< an edit of a place does
 };
 
 /// Throws JsonError.

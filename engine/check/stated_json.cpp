@@ -37,6 +37,29 @@ std::vector<SnapWord> bendsIn(const JsonCursor& joint) {
   return snaps;
 }
 
+Evidence readEvidence(const JsonCursor& at) {
+  at.allowOnly({"overlap_m", "deflection_m", "spacing_m", "margin_m", "by_person_m"});
+  Evidence evidence{metres(at.at("overlap_m")), metres(at.at("deflection_m")), metres(at.at("spacing_m")),
+                    metres(at.at("margin_m"))};
+  if (const auto person = at.find("by_person_m")) evidence.byPerson = metres(*person);
+  return evidence;
+}
+
+/// The body and the others of a joint.
+std::vector<std::string> bodiesOfJoint(const JsonCursor& joint) {
+  std::vector<std::string> bodies{joint.at("body").nonEmptyText()};
+  const auto others = joint.find("others");
+  for (const std::string& other : others ? readTexts(*others) : std::vector<std::string>()) bodies.push_back(other);
+  return bodies;
+}
+
+/// Signed metres a turn that a word gives for the thread of a joint; 0: none.
+double pitchIn(const JsonCursor& joint) {
+  const auto made = joint.find("made");
+  const auto thread = made ? made->find("thread") : std::nullopt;
+  return thread ? thread->at("pitch_m").coordinate() : 0.0;
+}
+
 }  // namespace
 
 StatedThread readThread(const JsonCursor& at) {
@@ -65,6 +88,9 @@ std::vector<StatedAllowance> readAllowances(const JsonCursor& at) {
     if (const auto thread = each.find("thread")) allowance.thread = readThread(*thread);
     if (const auto hollow = each.find("hollow")) allowance.hollow = hollow->boolean();
     if (const auto core = each.find("core")) allowance.core = readThread(*core);
+    if (const auto overlap = each.find("overlap_m")) allowance.overlap = metres(*overlap);
+    if (const auto evidence = each.find("evidence")) allowance.evidence = readEvidence(*evidence);
+    if (const auto turns = each.find("turns")) allowance.turns = turns->number();
     allowances.push_back(std::move(allowance));
   }
   return allowances;
@@ -124,6 +150,25 @@ std::vector<SnapWord> readSnaps(const JsonCursor& at) {
   return snaps;
 }
 
+JointWords readJointWords(const JsonCursor& joints, JointWords words) {
+  for (std::size_t i = 0; i < joints.sizeUpTo(limits::kMostBodies); ++i) {
+    const JsonCursor joint = joints.element(i);
+    const std::string kind = joint.at("kind").text();
+    const bool isConfirmed = joint.at("word").text() == "confirmed";
+    const std::vector<std::string> bodies = bodiesOfJoint(joint);
+    if (kind == "flexible") {
+      std::erase(words.flexible, bodies.front());
+      if (isConfirmed) words.flexible.push_back(bodies.front());
+    } else if (kind == "insert" || kind == "permanent" || kind == "unit") {
+      std::erase(words.units, bodies);
+      if (isConfirmed) words.units.push_back(bodies);
+    } else if (isConfirmed && pitchIn(joint) != 0.0) {
+      for (std::size_t k = 1; k < bodies.size(); ++k) words.pitches.push_back({bodies[0], bodies[k], pitchIn(joint)});
+    }
+  }
+  return words;
+}
+
 Demands readDemands(const JsonCursor& at) {
   Demands demands;
   const auto each = [&](const char* key, const auto& take) {
@@ -150,6 +195,7 @@ Demands readDemands(const JsonCursor& at) {
     if (!(way.norm() > 0.0)) direction.at("direction").fail("has no direction");
     demands.forbidden.emplace_back(direction.at("body").nonEmptyText(), way);
   });
+  if (const auto stay = at.find("stay")) demands.stay = readTexts(*stay);
   return demands;
 }
 

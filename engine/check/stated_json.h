@@ -17,6 +17,8 @@ Demands readDemands(const JsonCursor& at);
 PartingWords readPartings(const JsonCursor& joints, PartingWords words);
 /// The same of the section "sequence" of a scenario or a plan, which also says whether joints are used at all.
 PartingWords readPartingsOfSequence(const JsonCursor& sequence, PartingWords words);
+/// Of a list of words about joints, said after the others: what is flexible, what is one unit, pitches.
+JointWords readJointWords(const JsonCursor& joints, JointWords words);
 /// Of a list of words about joints: the bends that a person confirms. What is said last of a snap counts.
 std::vector<SnapWord> readSnaps(const JsonCursor& at);
 

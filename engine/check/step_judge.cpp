@@ -4,7 +4,10 @@
 #include <limits>
 
 #include "engine/base/parameters.h"
+#include "engine/check/pair_work.h"
 #include "engine/check/pulled_thread.h"
+#include "engine/check/standard_pitch.h"
+#include "engine/check/stated_numbers.h"
 #include "engine/check/verdict_words.h"
 
 namespace glissade::check {
@@ -22,10 +25,18 @@ Box3 sweepOf(const std::vector<Pose>& path, double reach) {
   return {box.min() - Vector3::Constant(reach), box.max() + Vector3::Constant(reach)};
 }
 
+/// The motion of one body of a step.
+struct BodyMotion {
+  JudgedMotion judged{};
+  double met = std::numeric_limits<double>::infinity();  ///< metres, as near as it gets to a body at least
+  bool isMetThere = false;                               ///< to one that is there in the order of the list
+};
+
 class StepJudge {
  public:
   StepJudge(const NumberedStep& numbered, const StepTools& tools)
       : product_(tools.product),
+        plan_(tools.plan),
         numbered_(numbered),
         placed_(tools.placed),
         prepared_(tools.prepared),
@@ -35,6 +46,7 @@ class StepJudge {
       required_ = std::min(required_, usual(product_.bodies[body], ParameterId::RequiredClearance));
     }
     if (tools.required) required_ = *tools.required;
+    isRequiredGiven_ = tools.required.has_value();
   }
 
   StepVerdict judge() {
@@ -42,7 +54,12 @@ class StepJudge {
     verdict.isFlexible = numbered_.step->flexible;
     if (numbered_.group.empty()) return verdict;
     checkNames(verdict);
-    if (verdict.isFlexible) return verdict;
+    noteRules(verdict);
+    if (verdict.isFlexible) {
+      judgeFlexible(verdict);
+      compareNumbers(std::numeric_limits<double>::infinity(), verdict);
+      return verdict;
+    }
     const std::vector<Pose> path = configurationsOf(numbered_.step->path);
     Box3 others;
     for (std::size_t body = 0; body < product_.bodies.size(); ++body) {
@@ -51,12 +68,15 @@ class StepJudge {
       if (counts) others.extend(boundingBox(*product_.bodies[body].mesh, product_.bodies[body].X_WB));
     }
     bool first = true;
+    double farthest = std::numeric_limits<double>::infinity();
     for (const std::size_t body : numbered_.group) {
       const Body& own = product_.bodies[body];
       const Pose end = path.back() * inverse(path.front()) * own.X_WB;
       const bool outside = others.isEmpty() || !others.intersects(boundingBox(*own.mesh, end));
       verdict.endsOutside = verdict.endsOutside && outside;
-      const JudgedMotion motion = judgeBody(body, path, verdict);
+      const BodyMotion found = judgeBody(body, path, verdict);
+      const JudgedMotion& motion = found.judged;
+      farthest = std::min(farthest, found.isMetThere ? found.met : farthestFromThere(body));
       const bool certified = motion.verdict.status == Status::Certified;
       if (first || !certified || motion.verdict.minClearance < verdict.motion.verdict.minClearance) {
         verdict.motion = motion;
@@ -64,6 +84,7 @@ class StepJudge {
       first = false;
       if (!certified) break;
     }
+    if (verdict.certified()) compareNumbers(farthest, verdict);
     return verdict;
   }
 
@@ -95,39 +116,160 @@ class StepJudge {
     }
   }
 
+  /// `farthest`: as NumbersQuestion::farthest.
+  void compareNumbers(double farthest, StepVerdict& verdict) const {
+    const std::optional<double> required = isRequiredGiven_ ? std::nullopt : std::optional(required_);
+    const auto wrong = wrongNumbers({numbered_, verdict, product_, required, farthest, placed_});
+    verdict.refusals.insert(verdict.refusals.end(), wrong.begin(), wrong.end());
+  }
+
+  void judgeFlexible(StepVerdict& verdict) const {
+    const std::string& id = numbered_.step->bodies.front();
+    const auto& said = product_.joints.flexible;
+    if (std::find(said.begin(), said.end(), id) != said.end()) return;
+    verdict.conditions.push_back(isFlexible(product_.bodies[numbered_.group.front()].name));
+  }
+
+  /// Rules that are nobody's demand: the judge does not know them.
+  void noteRules(StepVerdict& verdict) const {
+    for (const StatedViolation& each : numbered_.step->violates) {
+      if (each.rule == "before" || each.rule == "place") continue;
+      std::string names;
+      for (const std::string& id : each.bodies) names += (names.empty() ? "'" : ", '") + nameOf(id) + "'";
+      verdict.notes.push_back("it says that it does not keep the rule \"" + each.rule + "\" about " + names);
+    }
+  }
+
+  std::string nameOf(const std::string& id) const {
+    for (const Body& body : product_.bodies) {
+      if (body.id == id) return body.name;
+    }
+    return id;
+  }
+
+  /// Metres: the body is no farther from a body that is there, where both stand at the beginning.
+  double farthestFromThere(std::size_t body) const {
+    const Body& own = product_.bodies[body];
+    const Box3 box = boundingBox(*own.mesh, own.X_WB);
+    double farthest = std::numeric_limits<double>::infinity();
+    for (std::size_t other = 0; other < product_.bodies.size(); ++other) {
+      if (!numbered_.there[other] || std::binary_search(numbered_.group.begin(), numbered_.group.end(), other))
+        continue;
+      const Box3 others = boundingBox(*product_.bodies[other].mesh, product_.bodies[other].X_WB);
+      const double reach = box.diagonal().norm() + others.diagonal().norm();
+      farthest = std::min(farthest, box.exteriorDistance(others) + reach);
+    }
+    return farthest;
+  }
+
+  /// The pair as the step states it. Where only the acceptance of a clash is missing, that is a condition.
+  PairFit takenFit(const PairQuestion& asked, StepVerdict& verdict) const {
+    PairFit fit = fitOf(asked, product_.fits, placed_, watch_.stop);
+    if (fit.refusals.empty() || !product_.fits.on) return fit;
+    double claimed = 0.0;
+    for (const StatedAllowance& each : *asked.stated) {
+      if (each.isAbout(asked.moving.id, asked.other.id, asked.first)) claimed = std::max(claimed, each.allowance);
+    }
+    FitWords words = product_.fits;
+    words.acceptedClash = std::max(words.acceptedClash, (1.0 + kEstimate) * claimed);
+    PairFit accepted = fitOf(asked, words, placed_, watch_.stop);
+    if (!accepted.refusals.empty()) return fit;
+    double depth = 0.0;
+    for (const AppliedAllowance& each : accepted.applied) depth = std::max(depth, each.evidence.overlap);
+    words.acceptedClash = std::max(product_.fits.acceptedClash, depth);
+    const bool isEnough = fitOf(asked, words, placed_, watch_.stop).refusals.empty();
+    verdict.conditions.push_back(clashIsAccepted(isEnough ? depth : (1.0 + kEstimate) * claimed));
+    return accepted;
+  }
+
+  void judgeBends(const PairQuestion& asked, const PairFit& fit, StepVerdict& verdict) const {
+    const bool bends =
+        std::any_of(fit.applied.begin(), fit.applied.end(), [](const auto& each) { return each.bend > 0.0; });
+    const SnapWord* snap = product_.fits.snapOf(asked.moving.id, asked.other.id);
+    if (!bends || snap == nullptr || !snap->byPlan) return;
+    verdict.conditions.push_back(hookBends(nameOf(snap->hook), nameOf(snap->edge), snap->bend));
+  }
+
+  /// A pitch or a hand that is not usual for a thread of this diameter needs a person's word.
+  void judgePitch(const PairQuestion& asked, const TurnedThread& thread, StepVerdict& verdict) const {
+    const std::string& moving = asked.moving.name;
+    const std::string& other = asked.other.name;
+    if (const std::optional<double> said = pitchSaidOf(asked)) {
+      if (std::abs(*said - thread.pitch) <= kThreadPlay * std::abs(*said)) return;
+      verdict.conditions.push_back(hasOtherPitch(moving, other, thread.pitch, *said));
+      return;
+    }
+    if (!isStandardPitch(thread.diameter, thread.pitch)) {
+      verdict.conditions.push_back(hasPitch(moving, other, std::abs(thread.pitch), thread.diameter));
+    }
+    const bool isLeft = thread.pitch < 0.0;
+    if (isLeft == (saysLeftHanded(moving) || saysLeftHanded(other))) return;
+    verdict.conditions.push_back(isLeft ? isLeftHanded(moving, other) : isRightHanded(moving, other));
+  }
+
+  std::optional<double> pitchSaidOf(const PairQuestion& asked) const {
+    const PairWord* word = product_.fits.about(asked.moving.id, asked.other.id);
+    if (word != nullptr && word->pitch) return word->pitch;
+    for (const JointWords::Pitch& each : product_.joints.pitches) {
+      if (std::minmax(each.a, each.b) == std::minmax(asked.moving.id, asked.other.id)) return each.pitch;
+    }
+    return std::nullopt;
+  }
+
   /// By an allowance or by a joint of the step.
   bool isCalledThread(const PairQuestion& asked) const {
     const auto isThreadOfPair = [&](const StatedAllowance& each) {
       return each.isThread && each.isAbout(asked.moving.id, asked.other.id, asked.first);
     };
-    const auto isPair = [&](const std::pair<std::string, std::string>& pair) {
-      return std::minmax(pair.first, pair.second) == std::minmax(asked.moving.id, asked.other.id);
+    const auto isOfPair = [&](const StatedJoint& joint) {
+      return joint.isScrewed() && std::any_of(joint.others.begin(), joint.others.end(), [&](const std::string& other) {
+               return std::minmax(joint.body, other) == std::minmax(asked.moving.id, asked.other.id);
+             });
     };
-    const auto& turned = numbered_.step->turned;
+    const auto& joints = numbered_.step->joints;
     return std::any_of(asked.stated->begin(), asked.stated->end(), isThreadOfPair) ||
-           std::any_of(turned.begin(), turned.end(), isPair);
+           std::any_of(joints.begin(), joints.end(), isOfPair);
   }
 
   /// A thread comes apart by turning. What a person marks as one, and what is taken away, is judged with the motion.
   void judgeThread(const PairQuestion& asked, const PairFit& fit, StepVerdict& verdict) const {
-    if (fit.thread || !product_.fits.on) return;
+    if (!product_.fits.on) return;
+    if (fit.thread) {
+      const double diameter = 2.0 * std::max(fit.thread->radiusMoving, fit.thread->radiusOther);
+      if (!fit.core) judgePitch(asked, {fit.thread->pitch, diameter}, verdict);
+      return;
+    }
     const bool isCalled = isCalledThread(asked);
     if (!isCalled && !fit.isThinned()) return;
     double overlap = 0.0;
     for (const AppliedAllowance& each : fit.applied) overlap = std::max(overlap, each.evidence.overlap);
-    const std::string pulled =
-        pulledThread({placed_.at({asked.moving, asked.moving.X_WB}), placed_.at({asked.other, asked.other.X_WB}),
-                      asked.path, overlap, isCalled});
+    const std::vector<CommonThread> threads =
+        commonThreads({placed_.at({asked.moving, asked.moving.X_WB}), placed_.at({asked.other, asked.other.X_WB}),
+                       overlap, isCalled, fit.inSolid ? &*fit.inSolid : nullptr});
+    for (const TurnedThread& each : turnedThreads(threads, asked.path)) judgePitch(asked, each, verdict);
+    const std::string pulled = pulledThread(threads, asked.path);
     if (pulled.empty()) return;
     const std::string what =
         "'" + asked.moving.name + "' is pulled off '" + asked.other.name + "' without a turn: " + pulled;
     std::string may = product_.fits.partingOf(asked.moving.id, asked.other.id);
     if (may.empty() && fit.acceptedClash) may = "a person accepts their clash";
     if (asked.moving.mesh->faces.empty() || asked.other.mesh->faces.empty()) may = "their meshes state no cylinders";
+    if (may.empty()) may = partingByPlan(asked, verdict);
     (may.empty() ? verdict.refusals : verdict.pulls).push_back(what + (may.empty() ? "" : "; " + may));
   }
 
-  JudgedMotion judgeBody(std::size_t body, const std::vector<Pose>& path, StepVerdict& verdict) const {
+  /// What the plan says for which the pair may come apart without a turn, which is a condition; empty: nothing.
+  std::string partingByPlan(const PairQuestion& asked, StepVerdict& verdict) const {
+    FitWords ofPlan;
+    ofPlan.partings = plan_.partings;
+    if (ofPlan.partingOf(asked.moving.id, asked.other.id).empty()) return {};
+    const Condition condition =
+        plan_.partings.anyPair ? noJointsAreUsed() : comesApart(asked.moving.name, asked.other.name);
+    verdict.conditions.push_back(condition);
+    return "the plan says that " + condition.text;
+  }
+
+  BodyMotion judgeBody(std::size_t body, const std::vector<Pose>& path, StepVerdict& verdict) const {
     const Body& own = product_.bodies[body];
     const Pose X_PB = inverse(path.front()) * own.X_WB;
     MotionQuestion motion{own, X_PB, path, {}, {}};
@@ -153,24 +295,31 @@ class StepJudge {
         continue;
       }
       const PairQuestion asked{own, obstacle, {own.X_WB}, stated, numbered_.step->bodies.front(), ofBody};
-      MotionPair pair{other, &obstacle, fitOf(asked, product_.fits, placed_, watch_.stop)};
+      MotionPair pair{other, &obstacle, takenFit(asked, verdict)};
+      judgeBends(asked, pair.fit, verdict);
       judgeThread(asked, pair.fit, verdict);
       verdict.allowances.insert(verdict.allowances.end(), pair.fit.applied.begin(), pair.fit.applied.end());
       verdict.refusals.insert(verdict.refusals.end(), pair.fit.refusals.begin(), pair.fit.refusals.end());
       motion.pairs.push_back(std::move(pair));
     }
-    JudgedMotion judged = judgeMotion(motion, prepared_, WorkWatch(watch_.stop));
+    BodyMotion found{judgeMotion(motion, prepared_, WorkWatch(watch_.stop))};
+    JudgedMotion& judged = found.judged;
+    found.met = judged.verdict.minClearance;
+    const int nearest = judged.verdict.nearest.body;
+    found.isMetThere = nearest >= 0 && numbered_.there[static_cast<std::size_t>(nearest)];
     judged.verdict.minClearance = std::min(judged.verdict.minClearance, leastOfFar);
     judged.verdict.provedClearance = std::min(judged.verdict.provedClearance, leastOfFar);
-    return judged;
+    return found;
   }
 
   const Product& product_;
+  const Plan& plan_;
   const NumberedStep& numbered_;
   PlacedBodies& placed_;
   MotionBodies& prepared_;
   const WorkWatch& watch_;
   double required_ = 0.0;
+  bool isRequiredGiven_ = false;
 };
 
 }  // namespace

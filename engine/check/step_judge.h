@@ -11,7 +11,8 @@ namespace glissade::check {
 
 /// What the steps of a plan are judged with. Refers to all; shared by threads.
 struct StepTools {
-  const Product& product;
+  const Product& product;  ///< with the words of a person, and bends that only the plan states
+  const Plan& plan;
   std::optional<double> required;  ///< clearance, metres; nothing: the usual one for the size of each body
   PlacedBodies& placed;
   MotionBodies& prepared;

@@ -30,19 +30,32 @@ PlacedBodies::HollowPtr hollowOf(const PairWork& work, bool yields) {
   return nullptr;
 }
 
+/// The body that fills the hollow one makes its hole there.
+std::optional<ScrewInSolid> screwOf(const PairWork& work, bool yields) {
+  const Placement other{work.question.other, work.question.other.X_WB};
+  for (const Pose& end : work.question.assembled) {
+    const Placement moving{work.question.moving, end};
+    const auto screw = yields ? screwInSolid(moving, other, work.bodies, work.stop)
+                              : screwInSolid(other, moving, work.bodies, work.stop);
+    if (screw) return screw;
+  }
+  return std::nullopt;
+}
+
 /// The body that fills the hollow one is taken thinner on all sides.
 void takeAllAround(const StatedAllowance& stated, PairWork& work) {
   const PlacedBody& moving = work.bodies.at({work.question.moving, work.question.moving.X_WB});
   const PlacedBody& other = work.bodies.at({work.question.other, work.question.other.X_WB});
   const double spacing = moving.spacing + other.spacing;
-  const double room = hollowRoom(moving, other);
+  const double room = work.fit.inSolid ? work.fit.inSolid->room : hollowRoom(moving, other);
   const PlacedBody& thinner = stated.yields ? other : moving;
   (stated.yields ? work.fit.other : work.fit.moving)
       .assign(thinner.mesh.triangles.size(), std::min(stated.allowance, room));
   AppliedAllowance& allowance = work.add(stated.yields, std::min(stated.allowance, room));
   allowance.stated = stated.allowance;
   allowance.most = room;
-  allowance.evidence = {0.0, 0.0, spacing, room - spacing, 0.0};
+  const double ofSurface = room - hollowRoom(moving, other);
+  allowance.evidence = {0.0, ofSurface, spacing, room - ofSurface - spacing, 0.0};
   if (stated.allowance > (1.0 + kEstimate) * room) work.fit.refusals.push_back(allowanceRefused(allowance, ""));
 }
 
@@ -64,11 +77,15 @@ void takeHollow(const std::vector<StatedAllowance>& stated, PairWork& work) {
   if (work.word != nullptr && work.word->isThread()) return refuse(host, "a person says that the pair is a thread");
   const PlacedBodies::HollowPtr hollow = hollowOf(work, host.yields);
   if (!hollow) return refuse(host, "no overlap with the other one can be taken away of it");
-  if (!work.fits.accepts(work.word, hollow->depth)) return refuse(host, "it is a clash that nobody accepted");
+  if (!work.fits.accepts(work.word, hollow->depth)) {
+    work.fit.inSolid = screwOf(work, host.yields);
+    if (!work.fit.inSolid) return refuse(host, "it is a clash that nobody accepted");
+  }
   (host.yields ? work.fit.hollowOther : work.fit.hollowMoving) = hollow;
-  work.fit.acceptedClash = isClash(work);
+  work.fit.acceptedClash = !work.fit.inSolid && isClash(work);
   AppliedAllowance& ofHost = work.add(host.yields, hollow->depth);
   ofHost.hollow = true;
+  ofHost.screwHole = work.fit.inSolid.has_value();
   ofHost.stated = host.allowance;
   ofHost.most = hollow->depth;
   ofHost.evidence = {hollow->depth, 0.0, 0.0, 0.0, 0.0};

@@ -24,11 +24,11 @@ double apart(double lowA, double highA, double lowB, double highB) {
   return std::max({0.0, lowB - highA, lowA - highB});
 }
 
-double distanceOf(const TurnedTriangle& a, const TurnedTriangle& b) {
+}  // namespace
+
+double apartTurned(const TurnedTriangle& a, const TurnedTriangle& b) {
   return std::hypot(apart(a.nearest, a.farthest, b.nearest, b.farthest), apart(a.low, a.high, b.low, b.high));
 }
-
-}  // namespace
 
 TurnedTriangle turned(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& point, const Vector3& axis) {
   const Vector3 u = axis.unitOrthogonal();
@@ -68,8 +68,8 @@ double turnedDistance(const std::vector<TurnedTriangle>& moving, const std::vect
   double least = kInfinity;
   for (std::size_t i = 0; i < fixed.size(); ++i) {
     if (i % kBetweenStops == 0 && stop.stopRequested()) return 0.0;
-    if (distanceOf(all, fixed[i]) >= least) continue;
-    for (const TurnedTriangle& triangle : passed) least = std::min(least, distanceOf(triangle, fixed[i]));
+    if (apartTurned(all, fixed[i]) >= least) continue;
+    for (const TurnedTriangle& triangle : passed) least = std::min(least, apartTurned(triangle, fixed[i]));
   }
   return least;
 }

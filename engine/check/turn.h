@@ -18,6 +18,9 @@ struct TurnedTriangle {
 
 TurnedTriangle turned(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& point, const Vector3& axis);
 
+/// Lower bound on the distance of two points in them, for any angle between the two.
+double apartTurned(const TurnedTriangle& a, const TurnedTriangle& b);
+
 /// How far a motion that turns about an axis also goes along it, metres, and what it is off such a motion.
 struct Rise {
   double least = 0.0;  ///< at most 0

@@ -8,6 +8,7 @@
 #include "engine/base/quantity_text.h"
 #include "engine/check/verdict_words.h"
 #include "engine/import/json_reader.h"
+#include "engine/import/missing_shapes_json.h"
 
 namespace glissade::check {
 namespace {
@@ -108,6 +109,7 @@ Report allowancesJson(const std::vector<AppliedAllowance>& allowances) {
     if (evidence.byPerson > 0.0) json["by_person_m"] = evidence.byPerson;
     if (each.core) json["core"] = true;
     if (each.hollow) json["hollow"] = true;
+    if (each.screwHole) json["screw_hole"] = true;
     if (each.thread) {
       json["thread"] = {{"point_m", toJson(each.thread->point)},
                         {"direction", toJson(each.thread->axis)},
@@ -128,6 +130,10 @@ std::string triangleWords(double deviation) {
   return text.str();
 }
 
+std::string missingWords(const MissingShapes& missing) {
+  return missing.empty() ? std::string() : statementOf(missing) + "\n";
+}
+
 void addEdges(const MotionVerdict& verdict, const Product& product, std::ostringstream& text) {
   for (std::size_t i = 0; i < verdict.edges.size(); ++i) {
     const EdgeVerdict& edge = verdict.edges[i];
@@ -138,9 +144,22 @@ void addEdges(const MotionVerdict& verdict, const Product& product, std::ostring
   }
 }
 
-/// Of a path or a plan.
-template <class Verdict>
-const char* headlineOf(const Verdict& verdict) {
+/// The name that people see of the body with the id.
+std::string shownName(const std::string& id, const Product& product) {
+  for (const Body& body : product.bodies) {
+    if (body.id == id) return body.name;
+  }
+  return id;
+}
+
+std::string placesInWords(const std::vector<ForbiddenRegion>& regions) {
+  std::string words;
+  for (const ForbiddenRegion& region : regions) words += (words.empty() ? "'" : ", '") + region.place + "'";
+  return words;
+}
+
+std::string headlineOf(const PathVerdict& verdict, const Product& product) {
+  if (verdict.valid() && !product.missing.empty()) return "valid without what was not read: ";
   if (verdict.valid()) return "valid: ";
   return verdict.refused() ? "invalid: " : "undecided: ";
 }
@@ -152,16 +171,20 @@ std::string reportText(const PathVerdict& verdict, const Question& question, boo
   const MotionVerdict& motion = verdict.motion.verdict;
   std::ostringstream text;
   const std::string thread = threadInWords(verdict, question);
-  text << headlineOf(verdict) << verdict.configurations << " configurations, " << motionInWords(motion, product);
+  text << headlineOf(verdict, product) << verdict.configurations << " configurations, "
+       << motionInWords(motion, product);
   for (const std::string& why : {verdict.motion.why, thread}) text << (why.empty() ? "" : ": ") << why;
   text << "\n";
   for (const AppliedAllowance& each : verdict.allowances) text << "allowance: " << inWords(each) << "\n";
   for (const std::string& refusal : verdict.refusals) text << "refused: " << refusal << "\n";
   if (verdict.forbidden) {
-    text << "edge " << verdict.forbidden->edge << " enters the place '" << verdict.forbidden->place
-         << "', which a person forbids\n";
+    text << "edge " << verdict.forbidden->edge << " meets the place '" << verdict.forbidden->place
+         << "', which a person forbids, or its margin of " << inMillimetres(verdict.forbiddenMargin) << "\n";
+  } else if (verdict.forbiddenMargin > 0.0) {
+    text << "forbidden places: the path keeps " << inMillimetres(verdict.forbiddenMargin) << " from "
+         << placesInWords(question.forbidden) << "\n";
   }
-  text << triangleWords(verdict.deviation);
+  text << missingWords(product.missing) << triangleWords(verdict.deviation);
   if (verdict.spacing > 0.0) {
     text << "coordinate spacing: mesh files hold 32-bit numbers or were closed at T-junctions, so that bodies may be "
          << verdict.spacing * 1e3 << " mm nearer\n";
@@ -199,10 +222,12 @@ Report reportJson(const PathVerdict& verdict, const Question& question, bool edg
                 {"begins_at_start", verdict.beginsAtStart},
                 {"ends_at_goal", verdict.endsAtGoal},
                 {"outside_workspace", verdict.outside ? Report(*verdict.outside) : Report(nullptr)}};
+  if (verdict.forbiddenMargin > 0.0) report["forbidden_margin_m"] = verdict.forbiddenMargin;
   if (verdict.forbidden) {
     report["forbidden"] = {{"edge", verdict.forbidden->edge}, {"place", verdict.forbidden->place}};
   }
   report["refusals"] = verdict.refusals;
+  report["missing_shapes"] = missingShapesJson(product.missing);
   report["certificate"] = std::move(certificate);
   return report;
 }
@@ -225,10 +250,15 @@ std::string whyInvalid(const StepVerdict& step, const Product& product) {
 }
 
 /// `name`: of the step, as "step 3".
-void addStep(const StepVerdict& step, const std::string& name, const Product& product, std::ostream& text) {
-  const std::string body = step.bodies.empty() ? "" : step.bodies.front();
+void addStep(const StepVerdict& step, const std::string& name, bool isTrusted, const Product& product,
+             std::ostream& text) {
+  const std::string body = step.bodies.empty() ? "" : shownName(step.bodies.front(), product);
   for (const AppliedAllowance& each : step.allowances) text << name << ": allowance: " << inWords(each) << "\n";
   for (const std::string& each : step.pulls) text << name << ": note: " << each << "\n";
+  for (const std::string& each : step.notes) text << name << ": note: " << each << "\n";
+  for (const Condition& each : step.conditions) {
+    text << name << " (" << body << ")" << (isTrusted ? ": as the plan says: " : ": only if ") << each.text << "\n";
+  }
   if (step.isFlexible) text << name << " (" << body << "): nothing is proved of its motion, it is flexible\n";
   if (!step.valid()) {
     text << name << " (" << body << ") is " << (step.refused() ? "invalid:" : "undecided:") << whyInvalid(step, product)
@@ -236,33 +266,73 @@ void addStep(const StepVerdict& step, const std::string& name, const Product& pr
   }
 }
 
-/// "step 3, then step 1": steps of lines follow the step by which their group has left.
-std::string nameOf(const std::vector<std::size_t>& line) {
-  std::string name;
-  for (const std::size_t step : line) name += "step " + std::to_string(step) + ", then ";
-  return name;
+/// How the parts leave, and how many do not.
+std::string partsInWords(const PlanVerdict& verdict) {
+  std::ostringstream text;
+  text << verdict.remaining << " of " << verdict.parts << " parts have no step, " << verdict.alone << " leave alone, "
+       << verdict.asUnits << " as units, " << verdict.inGroups << " in groups that are not taken apart";
+  return text.str();
+}
+
+std::string headlineOf(const PlanVerdict& verdict, const Product& product) {
+  switch (verdict.outcome()) {
+    case PlanOutcome::Valid: return product.missing.empty() ? "valid: " : "valid without what was not read: ";
+    case PlanOutcome::Incomplete: return "incomplete: ";
+    case PlanOutcome::Undecided: return "undecided: ";
+    case PlanOutcome::Invalid: return "invalid: ";
+    case PlanOutcome::Conditional: break;
+  }
+  const std::vector<Condition> conditions = verdict.allConditions();
+  if (conditions.size() == 1) return "valid only if " + conditions.front().text + ": ";
+  return "valid only under " + std::to_string(conditions.size()) + " conditions that the plan states itself: ";
+}
+
+/// What a person has to confirm, each once.
+void addConditions(const PlanVerdict& verdict, std::ostream& text) {
+  const std::vector<Condition> conditions = verdict.allConditions();
+  if (conditions.empty() || verdict.planIsTrusted) return;
+  for (const Condition& each : conditions) text << "condition: " << each.text << "\n";
+  text << "Nobody but the plan says so. State the conditions in the scenario, or trust the plan (--trust-plan).\n";
+}
+
+/// Screws that leave holes which the file does not have.
+std::size_t screwHoles(const PlanVerdict& verdict) {
+  std::size_t holes = 0;
+  const auto count = [&](const std::vector<StepVerdict>& steps) {
+    for (const StepVerdict& step : steps) {
+      holes += static_cast<std::size_t>(std::count_if(step.allowances.begin(), step.allowances.end(),
+                                                      [](const AppliedAllowance& each) { return each.screwHole; }));
+    }
+  };
+  count(verdict.steps);
+  for (const LineVerdict& line : verdict.lines) count(line.steps);
+  return holes;
 }
 
 std::string reportText(const PlanVerdict& verdict, const Product& product) {
   std::ostringstream text;
+  const bool isTrusted = verdict.planIsTrusted;
   for (std::size_t i = 0; i < verdict.steps.size(); ++i) {
-    addStep(verdict.steps[i], "step " + std::to_string(i + 1), product, text);
+    addStep(verdict.steps[i], "step " + stepNumber(i, verdict.steps.size()), isTrusted, product, text);
   }
   for (const LineVerdict& line : verdict.lines) {
-    const std::string name = nameOf(line.line);
     for (std::size_t i = 0; i < line.steps.size(); ++i) {
-      addStep(line.steps[i], name + "step " + std::to_string(i + 1), product, text);
+      addStep(line.steps[i], "step " + stepNumber(i, line.steps.size(), line.group), isTrusted, product, text);
     }
     for (const std::string& refusal : line.refusals) {
-      text << "refused: the line of " << name.substr(0, name.rfind(',')) << ": " << refusal << "\n";
+      text << "refused: the line of step " << line.group << ": " << refusal << "\n";
     }
   }
   for (const std::string& refusal : verdict.refusals) text << "refused: " << refusal << "\n";
-  text << headlineOf(verdict) << verdict.validSteps() << " of " << verdict.steps.size() << " steps are "
-       << (verdict.stepsWithoutProof() == 0 ? "certified" : "as stated") << ", " << verdict.remaining << " of "
-       << verdict.parts << " parts have no step\n";
+  text << headlineOf(verdict, product) << verdict.validSteps() << " of " << verdict.steps.size() << " steps are "
+       << (verdict.stepsWithoutProof() == 0 ? "certified" : "as stated") << ", " << partsInWords(verdict) << "\n";
+  addConditions(verdict, text);
   if (verdict.stepsWithoutProof() > 0) {
     text << verdict.stepsWithoutProof() << " steps of flexible bodies have no proof\n";
+  }
+  text << missingWords(product.missing);
+  if (const std::size_t holes = screwHoles(verdict); holes > 0) {
+    text << "screws in bodies without a hole in the file, each of which makes its own: " << holes << "\n";
   }
   if (verdict.deviation > 0.0) {
     text << "the certificates are about triangles, which are within +/- " << inMillimetres(verdict.deviation)
@@ -271,13 +341,35 @@ std::string reportText(const PlanVerdict& verdict, const Product& product) {
   return text.str();
 }
 
-Report stepsJson(const std::vector<StepVerdict>& steps, const Product& product) {
+Report conditionsJson(const std::vector<Condition>& conditions) {
+  Report list = Report::array();
+  for (const Condition& each : conditions) {
+    list.push_back({{"text", each.text}});
+    if (each.acceptedClash > 0.0) list.back()["accept_clashes_m"] = each.acceptedClash;
+  }
+  return list;
+}
+
+const char* nameOf(PlanOutcome outcome) {
+  switch (outcome) {
+    case PlanOutcome::Valid: return "valid";
+    case PlanOutcome::Conditional: return "conditional";
+    case PlanOutcome::Incomplete: return "incomplete";
+    case PlanOutcome::Undecided: return "undecided";
+    case PlanOutcome::Invalid: return "invalid";
+  }
+  return "";
+}
+
+Report stepsJson(const std::vector<StepVerdict>& steps, const std::string& group, const Product& product) {
   Report report = Report::array();
-  for (const StepVerdict& step : steps) {
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const StepVerdict& step = steps[i];
     const MotionVerdict& motion = step.motion.verdict;
     const int nearest = motion.nearest.body;
     report.push_back(
-        {{"body", step.bodies.empty() ? "" : step.bodies.front()},
+        {{"number", stepNumber(i, steps.size(), group)},
+         {"body", step.bodies.empty() ? "" : step.bodies.front()},
          {"valid", step.valid()},
          {"certified", step.certified()},
          {"against_thread", motion.againstThread},
@@ -290,25 +382,37 @@ Report stepsJson(const std::vector<StepVerdict>& steps, const Product& product) 
          {"allowances", allowancesJson(step.allowances)}});
     if (step.isFlexible) report.back()["flexible"] = true;
     if (!step.pulls.empty()) report.back()["pulls"] = step.pulls;
+    if (!step.notes.empty()) report.back()["notes"] = step.notes;
+    if (!step.conditions.empty()) report.back()["conditions"] = conditionsJson(step.conditions);
   }
   return report;
 }
 
 Report reportJson(const PlanVerdict& verdict, const Product& product) {
-  Report report{{"valid", verdict.valid()},
-                {"complete", verdict.remaining == 0 && verdict.parts > 0},
+  const PlanOutcome outcome = verdict.outcome();
+  Report report{{"valid", outcome == PlanOutcome::Valid},
+                {"verdict", nameOf(outcome)},
+                {"complete", verdict.remaining == 0 && verdict.inGroups == 0 && verdict.parts > 0},
                 {"parts", verdict.parts},
+                {"parts_without_step", verdict.remaining},
+                {"parts_alone", verdict.alone},
+                {"parts_as_units", verdict.asUnits},
+                {"parts_in_groups", verdict.inGroups},
                 {"steps_valid", verdict.validSteps()},
                 {"steps_without_proof", verdict.stepsWithoutProof()},
+                {"conditions", conditionsJson(verdict.allConditions())},
+                {"plan_is_trusted", verdict.planIsTrusted},
+                {"screw_holes", screwHoles(verdict)},
                 {"refusals", verdict.refusals},
-                {"steps", stepsJson(verdict.steps, product)}};
+                {"steps", stepsJson(verdict.steps, "", product)}};
   for (const LineVerdict& line : verdict.lines) {
     report["lines"].push_back({{"line", line.line},
                                {"valid", line.valid()},
                                {"refusals", line.refusals},
-                               {"steps", stepsJson(line.steps, product)}});
+                               {"steps", stepsJson(line.steps, line.group, product)}});
   }
   report["surface_deviation_m"] = verdict.deviation;
+  report["missing_shapes"] = missingShapesJson(product.missing);
   return report;
 }
 

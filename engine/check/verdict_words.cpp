@@ -19,6 +19,10 @@ std::string inWords(const Evidence& evidence) {
 }
 
 std::string inWords(const AppliedAllowance& allowance) {
+  if (allowance.screwHole) {
+    return "'" + allowance.thinner + "' is taken without what its screw '" + allowance.against +
+           "' fills: the file has no hole there";
+  }
   if (allowance.hollow) {
     return "'" + allowance.thinner + "' is taken without what overlaps '" + allowance.against + "', up to " +
            inMillimetres(allowance.applied) + " deep: a clash that a person accepts";

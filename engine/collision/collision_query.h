@@ -14,7 +14,7 @@
 
 namespace glissade {
 
-/// Stands for an obstacle's index where a person forbids the place that the reference point is in.
+/// Stands for an obstacle's index where a person forbids the place that the reference point is in or at, or the motion.
 inline constexpr int kForbiddenPlace = -2;
 
 /// Nearest pair between the object and all obstacles (paper 1, Find_Nearest_Obstacle).
@@ -106,6 +106,11 @@ class CollisionQuery {
 
   /// Where the straight motion first leads through a forbidden place; nothing where it keeps out of all.
   virtual std::optional<ForbiddenStretch> forbiddenOn(const Pose& /*from*/, const Pose& /*to*/) { return std::nullopt; }
+
+  /// False where a person forbids the straight motion, in this direction.
+  virtual bool mayMove(const Pose& /*from*/, const Pose& /*to*/) { return true; }
+  /// Metres that the reference point keeps from forbidden places at least; 0: there are none.
+  virtual double forbiddenMargin() { return 0.0; }
 
   /// Of the object of this query's world.
   virtual const MotionBound& motionBound() const = 0;

@@ -5,23 +5,29 @@
 namespace glissade {
 namespace {
 
-std::vector<Box3> allBoxesOf(const ForbiddenPlaces& places) {
+/// By which the margin is raised above rounding: who computes it otherwise, comes to the same answer.
+constexpr double kRaised = 1.0 / 64.0;
+
+Box3 grown(const Box3& box, double margin) {
+  const Vector3 by = Vector3::Constant(margin);
+  return {box.min() - by, box.max() + by};
+}
+
+std::vector<Box3> allBoxesOf(const ForbiddenPlaces& places, double margin) {
   std::vector<Box3> boxes;
-  for (const ForbiddenPlace& place : places) boxes.insert(boxes.end(), place.boxes.begin(), place.boxes.end());
+  for (const ForbiddenPlace& place : places) {
+    for (const Box3& box : place.boxes) boxes.push_back(grown(box, (1.0 + kRaised) * margin));
+  }
   return boxes;
 }
 
-bool isInside(const Box3& box, const Vector3& p) {
-  return (p.array() > box.min().array()).all() && (p.array() < box.max().array()).all();
-}
-
-/// Where on the segment it is inside of the open box: from `begin` to `end`; nothing where that is empty.
+/// Where on the segment it is in the closed box: from `begin` to `end`; nothing where it is nowhere.
 std::optional<ForbiddenStretch> stretchIn(const Box3& box, const Vector3& from, const Vector3& to) {
   ForbiddenStretch stretch{0.0, 1.0, 0};
   for (int axis = 0; axis < 3; ++axis) {
     const double way = to[axis] - from[axis];
     if (way == 0.0) {
-      if (from[axis] <= box.min()[axis] || from[axis] >= box.max()[axis]) return std::nullopt;
+      if (from[axis] < box.min()[axis] || from[axis] > box.max()[axis]) return std::nullopt;
       continue;
     }
     const double atMin = (box.min()[axis] - from[axis]) / way;
@@ -29,14 +35,15 @@ std::optional<ForbiddenStretch> stretchIn(const Box3& box, const Vector3& from, 
     stretch.begin = std::max(stretch.begin, std::min(atMin, atMax));
     stretch.end = std::min(stretch.end, std::max(atMin, atMax));
   }
-  return stretch.begin < stretch.end ? std::make_optional(stretch) : std::nullopt;
+  return stretch.begin <= stretch.end ? std::make_optional(stretch) : std::nullopt;
 }
 
 Box3 around(const Vector3& a, const Vector3& b) { return Box3(a.cwiseMin(b), a.cwiseMax(b)); }
 
 }  // namespace
 
-ForbiddenRegions::ForbiddenRegions(ForbiddenPlaces places) : places_(std::move(places)), boxes_(allBoxesOf(places_)) {
+ForbiddenRegions::ForbiddenRegions(ForbiddenPlaces places, double margin)
+    : places_(std::move(places)), margin_(margin), boxes_(allBoxesOf(places_, margin)) {
   for (std::size_t place = 0; place < places_.size(); ++place) {
     placeOf_.insert(placeOf_.end(), places_[place].boxes.size(), place);
   }
@@ -51,10 +58,17 @@ std::string ForbiddenRegions::names() const {
 std::optional<std::size_t> ForbiddenRegions::holding(const Vector3& p_W) const {
   std::optional<std::size_t> place;
   boxes_.visit(Box3(p_W, p_W), 0.0, [&](std::uint32_t box) {
-    if (isInside(boxes_.boxes()[box], p_W)) place = placeOf_[box];
-    return !place;
+    place = placeOf_[box];
+    return false;
   });
   return place;
+}
+
+bool ForbiddenRegions::isInside(std::size_t place, const Vector3& p_W) const {
+  const std::vector<Box3>& boxes = places_[place].boxes;
+  return std::any_of(boxes.begin(), boxes.end(), [&](const Box3& box) {
+    return (p_W.array() > box.min().array()).all() && (p_W.array() < box.max().array()).all();
+  });
 }
 
 std::optional<ForbiddenStretch> ForbiddenRegions::firstOn(const Vector3& from_W, const Vector3& to_W) const {
@@ -74,11 +88,9 @@ std::optional<ForbiddenStretch> ForbiddenRegions::firstOn(const Vector3& from_W,
 }
 
 bool ForbiddenRegions::mayBeWithin(double distance, const Vector3& from_W, const Vector3& to_W) const {
-  const Vector3 margin = Vector3::Constant(distance);
   bool near = false;
   boxes_.visit(around(from_W, to_W), distance, [&](std::uint32_t box) {
-    const Box3& own = boxes_.boxes()[box];
-    near = stretchIn(Box3(own.min() - margin, own.max() + margin), from_W, to_W).has_value();
+    near = stretchIn(grown(boxes_.boxes()[box], distance), from_W, to_W).has_value();
     return !near;
   });
   return near;

@@ -8,36 +8,44 @@
 #include <string>
 #include <vector>
 
+#include "engine/collision/forbidden_motions.h"
 #include "engine/environment/forbidden_places.h"
 #include "engine/geometry/box_hierarchy.h"
 
 namespace glissade {
 
-/// A part [begin, end] of a straight motion on which the reference point is inside of a forbidden box.
+/// A part [begin, end] of a straight motion on which the reference point is not farther than the margin from a
+/// forbidden box.
 struct ForbiddenStretch {
   double begin = 0.0;
   double end = 0.0;
   std::size_t place = 0;  ///< index into ForbiddenRegions::places()
 };
 
-/// Where a person forbids the object's reference point to be. Immutable, shared by threads.
+/// Where a person forbids the object's reference point to be: in the boxes of places, which are closed, and nearer to
+/// them than a margin along each axis. Immutable, shared by threads.
 class ForbiddenRegions {
  public:
-  explicit ForbiddenRegions(ForbiddenPlaces places);
+  /// `margin`: metres, tolerance::kForbiddenMargin times the object's radius.
+  ForbiddenRegions(ForbiddenPlaces places, double margin);
 
   const ForbiddenPlaces& places() const { return places_; }
+  double margin() const { return margin_; }
   /// "P4, P7"
   std::string names() const;
-  /// The place that the point is inside of, as an index; nothing where it is inside of none. Points of faces are not.
+  /// The place that the point is in, or nearer to than the margin, as an index; nothing where there is none.
   std::optional<std::size_t> holding(const Vector3& p_W) const;
-  /// The first box that the straight motion enters. Exact but for rounding.
+  /// The point is in the open interior of a box of this place.
+  bool isInside(std::size_t place, const Vector3& p_W) const;
+  /// The first box that the straight motion meets. Rounding makes the margin a little larger, never smaller.
   std::optional<ForbiddenStretch> firstOn(const Vector3& from_W, const Vector3& to_W) const;
   /// Some box is at most so far from the straight motion; may also be true where it is farther.
   bool mayBeWithin(double distance, const Vector3& from_W, const Vector3& to_W) const;
 
  private:
   ForbiddenPlaces places_;
-  BoxHierarchy boxes_;
+  double margin_;
+  BoxHierarchy boxes_;                ///< with the margin
   std::vector<std::size_t> placeOf_;  ///< per box
 };
 using ForbiddenRegionsPtr = std::shared_ptr<const ForbiddenRegions>;
@@ -46,6 +54,10 @@ using ForbiddenRegionsPtr = std::shared_ptr<const ForbiddenRegions>;
 /// planner works; queries follow at once. All functions may be called from any thread.
 class ForbiddenSpace {
  public:
+  /// `motions`: forbidden always; null: none.
+  explicit ForbiddenSpace(std::shared_ptr<const ForbiddenMotions> motions = nullptr) : motions_(std::move(motions)) {}
+
+  const ForbiddenMotions* motions() const { return motions_.get(); }
   /// Null: nothing is forbidden.
   void set(ForbiddenRegionsPtr regions);
   ForbiddenRegionsPtr regions() const;
@@ -53,6 +65,7 @@ class ForbiddenSpace {
   std::uint64_t revision() const { return revision_.load(std::memory_order_acquire); }
 
  private:
+  std::shared_ptr<const ForbiddenMotions> motions_;
   mutable std::mutex mutex_;
   ForbiddenRegionsPtr regions_;
   std::atomic<std::uint64_t> revision_{0};

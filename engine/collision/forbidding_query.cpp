@@ -30,6 +30,7 @@ const ForbiddenRegions* ForbiddingQuery::regions() {
 }
 
 bool ForbiddingQuery::isForbidden(const Pose& X_WB) {
+  if (space_->motions() != nullptr && !space_->motions()->mayBeAt(X_WB)) return true;
   const ForbiddenRegions* now = regions();
   return now != nullptr && now->holding(X_WB.position);
 }
@@ -58,6 +59,7 @@ bool ForbiddingQuery::clearAbove(const Pose& X_WB, double bound) {
 
 MotionCheck ForbiddingQuery::checkMotion(const Pose& from, const Pose& to, double required, SeekViolation seek,
                                          const StopToken& stop) {
+  if (!mayMove(from, to)) return {CertificateStatus::Violated, 0.0, 0.0, 1};
   const auto stretch = forbiddenOn(from, to);
   if (!stretch) return bodies_->checkMotion(from, to, required, seek, stop);
   const double beyond = kBeyond * motionBound().objectRadius() / (to.position - from.position).norm();
@@ -81,18 +83,28 @@ std::optional<ForbiddenStretch> ForbiddingQuery::forbiddenOn(const Pose& from, c
   return now == nullptr ? std::nullopt : now->firstOn(from.position, to.position);
 }
 
+bool ForbiddingQuery::mayMove(const Pose& from, const Pose& to) {
+  return space_->motions() == nullptr || space_->motions()->mayMove(from, to);
+}
+
+double ForbiddingQuery::forbiddenMargin() {
+  const ForbiddenRegions* now = regions();
+  return now == nullptr ? 0.0 : now->margin();
+}
+
 /// The reference point goes on a helix, which is near its chords.
 bool ForbiddingQuery::mayTouch(const Pose& from, const ScrewAxis& screw, double advance, double off) {
   const ForbiddenRegions* now = regions();
-  if (now == nullptr) return false;
+  if (now == nullptr && space_->motions() == nullptr) return false;
   const double arm = (from.position - screw.point_W).cross(screw.axis_W).norm();
   const double chords = std::ceil(std::abs(screw.turnFor(advance)) / kChordAngle);
   if (chords > kMostChords) return true;
   const double apart = off + arm * (1.0 - std::cos(0.5 * kChordAngle)) + 1e-9 * (arm + std::abs(advance));
-  Vector3 begin = from.position;
+  Pose begin = from;
   for (double chord = 1.0; chord <= std::max(1.0, chords); chord += 1.0) {
-    const Vector3 end = screwed(screw, from, advance * chord / std::max(1.0, chords)).position;
-    if (now->mayBeWithin(apart, begin, end)) return true;
+    const Pose end = screwed(screw, from, advance * chord / std::max(1.0, chords));
+    if (!mayMove(begin, end)) return true;
+    if (now != nullptr && now->mayBeWithin(apart, begin.position, end.position)) return true;
     begin = end;
   }
   return false;

@@ -8,9 +8,9 @@
 
 namespace glissade {
 
-/// Holds the rule of forbidden places over the answers of another query: a configuration whose reference point is
-/// inside of one counts as a collision with kForbiddenPlace, and so does a motion through one. Distances are those to
-/// the obstacles elsewhere: no clearance is kept from places.
+/// Holds the rule of forbidden places and motions over the answers of another query: a configuration whose reference
+/// point is in one (ForbiddenRegions) counts as a collision with kForbiddenPlace, and so does a motion that meets one.
+/// Distances are those to the obstacles elsewhere: what is kept from places is their margin.
 class ForbiddingQuery final : public CollisionQuery {
  public:
   ForbiddingQuery(std::unique_ptr<CollisionQuery> bodies, std::shared_ptr<const ForbiddenSpace> space);
@@ -24,6 +24,9 @@ class ForbiddingQuery final : public CollisionQuery {
                           const StopToken& stop) override;
   double screwClearance(const Pose& from, const ScrewAxis& screw, double advance, double enough, double off) override;
   std::optional<ForbiddenStretch> forbiddenOn(const Pose& from, const Pose& to) override;
+
+  bool mayMove(const Pose& from, const Pose& to) override;
+  double forbiddenMargin() override;
 
   const MotionBound& motionBound() const override { return bodies_->motionBound(); }
   QueryCounts counts() const override { return bodies_->counts(); }

@@ -26,6 +26,14 @@ constexpr std::uint64_t kMostQueries = 200'000;
 /// Samples of one edge; beyond it, counting them in a double loses some. The limits of lengths keep below it.
 constexpr double kMostSamples = 1e15;
 
+void refuseForbidden(double at, MotionCertificate& result) {
+  result.status = CertificateStatus::Violated;
+  result.minClearance = result.provedClearance = 0.0;
+  result.at = at;
+  result.nearest = {};
+  result.nearest.body = kForbiddenPlace;
+}
+
 /// Proves a motion ball by ball. A configuration with clearance c proves the motion free as long as
 /// no point of the object has moved by more than c - required: an interval on both sides of it.
 class Certifier {
@@ -39,7 +47,14 @@ class Certifier {
 
   MotionCertificate run(const StopToken& stop) {
     if (!resolvesClearance(from_, to_, query_.motionBound().objectRadius(), result_.tolerance)) return result_;
-    if (const auto stretch = query_.forbiddenOn(from_, to_)) return forbidden(*stretch);
+    if (!query_.mayMove(from_, to_)) {
+      refuseForbidden(0.0, result_);
+      return result_;
+    }
+    if (const auto stretch = query_.forbiddenOn(from_, to_)) {
+      refuseForbidden(stretch->begin, result_);
+      return result_;
+    }
     double proved = 0.0;  // the motion is free on [0, proved]
     double probe = 0.0;
     for (bool first = true; first || proved < 1.0; first = false) {
@@ -67,14 +82,6 @@ class Certifier {
   }
 
  private:
-  MotionCertificate forbidden(const ForbiddenStretch& stretch) {
-    result_.status = CertificateStatus::Violated;
-    result_.minClearance = result_.provedClearance = 0.0;
-    result_.at = stretch.begin;
-    result_.nearest.body = kForbiddenPlace;
-    return result_;
-  }
-
   double clearanceAt(double t) {
     ++result_.distanceQueries;
     const NearestObstacle nearest = query_.nearestObstacle(interpolate(from_, to_, t));
@@ -119,6 +126,7 @@ class PathCertifier {
       narrow(edges);
     }
     MotionCertificate result;
+    result.forbiddenMargin = query_.forbiddenMargin();
     for (std::size_t i = 0; i < edges.size(); ++i) addEdge(result, edges[i], demands_[i]);
     return result;
   }
@@ -191,7 +199,13 @@ class PathCertifier {
     result.status = refused.check.status;
     result.certified = refused.check.certified;
     result.provedClearance = 0.0;
-    if (result.status == CertificateStatus::Violated) meet(refused.edge, refused.check.at, result);
+    if (result.status != CertificateStatus::Violated) return;
+    const Pose& from = path_[refused.edge];
+    const auto stretch = query_.forbiddenOn(from, endOf(refused.edge));
+    const bool isForbidden =
+        (stretch && refused.check.at >= stretch->begin) || !query_.mayMove(from, endOf(refused.edge));
+    if (isForbidden) return refuseForbidden(refused.check.at, result);
+    meet(refused.edge, refused.check.at, result);
   }
 
   /// Raises what is proved of an edge that keeps its demand to near the smallest distance met. What the motion
@@ -245,7 +259,8 @@ class FreeSamples {
   /// Of the samples before a forbidden place.
   double fraction() {
     const auto stretch = query_.forbiddenOn(from_, to_);
-    return at(lastFree(0.0, stretch ? std::floor(stretch->begin / dt_) : std::ceil(1.0 / dt_)));
+    const double last = std::ceil((stretch ? stretch->begin : 1.0) / dt_);
+    return at(lastFree(0.0, stretch ? std::max(0.0, last - 1.0) : last));
   }
 
  private:

@@ -40,6 +40,7 @@ struct MotionCertificate {
   double at = 0.0;               ///< where on that edge, in [0, 1]; where the violation is if Violated
   NearestObstacle nearest;       ///< the pair at that configuration
   bool againstThread = false;    ///< violated: the pair is a thread, and the motion is no turn in it
+  double forbiddenMargin = 0.0;  ///< metres that the reference point keeps from forbidden places; 0: there are none
   std::uint64_t distanceQueries = 0;
   std::vector<EdgeCertificate> edges;  ///< of a path, up to the first that is not certified; empty for one motion
 

@@ -9,8 +9,7 @@
 
 namespace glissade {
 
-/// A place that a person forbids. The object's reference point may not enter the open interior of a box; it may touch
-/// it. World frame. The boxes overlap, so that what is inside of the place is inside of a box.
+/// A place that a person forbids: the object's reference point keeps out of its boxes, which are closed. World frame.
 struct ForbiddenPlace {
   std::string name;
   std::vector<Box3> boxes;

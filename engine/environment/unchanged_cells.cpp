@@ -11,13 +11,13 @@ namespace {
 /// About a box of change, times a finest cell: well above rounding.
 constexpr double kMargin = 1e-3;
 
-using Block = Eigen::AlignedBox3i;
+using ChangedBlock = Eigen::AlignedBox3i;
 
 /// Sets of a cell's children as bits, in Z order: per axis those of its lower and those of its upper half.
 constexpr std::array<std::array<unsigned, 2>, 3> kHalves{{{0x0f, 0xf0}, {0x33, 0xcc}, {0x55, 0xaa}}};
 
 /// Precondition: the box meets the cell.
-unsigned childrenMet(const Block& box, const Block& cell) {
+unsigned childrenMet(const ChangedBlock& box, const ChangedBlock& cell) {
   unsigned children = 0xff;
   for (int axis = 0; axis < 3; ++axis) {
     const int upper = (cell.min()[axis] + cell.max()[axis] + 1) / 2;
@@ -27,7 +27,7 @@ unsigned childrenMet(const Block& box, const Block& cell) {
   return children;
 }
 
-unsigned childrenHeld(const Block& box, const Block& cell) {
+unsigned childrenHeld(const ChangedBlock& box, const ChangedBlock& cell) {
   unsigned children = 0xff;
   for (int axis = 0; axis < 3; ++axis) {
     const int upper = (cell.min()[axis] + cell.max()[axis] + 1) / 2;
@@ -55,7 +55,8 @@ void UnchangedCells::addBlock(const Box3& box, const CellFrame& frame) {
     // Far outside is as good as just outside.
     return at.array().floor().cwiseMax(-1.0).cwiseMin(std::ldexp(1.0, depth_)).matrix().cast<int>();
   };
-  const Block block = Block(cellOf(box.min(), -kMargin), cellOf(box.max(), kMargin)).intersection(blockOf(Cell{}));
+  const ChangedBlock block =
+      ChangedBlock(cellOf(box.min(), -kMargin), cellOf(box.max(), kMargin)).intersection(blockOf(Cell{}));
   if (!block.isEmpty()) changed_.push_back(block);
 }
 
@@ -67,7 +68,7 @@ UnchangedCells::Block UnchangedCells::blockOf(const Cell& cell) const {
 }
 
 std::array<UnchangedCells::Change, 8> UnchangedCells::changesIn(const Cell& cell) {
-  const Block block = blockOf(cell);
+  const ChangedBlock block = blockOf(cell);
   const auto level = static_cast<std::size_t>(cell.level);
   auto& meeting = meeting_[level];
   if (level > 0) {
@@ -91,7 +92,7 @@ std::array<UnchangedCells::Change, 8> UnchangedCells::changesIn(const Cell& cell
 }
 
 std::array<std::uint32_t, 3> UnchangedCells::changedCellIn(const Cell& cell) const {
-  const Block block = blockOf(cell);
+  const ChangedBlock block = blockOf(cell);
   const auto& candidates = meeting_[static_cast<std::size_t>(std::max(0, cell.level - 1))];
   const auto meets = [&](std::uint32_t i) { return changed_[i].intersects(block); };
   const auto found = std::find_if(candidates.begin(), candidates.end(), meets);

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "engine/assembly/missing_shape.h"
 #include "engine/assembly/occurrence.h"
 #include "engine/base/diagnostic.h"
 #include "engine/geometry/triangle_mesh.h"
@@ -67,6 +68,7 @@ struct LoadedGeometry {
   std::string sha256;
   Warnings warnings;               ///< what was lost, left out or added in reading it
   std::vector<GroupRun> groups{};  ///< of a mesh file as it is (GeometryLoader::files())
+  MissingShapes missing{};         ///< of the whole file; there is a warning of each
 };
 using LoadedGeometryPtr = std::shared_ptr<const LoadedGeometry>;
 /// By what was asked for: a file and how it is interpreted, or a primitive's sizes.

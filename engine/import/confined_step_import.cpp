@@ -32,9 +32,7 @@ namespace protocol = import_protocol;
 /// Reads what is in memory without another copy of it.
 class MemoryBuffer final : public std::streambuf {
  public:
-  explicit MemoryBuffer(std::vector<char>& content) {
-    setg(content.data(), content.data(), content.data() + content.size());
-  }
+  MemoryBuffer(char* content, std::size_t bytes) { setg(content, content, content + bytes); }
 };
 
 /// The triangles of each shape once, however many parts have it.
@@ -46,9 +44,10 @@ class Message {
         unit_(assembly.unit),
         externalParts_(assembly.externalParts) {
     addNotes(assembly.curves);
+    addNotes(assembly.shapeLines);
     for (const std::string& loss : assembly.losses) notes_ += protocol::kLossLine + ("\t" + loss) + "\n";
     total_.kind = protocol::kAssembly;
-    for (const StepSolid& solid : assembly.solids) add(solid, assembly.faceEntities);
+    for (const StepSolid& solid : assembly.solids) add(solid, assembly);
     addNotes(validationNotes(assembly.measures, [this](const TopoDS_Shape& shape) { return validated(shape); }));
     if (healings_ > kMostHealings) {
       const std::string more =
@@ -84,9 +83,9 @@ class Message {
   }
 
  private:
-  void add(const StepSolid& solid, const FaceEntities& entities) {
+  void add(const StepSolid& solid, const StepAssembly& assembly) {
     protocol::Part part;
-    part.shape = shapeOf(solid, entities);
+    part.shape = shapeOf(solid, assembly);
     place(solid.placement.rigid, part);
     part.hasColour = solid.colour ? 1 : 0;
     if (solid.colour) std::copy(solid.colour->begin(), solid.colour->end(), part.colour);
@@ -129,11 +128,11 @@ class Message {
     output.write(part.file.data(), part.file.size());
   }
 
-  std::uint32_t shapeOf(const StepSolid& solid, const FaceEntities& entities) {
+  std::uint32_t shapeOf(const StepSolid& solid, const StepAssembly& assembly) {
     if (!numberOf_.IsBound(solid.shape)) numberOf_.Bind(solid.shape, numberOf_.Extent());
     const Key key{numberOf_.Find(solid.shape), solid.placement.scale, solid.placement.mirrored};
     const auto [known, isNew] = indexOf_.try_emplace(key, static_cast<std::uint32_t>(shapes_.size()));
-    if (isNew) addShape(solid, entities);
+    if (isNew) addShape(solid, assembly);
     return known->second;
   }
 
@@ -144,13 +143,16 @@ class Message {
     return known == indexOf_.end() ? nullptr : &solids_[known->second];
   }
 
-  void addShape(const StepSolid& solid, const FaceEntities& entities) {
-    shapes_.push_back(tessellate(solid.shape, fineness_.of(solid), solid.placement.scale, solid.placement.mirrored));
+  void addShape(const StepSolid& solid, const StepAssembly& assembly) {
+    const auto& [rigid, scale, mirrored] = solid.placement;
+    const StepTessellation* held = assembly.standIns.of(solid.shape);
+    shapes_.push_back(held != nullptr ? trianglesOf(*held, scale, mirrored)
+                                      : tessellate(solid.shape, fineness_.of(solid), scale, mirrored));
     const std::string& part = solid.path.empty() ? rootName_ : solid.path;
     solids_.push_back({part, measuresOf(shapes_.back())});
-    addNotes(healingNotes(shapes_.back(), entities, part));
+    addNotes(healingNotes(shapes_.back(), assembly.faceEntities, part));
     // Where faces are lost, the lines about the losses say why the part is open.
-    if (solid.losses == 0) addNotes(shapeNotes(solid.shape, shapes_.back(), part));
+    if (solid.losses == 0 && held == nullptr) addNotes(shapeNotes(solid.shape, shapes_.back(), part));
     shapes_.back().record.facesWithoutMesh += solid.losses;
     total_.vertices += shapes_.back().record.vertices;
     total_.triangles += shapes_.back().record.triangles;
@@ -201,9 +203,14 @@ int import(double deflection, bool solidNames, const ImportOutput& output) {
   if (content.empty()) return failToRead(output, "it is empty or too large");
   const std::string_view text(content.data(), content.size());
   if (const auto fault = faultOfStepText(text)) return failToRead(output, *fault);
-  MemoryBuffer buffer(content);
+  const StepEntities entities(text);
+  const StatedShapes stated = statedShapesOf(entities);
+  StepStandIns standIns = standInsFor(entities, stated);
+  std::string edited = std::move(standIns.text);
+  MemoryBuffer buffer(edited.empty() ? content.data() : edited.data(), edited.empty() ? content.size() : edited.size());
   std::istream stream(&buffer);
-  Message(deflection, readStepAssembly(stream, solidNames, isUtf8(text))).write(output);
+  StepText known{entities, stated, std::move(standIns)};
+  Message(deflection, readStepAssembly(stream, solidNames, isUtf8(text), std::move(known))).write(output);
   return 0;
 }
 

@@ -377,6 +377,7 @@ Result<LoadedGeometry> GeometryLoader::readStep(const Asset& asset) {
   geometry.warnings = product->warnings;
   geometry.sha256 = hashes_[asset.id];
   geometry.parts = product->parts;
+  geometry.missing = product->missing;
   if (geometry.parts.size() == 1) {
     geometry.parts.front().path.clear();
     geometry.parts.front().names.clear();
@@ -392,6 +393,7 @@ Result<LoadedGeometry> GeometryLoader::partOf(const std::string& asset, const st
   LoadedGeometry geometry;
   geometry.sha256 = (*whole)->sha256;
   geometry.warnings = (*whole)->warnings;
+  geometry.missing = (*whole)->missing;
   for (const Occurrence& solid : (*whole)->parts) {
     if (!isWithin(solid.path, part)) continue;
     geometry.parts.push_back(solid);
@@ -422,6 +424,16 @@ void warnOfMissingFaces(const LoadedGeometry& geometry, const std::string& bodyI
                             std::to_string(part.facesWithoutMesh) + "; proofs take what is missing as free space",
                         "Do not trust paths near it; export it again, or as a mesh."});
   }
+}
+
+MissingShapes missingShapesOf(const GeometryCache& read) {
+  MissingShapes missing;
+  for (const auto& [key, geometry] : read) {
+    for (const MissingShape& shape : geometry->missing) {
+      if (std::find(missing.begin(), missing.end(), shape) == missing.end()) missing.push_back(shape);
+    }
+  }
+  return missing;
 }
 
 TriangleMesh wholeMesh(const LoadedGeometry& geometry, const Vector3& reference) {

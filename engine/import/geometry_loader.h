@@ -73,6 +73,9 @@ std::string partId(const std::string& bodyId, const Occurrence& part);
 void warnOfMissingFaces(const LoadedGeometry& geometry, const std::string& bodyId, const std::string& file,
                         Warnings& warnings);
 
+/// Each shape of all files that were read, once.
+MissingShapes missingShapesOf(const GeometryCache& read);
+
 /// All parts as one mesh about a point of the geometry's frame.
 TriangleMesh wholeMesh(const LoadedGeometry& geometry, const Vector3& reference);
 

@@ -13,9 +13,10 @@ namespace glissade::import_protocol {
 // (millimetres), its triangles x 3 indices, its faces as a Face each; every part as a Part, the bytes of its path below
 // the root (UTF-8), the bytes of the names of its steps as the file has them, each with a line feed (none where they
 // are the steps); every use of another file as an ExternalPart, the bytes of its path, of its names, of the file's
-// name; the bytes of its notes (a line each: kind, tab, where, tab, what; kinds below); for kError (the file cannot be
-// read) and kNotConfined (the process cannot give up its rights, and has read nothing) `vertices` bytes of text: the
-// location in the file (may be empty), a line feed, the reason.
+// name; the bytes of its notes (a line each: kind, tab, where, tab, what; of a shape that is missing: kind, tab,
+// product, tab, entity, tab, its kind, tab, why; kinds below); for kError (the file cannot be read) and kNotConfined
+// (the process cannot give up its rights, and has read nothing) `vertices` bytes of text: the location in the file (may
+// be empty), a line feed, the reason.
 //
 // With kSeveral as its argument, glissade-import reads several files, each as a SmallFile and its bytes, and writes a
 // message (kMesh or kError) of each in the same order.
@@ -26,12 +27,16 @@ inline constexpr std::uint32_t kError = 2;
 inline constexpr std::uint32_t kAssembly = 3;
 inline constexpr std::uint32_t kNotConfined = 4;
 /// Kinds of notes: something is missing; a face got new triangles; the volume of a part with such a face is doubtful; a
-/// part has no inside; curves are left out.
+/// part has no inside; curves are left out; a shape is missing; a shape belongs to no product; a second representation
+/// is left out.
 inline constexpr char kLossLine = 'L';
 inline constexpr char kHealedLine = 'H';
 inline constexpr char kVolumeLine = 'V';
 inline constexpr char kShapeLine = 'S';
 inline constexpr char kCurveLine = 'C';
+inline constexpr char kMissingLine = 'M';
+inline constexpr char kOrphanLine = 'O';
+inline constexpr char kSecondLine = '2';
 /// Metres: the unit of every length in an assembly.
 inline constexpr double kMillimetre = 0.001;
 
@@ -67,7 +72,7 @@ struct AssemblyCounts {
 struct Shape {
   std::uint32_t vertices = 0;
   std::uint32_t triangles = 0;
-  std::uint32_t faces = 0;  ///< that have triangles
+  std::uint32_t faces = 0;  ///< that have triangles; 0: the triangles stand for none
   std::uint32_t facesWithoutMesh = 0;
 };
 

@@ -18,7 +18,7 @@ constexpr std::uint64_t kMostBytes = 256U << 10U;
 /// Of files in one process.
 constexpr std::size_t kMostFiles = 64;
 /// Collada is read by a library that is not ours: what captured its process could falsify the other files.
-constexpr std::array<const char*, 5> kEndings{"stl", "obj", "ply", "gltf", "glb"};
+constexpr std::array<const char*, 5> kSmallEndings{"stl", "obj", "ply", "gltf", "glb"};
 
 std::string inputOf(const std::vector<FileContent>& files, std::size_t first, std::size_t end) {
   std::string input;
@@ -54,7 +54,8 @@ std::optional<ImportedMesh> nextMesh(const FileContent& file, ImportMessage& mes
 
 bool isSmallMesh(const std::string& file, std::uint64_t bytes) {
   const std::string ending = endingOf(file);
-  return bytes > 0 && bytes <= kMostBytes && std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
+  return bytes > 0 && bytes <= kMostBytes &&
+         std::find(kSmallEndings.begin(), kSmallEndings.end(), ending) != kSmallEndings.end();
 }
 
 std::vector<std::optional<ImportedMesh>> importSmallMeshes(const std::vector<FileContent>& files,

@@ -85,25 +85,40 @@ class StepDecoder {
     }
     const std::string notes = answer_.message.rest();
     if (notes.size() != counts.noteBytes) return broken();
-    product.warnings = warningsOf(notes);
+    if (!takeNotes(notes, product)) return broken();
     return product;
   }
 
  private:
   Diagnostic broken() const { return refusalOf(call_, "the importer failed on it"); }
 
-  /// A line each: kind, tab, where, tab, what.
-  Warnings warningsOf(const std::string& notes) const {
-    Warnings warnings;
+  /// A line each: kind, tab, where, tab, what; of a missing shape kind, tab, product, tab, entity, tab, kind, tab, why.
+  bool takeNotes(const std::string& notes, StepAnswer& product) const {
     std::istringstream lines(notes);
     for (std::string line; std::getline(lines, line);) {
       if (line.empty()) continue;
+      if (line.front() == protocol::kMissingLine) {
+        if (!takeMissing(line, product)) return false;
+        continue;
+      }
       const std::size_t first = std::min(line.find('\t'), line.size());
       const std::size_t second = std::min(line.find('\t', first + 1), line.size());
       const std::string where = line.substr(std::min(first + 1, second), second - std::min(first + 1, second));
-      warnings.push_back(warningOf(line.front(), where, line.substr(std::min(second + 1, line.size()))));
+      product.warnings.push_back(warningOf(line.front(), where, line.substr(std::min(second + 1, line.size()))));
     }
-    return warnings;
+    return true;
+  }
+
+  static bool takeMissing(const std::string& line, StepAnswer& product) {
+    std::vector<std::string> fields;
+    std::istringstream text(line);
+    for (std::string field; std::getline(text, field, '\t');) {
+      if (field != printableLine(field)) return false;
+      fields.push_back(field);
+    }
+    if (fields.size() != 5) return false;
+    product.missing.push_back({"", fields[1], fields[2], fields[3], fields[4]});
+    return true;
   }
 
   Diagnostic warningOf(char kind, const std::string& where, const std::string& what) const {
@@ -119,6 +134,13 @@ class StepDecoder {
     }
     if (kind == protocol::kCurveLine) {
       return {ErrorKind::MalformedInput, call_.file, where, what, "Give them faces if they are parts."};
+    }
+    if (kind == protocol::kOrphanLine) {
+      return {ErrorKind::MalformedInput, call_.file, where, what, "Leave it out if it is no part (--without)."};
+    }
+    if (kind == protocol::kSecondLine) {
+      return {ErrorKind::MalformedInput, call_.file, where, what,
+              "Export solids and triangles as two products if they are two parts."};
     }
     return {ErrorKind::MalformedInput, call_.file, where,
             what + ": the part is not closed there; proofs take what is missing as free space", doubt};
@@ -142,7 +164,7 @@ class StepDecoder {
                                  Vector3(coordinates[i], coordinates[i + 1], coordinates[i + 2]));
     }
     if (const auto fault = faultOf(mesh)) return refusalOf(call_, *fault);
-    if (!takeFaces(record.faces, mesh)) return broken();
+    if (record.faces > 0 && !takeFaces(record.faces, mesh)) return broken();
     double deflection = 0.0;
     for (const SurfaceFace& face : mesh.faces) deflection = std::max(deflection, face.deflection);
     shapes_.push_back({std::make_shared<const TriangleMesh>(welded(mesh)), deflection, record.facesWithoutMesh});

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "engine/assembly/missing_shape.h"
 #include "engine/import/importer_process.h"
 #include "engine/import/step_import.h"
 
@@ -21,6 +22,7 @@ struct StepAnswer {
   std::vector<Occurrence> parts;  ///< with their paths below the root; none where `externals` has some
   std::vector<StepExternal> externals;
   Warnings warnings;
+  MissingShapes missing{};  ///< without their file
 };
 
 /// What glissade-import-step wrote. Every count, number, index and name is checked: the program may have

@@ -30,6 +30,8 @@
 #include "engine/import/step_external_files.h"
 #include "engine/import/step_losses.h"
 #include "engine/import/step_mirrors.h"
+#include "engine/import/step_missing_shapes.h"
+#include "engine/import/step_second_shapes.h"
 #include "engine/import/step_shape_notes.h"
 
 namespace glissade {
@@ -80,8 +82,8 @@ std::vector<TopoDS_Shape> rigidShapesOf(const TopoDS_Shape& shape) {
 class AssemblyWalk {
  public:
   AssemblyWalk(const Handle(XCAFDoc_ShapeTool) & shapes, const Handle(XCAFDoc_ColorTool) & colours,
-               ExternalFiles externalFiles, MirroredInstances& mirrored)
-      : shapes_(shapes), colours_(colours), externalFiles_(std::move(externalFiles)), mirrored_(mirrored) {}
+               const ExternalFiles& externalFiles, MirroredInstances& mirrored)
+      : shapes_(shapes), colours_(colours), externalFiles_(externalFiles), mirrored_(mirrored) {}
 
   StepAssembly walk() {
     TDF_LabelSequence roots;
@@ -224,7 +226,7 @@ class AssemblyWalk {
 
   Handle(XCAFDoc_ShapeTool) shapes_;
   Handle(XCAFDoc_ColorTool) colours_;
-  ExternalFiles externalFiles_;
+  const ExternalFiles& externalFiles_;
   MirroredInstances& mirrored_;
   TopTools_MapOfShape seen_;  ///< products, wherever they are placed
   StepAssembly assembly_;
@@ -257,6 +259,18 @@ std::vector<std::string> inLines(const std::vector<StepLoss>& losses) {
   return lines;
 }
 
+/// ": #12 CSG_SOLID: its kind is not read" of the first shape that is missing; empty where none is.
+std::string firstMissing(const std::vector<std::string>& shapeLines) {
+  for (const std::string& line : shapeLines) {
+    if (line.front() != protocol::kMissingLine) continue;
+    std::string text = line.substr(line.find('\t', 2) + 1);
+    text.replace(text.rfind('\t'), 1, ": ");
+    std::replace(text.begin(), text.end(), '\t', ' ');
+    return ": " + text;
+  }
+  return {};
+}
+
 /// Metres. Of several units the first; of a name that is not known millimetres.
 double lengthUnitOf(STEPControl_Reader& reader) {
   static constexpr std::array<std::pair<const char*, double>, 8> kUnits{{{"INCH", kInch},
@@ -282,7 +296,7 @@ double lengthUnitOf(STEPControl_Reader& reader) {
 
 }  // namespace
 
-StepAssembly readStepAssembly(std::istream& content, bool solidNames, bool isUtf8) {
+StepAssembly readStepAssembly(std::istream& content, bool solidNames, bool isUtf8, StepText text) {
   STEPCAFControl_Reader reader;
   reader.SetNameMode(true);
   reader.SetColorMode(true);
@@ -301,13 +315,21 @@ StepAssembly readStepAssembly(std::istream& content, bool solidNames, bool isUtf
   Handle(TDocStd_Document) document = new TDocStd_Document("XmlXCAF");
   if (!reader.Transfer(document)) throw std::runtime_error("it holds no product that can be understood");
   mirrored.locate(reader);
-  StepAssembly assembly =
-      AssemblyWalk(XCAFDoc_DocumentTool::ShapeTool(document->Main()), XCAFDoc_DocumentTool::ColorTool(document->Main()),
-                   externalFilesOf(reader), mirrored)
-          .walk();
+  StandInShapes standIns(reader, std::move(text.standIns), text.stated);
+  const ExternalFiles externalFiles = externalFilesOf(reader);
+  StepAssembly assembly = AssemblyWalk(XCAFDoc_DocumentTool::ShapeTool(document->Main()),
+                                       XCAFDoc_DocumentTool::ColorTool(document->Main()), externalFiles, mirrored)
+                              .walk();
   mirrored.demandAllUsed();
+  SecondShapes second = takeOutSecondShapes(assembly.solids, standIns);
+  std::vector<TopoDS_Shape> bodies;
+  for (const StepSolid& solid : assembly.solids) bodies.push_back(solid.shape);
+  assembly.shapeLines =
+      missingShapeLines(reader, {text.entities, text.stated, standIns, second.items, externalFiles}, bodies);
+  std::move(second.notes.begin(), second.notes.end(), std::back_inserter(assembly.shapeLines));
+  assembly.standIns = std::move(standIns);
   if (assembly.solids.empty() && assembly.externalParts.empty()) {
-    throw std::runtime_error("it holds neither a solid nor a face");
+    throw std::runtime_error("it holds neither a solid nor a face" + firstMissing(assembly.shapeLines));
   }
   const std::vector<StepLoss> losses = lossesOf(reader);
   if (!losses.empty()) assign(losses, assembly.solids);

@@ -11,6 +11,7 @@
 
 #include "engine/import/step_face_entities.h"
 #include "engine/import/step_mirrors.h"
+#include "engine/import/step_stand_in_shapes.h"
 #include "engine/import/step_validation.h"
 
 namespace glissade {
@@ -43,6 +44,15 @@ struct StepAssembly {
   std::vector<std::string> losses;  ///< "entity, tab, what is missing", as "#45<tab>its face #12 could not be made"
   FaceEntities faceEntities;
   std::vector<StatedMeasures> measures;  ///< that the file states of its products
+  StandInShapes standIns;                ///< solids that stand for triangles of the file
+  std::vector<std::string> shapeLines;   ///< notes: of shapes that are missing, left out or belong to no product
+};
+
+/// A STEP text and its content as counted before OpenCASCADE reads it.
+struct StepText {
+  const StepEntities& entities;
+  const StatedShapes& stated;
+  StepStandIns standIns;
 };
 
 /// Reads a STEP file. Without `solidNames` the solids of a product that has several are numbered only. Throws
@@ -52,6 +62,8 @@ struct StepAssembly {
 ///
 /// `isUtf8`: of the bytes of the file. Other bytes are read as Windows-1252, a superset of Latin 1: the standard allows
 /// neither, and programs write both.
-StepAssembly readStepAssembly(std::istream& content, bool solidNames, bool isUtf8);
+///
+/// `text`: of the file; `content` is that of its stand-ins where they have one.
+StepAssembly readStepAssembly(std::istream& content, bool solidNames, bool isUtf8, StepText text);
 
 }  // namespace glissade

@@ -16,6 +16,7 @@ namespace {
 
 namespace protocol = import_protocol;
 
+constexpr const char* kUnread = "Export the part as a solid with faces, or as triangles.";
 constexpr const char* kAdvice = "Put the files there and load again, or export the product as one file.";
 
 /// "'a', 'b' and 3 more".
@@ -37,6 +38,7 @@ class Composition {
     const File top{content_.file, "", std::move(*answer)};
     countTriangles(top.answer);
     product_.warnings = top.answer.warnings;
+    takeMissing(top.file, top.answer.missing);
     if (const Outcome added = add(top, {top.answer.rootName, Pose::identity(), 0}); !added) return added.error();
     if (product_.parts.empty()) return nothingLeft();
     warnOfMissing();
@@ -130,6 +132,7 @@ class Composition {
       return refusal(content_.file, "needs more than " + std::to_string(protocol::kMostElements) + " triangles");
     }
     product_.warnings.insert(product_.warnings.end(), answer->warnings.begin(), answer->warnings.end());
+    takeMissing(found.file, answer->missing);
     product_.partFiles.push_back({found.name, sha256(content->bytes)});
     const std::string folder = folderOf(found.name);
     known = std::make_unique<File>(File{found.file, folder == "." ? "" : folder, std::move(*answer)});
@@ -145,6 +148,26 @@ class Composition {
     return triangles_ <= protocol::kMostElements;
   }
 
+  void takeMissing(const std::string& file, const MissingShapes& shapes) {
+    constexpr std::size_t kMost = 100;
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+      MissingShape shape = shapes[i];
+      shape.file = file;
+      if (i < kMost) product_.warnings.push_back(warningOf(shape));
+      product_.missing.push_back(std::move(shape));
+    }
+    if (shapes.size() <= kMost) return;
+    product_.warnings.push_back({ErrorKind::MalformedInput, file, "",
+                                 std::to_string(shapes.size() - kMost) + " more of its shapes are missing", kUnread});
+  }
+
+  static Diagnostic warningOf(const MissingShape& shape) {
+    const std::string what = shape.kind.empty() ? shape.entity : shape.kind + " " + shape.entity;
+    return {ErrorKind::MalformedInput, shape.file, shape.product.empty() ? "" : "part '" + shape.product + "'",
+            "nothing is known of where " + what + " is, and proofs are about the product without it: " + shape.reason,
+            kUnread};
+  }
+
   void noteMissing(const FoundStepPart& found, const std::string& path) {
     const auto [missing, isNew] = missing_.try_emplace(found.name);
     missing->second.paths.push_back(path);
@@ -153,6 +176,7 @@ class Composition {
     missing->second.whyNot = found.whyNot;
     missingInOrder_.push_back(found.name);
     product_.partFiles.push_back({found.name, ""});
+    product_.missing.push_back({content_.file, path, "'" + found.name + "'", "file", found.whyNot});
   }
 
   void warnOfMissing() {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/assembly/missing_shape.h"
 #include "engine/assembly/occurrence.h"
 #include "engine/base/result.h"
 #include "engine/base/stop_token.h"
@@ -25,6 +26,7 @@ struct StepProduct {
   /// What the files say and OpenCASCADE has not made, with the entity; files that are not there, with their parts.
   Warnings warnings;
   std::vector<StepPartFile> partFiles;  ///< each once, in the order in which they are named
+  MissingShapes missing;                ///< of all files; there is a warning of each
 };
 
 /// Imports a STEP file (AP203, AP214, AP242) with OpenCASCADE, in a process of its own that can open no

@@ -94,6 +94,12 @@ void resize(StepTriangles& triangles, double scale, bool mirrored) {
   for (protocol::Face& face : triangles.faces) resize(face, scale, mirrored);
 }
 
+void count(StepTriangles& triangles) {
+  triangles.record.vertices = static_cast<std::uint32_t>(triangles.vertices.size() / 3);
+  triangles.record.triangles = static_cast<std::uint32_t>(triangles.indices.size() / 3);
+  triangles.record.faces = static_cast<std::uint32_t>(triangles.faces.size());
+}
+
 Fineness scaled(const Fineness& fineness, double factor) {
   Fineness result{factor * fineness.deflection, {}};
   for (const auto& [deflection, faces] : fineness.fine) result.fine[factor * deflection] = faces;
@@ -115,9 +121,16 @@ StepTriangles tessellate(const TopoDS_Shape& shape, const Fineness& fineness, do
   }
   compareVolumes(shape, triangles);
   resize(triangles, scale, mirrored);
-  triangles.record.vertices = static_cast<std::uint32_t>(triangles.vertices.size() / 3);
-  triangles.record.triangles = static_cast<std::uint32_t>(triangles.indices.size() / 3);
-  triangles.record.faces = static_cast<std::uint32_t>(triangles.faces.size());
+  count(triangles);
+  return triangles;
+}
+
+StepTriangles trianglesOf(const StepTessellation& held, double scale, bool mirrored) {
+  StepTriangles triangles;
+  triangles.vertices = held.vertices;
+  triangles.indices = held.indices;
+  resize(triangles, scale, mirrored);
+  count(triangles);
   return triangles;
 }
 

@@ -6,6 +6,7 @@
 
 #include "engine/import/import_protocol.h"
 #include "engine/import/step_healing.h"
+#include "engine/import/step_tessellated.h"
 
 namespace glissade {
 
@@ -28,5 +29,8 @@ struct StepTriangles {
 /// large, and mirrored in x where that is asked for. How far they are off is measured. Runs in the importing process
 /// only.
 StepTriangles tessellate(const TopoDS_Shape& shape, const Fineness& fineness, double scale, bool mirrored);
+
+/// The triangles that the file holds, as tessellate() scales and mirrors them. They stand for no face.
+StepTriangles trianglesOf(const StepTessellation& held, double scale, bool mirrored);
 
 }  // namespace glissade

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/import/step_references.h"
+#include "engine/import/step_shape_kinds.h"
 
 namespace glissade {
 namespace {
@@ -87,18 +88,21 @@ class StepTextCheck {
       return;
     }
     const std::size_t type = endOf(isSpace, next + 1);
-    references_.beginEntity(id, begin, text_.substr(type, endOf(isOfWord, type) - type));
+    const std::string_view kind = text_.substr(type, endOf(isOfWord, type) - type);
+    references_.beginEntity(id, begin, kind);
+    isTessellation_ = holdsTessellation(kind);
     at_ = next;
   }
 
   void checkDelimiter(char c) {
-    if (c == ';') valuesOfList_.clear();
+    if (c == ';' && !valuesOfList_.empty()) fail("a parenthesis is not closed");
+    if (c == ')' && valuesOfList_.empty()) fail("a parenthesis is closed that was not opened");
     if (c == '(') valuesOfList_.push_back(1);
     if (c == ')' && !valuesOfList_.empty()) valuesOfList_.pop_back();
     if (c == ',' && !valuesOfList_.empty()) ++valuesOfList_.back();
     if (valuesOfList_.size() > kMostParentheses)
       fail("parentheses are nested more than " + std::to_string(kMostParentheses) + " deep");
-    if (!valuesOfList_.empty() && valuesOfList_.back() > kLongestList) {
+    if (!isTessellation_ && !valuesOfList_.empty() && valuesOfList_.back() > kLongestList) {
       fail("a list has more than " + std::to_string(kLongestList) + " values");
     }
   }
@@ -156,6 +160,7 @@ class StepTextCheck {
   std::string_view text_;
   std::size_t at_ = 0;
   std::vector<std::size_t> valuesOfList_;  ///< of each list that is open
+  bool isTessellation_ = false;            ///< the entity: OpenCASCADE is not given its lists
   StepReferences references_;
   std::optional<std::string> fault_;
 };

@@ -1,5 +1,7 @@
 #include "engine/product/alignment.h"
 
+#include "engine/geometry/least_rotation.h"
+
 #include <numbers>
 
 namespace glissade {
@@ -31,8 +33,8 @@ Pose turnAbout(const Vector3& point, const Quaternion& by) { return {point - by 
 /// The least turn that takes one unit vector to another. The second step mends the loss of digits of the first where
 /// the two are nearly opposite.
 Quaternion leastTurn(const Vector3& from, const Vector3& to) {
-  const Quaternion nearly = Quaternion::FromTwoVectors(from, to).normalized();
-  return (Quaternion::FromTwoVectors(nearly * from, to) * nearly).normalized();
+  const Quaternion nearly = leastRotation(from, to).normalized();
+  return (leastRotation(nearly * from, to) * nearly).normalized();
 }
 
 /// The direction across `line` that is nearest to `direction`. The second step mends the loss of digits where the two

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/product/thread_pitch.h"
+
 namespace glissade {
 namespace {
 
-/// Holes whose radius is within this share of the shaft's are as wide as it.
+/// Holes that are wider by less than this share are as wide as the shaft.
 constexpr double kEqualShare = 0.02;
 /// Of a helix, a hole has different radii in one section.
 constexpr double kHelixShare = 0.06;
@@ -96,7 +98,8 @@ std::optional<AroundShaft> aroundShaft(const AxialMesh& body, const AxisLine& ax
     around.high = std::max(around.high, slab.high);
     around.hole = std::min(around.hole, hole);
     around.surround += slab.length();
-    const bool isTight = hole < (1.0 - kEqualShare) * radius;
+    around.solid += slab.isSolid ? slab.length() : 0.0;
+    const bool isTight = isThreadDepth(radius, radius - hole);
     const bool isEqual = !isTight && hole <= (1.0 + kEqualShare) * radius;
     around.tight += isTight ? slab.length() : 0.0;
     around.equal += isEqual ? slab.length() : 0.0;

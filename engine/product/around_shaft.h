@@ -13,14 +13,16 @@ struct AroundShaft {
   double low = 0.0;
   double high = 0.0;
   double hole = 0.0;       ///< radius of its narrowest hole; 0: solid
-  double tight = 0.0;      ///< metres of the axis in which the hole is narrower than the shaft, or the body solid
-  double equal = 0.0;      ///< in which the hole is as wide as the shaft
+  double tight = 0.0;      ///< metres of the axis in which the hole is narrower by a thread, or the body solid
+  double equal = 0.0;      ///< in which the hole is as wide as the shaft, or narrower by less
   double surround = 0.0;   ///< in which it is around the shaft at all
+  double solid = 0.0;      ///< in which it is solid
   double tightHigh = 0.0;  ///< upper end of what is tight or equal
   double tightLow = 0.0;
-  bool isBlind = false;  ///< its hole ends near the lower end of the shaft
+  /// It is drawn as if the shaft were not there.
+  bool hasNoHole() const { return solid > 0.95 * surround; }
 
-  bool isThread() const { return tight > 0.0; }
+  bool isBlind = false;  ///< its hole ends near the lower end of the shaft
 };
 
 /// Below the head of a screw, along its shaft. Holes that are wider than this many radii of the shaft do not count.

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/geometry/thread_standards.h"
 #include "engine/product/thread_pitch.h"
 
 namespace glissade {
@@ -23,6 +24,7 @@ struct StandardRow {
   StandardPart part;
   DriveKind drive;
   KeyTable keys;
+  ThreadFamily threads = ThreadFamily::Metric;
 };
 
 constexpr bool kIso = true;
@@ -30,6 +32,8 @@ constexpr bool kDin = false;
 using enum StandardPart;
 constexpr auto kSocketDrive = DriveKind::HexSocket;
 constexpr auto kHexDrive = DriveKind::HexOutside;
+constexpr auto kTapping = ThreadFamily::Tapping;
+constexpr auto kWood = ThreadFamily::Wood;
 
 /// Of the standards' titles.
 constexpr std::array kStandards{StandardRow{"4762", kIso, Screw, kSocketDrive, KeyTable::Cap},
@@ -50,12 +54,12 @@ constexpr std::array kStandards{StandardRow{"4762", kIso, Screw, kSocketDrive, K
                                 StandardRow{"7046", kIso, Screw, DriveKind::Cross, KeyTable::None},
                                 StandardRow{"7047", kIso, Screw, DriveKind::Cross, KeyTable::None},
                                 StandardRow{"7048", kIso, Screw, DriveKind::Cross, KeyTable::None},
-                                StandardRow{"7049", kIso, Screw, DriveKind::Cross, KeyTable::None},
-                                StandardRow{"7050", kIso, Screw, DriveKind::Cross, KeyTable::None},
+                                StandardRow{"7049", kIso, Screw, DriveKind::Cross, KeyTable::None, kTapping},
+                                StandardRow{"7050", kIso, Screw, DriveKind::Cross, KeyTable::None, kTapping},
                                 StandardRow{"965", kDin, Screw, DriveKind::Cross, KeyTable::None},
                                 StandardRow{"966", kDin, Screw, DriveKind::Cross, KeyTable::None},
-                                StandardRow{"7981", kDin, Screw, DriveKind::Cross, KeyTable::None},
-                                StandardRow{"7982", kDin, Screw, DriveKind::Cross, KeyTable::None},
+                                StandardRow{"7981", kDin, Screw, DriveKind::Cross, KeyTable::None, kTapping},
+                                StandardRow{"7982", kDin, Screw, DriveKind::Cross, KeyTable::None, kTapping},
                                 StandardRow{"7985", kDin, Screw, DriveKind::Cross, KeyTable::None},
                                 StandardRow{"1207", kIso, Screw, DriveKind::Slot, KeyTable::None},
                                 StandardRow{"1580", kIso, Screw, DriveKind::Slot, KeyTable::None},
@@ -67,7 +71,26 @@ constexpr std::array kStandards{StandardRow{"4762", kIso, Screw, kSocketDrive, K
                                 StandardRow{"14580", kIso, Screw, DriveKind::SixLobe, KeyTable::None},
                                 StandardRow{"14581", kIso, Screw, DriveKind::SixLobe, KeyTable::None},
                                 StandardRow{"14583", kIso, Screw, DriveKind::SixLobe, KeyTable::None},
-                                StandardRow{"14585", kIso, Screw, DriveKind::SixLobe, KeyTable::None},
+                                StandardRow{"14585", kIso, Screw, DriveKind::SixLobe, KeyTable::None, kTapping},
+                                StandardRow{"14586", kIso, Screw, DriveKind::SixLobe, KeyTable::None, kTapping},
+                                StandardRow{"14587", kIso, Screw, DriveKind::SixLobe, KeyTable::None, kTapping},
+                                StandardRow{"7051", kIso, Screw, DriveKind::Cross, KeyTable::None, kTapping},
+                                StandardRow{"7983", kDin, Screw, DriveKind::Cross, KeyTable::None, kTapping},
+                                StandardRow{"1479", kIso, Screw, kHexDrive, KeyTable::None, kTapping},
+                                StandardRow{"7976", kDin, Screw, kHexDrive, KeyTable::None, kTapping},
+                                StandardRow{"1481", kIso, Screw, DriveKind::Slot, KeyTable::None, kTapping},
+                                StandardRow{"1482", kIso, Screw, DriveKind::Slot, KeyTable::None, kTapping},
+                                StandardRow{"1483", kIso, Screw, DriveKind::Slot, KeyTable::None, kTapping},
+                                StandardRow{"7971", kDin, Screw, DriveKind::Slot, KeyTable::None, kTapping},
+                                StandardRow{"7972", kDin, Screw, DriveKind::Slot, KeyTable::None, kTapping},
+                                StandardRow{"7973", kDin, Screw, DriveKind::Slot, KeyTable::None, kTapping},
+                                StandardRow{"95", kDin, Screw, DriveKind::Slot, KeyTable::None, kWood},
+                                StandardRow{"96", kDin, Screw, DriveKind::Slot, KeyTable::None, kWood},
+                                StandardRow{"97", kDin, Screw, DriveKind::Slot, KeyTable::None, kWood},
+                                StandardRow{"571", kDin, Screw, kHexDrive, KeyTable::Wrench, kWood},
+                                StandardRow{"7995", kDin, Screw, DriveKind::Cross, KeyTable::None, kWood},
+                                StandardRow{"7996", kDin, Screw, DriveKind::Cross, KeyTable::None, kWood},
+                                StandardRow{"7997", kDin, Screw, DriveKind::Cross, KeyTable::None, kWood},
                                 StandardRow{"4026", kIso, SetScrew, kSocketDrive, KeyTable::Set},
                                 StandardRow{"4027", kIso, SetScrew, kSocketDrive, KeyTable::Set},
                                 StandardRow{"4028", kIso, SetScrew, kSocketDrive, KeyTable::Set},
@@ -127,6 +150,7 @@ struct WordRow {
   StandardPart part;
   DriveKind drive;
   KeyTable keys;
+  ThreadFamily threads = ThreadFamily::Metric;
 };
 
 /// The first that is in the name counts.
@@ -143,6 +167,17 @@ constexpr std::array kWords{WordRow{"heat-set", Insert, DriveKind::None, KeyTabl
                             WordRow{"press-in nut", Insert, DriveKind::None, KeyTable::None},
                             WordRow{"set screw", SetScrew, kSocketDrive, KeyTable::Set},
                             WordRow{"grub screw", SetScrew, kSocketDrive, KeyTable::Set},
+                            WordRow{"self-tapping", Screw, DriveKind::None, KeyTable::None, kTapping},
+                            WordRow{"tapping screw", Screw, DriveKind::None, KeyTable::None, kTapping},
+                            WordRow{"sheet metal screw", Screw, DriveKind::None, KeyTable::None, kTapping},
+                            WordRow{"blechschraube", Screw, DriveKind::None, KeyTable::None, kTapping},
+                            WordRow{"autotaraudeuse", Screw, DriveKind::None, KeyTable::None, kTapping},
+                            WordRow{"wood screw", Screw, DriveKind::None, KeyTable::None, kWood},
+                            WordRow{"chipboard screw", Screw, DriveKind::None, KeyTable::None, kWood},
+                            WordRow{"lag screw", Screw, kHexDrive, KeyTable::Wrench, kWood},
+                            WordRow{"coach screw", Screw, kHexDrive, KeyTable::Wrench, kWood},
+                            WordRow{"holzschraube", Screw, DriveKind::None, KeyTable::None, kWood},
+                            WordRow{"vis a bois", Screw, DriveKind::None, KeyTable::None, kWood},
                             WordRow{"phillips", Screw, DriveKind::Cross, KeyTable::None},
                             WordRow{"philips", Screw, DriveKind::Cross, KeyTable::None},
                             WordRow{"torx", Screw, DriveKind::SixLobe, KeyTable::None},
@@ -167,6 +202,14 @@ constexpr std::array kWords{WordRow{"heat-set", Insert, DriveKind::None, KeyTabl
                             WordRow{"washer", Washer, DriveKind::None, KeyTable::None},
                             WordRow{"shim", Washer, DriveKind::None, KeyTable::None},
                             WordRow{"dowel", Pin, DriveKind::None, KeyTable::None},
+                            WordRow{"clevis pin", Pin, DriveKind::None, KeyTable::None},
+                            WordRow{"parallel pin", Pin, DriveKind::None, KeyTable::None},
+                            WordRow{"roll pin", Pin, DriveKind::None, KeyTable::None},
+                            WordRow{"spring pin", Pin, DriveKind::None, KeyTable::None},
+                            WordRow{"guide pin", Pin, DriveKind::None, KeyTable::None},
+                            WordRow{"zylinderstift", Pin, DriveKind::None, KeyTable::None},
+                            WordRow{"passstift", Pin, DriveKind::None, KeyTable::None},
+                            WordRow{"goupille", Pin, DriveKind::None, KeyTable::None},
                             WordRow{"ball bearing", Bearing, DriveKind::None, KeyTable::None},
                             WordRow{"bearing", Bearing, DriveKind::None, KeyTable::None},
                             WordRow{"bushing", Insert, DriveKind::None, KeyTable::None},
@@ -221,6 +264,10 @@ double keyFor(KeyTable table, double diameter) {
   return 0.0;
 }
 
+constexpr double kInch = 25.4e-3;
+/// Sizes that differ by less are one, as a share: "ST4.2" has 4.22 mm.
+constexpr double kSameSize = 0.02;
+
 /// Characters of a name that are looked at: patterns take memory by the length.
 constexpr std::size_t kLongestName = 200;
 
@@ -242,7 +289,10 @@ struct SizeText {
   double pitch = 0.0;
 };
 
-/// "M3x8", "M8 x 1.25 x 30", "M3".
+/// A second number of up to this share of the diameter is a pitch: no screw is so short.
+constexpr double kMostPitch = 0.3;
+
+/// "M3x8", "M8 x 1.25 x 30", "M10x1.5", "M3".
 std::optional<SizeText> metricSize(const std::string& name) {
   static const std::regex pattern(
       R"((?:^|[^A-Za-z0-9])[Mm] ?(\d{1,2}(?:[.,]\d{1,2})?)(?:\s*[xX*]\s*(\d{1,3}(?:[.,]\d{1,2})?))?(?:\s*[xX*]\s*(\d{1,3}(?:[.,]\d{1,2})?))?(?![0-9]))");
@@ -259,7 +309,7 @@ std::optional<SizeText> metricSize(const std::string& name) {
   size.text = "M" + match[1].str();
   const double second = match[2].matched ? 1e-3 * numberIn(match[2]) : 0.0;
   const double third = match[3].matched ? 1e-3 * numberIn(match[3]) : 0.0;
-  const bool isPitch = third > 0.0 && second > 0.0 && second <= 0.3 * size.diameter;
+  const bool isPitch = second > 0.0 && second <= kMostPitch * size.diameter;
   size.pitch = isPitch ? second : 0.0;
   size.length = isPitch ? third : second;
   if (match[2].matched) size.text += "x" + match[2].str();
@@ -267,19 +317,77 @@ std::optional<SizeText> metricSize(const std::string& name) {
   return size;
 }
 
-/// "#10-32", "1/4-20": unified threads.
+/// The size of the unified threads that has a diameter (metres); null: none has.
+const ThreadSize* unifiedOf(double diameter) {
+  const ThreadSize& nearest = nearestThreadSize(ThreadFamily::Unified, diameter);
+  return std::abs(nearest.diameter - diameter) < 1e-3 * diameter ? &nearest : nullptr;
+}
+
+/// "#10-32", "1/4-20", "1/4"-20 UNC", "10-32 x 1/2", "1/4 UNC", "#8 UNF": unified threads.
 std::optional<SizeText> unifiedSize(const std::string& name) {
-  static const std::regex pattern(R"re((?:#(\d{1,2})|(?:^|[^0-9/_])(\d{1,2})[/_](\d{1,2})"?)-(\d{2})(?![0-9]))re");
-  std::smatch match;
-  if (!std::regex_search(name, match, pattern)) return std::nullopt;
-  constexpr double kInch = 25.4e-3;
-  SizeText size;
-  size.diameter = match[1].matched ? (0.06 + 0.013 * numberIn(match[1])) * kInch
-                                   : numberIn(match[2]) / std::max(1.0, numberIn(match[3])) * kInch;
-  size.pitch = kInch / numberIn(match[4]);
-  size.text = match[1].matched ? "#" + match[1].str() + "-" + match[4].str()
-                               : match[2].str() + "/" + match[3].str() + "-" + match[4].str();
+  static const std::regex pattern(
+      R"re((?:(#|No\.? ?)(\d{1,2})|(?:^|[^0-9/_.])(\d{1,2})[/_](\d{1,2})"?|(?:^|[^0-9A-Za-z/_.-])(\d{1,2}))(?:[ ]?-[ ]?(\d{1,2})(?![0-9/])|[ _-]*(UNC|UNF)(?![A-Za-z]))([ _-]*(?:UNC|UNF)?[ _-]*[xX*][ _]*[\d.])?)re");
+  for (std::sregex_iterator each(name.begin(), name.end(), pattern), end; each != end; ++each) {
+    const std::smatch& match = *each;
+    const bool isFraction = match[3].matched;
+    const std::string number = isFraction ? std::string() : (match[2].matched ? match[2].str() : match[5].str());
+    const double diameter = isFraction ? numberIn(match[3]) / std::max(1.0, numberIn(match[4])) * kInch
+                                       : (0.06 + 0.013 * numberIn(number)) * kInch;
+    const ThreadSize* known = unifiedOf(diameter);
+    if (known == nullptr) continue;
+    SizeText size;
+    size.diameter = diameter;
+    size.text = isFraction ? match[3].str() + "/" + match[4].str() : "#" + number;
+    if (match[7].matched) {
+      size.pitch = match[7] == "UNF" ? known->finePitch : known->pitch;
+      size.text += " " + match[7].str();
+    } else {
+      size.pitch = kInch / numberIn(match[6]);
+      size.text += "-" + match[6].str();
+    }
+    const auto isOne = [&](double pitch) { return std::abs(size.pitch - pitch) < 1e-3 * size.pitch; };
+    const bool isStandard = isOne(known->pitch) || isOne(known->finePitch);
+    // "10-32" alone may be any numbers.
+    const bool isSure = isFraction || match[1].matched || (isStandard && (match[7].matched || match[8].matched));
+    if (isSure && size.pitch > 0.0) return size;
+  }
+  return std::nullopt;
+}
+
+/// "ST4.2x35"; of a screw that is one by its standard or its word (`isKnown`), "4.2 x 35", too.
+std::optional<SizeText> sizeOfFamily(const std::string& name, ThreadFamily family, bool isKnown) {
+  static const std::regex pattern(
+      R"((?:^|[^A-Za-z0-9.,])(ST ?)?(\d{1,2}(?:[.,]\d{1,2})?)(?:\s*[xX*]\s*(\d{1,3}(?:[.,]\d{1,2})?))?(?![0-9]))");
+  for (std::sregex_iterator each(name.begin(), name.end(), pattern), end; each != end; ++each) {
+    const std::smatch& match = *each;
+    if (!match[1].matched && !(isKnown && match[3].matched)) continue;
+    SizeText size;
+    size.diameter = 1e-3 * numberIn(match[2]);
+    size.length = match[3].matched ? 1e-3 * numberIn(match[3]) : 0.0;
+    size.text = (match[1].matched ? "ST" : "") + match[2].str() + (match[3].matched ? "x" + match[3].str() : "");
+    const ThreadSize& known = nearestThreadSize(family, size.diameter);
+    if (std::abs(known.diameter - size.diameter) > kSameSize * size.diameter) continue;
+    size.pitch = known.pitch;
+    return size;
+  }
+  return std::nullopt;
+}
+
+/// Of a screw that cuts its thread, the pitch is that of its family whatever its size is called: "M3x10 self-tapping".
+std::optional<SizeText> sizeIn(const std::string& name, ThreadFamily family) {
+  auto size = metricSize(name);
+  if (!size) size = unifiedSize(name);
+  if (family == ThreadFamily::Metric) return size;
+  if (!size) return sizeOfFamily(name, family, true);
+  size->pitch = nearestThreadSize(family, size->diameter).pitch;
   return size;
+}
+
+/// "M10 LH", "left hand".
+bool isLeftHanded(const std::string& name) {
+  static const std::regex pattern(R"((^|[^A-Za-z])(LH|left[ _-]?hand(ed)?|linksgewinde|pas (a|à) gauche)($|[^A-Za-z]))",
+                                  std::regex::icase);
+  return std::regex_search(name, pattern);
 }
 
 const StandardRow* standardIn(const std::string& name, std::string* text, bool* isUnknown) {
@@ -335,39 +443,68 @@ Designation complete(StandardPart part, DriveKind drive, KeyTable keys, const st
   return found;
 }
 
+/// The last word of a name says what a thing is.
+bool isLastWord(const std::string& name, std::string_view word) {
+  std::string letters;
+  for (const char c : name) letters += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::size_t last = letters.find_last_of("abcdefghijklmnopqrstuvwxyz");
+  if (last == std::string::npos || last + 1 < word.size()) return false;
+  const std::size_t first = last + 1 - word.size();
+  const bool isWhole = first == 0 || std::isalpha(static_cast<unsigned char>(letters[first - 1])) == 0;
+  return isWhole && letters.compare(first, word.size(), word) == 0;
+}
+
 /// As a large maker names them: standoffs SO-M3-6, BSO-M3-8, SOS-M4-10, nuts CLS-M3-1, S-M4-2, SP-M5-1.
 bool isSelfClinching(const std::string& name) {
   static const std::regex pattern(R"((^|[^A-Za-z0-9])(B?SO[SA4]?|TSO[SA]?|CLSS?|CLA|SP?)-M\d+(-\d+)?($|[^A-Za-z0-9]))");
   return std::regex_search(name, pattern);
 }
 
-std::optional<Designation> readDesignation(const std::string& name, bool* isUnknown) {
-  auto size = metricSize(name);
-  if (!size) size = unifiedSize(name);
-  std::string text;
-  if (const StandardRow* row = standardIn(name, &text, isUnknown)) {
-    return complete(row->part, row->drive, row->keys, text, size);
-  }
+std::optional<Designation> readByWord(const std::string& name) {
   const std::string plain = plainWord(name);
   for (const WordRow& row : kWords) {
     if (plain.find(plainWord(std::string(row.word))) == std::string::npos) continue;
-    // A bare word is a hint where a size stands beside it, or where nothing else is meant by it.
+    const auto size = sizeIn(name, row.threads);
+    // A common word is a hint where a size stands beside it, or where it is the last one.
     const bool isCommon = row.word == "nut" || row.word == "bolt" || row.word == "shim";
-    if (isCommon && !size) continue;
+    if (isCommon && !size && !isLastWord(name, row.word)) continue;
     if (row.part == StandardPart::Bearing) {
       if (auto bearing = bearingIn(name)) return bearing;
     }
     return complete(row.part, row.drive, row.keys, std::string(row.word), size);
   }
-  if (auto bearing = bearingIn(name)) return bearing;
-  if (size && isSelfClinching(name)) return complete(StandardPart::Insert, DriveKind::None, KeyTable::None, "", size);
-  if (size && size->length > 0.0) {
-    // M3x5x4: diameter, length and outer diameter of an insert.
-    static const std::regex insert(R"([Mm]\d+(?:[.,]\d+)?\s*[xX]\s*\d+(?:[.,]\d+)?\s*[xX]\s*\d+(?:[.,]\d+)?)");
-    const bool isInsert = size->pitch == 0.0 && std::regex_search(name, insert);
-    return complete(isInsert ? StandardPart::Insert : StandardPart::Screw, DriveKind::None, KeyTable::None, "", size);
-  }
   return std::nullopt;
+}
+
+/// "M3x8", "ST4.2x35", "10-32 x 1/2", "SO-M3-6".
+std::optional<Designation> readBySize(const std::string& name) {
+  auto size = sizeIn(name, ThreadFamily::Metric);
+  if (size && isSelfClinching(name)) return complete(StandardPart::Insert, DriveKind::None, KeyTable::None, "", size);
+  if (!size) size = sizeOfFamily(name, ThreadFamily::Tapping, false);
+  if (!size || !(size->length > 0.0)) return std::nullopt;
+  // M3x5x4: diameter, length and outer diameter of an insert.
+  static const std::regex insert(R"([Mm]\d+(?:[.,]\d+)?\s*[xX]\s*\d+(?:[.,]\d+)?\s*[xX]\s*\d+(?:[.,]\d+)?)");
+  const bool isInsert = size->pitch == 0.0 && std::regex_search(name, insert);
+  return complete(isInsert ? StandardPart::Insert : StandardPart::Screw, DriveKind::None, KeyTable::None, "", size);
+}
+
+std::optional<Designation> readPart(const std::string& name, bool* isUnknown) {
+  std::string text;
+  if (const StandardRow* row = standardIn(name, &text, isUnknown)) {
+    return complete(row->part, row->drive, row->keys, text, sizeIn(name, row->threads));
+  }
+  if (auto found = readByWord(name)) return found;
+  if (auto bearing = bearingIn(name)) return bearing;
+  return readBySize(name);
+}
+
+std::optional<Designation> readDesignation(const std::string& name, bool* isUnknown) {
+  auto found = readPart(name, isUnknown);
+  if (!found || found->diameter <= 0.0 || !isLeftHanded(name)) return found;
+  const double pitch = found->pitch > 0.0 ? found->pitch : isoCoarsePitch(0.5 * found->diameter).pitch;
+  found->pitch = -pitch;
+  found->text += " LH";
+  return found;
 }
 
 }  // namespace
@@ -390,6 +527,14 @@ Result<Designation> designationOf(const std::string& text) {
   const std::string reason = isUnknown ? "'" + text + "' names a standard that is not known"
                                        : "'" + text + "' is no designation of a standard part that is known";
   return Diagnostic{ErrorKind::Usage, "", "", reason, "Give one as 'ISO 4762 M3x8', 'DIN 934 M5' or 'M3x8 SHCS'."};
+}
+
+bool isShaftName(const std::string& name) {
+  constexpr std::array<std::string_view, 14> kWordsOfShafts{"rod",     "shaft", "axle",  "axis",    "pin",
+                                                            "spindle", "pivot", "stift", "achse",   "welle",
+                                                            "axe",     "tige",  "arbre", "goupille"};
+  return std::any_of(kWordsOfShafts.begin(), kWordsOfShafts.end(),
+                     [&](std::string_view word) { return isLastWord(name, word); });
 }
 
 double usualDriveSize(DriveKind drive, double diameter) {

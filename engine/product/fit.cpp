@@ -18,6 +18,9 @@ Fit::Role roleOfThinner(const Fit& fit) {
 std::string inWords(const Fit& fit, const std::string& object, const std::string& obstacle) {
   const std::string& thinner = fit.yields ? obstacle : object;
   const std::string& other = fit.yields ? object : obstacle;
+  if (fit.hollow && fit.kind == ContactKind::Thread) {
+    return thinner + " taken without what its screw " + other + " fills (no hole in the file)";
+  }
   if (fit.hollow) {
     return thinner + " taken without what overlaps " + other + ", up to " + inMillimetres(fit.allowance) +
            " deep (accepted clash)";

@@ -77,9 +77,10 @@ struct Joint {
   /// Metres, across the flats of a hexagon, the width of a slot, the width of a cross or of six lobes from tip to tip;
   /// 0: not known.
   double driveSize = 0.0;
-  double bend = 0.0;                    ///< metres that the hook of a snap has to bend
-  std::string designation{};            ///< as a name states it, "ISO 4762 M3x8"; empty: none
-  bool isDoubtful = false;              ///< shape and name disagree; shape wins
+  double bend = 0.0;          ///< metres that the hook of a snap has to bend
+  std::string designation{};  ///< as a name states it, "ISO 4762 M3x8"; empty: none
+  bool isDoubtful = false;    ///< what speaks for it contradicts itself: where it is recognised, the shape wins
+  bool makesHole = false;     ///< of a screw: it is in a body that is drawn without a hole
   std::vector<std::string> evidence{};  ///< for people, in English: each thing that it was concluded from
 };
 

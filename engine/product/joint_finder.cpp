@@ -42,8 +42,10 @@ void leaveOutInside(const Joints& units, Joints& joints) {
 }
 
 /// What a name calls a screw is no pin, whatever its head.
-void leaveOutScrews(const std::vector<bool>& isScrewByName, Joints& pressed) {
-  const auto isScrew = [&](const Joint& joint) { return joint.kind == JointKind::Pin && isScrewByName[joint.body]; };
+void leaveOutScrews(const Designations& said, Joints& pressed) {
+  const auto isScrew = [&](const Joint& joint) {
+    return joint.kind == JointKind::Pin && says(said, joint.body, {StandardPart::Screw, StandardPart::SetScrew});
+  };
   pressed.erase(std::remove_if(pressed.begin(), pressed.end(), isScrew), pressed.end());
 }
 
@@ -58,25 +60,19 @@ Joints findJoints(const AssembledProduct& product, const StopToken& stop, const 
 }
 
 Joints findJoints(const ProductShapes& shapes, const StopToken& stop, const std::vector<std::string>& classes) {
-  const auto said = designationsOf(shapes.product());
-  std::vector<bool> isInsertByName;
-  std::vector<bool> isScrewByName;
-  for (const auto& one : said) {
-    isScrewByName.push_back(one && (one->part == StandardPart::Screw || one->part == StandardPart::SetScrew));
-    isInsertByName.push_back(one && (one->part == StandardPart::Insert || one->part == StandardPart::Bearing));
-  }
-  Joints threaded = findThreadedJoints(shapes, isScrewByName, stop);
-  Joints pressed = findPressedJoints(shapes, threaded, isInsertByName, stop);
+  const Designations said = designationsOf(shapes.product());
+  Joints threaded = findThreadedJoints(shapes, said, stop);
+  Joints pressed = findPressedJoints(shapes, threaded, said, stop);
   Joints units = findRollingBearings(shapes, stop);
   releaseHosts(pressed, threaded);
   leaveOutInside(units, pressed);
-  leaveOutScrews(isScrewByName, pressed);
+  leaveOutScrews(said, pressed);
   Joints joints = std::move(threaded);
   append(std::move(pressed), joints);
   append(std::move(units), joints);
   append(findThreadedParts(shapes, joints, stop), joints);
   for (Joint& joint : joints) {
-    if (said[joint.body]) addDesignation(*said[joint.body], joint);
+    addDesignations(said, joint);
     if (const TurnedShape* shape = shapes.turned(joint.body)) addUsualDrive(*shape, joint);
   }
   append(findSuggestedJoints(shapes, classes, joints, stop), joints);

@@ -8,13 +8,14 @@ namespace glissade {
 namespace {
 
 constexpr double kMillimetre = 1e-3;
-constexpr double kInch = 25.4e-3;
+constexpr double kOneInch = 25.4e-3;
 /// A key may be this share larger than its modelled recess: CAD models have nominal sizes, and meshes of round corners.
 constexpr double kTight = 0.012;
 /// A key that is smaller than its recess by more turns in it.
 constexpr double kLoose = 0.04;
 
-constexpr std::array kKeys{0.7, 0.9, 1.3, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 14.0, 17.0, 19.0, 22.0};
+constexpr std::array kKeyRows{0.7, 0.9, 1.3,  1.5,  2.0,  2.5,  3.0,  4.0, 5.0,
+                              6.0, 8.0, 10.0, 12.0, 14.0, 17.0, 19.0, 22.0};
 constexpr std::array kWrenches{2.5,  3.0,  3.2,  4.0,  4.5,  5.0,  5.5,  6.0,  7.0,  8.0,  9.0,  10.0, 11.0,
                                12.0, 13.0, 14.0, 15.0, 16.0, 17.0, 18.0, 19.0, 20.0, 21.0, 22.0, 24.0, 27.0,
                                30.0, 32.0, 34.0, 36.0, 41.0, 46.0, 50.0, 55.0, 60.0, 65.0, 70.0, 75.0};
@@ -50,12 +51,12 @@ std::optional<KeySize> keyFor(DriveKind drive, double across) {
     best = {key, inches};
   };
   if (drive == DriveKind::HexSocket) {
-    for (const double key : kKeys) offer(kMillimetre * key, "");
+    for (const double key : kKeyRows) offer(kMillimetre * key, "");
   } else {
     for (const double wrench : kWrenches) offer(kMillimetre * wrench, "");
   }
   if (best) return best;
-  for (const InchSize& size : kInchSizes) offer(kInch * size.inches, size.name);
+  for (const InchSize& size : kInchSizes) offer(kOneInch * size.inches, size.name);
   return best;
 }
 

@@ -52,8 +52,18 @@ void addThread(const Designation& said, Joint& joint) {
     return;
   }
   thread.diameter = said.diameter;
+  if (said.pitch < 0.0 && thread.isPitchStated && thread.pitch > 0.0) {
+    doubt(joint, "the name says a left-hand thread, the shape is a right-hand one");
+  }
   if (thread.isPitchStated) return;
-  thread.pitch = said.pitch > 0.0 ? said.pitch : isoCoarsePitch(0.5 * said.diameter).pitch;
+  thread.pitch = said.pitch != 0.0 ? said.pitch : isoCoarsePitch(0.5 * said.diameter).pitch;
+  if (said.pitch < 0.0) joint.evidence.emplace_back("the name says a left-hand thread");
+}
+
+/// Of the other body of a thread, where its own name states none.
+void addThreadOfOther(const Designation& own, const Designation& other, Joint& joint) {
+  const bool hasThread = agrees(other.part, JointKind::Thread);
+  if (hasThread && own.pitch == 0.0 && other.pitch != 0.0) addThread(other, joint);
 }
 
 void addDrive(const Designation& said, Joint& joint) {
@@ -74,21 +84,7 @@ void addDrive(const Designation& said, Joint& joint) {
   }
 }
 
-}  // namespace
-
-std::vector<std::optional<Designation>> designationsOf(const AssembledProduct& product) {
-  const Product& tree = product.tree;
-  std::vector<std::optional<Designation>> said;
-  for (std::size_t body = 0; body < product.bodies.size(); ++body) {
-    const auto node = tree.find(product.bodies[body].id);
-    auto own = designationIn(product.nameInFile(body));
-    const auto above = node ? tree.nodes()[*node].parent : std::nullopt;
-    if (!own && above && tree.nodes()[*above].children.size() == 1) own = designationIn(tree.nodes()[*above].name);
-    said.push_back(std::move(own));
-  }
-  return said;
-}
-
+/// Of its own name.
 void addDesignation(const Designation& said, Joint& joint) {
   if (!agrees(said.part, joint.kind)) {
     doubt(joint, std::string("the name says '") + standardPartName(said.part) + "'");
@@ -100,6 +96,34 @@ void addDesignation(const Designation& said, Joint& joint) {
   joint.evidence.push_back("the name says '" + said.text + "'");
   if (joint.thread) addThread(said, joint);
   addDrive(said, joint);
+}
+
+}  // namespace
+
+Designations designationsOf(const AssembledProduct& product) {
+  const Product& tree = product.tree;
+  Designations said;
+  for (std::size_t body = 0; body < product.bodies.size(); ++body) {
+    const auto node = tree.find(product.bodies[body].id);
+    auto own = designationIn(product.nameInFile(body));
+    const auto above = node ? tree.nodes()[*node].parent : std::nullopt;
+    if (!own && above && tree.nodes()[*above].children.size() == 1) own = designationIn(tree.nodes()[*above].name);
+    said.push_back(std::move(own));
+  }
+  return said;
+}
+
+bool says(const Designations& said, std::size_t body, std::initializer_list<StandardPart> parts) {
+  return said[body] && std::find(parts.begin(), parts.end(), said[body]->part) != parts.end();
+}
+
+void addDesignations(const Designations& said, Joint& joint) {
+  const auto& own = said[joint.body];
+  if (own) addDesignation(*own, joint);
+  if (!joint.thread) return;
+  for (const std::size_t other : joint.others) {
+    if (said[other]) addThreadOfOther(own.value_or(Designation{}), *said[other], joint);
+  }
 }
 
 void addUsualDrive(const TurnedShape& shape, Joint& joint) {

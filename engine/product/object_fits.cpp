@@ -135,7 +135,7 @@ class FitFinder {
     const bool marked = edit != nullptr && edit->kind == ContactKind::Thread;
     if (marked && found.contact.axis) fit.thread = threadOf(found, edit);
     if (decision.refused) {
-      if (takeWithoutThread(fit, found)) return;
+      if (takeWithoutThread(fit, found) || takeScrewHole(fit, found)) return;
       refuseClash(fit, found, clashOverlap(found.contact, bounds));
     } else if ((found.contact.kind == ContactKind::Clearance && !hookYields(obstacle)) ||
                (bounds.one.most <= 0.0 && bounds.other.most <= 0.0)) {
@@ -153,6 +153,7 @@ class FitFinder {
   /// plate: nothing is below a face, and the overlap is a clash all the same.
   void resolveCrossing(const Fit& fit, const FoundContact& found) {
     if (isFree(object_.mesh, fit.obstacle, body(fit.obstacle).mesh, found.at) || takeHollow(fit, found)) return;
+    if (takeScrewHole(fit, found)) return;
     if (const double depth = hollowDepth(fit.obstacle, found); depth > 0.0) refuseClash(fit, found, depth);
   }
 
@@ -245,9 +246,28 @@ class FitFinder {
     return takeHollow(fit, found, larger) || takeHollow(fit, found, !larger);
   }
 
-  bool takeHollow(Fit host, const FoundContact& found, bool yields) {
-    const auto taken = hollowFit(host.obstacle, found, yields);
-    if (!taken || !words_.accepts(wordAbout(host.obstacle), taken->depth)) return false;
+  /// A screw by its name in a body that is drawn without a hole: it is a thread, and the body is taken without what the
+  /// screw fills. A person may say something else of the pair.
+  bool takeScrewHole(Fit fit, const FoundContact& found) {
+    if (editAbout(fit.obstacle) != nullptr) return false;
+    fit.kind = ContactKind::Thread;
+    for (const bool yields : {true, false}) {
+      const check::Body own = measuredBody(question_.object);
+      const check::Body other = measuredBody(fit.obstacle);
+      const check::Placement moving{own, found.measuredAt};
+      const check::Placement fixed{other, other.X_WB};
+      const auto screw = check::screwInSolid(yields ? moving : fixed, yields ? fixed : moving, tools_.placed, stop_);
+      if (!screw || !takeHollow(fit, found, yields, screw)) continue;
+      fits_.contacts.back().kind = ContactKind::Thread;
+      return true;
+    }
+    return false;
+  }
+
+  bool takeHollow(Fit host, const FoundContact& found, bool yields,
+                  const std::optional<check::ScrewInSolid>& screw = std::nullopt) {
+    const auto taken = hollowFit(host.obstacle, found, yields, screw);
+    if (!taken || (!screw && !words_.accepts(wordAbout(host.obstacle), taken->depth))) return false;
     Fit guest = host;
     host.hollow = true;
     host.yields = yields;
@@ -256,7 +276,7 @@ class FitFinder {
     guest.yields = !yields;
     guest.thinned = taken->guest;
     guest.allowance = taken->room;
-    guest.evidence = {0.0, 0.0, taken->spacing, taken->room - taken->spacing};
+    guest.evidence = {0.0, taken->surface, taken->spacing, taken->room - taken->surface - taken->spacing};
     const bool free = yields ? isFree(guest.thinned, host.obstacle, host.thinned, found.at)
                              : isFree(host.thinned, host.obstacle, guest.thinned, found.at);
     if (!free) {
@@ -270,12 +290,13 @@ class FitFinder {
   }
 
   /// `yields`: the obstacle is the one without what the other one fills.
-  std::optional<HollowFit> hollowFit(std::size_t obstacle, const FoundContact& found, bool yields) const {
+  std::optional<HollowFit> hollowFit(std::size_t obstacle, const FoundContact& found, bool yields,
+                                     const std::optional<check::ScrewInSolid>& screw = std::nullopt) const {
     const check::Body ownBody = measuredBody(question_.object);
     const check::Body otherBody = measuredBody(obstacle);
     const check::Placement own{ownBody, found.measuredAt};
     const check::Placement other{otherBody, otherBody.X_WB};
-    return hollowFitOf(yields ? other : own, yields ? own : other, tools_.placed, tools_.thinnable, stop_);
+    return hollowFitOf(yields ? other : own, yields ? own : other, screw, tools_.placed, tools_.thinnable, stop_);
   }
 
   /// Metres that would have to be accepted for the overlap to be taken away; 0: it cannot be.

@@ -5,6 +5,8 @@
 #include <set>
 
 #include "engine/base/quantity_text.h"
+#include "engine/product/nut_on_shaft.h"
+#include "engine/product/thread_pitch.h"
 
 namespace glissade {
 namespace {
@@ -44,6 +46,14 @@ struct HostFit {
   double high = 0.0;
 };
 
+/// Shafts are pressed in by hundredths of their radius, and screwed in by half of a pitch and more.
+bool hasDepthOfCoarseThread(double radius, double excess) {
+  constexpr double kLeast = 0.3;
+  constexpr double kMost = 0.8;
+  const double inPitches = excess / isoCoarsePitch(radius).pitch;
+  return isThreadDepth(radius, excess) && inPitches >= kLeast && inPitches <= kMost;
+}
+
 double outerAt(const TurnedShape& shape, double height) {
   for (const AxialSlab& slab : shape.slabs) {
     if (height >= slab.low && height <= slab.high) return slab.outerMost();
@@ -74,9 +84,12 @@ double shareBeyond(const AxialSlab& slab, double radius) {
 
 class PressedJointFinder {
  public:
-  PressedJointFinder(const ProductShapes& shapes, const Joints& threaded, const std::vector<bool>& isInsertByName,
+  PressedJointFinder(const ProductShapes& shapes, const Joints& threaded, const Designations& said,
                      const StopToken& stop)
-      : shapes_(shapes), isInsertByName_(isInsertByName), stop_(stop) {
+      : shapes_(shapes), said_(said), stop_(stop) {
+    for (std::size_t body = 0; body < said.size(); ++body) {
+      isInsertByName_.push_back(says(said, body, {StandardPart::Insert, StandardPart::Bearing}));
+    }
     for (const Joint& joint : threaded) {
       threaded_.insert(joint.body);
       for (const std::size_t other : joint.others) {
@@ -110,10 +123,17 @@ class PressedJointFinder {
     return hosts;
   }
 
-  /// Screws, rods and nuts have no guests that are pressed in.
+  /// Screws, rods and what may be a nut have no rings that are pressed in.
   bool isSolidFastener(std::size_t body) const {
     const TurnedShape* shape = shapes_.turned(body);
     return shape != nullptr && shape->kind != TurnedKind::Ring;
+  }
+
+  /// A plate with a hole may have a pin, and a nut has none.
+  bool mayHavePin(std::size_t body) const {
+    const TurnedShape* shape = shapes_.turned(body);
+    const bool isPlate = shape != nullptr && shape->kind == TurnedKind::Nut && !isNut(shapes_, said_, body);
+    return isPlate || !isSolidFastener(body);
   }
 
   HostFit fitIn(std::size_t host, std::size_t guest, const TurnedShape& shape, const AxisLine& axis) const {
@@ -210,7 +230,7 @@ class PressedJointFinder {
     std::vector<HostFit> pressed;
     std::vector<HostFit> loose;
     for (const std::size_t other : shapes_.near(axis, {shape.low, shape.headLow, shape.shaft}, body)) {
-      if (isSolidFastener(other)) continue;
+      if (!mayHavePin(other)) continue;
       const auto around = aroundShaft(shapes_.axial(other), shapes_.seenFrom(other, axis), shaft);
       if (!around || around->hole > kPinClearance * shape.shaft) continue;
       if (shape.shaft - around->hole > kMostExcess && !isInsertByName_[body]) continue;
@@ -223,8 +243,14 @@ class PressedJointFinder {
     if (!pressed.empty()) {
       const auto deepest = std::max_element(pressed.begin(), pressed.end(),
                                             [](const auto& a, const auto& b) { return a.over < b.over; });
+      const bool isPinByName = isInsertByName_[body] || says(said_, body, {StandardPart::Pin});
+      if (!isPinByName && hasDepthOfCoarseThread(shape.shaft, deepest->excess)) return;  // it is screwed in
       Joint joint = jointOf(JointKind::Insert, body, {*deepest}, axis);
       joint.evidence = {"a pin in a hole", fitWords(*deepest)};
+      if (hasDepthOfCoarseThread(shape.shaft, deepest->excess)) {
+        joint.isDoubtful = true;
+        joint.evidence.emplace_back("it is thicker by as much as a thread");
+      }
       joints.push_back(std::move(joint));
       return;
     }
@@ -264,7 +290,8 @@ class PressedJointFinder {
   }
 
   const ProductShapes& shapes_;
-  const std::vector<bool>& isInsertByName_;
+  const Designations& said_;
+  std::vector<bool> isInsertByName_;
   const StopToken& stop_;
   std::set<std::size_t> threaded_;   ///< screws, nuts and what nuts are on
   std::set<std::size_t> hasThread_;  ///< what screws are in
@@ -272,9 +299,9 @@ class PressedJointFinder {
 
 }  // namespace
 
-Joints findPressedJoints(const ProductShapes& shapes, const Joints& threaded, const std::vector<bool>& isInsertByName,
+Joints findPressedJoints(const ProductShapes& shapes, const Joints& threaded, const Designations& said,
                          const StopToken& stop) {
-  return PressedJointFinder(shapes, threaded, isInsertByName, stop).find();
+  return PressedJointFinder(shapes, threaded, said, stop).find();
 }
 
 }  // namespace glissade

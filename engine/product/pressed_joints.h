@@ -2,13 +2,14 @@
 
 #include "engine/base/stop_token.h"
 #include "engine/product/joint.h"
+#include "engine/product/named_joints.h"
 #include "engine/product/product_shapes.h"
 
 namespace glissade {
 
 /// Inserts and pins of a product, by body. `threaded`: its screws and nuts; a ring that has a thread in it is an insert
-/// where it only just fits its hole, and what is a screw is no pin. `isInsertByName`: of each body.
-Joints findPressedJoints(const ProductShapes& shapes, const Joints& threaded, const std::vector<bool>& isInsertByName,
+/// where it only just fits its hole, and what is a screw is no pin. `said`: by the names.
+Joints findPressedJoints(const ProductShapes& shapes, const Joints& threaded, const Designations& said,
                          const StopToken& stop);
 
 }  // namespace glissade

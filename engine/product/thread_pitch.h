@@ -18,7 +18,8 @@ std::string nominalSize(double diameter);
 
 /// Whether a shaft that is drawn so much thicker than its hole, radially, has a thread in it; else it is pressed in.
 /// The threads of a coarse pitch are 0.54 pitches deep, those of the finest pitches of ISO 261 more than 0.15 coarse
-/// ones. `radius`: of the shaft; metres.
+/// ones. What the judge does not let be pulled (check::kLeastThreadDepth) has a thread, too. `radius`: of the shaft;
+/// metres.
 bool isThreadDepth(double radius, double depth);
 
 }  // namespace glissade

@@ -6,15 +6,13 @@
 
 #include "engine/base/quantity_text.h"
 #include "engine/product/loose_nut.h"
+#include "engine/product/nut_on_shaft.h"
 #include "engine/product/shaft_helix.h"
 #include "engine/product/thread_pitch.h"
 
 namespace glissade {
 namespace {
 
-/// Hole of a nut by the radius of the shaft in it.
-constexpr double kLeastNutHole = 0.7;
-constexpr double kMostNutHole = 1.12;
 /// A hole that is drawn as wide as the thread outside, or wider than a core that is drawn.
 constexpr double kMostFreeGap = 1.3;
 constexpr double kClearerHole = 1.03;
@@ -24,18 +22,35 @@ constexpr double kSameAxisShare = 0.15;
 constexpr double kLeastEngaged = 0.15;
 /// A nut lies on its shaft in this share of its height.
 constexpr double kOnShaft = 0.5;
+/// A rod in a nut by the radius of the hole.
+constexpr double kThinnestRod = 0.7;
+constexpr double kThickestRod = 1.45;
+
+/// Sines of the angle between a shaft and a hole that is tilted against it.
+constexpr double kLeastTilt = 0.02;
+constexpr double kMostTilt = 0.5;
 
 /// What lies along the shaft of a screw, and which of it has the thread.
 struct ScrewStack {
   std::vector<AroundShaft> hosts;    ///< the nearest to the head first
   std::vector<AroundShaft> clamped;  ///< likewise
   std::string reason;                ///< why the hosts are taken for hosts
+  std::string doubt;                 ///< what speaks against it; empty: nothing
+  bool isDeepened = false;           ///< a hole is narrower by a thread
 };
+
+/// What contradicts itself waits for a person, unless the hole is narrower by a thread.
+void addDoubt(const std::string& doubt, bool isDeepened, Joint& joint) {
+  if (doubt.empty()) return;
+  joint.isDoubtful = true;
+  joint.evidence.push_back(doubt);
+  if (!isDeepened) joint.state = JointState::Suggested;
+}
 
 class ThreadedJointFinder {
  public:
-  ThreadedJointFinder(const ProductShapes& shapes, const std::vector<bool>& isScrewByName, const StopToken& stop)
-      : shapes_(shapes), isScrewByName_(isScrewByName), stop_(stop) {}
+  ThreadedJointFinder(const ProductShapes& shapes, const Designations& said, const StopToken& stop)
+      : shapes_(shapes), said_(said), stop_(stop) {}
 
   Joints find() {
     Joints joints;
@@ -45,19 +60,21 @@ class ThreadedJointFinder {
       if (shape->kind == TurnedKind::Screw || shape->kind == TurnedKind::SetScrew) addScrew(body, *shape, joints);
     }
     for (std::size_t body = 0; body < shapes_.size() && !stop_.stopRequested(); ++body) {
-      const TurnedShape* shape = shapes_.turned(body);
-      if (shape != nullptr && shape->kind == TurnedKind::Nut && nutsTaken_.count(body) == 0) {
-        addNutOnRod(body, *shape, joints);
-      }
+      if (nutsTaken_.count(body) == 0 && isNut(shapes_, said_, body)) addNutOnRod(body, *shapes_.turned(body), joints);
     }
     return joints;
   }
 
  private:
-  bool isNutOn(std::size_t body, const AxisLine& axis, double radius) const {
+  /// A screw has a drive or a name.
+  bool isScrew(std::size_t body) const {
     const TurnedShape* shape = shapes_.turned(body);
-    return shape != nullptr && shape->kind == TurnedKind::Nut && shape->hole >= kLeastNutHole * radius &&
-           shape->hole <= kMostNutHole * radius && isSameAxis(shapes_.axisOf(body), axis, kSameAxisShare * radius);
+    return (shape != nullptr && shape->drive.kind != DriveKind::None) ||
+           says(said_, body, {StandardPart::Screw, StandardPart::SetScrew});
+  }
+
+  bool isNutOn(std::size_t body, const AxisLine& axis, double radius) const {
+    return isNut(shapes_, said_, body) && isSameAxis(shapes_.axisOf(body), axis, kSameAxisShare * radius);
   }
 
   /// Another screw in the same place is a variant of it.
@@ -82,28 +99,61 @@ class ThreadedJointFinder {
   }
 
   ScrewStack stackOf(const std::vector<AroundShaft>& all, std::size_t body, const TurnedShape& shape) const {
-    const AxisLine axis = shapes_.axisOf(body);
     ScrewStack stack;
-    const double least = kLeastEngaged * shape.shaft;
-    for (const AroundShaft& around : all) {
-      if (around.tight >= least) stack.hosts.push_back(around);
-    }
-    if (!stack.hosts.empty()) stack.reason = "the shaft is thicker than the hole";
-    if (stack.hosts.empty()) {
-      for (const AroundShaft& around : all) {
-        if (isNutOn(around.body, axis, shape.shaft)) stack.hosts.push_back(around);
-      }
-      if (!stack.hosts.empty()) stack.reason = "a nut is on the shaft";
-    }
-    const bool isScrew = shape.drive.kind != DriveKind::None || isScrewByName_[body];
-    if (stack.hosts.empty() && isScrew) takeDeepestHole(all, shape, stack);
+    takeTight(all, body, shape, stack);
+    if (stack.hosts.empty()) takeNuts(all, body, shape, stack);
+    if (stack.hosts.empty() && isScrew(body)) takeDeepestHole(all, body, shape, stack);
     if (!stack.hosts.empty()) takeClamped(all, shape, stack);
     return stack;
   }
 
+  /// Holes that are narrower by a thread. A body without a hole says nothing of a shaft that is no screw.
+  void takeTight(const std::vector<AroundShaft>& all, std::size_t body, const TurnedShape& shape,
+                 ScrewStack& stack) const {
+    for (const AroundShaft& around : all) {
+      if (around.tight < kLeastEngaged * shape.shaft || (around.hasNoHole() && !isScrew(body))) continue;
+      if (isTilted(around.body, shapes_.axisOf(body), shape)) continue;
+      if (isNutOn(around.body, shapes_.axisOf(body), shape.shaft)) {
+        stack.doubt = nutOnShaft(shapes_, said_, {around.body, body, shape.shaft, isScrew(body)}).doubt;
+      }
+      stack.hosts.push_back(around);
+    }
+    stack.reason = "the shaft is thicker than the hole";
+    stack.isDeepened = !stack.hosts.empty();
+  }
+
+  /// The hole around the shaft is wide enough, and at an angle to it.
+  bool isTilted(std::size_t host, const AxisLine& axis, const TurnedShape& shape) const {
+    const std::vector<CylinderRegion> cylinders = shapes_.cylindersOf(host);
+    return std::any_of(cylinders.begin(), cylinders.end(), [&](const CylinderRegion& hole) {
+      const Vector3 middle = hole.point + 0.5 * (hole.low + hole.high) * hole.direction;
+      const double height = axis.heightOf(middle);
+      const double sine = hole.direction.cross(axis.direction).norm();
+      return !hole.shaft && sine > kLeastTilt && sine < kMostTilt && axis.distanceOf(middle) < 0.5 * shape.shaft &&
+             height > shape.low && height < shape.headLow && !isThreadDepth(shape.shaft, shape.shaft - hole.radius) &&
+             hole.radius < kAroundReach * shape.shaft;
+    });
+  }
+
+  void takeNuts(const std::vector<AroundShaft>& all, std::size_t body, const TurnedShape& shape,
+                ScrewStack& stack) const {
+    for (const AroundShaft& around : all) {
+      if (!isNutOn(around.body, shapes_.axisOf(body), shape.shaft)) continue;
+      const NutOnShaft nut = nutOnShaft(shapes_, said_, {around.body, body, shape.shaft, isScrew(body)});
+      if (!nut.isThread) continue;
+      stack.doubt = nut.doubt;
+      stack.reason = "a nut is on the shaft";
+      stack.hosts.push_back(around);
+    }
+  }
+
   /// Holes that are drawn as wide as the shaft, or wider: the farthest one from the head.
-  void takeDeepestHole(const std::vector<AroundShaft>& all, const TurnedShape& shape, ScrewStack& stack) const {
+  void takeDeepestHole(std::vector<AroundShaft> all, std::size_t body, const TurnedShape& shape,
+                       ScrewStack& stack) const {
+    std::erase_if(all, [&](const AroundShaft& each) { return isNut(shapes_, said_, each.body); });
     if (all.empty()) return;
+    const std::string name = shapes_.product().nameInFile(body);
+    if (says(said_, body, {StandardPart::Pin}) || isShaftName(name)) stack.doubt = "the name says '" + name + "'";
     const double least = kLeastEngaged * shape.shaft;
     for (auto around = all.rbegin(); around != all.rend(); ++around) {
       if (around->equal < least) continue;
@@ -173,9 +223,14 @@ class ThreadedJointFinder {
     joint.evidence.push_back("a shaft of " + inMillimetres(2.0 * shape.shaft) +
                              (shape.kind == TurnedKind::Screw ? " with a head" : " with a recess"));
     joint.evidence.push_back(stack.reason);
+    joint.makesHole =
+        std::any_of(stack.hosts.begin(), stack.hosts.end(), [](const AroundShaft& host) { return host.hasNoHole(); });
+    if (joint.makesHole) joint.evidence.emplace_back("the file has no hole there, so the screw makes it");
+    addDoubt(stack.doubt, stack.isDeepened, joint);
     for (const AroundShaft& host : stack.hosts) {
       if (isNutOn(host.body, axis, shape.shaft)) nutsTaken_.insert(host.body);
     }
+    for (const AroundShaft& around : stack.clamped) clampedOn_.emplace(around.body, body);
     if (stack.hosts.size() == 1 && isNutOn(joint.others[0], axis, shape.shaft) &&
         isLoose(joint.others[0], body, axis)) {
       turnNut(joint, axis);
@@ -206,21 +261,35 @@ class ThreadedJointFinder {
     joint.evidence.emplace_back("the nut is free to be turned");
   }
 
+  /// What a screw clamps is screwed onto it only where it is called a nut.
   void addNutOnRod(std::size_t nut, const TurnedShape& shape, Joints& joints) {
     const AxisLine axis = shapes_.axisOf(nut);
+    const bool isNamed = says(said_, nut, {StandardPart::Nut});
     for (const std::size_t rod : shapes_.near(axis, {shape.low, shape.high, shape.hole}, nut)) {
-      double on = 0.0;
-      const AxisLine seen = shapes_.seenFrom(rod, axis);
-      for (const AxialSlab& slab : shapes_.axial(rod).slabsAbout(seen, {shape.low, shape.high, 1.5 * shape.hole})) {
-        const double radius = slab.nearestAt(0.9);
-        const bool isShaft =
-            slab.isSolid && radius * kLeastNutHole <= shape.hole && radius * kMostNutHole >= shape.hole;
-        on += isShaft ? slab.length() : 0.0;
-      }
+      if (!isNamed && clampedOn_.count({nut, rod}) != 0) continue;
+      const auto [radius, on] = rodIn(rod, shape, axis);
       if (on < kOnShaft * shape.length()) continue;
+      const NutOnShaft found = nutOnShaft(shapes_, said_, {nut, rod, radius, isScrew(rod)});
+      if (!found.isThread) continue;
       joints.push_back(nutOnRod(nut, rod, shape, axis, on));
+      joints.back().evidence.push_back(found.evidence);
+      addDoubt(found.doubt, found.isDeepened, joints.back());
       return;
     }
+  }
+
+  /// Radius of a shaft in the hole of a nut, and the length of the nut that it is in; 0: there is none.
+  std::pair<double, double> rodIn(std::size_t rod, const TurnedShape& shape, const AxisLine& axis) const {
+    double on = 0.0;
+    double thickest = 0.0;
+    const AxisLine seen = shapes_.seenFrom(rod, axis);
+    for (const AxialSlab& slab : shapes_.axial(rod).slabsAbout(seen, {shape.low, shape.high, 1.5 * shape.hole})) {
+      const double radius = slab.nearestAt(0.9);
+      if (!slab.isSolid || radius < kThinnestRod * shape.hole || radius > kThickestRod * shape.hole) continue;
+      on += slab.length();
+      thickest = std::max(thickest, radius);
+    }
+    return {thickest, on};
   }
 
   Joint nutOnRod(std::size_t nut, std::size_t rod, const TurnedShape& shape, const AxisLine& axis, double on) const {
@@ -246,20 +315,21 @@ class ThreadedJointFinder {
     joint.thread = thread;
     joint.drive = shape.drive.kind;
     joint.driveSize = shape.drive.size;
-    joint.evidence = {"a nut with a hole of " + inMillimetres(2.0 * shape.hole), "a shaft is in the hole"};
+    joint.evidence = {"a nut with a hole of " + inMillimetres(2.0 * shape.hole)};
     return joint;
   }
 
   const ProductShapes& shapes_;
-  const std::vector<bool>& isScrewByName_;
+  const Designations& said_;
   const StopToken& stop_;
   std::set<std::size_t> nutsTaken_;
+  std::set<std::pair<std::size_t, std::size_t>> clampedOn_;  ///< what is clamped, and by which screw
 };
 
 }  // namespace
 
-Joints findThreadedJoints(const ProductShapes& shapes, const std::vector<bool>& isScrewByName, const StopToken& stop) {
-  return ThreadedJointFinder(shapes, isScrewByName, stop).find();
+Joints findThreadedJoints(const ProductShapes& shapes, const Designations& said, const StopToken& stop) {
+  return ThreadedJointFinder(shapes, said, stop).find();
 }
 
 }  // namespace glissade

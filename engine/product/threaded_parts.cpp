@@ -51,73 +51,10 @@ struct DrawnThread {
   double depth() const { return shaft - hole; }
 };
 
-class ThreadedPartFinder {
+/// Makes the joint of a thread: which body turns, and which way it leaves.
+class ThreadJointMaker {
  public:
-  ThreadedPartFinder(const ProductShapes& shapes, const Joints& known, const StopToken& stop)
-      : shapes_(shapes), stop_(stop), cylinders_(shapes.size()) {
-    for (const Joint& joint : known) {
-      std::vector<std::size_t> bodies{joint.body};
-      bodies.insert(bodies.end(), joint.others.begin(), joint.others.end());
-      for (const std::size_t one : bodies) {
-        for (const std::size_t other : bodies) joined_.emplace(one, other);
-      }
-    }
-  }
-
-  Joints find() {
-    Joints joints;
-    for (std::size_t a = 0; a < shapes_.size(); ++a) {
-      for (std::size_t b = a + 1; b < shapes_.size() && !stop_.stopRequested(); ++b) {
-        if (!shapes_.box(a).intersects(shapes_.box(b)) || joined_.count({a, b}) != 0) continue;
-        std::optional<DrawnThread> best;
-        takeLonger(a, b, best);
-        takeLonger(b, a, best);
-        if (best) joints.push_back(jointOf(*best));
-      }
-    }
-    std::stable_sort(joints.begin(), joints.end(), [](const Joint& a, const Joint& b) { return a.body < b.body; });
-    return joints;
-  }
-
- private:
-  /// In the world, each body looked at once.
-  const std::vector<CylinderRegion>& cylindersOf(std::size_t body) {
-    if (!cylinders_[body]) cylinders_[body] = shapes_.cylindersOf(body);
-    return *cylinders_[body];
-  }
-
-  void takeLonger(std::size_t shaftBody, std::size_t holeBody, std::optional<DrawnThread>& best) {
-    const std::vector<CylinderRegion>& holes = cylindersOf(holeBody);
-    for (const CylinderRegion& shaft : cylindersOf(shaftBody)) {
-      if (!shaft.shaft) continue;
-      for (const CylinderRegion& hole : holes) {
-        if (hole.shaft) continue;
-        const auto thread = threadOf(shaftBody, shaft, holeBody, hole);
-        if (thread && (!best || thread->engaged().length() > best->engaged().length())) best = thread;
-      }
-    }
-  }
-
-  std::optional<DrawnThread> threadOf(std::size_t shaftBody, const CylinderRegion& shaft, std::size_t holeBody,
-                                      const CylinderRegion& hole) const {
-    const double depth = shaft.radius - hole.radius;
-    const ContactLimits limits;
-    const bool isClash = depth > limits.clashOverlap || depth > limits.clashThickness * 2.0 * shaft.radius;
-    if (isClash || !isThreadDepth(shaft.radius, depth)) return std::nullopt;
-    const AxisLine axis{shaft.point, shaft.direction};
-    if (!isSameAxis(axis, {hole.point, hole.direction}, kOneAxisShare * shaft.radius)) return std::nullopt;
-    DrawnThread thread{shaftBody, holeBody, axis, shaft.radius, hole.radius, spanOf(shaft, axis), spanOf(hole, axis)};
-    const bool isEngaged = thread.engaged().length() >= kLeastThreadLength * shaft.radius;
-    if (!isEngaged || !isFilledBy(shaftBody, thread) || !isFilledBy(holeBody, thread)) return std::nullopt;
-    return thread;
-  }
-
-  /// Between hole and shaft. A tube in a tube that is inside out is no thread.
-  bool isFilledBy(std::size_t body, const DrawnThread& thread) const {
-    const double middle = 0.5 * (thread.engaged().low + thread.engaged().high);
-    const AxisLine seen = shapes_.seenFrom(body, thread.axis);
-    return shapes_.axial(body).filledShare(seen, middle, 0.5 * (thread.shaft + thread.hole)) >= kLeastFilled;
-  }
+  explicit ThreadJointMaker(const ProductShapes& shapes) : shapes_(shapes) {}
 
   Joint jointOf(const DrawnThread& thread) const {
     const auto shaftFlats = wrenchFlatsOf(thread.shaftBody);
@@ -146,6 +83,7 @@ class ThreadedPartFinder {
     return joint;
   }
 
+ private:
   std::optional<double> wrenchFlatsOf(std::size_t body) const {
     const TurnedShape* shape = shapes_.turned(body);
     return shape == nullptr ? std::nullopt : wrenchFlats(*shape);
@@ -194,6 +132,77 @@ class ThreadedPartFinder {
   }
 
   const ProductShapes& shapes_;
+};
+
+class ThreadedPartFinder {
+ public:
+  ThreadedPartFinder(const ProductShapes& shapes, const Joints& known, const StopToken& stop)
+      : shapes_(shapes), stop_(stop), cylinders_(shapes.size()) {
+    for (const Joint& joint : known) {
+      std::vector<std::size_t> bodies{joint.body};
+      bodies.insert(bodies.end(), joint.others.begin(), joint.others.end());
+      for (const std::size_t one : bodies) {
+        for (const std::size_t other : bodies) joined_.emplace(one, other);
+      }
+    }
+  }
+
+  Joints find() {
+    Joints joints;
+    for (std::size_t a = 0; a < shapes_.size(); ++a) {
+      for (std::size_t b = a + 1; b < shapes_.size() && !stop_.stopRequested(); ++b) {
+        if (!shapes_.box(a).intersects(shapes_.box(b)) || joined_.count({a, b}) != 0) continue;
+        std::optional<DrawnThread> best;
+        takeLonger(a, b, best);
+        takeLonger(b, a, best);
+        if (best) joints.push_back(ThreadJointMaker(shapes_).jointOf(*best));
+      }
+    }
+    std::stable_sort(joints.begin(), joints.end(), [](const Joint& a, const Joint& b) { return a.body < b.body; });
+    return joints;
+  }
+
+ private:
+  /// In the world, each body looked at once.
+  const std::vector<CylinderRegion>& cylindersOf(std::size_t body) {
+    if (!cylinders_[body]) cylinders_[body] = shapes_.cylindersOf(body);
+    return *cylinders_[body];
+  }
+
+  void takeLonger(std::size_t shaftBody, std::size_t holeBody, std::optional<DrawnThread>& best) {
+    const std::vector<CylinderRegion>& holes = cylindersOf(holeBody);
+    for (const CylinderRegion& shaft : cylindersOf(shaftBody)) {
+      if (!shaft.shaft) continue;
+      for (const CylinderRegion& hole : holes) {
+        if (hole.shaft) continue;
+        const auto thread = threadOf(shaftBody, shaft, holeBody, hole);
+        if (thread && (!best || thread->engaged().length() > best->engaged().length())) best = thread;
+      }
+    }
+  }
+
+  std::optional<DrawnThread> threadOf(std::size_t shaftBody, const CylinderRegion& shaft, std::size_t holeBody,
+                                      const CylinderRegion& hole) const {
+    const double depth = shaft.radius - hole.radius;
+    const ContactLimits limits;
+    const bool isClash = depth > limits.clashOverlap || depth > limits.clashThickness * 2.0 * shaft.radius;
+    if (isClash || !isThreadDepth(shaft.radius, depth)) return std::nullopt;
+    const AxisLine axis{shaft.point, shaft.direction};
+    if (!isSameAxis(axis, {hole.point, hole.direction}, kOneAxisShare * shaft.radius)) return std::nullopt;
+    DrawnThread thread{shaftBody, holeBody, axis, shaft.radius, hole.radius, spanOf(shaft, axis), spanOf(hole, axis)};
+    const bool isEngaged = thread.engaged().length() >= kLeastThreadLength * shaft.radius;
+    if (!isEngaged || !isFilledBy(shaftBody, thread) || !isFilledBy(holeBody, thread)) return std::nullopt;
+    return thread;
+  }
+
+  /// Between hole and shaft. A tube in a tube that is inside out is no thread.
+  bool isFilledBy(std::size_t body, const DrawnThread& thread) const {
+    const double middle = 0.5 * (thread.engaged().low + thread.engaged().high);
+    const AxisLine seen = shapes_.seenFrom(body, thread.axis);
+    return shapes_.axial(body).filledShare(seen, middle, 0.5 * (thread.shaft + thread.hole)) >= kLeastFilled;
+  }
+
+  const ProductShapes& shapes_;
   const StopToken& stop_;
   std::vector<std::optional<std::vector<CylinderRegion>>> cylinders_;  ///< of each body, where it was asked
   std::set<std::pair<std::size_t, std::size_t>> joined_;
@@ -203,6 +212,24 @@ class ThreadedPartFinder {
 
 Joints findThreadedParts(const ProductShapes& shapes, const Joints& known, const StopToken& stop) {
   return ThreadedPartFinder(shapes, known, stop).find();
+}
+
+Joint jointOfThread(const ProductShapes& shapes, const std::pair<std::size_t, std::size_t>& pair,
+                    const std::vector<check::CommonThread>& threads) {
+  std::optional<DrawnThread> longest;
+  for (const check::CommonThread& each : threads) {
+    const Span own{each.low, each.high};
+    const Span others{each.lowOther, each.highOther};
+    const DrawnThread drawn{each.movingIsShaft ? pair.first : pair.second,
+                            each.movingIsShaft ? pair.second : pair.first,
+                            {each.point, each.axis},
+                            each.radius,
+                            each.radius - each.depth,
+                            each.movingIsShaft ? own : others,
+                            each.movingIsShaft ? others : own};
+    if (!longest || drawn.engaged().length() > longest->engaged().length()) longest = drawn;
+  }
+  return ThreadJointMaker(shapes).jointOf(*longest);
 }
 
 }  // namespace glissade

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <utility>
+#include <vector>
+
 #include "engine/base/stop_token.h"
+#include "engine/check/pulled_thread.h"
 #include "engine/product/joint.h"
 #include "engine/product/product_shapes.h"
 
@@ -10,5 +14,10 @@ namespace glissade {
 /// pipe and its fitting. A shaft of the one is thicker than the coaxial hole of the other around it by the depth of a
 /// thread (isThreadDepth()). `known`: joints that were found before; pairs that these join are left out. By body.
 Joints findThreadedParts(const ProductShapes& shapes, const Joints& known, const StopToken& stop);
+
+/// The joint of a pair with these threads, of which the one that is engaged longest counts; of those that a pair of
+/// bodies has, see Fit::threads. `pair`: the body that moves, and the other one.
+Joint jointOfThread(const ProductShapes& shapes, const std::pair<std::size_t, std::size_t>& pair,
+                    const std::vector<check::CommonThread>& threads);
 
 }  // namespace glissade

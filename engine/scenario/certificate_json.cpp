@@ -52,6 +52,7 @@ Json certificateJson(const MotionCertificate& certificate, const BodyNames& name
             {"sliding_edges", certificate.slidingEdges()},
             {"distance_queries", certificate.distanceQueries}};
   if (certificate.againstThread) json["against_thread"] = true;
+  if (certificate.forbiddenMargin > 0.0) json["forbidden_margin_m"] = certificate.forbiddenMargin;
   return json;
 }
 

@@ -21,7 +21,7 @@ std::optional<Diagnostic> regionsWarning(const Scenario& scenario, const Forbidd
   if (scenario.forbiddenRegions == places) return std::nullopt;
   const bool missing = scenario.forbiddenRegions.empty();
   return Diagnostic{ErrorKind::MalformedInput, file, "/forbidden_regions",
-                    missing ? "is missing, so that 'check' does not know where the forbidden places are"
+                    missing ? "is missing, so that the file does not say where the forbidden places are"
                             : "is not where the forbidden places are",
                     "Write it with glissade-cli info --save-regions, or save the scenario in the window."};
 }

@@ -176,6 +176,7 @@ Json toJson(const Joint& joint, const AssembledProduct& product) {
   if (joint.bend > 0.0) json["bend_m"] = joint.bend;
   if (!joint.designation.empty()) json["designation"] = joint.designation;
   json["doubtful"] = joint.isDoubtful;
+  if (joint.makesHole) json["makes_hole"] = true;
   json["evidence"] = joint.evidence;
   return json;
 }

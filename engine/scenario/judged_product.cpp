@@ -17,12 +17,15 @@ std::vector<check::Point> judgedPoints(const std::vector<PathPoint>& points) {
 }
 
 check::Demands judgedDemands(const SequenceDemands& demands) {
-  check::Demands judged{demands.together, demands.before, {}, {}, {}};
+  check::Demands judged;
+  judged.together = demands.together;
+  judged.before = demands.before;
   for (const DemandedPlace& each : demands.places) judged.places.push_back({each.bodies, each.place});
   for (const DemandedMotion& each : demands.motions) {
     judged.motions.push_back({each.bodies, configurationsOf(each.path)});
   }
   for (const ForbiddenDirection& each : demands.forbidden) judged.forbidden.emplace_back(each.body, each.direction);
+  judged.stay = demands.stay;
   return judged;
 }
 
@@ -37,6 +40,23 @@ const char* nameOf(StepViolation::Rule rule) {
   return "";
 }
 
+check::StatedJoint judgedJoint(const StepJoint& joint) {
+  check::StatedJoint judged{jointName(joint.kind), joint.body, joint.others};
+  if (joint.drive != DriveKind::None) judged.drive = driveName(joint.drive);
+  judged.isNamed = !joint.designation.empty();
+  if (joint.driveSize > 0.0) judged.driveSize = joint.driveSize;
+  if (joint.bend > 0.0) judged.bend = joint.bend;
+  if (joint.pitch == 0.0) return judged;
+  judged.diameter = joint.diameter;
+  judged.pitch = joint.pitch;
+  judged.turns = joint.turns;
+  return judged;
+}
+
+check::StatedProof judgedProof(const StepProof& proof) {
+  return {proof.afterSteps, proof.required, proof.provedClearance, proof.minClearance, proof.nearest};
+}
+
 check::Step judgedStep(const AssemblyStep& step) {
   check::Step judged{step.bodies(), judgedPoints(step.path), step.after, {}, {}, step.certified};
   for (const StepAllowance& each : step.allowances) {
@@ -44,17 +64,23 @@ check::Step judgedStep(const AssemblyStep& step) {
     allowance.hollow = each.hollow;
     allowance.core = each.core;
     allowance.isThread = each.kind == ContactKind::Thread;
-    if (each.pitch != 0.0) allowance.pitch = each.pitch;
+    allowance.overlap = each.overlap;
+    if (each.evidence.sum() > 0.0) allowance.evidence = each.evidence;
+    if (each.pitch != 0.0) {
+      allowance.pitch = each.pitch;
+      allowance.turns = each.turns;
+    }
     judged.allowances.push_back(std::move(allowance));
   }
   for (const StepViolation& each : step.violates) judged.violates.push_back({nameOf(each.rule), each.bodies});
   judged.flexible = step.with.empty() && std::any_of(step.joints.begin(), step.joints.end(), [&](const auto& joint) {
                       return joint.kind == JointKind::Flexible && joint.body == step.body;
                     });
-  for (const StepJoint& joint : step.joints) {
-    if (!isScrewed(joint.kind)) continue;
-    for (const std::string& other : joint.others) judged.turned.emplace_back(joint.body, other);
-  }
+  for (const StepJoint& joint : step.joints) judged.joints.push_back(judgedJoint(joint));
+  if (step.proof.required > 0.0) judged.proof = judgedProof(step.proof);
+  judged.unit = step.unit;
+  judged.wave = step.wave;
+  judged.task = step.task;
   return judged;
 }
 
@@ -68,6 +94,33 @@ check::PartingWords partingsOf(const SequenceDemands& demands) {
       std::erase(words.pairs, pair);
       const bool parts = edit.word == JointEdit::Word::Dissolved || edit.word == JointEdit::Word::PressedOut;
       if (parts) words.pairs.push_back(pair);
+    }
+  }
+  return words;
+}
+
+check::JointWords jointWordsOf(const std::vector<JointEdit>& edits) {
+  check::JointWords words;
+  for (const JointEdit& edit : edits) {
+    const bool isConfirmed = edit.word == JointEdit::Word::Confirmed;
+    std::vector<std::string> bodies{edit.key.body};
+    bodies.insert(bodies.end(), edit.key.others.begin(), edit.key.others.end());
+    switch (edit.key.kind) {
+      case JointKind::Flexible:
+        std::erase(words.flexible, edit.key.body);
+        if (isConfirmed) words.flexible.push_back(edit.key.body);
+        break;
+      case JointKind::Insert:
+      case JointKind::Permanent:
+      case JointKind::Unit:
+        std::erase(words.units, bodies);
+        if (isConfirmed) words.units.push_back(bodies);
+        break;
+      default:
+        if (!isConfirmed || !edit.made || !edit.made->thread) break;
+        for (const std::string& other : edit.key.others) {
+          words.pitches.push_back({edit.key.body, other, edit.made->thread->pitch});
+        }
     }
   }
   return words;
@@ -116,6 +169,7 @@ check::Plan judgedPlan(const AssemblyPlan& plan) {
   judged.demands = judgedDemands(plan.demands);
   judged.snaps = bendsOf(plan.demands.joints);
   judged.partings = partingsOf(plan.demands);
+  judged.joints = jointWordsOf(plan.demands.joints);
   judged.deflection = plan.deflection;
   for (const SubassemblyLine& line : plan.lines) judged.lines.push_back(judgedLine(line));
   return judged;
@@ -151,8 +205,14 @@ check::Path judgedPath(const std::vector<PathPoint>& points, const LoadedScenari
 }
 
 check::PlanVerdict judgePlan(const AssemblyPlan& plan, const AssembledProduct& product, std::optional<double> required,
-                             const WorkWatch& watch) {
-  return check::judgePlan(judgedProduct(product), judgedPlan(plan), required, watch);
+                             const WorkWatch& watch, const SequenceDemands* said) {
+  check::Product judged = judgedProduct(product);
+  if (said != nullptr) {
+    judged.demands = judgedDemands(*said);
+    judged.fits.partings = partingsOf(*said);
+    judged.joints = jointWordsOf(said->joints);
+  }
+  return check::judgePlan(judged, judgedPlan(plan), required, watch);
 }
 
 }  // namespace glissade

@@ -20,8 +20,9 @@ check::Question judgedQuestion(const LoadedScenario& scenario);
 /// The path states these fits.
 check::Path judgedPath(const std::vector<PathPoint>& points, const LoadedScenario& scenario);
 
-/// `required`: clearance, metres; nothing: the usual one for the size of each body.
+/// `required`: clearance, metres; nothing: the usual one for the size of each body. `said`: by a person of the product,
+/// so that what the plan says beside it is a condition; null: nothing.
 check::PlanVerdict judgePlan(const AssemblyPlan& plan, const AssembledProduct& product, std::optional<double> required,
-                             const WorkWatch& watch = {});
+                             const WorkWatch& watch = {}, const SequenceDemands* said = nullptr);
 
 }  // namespace glissade

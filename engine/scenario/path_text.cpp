@@ -5,6 +5,7 @@
 #include "engine/base/number_text.h"
 #include "engine/import/json_checksum.h"
 #include "engine/import/json_reader.h"
+#include "engine/import/missing_shapes_json.h"
 #include "engine/scenario/author_names.h"
 #include "engine/scenario/certificate_json.h"
 #include "engine/scenario/product_name.h"
@@ -73,6 +74,9 @@ Json provenanceJson(const Path& path, const LoadedScenario& scenario, const Path
             {"seed", provenance.seed},
             {"program", std::string("Glissade ") + kVersion},
             {"certificate", certificateJson(path.certificate, idsOf(scenario))}};
+  if (const MissingShapes missing = missingShapes(scenario); !missing.empty()) {
+    json["certificate"]["missing_shapes"] = missingShapesJson(missing);
+  }
   if (!scenario.fits.allowed.empty()) json["certificate"]["allowances"] = allowancesJson(scenario, path.points);
   return json;
 }

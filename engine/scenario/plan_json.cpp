@@ -135,6 +135,7 @@ Json toJson(const AssemblyStep& step) {
   }
   for (const StepJoint& joint : step.joints) json["joints"].push_back(toJson(joint));
   if (step.task != 0) json["task"] = step.task;
+  if (step.unit) json["unit"] = true;
   return json;
 }
 
@@ -241,7 +242,7 @@ class PlanReader {
 
   AssemblyStep readStep(const JsonCursor& at) const {
     at.allowOnly({"bodies", "method", "wave", "after", "fastener", "tool", "falling", "certificate", "allowances",
-                  "path", "violates", "joints", "task"});
+                  "path", "violates", "joints", "task", "unit"});
     AssemblyStep step;
     const JsonCursor bodies = at.at("bodies");
     std::vector<std::string> ids = readIds(bodies);
@@ -273,6 +274,7 @@ class PlanReader {
       step.joints.push_back(readJoint(joints->element(i)));
     }
     if (const auto task = at.find("task")) step.task = static_cast<std::size_t>(task->wholeNumber());
+    if (const auto unit = at.find("unit")) step.unit = unit->boolean();
     const JsonCursor allowances = at.at("allowances");
     for (std::size_t i = 0; i < allowances.sizeUpTo(limits::kMostBodies); ++i) {
       step.allowances.push_back(readAllowance(allowances.element(i)));

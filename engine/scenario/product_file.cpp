@@ -26,6 +26,7 @@ Result<ProductFile> productOfParts(const std::string& file, const StopToken& sto
   const auto geometry = readPart(guessed.front(), read, stop, &loaded.warnings);
   if (!geometry) return geometry.error();
   warnOfMissingFaces(**geometry, "", file, loaded.warnings);
+  loaded.missing = (*geometry)->missing;
   std::vector<ProductBody> bodies;
   for (const Occurrence& solid : (*geometry)->parts) {
     const std::string name = solid.path.empty() ? file : solid.path;
@@ -55,6 +56,7 @@ Result<ProductFile> productOfScenario(const std::string& file, const StopToken& 
   loaded.demands = std::move(*demands);
   loaded.joints = scenario->scenario.joints;
   loaded.classes = classesOf(semanticEditsOf(scenario->scenario), loaded.product.bodies);
+  loaded.missing = missingShapes(*scenario);
   loaded.warnings = std::move(scenario->warnings);
   return loaded;
 }

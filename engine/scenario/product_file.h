@@ -18,6 +18,7 @@ struct ProductFile {
   std::vector<JointEdit> joints{};     ///< of a scenario: what a person says of joints
   std::vector<std::string> classes{};  ///< of a scenario: the class of each body; empty where it has none
   Warnings warnings;
+  MissingShapes missing{};  ///< that the files state and that are no bodies; there is a warning of each
 };
 
 /// The product of a scenario: its obstacles in their order, then its object at the start. Each body about its middle.

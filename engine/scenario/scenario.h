@@ -118,4 +118,8 @@ double surfaceDeviation(const LoadedScenario& scenario);
 /// files had them: the spacing of 32-bit numbers at their coordinates. 0 where the files hold decimal numbers.
 double coordinateSpacing(const LoadedScenario& scenario);
 
+/// Shapes that the files of the scenario state and that are no bodies: certificates are about the scenario without
+/// them.
+MissingShapes missingShapes(const LoadedScenario& scenario);
+
 }  // namespace glissade

@@ -368,6 +368,8 @@ Outcome saveScenario(const Scenario& scenario, const std::string& file) {
 
 double surfaceDeviation(const LoadedScenario& scenario) { return largestOfBoth(scenario.deflections, scenario); }
 
+MissingShapes missingShapes(const LoadedScenario& scenario) { return missingShapesOf(scenario.geometry); }
+
 double coordinateSpacing(const LoadedScenario& scenario) {
   return largestOfBoth(scenario.coordinateSpacings, scenario);
 }

@@ -112,6 +112,7 @@ struct AssemblyStep {
   std::vector<StepJoint> joints{};        ///< that come apart by the step
   /// Steps of one task have the same number, from 1: alike joints that clamp the same bodies. 0: it is a task alone.
   std::size_t task = 0;
+  bool unit = false;  ///< its bodies are one: joints hold them together, and nothing takes them apart
   /// False: of a flexible body. Its path is for the eye, and nothing is proved of it.
   bool certified = true;
 

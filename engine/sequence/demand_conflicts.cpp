@@ -39,7 +39,7 @@ void add(const std::string& sentence, std::string& reason) { reason += (reason.e
 
 bool excludes(const ForbiddenDirection& direction, const DemandedMotion& motion) {
   return has(motion.bodies, direction.body) &&
-         isForbidden(exitDirection(motion.path), {direction.direction.normalized()});
+         isForbidden(firstDirection(motion.path), {direction.direction.normalized()});
 }
 
 DemandConflict conflictBetween(const SequenceDemands& before, const SequenceDemands& after) {
@@ -73,10 +73,10 @@ SequenceDemands withoutEarlier(const DemandConflict& conflict, SequenceDemands d
 Diagnostic inWords(const DemandConflict& conflict) {
   std::string reason;
   for (const DemandedMotion& each : conflict.motions) {
-    add("the motion that '" + each.bodies.front() + "' keeps leaves in the direction that is to be forbidden", reason);
+    add("the motion that '" + each.bodies.front() + "' keeps begins in the direction that is to be forbidden", reason);
   }
   for (const ForbiddenDirection& each : conflict.forbidden) {
-    add("the motion leaves in a direction that is forbidden to '" + each.body + "'", reason);
+    add("the motion begins in a direction that is forbidden to '" + each.body + "'", reason);
   }
   for (const auto& [first, then] : conflict.before) {
     add("'" + first + "' is to leave before '" + then + "'", reason);

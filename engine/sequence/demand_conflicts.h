@@ -8,7 +8,7 @@ namespace glissade {
 
 /// What a person said earlier, and cannot be kept with what they say now.
 struct DemandConflict {
-  std::vector<DemandedMotion> motions;                      ///< they lead in a direction that is now forbidden
+  std::vector<DemandedMotion> motions;                      ///< they begin in a direction that is now forbidden
   std::vector<ForbiddenDirection> forbidden;                ///< the motion that is now demanded leads there
   std::vector<std::pair<std::string, std::string>> before;  ///< the order is now demanded the other way round
 
@@ -24,7 +24,7 @@ SequenceDemands withoutEarlier(const DemandConflict& conflict, SequenceDemands d
 /// "'bracket' may not leave by 0 0 1", one sentence for each, for people.
 Diagnostic inWords(const DemandConflict& conflict);
 
-/// The motion leads in this direction, which is forbidden to one of its bodies.
+/// The motion begins in this direction, which is forbidden to one of its bodies.
 bool excludes(const ForbiddenDirection& direction, const DemandedMotion& motion);
 
 }  // namespace glissade

@@ -4,6 +4,8 @@
 #include <optional>
 #include <set>
 
+#include "engine/base/tolerances.h"
+
 namespace glissade {
 namespace {
 
@@ -26,8 +28,10 @@ bool operator==(const DemandedMotion& a, const DemandedMotion& b) {
 }
 
 bool isForbidden(const Vector3& direction, const std::vector<Vector3>& forbidden) {
-  return std::any_of(forbidden.begin(), forbidden.end(),
-                     [&](const Vector3& each) { return each.dot(direction) > kForbiddenCone * direction.norm(); });
+  const double length = direction.norm();
+  return length > 0.0 && std::any_of(forbidden.begin(), forbidden.end(), [&](const Vector3& each) {
+           return each.dot(direction) >= tolerance::kForbiddenCone * length;
+         });
 }
 
 std::vector<DemandedPlace> movedTo(std::size_t to, std::size_t from, const std::vector<std::vector<std::string>>& steps,

@@ -28,8 +28,8 @@ struct DemandedMotion {
   friend bool operator==(const DemandedMotion& a, const DemandedMotion& b);
 };
 
-/// A body does not leave in this direction, nor in one that is less than kForbiddenCone from it: the direction from
-/// the first to the last position of its motion.
+/// A body does not move in this direction, nor in one within tolerance::kForbiddenCone of it, until it has left the
+/// bodies that it touches (DirectionRule).
 struct ForbiddenDirection {
   std::string body;
   Vector3 direction = Vector3::UnitZ();  ///< world frame, any length
@@ -37,10 +37,7 @@ struct ForbiddenDirection {
   bool operator==(const ForbiddenDirection&) const = default;
 };
 
-/// Cosine of 30 degrees.
-inline constexpr double kForbiddenCone = 0.866;
-
-/// The direction is forbidden by one of these, which are of unit length.
+/// The direction, of any length, is forbidden by one of these, which are of unit length.
 bool isForbidden(const Vector3& direction, const std::vector<Vector3>& forbidden);
 
 /// The places after a person has moved a step, as a list of steps is edited: locked steps keep theirs, the others make

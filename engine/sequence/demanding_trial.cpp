@@ -4,7 +4,6 @@
 #include <set>
 
 #include "engine/sequence/plan_steps.h"
-#include "engine/sequence/step_motion.h"
 
 namespace glissade {
 
@@ -15,8 +14,7 @@ DemandingTrial::DemandingTrial(RemovalTrial& inner, const OrderRules& rules, con
   for (const auto* steps : {&known->steps, &known->waiting}) {
     for (const AssemblyStep& step : *steps) {
       const BodyGroup group = groupOf(step, product);
-      if (!step.certified || step.path.size() < 2 || isForbidden(exitDirection(step.path), rules.forbiddenTo(group)))
-        continue;
+      if (!step.certified || step.path.size() < 2) continue;
       known_[group] = {group, step.path, step.method};
     }
   }
@@ -44,7 +42,6 @@ std::vector<BodyGroup> DemandingTrial::groupsAlongLines(const GroupQuestion& que
 /// The motion has to end outside of all others, as every removal does.
 RemovalAnswer DemandingTrial::byMotion(const OrderRules::GivenMotion& motion, const BodySet& present,
                                        const StopToken& stop) {
-  if (isForbidden(exitDirection(motion.path), rules_.forbiddenTo(motion.group))) return Refused{};
   const BodySet others = without(present, motion.group);
   const std::vector<std::size_t> beside = besideTheEnd(motion, others);
   std::set<std::size_t> blocking(beside.begin(), beside.end());

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/product/nut_on_shaft.h"
+
 namespace glissade {
 namespace {
 
@@ -39,10 +41,11 @@ struct Role {
   bool touches = false;
   bool shaft = false;
   bool hole = false;
+  bool screwed = false;  ///< a shaft in a thread, in a nut, or with a cone in a countersink
 };
 
-std::vector<Role> rolesOf(std::size_t bodies, const std::vector<Contact>& contacts) {
-  std::vector<Role> roles(bodies);
+std::vector<Role> rolesOf(const std::vector<bool>& isNutByShape, const std::vector<Contact>& contacts) {
+  std::vector<Role> roles(isNutByShape.size());
   for (const Contact& contact : contacts) {
     if (contact.kind == ContactKind::Clearance) continue;
     for (const bool isA : {true, false}) {
@@ -52,16 +55,24 @@ std::vector<Role> rolesOf(std::size_t bodies, const std::vector<Contact>& contac
       const bool shaft = contact.axis->shaftIsA == isA;
       role.shaft = role.shaft || shaft;
       role.hole = role.hole || !shaft;
+      const bool isThread =
+          contact.kind == ContactKind::Thread || contact.axis->conical || isNutByShape[isA ? contact.b : contact.a];
+      role.screwed = role.screwed || (shaft && isThread);
     }
   }
   return roles;
 }
 
-bool confirms(const Role& role, FastenerKind shape) {
-  switch (shape) {
-    case FastenerKind::Screw:
+/// Shape and contacts together, and the name where they leave it open.
+bool confirms(const ProductShapes& shapes, const Designations& said, std::size_t body, const Role& role,
+              FastenerKind kind) {
+  switch (kind) {
+    case FastenerKind::Screw: {
+      const bool isNamed = says(said, body, {StandardPart::Screw, StandardPart::SetScrew});
+      return role.shaft && (role.screwed || isNamed || shapes.turned(body)->drive.kind != DriveKind::None);
+    }
     case FastenerKind::Pin: return role.shaft;
-    case FastenerKind::Nut: return role.hole;
+    case FastenerKind::Nut: return role.hole && isNut(shapes, said, body);
     case FastenerKind::Washer: return role.touches;
     case FastenerKind::None: break;
   }
@@ -88,12 +99,15 @@ std::optional<FastenerKind> fastenerByName(const std::string& name) {
 }
 
 std::vector<FastenerKind> fastenersOf(const ProductShapes& shapes, const std::vector<Contact>& contacts) {
-  const std::vector<Role> roles = rolesOf(shapes.size(), contacts);
+  const Designations said = designationsOf(shapes.product());
+  std::vector<bool> isNutByShape;
+  for (std::size_t body = 0; body < shapes.size(); ++body) isNutByShape.push_back(isNut(shapes, said, body));
+  const std::vector<Role> roles = rolesOf(isNutByShape, contacts);
   std::vector<FastenerKind> kinds(shapes.size(), FastenerKind::None);
   for (std::size_t body = 0; body < shapes.size(); ++body) {
     const TurnedShape* shape = roles[body].touches ? shapes.turned(body) : nullptr;
     const FastenerKind kind = shape != nullptr ? kindOf(*shape) : FastenerKind::None;
-    if (confirms(roles[body], kind)) kinds[body] = kind;
+    if (confirms(shapes, said, body, roles[body], kind)) kinds[body] = kind;
   }
   return kinds;
 }

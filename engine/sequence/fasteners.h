@@ -11,9 +11,9 @@
 
 namespace glissade {
 
-/// What each body is, by its shape (fastener_shape.h) and its contacts; names do not count.
-/// - screw: a shaft in a hole, with a wider head at one end or with a recess
-/// - nut: a hole on a shaft, through a prism of six sides, or of four
+/// What each body is, by its shape (fastener_shape.h), its contacts, and its name where shapes leave it open.
+/// - screw: a shaft in a hole, with a drive, in a thread, in a nut, with a countersunk head, or with a name of a screw
+/// - nut: on a shaft, with the width of a nut (nut_size.h) or with a name of a nut
 /// - washer: a flat ring that touches something
 /// - pin: a shaft in a hole, without a head, not longer than ten diameters
 std::vector<FastenerKind> fastenersOf(const ProductShapes& shapes, const std::vector<Contact>& contacts);

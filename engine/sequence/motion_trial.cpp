@@ -6,8 +6,6 @@
 
 #include "engine/planning/path_certificate.h"
 #include "engine/product/snap_ways.h"
-#include "engine/sequence/demanded_steps.h"
-#include "engine/sequence/step_motion.h"
 #include "engine/sequence/swept_box.h"
 
 namespace glissade {
@@ -22,25 +20,35 @@ constexpr double kToolClearance = 1e-5;
 }  // namespace
 
 MotionTrial::MotionTrial(const AssembledProduct& product, const ProductFits& fits, std::uint64_t seed, int searches,
-                         Forbidden forbidden, const JointRules* joints)
+                         MotionWorlds::Forbidden forbidden, const JointRules* joints, const ThreadDemands* threads)
     : product_(product),
       fits_(fits),
       bodies_(product.bodies.size()),
       searches_(searches),
-      forbidden_(std::move(forbidden)),
-      worlds_(product, fits),
-      straight_(product, fits, worlds_, forbidden_),
+      worlds_(product, fits, std::move(forbidden)),
+      straight_(product, fits, worlds_, threads),
       turned_(fits, worlds_),
       joints_(joints),
+      threads_(threads),
       twoLines_(product, fits, worlds_),
       searched_(product, fits, worlds_, seed) {
   if (joints != nullptr) jointed_.emplace(product, fits, worlds_, *joints);
 }
 
-/// A search is refused by those that block the straight lines and those that the group fits. What a thread or a hook
-/// holds is not searched: a hook bends on one line only.
+/// Whatever has found a motion: it is none that the judge refuses because it pulls a thread.
 RemovalAnswer MotionTrial::tryRemoval(const BodyGroup& group, const BodySet& present, int effort,
                                       const StopToken& stop) {
+  RemovalAnswer answer = answerOf(group, present, effort, stop);
+  const auto* removed = std::get_if<Removed>(&answer);
+  if (removed == nullptr) return answer;
+  BodyGroup holding = pulledOff(group, removed->path.points, present);
+  if (holding.empty()) return answer;
+  return Refused{std::move(holding)};
+}
+
+/// A search is refused by those that block the straight lines and those that the group fits. What a thread or a hook
+/// holds is not searched: a hook bends on one line only.
+RemovalAnswer MotionTrial::answerOf(const BodyGroup& group, const BodySet& present, int effort, const StopToken& stop) {
   if (joints_ != nullptr) {
     const std::vector<std::size_t> opened = joints_->opened(group, present);
     if (!opened.empty()) return tryTurning(group, present, opened, stop);
@@ -63,18 +71,11 @@ RemovalAnswer MotionTrial::tryRemoval(const BodyGroup& group, const BodySet& pre
 
 /// Two lines are tried before the first search.
 RemovalAnswer MotionTrial::search(const BodyGroup& group, const BodySet& present, int effort, const StopToken& stop) {
-  const auto mayLeave = [&](const RemovalAnswer& answer) {
-    const auto* removed = std::get_if<Removed>(&answer);
-    return removed == nullptr || mayLeaveIn(exitDirection(removed->path.points), group);
-  };
   if (effort == 1) {
     RemovalAnswer lines = twoLines_.tryRemoval(group, present, stop);
-    if (std::holds_alternative<Removed>(lines) && mayLeave(lines)) return lines;
+    if (std::holds_alternative<Removed>(lines)) return lines;
   }
-  const std::uint64_t work = kSearchWork[static_cast<std::size_t>(effort - 1)];
-  const auto mayLeaveTo = [&](const Vector3& direction) { return mayLeaveIn(direction, group); };
-  RemovalAnswer searched = searched_.tryRemoval(group, present, work, stop, mayLeaveTo);
-  return mayLeave(searched) ? searched : Refused{};
+  return searched_.tryRemoval(group, present, kSearchWork[static_cast<std::size_t>(effort - 1)], stop);
 }
 
 /// What is hooked does not turn. Threads that a person has marked have a rule of their own in the worlds. Facets of a
@@ -90,8 +91,6 @@ RemovalAnswer MotionTrial::tryTurning(const BodyGroup& group, const BodySet& pre
   if (held != nullptr && !held->stopped && !marked && hasFacetsOnly(group, opened)) {
     answer = straight_.tryRemoval(group, present, stop);
   }
-  const auto* removed = std::get_if<Removed>(&answer);
-  if (removed != nullptr && !mayLeaveIn(exitDirection(removed->path.points), group)) answer = Refused{};
   return answer;
 }
 
@@ -111,19 +110,12 @@ RemovalAnswer MotionTrial::tryDirectly(const BodyGroup& group, const BodySet& pr
   auto* lines = std::get_if<Refused>(&straight);
   if (lines == nullptr || lines->stopped) return straight;
   RemovalAnswer turned = turned_.tryRemoval(group, present, stop);
-  const auto* removed = std::get_if<Removed>(&turned);
-  if (removed != nullptr && !mayLeaveIn(exitDirection(removed->path.points), group)) turned = Refused{};
   const auto* turns = std::get_if<Refused>(&turned);
   if (turns == nullptr || turns->stopped) return turned;
   std::set<std::size_t> blocking(lines->blockedBy.begin(), lines->blockedBy.end());
   blocking.insert(turns->blockedBy.begin(), turns->blockedBy.end());
   lines->blockedBy.assign(blocking.begin(), blocking.end());
   return straight;
-}
-
-bool MotionTrial::mayLeaveIn(const Vector3& direction, const BodyGroup& group) const {
-  return forbidden_.empty() || std::none_of(group.begin(), group.end(),
-                                            [&](std::size_t body) { return isForbidden(direction, forbidden_[body]); });
 }
 
 std::vector<BodyGroup> MotionTrial::groupsAlongLines(const GroupQuestion& question, ThreadTeam& team,
@@ -147,6 +139,20 @@ std::vector<std::size_t> MotionTrial::inTheWay(const BodyGroup& group, const std
   return blocking;
 }
 
+/// Bodies off whose threads the motion pulls the group.
+BodyGroup MotionTrial::pulledOff(const BodyGroup& group, const std::vector<PathPoint>& path, const BodySet& present) {
+  if (threads_ == nullptr) return {};
+  const std::vector<Pose> configurations = configurationsOf(path);
+  std::set<std::size_t> holding;
+  for (const BodyFit& each : fits_.fitsOf(group, present)) {
+    const Pose X_GB = inverse(worlds_.object(group).X_WB) * product_.bodies[each.body].X_WB;
+    std::vector<Pose> ofBody;
+    for (const Pose& q : configurations) ofBody.push_back(q * X_GB);
+    if (!threads_->pulled(each.body, each.fit.obstacle, ofBody).empty()) holding.insert(each.fit.obstacle);
+  }
+  return {holding.begin(), holding.end()};
+}
+
 /// As the judge asks for it.
 bool MotionTrial::keepsToBends(const BodyGroup& group, const std::vector<PathPoint>& path, const BodySet& present) {
   if (!fits_.isHooked(group, present)) return true;
@@ -167,7 +173,7 @@ bool MotionTrial::keepsToBends(const BodyGroup& group, const std::vector<PathPoi
 std::optional<Removed> MotionTrial::certified(const BodyGroup& group, const std::vector<PathPoint>& path,
                                               const std::string& method, const BodySet& present,
                                               const StopToken& stop) {
-  if (!keepsToBends(group, path, present)) return std::nullopt;
+  if (!keepsToBends(group, path, present) || !pulledOff(group, path, present).empty()) return std::nullopt;
   const MotionWorld motion = worlds_.world(group, present);
   Removed removed{{path, certifyPath(*motion.world->makeQuery(), path, worlds_.parameters(group), stop)},
                   method,

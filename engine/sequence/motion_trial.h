@@ -3,6 +3,7 @@
 #include "engine/sequence/joint_removal.h"
 #include "engine/sequence/searched_removal.h"
 #include "engine/sequence/straight_removal.h"
+#include "engine/sequence/thread_demands.h"
 #include "engine/sequence/turned_removal.h"
 #include "engine/sequence/two_line_removal.h"
 
@@ -15,13 +16,12 @@ class MotionTrial final : public RemovalTrial {
   /// Levels of search, at most.
   static constexpr int kMostSearches = 4;
 
-  /// Directions in which bodies may not leave, unit, of each body; empty: all may.
-  using Forbidden = std::vector<std::vector<Vector3>>;
-
-  /// Refers to product, fits and rules. `searches`: levels of search beside the straight lines, from 0 to
-  /// kMostSearches. `joints`: what is in a closed thread leaves by turning only; null: there are none.
+  /// Refers to product, fits, rules and threads. `searches`: levels of search beside the straight lines, from 0 to
+  /// kMostSearches. `joints`: what is in a closed thread leaves by turning only; null: there are none. `threads`: no
+  /// motion pulls them; null: there are none.
   MotionTrial(const AssembledProduct& product, const ProductFits& fits, std::uint64_t seed,
-              int searches = kMostSearches, Forbidden forbidden = {}, const JointRules* joints = nullptr);
+              int searches = kMostSearches, MotionWorlds::Forbidden forbidden = {}, const JointRules* joints = nullptr,
+              const ThreadDemands* threads = nullptr);
 
   int efforts() const override { return 1 + searches_; }
   RemovalAnswer tryRemoval(const BodyGroup& group, const BodySet& present, int effort, const StopToken& stop) override;
@@ -39,23 +39,24 @@ class MotionTrial final : public RemovalTrial {
   void learn(const BodyGroup& group, const std::vector<PathPoint>& path) override;
 
  private:
+  RemovalAnswer answerOf(const BodyGroup& group, const BodySet& present, int effort, const StopToken& stop);
   RemovalAnswer tryDirectly(const BodyGroup& group, const BodySet& present, const StopToken& stop);
   RemovalAnswer search(const BodyGroup& group, const BodySet& present, int effort, const StopToken& stop);
   RemovalAnswer tryTurning(const BodyGroup& group, const BodySet& present, const std::vector<std::size_t>& opened,
                            const StopToken& stop);
   bool hasFacetsOnly(const BodyGroup& group, const std::vector<std::size_t>& opened) const;
+  BodyGroup pulledOff(const BodyGroup& group, const std::vector<PathPoint>& path, const BodySet& present);
   bool keepsToBends(const BodyGroup& group, const std::vector<PathPoint>& path, const BodySet& present);
-  bool mayLeaveIn(const Vector3& direction, const BodyGroup& group) const;
 
   const AssembledProduct& product_;
   const ProductFits& fits_;
   std::size_t bodies_;
   int searches_;
-  Forbidden forbidden_;
   MotionWorlds worlds_;
   StraightRemoval straight_;
   TurnedRemoval turned_;
   const JointRules* joints_;
+  const ThreadDemands* threads_;
   std::optional<JointRemoval> jointed_;  ///< where there are joints
   TwoLineRemoval twoLines_;
   SearchedRemoval searched_;

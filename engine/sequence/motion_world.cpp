@@ -2,17 +2,22 @@
 
 #include <algorithm>
 
+#include "engine/base/tolerances.h"
+#include "engine/sequence/demanded_steps.h"
 #include "engine/sequence/swept_box.h"
 
 namespace glissade {
 namespace {
 
+/// By which a distance is raised above what a judge with other meshes and another rounding comes to.
+constexpr double kRaised = 1.02;
+
 double usualClearance(double radius) { return ParameterValues(radius)[ParameterId::RequiredClearance]; }
 
 }  // namespace
 
-MotionWorlds::MotionWorlds(const AssembledProduct& product, const ProductFits& fits)
-    : product_(product), fits_(fits), prepared_(*fits.prepared()) {}
+MotionWorlds::MotionWorlds(const AssembledProduct& product, const ProductFits& fits, Forbidden forbidden)
+    : product_(product), fits_(fits), forbidden_(std::move(forbidden)), prepared_(*fits.prepared()) {}
 
 const MovingObject& MotionWorlds::object(const BodyGroup& group) {
   {
@@ -110,6 +115,57 @@ std::vector<ThreadPair> MotionWorlds::threadsOf(const BodyGroup& group, const st
 }
 
 MotionWorld MotionWorlds::world(const BodyGroup& group, const BodySet& present) {
+  MotionWorld motion = withoutDirections(group, present);
+  std::vector<DirectedBody> directed = directedBodies(group, present);
+  if (directed.empty()) return motion;
+  auto rule = std::make_shared<const DirectionRule>(object(group).X_WB, std::move(directed));
+  motion.world = motion.world->withForbidden(std::make_shared<const ForbiddenSpace>(std::move(rule)));
+  return motion;
+}
+
+std::vector<DirectedBody> MotionWorlds::directedBodies(const BodyGroup& group, const BodySet& present) {
+  std::vector<DirectedBody> directed;
+  if (forbidden_.empty()) return directed;
+  const BodySet others = without(present, group);
+  for (const std::size_t body : group) {
+    if (forbidden_[body].empty()) continue;
+    const RigidBody& own = product_.bodies[body];
+    DirectedBody each{own.mesh, inverse(object(group).X_WB) * own.X_WB, forbidden_[body], {}, 0.0};
+    each.apart = kRaised * tolerance::kTouching * radiusAboutOrigin(*own.mesh);
+    for (const std::size_t other : touchedBy(body)) {
+      if (others[other]) each.beside.push_back(product_.bodies[other]);
+    }
+    directed.push_back(std::move(each));
+  }
+  return directed;
+}
+
+/// In the whole product, so that what holds among some bodies holds among fewer. What touches nothing is taken to touch
+/// all.
+std::vector<std::size_t> MotionWorlds::touchedBy(std::size_t body) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (const auto known = touched_.find(body); known != touched_.end()) return known->second;
+  }
+  const double distance = kRaised * tolerance::kTouching * radiusAboutOrigin(*product_.bodies[body].mesh);
+  std::vector<std::size_t> all;
+  std::vector<std::size_t> touched;
+  for (std::size_t other = 0; other < product_.bodies.size(); ++other) {
+    if (other == body) continue;
+    all.push_back(other);
+    if (touch(body, other, distance)) touched.push_back(other);
+  }
+  const std::lock_guard lock(mutex_);
+  return touched_.try_emplace(body, touched.empty() ? all : touched).first->second;
+}
+
+bool MotionWorlds::touch(std::size_t body, std::size_t other, double distance) {
+  const RigidBody& own = product_.bodies[body];
+  return boxOf(body).exteriorDistance(boxOf(other)) <= distance &&
+         !prepared_.world(own.mesh, {{other, own.mesh}})->makeQuery()->clearAbove(own.X_WB, distance);
+}
+
+MotionWorld MotionWorlds::withoutDirections(const BodyGroup& group, const BodySet& present) {
   std::vector<Part> parts;
   for (const std::size_t other : bodiesIn(without(present, group))) {
     for (Part& part : partsAgainst(group, other)) parts.push_back(std::move(part));
@@ -129,6 +185,10 @@ MotionWorld MotionWorlds::world(const BodyGroup& group, const BodySet& present) 
   }
   motion.world = motion.world->withThreads(std::move(threads), prepared_.world(mesh, obstacles));
   return motion;
+}
+
+bool MotionWorlds::mayBegin(const Vector3& direction, std::size_t body) const {
+  return forbidden_.empty() || !isForbidden(direction, forbidden_[body]);
 }
 
 CollisionWorldPtr MotionWorlds::pair(std::size_t body, std::size_t other) {

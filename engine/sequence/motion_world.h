@@ -9,6 +9,7 @@
 #include "engine/collision/motion_certificate.h"
 #include "engine/collision/prepared_bodies.h"
 #include "engine/planning/path.h"
+#include "engine/sequence/direction_rule.h"
 #include "engine/sequence/product_fits.h"
 
 namespace glissade {
@@ -32,14 +33,19 @@ struct MotionWorld {
 /// several threads at a time.
 class MotionWorlds {
  public:
-  /// Refers to both.
-  MotionWorlds(const AssembledProduct& product, const ProductFits& fits);
+  /// Directions in which bodies may not move (DirectionRule), unit, of each body; empty: none.
+  using Forbidden = std::vector<std::vector<Vector3>>;
+
+  /// Refers to product and fits.
+  MotionWorlds(const AssembledProduct& product, const ProductFits& fits, Forbidden forbidden = {});
 
   const MovingObject& object(const BodyGroup& group);
-  /// Each body of the group is thinned as its fits allow, and leaves threads by turning only; bodies of the group are
-  /// no obstacles.
+  /// Each body of the group is thinned as its fits allow, leaves threads by turning only, and keeps out of directions
+  /// that a person forbids; bodies of the group are no obstacles.
   MotionWorld world(const BodyGroup& group, const BodySet& present);
-  /// Of one body beside one other.
+  /// False where a person forbids this direction to the body: no motion begins so.
+  bool mayBegin(const Vector3& direction, std::size_t body) const;
+  /// Of one body beside one other. Directions are not looked at.
   CollisionWorldPtr pair(std::size_t body, std::size_t other);
   /// Of something that is no body of the product, beside one body. The body is whole.
   CollisionWorldPtr beside(const MeshPtr& thing, std::size_t other) { return prepared_.world(thing, {{other, thing}}); }
@@ -57,6 +63,10 @@ class MotionWorlds {
     bool screwed;
     BodyGroup bodies;
   };
+  MotionWorld withoutDirections(const BodyGroup& group, const BodySet& present);
+  std::vector<DirectedBody> directedBodies(const BodyGroup& group, const BodySet& present);
+  std::vector<std::size_t> touchedBy(std::size_t body);
+  bool touch(std::size_t body, std::size_t other, double distance);
   std::vector<Part> partsAgainst(const BodyGroup& group, std::size_t other) const;
   std::vector<ThreadPair> threadsOf(const BodyGroup& group, const std::vector<Part>& parts);
   MeshPtr meshOf(const BodyGroup& group, const BodyGroup& bodies, const std::vector<MeshPtr>& meshes);
@@ -66,9 +76,11 @@ class MotionWorlds {
 
   const AssembledProduct& product_;
   const ProductFits& fits_;
+  Forbidden forbidden_;
   PreparedBodies& prepared_;
   std::mutex mutex_;  ///< of what follows
   std::map<BodyGroup, MovingObject> objects_;
+  std::map<std::size_t, std::vector<std::size_t>> touched_;  ///< of bodies with forbidden directions
   /// By the mesh of a whole group: some of its bodies as they are taken against an obstacle.
   std::map<MeshPtr, std::map<std::pair<BodyGroup, std::vector<MeshPtr>>, MeshPtr>> joined_;
 };

@@ -124,7 +124,7 @@ Outcome addForbidden(const SequenceDemands& demands, const AssembledProduct& pro
 /// A motion that is demanded may not be forbidden as well.
 Outcome checkMotions(const OrderRules& rules, const AssembledProduct& product) {
   for (const OrderRules::GivenMotion& motion : rules.motions) {
-    if (!isForbidden(exitDirection(motion.path), rules.forbiddenTo(motion.group))) continue;
+    if (!isForbidden(firstDirection(motion.path), rules.forbiddenTo(motion.group))) continue;
     return refusedDemand("'" + product.bodies[motion.group.front()].id +
                              "' has a demanded motion in a direction that is forbidden to it",
                          "Remove one of the two demands.");

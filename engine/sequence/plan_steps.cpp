@@ -20,6 +20,21 @@ double turnsIn(const ThreadRule& rule, const RigidBody& body, const RigidBody& o
   return std::abs(turnsWhileEngaged(ThreadPair(rule, *body.mesh, other), configurations));
 }
 
+/// That of its joint, else an axis of the world that nobody forbids.
+Vector3 flexibleDirection(std::size_t body, const SequenceQuestion& question) {
+  std::vector<Vector3> directions;
+  for (const Joint& joint : question.joints->joints()) {
+    if (joint.kind == JointKind::Flexible && joint.body == body) directions.insert(directions.begin(), joint.direction);
+  }
+  for (const Eigen::Index axis : {2, 0, 1}) {
+    for (const double side : {1.0, -1.0}) directions.push_back(side * Vector3::Unit(axis));
+  }
+  const std::vector<Vector3> forbidden = question.rules.forbiddenTo({body});
+  const auto allowed = std::find_if(directions.begin(), directions.end(),
+                                    [&](const Vector3& each) { return !isForbidden(each, forbidden); });
+  return allowed == directions.end() ? directions.front() : *allowed;
+}
+
 }  // namespace
 
 std::vector<std::string> idsOf(const BodyGroup& bodies, const AssembledProduct& product) {
@@ -119,10 +134,7 @@ AssemblyStep makeStep(const BodyGroup& group, const Removed& removed, const Sequ
 AssemblyStep makeFlexibleStep(std::size_t body, const BodySet& present, const SequenceQuestion& question,
                               std::size_t afterSteps) {
   const RigidBody& own = question.product.bodies[body];
-  Vector3 direction = Vector3::UnitZ();
-  for (const Joint& joint : question.joints->joints()) {
-    if (joint.kind == JointKind::Flexible && joint.body == body) direction = joint.direction;
-  }
+  const Vector3 direction = flexibleDirection(body, question);
   const double margin = leavingMargin(radiusAboutOrigin(*own.mesh));
   Pose end = own.X_WB;
   end.position +=

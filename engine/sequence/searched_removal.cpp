@@ -50,14 +50,10 @@ Box3 roomAbout(Box3 box, const MovingObject& object) {
 
 /// As a person would lead it: straight out as soon as that is free, and without the detours of a random search. What a
 /// thread leads stays as it is.
-Path smoothed(const Path& path, const Problem& problem, const ParameterValues& parameters,
-              const SearchedRemoval::MayLeave& mayLeave, const StopToken& stop) {
+Path smoothed(const Path& path, const Problem& problem, const ParameterValues& parameters, const StopToken& stop) {
   if (!problem.world->threads().empty()) return path;
-  const auto mayEnd = [&](const Vector3& end) {
-    return !mayLeave || mayLeave((end - problem.start.position).normalized());
-  };
-  return withShortcuts(withStraightEnd(path, problem, parameters, mayEnd, stop), problem, parameters, 0, kShortcuts,
-                       {stop});
+  const Path straight = withStraightEnd(path, problem, parameters, stop);
+  return withShortcuts(straight, problem, parameters, 0, kShortcuts, {stop});
 }
 
 std::unique_ptr<Planner> plannerOf(const Problem& problem, std::uint64_t seed) {
@@ -71,7 +67,7 @@ std::unique_ptr<Planner> plannerOf(const Problem& problem, std::uint64_t seed) {
 }  // namespace
 
 RemovalAnswer SearchedRemoval::tryRemoval(const BodyGroup& group, const BodySet& present, std::uint64_t work,
-                                          const StopToken& stop, const MayLeave& mayLeave) const {
+                                          const StopToken& stop) const {
   const MovingObject& object = worlds_.object(group);
   const MotionWorld motion = worlds_.world(group, present);
   Problem problem{motion.world, object.X_WB, GoalOut{}, roomAbout(motion.world->obstaclesBox(), object), nullptr, {}};
@@ -79,7 +75,7 @@ RemovalAnswer SearchedRemoval::tryRemoval(const BodyGroup& group, const BodySet&
   const auto planner = plannerOf(problem, seedOf(group, present, work));
   StepHost host(worlds_.parameters(group), stop);
   if (solveWithin(*planner, host, work)) {
-    Path path = smoothed(*planner->path(), problem, worlds_.parameters(group), mayLeave, stop);
+    Path path = smoothed(*planner->path(), problem, worlds_.parameters(group), stop);
     nameByProduct(path.certificate, motion.bodies);
     return Removed{std::move(path), "auto: " + memberOf(*planner), fits_.fitsOf(group, present)};
   }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 
 #include "engine/sequence/motion_world.h"
 #include "engine/sequence/removal_trial.h"
@@ -16,13 +15,9 @@ class SearchedRemoval {
   SearchedRemoval(const AssembledProduct& product, const ProductFits& fits, MotionWorlds& worlds, std::uint64_t seed)
       : product_(product), fits_(fits), worlds_(worlds), seed_(seed) {}
 
-  /// Whether the group may leave in this direction, from where it is assembled to where it ends. Empty: in each.
-  using MayLeave = std::function<bool(const Vector3& direction)>;
-
-  /// `work` of the planner at most. Where a motion may leave is heeded when it is smoothed, not by the search. The
-  /// refusal names nobody: a search does not know who was in its way.
-  RemovalAnswer tryRemoval(const BodyGroup& group, const BodySet& present, std::uint64_t work, const StopToken& stop,
-                           const MayLeave& mayLeave = {}) const;
+  /// `work` of the planner at most. The refusal names nobody: a search does not know who was in its way.
+  RemovalAnswer tryRemoval(const BodyGroup& group, const BodySet& present, std::uint64_t work,
+                           const StopToken& stop) const;
 
  private:
   std::uint64_t seedOf(const BodyGroup& group, const BodySet& present, std::uint64_t work) const;

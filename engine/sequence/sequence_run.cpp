@@ -12,6 +12,7 @@
 #include "engine/sequence/step_precedence.h"
 #include "engine/sequence/step_tools.h"
 #include "engine/sequence/subassembly_lines.h"
+#include "engine/sequence/thread_demands.h"
 
 namespace glissade {
 namespace {
@@ -49,14 +50,16 @@ Outcome checkPlaces(const AssembledProduct& product, const OrderRules& rules, co
   return Done{};
 }
 
-/// Those that count: as they are given, else as they are found and a person says of them.
-Result<Joints> jointsOf(const ProductShapes& shapes, const SequenceRequest& request, const StopToken& stop) {
+/// Those that count: as they are given, else as they are found and a person says of them; and those of threads that the
+/// judge sees.
+Result<Joints> jointsOf(const ProductShapes& shapes, const SequenceRequest& request, const ThreadDemands& threads,
+                        const StopToken& stop) {
   const JointUse use = request.demands.jointUse;
   if (use == JointUse::Off) return Joints();
-  if (request.joints != nullptr) return countingJoints(*request.joints, use);
+  if (request.joints != nullptr) return threads.withThreads(countingJoints(*request.joints, use), shapes);
   auto joints = applied(findJoints(shapes, stop), request.demands.joints, shapes.product());
   if (!joints) return joints;
-  return countingJoints(*joints, use);
+  return threads.withThreads(countingJoints(*joints, use), shapes);
 }
 
 /// Passes on plans that can be saved and resumed: strategies do not know what is asked for in words.
@@ -94,7 +97,8 @@ Result<AssemblyPlan> planSequence(const AssembledProduct& product, const Product
   if (!rules) return rules.error();
   const ProductShapes shapes(product);
   const std::vector<FastenerKind> fasteners = fastenersKnown(shapes, fits.contacts(), request.demands);
-  auto found = jointsOf(shapes, request, host.stopToken());
+  const ThreadDemands threads(product, fits, request.demands);
+  auto found = jointsOf(shapes, request, threads, host.stopToken());
   if (!found) return found.error();
   const JointRules joints(std::move(*found), product, fasteners);
   const BodySet staying = withJoined(request.staying, joints.bonded());
@@ -111,7 +115,7 @@ Result<AssemblyPlan> planSequence(const AssembledProduct& product, const Product
                      request.demands.gravity, massesOf(request.demands, product)},
                     host.team());
   const JointRules* counting = joints.joints().empty() ? nullptr : &joints;
-  MotionTrial motions(product, fits, request.seed, MotionTrial::kMostSearches, rules->forbidden, counting);
+  MotionTrial motions(product, fits, request.seed, MotionTrial::kMostSearches, rules->forbidden, counting, &threads);
   DemandingTrial trial(motions, *rules, product, request.known, counting);
   const SequenceQuestion question{product,
                                   staying,

@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kLeastLength = 1e-7;    ///< metres
 constexpr double kLeastTurn = 1e-5;      ///< radians
-constexpr double kSameDirection = 0.02;  ///< of unit vectors
+constexpr double kNearlySameWay = 0.02;  ///< of unit vectors
 
 MotionLeg legOf(const Pose& from, const Pose& to) {
   MotionLeg leg;
@@ -27,7 +27,7 @@ MotionLeg legOf(const Pose& from, const Pose& to) {
 }
 
 bool continues(const MotionLeg& leg, const MotionLeg& next) {
-  return (leg.direction - next.direction).norm() < kSameDirection && (leg.axis - next.axis).norm() < kSameDirection;
+  return (leg.direction - next.direction).norm() < kNearlySameWay && (leg.axis - next.axis).norm() < kNearlySameWay;
 }
 
 }  // namespace
@@ -54,6 +54,13 @@ std::vector<MotionLeg> reversed(const std::vector<MotionLeg>& legs) {
     leg.axis = -leg.axis;
   }
   return back;
+}
+
+Vector3 firstDirection(const std::vector<PathPoint>& path) {
+  for (const MotionLeg& leg : legsOf(path)) {
+    if (leg.length > 0.0) return leg.direction;
+  }
+  return Vector3::Zero();
 }
 
 Vector3 exitDirection(const std::vector<PathPoint>& path) {

@@ -22,6 +22,9 @@ std::vector<MotionLeg> legsOf(const std::vector<PathPoint>& path);
 /// The same motion from its end to its beginning.
 std::vector<MotionLeg> reversed(const std::vector<MotionLeg>& legs);
 
+/// Unit direction in which the motion begins; zero where it only turns.
+Vector3 firstDirection(const std::vector<PathPoint>& path);
+
 /// Unit direction from the first to the last position; nothing has moved: up.
 Vector3 exitDirection(const std::vector<PathPoint>& path);
 

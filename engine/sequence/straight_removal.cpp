@@ -6,7 +6,6 @@
 
 #include "engine/planning/path_certificate.h"
 #include "engine/sequence/blocking_graph.h"
-#include "engine/sequence/demanded_steps.h"
 #include "engine/sequence/removal_directions.h"
 
 namespace glissade {
@@ -17,8 +16,8 @@ constexpr double kSameLine = 1.0 - 1e-9;
 }  // namespace
 
 StraightRemoval::StraightRemoval(const AssembledProduct& product, const ProductFits& fits, MotionWorlds& worlds,
-                                 const std::vector<std::vector<Vector3>>& forbidden)
-    : product_(product), fits_(fits), worlds_(worlds), forbidden_(forbidden), lines_(product.bodies.size()) {}
+                                 const ThreadDemands* threads)
+    : product_(product), fits_(fits), worlds_(worlds), threads_(threads), lines_(product.bodies.size()) {}
 
 void StraightRemoval::learn(const BodyGroup& group, const std::vector<PathPoint>& path) {
   if (path.size() != 2 || path.front().q.orientation.coeffs() != path.back().q.orientation.coeffs()) return;
@@ -32,7 +31,7 @@ RemovalAnswer StraightRemoval::tryRemoval(const BodyGroup& group, const BodySet&
   const BodySet others = without(present, group);
   for (const Vector3& direction : directionsOf(group)) {
     const bool allMay =
-        std::all_of(group.begin(), group.end(), [&](std::size_t body) { return mayLeaveAlong(direction, body); });
+        std::all_of(group.begin(), group.end(), [&](std::size_t body) { return worlds_.mayBegin(direction, body); });
     if (!allMay) continue;
     auto blocker = blockerOf(group, direction, others, stop);
     if (!blocker && !stop.stopRequested()) {
@@ -81,7 +80,7 @@ std::vector<BodyGroup> StraightRemoval::groupsAlong(const Vector3& direction, co
   BodySet staying = question.staying;
   std::vector<Line*> lines(staying.size(), nullptr);
   for (const std::size_t body : bodiesIn(question.present)) {
-    staying[body] = staying[body] || !mayLeaveAlong(direction, body);
+    staying[body] = staying[body] || !worlds_.mayBegin(direction, body);
     if (!staying[body]) lines[body] = &lineAlong(body, direction);
   }
   const auto candidates = [&](std::size_t blocked) -> const std::vector<std::size_t>& { return lines_[blocked].order; };
@@ -176,20 +175,18 @@ std::optional<std::size_t> StraightRemoval::blockerOf(std::size_t body, Line& li
   return std::nullopt;
 }
 
-bool StraightRemoval::mayLeaveAlong(const Vector3& direction, std::size_t body) const {
-  return forbidden_.empty() || !isForbidden(direction, forbidden_[body]);
-}
-
 /// Not kept after a stop.
 bool StraightRemoval::isBlocking(std::size_t other, std::size_t body, Line& line, const StopToken& stop) {
   const Blocking known = line.blockedBy[other];
   if (known != Blocking::Unknown) return known == Blocking::Yes;
   const Vector3* bent = fits_.bentWay(body, other);
-  bool blocks = fits_.threadOf(body, other) != nullptr || (bent != nullptr && bent->dot(line.direction) < kSameLine);
+  const RigidBody& own = product_.bodies[body];
+  Pose end = own.X_WB;
+  end.position += line.way;
+  const bool pulls = threads_ != nullptr && !threads_->pulled(body, other, {own.X_WB, end}).empty();
+  bool blocks =
+      pulls || fits_.threadOf(body, other) != nullptr || (bent != nullptr && bent->dot(line.direction) < kSameLine);
   if (!blocks && line.swept.intersects(worlds_.boxOf(other))) {
-    const RigidBody& own = product_.bodies[body];
-    Pose end = own.X_WB;
-    end.position += line.way;
     const MotionCheck check =
         worlds_.pair(body, other)
             ->makeQuery()

@@ -9,6 +9,7 @@
 
 #include "engine/sequence/motion_world.h"
 #include "engine/sequence/removal_trial.h"
+#include "engine/sequence/thread_demands.h"
 
 namespace glissade {
 
@@ -18,9 +19,9 @@ namespace glissade {
 /// group is all that can be reached in the graph (Wilson and Latombe 1994).
 class StraightRemoval {
  public:
-  /// Refers to all. `forbidden`: directions in which bodies may not leave, unit, of each body; empty: all may.
+  /// Refers to all. `threads`: no line pulls them; null: there are none.
   StraightRemoval(const AssembledProduct& product, const ProductFits& fits, MotionWorlds& worlds,
-                  const std::vector<std::vector<Vector3>>& forbidden);
+                  const ThreadDemands* threads);
 
   /// As RemovalTrial::tryRemoval().
   RemovalAnswer tryRemoval(const BodyGroup& group, const BodySet& present, const StopToken& stop);
@@ -59,13 +60,12 @@ class StraightRemoval {
                                      const std::set<std::pair<std::size_t, std::size_t>>& linked,
                                      const StopToken& stop);
   bool isBlocking(std::size_t other, std::size_t body, Line& line, const StopToken& stop);
-  bool mayLeaveAlong(const Vector3& direction, std::size_t body) const;
   Path certified(const BodyGroup& group, const Vector3& direction, const BodySet& present, const StopToken& stop);
 
   const AssembledProduct& product_;
   const ProductFits& fits_;
   MotionWorlds& worlds_;
-  const std::vector<std::vector<Vector3>>& forbidden_;
+  const ThreadDemands* threads_;
   std::vector<Lines> lines_;            ///< of each body
   std::map<MeshPtr, Vector3> learned_;  ///< in the body's frame, the last one
 };

@@ -28,6 +28,7 @@ std::string StuckReasons::of(std::size_t body, const std::vector<std::size_t>& h
   if (question_.rules.motionOf(unit) != nullptr) return "the motion that a person gave it is not free";
   if (!question_.rules.forbiddenTo(unit).empty()) return "no motion was found in a direction that is not forbidden";
   if (isCaged(unit, blocking)) return "it is between parts that are pressed together: press one of them out";
+  if (std::string turns = ofTurns(unit); !turns.empty()) return turns;
   return "no motion was found, alone or with others";
 }
 
@@ -51,6 +52,16 @@ std::string StuckReasons::ofJoints(const BodyGroup& unit) const {
     return reason + "; " + name(body) + " is captive: " + name(unit.front()) + " is in its way";
   }
   return reason;
+}
+
+/// It is in a thread, and cannot be turned out; empty where it is in none.
+std::string StuckReasons::ofTurns(const BodyGroup& unit) const {
+  if (question_.joints == nullptr) return {};
+  const std::vector<std::size_t> opened = question_.joints->opened(unit, present_);
+  const BodyGroup holders = question_.joints->holders(opened, unit, present_);
+  if (holders.empty()) return {};
+  return "it is " + question_.joints->inWords(opened) + " in " + name(holders.front()) +
+         ", and no free turn out of it was found: free the way, or dissolve the joint";
 }
 
 /// The deepest clash with what is there; empty where there is none.

@@ -32,6 +32,7 @@ class StuckReasons {
  private:
   std::string name(std::size_t body) const { return "'" + question_.product.bodies[body].shown() + "'"; }
   std::string ofJoints(const BodyGroup& unit) const;
+  std::string ofTurns(const BodyGroup& unit) const;
   std::string ofClashes(const BodyGroup& unit) const;
   bool isCaged(const BodyGroup& unit, const std::set<std::size_t>& blocking) const;
   bool isBlockedBy(const BodyGroup& unit, const BodyGroup& others) const;

@@ -88,13 +88,15 @@ SequenceQuestion questionOf(const BodyGroup& group, const SequenceQuestion& ques
 SubassemblyLine lineOf(const BodyGroup& group, const SequenceQuestion& question, RemovalTrial& trial,
                        SequenceHost& host);
 
-/// Of the groups among the steps.
-std::vector<SubassemblyLine> linesOf(const std::vector<AssemblyStep>& steps, const SequenceQuestion& question,
+/// Of the groups among the steps that are no units. Marks the units.
+std::vector<SubassemblyLine> linesOf(std::vector<AssemblyStep>& steps, const SequenceQuestion& question,
                                      RemovalTrial& trial, SequenceHost& host) {
   std::vector<SubassemblyLine> lines;
   for (std::size_t i = 0; i < steps.size() && !host.stopToken().stopRequested(); ++i) {
     const BodyGroup group = groupOf(steps[i], question.product);
-    if (unitIn(group.front(), question.joints).size() >= group.size()) continue;
+    if (group.size() == 1) continue;
+    steps[i].unit = unitIn(group.front(), question.joints).size() >= group.size();
+    if (steps[i].unit) continue;
     lines.push_back(lineOf(group, question, trial, host));
     lines.back().step = i + 1;
   }
@@ -117,15 +119,26 @@ SubassemblyLine lineOf(const BodyGroup& group, const SequenceQuestion& question,
   return line;
 }
 
-std::size_t stuckIn(const std::vector<SubassemblyLine>& lines) {
+std::size_t apartIn(const std::vector<AssemblyStep>& steps, const std::vector<SubassemblyLine>& lines) {
   std::size_t count = 0;
-  for (const SubassemblyLine& line : lines) count += line.stuck.size() + stuckIn(line.lines);
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const auto line = std::find_if(lines.begin(), lines.end(), [&](const auto& each) { return each.step == i + 1; });
+    const std::size_t bodies = 1 + steps[i].with.size();
+    if (line == lines.end()) {
+      count += bodies == 1 || steps[i].unit ? bodies : 0;
+    } else {
+      std::size_t left = 0;
+      for (const AssemblyStep& step : line->steps) left += 1 + step.with.size();
+      const bool isTakenApart = left + line->staying.size() == line->bodies.size();
+      count += apartIn(line->steps, line->lines) + (isTakenApart ? line->staying.size() : 0);
+    }
+  }
   return count;
 }
 
 }  // namespace
 
-std::size_t bodiesApart(const AssemblyPlan& plan) { return plan.removed() - stuckIn(plan.lines); }
+std::size_t bodiesApart(const AssemblyPlan& plan) { return apartIn(plan.steps, plan.lines); }
 
 void addLines(AssemblyPlan& plan, const SequenceQuestion& question, SequenceHost& host) {
   ShortTrial trial(question.trial);

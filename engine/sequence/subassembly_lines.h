@@ -10,7 +10,7 @@ namespace glissade {
 void addLines(AssemblyPlan& plan, const SequenceQuestion& question, SequenceHost& host);
 
 /// Bodies of the plan that have left alone, as a unit, or with their insert: those that leave but for what remains in
-/// groups.
+/// groups. Where bodies of a group do not leave it, those that they are stuck to are not apart, either.
 std::size_t bodiesApart(const AssemblyPlan& plan);
 
 }  // namespace glissade

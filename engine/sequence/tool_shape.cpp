@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/geometry/least_rotation.h"
 #include "engine/geometry/primitives.h"
 
 namespace glissade {
@@ -179,8 +180,7 @@ Pose toolFrame(const FastenerHead& head, const Pose& X_WB, const Vector3& exit, 
     outwards = -outwards;
   }
   Pose X_WT = Pose::translation(end);
-  X_WT.orientation =
-      Quaternion::FromTwoVectors(Vector3::UnitZ(), outwards) * Quaternion(Eigen::AngleAxisd(turn, Vector3::UnitZ()));
+  X_WT.orientation = leastRotation(Vector3::UnitZ(), outwards) * Quaternion(Eigen::AngleAxisd(turn, Vector3::UnitZ()));
   return X_WT;
 }
 

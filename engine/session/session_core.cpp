@@ -272,7 +272,7 @@ void SessionCore::deliverPath(const StopToken& stop) {
 void SessionCore::smoothPath(int attempts, const WorkWatch& watch) {
   Path path = *planned_;
   if (attempts > 0) {
-    path = withStraightEnd(path, problem_, parameters_, {}, watch.stop);
+    path = withStraightEnd(path, problem_, parameters_, watch.stop);
     path = withShortcuts(path, problem_, parameters_, seed_, attempts, watch);
   }
   const bool another = path_ != nullptr;  // the one delivered stays where the work is stopped

@@ -1,16 +1,29 @@
 #include "engine/session/start_check.h"
 
-#include <sstream>
-
+#include "engine/base/number_text.h"
 #include "engine/planning/goal_roots.h"
 
 namespace glissade {
 namespace {
 
-/// The forbidden place that the object's reference point is inside of.
-std::string forbiddenAt(const Problem& problem, const Pose& q) {
+/// How the forbidden place is met by the reference point, or by that of a milestone.
+std::string forbiddenAt(const Problem& problem, const Pose& q, bool isMilestone) {
   const ForbiddenRegionsPtr regions = problem.world->forbidden();
-  return regions->places()[*regions->holding(q.position)].name;
+  const ForbiddenPlaces& places = regions->places();
+  for (std::size_t place = 0; place < places.size(); ++place) {
+    if (!regions->isInside(place, q.position)) continue;
+    const std::string& name = places[place].name;
+    if (isMilestone) return "the milestone is inside of '" + name + "', which is forbidden";
+    return "the reference point is inside of '" + name + "', which is forbidden";
+  }
+  const std::string& name = places[*regions->holding(q.position)].name;
+  const std::string margin = toText(regions->margin());
+  if (isMilestone) {
+    return "the milestone lies on the boundary of '" + name + "', which is forbidden, or within the margin of " +
+           margin + " m";
+  }
+  return "the reference point lies on the boundary of '" + name + "', which is forbidden, or within the margin of " +
+         margin + " m";
 }
 
 Outcome checkConfiguration(const Problem& problem, CollisionQuery& query, const Pose& q, const std::string& which,
@@ -25,8 +38,7 @@ Outcome checkConfiguration(const Problem& problem, CollisionQuery& query, const 
                       "Enlarge the workspace or move the " + which + " inside."};
   }
   if (const auto body = query.collidingBody(q); body == kForbiddenPlace) {
-    return Diagnostic{ErrorKind::NoPath, "", which,
-                      "the reference point is inside of '" + forbiddenAt(problem, q) + "', which is forbidden",
+    return Diagnostic{ErrorKind::NoPath, "", which, forbiddenAt(problem, q, false),
                       "Allow the place again, or move the " + which + " out of it."};
   } else if (body) {
     return Diagnostic{ErrorKind::InCollision, "", which,
@@ -54,11 +66,10 @@ Outcome checkMilestones(const Problem& problem) {
   for (std::size_t i = 0; i < milestones.size(); ++i) {
     const auto body = query->collidingBody(milestones[i].q);
     if (!body) continue;
-    const std::string reason =
-        *body == kForbiddenPlace
-            ? "the milestone is inside of '" + forbiddenAt(problem, milestones[i].q) + "', which is forbidden"
-            : "the milestone is in collision with '" +
-                  problem.world->obstacles()[static_cast<std::size_t>(*body)].shown() + "'";
+    const std::string reason = *body == kForbiddenPlace
+                                   ? forbiddenAt(problem, milestones[i].q, true)
+                                   : "the milestone is in collision with '" +
+                                         problem.world->obstacles()[static_cast<std::size_t>(*body)].shown() + "'";
     return Diagnostic{ErrorKind::NoPath, "", "/milestones/" + std::to_string(i), reason,
                       "Put it where the object is free, or remove it."};
   }

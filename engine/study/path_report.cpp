@@ -85,8 +85,15 @@ class PathReportComposer {
       rows.push_back({words_("Edges that slide"),
                       words_("%1 of %2", {std::to_string(sliding), std::to_string(certificate.edges.size())})});
     }
+    if (certificate.forbiddenMargin > 0.0) {
+      rows.push_back(
+          {words_("Forbidden places"), words_("the path keeps %1 from them", {length_(certificate.forbiddenMargin)})});
+    }
     for (const std::string& allowance : allowancesInWords(content_.scenario, content_.path.points)) {
       rows.push_back({words_("Allowance"), allowance});
+    }
+    if (const MissingShapes missing = missingShapes(content_.scenario); !missing.empty()) {
+      rows.push_back({words_("Not known"), words_("where these shapes of the file are: %1", {listOf(missing)})});
     }
     if (const double deviation = surfaceDeviation(content_.scenario); deviation > 0.0) {
       rows.push_back({words_("About triangles"), words_("within ± %1 of the CAD surfaces", {length_(deviation)})});

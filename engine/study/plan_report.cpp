@@ -6,6 +6,7 @@
 #include <functional>
 #include <set>
 
+#include "engine/sequence/subassembly_lines.h"
 #include "engine/study/parts_list.h"
 #include "engine/study/plan_tasks.h"
 #include "engine/study/times_section.h"
@@ -72,6 +73,19 @@ class Composer {
     if (static_cast<std::size_t>(notAsked) < content_.checks.size()) {
       report_.blocks.emplace_back(ReportText{say("The independent check agrees with %1 of %2 steps.",
                                                  {std::to_string(count), std::to_string(plan.steps.size())})});
+    }
+    if (!content_.missing.empty()) {
+      report_.blocks.emplace_back(ReportText{
+          say("The proof is about the product without these shapes of the file, which were not made into bodies: %1.",
+              {listOf(content_.missing)})});
+    }
+    for (const std::string& condition : content_.conditions) {
+      report_.blocks.emplace_back(ReportText{say("The plan is valid only if %1.", {condition})});
+    }
+    const std::size_t joined = plan.removed() - bodiesApart(plan);
+    if (joined > 0) {
+      report_.blocks.emplace_back(
+          ReportText{say("%1 parts leave in groups that are not taken apart.", {std::to_string(joined)})});
     }
     if (content_.deviation > 0.0) {
       report_.blocks.emplace_back(

@@ -20,14 +20,16 @@ struct LineTexts {
 struct PlanReportContent {
   const AssemblyPlan& plan;
   const AssembledProduct& product;
-  std::string name;                     ///< of the product
-  double deviation = 0.0;               ///< as of ProductFile
-  std::vector<StepCheck> checks{};      ///< of each step; empty: not asked
-  std::string explodedPicture{};        ///< a PNG file; empty: none
-  std::string graphPicture{};           ///< a PNG file of planGraphSvg(); empty: none
-  std::vector<std::string> pictures{};  ///< a PNG file of each task (taskRanges()); empty: none
-  std::optional<PlanTiming> timing{};   ///< how long the work takes; nothing: not said
-  LineTexts access{};                   ///< whether a hand gets there; without steps: not asked
+  std::string name;                       ///< of the product
+  double deviation = 0.0;                 ///< as of ProductFile
+  MissingShapes missing{};                ///< as of ProductFile
+  std::vector<StepCheck> checks{};        ///< of each step; empty: not asked
+  std::vector<std::string> conditions{};  ///< of the check, in the language of the report
+  std::string explodedPicture{};          ///< a PNG file; empty: none
+  std::string graphPicture{};             ///< a PNG file of planGraphSvg(); empty: none
+  std::vector<std::string> pictures{};    ///< a PNG file of each task (taskRanges()); empty: none
+  std::optional<PlanTiming> timing{};     ///< how long the work takes; nothing: not said
+  LineTexts access{};                     ///< whether a hand gets there; without steps: not asked
 };
 
 /// What an engineer reads of a plan: cover, parts list, a page for each task in the order of assembly with its motions,

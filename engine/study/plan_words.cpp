@@ -215,6 +215,12 @@ std::vector<std::string> PlanWords::allowances(const AssemblyStep& step, const A
   for (const StepAllowance& allowance : step.allowances) {
     const RigidBody& other = product.bodies[*product.indexOf(allowance.body)];
     const std::string length = length_(allowance.allowance);
+    if (allowance.hollow && allowance.kind == ContactKind::Thread) {
+      texts.push_back(allowance.yields
+                          ? words_("%1 without what its screw fills (no hole in the file)", {other.shown()})
+                          : words_("without what its screw %1 fills (no hole in the file)", {other.shown()}));
+      continue;
+    }
     if (allowance.hollow) {
       texts.push_back(
           allowance.yields

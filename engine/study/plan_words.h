@@ -13,6 +13,14 @@ namespace glissade {
 /// What the independent check says of a step.
 enum class StepCheck { NotAsked, Agrees, Disagrees };
 
+/// What the independent check says of a plan.
+struct PlanCheck {
+  std::vector<StepCheck> steps{};         ///< of each step; empty: not asked
+  std::vector<std::string> conditions{};  ///< that the plan states itself, and that the check rests on
+
+  bool operator==(const PlanCheck&) const = default;
+};
+
 /// What people read of an assembly plan, in their language.
 class PlanWords {
  public:

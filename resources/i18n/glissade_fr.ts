@@ -2507,6 +2507,14 @@
         <translation>le point de référence est à l&apos;intérieur de «&#xa0;%1&#xa0;», qui est interdit</translation>
     </message>
     <message>
+        <source>the reference point lies on the boundary of &apos;%1&apos;, which is forbidden, or within the margin of %2 m</source>
+        <translation>le point de référence est sur le bord de «&#xa0;%1&#xa0;», qui est interdit, ou dans la marge de %2 m</translation>
+    </message>
+    <message>
+        <source>the milestone lies on the boundary of &apos;%1&apos;, which is forbidden, or within the margin of %2 m</source>
+        <translation>le jalon est sur le bord de «&#xa0;%1&#xa0;», qui est interdit, ou dans la marge de %2 m</translation>
+    </message>
+    <message>
         <source>Allow the place again, or move the %1 out of it.</source>
         <translation>Autorisez de nouveau le lieu, ou déplacez-en l&apos;élément&#xa0;: %1.</translation>
     </message>
@@ -2535,12 +2543,12 @@
         <translation>Supprimez l&apos;une des deux exigences.</translation>
     </message>
     <message>
-        <source>the motion that &apos;%1&apos; keeps leaves in the direction that is to be forbidden</source>
-        <translation>le mouvement que «&#xa0;%1&#xa0;» garde sort dans la direction à interdire</translation>
+        <source>the motion that &apos;%1&apos; keeps begins in the direction that is to be forbidden</source>
+        <translation>le mouvement que «&#xa0;%1&#xa0;» garde commence dans la direction à interdire</translation>
     </message>
     <message>
-        <source>the motion leaves in a direction that is forbidden to &apos;%1&apos;</source>
-        <translation>le mouvement sort dans une direction interdite à «&#xa0;%1&#xa0;»</translation>
+        <source>the motion begins in a direction that is forbidden to &apos;%1&apos;</source>
+        <translation>le mouvement commence dans une direction interdite à «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is to leave before &apos;%2&apos;</source>
@@ -2559,8 +2567,8 @@
         <translation>Donnez six coordonnées&#xa0;: les plus petits x, y et z, puis les plus grands.</translation>
     </message>
     <message>
-        <source>is missing, so that &apos;check&apos; does not know where the forbidden places are</source>
-        <translation>manque, si bien que «&#xa0;check&#xa0;» ne sait pas où sont les lieux interdits</translation>
+        <source>is missing, so that the file does not say where the forbidden places are</source>
+        <translation>manque, si bien que le fichier ne dit pas où sont les lieux interdits</translation>
     </message>
     <message>
         <source>is not where the forbidden places are</source>
@@ -3911,8 +3919,120 @@
         <translation>il ne contient aucun produit interprétable</translation>
     </message>
     <message>
-        <source>it holds neither a solid nor a face</source>
-        <translation>il ne contient ni solide ni face</translation>
+        <source>nothing is known of where %1 is, and proofs are about the product without it: %2</source>
+        <translation>on ne sait pas où est %1, et les preuves portent sur le produit sans lui&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>Export the part as a solid with faces, or as triangles.</source>
+        <translation>Exportez la pièce comme solide avec des faces, ou comme triangles.</translation>
+    </message>
+    <message>
+        <source>%1 more of its shapes are missing</source>
+        <translation>%1 autres de ses formes manquent</translation>
+    </message>
+    <message>
+        <source>its kind is not read</source>
+        <translation>sa sorte n&apos;est pas lue</translation>
+    </message>
+    <message>
+        <source>it could not be made</source>
+        <translation>il n&apos;a pas pu être construit</translation>
+    </message>
+    <message>
+        <source>it was made in %1 of its %2 places</source>
+        <translation>il a été construit à %1 de ses %2 emplacements</translation>
+    </message>
+    <message>
+        <source>the product has no shape in the file</source>
+        <translation>le produit n&apos;a pas de forme dans le fichier</translation>
+    </message>
+    <message>
+        <source>a parenthesis is not closed</source>
+        <translation>une parenthèse n&apos;est pas fermée</translation>
+    </message>
+    <message>
+        <source>a parenthesis is closed that was not opened</source>
+        <translation>une parenthèse est fermée sans avoir été ouverte</translation>
+    </message>
+    <message>
+        <source>it places the part, and is not understood</source>
+        <translation>il place la pièce, et n&apos;est pas compris</translation>
+    </message>
+    <message>
+        <source>it belongs to no solid of the file</source>
+        <translation>il n&apos;appartient à aucun solide du fichier</translation>
+    </message>
+    <message>
+        <source>its triangles cannot be read: %1</source>
+        <translation>ses triangles ne peuvent pas être lus&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>it belongs to no product of the file and is read as a body where its coordinates are</source>
+        <translation>il n&apos;appartient à aucun produit du fichier et est lu comme corps là où sont ses coordonnées</translation>
+    </message>
+    <message>
+        <source>Leave it out if it is no part (--without).</source>
+        <translation>Écartez-le si ce n&apos;est pas une pièce (--without).</translation>
+    </message>
+    <message>
+        <source>it is taken for a second representation of a solid of its size and is left out</source>
+        <translation>il est pris pour une seconde représentation d&apos;un solide de sa taille et est ignoré</translation>
+    </message>
+    <message>
+        <source>Export solids and triangles as two products if they are two parts.</source>
+        <translation>Exportez les solides et les triangles comme deux produits si ce sont deux pièces.</translation>
+    </message>
+    <message>
+        <source>it holds neither a solid nor a face%1</source>
+        <translation>il ne contient ni solide ni face%1</translation>
+    </message>
+    <message>
+        <source>a list of its numbers holds something else</source>
+        <translation>une liste de ses nombres contient autre chose</translation>
+    </message>
+    <message>
+        <source>it has no triangle with three corners</source>
+        <translation>il n&apos;a aucun triangle à trois sommets</translation>
+    </message>
+    <message>
+        <source>its items are nested too deeply</source>
+        <translation>ses éléments sont imbriqués trop profondément</translation>
+    </message>
+    <message>
+        <source>%1 has too few values</source>
+        <translation>%1 a trop peu de valeurs</translation>
+    </message>
+    <message>
+        <source>its item %1 is of a kind that is not read</source>
+        <translation>son élément %1 est d&apos;une sorte qui n&apos;est pas lue</translation>
+    </message>
+    <message>
+        <source>%1 has a triangle without three corners</source>
+        <translation>%1 a un triangle sans trois sommets</translation>
+    </message>
+    <message>
+        <source>%1 has no COORDINATES_LIST</source>
+        <translation>%1 n&apos;a pas de COORDINATES_LIST</translation>
+    </message>
+    <message>
+        <source>a point of COORDINATES_LIST #%1 has no three numbers</source>
+        <translation>un point de COORDINATES_LIST n° %1 n&apos;a pas trois nombres</translation>
+    </message>
+    <message>
+        <source>%1 refers to point %2, which is not in its lists</source>
+        <translation>%1 renvoie au point %2, qui n&apos;est pas dans ses listes</translation>
+    </message>
+    <message>
+        <source>%1 has a point that is not in space</source>
+        <translation>%1 a un point qui n&apos;est pas dans l&apos;espace</translation>
+    </message>
+    <message>
+        <source>it is repositioned in a way that is not read</source>
+        <translation>il est déplacé d&apos;une manière qui n&apos;est pas lue</translation>
+    </message>
+    <message>
+        <source>nothing is known of where these shapes of the file are, and the proof is about the product without them: %1</source>
+        <translation>on ne sait pas où sont ces formes du fichier, et la preuve porte sur le produit sans elles&#xa0;: %1</translation>
     </message>
     <message>
         <source>has more than %1 parts</source>
@@ -4971,6 +5091,10 @@
         <translation>aucun mouvement n&apos;a été trouvé, ni seule ni avec d&apos;autres</translation>
     </message>
     <message>
+        <source>it is held by %1 in %2, and no free turn out of it was found: free the way, or dissolve the joint</source>
+        <translation>elle est tenue par %1 dans %2, et aucune rotation libre ne l&apos;en sort&#xa0;: dégagez le passage, ou dissolvez la liaison</translation>
+    </message>
+    <message>
         <source>it is between parts that are pressed together: press one of them out</source>
         <translation>elle est entre des pièces emmanchées l&apos;une dans l&apos;autre : en extraire une</translation>
     </message>
@@ -5055,8 +5179,8 @@
         <translation>les exigences sur l&apos;ordre forment un cycle</translation>
     </message>
     <message>
-        <source>it leaves in a direction that is forbidden</source>
-        <translation>elle sort dans une direction interdite</translation>
+        <source>%1 moves in a direction that is forbidden to it before it is clear of what it touched</source>
+        <translation>%1 se déplace dans une direction qui lui est interdite avant d&apos;être dégagé de ce qu&apos;il touchait</translation>
     </message>
     <message>
         <source>%1 is demanded to leave before, and the step does not say that it does not</source>
@@ -6191,6 +6315,10 @@
         <translation>%1 sans ce qui pénètre dans %2, jusqu&apos;à %3 de profondeur (collision acceptée)</translation>
     </message>
     <message>
+        <source>%1 taken without what its screw %2 fills (no hole in the file)</source>
+        <translation>%1 sans ce que sa vis %2 remplit (aucun trou dans le fichier)</translation>
+    </message>
+    <message>
         <source>touch where neither can be taken thinner: the surfaces are open %1 and %2 from the contact, so that what is inside them there is not known</source>
         <translation>se touchent là où aucun des deux ne peut être aminci&#xa0;: leurs surfaces sont ouvertes à %1 et %2 du contact, et l&apos;intérieur n&apos;y est donc pas connu</translation>
     </message>
@@ -6371,6 +6499,58 @@
         <translation>Supprimez ou changez l&apos;une d&apos;elles.</translation>
     </message>
     <message>
+        <source>clashes up to %1 are accepted (--accept-clashes %2)</source>
+        <translation>les collisions jusqu&apos;à %1 sont acceptées (--accept-clashes %2)</translation>
+    </message>
+    <message>
+        <source>the hook of &apos;%1&apos; in &apos;%2&apos; bends by %3</source>
+        <translation>le crochet de « %1 » dans « %2 » fléchit de %3</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is flexible, so that its motion needs no proof</source>
+        <translation>« %1 » est souple, si bien que son mouvement n&apos;a pas besoin de preuve</translation>
+    </message>
+    <message>
+        <source>no joints are used</source>
+        <translation>aucune liaison n&apos;est utilisée</translation>
+    </message>
+    <message>
+        <source>the joint of &apos;%1&apos; and &apos;%2&apos; is dissolved or pressed out</source>
+        <translation>la liaison de « %1 » et « %2 » est dissoute ou chassée</translation>
+    </message>
+    <message>
+        <source>%1 are one unit</source>
+        <translation>%1 forment une unité</translation>
+    </message>
+    <message>
+        <source>%1 stay as the base</source>
+        <translation>%1 restent comme base</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; may leave before &apos;%2&apos;, although the reverse is demanded</source>
+        <translation>« %1 » peut partir avant « %2 », bien que l&apos;inverse soit exigé</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; may leave as number %2, although it is demanded as number %3</source>
+        <translation>« %1 » peut partir en position %2, bien que la position %3 soit exigée</translation>
+    </message>
+    <message>
+        <source>the thread of &apos;%1&apos; in &apos;%2&apos; has a pitch of %3, which no standard thread of %4 has</source>
+        <translation>le filetage de « %1 » dans « %2 » a un pas de %3, qu&apos;aucun filetage normalisé de %4 n&apos;a</translation>
+    </message>
+    <message>
+        <source>the thread of &apos;%1&apos; in &apos;%2&apos; has a pitch of %3, although a person says %4</source>
+        <translation>le filetage de « %1 » dans « %2 » a un pas de %3, bien qu&apos;une personne dise %4</translation>
+    </message>
+    <message>
+        <source>the thread of &apos;%1&apos; in &apos;%2&apos; is left-handed</source>
+        <translation>le filetage de « %1 » dans « %2 » est à gauche</translation>
+    </message>
+    <message>
+        <source>the thread of &apos;%1&apos; in &apos;%2&apos; is right-handed, although a name says left-handed</source>
+        <translation>le filetage de « %1 » dans « %2 » est à droite, bien qu&apos;un nom dise à gauche</translation>
+    </message>
+    <message>
         <source>a person says so</source>
         <translation>une personne le dit</translation>
     </message>
@@ -6393,6 +6573,34 @@
     <message>
         <source>a nut is on the shaft</source>
         <translation>un écrou est sur le fût</translation>
+    </message>
+    <message>
+        <source>the sizes do not agree: a shaft of %1 in a nut %2</source>
+        <translation>les tailles ne concordent pas&#xa0;: un fût de %1 dans un écrou %2</translation>
+    </message>
+    <message>
+        <source>the name says that it is a nut</source>
+        <translation>le nom dit que c&apos;est un écrou</translation>
+    </message>
+    <message>
+        <source>it has the width of a nut %1</source>
+        <translation>il a la largeur d&apos;un écrou %1</translation>
+    </message>
+    <message>
+        <source>the file has no hole there, so the screw makes it</source>
+        <translation>le fichier n&apos;a pas de trou à cet endroit&#xa0;: la vis le fait</translation>
+    </message>
+    <message>
+        <source>it is thicker by as much as a thread</source>
+        <translation>il est plus gros d&apos;autant qu&apos;un filetage</translation>
+    </message>
+    <message>
+        <source>the name says a left-hand thread</source>
+        <translation>le nom indique un filetage à gauche</translation>
+    </message>
+    <message>
+        <source>the name says a left-hand thread, the shape is a right-hand one</source>
+        <translation>le nom indique un filetage à gauche, la forme est à droite</translation>
     </message>
     <message>
         <source>the hole is as wide as the shaft, and the farthest from the head</source>
@@ -6844,6 +7052,14 @@
     <message>
         <source>; suggested: %1</source>
         <translation>&#xa0;; proposées&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>; for you to decide (?): %1</source>
+        <translation>&#xa0;; à vous de décider (?)&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>; screws without a hole in the file: %1</source>
+        <translation>&#xa0;; vis sans trou dans le fichier&#xa0;: %1</translation>
     </message>
     <message>
         <source>%1; clamps %2</source>
@@ -10675,6 +10891,10 @@
         <translation>Objet là où il recouvre</translation>
     </message>
     <message>
+        <source>Forbidden direction</source>
+        <translation>Direction interdite</translation>
+    </message>
+    <message>
         <source>Selected</source>
         <translation>Sélection</translation>
     </message>
@@ -11382,6 +11602,10 @@
         <translation>collision acceptée avec %1, profonde de %2</translation>
     </message>
     <message>
+        <source>no hole in the file, with %1</source>
+        <translation>aucun trou dans le fichier, avec %1</translation>
+    </message>
+    <message>
         <source>a forbidden place</source>
         <translation>un lieu interdit</translation>
     </message>
@@ -11446,8 +11670,16 @@
         <translation>Ce chemin n&apos;est pas valide ici</translation>
     </message>
     <message>
+        <source>%1 or more from forbidden places</source>
+        <translation>à %1 ou plus des lieux interdits</translation>
+    </message>
+    <message>
         <source>of 32-bit coordinates, which may be %1 nearer</source>
         <translation>pour des coordonnées sur 32 bits, qui peuvent être plus proches de %1</translation>
+    </message>
+    <message>
+        <source>without shapes that were not read, of which nothing is known: %1</source>
+        <translation>sans les formes qui n&apos;ont pas été lues, dont on ne sait rien&#xa0;: %1</translation>
     </message>
     <message>
         <source>of triangles, within ± %1 of the CAD surfaces</source>
@@ -12752,6 +12984,17 @@
             <numerusform>%n forcée.</numerusform>
             <numerusform>%n forcées.</numerusform>
         </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n leave in groups that are not taken apart.</source>
+        <translation>
+            <numerusform>%n part dans un groupe qui n&apos;est pas démonté.</numerusform>
+            <numerusform>%n partent dans des groupes qui ne sont pas démontés.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Valid only if %1.</source>
+        <translation>Valable seulement si %1.</translation>
     </message>
     <message numerus="yes">
         <source>%n step(s) do not hold here.</source>

@@ -53,6 +53,11 @@ class Cli : public testing::Test {
     return result;
   }
 
+  /// "valid", "incomplete", ...
+  std::string verdictOn(const std::string& product, const std::string& plan) const {
+    return Json::parse(run("check " + product + " " + plan + " --json").out).value("verdict", "");
+  }
+
   static std::string read(const fs::path& file) {
     std::ifstream stream(file);
     std::stringstream text;
@@ -531,6 +536,46 @@ TEST_F(Cli, AProhibitionOfNoPlaceIsNotDropped) {
   EXPECT_NE(plan.err.find("/places/0: forbids a place that is not there"), std::string::npos) << plan.err;
 }
 
+/// A file that forbids a place and does not say where it is, as a person writes it.
+TEST_F(Cli, AForbiddenPlaceThatTheFileDoesNotLocateIsJudged) {
+  Json json = Json::parse(read(sample("teaching")));
+  json.erase("checksum");
+  json["parameters"]["max_steps"] = 2000;
+  json["places"] = {{{"at", {1.35, 0.945, 0.3}}, {"attributes", {{"forbidden", true}}}},
+                    {{"at", {0.36, 0.945, 0.3}}, {"attributes", {{"forbidden", true}}}}};
+  const std::string forbidden = write("forbidden.json", json.dump());
+  const auto pathOf = [&](const char* name, const std::vector<std::array<double, 3>>& positions) {
+    std::ostringstream text;
+    for (const auto& [x, y, z] : positions) text << x << " " << y << " " << z << " 0 0 0 1\n";
+    return write(name, text.str());
+  };
+  const auto judged = [&](const std::string& file, const std::string& path) {
+    return run("check " + file + " " + path);
+  };
+  const std::string through = pathOf("through.path", {{0.35, 0.35, 0.3}, {1.35, 0.5, 0.3}, {1.35, 1.2, 0.3}});
+  const Finished refused = judged(forbidden, through);
+  EXPECT_EQ(refused.exitCode, 1);
+  EXPECT_NE(refused.out.find("which a person forbids"), std::string::npos) << refused.out;
+  EXPECT_NE(refused.err.find("/forbidden_regions: is missing"), std::string::npos) << refused.err;
+
+  const Finished beside = judged(forbidden, pathOf("beside.path", {{0.35, 0.35, 0.3}, {1.35, 0.5, 0.3}}));
+  EXPECT_NE(beside.out.find("forbidden places: the path keeps"), std::string::npos) << beside.out;
+
+  // On the floor of the workspace, which is a face of both places.
+  json["start"]["position"] = {1.35, 0.5, 0.0};
+  json["goal"]["position"] = {1.35, 1.2, 0.0};
+  const std::string floor = write("floor.json", json.dump());
+  const Finished plan = run("plan " + floor + " --strategy auto --seed 1");
+  EXPECT_EQ(plan.exitCode, 5) << "the limit of steps: " << plan.out;
+  EXPECT_NE(plan.err.find("forbidden: P"), std::string::npos) << plan.err;
+  EXPECT_EQ(judged(floor, pathOf("floor.path", {{1.35, 0.5, 0.0}, {1.35, 1.2, 0.0}})).exitCode, 1);
+
+  json["places"][0]["at"] = {9, 9, 9};
+  const Finished nowhere = judged(write("nowhere.json", json.dump()), through);
+  EXPECT_EQ(nowhere.exitCode, 3);
+  EXPECT_NE(nowhere.err.find("forbids a place that is not there"), std::string::npos) << nowhere.err;
+}
+
 TEST_F(Cli, ConvertsPathsBackAndForth) {
   const std::string file = scenario([](Json&) {});
   const std::string csv = (folder / "a.csv").string();
@@ -805,7 +850,10 @@ TEST_F(Cli, AProductIsTakenApartAndTheCheckAgrees) {
   const Json check = Json::parse(run("check " + product + " " + plan + " --accept-clashes 3mm --json").out);
   EXPECT_EQ(check["valid"], true) << check;
   EXPECT_EQ(check["steps_valid"], 6);
-  EXPECT_EQ(run("check " + product + " " + plan).exitCode, 1) << "nobody accepts the clash";
+  const Finished unaccepted = run("check " + product + " " + plan);
+  EXPECT_EQ(unaccepted.exitCode, 7) << "nobody accepts the clash: " << unaccepted.out;
+  EXPECT_NE(unaccepted.out.find("valid only if clashes up to 3 mm are accepted"), std::string::npos) << unaccepted.out;
+  EXPECT_EQ(run("check " + product + " " + plan + " --trust-plan").exitCode, 0);
   EXPECT_EQ(run("check " + product + " " + plan + " --fits off").exitCode, 1) << "whole parts do not leave";
   EXPECT_EQ(run("check " + glissade::test::stepFile("unit.step") + " " + plan).exitCode, 1)
       << "the plan of another product";
@@ -845,7 +893,7 @@ TEST_F(Cli, APersonsDemandsOnStepsAreKeptAndJudged) {
   EXPECT_EQ(forced["sequence"]["places"][0]["place"], 1);
   const bool first = forced["steps"][0]["bodies"][0] == last;
   EXPECT_TRUE(first || forced["stuck"].size() > report["stuck"].size()) << forced;
-  EXPECT_EQ(run("check " + product + " " + plan).exitCode, 0);
+  EXPECT_EQ(verdictOn(product, plan), "incomplete") << "the block is stuck";
   EXPECT_EQ(run("sequence " + product + " --resume " + plan + " --place 2," + last).exitCode, 2);
   for (const char* wrong : {"--place 0,block", "--place 1,plate", "--forbid block,-q", "--save-every -1"}) {
     EXPECT_EQ(run("sequence " + product + " " + wrong).exitCode, 2) << wrong;
@@ -868,7 +916,7 @@ TEST_F(Cli, InterlockedSamplesLeaveByATurnOrAsAGroupOrAreRefused) {
     const Json report = Json::parse(found.out);
     ASSERT_EQ(report["steps"].size(), row.steps.size()) << row.name;
     for (std::size_t i = 0; i < row.steps.size(); ++i) EXPECT_EQ(report["steps"][i]["bodies"], Json(row.steps[i]));
-    EXPECT_EQ(run("check " + file + " " + plan).exitCode, 0) << row.name;
+    EXPECT_EQ(run("check " + file + " " + plan).exitCode, row.exitCode) << row.name;
     if (row.name == "turn") {
       EXPECT_NE(report["steps"][0]["method"], "straight");
     }
@@ -894,10 +942,10 @@ TEST_F(Cli, DemandsAboutASequenceAreKeptAndCheapestOrdersAreCertified) {
   bool asOne = false;
   for (const Json& step : together["steps"]) asOne = asOne || step["bodies"].size() == 2;
   EXPECT_TRUE(asOne);
-  EXPECT_EQ(run("check " + product + " " + plan).exitCode, 0);
+  EXPECT_EQ(verdictOn(product, plan), "incomplete") << "the block is stuck";
   EXPECT_EQ(Json::parse(run(command + " --strategy best-first").out)["removed"], 5)
       << "the dowel is pressed in, and stays with the plate";
-  EXPECT_EQ(run("check " + product + " " + plan).exitCode, 0);
+  EXPECT_EQ(verdictOn(product, plan), "incomplete") << "the block is stuck";
   const Finished costly = run(command + " --strategy best-first --cost lenght");
   EXPECT_EQ(costly.exitCode, 2);
   EXPECT_NE(costly.err.find("lenght"), std::string::npos) << costly.err;
@@ -928,7 +976,7 @@ TEST_F(Cli, ScrewsTurnOutOfTheirThreadsUnlessJointsAreOff) {
     EXPECT_EQ(step["joints"][0]["pitch_m"], 0.0008) << "the coarse pitch of M5";
     EXPECT_GT(step["joints"][0]["turns"].get<double>(), 5.0);
   }
-  EXPECT_EQ(run("check " + product + " " + plan).exitCode, 0) << "the judge proves the turns";
+  EXPECT_EQ(verdictOn(product, plan), "incomplete") << "the judge proves the turns, and the block is stuck";
   const Finished text = run("sequence " + product);
   EXPECT_NE(text.out.find("turn out screw"), std::string::npos) << text.out;
   const Json pulled = Json::parse(run("sequence " + product + " --json --joints off").out);

@@ -67,7 +67,8 @@ TEST_F(JointsPanelTest, TipsAndDetailsSayWhatItWasConcludedFrom) {
   EXPECT_TRUE(rowOf("screw").toolTip(4).contains(QStringLiteral("a shaft of 5 mm with a head")));
   EXPECT_EQ(rowOf("screw").toolTip(3), QStringLiteral("hexagon socket 4.00 mm"));
   EXPECT_EQ(rowOf("screw").toolTip(1), QStringLiteral("screw"));
-  EXPECT_EQ(details(), QStringLiteral("Joints: 3 (1 × screw, 1 × insert, 1 × unit); suggested: 1"));
+  EXPECT_TRUE(details().startsWith(QStringLiteral("Joints: 3 (1 × screw, 1 × insert, 1 × unit); suggested: 1")))
+      << details().toStdString();
   ASSERT_TRUE(panel.choose(JointKind::Screw, "screw"));
   EXPECT_TRUE(details().contains(QStringLiteral("the name says 'screw'"))) << details().toStdString();
   EXPECT_TRUE(details().contains(QStringLiteral("drive: hexagon socket"))) << details().toStdString();

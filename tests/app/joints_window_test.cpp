@@ -19,15 +19,15 @@ class JointsWindow : public WindowTest {
 
 TEST_F(JointsWindow, TheTableHasTheJointsOfTheProduct) {
   expectGood(
-      runOnProduct(QStringLiteral("expect-joints screw 2\nexpect-joints insert 1\nexpect-joints pin 1\n"
-                                  "expect-joint screw bolt recognised\nselect-joint screw screw\n"
+      runOnProduct(QStringLiteral("expect-joints screw 1\nexpect-joints nut 1\nexpect-joints insert 1\n"
+                                  "expect-joints pin 1\nexpect-joint nut nut recognised\nselect-joint screw screw\n"
                                   "action joints.isolate\n")));
 }
 
 TEST_F(JointsWindow, WhatAPersonSaysIsUndoneAndKeptByTheFile) {
   const QString saved = folder.filePath(QStringLiteral("joints.json"));
   expectGood(runOnProduct(QStringLiteral("select-joint screw screw\naction joints.dissolve\n"
-                                         "expect-joint screw screw dissolved\nexpect-joints screw 1\n"
+                                         "expect-joint screw screw dissolved\nexpect-joints screw 0\n"
                                          "action edit.undo\nexpect-joint screw screw recognised\n"
                                          "action edit.redo\nexpect-joint screw screw dissolved\n"
                                          "select-joint insert dowel\naction joints.press-out\n"
@@ -78,7 +78,7 @@ TEST_F(JointsWindow, AJointThatIsNotThereIsAnError) {
 /// The table with a dissolved joint, and the bodies of the chosen row as the view marks them.
 TEST_F(JointsWindow, TheJointsOfAProductLookAsTheyDid) {
   const QString picture = folder.filePath(QStringLiteral("joints.png"));
-  expectGood(runOnProduct(QStringLiteral("select-joint pin rod\naction joints.dissolve\nselect-joint screw bolt\n"
+  expectGood(runOnProduct(QStringLiteral("select-joint pin rod\naction joints.dissolve\nselect-joint nut nut\n"
                                          "screenshot %1\n")
                               .arg(picture)));
   expectLike(picture, QStringLiteral("joints"));

@@ -17,7 +17,7 @@ class SequencePlannerTest : public ::testing::Test {
     QObject::connect(&planner, &SequencePlanner::grown, [this](const GrownPlan& plan) { grown.push_back(plan); });
     QObject::connect(&planner, &SequencePlanner::planned, [this](const GrownPlan& plan) { planned.push_back(plan); });
     QObject::connect(&planner, &SequencePlanner::judged,
-                     [this](const PlanPtr&, const std::vector<bool>& agreed) { judged.push_back(agreed); });
+                     [this](const PlanPtr&, const PlanCheck& check) { judged.push_back(check.steps); });
   }
 
   SequenceJob drawer() const {
@@ -41,7 +41,7 @@ class SequencePlannerTest : public ::testing::Test {
   SequencePlanner planner;
   std::vector<GrownPlan> grown;
   std::vector<GrownPlan> planned;
-  std::vector<std::vector<bool>> judged;
+  std::vector<std::vector<StepCheck>> judged;
 };
 
 TEST_F(SequencePlannerTest, StepsAreAnnouncedWhileTheyAreFoundOnAWorkerAndAtOnceAlike) {
@@ -95,13 +95,13 @@ TEST_F(SequencePlannerTest, StepsThatDoNotHoldAreFound) {
   AssemblyPlan wrong = *planned[0].plan;
   std::swap(wrong.steps[1], wrong.steps[2]);
   for (AssemblyStep& step : wrong.steps) step.after.clear();
-  planner.judge(job.product, planned[0].plan, false);
+  planner.judge(job.product, planned[0].plan, {}, false);
   waitForTheEnd();
-  planner.judge(job.product, std::make_shared<const AssemblyPlan>(wrong), false);
+  planner.judge(job.product, std::make_shared<const AssemblyPlan>(wrong), {}, false);
   waitForTheEnd();
   ASSERT_EQ(judged.size(), 2U);
-  EXPECT_EQ(judged[0], (std::vector<bool>{true, true, true}));
-  EXPECT_FALSE(judged[1][1]) << "the drawer through its pin";
+  EXPECT_EQ(judged[0], std::vector<StepCheck>(3, StepCheck::Agrees));
+  EXPECT_EQ(judged[1][1], StepCheck::Disagrees) << "the drawer through its pin";
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 #include <regex>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -59,22 +60,44 @@ TEST(Documents, EveryRoomIsInTheArchitecturePage) {
   }
 }
 
-/// Links to files, without those to the web.
+/// The documents of a folder; of the source folder itself, those that lie in it.
+std::vector<fs::path> documentsOf(const fs::path& root, const std::string& folder) {
+  std::vector<fs::path> documents;
+  const auto add = [&documents](const fs::path& file) {
+    if (file.extension() == ".md") documents.push_back(file);
+  };
+  if (folder.empty()) {
+    for (const auto& entry : fs::directory_iterator(root)) add(entry.path());
+  } else {
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) add(entry.path());
+  }
+  return documents;
+}
+
+/// Links to files and pictures, without those to the web. The manual names pages, and has a test of its own.
 TEST(Documents, LinksLeadToFiles) {
   static const std::regex pattern(R"(\]\(([^)#: ]+)(?:#[^)]*)?\))");
   const fs::path root = test::sourceDirectory();
   int seen = 0;
-  for (const char* folder : {"engine", "widgets", "app", "packaging", "samples"}) {
-    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
-      if (entry.path().extension() != ".md") continue;
-      const std::string text = contentOf(entry.path());
+  for (const char* folder : {"", "engine", "widgets", "app", "packaging", "samples", "tests"}) {
+    for (const fs::path& document : documentsOf(root, folder)) {
+      const std::string text = contentOf(document);
       for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match) {
-        EXPECT_TRUE(fs::exists(entry.path().parent_path() / (*match)[1].str())) << entry.path() << ": " << (*match)[1];
+        EXPECT_TRUE(fs::exists(document.parent_path() / (*match)[1].str())) << document << ": " << (*match)[1];
         ++seen;
       }
     }
   }
-  EXPECT_GT(seen, 10);
+  EXPECT_GT(seen, 40);
+}
+
+std::size_t wordsOf(const std::string& text) {
+  std::istringstream words(text);
+  return static_cast<std::size_t>(std::distance(std::istream_iterator<std::string>(words), {}));
+}
+
+TEST(Documents, TheFrontPageIsShort) {
+  EXPECT_LE(wordsOf(contentOf(fs::path(test::sourceDirectory()) / "README.md")), 1200U);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "tests/oracle/mutation_campaign.h"
 #include "tests/oracle/trapped_campaign.h"
+#include "tests/oracle/word_campaign.h"
 
 namespace glissade::oracle {
 namespace {
@@ -21,9 +22,13 @@ int run(int argc, char** argv) {
   if (command == "mutants" && argc == 6) {
     return runMutations({argv[2], argv[3], std::stoull(argv[4]), std::stoull(argv[5])});
   }
+  if (command == "words" && argc == 7) {
+    return runWordMutations({argv[2], argv[3], argv[4], std::stoull(argv[5]), std::stoull(argv[6])});
+  }
   std::cerr << "usage: check_attack trapped GLISSADE_CLI FOLDER SEED PAIRS [PLAN_EVERY]\n"
                "       check_attack open GLISSADE_CLI FOLDER SEED PAIRS [PLAN_EVERY]\n"
-               "       check_attack mutants GLISSADE_CLI FOLDER SEED MUTANTS\n";
+               "       check_attack mutants GLISSADE_CLI FOLDER SEED MUTANTS\n"
+               "       check_attack words GLISSADE_CLI FOLDER PRODUCT.step SEED MUTANTS\n";
   return 2;
 }
 

@@ -249,12 +249,15 @@ class Mutations {
 
   static std::string defectOf(const ChildEnd& end, const std::string& why, const std::vector<std::string>& ids) {
     if (end.hung) return "hangs";
-    if (end.exitCode != 0 && end.exitCode != 1 && end.exitCode != 3) return "exit code " + std::to_string(end.exitCode);
-    if (end.exitCode == 0) return why.empty() ? "" : "is called valid";
+    constexpr int kUnderConditions = 7;
+    const bool isAnswered = end.exitCode == 0 || end.exitCode == 1 || end.exitCode == 3;
+    if (!isAnswered && end.exitCode != kUnderConditions) return "exit code " + std::to_string(end.exitCode);
+    if (end.exitCode == 0 || end.exitCode == kUnderConditions) return why.empty() ? "" : "is called valid";
     const std::string text = end.output + end.errors;
     const auto names = [&](const std::string& word) { return text.find(word) != std::string::npos; };
     bool named = names("step ") || names("/steps/") || names("the plan ") || names("the path does not") ||
-                 names("/configurations") || names("/allowances") || names("configuration ") || names("edge ");
+                 names("parts have no step") || names("/configurations") || names("/allowances") ||
+                 names("configuration ") || names("edge ");
     for (const std::string& id : ids) named = named || names("'" + id + "'");
     for (const char* key : {"/parts", "/removed", "/end", "/deflection_m", "/staying", "/bodies"})
       named = named || names(key);

@@ -131,5 +131,16 @@ TEST(Oracle, NoFalsePathOrPlanIsValid) {
   EXPECT_EQ(end.exitCode, 0) << end.errors << end.output;
 }
 
+/// Ten thousand are tried by packaging/reliability.sh.
+TEST(Oracle, NoPlanIsValidByItsOwnWords) {
+  const test::TemporaryFolder folder;
+  const std::string programs = test::programDirectory();
+  const std::string product = test::stepFileDirectory() + "/fits.step";
+  const ChildEnd end =
+      runChild({programs + "/check_attack", "words", programs + "/glissade-cli", folder.path(), product, "11", "40"},
+               {100, 4096});
+  EXPECT_EQ(end.exitCode, 0) << end.errors << end.output;
+}
+
 }  // namespace
 }  // namespace glissade::oracle

@@ -1,5 +1,5 @@
-// Gives glissade-cli malformed files of every format, and prints one row of packaging/RELIABILITY.md for each:
-// name | tried | clean | defects | seconds | peak MB | seed. FORMAT: only this one. Links nothing of the engine.
+// Gives glissade-cli malformed files of every format, and prints one row of the table of packaging/reliability.sh for
+// each: name | tried | clean | defects | seconds | peak MB | seed. FORMAT: only this one. Links nothing of the engine.
 #include <sys/stat.h>
 
 #include <algorithm>

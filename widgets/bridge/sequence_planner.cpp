@@ -209,17 +209,26 @@ void SequencePlanner::plan(const SequenceJob& job, bool atOnce) {
       atOnce);
 }
 
-void SequencePlanner::judge(const ProductPtr& product, const PlanPtr& plan, bool atOnce) {
+PlanCheck checkOf(const AssemblyPlan& plan, const AssembledProduct& product, const SequenceDemands& said,
+                  const WorkWatch& watch) {
+  const check::PlanVerdict verdict = judgePlan(plan, product, std::nullopt, watch, &said);
+  PlanCheck check;
+  for (const check::StepVerdict& step : verdict.steps) {
+    check.steps.push_back(step.valid() ? StepCheck::Agrees : StepCheck::Disagrees);
+  }
+  for (const check::Condition& condition : verdict.allConditions()) check.conditions.push_back(condition.text);
+  return check;
+}
+
+void SequencePlanner::judge(const ProductPtr& product, const PlanPtr& plan, const SequenceDemands& said, bool atOnce) {
   drop();
   stop_ = StopSource();
   task_.start(
       "checking the sequence",
-      [this, product, plan, stop = stop_.token()](const WorkWatch& watch) -> BackgroundTask::Delivery {
-        const check::PlanVerdict verdict = judgePlan(*plan, *product, std::nullopt, {stop, watch.progressed});
+      [this, product, plan, said, stop = stop_.token()](const WorkWatch& watch) -> BackgroundTask::Delivery {
+        const PlanCheck check = checkOf(*plan, *product, said, {stop, watch.progressed});
         if (stop.stopRequested()) return [] {};
-        std::vector<bool> agreed;
-        for (const check::StepVerdict& step : verdict.steps) agreed.push_back(step.valid());
-        return [this, plan, agreed] { emit judged(plan, agreed); };
+        return [this, plan, check] { emit judged(plan, check); };
       },
       atOnce);
 }

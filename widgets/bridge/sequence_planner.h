@@ -12,6 +12,7 @@
 #include "engine/sequence/order_rules.h"
 #include "engine/sequence/product_fits.h"
 #include "engine/sequence/sequence_run.h"
+#include "engine/study/plan_words.h"
 #include "widgets/bridge/background_task.h"
 
 namespace glissade {
@@ -41,6 +42,10 @@ struct GrownPlan {
   int effort = 0;          ///< 0: straight motions; above: searches
 };
 
+/// What the independent check says of the plan, where a person has said this of the product.
+PlanCheck checkOf(const AssemblyPlan& plan, const AssembledProduct& product, const SequenceDemands& said,
+                  const WorkWatch& watch);
+
 /// Plans a sequence on a worker, with all cores, and judges plans there. Steps are announced while they are found. A
 /// class that crosses between the GUI thread and the engine.
 class SequencePlanner final : public QObject {
@@ -52,8 +57,9 @@ class SequencePlanner final : public QObject {
 
   /// `atOnce`: before this returns.
   void plan(const SequenceJob& job, bool atOnce);
-  /// Judges each step by the independent check, against the bodies that are there at that step.
-  void judge(const ProductPtr& product, const PlanPtr& plan, bool atOnce);
+  /// Judges the plan by the independent check. `said`: by a person of the product; what else the plan says is a
+  /// condition.
+  void judge(const ProductPtr& product, const PlanPtr& plan, const SequenceDemands& said, bool atOnce);
   /// Planning ends with the plan so far, which is announced by planned(). Judging is forgotten.
   void stop();
   /// Forgets what is under way.
@@ -65,8 +71,7 @@ class SequencePlanner final : public QObject {
   void grown(const glissade::GrownPlan& plan);
   /// Complete, stuck or stopped.
   void planned(const glissade::GrownPlan& plan);
-  /// Of each step, whether the check agrees.
-  void judged(const glissade::PlanPtr& plan, const std::vector<bool>& agreed);
+  void judged(const glissade::PlanPtr& plan, const glissade::PlanCheck& check);
   void failed(const glissade::Diagnostic& why);
 
  private:

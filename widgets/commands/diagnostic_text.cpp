@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "widgets/commands/base_sentences.h"
+#include "widgets/commands/check_sentences.h"
 #include "widgets/commands/diagnostic_sentences.h"
 #include "widgets/commands/import_sentences.h"
 #include "widgets/commands/joint_sentences.h"
@@ -45,6 +46,7 @@ std::vector<Sentence> allSentences() {
   };
   take(kDiagnosticSentences);
   take(kBaseSentences);
+  take(kCheckSentences);
   take(kImportSentences);
   take(kJointSentences);
   take(kPlanningSentences);

@@ -9,7 +9,7 @@ namespace glissade {
 inline constexpr const char* kScenarioSentences[] = {
     QT_TRANSLATE_NOOP("Diagnostics", "is not a box"),
     QT_TRANSLATE_NOOP("Diagnostics", "Give six coordinates: the least x, y and z, then the largest."),
-    QT_TRANSLATE_NOOP("Diagnostics", "is missing, so that 'check' does not know where the forbidden places are"),
+    QT_TRANSLATE_NOOP("Diagnostics", "is missing, so that the file does not say where the forbidden places are"),
     QT_TRANSLATE_NOOP("Diagnostics", "is not where the forbidden places are"),
     QT_TRANSLATE_NOOP("Diagnostics",
                       "Write it with glissade-cli info --save-regions, or save the scenario in the window."),

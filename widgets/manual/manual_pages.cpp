@@ -11,12 +11,12 @@ namespace glissade {
 
 const QStringList& manualPageNames() {
   static const QStringList names{
-      QStringLiteral("index"),      QStringLiteral("installation"),   QStringLiteral("first-motion"),
-      QStringLiteral("arranging"),  QStringLiteral("fits"),           QStringLiteral("planning"),
-      QStringLiteral("results"),    QStringLiteral("certificate"),    QStringLiteral("sequences"),
-      QStringLiteral("places"),     QStringLiteral("stereo"),         QStringLiteral("panels"),
-      QStringLiteral("parameters"), QStringLiteral("commands"),       QStringLiteral("command-line"),
-      QStringLiteral("formats"),    QStringLiteral("troubleshooting")};
+      QStringLiteral("index"),        QStringLiteral("installation"), QStringLiteral("first-motion"),
+      QStringLiteral("arranging"),    QStringLiteral("fits"),         QStringLiteral("planning"),
+      QStringLiteral("results"),      QStringLiteral("certificate"),  QStringLiteral("sequences"),
+      QStringLiteral("tutorial"),     QStringLiteral("places"),       QStringLiteral("stereo"),
+      QStringLiteral("panels"),       QStringLiteral("parameters"),   QStringLiteral("commands"),
+      QStringLiteral("command-line"), QStringLiteral("formats"),      QStringLiteral("troubleshooting")};
   return names;
 }
 

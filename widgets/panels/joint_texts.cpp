@@ -4,6 +4,7 @@
 #include <QLocale>
 #include <QStringList>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -127,6 +128,13 @@ QString jointsSummary(const JointTable& table) {
   QString text = Joined::tr("Joints: %1 (%2)").arg(all).arg(kinds.join(QStringLiteral(", ")));
   const std::size_t suggested = table.count(JointRowState::Suggested);
   if (suggested > 0) text += Joined::tr("; suggested: %1").arg(suggested);
+  const auto count = [&](bool (*is)(const JointRow&)) {
+    return std::count_if(table.rows().begin(), table.rows().end(), is);
+  };
+  const auto doubtful = count([](const JointRow& row) { return row.counts() && row.joint.isDoubtful; });
+  const auto holes = count([](const JointRow& row) { return row.counts() && row.joint.makesHole; });
+  if (doubtful > 0) text += Joined::tr("; for you to decide (?): %1").arg(doubtful);
+  if (holes > 0) text += Joined::tr("; screws without a hole in the file: %1").arg(holes);
   return text;
 }
 

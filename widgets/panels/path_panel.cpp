@@ -29,6 +29,7 @@ QString nameOf(int body, const LoadedScenario& scenario) {
 QString allowanceText(const Fit& fit, const std::vector<PathPoint>& points, const LoadedScenario& scenario) {
   const QString body = nameOf(static_cast<int>(fit.obstacle), scenario);
   const QString length = lengthText(fit.allowance);
+  if (fit.hollow && fit.kind == ContactKind::Thread) return PathPanel::tr("no hole in the file, with %1").arg(body);
   if (fit.hollow) return PathPanel::tr("accepted clash with %1, %2 deep").arg(body, length);
   QString text = fit.yields ? PathPanel::tr("%1 taken %2 thinner").arg(body, length)
                             : PathPanel::tr("taken %1 thinner against %2").arg(length, body);
@@ -57,6 +58,14 @@ QString certificateText(const Path& path, const LoadedScenario& scenario) {
       QStringLiteral("<b>✓ %1</b><br>%2<br>%3").arg(PathPanel::tr("Certified free of penetration"), what, held);
   for (const Fit& fit : scenario.fits.allowed) {
     text += QStringLiteral("<br>") + allowanceText(fit, path.points, scenario);
+  }
+  if (const MissingShapes missing = missingShapes(scenario); !missing.empty()) {
+    text += QStringLiteral("<br>⚠ ") + PathPanel::tr("without shapes that were not read, of which nothing is known: %1")
+                                           .arg(QString::fromStdString(listOf(missing)).toHtmlEscaped());
+  }
+  if (certificate.forbiddenMargin > 0.0) {
+    text += QStringLiteral("<br>") +
+            PathPanel::tr("%1 or more from forbidden places").arg(lengthText(certificate.forbiddenMargin));
   }
   if (const double deviation = surfaceDeviation(scenario); deviation > 0.0) {
     text += QStringLiteral("<br>") +

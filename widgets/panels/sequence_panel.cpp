@@ -10,6 +10,8 @@
 #include <cmath>
 
 #include "engine/sequence/step_cost.h"
+#include "engine/sequence/subassembly_lines.h"
+#include "widgets/commands/diagnostic_text.h"
 #include "widgets/panels/row_search.h"
 
 namespace glissade {
@@ -227,8 +229,14 @@ QString SequencePanel::summary() const {
   const auto forced = std::count_if(plan.steps.begin(), plan.steps.end(),
                                     [](const AssemblyStep& step) { return !step.violates.empty(); });
   if (forced > 0) text += QLatin1Char(' ') + tr("%n forced.", "", static_cast<int>(forced));
-  const auto refuted = std::count(shown_.checks.begin(), shown_.checks.end(), StepCheck::Disagrees);
+  const auto joined = static_cast<int>(plan.removed() - bodiesApart(plan));
+  if (joined > 0) text += QLatin1Char(' ') + tr("%n leave in groups that are not taken apart.", "", joined);
+  const auto& checks = shown_.check.steps;
+  const auto refuted = std::count(checks.begin(), checks.end(), StepCheck::Disagrees);
   if (refuted > 0) text += QLatin1Char(' ') + tr("%n step(s) do not hold here.", "", static_cast<int>(refuted));
+  for (const std::string& condition : shown_.check.conditions) {
+    text += QLatin1Char(' ') + tr("Valid only if %1.").arg(engineText(condition));
+  }
   return text;
 }
 

@@ -255,7 +255,8 @@ void StepTable::addStep(std::size_t place) {
                                  .join(QLatin1Char('\n'))
                                  .trimmed());
   const auto after = i < shown_.foundAfter.size() ? shown_.foundAfter[i] : std::nullopt;
-  const StepCheck check = i < shown_.checks.size() ? shown_.checks[i] : StepCheck::NotAsked;
+  const auto& checks = shown_.check.steps;
+  const StepCheck check = i < checks.size() ? checks[i] : StepCheck::NotAsked;
   const MotionAccess* access = shown_.access ? &shown_.access->steps[i] : nullptr;
   const QStringList inside = access != nullptr ? unreachedInside(i) : QStringList();
   QStringList marks{access != nullptr ? accessMark(*access) : QString(),

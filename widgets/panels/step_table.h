@@ -21,7 +21,7 @@ struct ShownPlan {
   PlanPtr plan;        ///< null: not planned yet
   bool growing = false;
   std::vector<std::optional<double>> foundAfter;  ///< seconds, of each step; nothing: not found here
-  std::vector<StepCheck> checks;                  ///< of each step; empty: not asked
+  PlanCheck check{};                              ///< of the independent check
   PlanAccessPtr access{};                         ///< of a hand, to each step; null: not asked
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/geometry/least_rotation.h"
 #include "engine/geometry/primitives.h"
 #include "widgets/scene3d/geometry_builder.h"
 #include "widgets/scene3d/osg_convert.h"
@@ -50,7 +51,7 @@ osg::ref_ptr<osg::MatrixTransform> arrowAlong(const Vector3& from, const Vector3
   osg::StateSet* state = geode->getOrCreateStateSet();
   state->setAttributeAndModes(new osg::Depth(osg::Depth::ALWAYS, 0.0, 1.0, false));
   state->setRenderBinDetails(20, "RenderBin");
-  const Pose X_WA{from, Quaternion::FromTwoVectors(Vector3::UnitZ(), way)};
+  const Pose X_WA{from, leastRotation(Vector3::UnitZ(), way)};
   osg::ref_ptr<osg::MatrixTransform> arrow = new osg::MatrixTransform(toOsg(X_WA));
   arrow->addChild(geode);
   return arrow;

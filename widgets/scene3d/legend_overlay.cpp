@@ -59,6 +59,7 @@ QString textOf(LegendItem item) {
     case LegendItem::Help: return LegendOverlay::tr("Where your hand helps");
     case LegendItem::Overlap: return LegendOverlay::tr("Overlapped body");
     case LegendItem::RefusedEnd: return LegendOverlay::tr("Object where it overlaps");
+    case LegendItem::ForbiddenDirection: return LegendOverlay::tr("Forbidden direction");
     case LegendItem::Selected: return LegendOverlay::tr("Selected");
     case LegendItem::MovingPart: return LegendOverlay::tr("Part of the step");
     case LegendItem::WayOfPart: return LegendOverlay::tr("Its way");

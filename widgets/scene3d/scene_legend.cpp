@@ -36,6 +36,9 @@ class LegendMaker {
       const bool isFree = impl_.reach.isFree;
       add(isFree ? LegendItem::Reach : LegendItem::ReachBlocked, LegendMark::Fill, reachColour(isFree, palette_));
     }
+    if (!impl_.sequence.forbidden.empty() && isDrawn(SceneLayer::Selection)) {
+      add(LegendItem::ForbiddenDirection, LegendMark::Fill, palette_.penetration);
+    }
     if (hasSelection()) add(LegendItem::Selected, LegendMark::Fill, palette_.path);
     return std::move(rows_);
   }

@@ -46,6 +46,7 @@ enum class LegendItem {
   Help,
   Overlap,
   RefusedEnd,
+  ForbiddenDirection,
   Selected,
   MovingPart,
   WayOfPart,

@@ -127,10 +127,18 @@ struct SequenceBody {
   bool marked = false;  ///< it moves
 };
 
+/// A direction in which a part may not move, and all directions near to it (tolerance::kForbiddenCone).
+struct ForbiddenCone {
+  Vector3 apex_W;
+  Vector3 direction;    ///< unit, world frame
+  double length = 0.0;  ///< metres
+};
+
 /// What is drawn of an assembly plan.
 struct SequencePicture {
   std::vector<SequenceBody> bodies;  ///< the obstacles in their order, then the object; empty: no plan is shown
   std::vector<Vector3> way;          ///< of the body that moves: points in the world
+  std::vector<ForbiddenCone> forbidden{};
 };
 
 /// A hand with its forearm and its tool where they hold something.

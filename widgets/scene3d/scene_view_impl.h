@@ -12,6 +12,7 @@
 #include "widgets/scene3d/backdrop.h"
 #include "widgets/scene3d/body_layer.h"
 #include "widgets/scene3d/camera_controller.h"
+#include "widgets/scene3d/cone_layer.h"
 #include "widgets/scene3d/contact_layer.h"
 #include "widgets/scene3d/depth_shading.h"
 #include "widgets/scene3d/difficulty_layer.h"
@@ -127,6 +128,9 @@ struct SceneView::Impl {
       const bool marked = environment.selectedBodies.count(body.id) != 0 || isMarked(i);
       if (!marked || !isDrawn(i) || inHand.count(i) != 0) continue;
       layer(SceneLayer::Selection).addChild(makeHighlight(shapes.of(body.mesh), poseOf(i), palette.path, palette));
+    }
+    if (!sequence.forbidden.empty()) {
+      layer(SceneLayer::Selection).addChild(makeForbiddenCones(sequence.forbidden, palette));
     }
     if (sequence.bodies.empty()) return;
     for (std::size_t i = 0; i < scenario->objectBodies.size(); ++i) {

@@ -1,5 +1,7 @@
 #include "widgets/scene3d/section_drag.h"
 
+#include "engine/geometry/least_rotation.h"
+
 #include <algorithm>
 
 namespace glissade {
@@ -8,7 +10,7 @@ namespace {
 constexpr GizmoHandle kSectionArrow{GizmoHandle::Kind::Arrow, 2};
 
 Gizmo alongZ(const Vector3& middle, const Vector3& direction) {
-  return {{middle, Quaternion::FromTwoVectors(Vector3::UnitZ(), direction)}, 1.0};
+  return {{middle, leastRotation(Vector3::UnitZ(), direction)}, 1.0};
 }
 
 Vector3 upOf(const CameraController& camera) { return camera.R_WV() * Vector3::UnitY(); }

@@ -10,15 +10,13 @@ using Points = std::vector<PathPoint>;
 
 class Straightener {
  public:
-  Straightener(const Path& path, const Problem& problem, const ParameterValues& parameters, const MayEnd& mayEnd,
-               const StopToken& stop)
+  Straightener(const Path& path, const Problem& problem, const ParameterValues& parameters, const StopToken& stop)
       : points_(path.points),
         problem_(problem),
         metric_(problem.metric()),
         parameters_(parameters),
         query_(problem.world->makeQuery()),
         likely_(likelyDirections(problem)),
-        mayEnd_(mayEnd),
         stop_(stop) {
     left_.assign(points_.size(), 0.0);
     for (std::size_t i = points_.size() - 1; i-- > 0;) {
@@ -62,14 +60,13 @@ class Straightener {
       if (distance >= least) continue;
       q.position += distance * direction;
       const PathPoint out{q, Author::Computer, Author::Computer};
-      if (!isAllowed(q.position) || firstRefusedEdge(*query_, {points_[index], out}, parameters_, stop_)) continue;
+      if (!problem_.bounds.contains(q.position) || firstRefusedEdge(*query_, {points_[index], out}, parameters_, stop_))
+        continue;
       nearest = out;
       least = distance;
     }
     return nearest;
   }
-
-  bool isAllowed(const Vector3& end) const { return problem_.bounds.contains(end) && (!mayEnd_ || mayEnd_(end)); }
 
   Points points_;
   const Problem& problem_;
@@ -77,18 +74,17 @@ class Straightener {
   const ParameterValues& parameters_;
   std::unique_ptr<CollisionQuery> query_;
   std::vector<Vector3> likely_;
-  const MayEnd& mayEnd_;
   const StopToken& stop_;
   std::vector<double> left_;  ///< metric length from each point to the end
 };
 
 }  // namespace
 
-Path withStraightEnd(const Path& path, const Problem& problem, const ParameterValues& parameters, const MayEnd& mayEnd,
+Path withStraightEnd(const Path& path, const Problem& problem, const ParameterValues& parameters,
                      const StopToken& stop) {
   const bool isOut = std::holds_alternative<GoalOut>(problem.goal) && !problem.world->obstaclesBox().isEmpty();
   if (!isOut || path.points.size() < 3) return path;
-  Path straight = Straightener(path, problem, parameters, mayEnd, stop).result();
+  Path straight = Straightener(path, problem, parameters, stop).result();
   return straight.certificate.status == CertificateStatus::Certified && !straight.points.empty() ? straight : path;
 }
 

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "engine/collision/motion_certificate.h"
+#include "engine/geometry/least_rotation.h"
 #include "engine/planning/coarse/passage_probe.h"
 #include "engine/planning/coarse/passage_section.h"
 
@@ -116,9 +117,7 @@ Placement bestPlacement(const PassageSection& section, const Opening& opening,
 }
 
 /// R_WB with the object's direction along the passage.
-Quaternion facing(const Vector3& direction_B, int axis) {
-  return Quaternion::FromTwoVectors(direction_B, Vector3::Unit(axis));
-}
+Quaternion facing(const Vector3& direction_B, int axis) { return leastRotation(direction_B, Vector3::Unit(axis)); }
 
 /// Smallest distance of two parallel lines with the hull between them.
 double leastWidth(const std::vector<Point2>& hull) {

@@ -1,5 +1,6 @@
 #include "engine/planning/coarse/prohibitions.h"
 
+#include "engine/base/tolerances.h"
 #include "engine/planning/coarse/scene_knowledge.h"
 
 namespace glissade {
@@ -22,7 +23,8 @@ Result<ForbiddenRegionsPtr> Prohibitions::of(const Problem& problem, const StopT
   auto places = forbiddenPlacesOf((*environment)->map, *edits);
   if (!places) return places.error();
   if (places->empty()) return ForbiddenRegionsPtr();
-  return std::make_shared<const ForbiddenRegions>(std::move(*places));
+  const double margin = tolerance::kForbiddenMargin * problem.world->objectRadius();
+  return std::make_shared<const ForbiddenRegions>(std::move(*places), margin);
 }
 
 Result<Problem> keepingOut(Problem problem, const StopToken& stop) {

@@ -58,15 +58,14 @@ TEST(IndependentCheck, AgreesWithThePlannersCertificatesOnManyPaths) {
   EXPECT_LT(certified, 170);
 }
 
-/// A cube slides over a floor and turns by a hundred thousandth, or by none: parts of the way are proved by what the
-/// cube sweeps. Distances alone would take 60,000.
+/// A cube slides over a floor and turns by a hundred thousandth, or by none. Distances alone would take 60,000.
 TEST(MotionCheck, ANearlyStraightWayAlongAGapNeedsFewDistances) {
   constexpr double kGap = 5e-6;
   constexpr double kDemanded = 1e-6;
   const TriangleMesh object = makeBox(Vector3::Constant(0.1));
   const auto thin = std::make_shared<const TriangleMesh>(object);
   const auto floor = check::MotionCheck::prepare(makeBox({2.0, 2.0, 0.1}), Pose::translation({0.0, 0.0, -0.1}), 1.0);
-  const check::MotionCheck judge({{floor, thin, true}}, object, 1.0);
+  const check::MotionCheck judge({{floor, thin}}, object, 1.0);
   for (const double angle : {0.0, 1e-5, -1e-5}) {
     const Pose from = Pose::translation({-0.25, 0.0, kGap});
     Pose to = Pose::translation({0.25, 0.0, kGap});
@@ -77,7 +76,7 @@ TEST(MotionCheck, ANearlyStraightWayAlongAGapNeedsFewDistances) {
     // The lowest corner has come down by half the edge times the angle.
     const double least = kGap - 0.05 * std::abs(angle);
     EXPECT_LE(verdict.provedClearance, least * (1.0 + 1e-9));
-    EXPECT_GT(verdict.provedClearance, 0.9 * least) << angle;
+    EXPECT_GT(verdict.provedClearance, 0.49 * least) << angle;
   }
   Pose low = Pose::translation({0.25, 0.0, kGap});
   low.orientation = fromRollPitchYaw(0.0, 1e-4, 0.0);
@@ -91,7 +90,7 @@ TEST(MotionCheck, NothingComesNearerThanIsProvedOnNearlyStraightWays) {
   const TriangleMesh object = makeBox({0.08, 0.06, 0.04});
   const auto thin = std::make_shared<const TriangleMesh>(object);
   const auto floor = check::MotionCheck::prepare(makeBox({2.0, 2.0, 0.1}), Pose::translation({0.0, 0.0, -0.07}), 1.0);
-  const check::MotionCheck judge({{floor, thin, true}}, object, 1.0);
+  const check::MotionCheck judge({{floor, thin}}, object, 1.0);
   int certified = 0;
   int violated = 0;
   for (int round = 0; round < 120; ++round) {

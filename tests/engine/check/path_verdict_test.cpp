@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/base/tolerances.h"
 #include "engine/check/plan_verdict.h"
 #include "tests/engine/check/check_bodies.h"
+#include "tests/engine/support/forbidden_boxes.h"
 
 namespace glissade::check {
 namespace {
@@ -81,24 +83,48 @@ TEST(PathVerdict, EndsAndAllowancesOfOtherBodiesAreSeen) {
   EXPECT_EQ(judgePath(question, path).outside, std::optional<std::size_t>(1));
 }
 
-TEST(PathVerdict, NothingEntersWhatAPersonForbids) {
+TEST(PathVerdict, NothingMeetsWhatAPersonForbids) {
+  constexpr double kMargin = 1e-4;
   const std::vector<ForbiddenRegion> regions{{"P5", {Box3(Vector3(0, 0, 0), Vector3(1, 1, 1))}}};
-  const auto entered = [&](const Vector3& from, const Vector3& to) {
-    return firstForbidden({Pose::translation(from), Pose::translation(to)}, regions).has_value();
+  const auto meets = [&](const Vector3& from, const Vector3& to) {
+    return firstForbidden({Pose::translation(from), Pose::translation(to)}, regions, kMargin).has_value();
   };
-  EXPECT_TRUE(entered({-1, 0.5, 0.5}, {2, 0.5, 0.5}));
-  EXPECT_TRUE(entered({0.5, 0.5, 0.5}, {0.5, 0.5, 0.5}));
-  EXPECT_TRUE(entered({-0.5, 0.49, 0.5}, {0.51, 1.5, 0.5}));
-  EXPECT_FALSE(entered({-1, 0, 0.5}, {2, 0, 0.5})) << "along a face";
-  EXPECT_FALSE(entered({-1, 1, 0.5}, {1, -1, 0.5})) << "through an edge";
-  EXPECT_FALSE(entered({-1, 0.5, 0.5}, {0, 0.5, 0.5})) << "up to a face";
-  EXPECT_TRUE(entered({-1, 0.5, 0.5}, {1e-12, 0.5, 0.5}));
-  EXPECT_FALSE(entered({-1, 1.1, 0.5}, {2, 1.1, 0.5}));
+  EXPECT_TRUE(meets({-1, 0.5, 0.5}, {2, 0.5, 0.5}));
+  EXPECT_TRUE(meets({0.5, 0.5, 0.5}, {0.5, 0.5, 0.5}));
+  EXPECT_TRUE(meets({-0.5, 0.49, 0.5}, {0.51, 1.5, 0.5}));
+  EXPECT_TRUE(meets({-1, 0, 0.5}, {2, 0, 0.5})) << "along a face";
+  EXPECT_TRUE(meets({-1, 1, 0.5}, {1, -1, 0.5})) << "through an edge";
+  EXPECT_TRUE(meets({0, 2, 1}, {2, 0, 1})) << "through a corner";
+  EXPECT_TRUE(meets({-1, 0.5, 0.5}, {-0.99 * kMargin, 0.5, 0.5}));
+  EXPECT_FALSE(meets({-1, 0.5, 0.5}, {-1.01 * kMargin, 0.5, 0.5}));
+  EXPECT_FALSE(meets({-1, 1.1, 0.5}, {2, 1.1, 0.5}));
+  RandomStream stream(1, "segments");
+  for (int i = 0; i < 4000; ++i) {
+    const Box3 box = glissade::test::latticeBox(stream, 3);
+    const Vector3 from = glissade::test::latticePoint(stream, 3);
+    const Vector3 to = glissade::test::latticePoint(stream, 3);
+    EXPECT_EQ(firstForbidden({Pose::translation(from), Pose::translation(to)}, {{"P", {box}}}, kMargin).has_value(),
+              glissade::test::meetsBox(from, to, box, kMargin));
+  }
   const auto found =
-      firstForbidden({Pose::translation({3, 3, 3}), Pose::translation({2, 2, 2}), Pose::identity()}, regions);
+      firstForbidden({Pose::translation({3, 3, 3}), Pose::translation({2, 2, 2}), Pose::identity()}, regions, kMargin);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->edge, 1U);
   EXPECT_EQ(found->place, "P5");
+}
+
+TEST(PathVerdict, AForbiddenPlaceThatIsNotKnownIsNotPassedOver) {
+  Question question = knobUnderItsLip();
+  const Path path = straightUp(std::nullopt);
+  question.forbidsPlaces = true;
+  const PathVerdict unknown = judgePath(question, path);
+  ASSERT_FALSE(unknown.refusals.empty());
+  EXPECT_NE(unknown.refusals.front().find("forbids places"), std::string::npos);
+  EXPECT_TRUE(unknown.refused());
+  question.forbidden = {{"P1", {Box3(Vector3::Constant(5.0), Vector3::Constant(6.0))}}};
+  const PathVerdict known = judgePath(question, path);
+  EXPECT_TRUE(known.refusals.empty());
+  EXPECT_DOUBLE_EQ(known.forbiddenMargin, tolerance::kForbiddenMargin * radiusAboutOrigin(*question.object().mesh));
 }
 
 /// What a plan says of itself is compared with its steps.

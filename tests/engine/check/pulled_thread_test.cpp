@@ -19,10 +19,10 @@ struct Parts {
   }
 
   std::string boltLeaves(const std::vector<Pose>& path, bool isCalled = false) const {
-    return pulledThread({bolt, around, path, overlap, isCalled});
+    return pulledThread(commonThreads({bolt, around, overlap, isCalled}), path);
   }
   std::string boltStays(const std::vector<Pose>& path, bool isCalled = false) const {
-    return pulledThread({around, bolt, path, overlap, isCalled});
+    return pulledThread(commonThreads({around, bolt, overlap, isCalled}), path);
   }
 
   double overlap;
@@ -132,7 +132,8 @@ TEST(PulledThread, EachOfTwoHolesCountsForItself) {
   const PlacedBody around = Parts::placed(two);
   const PlacedBody bolt = Parts::placed(test::prism(40, 0.005, 0.03));
   const std::vector<Pose> path = turned(0.02 / kPitch);
-  EXPECT_EQ(pulledThread({around, bolt, path, 0.0008}), "") << "free after the length of the hole that it is in";
+  EXPECT_EQ(pulledThread(commonThreads({around, bolt, 0.0008}), path), "")
+      << "free after the length of the hole that it is in";
 }
 
 }  // namespace

@@ -11,6 +11,10 @@
 namespace glissade {
 namespace {
 
+constexpr double kMargin = 1e-4;
+/// The margin may be so much larger.
+constexpr double kAtMost = 1.02 * kMargin;
+
 ForbiddenPlaces someBoxes(RandomStream& stream, int count) {
   ForbiddenPlaces places{{"P1", {}}, {"P2", {}}};
   for (int i = 0; i < count; ++i) {
@@ -23,40 +27,64 @@ ForbiddenPlaces someBoxes(RandomStream& stream, int count) {
 
 std::shared_ptr<ForbiddenSpace> spaceOf(const ForbiddenPlaces& places) {
   auto space = std::make_shared<ForbiddenSpace>();
-  space->set(std::make_shared<const ForbiddenRegions>(places));
+  space->set(std::make_shared<const ForbiddenRegions>(places, kMargin));
   return space;
 }
 
-TEST(ForbiddenRegions, SegmentsEnterAsPlaneByPlaneClippingSays) {
-  RandomStream stream(1, "segments");
-  for (int round = 0; round < 50; ++round) {
-    const ForbiddenPlaces places = someBoxes(stream, 6);
-    const ForbiddenRegions regions(places);
-    for (int i = 0; i < 200; ++i) {
-      const Pose a = randomPose(stream, 2.0);
-      const Pose b = randomPose(stream, 2.0);
-      EXPECT_EQ(regions.firstOn(a.position, b.position).has_value(), !test::enteredBy({a, b}, places).empty());
-    }
+void expectAsExact(const ForbiddenPlaces& places, const Pose& a, const Pose& b) {
+  const ForbiddenRegions regions(places, kMargin);
+  const bool meets = regions.firstOn(a.position, b.position).has_value();
+  if (!test::metBy({a, b}, places, kMargin).empty()) {
+    EXPECT_TRUE(meets);
+  } else if (test::metBy({a, b}, places, kAtMost).empty()) {
+    EXPECT_FALSE(meets);
   }
 }
 
-TEST(ForbiddenRegions, TouchingIsAllowed) {
-  const ForbiddenRegions regions({{"P1", {Box3(Vector3::Zero(), Vector3::Ones())}}});
-  EXPECT_FALSE(regions.holding({1.0, 0.5, 0.5}));
-  EXPECT_TRUE(regions.holding({0.999, 0.5, 0.5}));
-  EXPECT_FALSE(regions.firstOn({1.0, -1.0, 0.5}, {1.0, 2.0, 0.5})) << "along a face";
-  EXPECT_FALSE(regions.firstOn({2.0, 0.5, 0.5}, {1.0, 0.5, 0.5})) << "up to a face";
+TEST(ForbiddenRegions, SegmentsMeetThemAsExactClippingSays) {
+  RandomStream stream(1, "segments");
+  for (int round = 0; round < 20; ++round) {
+    const ForbiddenPlaces places = someBoxes(stream, 4);
+    for (int i = 0; i < 50; ++i) expectAsExact(places, randomPose(stream, 2.0), randomPose(stream, 2.0));
+  }
+}
+
+/// Most of these segments touch a face, an edge or a corner, or go along one.
+TEST(ForbiddenRegions, TouchingIsForbiddenWhereNumbersCoincide) {
+  constexpr int kMost = 3;
+  RandomStream stream(2, "touching segments");
+  for (int i = 0; i < 4000; ++i) {
+    const ForbiddenPlaces places{{"P1", {test::latticeBox(stream, kMost)}}};
+    const Pose a = Pose::translation(test::latticePoint(stream, kMost));
+    const Pose b = Pose::translation(test::latticePoint(stream, kMost));
+    expectAsExact(places, a, b);
+    EXPECT_EQ(ForbiddenRegions(places, kMargin).holding(a.position).has_value(),
+              !test::metBy({a}, places, kMargin).empty());
+  }
+}
+
+TEST(ForbiddenRegions, AreClosed) {
+  const ForbiddenRegions regions({{"P1", {Box3(Vector3::Zero(), Vector3::Ones())}}}, kMargin);
+  EXPECT_TRUE(regions.holding({1.0, 0.5, 0.5}));
+  EXPECT_TRUE(regions.holding({1.0 + kMargin, 0.5, 0.5}));
+  EXPECT_FALSE(regions.holding({1.0 + kAtMost, 0.5, 0.5}));
+  EXPECT_FALSE(regions.isInside(0, {1.0, 0.5, 0.5}));
+  EXPECT_TRUE(regions.isInside(0, {0.999, 0.5, 0.5}));
+  EXPECT_TRUE(regions.firstOn({1.0, -1.0, 0.5}, {1.0, 2.0, 0.5})) << "along a face";
+  EXPECT_TRUE(regions.firstOn({2.0, 0.5, 0.5}, {1.0, 0.5, 0.5})) << "up to a face";
+  EXPECT_TRUE(regions.firstOn({-1.0, 1.0, 1.0}, {2.0, 1.0, 1.0})) << "along an edge";
+  EXPECT_TRUE(regions.firstOn({0.0, 2.0, 1.0}, {2.0, 0.0, 1.0})) << "through a corner";
   const auto through = regions.firstOn({-1.0, 0.5, 0.5}, {3.0, 0.5, 0.5});
   ASSERT_TRUE(through);
-  EXPECT_DOUBLE_EQ(through->begin, 0.25);
-  EXPECT_DOUBLE_EQ(through->end, 0.5);
+  EXPECT_NEAR(through->begin, 0.25, kMargin);
+  EXPECT_NEAR(through->end, 0.5, kMargin);
 }
 
 TEST(ForbiddingQuery, NoAnswerLetsTheReferencePointIn) {
   const Problem problem = windowProblem();
   RandomStream stream(2, "answers");
   const ForbiddenPlaces places = someBoxes(stream, 8);
-  const ForbiddenRegions regions(places);
+  const ForbiddenRegions regions(places, kMargin);
   const auto world = problem.world->withForbidden(spaceOf(places));
   const auto query = world->makeQuery();
   const auto bodies = problem.world->makeQuery();
@@ -72,7 +100,7 @@ TEST(ForbiddingQuery, NoAnswerLetsTheReferencePointIn) {
     if (!inside) {
       EXPECT_EQ(query->nearestObstacle(a).distance, bodies->nearestObstacle(a).distance);
     }
-    const bool enters = !test::enteredBy({a, b}, places).empty();
+    const bool enters = regions.firstOn(a.position, b.position).has_value();
     for (const SeekViolation seek : {SeekViolation::Any, SeekViolation::First}) {
       const MotionCheck check = query->checkMotion(a, b, 1e-4, seek, {});
       const MotionCheck alone = bodies->checkMotion(a, b, 1e-4, seek, {});
@@ -87,7 +115,7 @@ TEST(ForbiddingQuery, NoAnswerLetsTheReferencePointIn) {
               !enters && certifyMotion(*bodies, a, b, 1e-4).status == CertificateStatus::Certified);
     if (inside || bodies->collides(a)) continue;
     const Pose reached = interpolate(a, b, freeFraction(*query, a, b, 0.05));
-    EXPECT_EQ(test::enteredBy({a, reached}, places), "");
+    EXPECT_EQ(test::metBy({a, reached}, places, kMargin), "");
   }
 }
 

@@ -11,12 +11,12 @@ using By = PathSpacing::By;
 
 const Se3Metric kSpacingMetric(0.5);
 
-std::vector<Pose> corner() {
+std::vector<Pose> cornerWay() {
   return {Pose::translation({0, 0, 0}), Pose::translation({1, 0, 0}), Pose::translation({1, 3, 0})};
 }
 
 TEST(PathSpacing, ANumberOfPosesAreEquallyFarFromEachOther) {
-  const std::vector<Pose> poses = posesAlong(corner(), kSpacingMetric, {By::Number, 3, 0.0});
+  const std::vector<Pose> poses = posesAlong(cornerWay(), kSpacingMetric, {By::Number, 3, 0.0});
   ASSERT_EQ(poses.size(), 3U);
   EXPECT_LT((poses[0].position - Vector3(1, 0, 0)).norm(), 1e-9);
   EXPECT_LT((poses[1].position - Vector3(1, 1, 0)).norm(), 1e-9);
@@ -24,10 +24,10 @@ TEST(PathSpacing, ANumberOfPosesAreEquallyFarFromEachOther) {
 }
 
 TEST(PathSpacing, ADistanceIsKeptAndNeitherEndHasAPose) {
-  EXPECT_EQ(posesAlong(corner(), kSpacingMetric, {By::Distance, 0, 0.5}).size(), 7U);
-  EXPECT_EQ(posesAlong(corner(), kSpacingMetric, {By::Distance, 0, 0.7}).size(), 5U);
-  EXPECT_TRUE(posesAlong(corner(), kSpacingMetric, {By::Distance, 0, 5.0}).empty());
-  EXPECT_TRUE(posesAlong(corner(), kSpacingMetric, {By::None, 5, 0.5}).empty());
+  EXPECT_EQ(posesAlong(cornerWay(), kSpacingMetric, {By::Distance, 0, 0.5}).size(), 7U);
+  EXPECT_EQ(posesAlong(cornerWay(), kSpacingMetric, {By::Distance, 0, 0.7}).size(), 5U);
+  EXPECT_TRUE(posesAlong(cornerWay(), kSpacingMetric, {By::Distance, 0, 5.0}).empty());
+  EXPECT_TRUE(posesAlong(cornerWay(), kSpacingMetric, {By::None, 5, 0.5}).empty());
 }
 
 TEST(PathSpacing, ATurnOnTheSpotHasPosesToo) {
@@ -37,8 +37,8 @@ TEST(PathSpacing, ATurnOnTheSpotHasPosesToo) {
 
 TEST(PathSpacing, ThereAreNeverTooMany) {
   const std::size_t most = kMostPathPoses;
-  EXPECT_EQ(posesAlong(corner(), kSpacingMetric, {By::Distance, 0, 1e-6}).size(), most);
-  EXPECT_EQ(posesAlong(corner(), kSpacingMetric, {By::Number, 100'000, 0.0}).size(), most);
+  EXPECT_EQ(posesAlong(cornerWay(), kSpacingMetric, {By::Distance, 0, 1e-6}).size(), most);
+  EXPECT_EQ(posesAlong(cornerWay(), kSpacingMetric, {By::Number, 100'000, 0.0}).size(), most);
   EXPECT_TRUE(posesAlong({}, kSpacingMetric, {}).empty());
 }
 

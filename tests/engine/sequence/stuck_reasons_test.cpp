@@ -20,7 +20,7 @@ AssembledProduct overlapping(double depth) {
       {block("base", Vector3::Zero()), block("sunk", {0.0, 0.0, 0.1 - depth}), block("beside", {0.3, 0.0, 0.0})}, true);
 }
 
-AssemblyPlan planOf(const AssembledProduct& product) {
+AssemblyPlan plainPlanOf(const AssembledProduct& product) {
   test::QuietHost host;
   const SequenceRequest request{{true, false, false}};
   auto plan = planSequence(product, test::fitsOf(product), request, host);
@@ -29,13 +29,13 @@ AssemblyPlan planOf(const AssembledProduct& product) {
 }
 
 TEST(StuckReasons, AClashIsNamedWithTheOtherBodyAndItsDepth) {
-  const AssemblyPlan plan = planOf(overlapping(0.005));
+  const AssemblyPlan plan = plainPlanOf(overlapping(0.005));
   ASSERT_EQ(plan.stuck.size(), 1U);
   EXPECT_EQ(plan.stuck[0].body, "sunk");
   EXPECT_THAT(plan.stuck[0].reason, HasSubstr("it and 'base' clash where they are assembled (5 mm)"));
 }
 
-TEST(StuckReasons, BodiesThatTouchDoNotClash) { EXPECT_TRUE(planOf(overlapping(0.0)).stuck.empty()); }
+TEST(StuckReasons, BodiesThatTouchDoNotClash) { EXPECT_TRUE(plainPlanOf(overlapping(0.0)).stuck.empty()); }
 
 }  // namespace
 }  // namespace glissade

@@ -86,7 +86,7 @@ TEST_P(Forbidden, APathLeadsAroundThePlace) {
     ASSERT_EQ(end->state, SessionState::Solved) << toString(end->problem.value_or(Diagnostic()));
   }
   if (end->path) {
-    EXPECT_EQ(test::enteredBy(end->path->configurations(), places), "");
+    EXPECT_EQ(test::metBy(end->path->configurations(), places, test::forbiddenMarginOf(*problem.world)), "");
   } else {
     EXPECT_NE(end->problem->reason.find(places.front().name), std::string::npos) << toString(*end->problem);
   }
@@ -126,10 +126,44 @@ TEST_P(Forbidden, APlaceThatIsForbiddenWhileARunGoesOnIsNotOnItsPath) {
       EXPECT_NE(end->problem->reason.find("forbidden"), std::string::npos) << toString(*end->problem);
     }
     if (end->path) {
-      EXPECT_EQ(test::enteredBy(end->path->configurations(), places), "") << steps;
+      EXPECT_EQ(test::metBy(end->path->configurations(), places, test::forbiddenMarginOf(*problem.world)), "") << steps;
     }
     EXPECT_TRUE(end->path || end->refused || end->problem) << steps;
   }
+}
+
+/// A wall with one gap, from the floor of the workspace up. Start and goal are on the floor, which is a face of the
+/// place in the gap.
+Problem gapOnTheFloor() {
+  Problem problem = twoWindows();
+  const auto between = [](const char* name, const Vector3& least, const Vector3& most) {
+    return boxBody(name, most - least, Pose::translation((least + most) / 2.0));
+  };
+  problem.world = CollisionWorld::build(
+      {between("near", {0.875, 0, 0}, {1.125, 0.375, 1}), between("far", {0.875, 0.625, 0}, {1.125, 1, 1})},
+      std::make_shared<const TriangleMesh>(makeBox({0.06, 0.06, 0.06})));
+  problem.start = Pose::translation({0.4, 0.5, 0.0});
+  problem.goal = Pose::translation({1.6, 0.5, 0.0});
+  problem.scene.edits = forbidding({{1.0, 0.5, 0.5}});
+  return problem;
+}
+
+/// Also by a hand that goes straight to the goal, on the floor.
+TEST_P(Forbidden, ThePlaneOfTheFloorIsNoWay) {
+  const Problem problem = gapOnTheFloor();
+  const ForbiddenPlaces places = placesOf(problem, problem.scene.edits);
+  ASSERT_EQ(places.size(), 1U);
+  ASSERT_EQ(places[0].boxes[0].min().z(), problem.bounds.min().z());
+  SessionConfig config = sessionConfig(problem, std::make_unique<HomingDevice>(std::get<Pose>(problem.goal).position));
+  config.plannerId = GetParam();
+  EXPECT_TRUE(config.parameters.set(ParameterId::MaxSteps, 1000));
+  EXPECT_TRUE(config.parameters.set(ParameterId::StepSamples, 300));
+  EXPECT_TRUE(config.parameters.set(ParameterId::Smoothing, 20));
+  const auto session = makeLockstepSession(std::move(config));
+  const SnapshotPtr end = ended(*session);
+  ASSERT_EQ(end->state, SessionState::Failed);
+  EXPECT_EQ(end->path, nullptr);
+  EXPECT_NE(end->problem->reason.find(places.front().name), std::string::npos) << toString(*end->problem);
 }
 
 std::vector<std::string> everyStrategy() { return idsOf(makePlannerRegistry()); }
@@ -153,6 +187,47 @@ TEST(ForbiddenPlace, TheStartAndTheGoalInsideOfOneAreSaid) {
   EXPECT_EQ(end->problem->location, "goal");
 }
 
+TEST(ForbiddenPlace, TheStartOnItsBoundaryIsSaid) {
+  Problem problem = twoWindows();
+  problem.scene.edits = forbidding({kNearWindow});
+  const Box3 box = placesOf(problem, problem.scene.edits).front().boxes.front();
+  const double margin = test::forbiddenMarginOf(*problem.world);
+  for (const double beside : {0.0, 0.9 * margin}) {
+    problem.start.position = {box.min().x() - beside, box.center().y(), box.center().z()};
+    const SnapshotPtr end = ended(*sessionOf(problem, "gts"));
+    ASSERT_EQ(end->state, SessionState::Failed);
+    EXPECT_EQ(end->problem->location, "start");
+    EXPECT_NE(end->problem->reason.find("lies on the boundary of"), std::string::npos) << toString(*end->problem);
+  }
+}
+
+TEST(ForbiddenPlace, AGivenPathThatTouchesItIsRefused) {
+  Problem problem = twoWindows();
+  problem.scene.edits = forbidding({kNearWindow});
+  const Box3 box = placesOf(problem, problem.scene.edits).front().boxes.front();
+  const Vector3 corner = box.min();
+  const auto examined = [&](const std::vector<Vector3>& positions) {
+    Problem asked = problem;
+    asked.start = Pose::translation(positions.front());
+    asked.goal = Pose::translation(positions.back());
+    std::vector<PathPoint> points;
+    for (const Vector3& position : positions) points.push_back({Pose::translation(position), Author::Computer});
+    const auto session = sessionOf(asked, "gts");
+    session->post(command::ExaminePath{points, {}});
+    session->advance(0);
+    const SnapshotPtr end = session->snapshot();
+    if (end->path) return true;
+    EXPECT_EQ(end->refused->blocked.front().nearest.body, kForbiddenPlace);
+    return false;
+  };
+  const double before = corner.x() - 0.1;
+  const Vector3 onFace(corner.x(), box.center().y(), box.center().z());
+  const Vector3 away(before, box.center().y(), box.center().z());
+  EXPECT_FALSE(examined({away, onFace, away})) << "up to a face";
+  EXPECT_FALSE(examined({{before, corner.y(), corner.z()}, corner, {before, corner.y(), corner.z()}})) << "a corner";
+  EXPECT_TRUE(examined({away, onFace - Vector3(0.01, 0.0, 0.0), away}));
+}
+
 TEST(ForbiddenPlace, ThatIsNotThereIsSaid) {
   Problem problem = twoWindows();
   problem.scene.edits = forbidding({test::kFarAway});
@@ -167,7 +242,7 @@ TEST(ForbiddenPlace, AfterTheRunItWithdrawsThePathAndAllowedAgainItIsCrossed) {
   const auto session = sessionOf(problem, "gts");
   ASSERT_EQ(ended(*session)->state, SessionState::Solved);
   const SemanticEditsPtr edits = forbidding({kNearWindow});
-  ASSERT_NE(test::enteredBy(session->snapshot()->path->configurations(), placesOf(problem, edits)), "");
+  ASSERT_NE(test::metBy(session->snapshot()->path->configurations(), placesOf(problem, edits), 0.0), "");
   session->post(command::SetSemantics{edits});
   session->advance(0);
   EXPECT_EQ(session->snapshot()->path, nullptr);

@@ -70,7 +70,9 @@ SnapshotPtr planned(const KnownScenario& scenario, const std::vector<std::size_t
   while (isRunning(*session->snapshot())) session->advance(1000);
   const SnapshotPtr end = session->snapshot();
   if (end->path) {
-    EXPECT_EQ(test::enteredBy(end->path->configurations(), *stated), "") << strategy;
+    EXPECT_EQ(
+        test::metBy(end->path->configurations(), *stated, test::forbiddenMarginOf(*scenario.loaded.problem.world)), "")
+        << strategy;
   } else {
     EXPECT_NE(end->problem->reason.find("forbidden"), std::string::npos) << strategy << ": " << toString(*end->problem);
   }

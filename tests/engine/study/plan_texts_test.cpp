@@ -190,7 +190,7 @@ TEST(PlanReport, HasAPageForEachStepInTheOrderOfAssembly) {
   const AssembledProduct product = test::lockedDrawer();
   const AssemblyPlan plan = somePlan();
   const StudyReport report =
-      planReport({plan, product, "drawer", 1e-5, {StepCheck::Agrees, StepCheck::Disagrees}, "", "", {}},
+      planReport({plan, product, "drawer", 1e-5, {}, {StepCheck::Agrees, StepCheck::Disagrees}, {}, "", "", {}},
                  wordsIn(Language::English));
   EXPECT_EQ(headings(report), 4U) << "parts list, two steps, parts without a step";
   const auto page = reportHtml(report);
@@ -217,7 +217,8 @@ TEST(PlanReport, SaysWhetherAHandGetsThereWhereThatWasAsked) {
 TEST(PlanReport, IsWhollyInFrench) {
   const AssembledProduct product = test::lockedDrawer();
   const AssemblyPlan plan = somePlan();
-  const auto page = reportHtml(planReport({plan, product, "drawer", 1e-5, {}, "", "", {}}, wordsIn(Language::French)));
+  const auto page =
+      reportHtml(planReport({plan, product, "drawer", 1e-5, {}, {}, {}, "", "", {}}, wordsIn(Language::French)));
   ASSERT_TRUE(page.ok());
   EXPECT_NE(page->find("Étape 1 sur 2 : pin"), std::string::npos);
   for (const char* word : {" the ", "Step", "Part", "part ", "Clearance", "Allowance", "thread", "Found", "stuck"}) {
@@ -245,7 +246,8 @@ AssemblyPlan planWithASubassembly() {
 TEST(PlanReport, HasAPageForASubassemblyBeforeTheStepThatBringsIt) {
   const AssembledProduct product = test::lockedDrawer();
   const AssemblyPlan plan = planWithASubassembly();
-  const auto page = reportHtml(planReport({plan, product, "drawer", 0.0, {}, "", "", {}}, wordsIn(Language::English)));
+  const auto page =
+      reportHtml(planReport({plan, product, "drawer", 0.0, {}, {}, {}, "", "", {}}, wordsIn(Language::English)));
   ASSERT_TRUE(page.ok());
   const std::size_t own = page->find("Subassembly for step 1");
   ASSERT_NE(own, std::string::npos);
@@ -269,7 +271,8 @@ TEST(PlanReport, StepsOfOneTaskAreOnePage) {
     step.joints.back().designation = "M3x8";
     step.joints.back().turns = 9.5;
   }
-  const auto page = reportHtml(planReport({plan, product, "drawer", 0.0, {}, "", "", {}}, wordsIn(Language::English)));
+  const auto page =
+      reportHtml(planReport({plan, product, "drawer", 0.0, {}, {}, {}, "", "", {}}, wordsIn(Language::English)));
   ASSERT_TRUE(page.ok());
   EXPECT_NE(page->find("Steps 1 to 2 of 2: 2 × pin"), std::string::npos);
   EXPECT_EQ(countOf("2 times: screw in M3x8, 9.5 turns", *page), 1U);
@@ -312,7 +315,7 @@ TEST(PlanReport, SaysTimesAndTheLine) {
   ASSERT_TRUE(timing.ok());
   for (const Language language : {Language::English, Language::French}) {
     const auto page =
-        reportHtml(planReport({plan, product, "drawer", 1e-5, {}, "", "", {}, *timing}, wordsIn(language)));
+        reportHtml(planReport({plan, product, "drawer", 1e-5, {}, {}, {}, "", "", {}, *timing}, wordsIn(language)));
     ASSERT_TRUE(page.ok());
     const bool english = language == Language::English;
     EXPECT_NE(page->find(english ? "Longest chain" : "Chaîne la plus longue"), std::string::npos);
@@ -336,7 +339,7 @@ TEST(PlanReport, SaysThatTheTableOfTimesWasEdited) {
   EXPECT_GT(timing->sum(), usual->sum());
   for (const Language language : {Language::English, Language::French}) {
     const auto page =
-        reportHtml(planReport({plan, product, "drawer", 1e-5, {}, "", "", {}, *timing}, wordsIn(language)));
+        reportHtml(planReport({plan, product, "drawer", 1e-5, {}, {}, {}, "", "", {}, *timing}, wordsIn(language)));
     ASSERT_TRUE(page.ok());
     const bool english = language == Language::English;
     EXPECT_NE(page->find(english ? "2 of its 18 values were edited" : "2 de ses 18 valeurs ont été modifiées"),
@@ -347,8 +350,9 @@ TEST(PlanReport, SaysThatTheTableOfTimesWasEdited) {
 TEST(PlanReport, AMissingPictureIsAnError) {
   const AssembledProduct product = test::lockedDrawer();
   const AssemblyPlan plan = somePlan();
-  EXPECT_FALSE(
-      reportHtml(planReport({plan, product, "drawer", 0.0, {}, "/gone.png", "", {}}, wordsIn(Language::English))).ok());
+  EXPECT_FALSE(reportHtml(planReport({plan, product, "drawer", 0.0, {}, {}, {}, "/gone.png", "", {}},
+                                     wordsIn(Language::English)))
+                   .ok());
 }
 
 }  // namespace

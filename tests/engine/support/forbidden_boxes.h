@@ -1,42 +1,70 @@
 #pragma once
 
 #include <algorithm>
+#include <boost/multiprecision/cpp_int.hpp>
 #include <string>
 #include <vector>
 
-#include "engine/environment/forbidden_places.h"
+#include "engine/base/random_stream.h"
+#include "engine/base/tolerances.h"
+#include "engine/collision/collision_query.h"
 #include "engine/planning/path.h"
 
 namespace glissade::test {
 
-/// The segment has a part of some length strictly inside of the box: clipped plane by plane (Liang and Barsky 1984).
-inline bool entersBox(const Vector3& from, const Vector3& to, const Box3& box) {
-  double first = 0.0;
-  double last = 1.0;
+/// Some point of the segment is in the closed box, or not farther from it than the margin along any axis: clipped plane
+/// by plane (Liang and Barsky 1984), in exact arithmetic.
+inline bool meetsBox(const Vector3& from, const Vector3& to, const Box3& box, double margin) {
+  using Rational = boost::multiprecision::cpp_rational;
+  Rational first = 0;
+  Rational last = 1;
   for (int axis = 0; axis < 3; ++axis) {
-    for (const double side : {-1.0, 1.0}) {
-      // Inside: side * (p - bound) < 0.
-      const double bound = side < 0.0 ? box.min()[axis] : box.max()[axis];
-      const double outside = side * (from[axis] - bound);
-      const double towards = side * (to[axis] - from[axis]);
-      if (towards == 0.0 && outside >= 0.0) return false;
-      if (towards > 0.0) last = std::min(last, -outside / towards);
-      if (towards < 0.0) first = std::max(first, -outside / towards);
+    const Rational begin(from[axis]);
+    const Rational way = Rational(to[axis]) - begin;
+    const Rational toMin = Rational(box.min()[axis]) - Rational(margin) - begin;
+    const Rational toMax = Rational(box.max()[axis]) + Rational(margin) - begin;
+    if (way == 0) {
+      if (toMin > 0 || toMax < 0) return false;
+      continue;
     }
+    const Rational atMin = toMin / way;
+    const Rational atMax = toMax / way;
+    first = std::max(first, std::min(atMin, atMax));
+    last = std::min(last, std::max(atMin, atMax));
   }
-  return last - first > 1e-12;
+  return first <= last;
 }
 
-/// The forbidden place that a path enters; empty: it keeps out of all.
-inline std::string enteredBy(const std::vector<Pose>& path, const ForbiddenPlaces& places) {
+/// The forbidden place that a path meets; empty: it keeps the margin from all.
+inline std::string metBy(const std::vector<Pose>& path, const ForbiddenPlaces& places, double margin) {
   for (const ForbiddenPlace& place : places) {
     for (const Box3& box : place.boxes) {
-      for (std::size_t i = 1; i < path.size(); ++i) {
-        if (entersBox(path[i - 1].position, path[i].position, box)) return place.name;
+      for (std::size_t i = 0; i < path.size(); ++i) {
+        const Vector3& to = path[std::min(i + 1, path.size() - 1)].position;
+        if (meetsBox(path[i].position, to, box, margin)) return place.name;
       }
     }
   }
   return {};
+}
+
+/// Metres that the object of this world keeps from forbidden places.
+inline double forbiddenMarginOf(const CollisionWorld& world) {
+  return tolerance::kForbiddenMargin * world.objectRadius();
+}
+
+/// A point of a lattice of ninths, so that faces, edges and corners of boxes and ends of segments coincide often. A
+/// ninth is no binary number.
+inline Vector3 latticePoint(RandomStream& stream, int most) {
+  const auto coordinate = [&] { return std::floor(stream.uniform(0.0, most + 1.0)) / 9.0; };
+  return {coordinate(), coordinate(), coordinate()};
+}
+
+/// A box between points of the lattice; some are flat.
+inline Box3 latticeBox(RandomStream& stream, int most) {
+  const Vector3 a = latticePoint(stream, most);
+  const Vector3 b = latticePoint(stream, most);
+  return {a.cwiseMin(b), a.cwiseMax(b)};
 }
 
 }  // namespace glissade::test

@@ -93,7 +93,7 @@ class IndependentCheck {
     for (std::size_t i = 0; i < obstacles.size(); ++i) {
       const std::vector<double> ofPair = i < allowances.size() ? allowances[i] : std::vector<double>();
       const auto prepared = check::MotionCheck::prepare(*taken[i].mesh, taken[i].X_WB, scale);
-      against.push_back({prepared, objects[ofPair], !ofPair.empty()});
+      against.push_back({prepared, objects[ofPair]});
     }
     std::vector<check::MotionCheck::Threaded> threaded;
     for (const ThreadRule& rule : threads) {

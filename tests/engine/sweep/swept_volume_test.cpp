@@ -317,7 +317,7 @@ TEST(SweptVolume, RefusesWhatItCannotMake) {
 
 TEST(SweptVolume, TheUsualBoundIsReachable) {
   const TriangleMesh box = makeBox({0.1, 0.1, 0.1});
-  const std::vector<Pose> longWay{Pose::identity(), Pose::translation({50.0, 50.0, 50.0})};
+  const std::vector<Pose> longWay{Pose::identity(), Pose::translation({10.0, 10.0, 10.0})};
   const auto longSweep = usualSweptVolume(box, longWay);
   const auto rest = usualSweptVolume(box, {Pose::identity()});
   ASSERT_TRUE(longSweep && rest);

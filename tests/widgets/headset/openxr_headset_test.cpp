@@ -1,5 +1,6 @@
 // The headset with the runtime for tests, on a virtual display: see with_headset.sh.
 #include "widgets/headset/openxr_headset.h"
+#include "engine/geometry/least_rotation.h"
 
 #include <gtest/gtest.h>
 
@@ -167,7 +168,7 @@ TEST_F(OpenXrHeadsetTest, PicturesOfTheHandsWithTheRayThatMeetsTheObject) {
   const Vector3 p_RO = room_.scale * (inverse(room_.X_WR) * start_);
   test::ControllerMoment right;
   right.X_RG.position = p_RO + Vector3(0.03, -0.15, 0.12);
-  right.X_RG.orientation = Quaternion::FromTwoVectors(-Vector3::UnitZ(), p_RO - right.X_RG.position);
+  right.X_RG.orientation = leastRotation(-Vector3::UnitZ(), p_RO - right.X_RG.position);
   test::ControllerMoment left;
   left.X_RG = {p_RO + Vector3(-0.15, 0.1, 0.2), Quaternion(Eigen::AngleAxisd(1.2, Vector3::UnitX()))};
   headset_->start();

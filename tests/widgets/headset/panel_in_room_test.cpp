@@ -1,4 +1,5 @@
 #include "widgets/headset/panel_in_room.h"
+#include "engine/geometry/least_rotation.h"
 
 #include <gtest/gtest.h>
 
@@ -28,7 +29,7 @@ class PanelInRoomTest : public testing::Test {
     const Vector3 p_P((x - 0.5) * PanelInRoom::kWidth, (0.5 - y) * PanelInRoom::kHeight, 0.0);
     const Vector3 target = *panel_.X_RP() * p_P;
     const Vector3 from = target + panel_.X_RP()->orientation * Vector3(0.1, -0.2, 0.3);
-    const Pose X_RA{from, Quaternion::FromTwoVectors(-Vector3::UnitZ(), target - from)};
+    const Pose X_RA{from, leastRotation(-Vector3::UnitZ(), target - from)};
     states_[hand].X_RG = states_[hand].X_RA = X_RA;
     advance();
   }
@@ -96,7 +97,7 @@ TEST_F(PanelInRoomTest, APlaceThatIsPointedAtIsSaidFromTheUpperLeftCorner) {
 
 TEST_F(PanelInRoomTest, ItsBackIsNotPointedAt) {
   const Vector3 behind = panel_.X_RP()->position - panel_.X_RP()->orientation * Vector3(0.0, 0.0, 0.3);
-  states_[kRight].X_RA = Pose{behind, Quaternion::FromTwoVectors(-Vector3::UnitZ(), panel_.X_RP()->position - behind)};
+  states_[kRight].X_RA = Pose{behind, leastRotation(-Vector3::UnitZ(), panel_.X_RP()->position - behind)};
   advance();
   EXPECT_FALSE(panel_.touch());
 }

@@ -1,6 +1,7 @@
 // A person of the scripted controllers who carries the panel in the left hand and points at it with the right one.
 #pragma once
 
+#include "engine/geometry/least_rotation.h"
 #include "tests/widgets/headset/runtime/headset_script.h"
 #include "widgets/headset/panel_in_room.h"
 
@@ -25,7 +26,7 @@ class PointingHands {
     const Vector3 p_P((at.x() - 0.5) * PanelInRoom::kWidth, (0.5 - at.y()) * PanelInRoom::kHeight, 0.0);
     const Vector3 target = X_RP_ * p_P;
     const Vector3 from = X_RP_ * Vector3(0.2, -0.1, 0.3);
-    right_.X_RG = {from, Quaternion::FromTwoVectors(-Vector3::UnitZ(), target - from)};
+    right_.X_RG = {from, leastRotation(-Vector3::UnitZ(), target - from)};
     return add();
   }
   PointingHands& pull() {

@@ -76,20 +76,6 @@ TEST(StraightEnd, APathThatLeavesStraightAndOneToAPlaceStayAsTheyAre) {
   EXPECT_EQ(withStraightEnd(path, problem, parameters).configurations(), path.configurations());
 }
 
-TEST(StraightEnd, EndsWhereItMay) {
-  const Problem problem = tube();
-  const ParameterValues parameters(problem.world->objectRadius());
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    const Path path = certified(detour(seed), problem, parameters);
-    const auto mayEnd = [](const Vector3& end) { return end.x() < 0.5; };
-    const Path straight = withStraightEnd(path, problem, parameters, mayEnd);
-    EXPECT_LT(straight.points.back().q.position.x(), 0.5);
-    EXPECT_LT(straight.length(), path.length());
-    EXPECT_EQ(withStraightEnd(path, problem, parameters, [](const Vector3&) { return false; }).configurations(),
-              path.configurations());
-  }
-}
-
 TEST(StraightEnd, StaysWithinTheBounds) {
   Problem problem = tube();
   problem.bounds = {Vector3(-2.0, -2.0, -2.0), Vector3(0.52, 2.0, 2.0)};
@@ -107,7 +93,7 @@ TEST(StraightEnd, StoppedItLeavesThePathAsItWas) {
   const Path path = certified(detour(2), problem, parameters);
   StopSource stop;
   stop.requestStop();
-  EXPECT_EQ(withStraightEnd(path, problem, parameters, {}, stop.token()).configurations(), path.configurations());
+  EXPECT_EQ(withStraightEnd(path, problem, parameters, stop.token()).configurations(), path.configurations());
 }
 
 }  // namespace

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/check/product.h"
+
+namespace glissade::check {
+
+/// Numbers of the bodies that touch this one where the product is assembled, ascending. A body that touches none is
+/// taken to touch all.
+std::vector<std::size_t> touching(const Product& product, std::size_t body);
+
+/// What a person forbids to a body: to move in a direction.
+struct ForbiddenMotion {
+  const Body& body;
+  Vector3 direction;                ///< any length, world frame
+  std::vector<const Body*> beside;  ///< bodies that it touched at the start
+};
+
+/// Until the convex hull of the body is clear of those beside it, neither a piece of the motion nor the way from the
+/// start is within tolerance::kForbiddenCone of the direction. `path`: of the body. The motion of a body is that of the
+/// middle of its box.
+bool keepsOut(const ForbiddenMotion& forbidden, const std::vector<Pose>& path);
+
+}  // namespace glissade::check

@@ -1,0 +1,277 @@
+#include "engine/check/stated_numbers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <sstream>
+#include <tuple>
+
+#include "engine/base/quantity_text.h"
+#include "engine/check/motion_setup.h"
+#include "engine/check/pair_work.h"
+
+namespace glissade::check {
+namespace {
+
+/// Shares by which two computations of the same number may differ.
+constexpr double kClearanceShare = 0.01;
+constexpr double kTurnShare = 0.01;
+constexpr double kDiameterShare = 0.04;
+constexpr double kFlatsShare = 0.03;
+constexpr double kOverlapShare = 0.05;
+/// Metres, and turns.
+constexpr double kLeastLength = 1e-8;
+constexpr double kLeastTurn = 1e-3;
+
+bool isNear(double stated, double found, double share, double least) {
+  return std::abs(stated - found) <= share * std::max(std::abs(stated), std::abs(found)) + least;
+}
+
+std::string numberText(double value) {
+  std::ostringstream text;
+  text.precision(6);
+  text << value;
+  return text.str();
+}
+
+/// What a path turns, whatever about.
+struct Turning {
+  double turns = 0.0;
+  double pitch = 0.0;  ///< metres a turn of its first turn; 0: it does not turn
+};
+
+Turning turningOf(const std::vector<Point>& path) {
+  constexpr double kEnoughTurn = 0.01;  // radians
+  Turning turning;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const Eigen::AngleAxisd turn(
+        (path[i].q.orientation * path[i - 1].q.orientation.conjugate()).normalized().toRotationMatrix());
+    turning.turns += std::abs(turn.angle()) / (2.0 * std::numbers::pi);
+    if (turning.pitch != 0.0 || std::abs(turn.angle()) < kEnoughTurn) continue;
+    const Vector3 way = path[i].q.position - path[i - 1].q.position;
+    turning.pitch = way.dot(turn.axis()) / turn.angle() * 2.0 * std::numbers::pi;
+  }
+  return turning;
+}
+
+class Numbers {
+ public:
+  explicit Numbers(const NumbersQuestion& question)
+      : question_(question), step_(*question.numbered.step), turning_(turningOf(step_.path)) {}
+
+  std::vector<std::string> wrong() {
+    compareCounts();
+    if (step_.proof && step_.certified) compareProof(*step_.proof);
+    for (const StatedJoint& joint : step_.joints) compareJoint(joint);
+    for (const StatedAllowance& allowance : step_.allowances) compareAllowance(allowance);
+    return std::move(wrong_);
+  }
+
+ private:
+  void refuse(const std::string& key, const std::string& stated, const std::string& found, const std::string& of = "") {
+    wrong_.push_back("it states \"" + key + "\": " + stated + of + ", and the judge finds " + found);
+  }
+
+  const Body* bodyOf(const std::string& id) const {
+    const auto found = std::find_if(question_.product.bodies.begin(), question_.product.bodies.end(),
+                                    [&](const Body& body) { return body.id == id; });
+    return found == question_.product.bodies.end() ? nullptr : &*found;
+  }
+
+  std::string nameOf(const std::string& id) const {
+    const Body* body = bodyOf(id);
+    return "'" + (body == nullptr ? id : body->name) + "'";
+  }
+
+  void compareCounts() {
+    const std::size_t bodies = question_.product.bodies.size();
+    for (const auto& [key, number] : {std::pair("wave", step_.wave), std::pair("task", step_.task)}) {
+      if (number && *number > bodies) refuse(key, std::to_string(*number), "at most " + std::to_string(bodies));
+    }
+  }
+
+  void compareProof(const StatedProof& proof) {
+    const std::size_t before = question_.numbered.earlier;
+    if (proof.afterSteps > before) {
+      refuse("after_steps", std::to_string(proof.afterSteps), std::to_string(before) + " steps before it");
+    }
+    if (!proof.nearest.empty() && bodyOf(proof.nearest) == nullptr) {
+      refuse("nearest", "'" + proof.nearest + "'", "no such body");
+    }
+    if (proof.required && question_.required && !isNear(*proof.required, *question_.required, kClearanceShare, 0.0)) {
+      refuse("required_m", numberText(*proof.required), numberText(*question_.required));
+    }
+    const double met = question_.farthest;
+    if (proof.provedClearance && *proof.provedClearance > (1.0 + kClearanceShare) * met + kLeastLength) {
+      refuse("proved_clearance_m", numberText(*proof.provedClearance), "at most " + numberText(met));
+    }
+    const double proved = question_.verdict.motion.verdict.provedClearance;
+    const bool isOfSameBodies = proof.afterSteps == before;
+    if (proof.minClearance && isOfSameBodies && question_.verdict.certified() &&
+        *proof.minClearance < (1.0 - kClearanceShare) * proved - kLeastLength) {
+      refuse("min_clearance_m", numberText(*proof.minClearance), "at least " + numberText(proved));
+    }
+    if (proof.minClearance && proof.provedClearance &&
+        *proof.minClearance < (1.0 - kClearanceShare) * *proof.provedClearance) {
+      refuse("min_clearance_m", numberText(*proof.minClearance),
+             "at least the proved " + numberText(*proof.provedClearance));
+    }
+    if (proof.minClearance && std::isfinite(met) && !std::isfinite(*proof.minClearance)) {
+      refuse("min_clearance_m", "null", "at most " + numberText(met));
+    }
+  }
+
+  void compareJoint(const StatedJoint& joint) {
+    const std::string of = " of the joint of " + nameOf(joint.body);
+    if (joint.turns && !isNear(*joint.turns, turning_.turns, kTurnShare, kLeastTurn)) {
+      refuse("turns", numberText(*joint.turns), numberText(turning_.turns), of);
+    }
+    const bool turns = joint.turns && *joint.turns > 0.0 && turning_.pitch != 0.0;
+    if (joint.pitch && *joint.pitch != 0.0 && turns) {
+      // The hand is that of the motion, whichever of the two bodies moves.
+      if (!isNear(*joint.pitch, turning_.pitch, kEstimate, kLeastLength)) {
+        refuse("pitch_m", numberText(*joint.pitch), numberText(turning_.pitch), of);
+      }
+    }
+    if (joint.diameter && *joint.diameter > 0.0) compareDiameter(joint, of);
+    if (joint.bend && *joint.bend > 0.0) compareBend(joint, of);
+    if (joint.driveSize && *joint.driveSize > 0.0) compareDrive(joint, of);
+  }
+
+  /// A thread is drawn anywhere from its core to its crests, on either body.
+  void compareDiameter(const StatedJoint& joint, const std::string& of) {
+    std::vector<std::string> ids = joint.others;
+    ids.push_back(joint.body);
+    double nearest = 0.0;
+    double largest = 0.0;
+    for (const std::string& id : ids) {
+      const Body* body = bodyOf(id);
+      if (body == nullptr) continue;
+      const PlacedBody& placed = question_.placed.at({*body, body->X_WB});
+      largest = std::max(largest, 2.0 * placed.halfDiagonal);
+      for (const RoundFace& round : placed.rounds) {
+        if (std::abs(2.0 * round.radius - *joint.diameter) < std::abs(nearest - *joint.diameter)) {
+          nearest = 2.0 * round.radius;
+        }
+      }
+    }
+    constexpr double kCoreShare = 0.3;
+    const bool isDrawn = nearest > (1.0 - kCoreShare) * *joint.diameter - kLeastLength &&
+                         nearest < (1.0 + kDiameterShare) * *joint.diameter;
+    if (nearest > 0.0 && !isDrawn) {
+      refuse("diameter_m", numberText(*joint.diameter), "a cylinder of " + numberText(nearest), of);
+    } else if (nearest == 0.0 && *joint.diameter > largest) {
+      refuse("diameter_m", numberText(*joint.diameter), "bodies of " + numberText(largest), of);
+    }
+  }
+
+  void compareBend(const StatedJoint& joint, const std::string& of) {
+    for (const std::string& other : joint.others) {
+      const SnapWord* snap = question_.product.fits.snapOf(joint.body, other);
+      const double bend = snap == nullptr ? 0.0 : snap->bend;
+      if (isNear(*joint.bend, bend, kEstimate, kLeastLength)) continue;
+      refuse("bend_m", numberText(*joint.bend), snap == nullptr ? "no word about a bend" : numberText(bend), of);
+    }
+  }
+
+  /// The width across flats of a hexagon is a distance between two faces; other drives are no larger than their bodies.
+  void compareDrive(const StatedJoint& joint, const std::string& of) {
+    const Body* body = bodyOf(joint.body);
+    if (body == nullptr) return;
+    const double size = boundingBox(*body->mesh).diagonal().norm();
+    if (*joint.driveSize > size) {
+      refuse("drive_size_m", numberText(*joint.driveSize), "a body of " + numberText(size), of);
+      return;
+    }
+    const bool isHexagon = joint.drive == "hex" || joint.drive == "hex_socket";
+    if (!isHexagon || joint.isNamed || hasFlats(*body->mesh, *joint.driveSize)) return;
+    refuse("drive_size_m", numberText(*joint.driveSize), "no two parallel faces so far apart", of);
+  }
+
+  static bool hasFlats(const TriangleMesh& mesh, double across) {
+    using Direction = std::tuple<long, long, long>;
+    constexpr double kDirections = 1e3;
+    const auto rounded = [](const Vector3& n) {
+      return Direction{std::lround(kDirections * n.x()), std::lround(kDirections * n.y()),
+                       std::lround(kDirections * n.z())};
+    };
+    std::map<Direction, std::vector<double>> planes;
+    for (const auto& triangle : mesh.triangles) {
+      const Vector3 a = mesh.vertices[triangle[0]];
+      const Vector3 normal = (mesh.vertices[triangle[1]] - a).cross(mesh.vertices[triangle[2]] - a);
+      if (!(normal.norm() > 0.0)) continue;
+      planes[rounded(normal.normalized())].push_back(normal.normalized().dot(a));
+    }
+    for (auto& [direction, offsets] : planes) {
+      std::sort(offsets.begin(), offsets.end());
+      offsets.erase(std::unique(offsets.begin(), offsets.end()), offsets.end());
+    }
+    for (const auto& [direction, offsets] : planes) {
+      const auto& [x, y, z] = direction;
+      const auto opposite = planes.find({-x, -y, -z});
+      if (opposite == planes.end()) continue;
+      for (const double offset : offsets) {
+        // Of a socket the two faces look at each other.
+        const auto isAcross = [&](double other) {
+          return isNear(std::abs(offset + other), across, kFlatsShare, kLeastLength);
+        };
+        if (std::any_of(opposite->second.begin(), opposite->second.end(), isAcross)) return true;
+      }
+    }
+    return false;
+  }
+
+  void compareAllowance(const StatedAllowance& stated) {
+    const std::string moving = stated.moving.empty() ? step_.bodies.front() : stated.moving;
+    const std::string of = " of the allowance for " + nameOf(moving) + " and " + nameOf(stated.body);
+    if (stated.turns && *stated.turns > turning_.turns * (1.0 + kTurnShare) + kLeastTurn) {
+      refuse("turns", numberText(*stated.turns), numberText(turning_.turns), of);
+    }
+    bool isKnown = false;
+    bool isOverlap = !stated.overlap;
+    bool isEvidence = !stated.evidence;
+    std::string overlap;
+    std::string evidence;
+    for (const AppliedAllowance& applied : question_.verdict.allowances) {
+      if (applied.moving != moving || applied.other != stated.body) continue;
+      isKnown = true;
+      if (stated.overlap) isOverlap = isOverlap || isOverlapOf(*stated.overlap, applied);
+      if (stated.evidence) isEvidence = isEvidence || isEvidenceOf(*stated.evidence, applied.evidence);
+      overlap = numberText(applied.evidence.overlap);
+      evidence = numberText(applied.evidence.sum());
+      if (applied.hollow && stated.hollow && !isNear(stated.allowance, applied.most, kEstimate, kLeastLength)) {
+        refuse("allowance_m", numberText(stated.allowance), numberText(applied.most), of);
+      }
+    }
+    if (!isKnown) return;
+    if (!isOverlap) refuse("overlap_m", numberText(*stated.overlap), overlap, of);
+    if (!isEvidence) refuse("evidence", numberText(stated.evidence->sum()), evidence, of);
+  }
+
+  static bool isOverlapOf(double stated, const AppliedAllowance& applied) {
+    // Triangles of a fit overlap by what they are off their surfaces.
+    constexpr double kLeastOverlap = 2e-6;  // metres
+    // A plan may claim less than there is.
+    return stated < applied.evidence.overlap ||
+           isNear(stated, applied.evidence.overlap, kOverlapShare, kLeastOverlap + applied.evidence.deflection);
+  }
+
+  static bool isEvidenceOf(const Evidence& stated, const Evidence& found) {
+    const auto isSame = [](double a, double b) { return isNear(a, b, kEstimate, kLeastLength); };
+    return isSame(stated.overlap, found.overlap) && isSame(stated.deflection, found.deflection) &&
+           isSame(stated.spacing, found.spacing) && isSame(stated.margin, found.margin) &&
+           isSame(stated.byPerson, found.byPerson);
+  }
+
+  const NumbersQuestion& question_;
+  const Step& step_;
+  Turning turning_;
+  std::vector<std::string> wrong_;
+};
+
+}  // namespace
+
+std::vector<std::string> wrongNumbers(const NumbersQuestion& question) { return Numbers(question).wrong(); }
+
+}  // namespace glissade::check

@@ -1,0 +1,145 @@
+#include "engine/geometry/thread_standards.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+
+namespace glissade {
+namespace {
+
+constexpr double kMillimetre = 1e-3;
+constexpr double kInch = 25.4e-3;
+
+/// Millimetres.
+struct MetricRow {
+  double diameter;
+  double pitch;
+  double nut;
+};
+constexpr std::array<MetricRow, 39> kMetric{
+    {{1.0, 0.25, 0.}, {1.1, 0.25, 0.},  {1.2, 0.25, 0.},  {1.4, 0.3, 0.},  {1.6, 0.35, 3.2}, {1.8, 0.35, 0.},
+     {2.0, 0.4, 4.0}, {2.2, 0.45, 4.5}, {2.5, 0.45, 5.0}, {3.0, 0.5, 5.5}, {3.5, 0.6, 6.0},  {4.0, 0.7, 7.0},
+     {4.5, 0.75, 0.}, {5.0, 0.8, 8.0},  {6.0, 1.0, 10.},  {7.0, 1.0, 11.}, {8.0, 1.25, 13.}, {9.0, 1.25, 0.},
+     {10., 1.5, 16.}, {11., 1.5, 0.},   {12., 1.75, 18.}, {14., 2.0, 21.}, {16., 2.0, 24.},  {18., 2.5, 27.},
+     {20., 2.5, 30.}, {22., 2.5, 34.},  {24., 3.0, 36.},  {27., 3.0, 41.}, {30., 3.5, 46.},  {33., 3.5, 50.},
+     {36., 4.0, 55.}, {39., 4.0, 60.},  {42., 4.5, 65.},  {45., 4.5, 70.}, {48., 5.0, 75.},  {52., 5.0, 80.},
+     {56., 5.5, 85.}, {60., 5.5, 90.},  {64., 6.0, 95.}}};
+
+/// Inches, and threads an inch; 0: none.
+struct UnifiedRow {
+  const char* name;
+  double diameter;
+  double coarse;
+  double fine;
+  double nut;
+};
+constexpr std::array<UnifiedRow, 20> kUnified{
+    {{"#0", 0.060, 0., 80., 5. / 32},     {"#1", 0.073, 64., 72., 5. / 32},
+     {"#2", 0.086, 56., 64., 3. / 16},    {"#3", 0.099, 48., 56., 3. / 16},
+     {"#4", 0.112, 40., 48., 1. / 4},     {"#5", 0.125, 40., 44., 5. / 16},
+     {"#6", 0.138, 32., 40., 5. / 16},    {"#8", 0.164, 32., 36., 11. / 32},
+     {"#10", 0.190, 24., 32., 3. / 8},    {"#12", 0.216, 24., 28., 7. / 16},
+     {"1/4", 1. / 4, 20., 28., 7. / 16},  {"5/16", 5. / 16, 18., 24., 1. / 2},
+     {"3/8", 3. / 8, 16., 24., 9. / 16},  {"7/16", 7. / 16, 14., 20., 11. / 16},
+     {"1/2", 1. / 2, 13., 20., 3. / 4},   {"9/16", 9. / 16, 12., 18., 7. / 8},
+     {"5/8", 5. / 8, 11., 18., 15. / 16}, {"3/4", 3. / 4, 10., 16., 9. / 8},
+     {"7/8", 7. / 8, 9., 14., 21. / 16},  {"1", 1., 8., 12., 3. / 2}}};
+
+/// Millimetres: the number of the size, the diameter, the pitch.
+struct TappingRow {
+  double size;
+  double diameter;
+  double pitch;
+};
+constexpr std::array<TappingRow, 14> kTapping{{{1.5, 1.52, 0.5},
+                                               {1.9, 1.90, 0.6},
+                                               {2.2, 2.24, 0.8},
+                                               {2.6, 2.57, 0.9},
+                                               {2.9, 2.90, 1.1},
+                                               {3.3, 3.30, 1.3},
+                                               {3.5, 3.53, 1.3},
+                                               {3.9, 3.91, 1.3},
+                                               {4.2, 4.22, 1.4},
+                                               {4.8, 4.80, 1.6},
+                                               {5.5, 5.46, 1.8},
+                                               {6.3, 6.25, 1.8},
+                                               {8.0, 8.00, 2.1},
+                                               {9.5, 9.65, 2.1}}};
+
+/// Millimetres: diameter, pitch.
+constexpr std::array<std::pair<double, double>, 16> kWood{{{1.6, 0.8},
+                                                           {2.0, 0.9},
+                                                           {2.5, 1.1},
+                                                           {3.0, 1.35},
+                                                           {3.5, 1.6},
+                                                           {4.0, 1.8},
+                                                           {4.5, 2.0},
+                                                           {5.0, 2.2},
+                                                           {5.5, 2.4},
+                                                           {6.0, 2.6},
+                                                           {7.0, 3.2},
+                                                           {8.0, 3.6},
+                                                           {10.0, 4.5},
+                                                           {12.0, 5.0},
+                                                           {16.0, 6.0},
+                                                           {20.0, 7.0}}};
+
+std::string named(const char* before, double size) {
+  std::ostringstream name;
+  name.imbue(std::locale::classic());
+  name << before << size;
+  return name.str();
+}
+
+std::vector<ThreadSize> metricSizes() {
+  std::vector<ThreadSize> sizes;
+  for (const auto& [diameter, pitch, nut] : kMetric) {
+    sizes.push_back({ThreadFamily::Metric, named("M", diameter), kMillimetre * diameter, kMillimetre * pitch, 0.0,
+                     kMillimetre * nut});
+  }
+  return sizes;
+}
+
+std::vector<ThreadSize> unifiedSizes() {
+  const auto pitchOf = [](double threads) { return threads > 0.0 ? kInch / threads : 0.0; };
+  std::vector<ThreadSize> sizes;
+  for (const UnifiedRow& row : kUnified) {
+    sizes.push_back({ThreadFamily::Unified, row.name, kInch * row.diameter, pitchOf(row.coarse), pitchOf(row.fine),
+                     kInch * row.nut});
+  }
+  return sizes;
+}
+
+std::vector<ThreadSize> tappingSizes() {
+  std::vector<ThreadSize> sizes;
+  for (const auto& [size, diameter, pitch] : kTapping) {
+    sizes.push_back({ThreadFamily::Tapping, named("ST", size), kMillimetre * diameter, kMillimetre * pitch, 0.0, 0.0});
+  }
+  return sizes;
+}
+
+std::vector<ThreadSize> woodSizes() {
+  std::vector<ThreadSize> sizes;
+  for (const auto& [diameter, pitch] : kWood) {
+    sizes.push_back({ThreadFamily::Wood, named("", diameter), kMillimetre * diameter, kMillimetre * pitch, 0.0, 0.0});
+  }
+  return sizes;
+}
+
+}  // namespace
+
+const std::vector<ThreadSize>& threadSizes(ThreadFamily family) {
+  static const std::array<const std::vector<ThreadSize>, 4> kSizes{metricSizes(), unifiedSizes(), tappingSizes(),
+                                                                   woodSizes()};
+  return kSizes[static_cast<std::size_t>(family)];
+}
+
+const ThreadSize& nearestThreadSize(ThreadFamily family, double diameter) {
+  const std::vector<ThreadSize>& sizes = threadSizes(family);
+  return *std::min_element(sizes.begin(), sizes.end(), [&](const ThreadSize& one, const ThreadSize& other) {
+    return std::abs(one.diameter - diameter) < std::abs(other.diameter - diameter);
+  });
+}
+
+}  // namespace glissade

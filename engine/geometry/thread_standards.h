@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace glissade {
+
+/// What a size of a thread is a size of.
+enum class ThreadFamily {
+  Metric,   ///< ISO 261
+  Unified,  ///< ASME B1.1: UNC and UNF
+  Tapping,  ///< ISO 1478: screws that cut their threads in sheet metal
+  Wood      ///< DIN 7998
+};
+
+/// A size of a thread as its standard has it; metres.
+struct ThreadSize {
+  ThreadFamily family = ThreadFamily::Metric;
+  std::string name;          ///< "M10", "#10", "1/4", "ST4.2"
+  double diameter = 0.0;     ///< of the thread outside
+  double pitch = 0.0;        ///< coarse; 0: it has none
+  double finePitch = 0.0;    ///< UNF; 0: it has none, or several
+  double acrossFlats = 0.0;  ///< of its nut: ISO 4032, ASME B18.2.2 and B18.6.3; 0: it has none
+
+  /// The pitch that is meant where nobody says which.
+  double usualPitch() const { return pitch > 0.0 ? pitch : finePitch; }
+};
+
+/// Those of a family, the smallest first.
+const std::vector<ThreadSize>& threadSizes(ThreadFamily family);
+
+/// The size of the family that is nearest to a diameter (metres).
+const ThreadSize& nearestThreadSize(ThreadFamily family, double diameter);
+
+}  // namespace glissade

@@ -1,0 +1,135 @@
+#include "engine/import/step_missing_shapes.h"
+
+#include <StepBasic_Product.hxx>
+#include <StepData_StepModel.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TransferBRep.hxx>
+#include <Transfer_TransientProcess.hxx>
+#include <XSControl_TransferReader.hxx>
+#include <XSControl_WorkSession.hxx>
+#include <algorithm>
+#include <unordered_map>
+
+#include "engine/base/printable_text.h"
+#include "engine/import/import_protocol.h"
+
+namespace glissade {
+namespace {
+
+class MissingShapeSearch {
+ public:
+  MissingShapeSearch(const STEPCAFControl_Reader& reader, const KnownShapes& known,
+                     const std::vector<TopoDS_Shape>& bodies)
+      : known_(known), process_(reader.Reader().WS()->TransferReader()->TransientProcess()) {
+    const auto model = Handle(StepData_StepModel)::DownCast(reader.Reader().WS()->Model());
+    for (int i = 1; i <= model->NbEntities(); ++i) {
+      made_.emplace(static_cast<std::uint64_t>(model->IdentLabel(model->Value(i))), model->Value(i));
+    }
+    for (const TopoDS_Shape& body : bodies) {
+      for (TopExp_Explorer face(body, TopAbs_FACE); face.More(); face.Next()) ++uses_[face.Current().TShape().get()];
+      for (TopExp_Explorer solid(body, TopAbs_SOLID); solid.More(); solid.Next())
+        ++uses_[solid.Current().TShape().get()];
+    }
+  }
+
+  std::vector<std::string> lines() {
+    for (const StatedShape& item : known_.stated.items) {
+      if (!item.isSecond && known_.second.count(item.entity) == 0) addItem(item);
+    }
+    for (const StatedShape& orphan : known_.stated.orphans) addOrphan(orphan);
+    for (const StatedGap& gap : known_.stated.shapeless) {
+      if (isExternal(gap.product)) continue;
+      add(gap.entity, gap.kind, gap.product, "the product has no shape in the file");
+    }
+    for (const StatedGap& gap : known_.stated.unknownUses) {
+      add(gap.entity, gap.kind, gap.product, "it places the part, and is not understood");
+    }
+    for (const StatedGap& gap : known_.stated.loose)
+      add(gap.entity, gap.kind, gap.product, "it belongs to no solid of the file");
+    return std::move(lines_);
+  }
+
+ private:
+  bool isExternal(std::uint64_t product) const {
+    const TopoDS_Shape shape = shapeOf(product);
+    return !shape.IsNull() && known_.externalFiles.count(shape.TShape().get()) > 0;
+  }
+
+  void addItem(const StatedShape& item) {
+    const std::uint64_t places = placesOf(item.entity);
+    if (places >= item.places) return;
+    std::string what = known_.standIns.faultOf(item.entity);
+    if (!what.empty()) {
+      what = "its triangles cannot be read: " + what;
+    } else if (places > 0) {
+      what = "it was made in " + std::to_string(places) + " of its " + std::to_string(item.places) + " places";
+    } else if (item.role == StepShapeRole::Unread) {
+      what = "its kind is not read";
+    } else {
+      what = "it could not be made";
+    }
+    add(item.entity, item.kind, item.product, what);
+  }
+
+  void addOrphan(const StatedShape& orphan) {
+    if (placesOf(orphan.entity) == 0) {
+      addItem(orphan);
+      return;
+    }
+    lines_.push_back(
+        stepShapeLine(import_protocol::kOrphanLine, orphan,
+                      "it belongs to no product of the file and is read as a body where its coordinates are"));
+  }
+
+  /// That OpenCASCADE has made of an entity; null: none.
+  TopoDS_Shape shapeOf(std::uint64_t entity) const {
+    const auto found = made_.find(entity);
+    return found == made_.end() ? TopoDS_Shape() : TransferBRep::ShapeResult(process_, found->second);
+  }
+
+  /// In which the bodies have it: as a solid, or as the face of it that most have.
+  std::uint64_t placesOf(std::uint64_t entity) const {
+    const TopoDS_Shape shape = shapeOf(entity);
+    if (shape.IsNull()) return 0;
+    std::uint64_t most = usesOf(shape);
+    for (const TopAbs_ShapeEnum type : {TopAbs_SOLID, TopAbs_FACE}) {
+      for (TopExp_Explorer part(shape, type); part.More(); part.Next()) most = std::max(most, usesOf(part.Current()));
+    }
+    return most;
+  }
+
+  std::uint64_t usesOf(const TopoDS_Shape& shape) const {
+    const auto found = uses_.find(shape.TShape().get());
+    return found == uses_.end() ? 0 : found->second;
+  }
+
+  std::string nameOf(std::uint64_t definition) const {
+    const auto found = made_.find(productOfDefinition(known_.entities, definition));
+    const auto product = found == made_.end() ? nullptr : Handle(StepBasic_Product)::DownCast(found->second);
+    if (product.IsNull()) return {};
+    for (const auto& name : {product->Name(), product->Id()}) {
+      if (!name.IsNull() && name->Length() > 0) return printableLine(name->ToCString());
+    }
+    return {};
+  }
+
+  void add(std::uint64_t entity, const std::string& kind, std::uint64_t product, const std::string& what) {
+    lines_.push_back(std::string(1, import_protocol::kMissingLine) + "\t" + nameOf(product) + "\t#" +
+                     std::to_string(entity) + "\t" + printableLine(kind) + "\t" + printableLine(what));
+  }
+
+  const KnownShapes& known_;
+  Handle(Transfer_TransientProcess) process_;
+  std::unordered_map<std::uint64_t, Handle(Standard_Transient)> made_;  ///< entities by their numbers
+  std::unordered_map<const TopoDS_TShape*, std::uint64_t> uses_;        ///< of solids and faces, by the bodies
+  std::vector<std::string> lines_;
+};
+
+}  // namespace
+
+std::vector<std::string> missingShapeLines(const STEPCAFControl_Reader& reader, const KnownShapes& known,
+                                           const std::vector<TopoDS_Shape>& bodies) {
+  return MissingShapeSearch(reader, known, bodies).lines();
+}
+
+}  // namespace glissade

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <STEPCAFControl_Reader.hxx>
+#include <TopoDS_Shape.hxx>
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "engine/import/step_stand_ins.h"
+#include "engine/import/step_stated_shapes.h"
+
+namespace glissade {
+
+/// The small solids that stand for tessellated shapes, as OpenCASCADE has made them. Runs in the importing process
+/// only.
+class StandInShapes {
+ public:
+  /// Ask after the transfer. Takes the tessellations.
+  StandInShapes() = default;
+  StandInShapes(const STEPCAFControl_Reader& reader, StepStandIns standIns, const StatedShapes& stated);
+
+  /// The triangles that the solid stands for, in millimetres, at its own origin; null: it is a solid of the file.
+  const StepTessellation* of(const TopoDS_Shape& solid) const;
+
+  /// The item that the solid stands for where it may be a second representation of boundaries of its product; null: it
+  /// is no such solid.
+  const StatedShape* maybeSecond(const TopoDS_Shape& solid) const;
+  /// Whether the shape is of the boundaries of a product that may have a second representation.
+  bool isBoundaryOf(std::uint64_t product, const TopoDS_Shape& shape) const;
+
+  /// Why the triangles of an item cannot be read; empty: they can.
+  std::string faultOf(std::uint64_t item) const;
+
+ private:
+  struct StandIn {
+    StatedShape item;
+    StepTessellation triangles;
+  };
+
+  void take(const StatedShape& item, StepTessellation triangles, const TopoDS_Shape& standIn);
+
+  std::map<const TopoDS_TShape*, StandIn> standIns_;
+  std::map<std::uint64_t, std::string> faults_;
+  std::map<const TopoDS_TShape*, std::uint64_t> boundaries_;  ///< products of solids and faces
+};
+
+}  // namespace glissade

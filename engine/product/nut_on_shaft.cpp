@@ -1,0 +1,81 @@
+#include "engine/product/nut_on_shaft.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/quantity_text.h"
+#include "engine/product/nut_size.h"
+#include "engine/product/thread_pitch.h"
+
+namespace glissade {
+namespace {
+
+/// Hole of a nut by the radius of the shaft in it: what is narrower overlaps by more than a thread, what is wider is
+/// far from the shaft.
+constexpr double kLeastHole = 0.7;
+constexpr double kWidestHole = 1.35;
+/// Up to this share wider, a hole is as wide as its shaft.
+constexpr double kEqualHole = 1.02;
+/// Diameters of names that differ by less are one, as a share.
+constexpr double kNearDiameter = 0.03;
+
+/// Of the name, else of the shape.
+std::vector<ThreadSize> sizesOf(double said, std::vector<ThreadSize> byShape) {
+  if (!(said > 0.0)) return byShape;
+  std::vector<ThreadSize> sizes;
+  for (const ThreadFamily family : {ThreadFamily::Metric, ThreadFamily::Unified}) {
+    const ThreadSize& nearest = nearestThreadSize(family, said);
+    if (std::abs(nearest.diameter - said) <= kNearDiameter * said) sizes.push_back(nearest);
+  }
+  return sizes;
+}
+
+/// A prism with a hole and the name "bolt" is one, too: names are exchanged in some files, and the joint is doubtful.
+bool isNamedNut(const Designations& said, std::size_t body) {
+  return says(said, body, {StandardPart::Nut}) ||
+         (says(said, body, {StandardPart::Screw}) && said[body]->text == "bolt");
+}
+
+double saidDiameter(const Designations& said, std::size_t body, StandardPart part) {
+  return says(said, body, {part}) ? said[body]->diameter : 0.0;
+}
+
+}  // namespace
+
+bool isNut(const ProductShapes& shapes, const Designations& said, std::size_t body) {
+  const TurnedShape* shape = shapes.turned(body);
+  return shape != nullptr && shape->kind == TurnedKind::Nut && (isNamedNut(said, body) || !nutSizes(*shape).empty());
+}
+
+NutOnShaft nutOnShaft(const ProductShapes& shapes, const Designations& said, const NutAndShaft& pair) {
+  const auto [nut, shaft, radius, isScrew] = pair;
+  if (!isNut(shapes, said, nut)) return {};
+  const TurnedShape& shape = *shapes.turned(nut);
+  const double share = shape.hole / radius;
+  if (share < kLeastHole || share > kWidestHole) return {};
+  const bool isNamed = isNamedNut(said, nut);
+  const std::vector<ThreadSize> ofNut = sizesOf(saidDiameter(said, nut, StandardPart::Nut), nutSizes(shape));
+  const std::vector<ThreadSize> ofShaft = sizesOf(saidDiameter(said, shaft, StandardPart::Screw), shaftSizes(radius));
+  const bool areKnown = !ofNut.empty() && !ofShaft.empty();
+  const bool isTight = isThreadDepth(radius, radius - shape.hole);
+  const bool isEqual = !isTight && share <= kEqualHole;
+  NutOnShaft found{true, {}, {}, isTight};
+  if (areKnown && !haveOneSize(ofNut, ofShaft)) {
+    if (!isTight && !isNamed && !(isScrew && shape.sides == 6)) return {};
+    found.doubt =
+        "the sizes do not agree: a shaft of " + inMillimetres(2.0 * radius) + " in a nut " + ofNut.front().name;
+  } else if (!isTight && !isEqual && !areKnown) {
+    return {};
+  }
+  // A square with a hole as wide as a plain rod may be any plate.
+  if (!isTight && !isNamed && !isScrew && shape.sides != 6) return {};
+  if (says(said, shaft, {StandardPart::Pin})) found.doubt = "the name says '" + said[shaft]->text + "'";
+  if (isTight) {
+    found.evidence = "the shaft is thicker than the hole";
+  } else {
+    found.evidence = isNamed ? "the name says that it is a nut" : "it has the width of a nut " + ofNut.front().name;
+  }
+  return found;
+}
+
+}  // namespace glissade

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/geometry/thread_standards.h"
+#include "engine/product/fastener_shape.h"
+
+namespace glissade {
+
+/// The sizes of threads that a nut of this shape may have: by its width across the flats, its height and its hole.
+/// Empty where it is wider, narrower or flatter than nuts are: a plate with a hole.
+std::vector<ThreadSize> nutSizes(const TurnedShape& nut);
+
+/// The sizes that a shaft of this radius (metres) may be drawn for: by its diameter; where it is no nominal one, by its
+/// core.
+std::vector<ThreadSize> shaftSizes(double radius);
+
+/// Whether one of the sizes of the nut is one of the shaft.
+bool haveOneSize(const std::vector<ThreadSize>& nut, const std::vector<ThreadSize>& shaft);
+
+}  // namespace glissade

@@ -1,0 +1,104 @@
+// Screws that have a name, in bodies that are drawn without a hole for them: found, planned and judged without
+// hand-made joints.
+#include <gtest/gtest.h>
+
+#include "engine/check/named_screw.h"
+#include "engine/scenario/judged_product.h"
+#include "engine/sequence/sequence_run.h"
+#include "tests/engine/product/turned_parts.h"
+#include "tests/engine/sequence/products.h"
+
+namespace glissade {
+namespace {
+
+using namespace glissade::test;
+
+/// The triangles are faces of a CAD file that are off its surfaces by so much, metres: a cylinder of this radius about
+/// z, and the rest.
+RigidBody faceOf(const std::string& name, TriangleMesh mesh, double deflection, double radius = 0.0) {
+  SurfaceFace face;
+  face.deflection = deflection;
+  mesh.faces.push_back(face);
+  face.kind = SurfaceFace::Kind::Cylinder;
+  face.radius = radius;
+  mesh.faces.push_back(face);
+  for (const TriangleIndices& triangle : mesh.triangles) {
+    const bool isOn = radius > 0.0 && std::all_of(triangle.begin(), triangle.end(), [&](std::uint32_t i) {
+                        return std::abs(mesh.vertices[i].head<2>().norm() - radius) < 1e-9;
+                      });
+    mesh.faceOf.push_back(isOn ? 1 : 0);
+  }
+  RigidBody body = boxBody(name, {1.0, 1.0, 1.0}, Pose::identity());
+  body.mesh = std::make_shared<const TriangleMesh>(std::move(mesh));
+  return body;
+}
+
+/// A solid motor below a cap with a clearance hole, and a screw M4x10 through the cap. `cap`: metres from the head to
+/// the motor; below 0 the head is in the motor.
+AssembledProduct cappedMotor(const std::string& name, double cap = 0.004) {
+  constexpr double kOff = 2.5e-6;  // of a circle of 2 mm with 72 corners: 1.9 micrometres
+  return productOf(
+      {faceOf("motor",
+              turnedMesh({{-0.04, circle(0.0)}, {-0.04, prism(0.04, 4)}, {-cap, prism(0.04, 4)}, {-cap, circle(0.0)}},
+                         false),
+              kOff),
+       faceOf("cap", plateMesh(0.0023, 0.03, -0.004, 0.0), kOff), faceOf(name, capScrew(0.004, 0.01), kOff, 0.002)},
+      true);
+}
+
+AssemblyPlan planOf(const AssembledProduct& product) {
+  QuietHost host;
+  SequenceRequest request{BodySet(product.bodies.size(), false)};
+  request.staying[0] = true;
+  auto plan = planSequence(product, fitsOf(product), request, host);
+  EXPECT_TRUE(plan.ok());
+  return std::move(*plan);
+}
+
+TEST(ScrewHolePlan, AScrewWithANameTurnsOutOfASolidBodyAndTheJudgeAgrees) {
+  const AssembledProduct product = cappedMotor("DIN 912 M4x10");
+  const AssemblyPlan plan = planOf(product);
+  ASSERT_EQ(orderOf(plan), (std::vector<std::string>{"DIN 912 M4x10", "cap"}));
+  EXPECT_EQ(plan.steps[0].method, kTurned);
+  const check::PlanVerdict verdict = judgePlan(plan, product, std::nullopt, {});
+  EXPECT_TRUE(verdict.valid());
+  EXPECT_TRUE(std::any_of(verdict.steps[0].allowances.begin(), verdict.steps[0].allowances.end(),
+                          [](const check::AppliedAllowance& each) { return each.screwHole; }));
+}
+
+TEST(ScrewHolePlan, TheJudgeLetsNobodyPullIt) {
+  const AssembledProduct product = cappedMotor("DIN 912 M4x10");
+  AssemblyPlan plan = planOf(product);
+  ASSERT_EQ(plan.steps.size(), 2U);
+  std::vector<PathPoint>& path = plan.steps[0].path;
+  path = {path.front(), path.back()};
+  path.back().q.orientation = path.front().q.orientation;
+  const check::PlanVerdict verdict = judgePlan(plan, product, std::nullopt, {});
+  EXPECT_FALSE(verdict.steps[0].refusals.empty()) << "pulled off the motor without a turn";
+}
+
+/// Of another size, without a name of a screw, or with its head in the motor: nothing says that it makes a hole.
+TEST(ScrewHolePlan, NothingElseMakesAHole) {
+  for (const AssembledProduct& product : {cappedMotor("post"), cappedMotor("DIN 912 M8x10"), cappedMotor("washer M4"),
+                                          cappedMotor("DIN 912 M4x10", -0.0005)}) {
+    EXPECT_TRUE(planOf(product).steps.empty()) << product.bodies[2].id;
+  }
+}
+
+TEST(ScrewHolePlan, TheJudgeReadsSizesOfScrewsByItself) {
+  const double inch = 25.4;
+  for (const auto& [name, millimetres] :
+       {std::pair("DIN 912 M4x10 1", 4.0), std::pair("ISO 7049 ST4.2x35", 4.2),
+        std::pair("SHCS 1_4-20 x 1", 0.25 * inch), std::pair("#10-32 BHCS", 0.19 * inch),
+        std::pair("wood screw 5x40", 5.0), std::pair("M2.5 x 6", 2.5)}) {
+    const auto size = check::screwSizeIn(name);
+    ASSERT_TRUE(size) << name;
+    EXPECT_NEAR(1e3 * *size, millimetres, 1e-6) << name;
+  }
+  for (const char* name : {"motor", "ISO 4032 M10", "hex nut M4x10", "plate 4x40", "M4 standoff", ""}) {
+    EXPECT_FALSE(check::screwSizeIn(name)) << name;
+  }
+}
+
+}  // namespace
+}  // namespace glissade
