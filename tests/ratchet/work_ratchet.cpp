@@ -4,6 +4,8 @@
 // FOLDERS: programs, samples, STEP files, made problems, public problems, library heap_count.
 // Without --record, prints what has risen by more than it may; the exit code is 1 where something has. With --record,
 // rows that have changed are written with the reason.
+#include <unistd.h>
+
 #include <charconv>
 #include <cstring>
 #include <filesystem>
