@@ -33,7 +33,7 @@ SaveResult cancelled(const QString& file) {
   return notSaved({ErrorKind::Interrupted, file.toStdString(), "", "the document was cancelled", ""});
 }
 
-/// What the pages say of the plan: as it is known, or judged now where a step was not judged yet.
+/// The check that the pages state: the known one, or a new one where a step was not judged yet.
 PlanCheck checkFor(const AssemblyPlan& plan, const AssembledProduct& product, const PlanCheck& known,
                    const SequenceDemands& said, const StopToken& stop) {
   const auto& steps = known.steps;

@@ -355,7 +355,7 @@ std::optional<Diagnostic> SequenceController::open(const QString& file) {
   }
   planner_.drop();
   bringToFront();
-  // What the file says is not what a person had said before.
+  // The words that a person has said are read before the plan of the file replaces them.
   const SequenceDemands said = saidOf(*product);
   keepPlan({product, ours, false, {}, {}});
   adoptDemands(*ours);

@@ -39,7 +39,7 @@ class SequenceController final : public QObject {
   bool isEditable() const;
   /// The plan of the scenario and the demands as they are, where it is known.
   void showRemembered() { followArrangement(false); }
-  /// What was found when this plan was judged, and whether a hand gets to its steps.
+  /// Keeps the result of the independent check of this plan, and the access of a hand to its steps.
   void note(const PlanPtr& plan, const PlanCheck& check, const PlanAccessPtr& access);
   /// By a person of the product, in the document.
   SequenceDemands saidOf(const AssembledProduct& product) const;

@@ -19,7 +19,7 @@ class SequenceEdits final : public QObject {
  public:
   SequenceEdits(const Workbench& bench, SequenceController& sequence);
 
-  /// Of the directions that are forbidden to the bodies of the selected steps, or to the stuck one. `bodies`: where
+  /// Cones of the directions that are forbidden to bodies of the selected steps, or to the stuck one. `bodies`: where
   /// they are drawn; empty: where they are assembled.
   std::vector<ForbiddenCone> forbiddenCones(const std::vector<SequenceBody>& bodies) const;
 

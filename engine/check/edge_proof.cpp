@@ -13,7 +13,7 @@ constexpr double kProjectionRounding = 1e-9;
 /// An interval of time that was halved this often is as short as numbers allow.
 constexpr int kShortestTime = 48;
 constexpr std::uint64_t kComparedBetweenStops = 1024;
-/// Where the distance of triangles is less than this share of the gap of a plane between them, they may meet.
+/// Triangles may meet where their distance is less than this share of the gap of a plane between them.
 constexpr double kSeparatedShare = 0.5;
 
 /// How corners move from the middle of an interval to its ends.

@@ -10,7 +10,7 @@
 
 namespace glissade::check {
 
-/// What was met of two surfaces on an edge.
+/// The smallest distance of two surfaces that was met on an edge.
 struct MetOnEdge {
   double distance = std::numeric_limits<double>::infinity();
   double at = 0.0;  ///< where on the edge, in [0, 1]

@@ -194,7 +194,7 @@ class HelixPairs {
   mutable std::uint64_t parts_ = 0;  ///< that were divided
 };
 
-/// Of triangles as they are turned about the axis: what they are within together.
+/// Triangles as they are turned about the axis, with the bounds of all of them.
 struct TurnedAll {
   std::vector<TurnedTriangle> each;
   TurnedTriangle all{kNoEnd, 0.0, kNoEnd, -kNoEnd};
@@ -209,7 +209,7 @@ struct TurnedAll {
   }
 };
 
-/// Those that come nearer than `most` to where the others are, which rise by up to `rise` (below 0: they sink).
+/// Triangles that come nearer than `most` to the others, which rise by up to `rise` (below 0: they sink).
 std::vector<std::size_t> nearOnes(const TurnedAll& own, TurnedTriangle others, double rise, double most) {
   others.low += std::min(0.0, rise);
   others.high += std::max(0.0, rise);

@@ -10,7 +10,7 @@ namespace glissade::check {
 /// taken to touch all.
 std::vector<std::size_t> touching(const Product& product, std::size_t body);
 
-/// What a person forbids to a body: to move in a direction.
+/// A direction in which a person forbids a body to move.
 struct ForbiddenMotion {
   const Body& body;
   Vector3 direction;                ///< any length, world frame

@@ -16,7 +16,7 @@ using Group = std::vector<std::size_t>;
 /// The bodies that a person means by the name, ascending: bodiesMeant().
 Group bodiesNamed(const Product& product, const std::string& name);
 
-/// What of demands a step does not keep, for people.
+/// The demands that a step does not keep, for people.
 struct BrokenDemands {
   std::string refused{};             ///< the first that the step does not say it does not keep; empty: there is none
   std::vector<Condition> givenUp{};  ///< that the step says it does not keep

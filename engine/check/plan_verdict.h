@@ -49,7 +49,7 @@ struct LineVerdict {
 /// the window. `index`: of the step in its list of so many steps. `group`: number of the step that the list belongs to.
 std::string stepNumber(std::size_t index, std::size_t steps, const std::string& group = {});
 
-/// What a verdict on a plan comes to.
+/// The outcome of a verdict on a plan.
 enum class PlanOutcome {
   Valid,        ///< every part leaves alone or in a unit, and all of it is shown
   Conditional,  ///< only under conditions that the plan states itself

@@ -35,7 +35,7 @@ std::string numberText(double value) {
   return text.str();
 }
 
-/// What a path turns, whatever about.
+/// The angle by which a path turns, about any axis.
 struct Turning {
   double turns = 0.0;
   double pitch = 0.0;  ///< metres a turn of its first turn; 0: it does not turn

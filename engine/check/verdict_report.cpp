@@ -287,7 +287,7 @@ std::string headlineOf(const PlanVerdict& verdict, const Product& product) {
   return "valid only under " + std::to_string(conditions.size()) + " conditions that the plan states itself: ";
 }
 
-/// What a person has to confirm, each once.
+/// Writes the conditions that a person has to confirm, each once.
 void addConditions(const PlanVerdict& verdict, std::ostream& text) {
   const std::vector<Condition> conditions = verdict.allConditions();
   if (conditions.empty() || verdict.planIsTrusted) return;

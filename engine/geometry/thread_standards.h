@@ -5,7 +5,7 @@
 
 namespace glissade {
 
-/// What a size of a thread is a size of.
+/// The family of threads that a size belongs to.
 enum class ThreadFamily {
   Metric,   ///< ISO 261
   Unified,  ///< ASME B1.1: UNC and UNF
@@ -26,7 +26,7 @@ struct ThreadSize {
   double usualPitch() const { return pitch > 0.0 ? pitch : finePitch; }
 };
 
-/// Those of a family, the smallest first.
+/// The sizes of a family, the smallest first.
 const std::vector<ThreadSize>& threadSizes(ThreadFamily family);
 
 /// The size of the family that is nearest to a diameter (metres).

@@ -84,7 +84,7 @@ void addDrive(const Designation& said, Joint& joint) {
   }
 }
 
-/// Of its own name.
+/// Takes the designation of the body's own name.
 void addDesignation(const Designation& said, Joint& joint) {
   if (!agrees(said.part, joint.kind)) {
     doubt(joint, std::string("the name says '") + standardPartName(said.part) + "'");

@@ -13,7 +13,7 @@ namespace glissade {
 /// What the independent check says of a step.
 enum class StepCheck { NotAsked, Agrees, Disagrees };
 
-/// What the independent check says of a plan.
+/// The result of the independent check of a plan.
 struct PlanCheck {
   std::vector<StepCheck> steps{};         ///< of each step; empty: not asked
   std::vector<std::string> conditions{};  ///< that the plan states itself, and that the check rests on

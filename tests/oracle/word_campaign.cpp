@@ -45,7 +45,7 @@ Json soundPlan(const WordOptions& options) {
   return plan;
 }
 
-/// What is wrong with the answer; empty: nothing.
+/// The fault of the answer; empty: it has none.
 std::string defectOf(const ChildEnd& end, MutantTruth truth) {
   if (end.hung) return "hangs";
   const int code = end.exitCode;

@@ -86,7 +86,7 @@ std::uint64_t numberAt(const Json& report, const char* name) {
   return report.contains(name) && report[name].is_number() ? report[name].get<std::uint64_t>() : 0;
 }
 
-/// What a planner's report counts.
+/// Takes the counts of a planner's report.
 void takeCounts(const std::string& output, Work& work) {
   const Json report = Json::parse(output, nullptr, false);
   if (!report.is_object() || !report.contains("collision_queries")) return;

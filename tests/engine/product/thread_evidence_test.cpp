@@ -14,7 +14,7 @@ namespace {
 
 using namespace glissade::test;
 
-/// What is expected of a product.
+/// The expected result for a product.
 struct Answer {
   enum class Kind {
     NoThread,    ///< nothing is screwed
