@@ -158,7 +158,7 @@ TEST(KeptDirections, ABlockTouchesItsBaseAlone) {
 
 TEST(KeptDirections, UpwardsThenAsideIsForbiddenAndAsideThenUpwardsIsNot) {
   const Product product = blockOnABase();
-  const auto path = [](std::vector<Vector3> ways) {
+  const auto path = [](const std::vector<Vector3>& ways) {
     std::vector<Pose> poses{Pose::translation({0.0, 0.0, 0.5 * kBlock})};
     for (const Vector3& way : ways) poses.push_back(Pose::translation(poses.back().position + way));
     return poses;

@@ -205,7 +205,7 @@ TEST(ForbiddenPlace, AGivenPathThatTouchesItIsRefused) {
   Problem problem = twoWindows();
   problem.scene.edits = forbidding({kNearWindow});
   const Box3 box = placesOf(problem, problem.scene.edits).front().boxes.front();
-  const Vector3 corner = box.min();
+  const Vector3& corner = box.min();
   const auto examined = [&](const std::vector<Vector3>& positions) {
     Problem asked = problem;
     asked.start = Pose::translation(positions.front());
