@@ -3,59 +3,44 @@
 namespace glissade {
 
 void InputMailbox::connect(const std::string& name) {
-  {
-    const std::lock_guard lock(mutex_);
-    reading_.connected = true;
-    reading_.name = name;
-  }
-  tell();
+  heard_.change([&](Heard& heard) {
+    heard.reading.connected = true;
+    heard.reading.name = name;
+    return true;
+  });
 }
 
 void InputMailbox::disconnect() {
-  {
-    const std::lock_guard lock(mutex_);
-    if (!reading_.connected) return;
-    reading_.connected = false;
-    reading_.name.clear();
-    reading_.axes = RawAxes{};
-  }
-  tell();
+  heard_.change([](Heard& heard) {
+    if (!heard.reading.connected) return false;
+    heard.reading.connected = false;
+    heard.reading.name.clear();
+    heard.reading.axes = RawAxes{};
+    return true;
+  });
 }
 
 void InputMailbox::setAxes(const RawAxes& axes) {
-  {
-    const std::lock_guard lock(mutex_);
-    reading_.axes = axes;
-    heard_ = Clock::now();
-  }
-  tell();
+  heard_.change([&](Heard& heard) {
+    heard.reading.axes = axes;
+    heard.axesAt = Clock::now();
+    return true;
+  });
 }
 
 void InputMailbox::press(std::size_t button) {
   if (button >= kInputButtons) return;
-  {
-    const std::lock_guard lock(mutex_);
-    ++reading_.presses[button];
-  }
-  tell();
+  heard_.change([&](Heard& heard) {
+    ++heard.reading.presses[button];
+    return true;
+  });
 }
 
 InputReading InputMailbox::reading() const {
-  const std::lock_guard lock(mutex_);
-  InputReading now = reading_;
-  const bool silent = silence_ && Clock::now() - heard_ > *silence_;
-  if (silent || !now.connected) now.axes = RawAxes{};
-  return now;
-}
-
-void InputMailbox::setListener(std::function<void()> listener) {
-  const std::lock_guard lock(listenerMutex_);
-  listener_ = std::move(listener);
-}
-
-void InputMailbox::tell() {
-  const std::lock_guard lock(listenerMutex_);
-  if (listener_) listener_();
+  Heard now = heard_.get();
+  const bool silent = silence_ && Clock::now() - now.axesAt > *silence_;
+  if (silent || !now.reading.connected) now.reading.axes = RawAxes{};
+  return now.reading;
 }
 
 }  // namespace glissade

@@ -4,10 +4,10 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
-#include <mutex>
 #include <optional>
 #include <string>
 
+#include "engine/base/mailbox.h"
 #include "engine/operator/device_shaping.h"
 
 namespace glissade {
@@ -44,18 +44,16 @@ class InputMailbox {
 
   /// Called after every change, on the thread that made it; must return at once. After
   /// setListener({}) has returned no call is under way. The listener may read and must not write.
-  void setListener(std::function<void()> listener);
+  void setListener(std::function<void()> listener) { heard_.setListener(std::move(listener)); }
 
  private:
-  void tell();
+  struct Heard {
+    InputReading reading;
+    Clock::time_point axesAt;
+  };
 
   const std::optional<std::chrono::milliseconds> silence_;
-  mutable std::mutex mutex_;
-  InputReading reading_;
-  Clock::time_point heard_;
-
-  std::mutex listenerMutex_;
-  std::function<void()> listener_;
+  Mailbox<Heard> heard_;
 };
 
 }  // namespace glissade

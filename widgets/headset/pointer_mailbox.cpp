@@ -1,7 +1,5 @@
 #include "widgets/headset/pointer_mailbox.h"
 
-#include <utility>
-
 namespace glissade {
 namespace {
 
@@ -15,31 +13,28 @@ bool isMotion(const PointerMailbox::Moment& from, const PointerMailbox::Moment& 
 }  // namespace
 
 void PointerMailbox::set(const Moment& now) {
-  if (!add(now)) return;
-  const std::lock_guard lock(listenerMutex_);
-  if (listener_) listener_();
+  heard_.change([&](Heard& heard) { return add(now, heard); });
 }
 
 /// The last moment may go where it was a motion itself.
-bool PointerMailbox::add(const Moment& now) {
-  const std::lock_guard lock(mutex_);
-  if (now == last_) return false;
+bool PointerMailbox::add(const Moment& now, Heard& heard) {
+  auto& [last, moments] = heard;
+  if (now == last) return false;
   const bool replaces =
-      moments_.size() > 1 && isMotion(moments_[moments_.size() - 2], moments_.back()) && isMotion(moments_.back(), now);
-  if (replaces) moments_.pop_back();
-  moments_.push_back(now);
-  last_ = now;
+      moments.size() > 1 && isMotion(moments[moments.size() - 2], moments.back()) && isMotion(moments.back(), now);
+  if (replaces) moments.pop_back();
+  moments.push_back(now);
+  last = now;
   return true;
 }
 
 std::vector<PointerMailbox::Moment> PointerMailbox::take() {
-  const std::lock_guard lock(mutex_);
-  return std::exchange(moments_, {});
-}
-
-void PointerMailbox::setListener(std::function<void()> listener) {
-  const std::lock_guard lock(listenerMutex_);
-  listener_ = std::move(listener);
+  std::vector<Moment> moments;
+  heard_.change([&](Heard& heard) {
+    moments.swap(heard.moments);
+    return false;
+  });
+  return moments;
 }
 
 }  // namespace glissade

@@ -3,9 +3,10 @@
 #include <Eigen/Core>
 
 #include <functional>
-#include <mutex>
 #include <optional>
 #include <vector>
+
+#include "engine/base/mailbox.h"
 
 namespace glissade {
 
@@ -31,17 +32,16 @@ class PointerMailbox {
   std::vector<Moment> take();
   /// Called after a set() that says something new, on the thread that made it; must return at once. After
   /// setListener({}) has returned no call is under way.
-  void setListener(std::function<void()> listener);
+  void setListener(std::function<void()> listener) { heard_.setListener(std::move(listener)); }
 
  private:
-  bool add(const Moment& now);
+  struct Heard {
+    Moment last;
+    std::vector<Moment> moments;
+  };
+  static bool add(const Moment& now, Heard& heard);
 
-  std::mutex mutex_;
-  Moment last_;
-  std::vector<Moment> moments_;
-
-  std::mutex listenerMutex_;
-  std::function<void()> listener_;
+  Mailbox<Heard> heard_;
 };
 
 }  // namespace glissade

@@ -2,9 +2,9 @@
 
 #include <chrono>
 #include <functional>
-#include <mutex>
 #include <optional>
 
+#include "engine/base/mailbox.h"
 #include "engine/geometry/pose.h"
 
 namespace glissade {
@@ -40,21 +40,21 @@ class ControllerMailbox {
   ControllerReading reading() const;
 
   void setFeedback(const ControllerFeedback& feedback);
-  ControllerFeedback feedback() const;
+  ControllerFeedback feedback() const { return feedback_.get(); }
 
   /// Called after every set(), on the thread that made it; must return at once. After setListener({}) has returned no
   /// call is under way.
-  void setListener(std::function<void()> listener);
+  void setListener(std::function<void()> listener) { heard_.setListener(std::move(listener)); }
 
  private:
-  const std::optional<std::chrono::milliseconds> silence_;
-  mutable std::mutex mutex_;
-  ControllerReading reading_;
-  Clock::time_point heard_{};
-  ControllerFeedback feedback_;
+  struct Heard {
+    ControllerReading reading;
+    Clock::time_point at;
+  };
 
-  std::mutex listenerMutex_;
-  std::function<void()> listener_;
+  const std::optional<std::chrono::milliseconds> silence_;
+  Mailbox<Heard> heard_;
+  Mailbox<ControllerFeedback> feedback_;
 };
 
 }  // namespace glissade

@@ -17,7 +17,7 @@ ContactTracker::~ContactTracker() {
   thread_.join();
 }
 
-void ContactTracker::ask(const Pose& q, double reach) { question_.tryPut({q, reach}); }
+void ContactTracker::ask(const Pose& q, double reach) { question_.trySet(Question{q, reach}); }
 
 void ContactTracker::rethrowFailure() const {
   if (failed_) std::rethrow_exception(failure_);
@@ -39,7 +39,7 @@ void ContactTracker::answerQuestions() {
       std::this_thread::sleep_for(kPause);
       continue;
     }
-    answer_.put(lookAround(*query_, question->q, question->reach));
+    answer_.set(lookAround(*query_, question->q, question->reach));
     ++queries_;
   }
 }

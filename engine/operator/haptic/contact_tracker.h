@@ -2,9 +2,10 @@
 
 #include <atomic>
 #include <exception>
+#include <optional>
 #include <thread>
 
-#include "engine/operator/haptic/latest.h"
+#include "engine/base/mailbox.h"
 #include "engine/operator/haptic/surroundings.h"
 
 namespace glissade {
@@ -36,8 +37,8 @@ class ContactTracker {
   void answerQuestions();
 
   std::unique_ptr<CollisionQuery> query_;
-  Latest<Question> question_;
-  Latest<Surroundings> answer_;
+  Mailbox<std::optional<Question>> question_;
+  Mailbox<std::optional<Surroundings>> answer_;
   std::atomic<std::uint64_t> queries_{0};
   std::atomic<bool> quit_{false};
   std::exception_ptr failure_;  ///< written before failed_

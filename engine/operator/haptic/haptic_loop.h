@@ -49,7 +49,7 @@ class HapticLoop {
   HapticLoop(const HapticLoop&) = delete;
   HapticLoop& operator=(const HapticLoop&) = delete;
 
-  void order(const HapticOrders& orders) { orders_.put(orders); }
+  void order(const HapticOrders& orders) { orders_.set(orders); }
   HapticReport report() const;
 
  private:
@@ -63,7 +63,7 @@ class HapticLoop {
   HapticOrders current_;
   HapticReport now_;
   double reach_ = 0.0;  ///< how far the tracker looks
-  Latest<HapticOrders> orders_;
+  Mailbox<std::optional<HapticOrders>> orders_;
   ContactTracker tracker_;
   mutable std::mutex mutex_;
   HapticReport report_;  ///< guarded by mutex_
