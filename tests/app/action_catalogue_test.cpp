@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <QSet>
+#include <utility>
+#include <vector>
 
 namespace glissade {
 namespace {
@@ -27,6 +29,23 @@ TEST(ActionCatalogue, IdsAndShortcutsAreUniqueAndEveryActionExplainsItself) {
     EXPECT_TRUE(action->toolTip().contains(action->shortcut().toString(QKeySequence::NativeText))) << spec.id;
   }
   EXPECT_EQ(catalogue.find(QStringLiteral("no.such")), nullptr);
+}
+
+/// Keys that users of such software press without looking.
+TEST(ActionCatalogue, CommonActionsHaveTheirCommonKeys) {
+  const std::vector<std::pair<const char*, const char*>> common{
+      {"file.new", "Ctrl+N"},     {"file.open", "Ctrl+O"},    {"file.save", "Ctrl+S"},
+      {"file.export", "Ctrl+E"},  {"file.quit", "Ctrl+Q"},    {"file.save-as", "Ctrl+Shift+S"},
+      {"edit.undo", "Ctrl+Z"},    {"measure.copy", "Ctrl+C"}, {"edit.redo", "Ctrl+Shift+Z"},
+      {"assembly.remove", "Del"}, {"work.cancel", "Esc"},     {"edit.preferences", "Ctrl+,"},
+      {"run.start", "F5"},        {"help.manual", "F1"},      {"view.full-screen", "F11"},
+      {"view.fit", "Ctrl+0"}};
+  ActionCatalogue catalogue(nullptr);
+  for (const auto& [id, keys] : common) {
+    const QAction* action = catalogue.find(QLatin1String(id));
+    ASSERT_NE(action, nullptr) << id;
+    EXPECT_EQ(action->shortcut().toString().toStdString(), keys) << id;
+  }
 }
 
 }  // namespace

@@ -23,10 +23,8 @@ class OffscreenSceneWidget final : public QWidget, public SceneWidget {
 
   SceneView& view() override { return view_; }
   QWidget* widget() override { return this; }
-  void refresh() override {
-    stale_ = true;
-    update();
-  }
+  /// Nobody looks at the window: the scene is drawn when a picture of it is taken.
+  void refresh() override { stale_ = true; }
   QImage picture() override {
     if (stale_ || image_.size() != size()) {
       image_ = draw(size());

@@ -74,7 +74,7 @@ TriangleMesh roundedDisc(double radius, double rounding, double height, int arou
 TEST(Overlap, OfALargePlateOnARoundedRimIsThatBelowThePlate) {
   constexpr double kHeight = 0.02;
   constexpr double kDeep = 1.2e-4;
-  const PlacedBody disc = placed(roundedDisc(0.02, 0.002, kHeight, 240, 12), Pose::identity());
+  const PlacedBody disc = placed(roundedDisc(0.02, 0.002, kHeight, 160, 8), Pose::identity());
   const PlacedBody plate = placed(makeBox({0.8, 0.8, 0.036}), Pose::translation({0.1, 0.05, kHeight - kDeep + 0.018}));
   const Overlap overlap = overlapIn(disc, plate, {});
   EXPECT_NEAR(overlap.deepest, kDeep, 0.01 * kDeep);

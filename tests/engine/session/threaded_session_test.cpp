@@ -92,6 +92,23 @@ TEST(ThreadedSession, AFailingDeviceIsReportedAndPlanningGoesOn) {
   EXPECT_TRUE(waitFor(*session, [](const auto& s) { return s.state == SessionState::Solved; }));
 }
 
+/// The thread sanitizer sees whether the view, which the window turns, and the hand, which reads it, exclude each other.
+TEST(ThreadedSession, ViewsReadersAndListenersChangeWhileTheHandMoves) {
+  const auto session =
+      makeThreadedSession(sessionConfig(closedProblem(), std::make_unique<HomingDevice>(Vector3(-0.3, 0, 0))));
+  std::atomic<bool> done{false};
+  std::thread view([&] {
+    for (double angle = 0.0; !done; angle += 0.01) {
+      session->setOperatorFrame({fromRollPitchYaw(0.0, 0.0, angle), {}});
+      session->setWakeUp([] {});
+    }
+  });
+  session->post(command::Start{});
+  EXPECT_TRUE(waitFor(*session, [](const auto& s) { return s.device.moves > 20; }));
+  done = true;
+  view.join();
+}
+
 TEST(ThreadedSession, ManyStartsStopsAndReadersDoNotDisturbEachOther) {
   const auto session =
       makeThreadedSession(sessionConfig(closedProblem(), std::make_unique<HomingDevice>(Vector3(-0.3, 0, 0))));
