@@ -47,7 +47,7 @@ mkdir -p "$work" "$(dirname "$out")"
 export LC_ALL=C.UTF-8
 
 release=build/release/bin
-formats="stl-text stl-binary obj ply ply-binary dae glb gltf urdf step-box step-plate step-split scenario semantics
+formats="stl-text stl-binary obj ply ply-binary dae glb gltf urdf step-box step-plate step-split iges brep scenario semantics
   product cfg study path-csv path-json path-path assembly-plan record journal"
 # The messages of the STEP importer are written by the build.
 targets="$(ls tests/fuzz/corpus) step-protocol"

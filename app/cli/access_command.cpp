@@ -147,7 +147,7 @@ Json linesJson(const LineAccess& access, const std::vector<SubassemblyLine>& lin
 int accessOfPlan(const AccessOptions& options, const StopToken& stop) {
   const auto plan = readPlan(options.plan);
   if (!plan) return reportError(plan.error(), options.format);
-  const auto loaded = loadProduct(options.file, stop, plan->deflection);
+  const auto loaded = loadProduct(options.file, stop, plan->deflection, {{}, plan->bodies});
   if (!loaded) return reportError(loaded.error(), options.format);
   reportWarnings(loaded->warnings);
   const AssembledProduct& product = loaded->product;

@@ -110,8 +110,8 @@ int checkPath(const CheckOptions& options, const Interrupt& interrupt, const Sto
 int checkPlan(const CheckOptions& options, const Interrupt& interrupt, const StopToken& stop) {
   const auto plan = check::readPlan(options.path);
   if (!plan) return reportError(plan.error(), options.format);
-  auto product =
-      check::readProduct(options.scenario, plan->deflection, {options.fits.on, options.fits.acceptedClash}, stop);
+  auto product = check::readProduct(options.scenario, plan->deflection, {options.fits.on, options.fits.acceptedClash},
+                                    stop, {options.open, plan->bodies});
   if (!product) return reportStopped(product.error(), interrupt, options.format);
   if (const Outcome left = check::leaveOut(options.without, *product); !left) {
     return reportError(left.error(), options.format);

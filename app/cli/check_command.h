@@ -15,6 +15,7 @@ struct CheckOptions {
   FitOptions fits;
   std::vector<std::string> without{};  ///< bodies and assemblies of a plan's product that are left out
   bool trustPlan = false;              ///< what a plan states itself counts as a person's word
+  std::vector<std::string> open{};     ///< parts of several solids that are taken as their solids
   bool edges = false;                  ///< certificates of every edge
   double timeLimit = 0.0;              ///< seconds; 0: none
   Format format = Format::Text;

@@ -76,14 +76,22 @@ std::string joined(const std::vector<std::string>& names) {
   return all;
 }
 
-void printCsv(const std::vector<PairFit>& rows) {
+/// Bodies by the names that the file has, with those of the assemblies that they are in.
+void printCsv(const std::vector<PairFit>& rows, const Product& tree) {
+  const std::vector<std::string> paths = tree.shownPaths();
+  const auto nameOf = [&](const std::string& id) {
+    const auto node = tree.find(id);
+    return node ? paths[*node] : id;
+  };
   std::cout << "a,b,kind,gap_m,overlap_m,uncertainty_m,allowance_m,status,thinner,refused\n";
   for (const PairFit& row : rows) {
     const Contact& contact = row.contact;
-    std::cout << quoted(row.a) << "," << quoted(row.b) << "," << kindName(contact.kind) << "," << toText(contact.gap)
-              << "," << toText(contact.overlap) << "," << toText(contact.uncertainty) << ","
-              << toText(row.way().allowance()) << "," << statusName(row.status()) << ","
-              << quoted(joined(row.thinner())) << "," << quoted(row.way().refused) << "\n";
+    std::vector<std::string> thinner;
+    for (const std::string& id : row.thinner()) thinner.push_back(nameOf(id));
+    std::cout << quoted(nameOf(row.a)) << "," << quoted(nameOf(row.b)) << "," << kindName(contact.kind) << ","
+              << toText(contact.gap) << "," << toText(contact.overlap) << "," << toText(contact.uncertainty) << ","
+              << toText(row.way().allowance()) << "," << statusName(row.status()) << "," << quoted(joined(thinner))
+              << "," << quoted(row.way().refused) << "\n";
   }
 }
 
@@ -145,7 +153,7 @@ Outcome checkLimits(const ContactLimits& limits) {
 int runFits(const FitsOptions& options) {
   if (const Outcome sound = checkLimits(options.limits); !sound) return reportError(sound.error(), options.format);
   const Interrupt interrupt;
-  auto loaded = readProduct(options.file, interrupt.token(), options.deflection);
+  auto loaded = readProduct(options.file, interrupt.token(), options.deflection, {options.open, {}});
   if (!loaded) return reportError(loaded.error(), options.format);
   if (const Outcome left = leaveOut(options.without, *loaded); !left) return reportError(left.error(), options.format);
   reportWarnings(loaded->warnings);
@@ -164,7 +172,7 @@ int runFits(const FitsOptions& options) {
   if (options.format == Format::Json) {
     printPairs(rows, loaded->missing);
   } else if (options.csv) {
-    printCsv(rows);
+    printCsv(rows, product.tree);
   } else {
     printTable(rows, product.bodies.size());
   }

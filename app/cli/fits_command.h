@@ -13,6 +13,7 @@ struct FitsOptions {
   ContactLimits limits;
   FitOptions fits{};
   std::vector<std::string> without{};  ///< bodies and assemblies that are left out
+  std::vector<std::string> open{};     ///< parts of several solids that are taken as their solids
   double deflection = 0.0;             ///< metres, of STEP files; 0: by the size of each part
   bool csv = false;
   Format format = Format::Text;

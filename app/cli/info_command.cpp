@@ -159,7 +159,9 @@ Json toJson(const Product& tree, const std::vector<RigidBody>& bodies) {
   for (std::size_t i = 0; i < tree.nodes().size(); ++i) {
     const Product::Node& node = tree.nodes()[i];
     if (node.children.empty()) continue;
-    Json json{{"id", node.id}, {"name", node.name}, {"bodies", counts[i]}};
+    Json json{{"id", node.id}, {"name", node.names.product}, {"bodies", counts[i]}};
+    if (!node.names.occurrence.empty()) json["occurrence"] = node.names.occurrence;
+    if (!node.names.designator.empty()) json["designator"] = node.names.designator;
     if (node.parent) json["in"] = tree.nodes()[*node.parent].id;
     if (!node.attributes.empty()) json["attributes"] = attributesToJson(node.attributes);
     list.push_back(std::move(json));
@@ -243,7 +245,7 @@ int runProductInfo(const InfoOptions& options) {
                        options.format);
   }
   const Interrupt interrupt;
-  const auto loaded = readProduct(options.file, interrupt.token());
+  const auto loaded = readProduct(options.file, interrupt.token(), 0.0, {options.open, {}});
   if (!loaded) return reportError(loaded.error(), options.format);
   reportWarnings(loaded->warnings);
   if (options.format == Format::Json) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "app/cli/report.h"
 
@@ -8,8 +9,9 @@ namespace glissade::cli {
 
 struct InfoOptions {
   std::string file;
-  bool places = false;       ///< build the environment model, too
-  bool saveRegions = false;  ///< write where the forbidden places are into the scenario file
+  bool places = false;              ///< build the environment model, too
+  bool saveRegions = false;         ///< write where the forbidden places are into the scenario file
+  std::vector<std::string> open{};  ///< parts of several solids that are taken as their solids
   Format format = Format::Text;
 };
 

@@ -132,7 +132,7 @@ Result<Joints> jointsOf(const ProductFile& loaded, bool confirmsSuggested, const
 
 int runJoints(const JointsOptions& options) {
   const Interrupt interrupt;
-  auto loaded = readProduct(options.file, interrupt.token(), options.deflection);
+  auto loaded = readProduct(options.file, interrupt.token(), options.deflection, {options.open, {}});
   if (!loaded) return reportError(loaded.error(), options.format);
   if (const Outcome left = leaveOut(options.without, *loaded); !left) return reportError(left.error(), options.format);
   reportWarnings(loaded->warnings);

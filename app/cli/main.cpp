@@ -129,6 +129,11 @@ void addWithout(CLI::App& command, std::vector<std::string>& without) {
                      "Leave a body or an assembly of the product out: its name (can be repeated)");
 }
 
+/// Of commands that take product files.
+void addOpen(CLI::App& command, std::vector<std::string>& open) {
+  command.add_option("--open", open, "Take a part of several solids as these: its name (can be repeated)");
+}
+
 CLI::App* addCheck(CLI::App& app, CheckOptions& options) {
   CLI::App* check = app.add_subcommand("check", "Judge a path or an assembly plan with the independent check");
   check
@@ -146,6 +151,7 @@ CLI::App* addCheck(CLI::App& app, CheckOptions& options) {
                   "What the plan states itself counts as a person's word: bends, flexible bodies, units, accepted "
                   "clashes, demands that are given up");
   addWithout(*check, options.without);
+  addOpen(*check, options.open);
   check->add_option("--time-limit", options.timeLimit, "Time limit in seconds; 0: none")->capture_default_str();
   addFormat(*check, options.format);
   return check;
@@ -179,10 +185,12 @@ CLI::App* addSweep(CLI::App& app, SweepOptions& options) {
 
 CLI::App* addInfo(CLI::App& app, InfoOptions& options) {
   CLI::App* info = app.add_subcommand("info", "Show bodies, triangles, units and the quality of the meshes");
-  info->add_option("FILE", options.file, "Scenario, OMPL.app .cfg, or part file (STEP, mesh, URDF)")->required();
+  info->add_option("FILE", options.file, "Scenario, OMPL.app .cfg, or part file (STEP, IGES, BREP, mesh, URDF)")
+      ->required();
   info->add_flag("--places", options.places, "Build the environment model: octree, places, borders, compatibility");
   info->add_flag("--save-regions", options.saveRegions,
                  "Write into the scenario file where its forbidden places are, which 'check' reads");
+  addOpen(*info, options.open);
   addFormat(*info, options.format);
   return info;
 }
@@ -200,7 +208,8 @@ void addPartDeflection(CLI::App& command, double& deflection) {
 
 CLI::App* addFits(CLI::App& app, FitsOptions& options) {
   CLI::App* fits = app.add_subcommand("fits", "List the contacts, fits and clashes of a product as it is assembled");
-  fits->add_option("FILE", options.file, "Scenario, STEP file, or an assembly in one (product.step:pump)")->required();
+  fits->add_option("FILE", options.file, "Scenario, STEP, IGES or BREP file, or an assembly in one (product.step:pump)")
+      ->required();
   addLength(
       *fits, "--clearance-up-to", [&options](double distance) { options.limits.clearanceUpTo = distance; },
       "List pairs with a gap of up to this, too, as 0.5mm (default: 0)");
@@ -214,6 +223,7 @@ CLI::App* addFits(CLI::App& app, FitsOptions& options) {
   addAcceptClashes(*fits, options.fits);
   addPartDeflection(*fits, options.deflection);
   addWithout(*fits, options.without);
+  addOpen(*fits, options.open);
   fits->add_flag("--csv", options.csv, "Comma-separated values, a line a pair");
   addFormat(*fits, options.format);
   return fits;
@@ -221,7 +231,8 @@ CLI::App* addFits(CLI::App& app, FitsOptions& options) {
 
 CLI::App* addJoints(CLI::App& app, JointsOptions& options) {
   CLI::App* joints = app.add_subcommand("joints", "List how the bodies of a product are joined: screws, nuts, inserts");
-  joints->add_option("FILE", options.file, "Scenario, STEP file, or an assembly in one (product.step:pump)")
+  joints
+      ->add_option("FILE", options.file, "Scenario, STEP, IGES or BREP file, or an assembly in one (product.step:pump)")
       ->required();
   joints
       ->add_option_function<std::string>(
@@ -231,6 +242,7 @@ CLI::App* addJoints(CLI::App& app, JointsOptions& options) {
       ->check(CLI::IsMember({"recognised", "suggested"}));
   addPartDeflection(*joints, options.deflection);
   addWithout(*joints, options.without);
+  addOpen(*joints, options.open);
   addFormat(*joints, options.format);
   return joints;
 }
@@ -239,7 +251,8 @@ CLI::App* addSequence(CLI::App& app, SequenceOptions& options) {
   CLI::App* sequence =
       app.add_subcommand("sequence", "Find in which order the parts of a product leave, with a certified motion each");
   sequence
-      ->add_option("FILE", options.file, "Scenario, STEP file, an assembly in one (product.step:pump), or URDF file")
+      ->add_option("FILE", options.file,
+                   "Scenario, STEP, IGES or BREP file, an assembly in one (product.step:pump), or URDF file")
       ->required();
   sequence->add_option("--out", options.out, "Write the assembly plan (.json), also while it is planned");
   sequence->add_option("--save-every", options.saveEvery, "Seconds after which the plan so far is written to --out")
@@ -273,6 +286,7 @@ CLI::App* addSequence(CLI::App& app, SequenceOptions& options) {
       "or an expression (default: the scenario's, or fitter)");
   addPartDeflection(*sequence, options.deflection);
   addWithout(*sequence, options.without);
+  addOpen(*sequence, options.open);
   addFitOptions(*sequence, options.fits, "on, or the scenario's");
   addFormat(*sequence, options.format);
   return sequence;
@@ -327,11 +341,14 @@ CLI::App* addConvert(CLI::App& app, ConvertOptions& options) {
 }
 
 CLI::App* addNew(CLI::App& app, NewOptions& options) {
-  CLI::App* make = app.add_subcommand("new", "Make a scenario of part files (meshes, STEP, URDF), of which one moves");
+  CLI::App* make =
+      app.add_subcommand("new", "Make a scenario of part files (meshes, STEP, IGES, BREP, URDF), of which one moves");
   make->footer(
       "A part of a STEP file is named behind its file: --moves product.step:pin --static product.step makes a body\n"
       "of every other part. An assembly in the file (product.step:pump) stands for all of its parts; two parts of\n"
-      "one name are pin and pin#2. A group of an OBJ file is named in the same way: --moves product.obj:lid --groups\n"
+      "one name are pin and pin#2. A solid of a part of several (product.step:frame/solid#2) opens the part: each of\n"
+      "its solids is a body. #3 is the third part that 'info' lists. A group of an OBJ file is named in the same way: "
+      "--moves product.obj:lid --groups\n"
       "--static product.obj makes a body of every other group.");
   make->add_option("OUT", options.output, "Scenario file to write")->required();
   make->add_option("--moves", options.moving, "The part that moves (can be repeated: they move as one)")

@@ -400,7 +400,8 @@ int runSequence(const SequenceOptions& options) {
     earlier = std::move(*read);
   }
   const double deflection = earlier ? earlier->deflection : options.deflection;
-  auto loaded = loadProduct(options.file, interrupt.token(), deflection);
+  const PartChoice choice{options.open, earlier ? earlier->bodies : std::vector<std::string>()};
+  auto loaded = loadProduct(options.file, interrupt.token(), deflection, choice);
   if (!loaded) return reportError(loaded.error(), options.format);
   if (const Outcome left = leaveOut(options.without, *loaded); !left) return reportError(left.error(), options.format);
   AssembledProduct& product = loaded->product;

@@ -25,6 +25,7 @@ struct SequenceOptions {
   std::string joints;                  ///< as of jointUseName(); empty: the scenario's
   std::string cost;                    ///< of best-first: a preset or an expression; empty: the scenario's
   std::vector<std::string> without{};  ///< bodies and assemblies that are left out
+  std::vector<std::string> open{};     ///< parts of several solids that are taken as their solids
   double deflection = 0.0;             ///< metres, of STEP files; 0: by the size of each part
   std::string out;                     ///< plan file to write; empty: none
   double saveEvery = 5.0;              ///< seconds after which the plan so far is written

@@ -87,7 +87,7 @@ Json toJson(const PlanTiming& timing, const AssemblyPlan& plan) {
 int runTimes(const TimesOptions& options) {
   const auto plan = readPlan(options.plan);
   if (!plan) return reportError(plan.error(), options.format);
-  const auto loaded = loadProduct(options.product, {}, plan->deflection);
+  const auto loaded = loadProduct(options.product, {}, plan->deflection, {{}, plan->bodies});
   if (!loaded) return reportError(loaded.error(), options.format);
   reportWarnings(loaded->warnings);
   std::vector<std::string> ids;

@@ -14,7 +14,7 @@ enum class ThemeChoice { Desktop, Light, Dark };
 struct Preferences {
   QString language;         ///< "en", "fr"; empty: that of the desktop
   double fontPoints = 9.0;  ///< of all texts of the window; small enough for three docks at 1280 x 720
-  LengthUnit lengthUnit = LengthUnit::Fitting;  ///< Fitting: inches where the product's file is in inches
+  LengthUnit lengthUnit = LengthUnit::Fitting;  ///< Fitting: that of the product's file
   int autosaveSeconds = 3;                      ///< between two writings of what is not saved
   SceneColours colours = {};
   ThemeChoice theme = ThemeChoice::Desktop;

@@ -67,13 +67,23 @@ void PreferencesController::apply(const Preferences& preferences) {
   bench_.scene.refresh();
 }
 
-/// A product whose file is in inches or feet is shown in inches where nobody has chosen a unit.
+namespace {
+
+/// Of lengths of a product whose file states them in a unit of so many metres.
+LengthUnit unitOfFile(double metres) {
+  if (metres == kInch || metres == kFoot) return LengthUnit::Inches;
+  if (metres == 0.001) return LengthUnit::Millimetres;
+  return metres == 1.0 ? LengthUnit::Metres : LengthUnit::Fitting;
+}
+
+}  // namespace
+
+/// Where nobody has chosen a unit, a product is shown in that of its file.
 void PreferencesController::showLengthUnit() {
   const ScenarioPtr scenario = bench_.document.scenario();
   const double ofFile = scenario ? scenario->product.lengthUnit() : 0.0;
-  const bool isImperial = ofFile == kInch || ofFile == kFoot;
   const bool isChosen = present_.lengthUnit != LengthUnit::Fitting;
-  const LengthUnit unit = !isChosen && isImperial ? LengthUnit::Inches : present_.lengthUnit;
+  const LengthUnit unit = isChosen ? present_.lengthUnit : unitOfFile(ofFile);
   if (unit == lengthUnit()) return;
   setLengthUnit(unit);
   announceLengthUnit();

@@ -61,7 +61,7 @@ void PreferencesDialog::fill(const Preferences& present) {
   font_->setDecimals(1);
   font_->setSuffix(tr(" pt"));
   font_->setValue(present.fontPoints);
-  unit_->addItem(tr("As the product's file: inches, or µm, mm and m"), static_cast<int>(LengthUnit::Fitting));
+  unit_->addItem(tr("As the product's file; else µm, mm and m"), static_cast<int>(LengthUnit::Fitting));
   unit_->addItem(tr("Millimetres"), static_cast<int>(LengthUnit::Millimetres));
   unit_->addItem(tr("Inches"), static_cast<int>(LengthUnit::Inches));
   unit_->addItem(tr("Metres"), static_cast<int>(LengthUnit::Metres));

@@ -1,22 +1,11 @@
 #include "engine/assembly/body_path.h"
 
 #include <algorithm>
-#include <map>
 
 namespace glissade {
 namespace {
 
 constexpr char kSeparator = '/';
-
-/// Where the last names begin, the shortest end first; 0, the whole path, is the last.
-std::vector<std::size_t> beginsOfEnds(const std::string& path) {
-  std::vector<std::size_t> begins;
-  for (std::size_t at = path.size(); at > 0; --at) {
-    if (path[at - 1] == kSeparator && at < path.size()) begins.push_back(at);
-  }
-  begins.push_back(0);
-  return begins;
-}
 
 }  // namespace
 
@@ -32,7 +21,10 @@ std::vector<std::string> stepsOf(const std::string& path) {
 
 std::string firstStepOf(const std::string& path) { return path.substr(0, path.find(kSeparator)); }
 
-std::string lastStepOf(const std::string& path) { return path.substr(beginsOfEnds(path).front()); }
+std::string lastStepOf(const std::string& path) {
+  const std::size_t before = path.size() < 2 ? std::string::npos : path.rfind(kSeparator, path.size() - 2);
+  return before == std::string::npos ? path : path.substr(before + 1);
+}
 
 std::string pathOf(const std::vector<std::string>& steps) {
   std::string path;
@@ -78,25 +70,6 @@ bool isMeantBy(const std::string& name, const std::string& path) {
   const std::vector<std::string> above = assembliesAbove(path);
   return std::any_of(above.begin(), above.end(),
                      [&](const std::string& assembly) { return endsInPath(assembly, name); });
-}
-
-std::vector<std::string> shownNames(const std::vector<std::string>& ids, const std::vector<std::string>& names) {
-  std::map<std::string, int> bodies;
-  for (const std::string& name : names) ++bodies[name];
-  std::vector<std::string> paths;
-  for (std::size_t i = 0; i < names.size(); ++i) paths.push_back(bodies[names[i]] > 1 ? ids[i] : names[i]);
-  std::map<std::string, int> ends;
-  for (const std::string& path : paths) {
-    for (const std::size_t begin : beginsOfEnds(path)) ++ends[path.substr(begin)];
-  }
-  for (std::string& path : paths) {
-    for (const std::size_t begin : beginsOfEnds(path)) {
-      if (ends[path.substr(begin)] > 1) continue;
-      path.erase(0, begin);
-      break;
-    }
-  }
-  return paths;
 }
 
 }  // namespace glissade

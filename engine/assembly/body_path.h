@@ -41,8 +41,4 @@ bool endsInPath(const std::string& path, const std::string& end);
 /// The name means the body: its path ends in it, or that of an assembly that it is in does.
 bool isMeantBy(const std::string& name, const std::string& path);
 
-/// What people see of each body: the shortest end of its name that no other name ends in; the whole name where that is
-/// the end of another one; the id where several bodies have the name. `ids` and `names`: of the same bodies.
-std::vector<std::string> shownNames(const std::vector<std::string>& ids, const std::vector<std::string>& names);
-
 }  // namespace glissade

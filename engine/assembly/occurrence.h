@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/assembly/node_names.h"
 #include "engine/geometry/triangle_mesh.h"
 
 namespace glissade {
@@ -22,10 +23,12 @@ struct Occurrence {
   std::size_t facesWithoutMesh = 0;  ///< of STEP: faces and boundaries that could not be made are missing
   bool isClosed = false;             ///< known to be a closed surface; else it is to be found out
   double coordinateSpacing = 0.0;    ///< metres that the mesh may be off the file: want of digits, closed T-junctions
-  /// The names of the steps of `path` as the file has them: empty ones, some with "/", several of one name. None at all
-  /// where they are the steps themselves.
-  std::vector<std::string> names{};
+  /// The names of the steps of `path` as the file has them. None at all where they are the steps themselves.
+  std::vector<NodeNames> names{};
   double unit = 0.0;  ///< metres: that in which a STEP file states its lengths; 0: the file states none
+  /// Its path in scenarios and plans of earlier versions; empty: the same.
+  std::string formerPath{};
+  bool isSolidOfPart = false;  ///< one of several solids of the part that is the node above it
 };
 
 }  // namespace glissade

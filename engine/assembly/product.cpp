@@ -1,9 +1,12 @@
 #include "engine/assembly/product.h"
 
 #include <algorithm>
+#include <charconv>
 #include <set>
+#include <system_error>
 
 #include "engine/assembly/body_path.h"
+#include "engine/assembly/unique_names.h"
 
 namespace glissade {
 
@@ -36,19 +39,21 @@ class ProductMaker {
   void add(const ProductBody& body) {
     const NodeDescription* said = saidOf(body.id);
     const Parent parent = said != nullptr && said->in ? assemblyWithId(*said->in) : assemblyAbove({}, body.place);
-    const std::size_t node = append({body.id, body.place.path, nameAt(body.place), parent}, said);
+    const std::size_t node = append({body.id, body.place.path, namesAt(body.place), parent}, said);
     product_.nodes_[node].unit = body.parts.empty() ? body.place.unit : body.parts.front().unit;
     for (const TreePlace& part : body.parts) {
       if (part.path.empty()) continue;
       const std::size_t below = append({joinedPath(body.id, part.path), joinedPath(body.place.path, part.path),
-                                        nameAt(part), assemblyAbove(node, part)},
+                                        namesAt(part), assemblyAbove(node, part)},
                                        nullptr);
       product_.nodes_[below].unit = part.unit;
     }
   }
 
   std::size_t append(Node node, const NodeDescription* said) {
-    if (said != nullptr && said->name) node.name = *said->name;
+    if (said != nullptr && said->name) node.names.product = *said->name;
+    if (said != nullptr && !said->occurrence.empty()) node.names.occurrence = said->occurrence;
+    if (said != nullptr && !said->designator.empty()) node.names.designator = said->designator;
     if (said != nullptr && node.isAssembly) node.attributes = said->attributes;
     const std::size_t index = product_.nodes_.size();
     if (node.parent) product_.nodes_[*node.parent].children.push_back(index);
@@ -57,8 +62,8 @@ class ProductMaker {
     return index;
   }
 
-  static std::string nameAt(const TreePlace& place) {
-    return place.names.empty() ? lastStepOf(place.path) : place.names.back();
+  static NodeNames namesAt(const TreePlace& place) {
+    return place.names.empty() ? NodeNames{lastStepOf(place.path)} : place.names.back();
   }
 
   /// The assembly that the last step of the place is in, below `top`.
@@ -67,7 +72,7 @@ class ProductMaker {
     Parent parent = top;
     for (std::size_t level = 0; level + 1 < steps.size(); ++level) {
       const bool named = place.names.size() == steps.size();
-      parent = assemblyAt(parent, steps[level], named ? place.names[level] : steps[level]);
+      parent = assemblyAt(parent, steps[level], named ? place.names[level] : NodeNames{steps[level]});
     }
     return parent;
   }
@@ -79,21 +84,21 @@ class ProductMaker {
     return free;
   }
 
-  std::size_t assemblyAt(Parent parent, const std::string& step, const std::string& name) {
+  std::size_t assemblyAt(Parent parent, const std::string& step, const NodeNames& names) {
     const auto known = assemblies_.find({parent, step});
     if (known != assemblies_.end()) return known->second;
     const std::string id = idBelow(parent, step);
     const auto same = product_.byId_.find(id);
-    const std::size_t node = same != product_.byId_.end() ? same->second : addAssembly(id, parent, step, name);
+    const std::size_t node = same != product_.byId_.end() ? same->second : addAssembly(id, parent, step, names);
     assemblies_.emplace(std::pair(parent, step), node);
     return node;
   }
 
-  std::size_t addAssembly(const std::string& id, Parent parent, const std::string& step, const std::string& name) {
+  std::size_t addAssembly(const std::string& id, Parent parent, const std::string& step, const NodeNames& names) {
     const NodeDescription* said = saidOf(id);
     if (said != nullptr && said->in && making_.insert(id).second) parent = assemblyWithId(*said->in);
     if (const auto made = product_.byId_.find(id); made != product_.byId_.end()) return made->second;
-    Node node{id, parent ? joinedPath(product_.nodes_[*parent].path, step) : step, name, parent};
+    Node node{id, parent ? joinedPath(product_.nodes_[*parent].path, step) : step, names, parent};
     node.isAssembly = true;
     return append(std::move(node), said);
   }
@@ -104,7 +109,7 @@ class ProductMaker {
     const auto known = product_.byId_.find(id);
     if (known != product_.byId_.end()) return known->second;
     const NodeDescription* said = saidOf(id);
-    if (said != nullptr && said->in) return addAssembly(id, std::nullopt, lastStepOf(id), lastStepOf(id));
+    if (said != nullptr && said->in) return addAssembly(id, std::nullopt, lastStepOf(id), {lastStepOf(id)});
     const TreePlace below{joinedPath(id, "body")};
     return assemblyAbove({}, below);
   }
@@ -167,30 +172,86 @@ std::vector<std::size_t> Product::assembliesAbove(std::size_t node) const {
   return above;
 }
 
-std::vector<std::size_t> Product::named(const std::string& name) const {
-  std::vector<std::size_t> byPath;
-  std::vector<std::size_t> byNames;
-  if (name.empty()) return byPath;
-  std::vector<std::string> names;  // in the file, on the way to each node
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    const Node& node = nodes_[i];
-    const std::string own = node.name.empty() ? lastStepOf(node.path) : node.name;
-    names.push_back(node.parent ? joinedPath(names[*node.parent], own) : own);
-    if (node.id == name || endsInPath(node.path, name)) byPath.push_back(i);
-    if (endsInPath(names.back(), name)) byNames.push_back(i);
+namespace {
+
+/// Nodes that have a text, and whose texts on the way from the root end in the name. Texts may hold a "/".
+std::vector<std::size_t> endingIn(const std::string& name, const std::vector<Product::Node>& nodes,
+                                  const std::vector<std::string>& texts) {
+  std::vector<std::size_t> found;
+  std::vector<std::string> ways;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    ways.push_back(nodes[i].parent ? joinedPath(ways[*nodes[i].parent], texts[i]) : texts[i]);
+    if (!texts[i].empty() && endsInPath(ways.back(), name)) found.push_back(i);
   }
-  return byPath.empty() ? byNames : byPath;
+  return found;
+}
+
+/// "#2" is the second body.
+std::vector<std::size_t> numbered(const std::string& name, const std::vector<Product::Node>& nodes) {
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(name.data() + 1, name.data() + name.size(), number);
+  if (name.front() != '#' || error != std::errc() || end != name.data() + name.size()) return {};
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (!nodes[i].isAssembly && nodes[i].children.empty() && --number == 0) return {i};
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<std::size_t> Product::named(const std::string& name) const {
+  if (name.empty()) return {};
+  if (const auto known = find(name)) return {*known};
+  std::vector<std::size_t> found = endingIn(name, nodes_, shownNames());
+  if (!found.empty()) return found;
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    if (nodes_[i].path == name) return {i};
+    if (endsInPath(nodes_[i].path, name)) found.push_back(i);
+  }
+  for (const auto kind : {&NodeNames::product, &NodeNames::occurrence, &NodeNames::designator}) {
+    if (!found.empty()) break;
+    std::vector<std::string> texts;
+    for (const Node& node : nodes_) texts.push_back(node.names.*kind);
+    found = endingIn(name, nodes_, texts);
+  }
+  return found.empty() ? numbered(name, nodes_) : found;
 }
 
 std::vector<std::string> Product::shownNames() const {
-  std::map<std::pair<std::optional<std::size_t>, std::string>, int> siblings;
-  for (const Node& node : nodes_) ++siblings[{node.parent, node.name}];
+  std::map<std::optional<std::size_t>, UniqueNames> siblings;
   std::vector<std::string> shown;
   for (const Node& node : nodes_) {
-    const bool own = !node.name.empty() && siblings[{node.parent, node.name}] == 1;
-    shown.push_back(own ? node.name : lastStepOf(node.path));
+    const std::string& name = shownName(node.names);
+    shown.push_back(siblings[node.parent].take(name.empty() ? lastStepOf(node.path) : name));
   }
   return shown;
+}
+
+std::vector<std::string> Product::shownPaths() const {
+  std::vector<std::string> paths = shownNames();
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    if (nodes_[i].parent) paths[i] = joinedPath(paths[*nodes_[i].parent], paths[i]);
+  }
+  return paths;
+}
+
+std::vector<std::string> Product::labels(const std::vector<std::string>& ids) const {
+  const std::vector<std::string> shown = shownNames();
+  std::vector<std::vector<std::string>> endsOf;  // of each node, the shortest first
+  std::map<std::string, int> count;
+  for (const std::string& id : ids) {
+    std::vector<std::string>& ends = endsOf.emplace_back();
+    for (auto node = find(id); node; node = nodes_[*node].parent) {
+      ends.push_back(joinedPath(shown[*node], ends.empty() ? "" : ends.back()));
+    }
+    for (const std::string& end : ends) ++count[end];
+  }
+  std::vector<std::string> labels = ids;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const auto own = std::find_if(endsOf[i].begin(), endsOf[i].end(), [&](const auto& end) { return count[end] == 1; });
+    if (!endsOf[i].empty()) labels[i] = own == endsOf[i].end() ? endsOf[i].back() : *own;
+  }
+  return labels;
 }
 
 std::vector<std::string> bodiesMeant(const Product& product, const std::string& name) {

@@ -7,14 +7,15 @@
 #include <vector>
 
 #include "engine/assembly/attributes.h"
+#include "engine/assembly/node_names.h"
 
 namespace glissade {
 
 /// Where something is in the tree of a file.
 struct TreePlace {
-  std::string path;                  ///< steps, joined by "/" (body_path.h)
-  std::vector<std::string> names{};  ///< as of Occurrence: those of the steps; empty: the steps themselves
-  double unit = 0.0;                 ///< as of Occurrence
+  std::string path;                ///< steps, joined by "/" (body_path.h)
+  std::vector<NodeNames> names{};  ///< as of Occurrence: those of the steps; empty: the steps themselves
+  double unit = 0.0;               ///< as of Occurrence
 };
 
 /// A body, for making a product of it.
@@ -28,9 +29,11 @@ struct ProductBody {
 /// What a scenario says of a node beside what the paths of its bodies say.
 struct NodeDescription {
   std::string id;                     ///< of an assembly or a body
-  std::optional<std::string> name{};  ///< as the CAD file has it; nothing: the last step of its path
+  std::optional<std::string> name{};  ///< of the product in the CAD file; nothing: the last step of its path
   std::optional<std::string> in{};    ///< id of the assembly that it is in, empty: none; nothing: as its path says
   Attributes attributes{};            ///< of an assembly, for all bodies below it
+  std::string occurrence{};           ///< as of NodeNames
+  std::string designator{};           ///< as of NodeNames
 
   friend bool operator==(const NodeDescription&, const NodeDescription&) = default;
 };
@@ -41,7 +44,7 @@ class Product {
   struct Node {
     std::string id;                       ///< stable, each once
     std::string path;                     ///< of steps: "pump/rotor"
-    std::string name;                     ///< as the file has it: may be empty, hold a "/", be that of a sibling
+    NodeNames names;                      ///< as the file has them
     std::optional<std::size_t> parent{};  ///< nothing: at the top
     std::vector<std::size_t> children{};  ///< in the order of their first bodies
     bool isAssembly = false;              ///< else it is a body, or one of its rigid bodies
@@ -62,12 +65,17 @@ class Product {
   std::vector<std::string> bodiesBelow(std::size_t node) const;
   /// The assemblies that a node is in, the outermost first.
   std::vector<std::size_t> assembliesAbove(std::size_t node) const;
-  /// The nodes that a person means by a name: those that have it as id or whose path ends in it; where there are none,
-  /// those whose names in the file end in it.
+  /// The nodes that a person means by a name: the one that has it as id; else those whose shown names on the way to
+  /// them end in it; else those whose path does; else those that the file calls so. "#2" is the second body.
   std::vector<std::size_t> named(const std::string& name) const;
-  /// What people see of each node below its parent: its name, or the last step of its path where the name is empty or
-  /// that of a sibling.
+  /// What people see of each node below its parent: shownName(), or the last step of its path where that is empty; the
+  /// second of siblings with one name is "pin#2".
   std::vector<std::string> shownNames() const;
+  /// The shown names on the way to each node, and its own, joined by "/".
+  std::vector<std::string> shownPaths() const;
+  /// What people see of each of these nodes among them, by their ids: the shortest end of the shown names on the way to
+  /// it in which no other one ends, or the whole way; the id of what is no node.
+  std::vector<std::string> labels(const std::vector<std::string>& ids) const;
   /// Metres: the unit that most of its bodies state lengths in, the first of equally many; 0: none states one.
   double lengthUnit() const;
 

@@ -19,6 +19,7 @@
 #include "engine/import/step_deflection.h"
 #include "engine/import/step_import.h"
 #include "engine/import/step_parts.h"
+#include "engine/import/unread_kind.h"
 
 namespace glissade::check {
 namespace {
@@ -31,7 +32,7 @@ bool isUrdf(const std::string& file) { return endingOf(file) == "urdf"; }
 std::pair<std::string, std::string> splitPart(const std::string& text) {
   std::error_code none;
   for (std::size_t at = text.find(':'); at != std::string::npos; at = text.find(':', at + 1)) {
-    if (isStepFile(text.substr(0, at)) && !fs::exists(text, none)) return {text.substr(0, at), text.substr(at + 1)};
+    if (isCadFile(text.substr(0, at)) && !fs::exists(text, none)) return {text.substr(0, at), text.substr(at + 1)};
   }
   return {text, ""};
 }
@@ -41,15 +42,11 @@ Diagnostic stopped(const std::string& file) {
 }
 
 /// Names become those that people see.
-void shorten(std::vector<Body>& bodies) {
+void shorten(Product& product) {
   std::vector<std::string> ids;
-  std::vector<std::string> names;
-  for (const Body& body : bodies) {
-    ids.push_back(body.id);
-    names.push_back(body.name);
-  }
-  const std::vector<std::string> shown = shownNames(ids, names);
-  for (std::size_t i = 0; i < bodies.size(); ++i) bodies[i].name = shown[i];
+  for (const Body& body : product.bodies) ids.push_back(body.id);
+  const std::vector<std::string> shown = product.tree.labels(ids);
+  for (std::size_t i = 0; i < product.bodies.size(); ++i) product.bodies[i].name = shown[i];
 }
 
 /// Being inside a body whose surface is open is not seen.
@@ -96,10 +93,11 @@ Result<StatedScenario> statedIn(const std::string& file, Warnings& warnings) {
     if (!config) return config.error();
     return statedBy(*config);
   }
-  if (isStepFile(file) || isUrdf(file) || isMeshFile(file)) {
+  if (isCadFile(file) || isUrdf(file) || isMeshFile(file)) {
     return Diagnostic{ErrorKind::Usage, file, "", "is a part file, and a scenario is needed",
                       "Make a scenario of it: glissade-cli new OUT.json --moves FILE:PART --static FILE."};
   }
+  if (const auto unread = unreadKind(file)) return *unread;
   const auto text = readFile(file, limits::kMostScenarioBytes);
   if (!text) return text.error();
   auto document = parseJson(*text, file);
@@ -158,8 +156,8 @@ struct ReadParts {
   MissingShapes missing{};
 };
 
-Result<ReadParts> partsOf(const Asset& asset, const std::string& part, const std::string& file, Warnings& warnings,
-                          const StopToken& stop) {
+Result<ReadParts> partsOf(const Asset& asset, const std::string& part, const PartChoice& choice,
+                          const std::string& file, Warnings& warnings, const StopToken& stop) {
   const std::vector<Asset> assets{asset};
   GeometryLoader loader(assets, ".", file, nullptr, stop);
   const Geometry geometry =
@@ -168,11 +166,15 @@ Result<ReadParts> partsOf(const Asset& asset, const std::string& part, const std
   if (!loaded) return loaded.error();
   warnings = loader.warnings();
   warnOfMissingFaces(**loaded, "", file, warnings);
+  auto parts = chosenParts((*loaded)->parts, lastStepOf(file), choice);
+  if (!parts) return parts.error();
+  LoadedGeometry chosen;
+  chosen.parts = std::move(*parts);
   ReadParts read;
-  addParts({"", file, geometry, Pose::identity()}, **loaded, read.bodies);
+  addParts({"", file, geometry, Pose::identity()}, chosen, read.bodies);
   std::vector<ProductBody> nodes;
   for (std::size_t i = 0; i < read.bodies.size(); ++i) {
-    const Occurrence& solid = (*loaded)->parts[i];
+    const Occurrence& solid = chosen.parts[i];
     if (read.bodies[i].id.empty()) read.bodies[i].id = file;
     nodes.push_back({read.bodies[i].id, {solid.path.empty() ? lastStepOf(file) : solid.path, solid.names}});
   }
@@ -194,11 +196,12 @@ bool takeFiner(std::vector<Body>& usual, const std::vector<Body>& stated, double
   return all;
 }
 
-Result<Product> productOfParts(const std::string& text, double deflection, const StopToken& stop) {
+Result<Product> productOfParts(const std::string& text, double deflection, const PartChoice& choice,
+                               const StopToken& stop) {
   const auto [file, part] = splitPart(text);
   const Asset asset{"product", fs::absolute(file).lexically_normal().generic_string(), "", 1.0, UpAxis::Z};
   Product product;
-  auto usual = partsOf(asset, part, text, product.warnings, stop);
+  auto usual = partsOf(asset, part, choice, text, product.warnings, stop);
   if (!usual) return usual.error();
   product.bodies = std::move(usual->bodies);
   product.tree = std::move(usual->tree);
@@ -207,7 +210,7 @@ Result<Product> productOfParts(const std::string& text, double deflection, const
     Asset finer = asset;
     finer.deflection = std::clamp(deflection, limits::kSmallestSize, usualDeflection(1e9));
     Warnings same;
-    const auto stated = partsOf(finer, part, text, same, stop);
+    const auto stated = partsOf(finer, part, choice, text, same, stop);
     if (!stated) return stated.error();
     if (!takeFiner(product.bodies, stated->bodies, deflection)) {
       product.warnings.push_back({ErrorKind::MalformedInput, text, "",
@@ -216,7 +219,7 @@ Result<Product> productOfParts(const std::string& text, double deflection, const
     }
   }
   product.fits.on = true;
-  shorten(product.bodies);
+  shorten(product);
   return product;
 }
 
@@ -297,7 +300,7 @@ Product productOf(const ReadScenario& read, const std::vector<Body>& object, con
   product.missing = read.missing;
   std::map<MeshPtr, bool> closed;
   for (const Body& body : product.bodies) warnIfOpen(body, file, closed, product.warnings);
-  shorten(product.bodies);
+  shorten(product);
   product.demands = read.stated.demands;
   product.joints = read.stated.joints;
   return product;
@@ -340,10 +343,11 @@ Result<Product> productOfScenario(const std::string& file, const FitChoice& fits
 
 }  // namespace
 
-Result<Product> readProduct(const std::string& file, double deflection, const FitChoice& fits, const StopToken& stop) {
+Result<Product> readProduct(const std::string& file, double deflection, const FitChoice& fits, const StopToken& stop,
+                            const PartChoice& choice) {
   const std::string path = splitPart(file).first;
-  const bool isPart = isStepFile(path) || isUrdf(path);
-  auto read = isPart ? productOfParts(file, deflection, stop) : productOfScenario(file, fits, stop);
+  const bool isPart = isCadFile(path) || isUrdf(path);
+  auto read = isPart ? productOfParts(file, deflection, choice, stop) : productOfScenario(file, fits, stop);
   if (!read) return read.error();
   Product product = std::move(*read);
   if (isPart) choose(fits, product.fits);

@@ -6,6 +6,7 @@
 #include "engine/base/result.h"
 #include "engine/base/stop_token.h"
 #include "engine/check/product.h"
+#include "engine/import/part_solids.h"
 
 namespace glissade::check {
 
@@ -23,7 +24,7 @@ Result<Question> readQuestion(const std::string& file, const FitChoice& fits = {
 /// nothing. Parts are read with the usual deflection where what is stated is coarser: a plan cannot choose how coarsely
 /// it is judged.
 Result<Product> readProduct(const std::string& file, double deflection, const FitChoice& fits = {},
-                            const StopToken& stop = {});
+                            const StopToken& stop = {}, const PartChoice& choice = {});
 
 /// Takes away the bodies that a person means by the names, and what is said of their fits; the option --without. A
 /// warning says which. A plan cannot ask for that. Errors: as of bodiesMeant().

@@ -42,7 +42,8 @@ Geometry readShape(const JsonCursor& at, const std::set<std::string>& assets) {
   }
   if (const auto urdf = at.find("urdf")) return UrdfGeometry{asset(*urdf)};
   if (const auto step = at.find("step")) {
-    return StepGeometry{asset(step->at("asset")), step->has("part") ? step->at("part").nonEmptyText() : ""};
+    return StepGeometry{asset(step->at("asset")), step->has("part") ? step->at("part").nonEmptyText() : "",
+                        step->has("as_one") && step->at("as_one").boolean()};
   }
   if (const auto box = at.find("box")) {
     if (!limits::isSize(box->vector().minCoeff())) box->fail("has a size that is not above zero, or below 1e-12 m");
@@ -129,6 +130,8 @@ std::vector<NodeDescription> readNodes(const JsonCursor& list) {
     const JsonCursor at = list.element(i);
     nodes.push_back({at.at("id").nonEmptyText()});
     if (const auto name = at.find("name")) nodes.back().name = name->text();
+    if (const auto occurrence = at.find("occurrence")) nodes.back().occurrence = occurrence->text();
+    if (const auto designator = at.find("designator")) nodes.back().designator = designator->text();
     if (const auto in = at.find("in")) nodes.back().in = in->text();
   }
   return nodes;

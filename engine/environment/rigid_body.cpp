@@ -1,15 +1,13 @@
 #include "engine/environment/rigid_body.h"
 
+#include "engine/assembly/product.h"
+
 namespace glissade {
 
-void labelBodies(std::vector<RigidBody>& bodies) {
+void labelBodies(std::vector<RigidBody>& bodies, const Product& product) {
   std::vector<std::string> ids;
-  std::vector<std::string> names;
-  for (const RigidBody& body : bodies) {
-    ids.push_back(body.id);
-    names.push_back(body.name);
-  }
-  const std::vector<std::string> shown = shownNames(ids, names);
+  for (const RigidBody& body : bodies) ids.push_back(body.id);
+  const std::vector<std::string> shown = product.labels(ids);
   for (std::size_t i = 0; i < bodies.size(); ++i) bodies[i].label = shown[i];
 }
 

@@ -9,6 +9,8 @@
 
 namespace glissade {
 
+class Product;
+
 /// Static bodies belong to the building; mobile ones may be moved by somebody (paper 2, section
 /// 4.1). Both are obstacles to the object.
 enum class Mobility { Static, Mobile };
@@ -32,8 +34,8 @@ struct RigidBody {
   const std::string& shown() const { return label.empty() ? name : label; }
 };
 
-/// Gives each body what people see of its name among these (shownNames()).
-void labelBodies(std::vector<RigidBody>& bodies);
+/// Gives each body what people see of its name among these (Product::labels()).
+void labelBodies(std::vector<RigidBody>& bodies, const Product& product);
 
 /// Id of the scenario's body that a rigid body belongs to: the links "<body>/<link>" of a URDF file are one.
 inline std::string bodyIdOf(const std::string& rigidBodyId) { return firstStepOf(rigidBodyId); }

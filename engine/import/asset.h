@@ -47,6 +47,7 @@ struct UrdfGeometry {
 struct StepGeometry {
   std::string asset;
   std::string part;
+  bool asOne = false;  ///< each product of several solids is one part; else its solids are parts
 };
 struct BoxGeometry {
   Vector3 size;

@@ -4,18 +4,24 @@
 #include <Message_Messenger.hxx>
 #include <Standard_Failure.hxx>
 #include <TopTools_DataMapOfShapeInteger.hxx>
+#include <algorithm>
+#include <cmath>
 #include <exception>
 #include <gp_Quaternion.hxx>
 #include <istream>
 #include <map>
+#include <numeric>
 #include <stdexcept>
 #include <streambuf>
 #include <string_view>
 #include <tuple>
 
 #include "engine/assembly/body_path.h"
-#include "engine/base/utf8.h"
+#include "engine/base/printable_text.h"
+#include "engine/import/brep_parts.h"
 #include "engine/import/confinement.h"
+#include "engine/import/foreign_text.h"
+#include "engine/import/iges_parts.h"
 #include "engine/import/step_assembly.h"
 #include "engine/import/step_fineness.h"
 #include "engine/import/step_healing_notes.h"
@@ -35,6 +41,24 @@ class MemoryBuffer final : public std::streambuf {
   MemoryBuffer(char* content, std::size_t bytes) { setg(content, content, content + bytes); }
 };
 
+/// Vertices that only rounding tells apart get the coordinates of the first one.
+void joinRounded(std::vector<double>& vertices) {
+  constexpr double kRounding = 1e-9;  // millimetres
+  std::vector<std::size_t> byX(vertices.size() / 3);
+  std::iota(byX.begin(), byX.end(), std::size_t{0});
+  std::sort(byX.begin(), byX.end(), [&](std::size_t a, std::size_t b) { return vertices[3 * a] < vertices[3 * b]; });
+  for (std::size_t i = 1; i < byX.size(); ++i) {
+    double* own = &vertices[3 * byX[i]];
+    for (std::size_t j = i; j > 0; --j) {
+      const double* other = &vertices[3 * byX[j - 1]];
+      if (own[0] - other[0] > kRounding) break;
+      if (std::abs(own[1] - other[1]) > kRounding || std::abs(own[2] - other[2]) > kRounding) continue;
+      std::copy(other, other + 3, own);
+      break;
+    }
+  }
+}
+
 /// The triangles of each shape once, however many parts have it.
 class Message {
  public:
@@ -42,9 +66,9 @@ class Message {
       : fineness_(deflection, assembly.solids),
         rootName_(assembly.rootName),
         unit_(assembly.unit),
+        isSewn_(assembly.isSewn),
         externalParts_(assembly.externalParts) {
-    addNotes(assembly.curves);
-    addNotes(assembly.shapeLines);
+    addNotes(assembly.notes);
     for (const std::string& loss : assembly.losses) notes_ += protocol::kLossLine + ("\t" + loss) + "\n";
     total_.kind = protocol::kAssembly;
     for (const StepSolid& solid : assembly.solids) add(solid, assembly);
@@ -77,6 +101,7 @@ class Message {
       output.write(&parts_[i], sizeof parts_[i]);
       output.write(paths_[i].data(), paths_[i].size());
       output.write(names_[i].data(), names_[i].size());
+      output.write(formerPaths_[i].data(), formerPaths_[i].size());
     }
     for (const StepExternalPart& part : externalParts_) write(part, output);
     output.write(notes_.data(), notes_.size());
@@ -92,15 +117,18 @@ class Message {
     part.pathBytes = static_cast<std::uint32_t>(solid.path.size());
     names_.push_back(namesText(solid.path, solid.names));
     part.namesBytes = static_cast<std::uint32_t>(names_.back().size());
+    part.formerPathBytes = static_cast<std::uint32_t>(solid.formerPath.size());
+    part.isSolidOfPart = solid.isOneOfSeveral ? 1 : 0;
     parts_.push_back(part);
     paths_.push_back(solid.path);
+    formerPaths_.push_back(solid.formerPath);
   }
 
   /// A line each; empty where they are the steps of the path.
-  static std::string namesText(const std::string& path, const std::vector<std::string>& names) {
+  static std::string namesText(const std::string& path, const std::vector<NodeNames>& names) {
     std::string text;
-    if (names == stepsOf(path)) return text;
-    for (const std::string& name : names) text += name + "\n";
+    if (names == productNames(stepsOf(path))) return text;
+    for (const NodeNames& each : names) text += each.product + "\t" + each.occurrence + "\t" + each.designator + "\n";
     return text;
   }
 
@@ -148,6 +176,7 @@ class Message {
     const StepTessellation* held = assembly.standIns.of(solid.shape);
     shapes_.push_back(held != nullptr ? trianglesOf(*held, scale, mirrored)
                                       : tessellate(solid.shape, fineness_.of(solid), scale, mirrored));
+    if (isSewn_) joinRounded(shapes_.back().vertices);
     const std::string& part = solid.path.empty() ? rootName_ : solid.path;
     solids_.push_back({part, measuresOf(shapes_.back())});
     addNotes(healingNotes(shapes_.back(), assembly.faceEntities, part));
@@ -178,6 +207,7 @@ class Message {
   StepFineness fineness_;
   std::string rootName_;
   double unit_;
+  bool isSewn_;
   protocol::Header total_;
   std::uint32_t faces_ = 0;
   std::vector<StepTriangles> shapes_;
@@ -189,45 +219,73 @@ class Message {
   std::vector<protocol::Part> parts_;
   std::vector<std::string> paths_;
   std::vector<std::string> names_;  ///< as of namesText(), of each part
+  std::vector<std::string> formerPaths_;
   std::vector<StepExternalPart> externalParts_;
   std::string notes_;
   std::size_t healings_ = 0;
 };
 
-int failToRead(const ImportOutput& output, const std::string& reason) {
-  return output.fail("cannot be read: " + reason);
+int failToRead(CadKind kind, const ImportOutput& output, const std::string& reason) {
+  const std::string as = kind == CadKind::Step ? "" : std::string(" as ") + nameOf(kind);
+  return output.fail("cannot be read" + as + ": " + reason);
 }
 
-int import(double deflection, bool solidNames, const ImportOutput& output) {
-  std::vector<char> content = readStandardInput(protocol::kStepLimits.bytes);
-  if (content.empty()) return failToRead(output, "it is empty or too large");
+/// A note for the parent.
+std::string noteOf(const ForeignNames& names) {
+  const char kind = names.isSure ? protocol::kForeignNamesLine : protocol::kDoubtfulNamesLine;
+  const std::string as = names.encoding + ": '" + printableLine(names.example) + "'";
+  const std::string what =
+      names.isSure ? "are read as " + as : "are in an encoding that cannot be told, and are read as " + as;
+  return kind + ("\tnames\t" + what);
+}
+
+StepAssembly readStepParts(std::vector<char>& content, bool solidNames, const ForeignText& foreign) {
+  const auto names = foreign.makeUtf8(content);
   const std::string_view text(content.data(), content.size());
-  if (const auto fault = faultOfStepText(text)) return failToRead(output, *fault);
+  if (const auto fault = faultOfStepText(text)) throw std::runtime_error(*fault);
   const StepEntities entities(text);
   const StatedShapes stated = statedShapesOf(entities);
   StepStandIns standIns = standInsFor(entities, stated);
   std::string edited = std::move(standIns.text);
   MemoryBuffer buffer(edited.empty() ? content.data() : edited.data(), edited.empty() ? content.size() : edited.size());
   std::istream stream(&buffer);
-  StepText known{entities, stated, std::move(standIns)};
-  Message(deflection, readStepAssembly(stream, solidNames, isUtf8(text), std::move(known))).write(output);
+  StepAssembly assembly = readStepAssembly(stream, solidNames, {entities, stated, std::move(standIns)});
+  if (names) assembly.notes.push_back(noteOf(*names));
+  return assembly;
+}
+
+StepAssembly readBrepText(std::vector<char>& content) {
+  MemoryBuffer buffer(content.data(), content.size());
+  std::istream stream(&buffer);
+  return readBrepParts(stream);
+}
+
+int import(CadKind kind, double deflection, bool solidNames, const ForeignText& foreign, const ImportOutput& output) {
+  std::vector<char> content = readStandardInput(protocol::kStepLimits.bytes);
+  if (content.empty()) return failToRead(kind, output, "it is empty or too large");
+  const StepAssembly assembly = kind == CadKind::Iges   ? readIgesParts(content)
+                                : kind == CadKind::Brep ? readBrepText(content)
+                                                        : readStepParts(content, solidNames, foreign);
+  Message(deflection, assembly).write(output);
   return 0;
 }
 
 }  // namespace
 
-int confinedStepImport(double deflection, bool solidNames) {
+int confinedStepImport(CadKind kind, double deflection, bool solidNames) {
   const ImportOutput output;
+  const ForeignText foreign;
   if (const Outcome confined = confine(protocol::kStepLimits); !confined) return output.refuse(confined.error());
   ::Message::DefaultMessenger()->ChangePrinters().Clear();
   try {
-    return import(deflection, solidNames, output);
+    return import(kind, deflection, solidNames, foreign, output);
   } catch (const Standard_Failure& failure) {
-    return failToRead(output, std::string("its shapes cannot be computed (") + failure.DynamicType()->Name() + ")");
+    return failToRead(kind, output,
+                      std::string("its shapes cannot be computed (") + failure.DynamicType()->Name() + ")");
   } catch (const std::bad_alloc&) {
-    return failToRead(output, "it needs more memory than an import may take");
+    return failToRead(kind, output, "it needs more memory than an import may take");
   } catch (const std::exception& error) {
-    return failToRead(output, error.what());
+    return failToRead(kind, output, error.what());
   }
 }
 

@@ -12,9 +12,11 @@
 #include "engine/geometry/primitives.h"
 #include "engine/geometry/t_junctions.h"
 #include "engine/import/asset_path.h"
+#include "engine/import/cad_kind.h"
 #include "engine/import/hole_closing.h"
 #include "engine/import/import_limits.h"
 #include "engine/import/mesh_import.h"
+#include "engine/import/part_solids.h"
 #include "engine/import/small_meshes.h"
 #include "engine/import/step_import.h"
 #include "engine/import/step_parts.h"
@@ -84,6 +86,13 @@ TriangleMesh withoutHoles(const TriangleMesh& mesh, const std::string& file, War
   return std::move(closed.mesh);
 }
 
+/// The one part of a file has no place in it.
+void leaveSingleUnnamed(std::vector<Occurrence>& parts) {
+  if (parts.size() != 1) return;
+  parts.front().path.clear();
+  parts.front().names.clear();
+}
+
 /// Of the file's bytes; where it names others for its parts, of all their hashes and names.
 std::string hashOf(const FileContent& content, const StepProduct& product) {
   std::string hash = sha256(content.bytes);
@@ -108,7 +117,7 @@ std::string geometryKey(const Geometry& geometry, const std::vector<Asset>& asse
                                [&](const StepGeometry& step) {
                                  const double deflection = assetById(step.asset, assets).deflection;
                                  return ofAsset("step " + toText(deflection), step.asset) +
-                                        (step.part.empty() ? "" : " : " + step.part);
+                                        (step.part.empty() ? "" : " : " + step.part) + (step.asOne ? " as one" : "");
                                },
                                [](const BoxGeometry& box) {
                                  return "box " + toText(box.size.x()) + " " + toText(box.size.y()) + " " +
@@ -160,13 +169,13 @@ Result<LoadedGeometry> GeometryLoader::read(const Geometry& geometry) {
   using Read = Result<LoadedGeometry>;
   return std::visit(
       Overloaded{[this](const MeshGeometry& mesh) -> Read {
-                   if (!mesh.part.empty()) return partOf(mesh.asset, mesh.part, MeshGeometry{mesh.asset, true});
+                   if (!mesh.part.empty()) return partOf(mesh.asset, mesh.part, MeshGeometry{mesh.asset, true}, false);
                    return readMesh(assetById(mesh.asset, assets_), mesh.groups);
                  },
                  [this](const UrdfGeometry& urdf) -> Read { return readUrdf(assetById(urdf.asset, assets_)); },
                  [this](const StepGeometry& step) -> Read {
-                   return step.part.empty() ? readStep(assetById(step.asset, assets_))
-                                            : partOf(step.asset, step.part, StepGeometry{step.asset, ""});
+                   if (step.part.empty() && !step.asOne) return readStep(assetById(step.asset, assets_));
+                   return partOf(step.asset, step.part, StepGeometry{step.asset, ""}, step.asOne);
                  },
                  [](const BoxGeometry& box) -> Read { return single(makeBox(box.size)); },
                  [](const CylinderGeometry& cylinder) -> Read {
@@ -367,7 +376,8 @@ Result<LoadedGeometry> GeometryLoader::readUrdf(const Asset& asset) {
 }
 
 Result<LoadedGeometry> GeometryLoader::readStep(const Asset& asset) {
-  if (const Outcome sound = checkOwnUnit(asset, "STEP"); !sound) return sound.error();
+  if (const Outcome sound = checkOwnUnit(asset, nameOf(cadKindOf(asset.path).value_or(CadKind::Step))); !sound)
+    return sound.error();
   const auto content = readContent(assetFile(asset, folder_), mostFileBytes());
   if (!content) return content.error();
   const auto product = importStep(*content, asset.deflection, stop_);
@@ -378,32 +388,49 @@ Result<LoadedGeometry> GeometryLoader::readStep(const Asset& asset) {
   geometry.sha256 = hashes_[asset.id];
   geometry.parts = product->parts;
   geometry.missing = product->missing;
-  if (geometry.parts.size() == 1) {
-    geometry.parts.front().path.clear();
-    geometry.parts.front().names.clear();
-  }
+  leaveSingleUnnamed(geometry.parts);
   return geometry;
 }
 
+namespace {
+
+/// The occurrences that are a node or below it, with their paths from there. Where there are none, the node is taken as
+/// one of an earlier version.
+std::vector<Occurrence> partsWithin(const std::string& node, const std::vector<Occurrence>& all) {
+  std::vector<Occurrence> parts;
+  for (const bool formerly : {false, true}) {
+    for (const Occurrence& part : all) {
+      const std::string& path = formerly && !part.formerPath.empty() ? part.formerPath : part.path;
+      if (!isWithin(path, node)) continue;
+      parts.push_back(part);
+      parts.back().path = pathWithin(path, node);
+      const auto above = static_cast<std::ptrdiff_t>(std::min(stepsOf(node).size(), part.names.size()));
+      parts.back().names.erase(parts.back().names.begin(), parts.back().names.begin() + above);
+    }
+    if (!parts.empty()) break;
+  }
+  return parts;
+}
+
+}  // namespace
+
 /// Of the file as a whole, which is read once.
 Result<LoadedGeometry> GeometryLoader::partOf(const std::string& asset, const std::string& part,
-                                              const Geometry& wholeFile) {
+                                              const Geometry& wholeFile, bool asOne) {
   const auto whole = load(wholeFile);
   if (!whole) return whole.error();
-  LoadedGeometry geometry;
-  geometry.sha256 = (*whole)->sha256;
-  geometry.warnings = (*whole)->warnings;
-  geometry.missing = (*whole)->missing;
-  for (const Occurrence& solid : (*whole)->parts) {
-    if (!isWithin(solid.path, part)) continue;
-    geometry.parts.push_back(solid);
-    Occurrence& below = geometry.parts.back();
-    below.path = pathWithin(solid.path, part);
-    const auto above = static_cast<std::ptrdiff_t>(std::min(stepsOf(part).size(), below.names.size()));
-    below.names.erase(below.names.begin(), below.names.begin() + above);
+  LoadedGeometry geometry = **whole;
+  if (asOne && !part.empty()) {
+    // Instances share the triangles of the parts of the whole file.
+    const auto joined = load(StepGeometry{asset, "", true});
+    if (!joined) return joined.error();
+    geometry.parts = partsWithin(part, (*joined)->parts);
+    if (!geometry.parts.empty()) return geometry;
   }
-  if (!geometry.parts.empty()) return geometry;
-  return noSuchPart(assetFile(assetById(asset, assets_), folder_), part, namesOf(**whole));
+  geometry.parts = partsWithin(part, asOne ? withPartsAsOne((*whole)->parts, part) : (*whole)->parts);
+  if (geometry.parts.empty()) return noSuchPart(assetFile(assetById(asset, assets_), folder_), part, namesOf(**whole));
+  if (part.empty()) leaveSingleUnnamed(geometry.parts);
+  return geometry;
 }
 
 Outcome GeometryLoader::checkOwnUnit(const Asset& asset, const std::string& kind) const {

@@ -51,7 +51,8 @@ class GeometryLoader {
   Result<ImportedMesh> importFile(const Asset& asset);
   Result<LoadedGeometry> readUrdf(const Asset& asset);
   Result<LoadedGeometry> readStep(const Asset& asset);
-  Result<LoadedGeometry> partOf(const std::string& asset, const std::string& part, const Geometry& wholeFile);
+  Result<LoadedGeometry> partOf(const std::string& asset, const std::string& part, const Geometry& wholeFile,
+                                bool asOne);
   void takeWarnings(const LoadedGeometry& geometry);
   Outcome checkOwnUnit(const Asset& asset, const std::string& kind) const;
 

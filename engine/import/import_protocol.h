@@ -11,12 +11,12 @@ namespace glissade::import_protocol {
 // the bytes of its groups (a line each: number of triangles, blank, name);
 // for kAssembly an AssemblyCounts; the bytes of the root's name; every shape as a Shape, its vertices x 3 doubles
 // (millimetres), its triangles x 3 indices, its faces as a Face each; every part as a Part, the bytes of its path below
-// the root (UTF-8), the bytes of the names of its steps as the file has them, each with a line feed (none where they
-// are the steps); every use of another file as an ExternalPart, the bytes of its path, of its names, of the file's
-// name; the bytes of its notes (a line each: kind, tab, where, tab, what; of a shape that is missing: kind, tab,
-// product, tab, entity, tab, its kind, tab, why; kinds below); for kError (the file cannot be read) and kNotConfined
-// (the process cannot give up its rights, and has read nothing) `vertices` bytes of text: the location in the file (may
-// be empty), a line feed, the reason.
+// the root (UTF-8), the bytes of the names of its steps as the file has them (a line each: product, tab, occurrence,
+// tab, designator; none where they are the steps), the bytes of its former path; every use of another file as an
+// ExternalPart, the bytes of its path, of its names, of the file's name; the bytes of its notes (a line each: kind,
+// tab, where, tab, what; of a shape that is missing: kind, tab, product, tab, entity, tab, its kind, tab, why; kinds
+// below); for kError (the file cannot be read) and kNotConfined (the process cannot give up its rights, and has read
+// nothing) `vertices` bytes of text: the location in the file (may be empty), a line feed, the reason.
 //
 // With kSeveral as its argument, glissade-import reads several files, each as a SmallFile and its bytes, and writes a
 // message (kMesh or kError) of each in the same order.
@@ -28,7 +28,7 @@ inline constexpr std::uint32_t kAssembly = 3;
 inline constexpr std::uint32_t kNotConfined = 4;
 /// Kinds of notes: something is missing; a face got new triangles; the volume of a part with such a face is doubtful; a
 /// part has no inside; curves are left out; a shape is missing; a shape belongs to no product; a second representation
-/// is left out.
+/// is left out; names are in an encoding that was told, or that was not.
 inline constexpr char kLossLine = 'L';
 inline constexpr char kHealedLine = 'H';
 inline constexpr char kVolumeLine = 'V';
@@ -37,6 +37,8 @@ inline constexpr char kCurveLine = 'C';
 inline constexpr char kMissingLine = 'M';
 inline constexpr char kOrphanLine = 'O';
 inline constexpr char kSecondLine = '2';
+inline constexpr char kForeignNamesLine = 'N';
+inline constexpr char kDoubtfulNamesLine = 'D';
 /// Metres: the unit of every length in an assembly.
 inline constexpr double kMillimetre = 0.001;
 
@@ -96,6 +98,8 @@ struct Part {
   double colour[3] = {0.0, 0.0, 0.0};            ///< sRGB
   std::uint32_t pathBytes = 0;
   std::uint32_t namesBytes = 0;
+  std::uint32_t formerPathBytes = 0;  ///< 0: the same
+  std::uint32_t isSolidOfPart = 0;    ///< of several solids of the node above it
 };
 
 /// A product that the file places and another file has.

@@ -7,6 +7,7 @@
 #include "engine/import/import_limits.h"
 #include "engine/import/importer_process.h"
 #include "engine/import/mesh_answer.h"
+#include "engine/import/unread_kind.h"
 
 namespace glissade {
 namespace {
@@ -14,6 +15,7 @@ namespace {
 constexpr std::array<const char*, 6> kEndings{"stl", "obj", "ply", "dae", "gltf", "glb"};
 
 Diagnostic unknownKind(const std::string& file) {
+  if (const auto known = unreadKind(file)) return *known;
   return {ErrorKind::MalformedInput, file, "", "is of a kind that is not read ('" + endingOf(file) + "')",
           "Use STL, OBJ, PLY, DAE, glTF or GLB; \"step\" and \"urdf\" are shapes of their own in a scenario."};
 }

@@ -142,6 +142,10 @@ class StepDecoder {
       return {ErrorKind::MalformedInput, call_.file, where, what,
               "Export solids and triangles as two products if they are two parts."};
     }
+    if (kind == protocol::kForeignNamesLine || kind == protocol::kDoubtfulNamesLine) {
+      return {ErrorKind::MalformedInput, call_.file, where, what,
+              "Where that is wrong, export it with names in UTF-8, or name its parts by their numbers (#2)."};
+    }
     return {ErrorKind::MalformedInput, call_.file, where,
             what + ": the part is not closed there; proofs take what is missing as free space", doubt};
   }
@@ -192,16 +196,24 @@ class StepDecoder {
   }
 
   /// A line each, as many as the path has steps; or none.
-  bool takeNames(std::uint32_t bytes, const std::string& path, std::vector<std::string>& names) {
+  bool takeNames(std::uint32_t bytes, const std::string& path, std::vector<NodeNames>& names) {
     if (bytes > kLongestName) return false;
     std::string text(bytes, ' ');
     if (!answer_.message.take(text.data(), text.size())) return false;
     std::istringstream lines(text);
-    for (std::string name; std::getline(lines, name);) names.push_back(name);
-    const bool printable =
-        std::all_of(names.begin(), names.end(), [](const std::string& name) { return name == printableLine(name); });
+    for (std::string line; std::getline(lines, line);) {
+      const std::size_t first = line.find('\t');
+      const std::size_t second = first == std::string::npos ? first : line.find('\t', first + 1);
+      if (second == std::string::npos) return false;
+      names.push_back({line.substr(0, first), line.substr(first + 1, second - first - 1), line.substr(second + 1)});
+    }
+    const bool printable = std::all_of(names.begin(), names.end(), [](const NodeNames& each) {
+      return isLine(each.product) && isLine(each.occurrence) && isLine(each.designator);
+    });
     return printable && (bytes == 0 || (text.back() == '\n' && names.size() == stepsOf(path).size()));
   }
+
+  static bool isLine(const std::string& name) { return name == printableLine(name); }
 
   /// Each path is there once.
   bool takePath(std::uint32_t bytes, std::string& path) { return takeName(bytes, path) && paths_.insert(path).second; }
@@ -235,7 +247,11 @@ class StepDecoder {
     if (!answer_.message.take(&record, 1) || record.shape >= shapes_.size()) return broken();
     const Shape& shape = shapes_[record.shape];
     Occurrence part{"", shape.mesh, {}, {}, shape.deflection, shape.facesWithoutMesh};
-    if (!takePath(record.pathBytes, part.path) || !takeNames(record.namesBytes, part.path, part.names)) return broken();
+    if (!takePath(record.pathBytes, part.path) || !takeNames(record.namesBytes, part.path, part.names) ||
+        !takeName(record.formerPathBytes, part.formerPath)) {
+      return broken();
+    }
+    part.isSolidOfPart = record.isSolidOfPart != 0 && !part.path.empty();
     const auto place = placeOf(record);
     if (!place) return place.error();
     part.X_FP = *place;

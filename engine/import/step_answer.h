@@ -12,8 +12,8 @@ namespace glissade {
 struct StepExternal {
   std::string path;  ///< as of Occurrence, below the root
   Pose X_FP;
-  std::string file;                  ///< as the STEP file names it
-  std::vector<std::string> names{};  ///< as of Occurrence
+  std::string file;                ///< as the STEP file names it
+  std::vector<NodeNames> names{};  ///< as of Occurrence
 };
 
 /// What one STEP file holds itself.

@@ -23,14 +23,16 @@
 #include <stdexcept>
 
 #include "engine/assembly/body_path.h"
-#include "engine/assembly/unique_names.h"
 #include "engine/base/length_units.h"
 #include "engine/base/printable_text.h"
 #include "engine/import/import_protocol.h"
+#include "engine/import/node_steps.h"
+#include "engine/import/nothing_read.h"
 #include "engine/import/step_external_files.h"
 #include "engine/import/step_losses.h"
 #include "engine/import/step_mirrors.h"
 #include "engine/import/step_missing_shapes.h"
+#include "engine/import/step_names.h"
 #include "engine/import/step_second_shapes.h"
 #include "engine/import/step_shape_notes.h"
 
@@ -47,23 +49,6 @@ std::string nameOf(const TDF_Label& label) {
   text.resize(static_cast<std::size_t>(name->Get().ToUTF8CString(start)));
   return text;
 }
-
-/// As one step of a path: printable, without '/', ASCII's control characters and blanks at its ends.
-std::string asStep(std::string name) {
-  std::replace(name.begin(), name.end(), '/', '_');
-  name.erase(std::remove_if(name.begin(), name.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }),
-             name.end());
-  name = printableLine(name);
-  const auto first = name.find_first_not_of(' ');
-  if (first == std::string::npos) return {};
-  return name.substr(first, name.find_last_not_of(' ') - first + 1);
-}
-
-/// The names of a product and of its use, where one of them is said.
-struct StepName {
-  std::string step;  ///< never empty
-  std::string name;  ///< as the file has it, on one line
-};
 
 /// Solids, and what lies beside them: loose shells and faces as one.
 std::vector<TopoDS_Shape> rigidShapesOf(const TopoDS_Shape& shape) {
@@ -82,22 +67,26 @@ std::vector<TopoDS_Shape> rigidShapesOf(const TopoDS_Shape& shape) {
 class AssemblyWalk {
  public:
   AssemblyWalk(const Handle(XCAFDoc_ShapeTool) & shapes, const Handle(XCAFDoc_ColorTool) & colours,
-               const ExternalFiles& externalFiles, MirroredInstances& mirrored)
-      : shapes_(shapes), colours_(colours), externalFiles_(externalFiles), mirrored_(mirrored) {}
+               const ExternalFiles& externalFiles, MirroredInstances& mirrored, const StepNames& names)
+      : shapes_(shapes), colours_(colours), externalFiles_(externalFiles), mirrored_(mirrored), names_(names) {}
 
   StepAssembly walk() {
     TDF_LabelSequence roots;
     shapes_->GetFreeShapes(roots);
-    if (roots.Length() == 1) {
-      const TDF_Label& root = roots.First();
-      if (!XCAFDoc_ShapeTool::IsAssembly(root)) assembly_.rootName = stepOf(root, root).step;
-      visit(root, {"", {}, TopLoc_Location(), colourOf(root), 0});
-    } else {
-      UniqueNames names;
-      for (const TDF_Label& root : roots) {
-        const StepName step = stepOf(root, root);
-        visit(root, {names.take(step.step), {step.name}, {}, colourOf(root), 0});
-      }
+    std::vector<NodeNames> names;
+    std::vector<std::string> former;
+    for (const TDF_Label& root : roots) {
+      former.push_back(nameOf(root));
+      names.push_back({names_.ofRoot(root).value_or(printableLine(former.back()))});
+    }
+    const std::vector<NodeStep> steps = stepsFor(names, former);
+    const bool several = steps.size() > 1;
+    if (steps.size() == 1 && !XCAFDoc_ShapeTool::IsAssembly(roots.First())) assembly_.rootName = steps.front().step;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      const TDF_Label& root = roots.Value(static_cast<int>(i) + 1);
+      Place top;
+      top.colour = colourOf(root);
+      visit(root, several ? below(top, steps[i]) : top);
     }
     return std::move(assembly_);
   }
@@ -108,7 +97,8 @@ class AssemblyWalk {
   /// What a product inherits from the assemblies that it is in.
   struct Place {
     std::string path;
-    std::vector<std::string> names;  ///< of its steps
+    std::string formerPath;
+    std::vector<NodeNames> names;  ///< of its steps
     TopLoc_Location location;
     OptionalColour colour;
     int depth = 0;
@@ -125,19 +115,55 @@ class AssemblyWalk {
       addSolids(product, place);
       return;
     }
-    TDF_LabelSequence components;
-    XCAFDoc_ShapeTool::GetComponents(product, components);
-    UniqueNames names;
-    for (const TDF_Label& component : components) {
-      TDF_Label part;
-      if (!XCAFDoc_ShapeTool::GetReferredShape(component, part)) continue;
-      OptionalColour colour = place.colour;
-      if (!colour) colour = colourOf(component);
-      if (!colour) colour = colourOf(part);
-      const StepName step = stepOf(part, component);
-      visit(part, {joinedPath(place.path, names.take(step.step)), with(place.names, step.name),
-                   place.location * XCAFDoc_ShapeTool::GetLocation(component), colour, place.depth + 1});
+    const std::vector<Component> components = componentsOf(product);
+    for (const Component& component : components) {
+      Place inside = below(place, component.name);
+      inside.location = place.location * XCAFDoc_ShapeTool::GetLocation(component.use);
+      if (!inside.colour) inside.colour = colourOf(component.use);
+      if (!inside.colour) inside.colour = colourOf(component.part);
+      ++inside.depth;
+      visit(component.part, inside);
     }
+  }
+
+  struct Component {
+    TDF_Label use;
+    TDF_Label part;
+    NodeStep name;
+  };
+
+  /// The product's name makes the step, which people know; that of its use is often only a number.
+  std::vector<Component> componentsOf(const TDF_Label& assembly) const {
+    TDF_LabelSequence labels;
+    XCAFDoc_ShapeTool::GetComponents(assembly, labels);
+    std::vector<Component> components;
+    std::vector<TopoDS_Shape> shapes;
+    std::vector<std::string> former;
+    for (const TDF_Label& use : labels) {
+      TDF_Label part;
+      if (!XCAFDoc_ShapeTool::GetReferredShape(use, part)) continue;
+      components.push_back({use, part, {}});
+      shapes.push_back(XCAFDoc_ShapeTool::GetShape(use));
+      const std::string name = nameOf(part);
+      former.push_back(asStep(name).empty() ? nameOf(use) : name);
+    }
+    std::vector<NodeNames> names;
+    for (const auto& own : names_.ofUses(assembly, shapes)) {
+      names.push_back(own.value_or(NodeNames{}));
+      // What has no name of its own is called as OpenCASCADE calls it.
+      if (asStep(names.back().product).empty()) names.back().product = printableLine(former[names.size() - 1]);
+    }
+    const std::vector<NodeStep> steps = stepsFor(names, former);
+    for (std::size_t i = 0; i < steps.size(); ++i) components[i].name = steps[i];
+    return components;
+  }
+
+  static Place below(const Place& place, const NodeStep& name) {
+    Place inside = place;
+    inside.path = joinedPath(place.path, name.step);
+    inside.formerPath = joinedPath(place.formerPath, name.former);
+    inside.names.push_back(name.names);
+    return inside;
   }
 
   void addSolids(const TDF_Label& product, const Place& place) {
@@ -145,21 +171,21 @@ class AssemblyWalk {
     const std::vector<TopoDS_Shape> shapes = rigidShapesOf(whole);
     if (shapes.empty()) addExternalPart(whole, place);
     if (!whole.IsNull() && seen_.Add(whole.Located(TopLoc_Location()))) {
-      for (std::string& note : curveNotes(whole, place.path)) assembly_.curves.push_back(std::move(note));
+      for (std::string& note : curveNotes(whole, place.path)) assembly_.notes.push_back(std::move(note));
     }
-    UniqueNames names;
-    for (const TopoDS_Shape& shape : shapes) {
+    const bool several = shapes.size() > 1;
+    const std::vector<NodeStep> steps = solidNames(product, shapes);
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
       if (assembly_.solids.size() == protocol::kMostParts) {
         throw std::runtime_error("it has more than " + std::to_string(protocol::kMostParts) + " parts");
       }
-      OptionalColour colour = place.colour;
-      if (!colour) colour = colourOf(shape);
-      const bool alone = shapes.size() == 1;
-      const StepName step = alone ? StepName{} : solidName(product, shape);
-      const std::string path = alone ? place.path : joinedPath(place.path, names.take(step.step));
-      assembly_.solids.push_back({path, alone ? place.names : with(place.names, step.name),
-                                  shape.Located(TopLoc_Location()),
-                                  mirrored_.placementOf(place.location * shape.Location(), path), colour});
+      const TopoDS_Shape& shape = shapes[i];
+      const Place at = several ? below(place, steps[i]) : place;
+      const StepPlacement placement = mirrored_.placementOf(place.location * shape.Location(), at.path);
+      assembly_.solids.push_back({at.path, at.names, shape.Located(TopLoc_Location()), placement,
+                                  place.colour ? place.colour : colourOf(shape)});
+      assembly_.solids.back().isOneOfSeveral = several;
+      if (at.formerPath != at.path) assembly_.solids.back().formerPath = at.formerPath;
     }
   }
 
@@ -179,26 +205,21 @@ class AssemblyWalk {
     return placement.rigid;
   }
 
-  /// The product's name, which people know; that of its use is often only a number.
-  static StepName stepOf(const TDF_Label& product, const TDF_Label& component) {
-    StepName name = stepNamed(nameOf(product));
-    if (name.step.empty()) name = stepNamed(nameOf(component));
-    if (name.step.empty()) name.step = "part";
-    return name;
+  std::vector<NodeStep> solidNames(const TDF_Label& product, const std::vector<TopoDS_Shape>& shapes) const {
+    std::vector<NodeNames> names;
+    std::vector<std::string> former;
+    for (const TopoDS_Shape& shape : shapes) {
+      names.push_back({printableLine(solidName(product, shape))});
+      former.push_back(names.back().product);
+    }
+    return stepsFor(names, former);
   }
 
-  static StepName stepNamed(const std::string& name) { return {asStep(name), printableLine(name)}; }
-
-  static std::vector<std::string> with(std::vector<std::string> names, const std::string& name) {
-    names.push_back(name);
-    return names;
-  }
-
-  StepName solidName(const TDF_Label& product, const TopoDS_Shape& shape) const {
-    if (shape.ShapeType() != TopAbs_SOLID) return {"surfaces", "surfaces"};
+  std::string solidName(const TDF_Label& product, const TopoDS_Shape& shape) const {
+    if (shape.ShapeType() != TopAbs_SOLID) return "surfaces";
     TDF_Label label;
-    const StepName name = shapes_->FindSubShape(product, shape, label) ? stepNamed(nameOf(label)) : StepName{};
-    return name.step.empty() ? StepName{"solid", "solid"} : name;
+    const std::string name = shapes_->FindSubShape(product, shape, label) ? nameOf(label) : "";
+    return asStep(name).empty() ? "solid" : name;
   }
 
   template <class Thing>
@@ -228,6 +249,7 @@ class AssemblyWalk {
   Handle(XCAFDoc_ColorTool) colours_;
   const ExternalFiles& externalFiles_;
   MirroredInstances& mirrored_;
+  const StepNames& names_;
   TopTools_MapOfShape seen_;  ///< products, wherever they are placed
   StepAssembly assembly_;
   std::size_t occurrences_ = 0;
@@ -259,18 +281,6 @@ std::vector<std::string> inLines(const std::vector<StepLoss>& losses) {
   return lines;
 }
 
-/// ": #12 CSG_SOLID: its kind is not read" of the first shape that is missing; empty where none is.
-std::string firstMissing(const std::vector<std::string>& shapeLines) {
-  for (const std::string& line : shapeLines) {
-    if (line.front() != protocol::kMissingLine) continue;
-    std::string text = line.substr(line.find('\t', 2) + 1);
-    text.replace(text.rfind('\t'), 1, ": ");
-    std::replace(text.begin(), text.end(), '\t', ' ');
-    return ": " + text;
-  }
-  return {};
-}
-
 /// Metres. Of several units the first; of a name that is not known millimetres.
 double lengthUnitOf(STEPControl_Reader& reader) {
   static constexpr std::array<std::pair<const char*, double>, 8> kUnits{{{"INCH", kInch},
@@ -296,7 +306,7 @@ double lengthUnitOf(STEPControl_Reader& reader) {
 
 }  // namespace
 
-StepAssembly readStepAssembly(std::istream& content, bool solidNames, bool isUtf8, StepText text) {
+StepAssembly readStepAssembly(std::istream& content, bool solidNames, StepText text) {
   STEPCAFControl_Reader reader;
   reader.SetNameMode(true);
   reader.SetColorMode(true);
@@ -307,7 +317,7 @@ StepAssembly readStepAssembly(std::istream& content, bool solidNames, bool isUtf
   reader.SetViewMode(false);
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
   Interface_Static::SetIVal("read.stepcaf.subshapes.name", solidNames ? 1 : 0);
-  Interface_Static::SetCVal("read.step.codepage", isUtf8 ? "UTF8" : "CP1252");
+  Interface_Static::SetCVal("read.step.codepage", "UTF8");
   if (reader.ChangeReader().ReadStream("standard input", content) != IFSelect_RetDone) {
     throw std::runtime_error("it is not sound STEP text");
   }
@@ -317,19 +327,23 @@ StepAssembly readStepAssembly(std::istream& content, bool solidNames, bool isUtf
   mirrored.locate(reader);
   StandInShapes standIns(reader, std::move(text.standIns), text.stated);
   const ExternalFiles externalFiles = externalFilesOf(reader);
-  StepAssembly assembly = AssemblyWalk(XCAFDoc_DocumentTool::ShapeTool(document->Main()),
-                                       XCAFDoc_DocumentTool::ColorTool(document->Main()), externalFiles, mirrored)
-                              .walk();
+  const StepNames names(reader);
+  StepAssembly assembly =
+      AssemblyWalk(XCAFDoc_DocumentTool::ShapeTool(document->Main()), XCAFDoc_DocumentTool::ColorTool(document->Main()),
+                   externalFiles, mirrored, names)
+          .walk();
   mirrored.demandAllUsed();
   SecondShapes second = takeOutSecondShapes(assembly.solids, standIns);
   std::vector<TopoDS_Shape> bodies;
   for (const StepSolid& solid : assembly.solids) bodies.push_back(solid.shape);
-  assembly.shapeLines =
-      missingShapeLines(reader, {text.entities, text.stated, standIns, second.items, externalFiles}, bodies);
-  std::move(second.notes.begin(), second.notes.end(), std::back_inserter(assembly.shapeLines));
+  for (std::string& line :
+       missingShapeLines(reader, {text.entities, text.stated, standIns, second.items, externalFiles}, bodies)) {
+    assembly.notes.push_back(std::move(line));
+  }
+  std::move(second.notes.begin(), second.notes.end(), std::back_inserter(assembly.notes));
   assembly.standIns = std::move(standIns);
   if (assembly.solids.empty() && assembly.externalParts.empty()) {
-    throw std::runtime_error("it holds neither a solid nor a face" + firstMissing(assembly.shapeLines));
+    throw std::runtime_error(nothingRead(assembly.notes));
   }
   const std::vector<StepLoss> losses = lossesOf(reader);
   if (!losses.empty()) assign(losses, assembly.solids);

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/assembly/node_names.h"
 #include "engine/import/step_face_entities.h"
 #include "engine/import/step_mirrors.h"
 #include "engine/import/step_stand_in_shapes.h"
@@ -20,17 +21,19 @@ namespace glissade {
 struct StepSolid {
   /// Names on the way to it below the root, each once among its sisters: "pump/rotor", "pin#2". UTF-8. Empty: the root.
   std::string path;
-  std::vector<std::string> names;               ///< of its steps, as the file has them
+  std::vector<NodeNames> names;                 ///< of its steps, as the file has them
   TopoDS_Shape shape;                           ///< at its own origin; instances of one solid share it
   StepPlacement placement;                      ///< millimetres
   std::optional<std::array<double, 3>> colour;  ///< sRGB
   std::uint32_t losses = 0;                     ///< faces and boundaries that the file has and `shape` has not
+  bool isOneOfSeveral = false;                  ///< of the solids of one product; the last step is that of the solid
+  std::string formerPath{};                     ///< as of Occurrence
 };
 
 /// A product that the file places and another file has.
 struct StepExternalPart {
-  std::string path;                ///< as of StepSolid
-  std::vector<std::string> names;  ///< as of StepSolid
+  std::string path;              ///< as of StepSolid
+  std::vector<NodeNames> names;  ///< as of StepSolid
   gp_Trsf placement;
   std::string file;  ///< as the STEP file names it; UTF-8
 };
@@ -38,14 +41,14 @@ struct StepExternalPart {
 struct StepAssembly {
   std::string rootName;  ///< of the one product of the file, where it is no assembly; else empty
   double unit = 0.001;   ///< metres: that in which the file states most lengths
+  bool isSewn = false;   ///< faces were joined: their common vertices may differ by rounding
   std::vector<StepSolid> solids;
   std::vector<StepExternalPart> externalParts;
-  std::vector<std::string> curves;  ///< notes: of products with curves that lie on no face
+  std::vector<std::string> notes;   ///< lines as import_protocol has them
   std::vector<std::string> losses;  ///< "entity, tab, what is missing", as "#45<tab>its face #12 could not be made"
   FaceEntities faceEntities;
   std::vector<StatedMeasures> measures;  ///< that the file states of its products
   StandInShapes standIns;                ///< solids that stand for triangles of the file
-  std::vector<std::string> shapeLines;   ///< notes: of shapes that are missing, left out or belong to no product
 };
 
 /// A STEP text and its content as counted before OpenCASCADE reads it.
@@ -58,12 +61,9 @@ struct StepText {
 /// Reads a STEP file. Without `solidNames` the solids of a product that has several are numbered only. Throws
 /// std::runtime_error with the reason where there is nothing to be had, or where something is lost and nobody knows of
 /// which part, and OpenCASCADE's Standard_Failure. Runs in
-/// the importing process only.
-///
-/// `isUtf8`: of the bytes of the file. Other bytes are read as Windows-1252, a superset of Latin 1: the standard allows
-/// neither, and programs write both.
+/// the importing process only. The content is UTF-8.
 ///
 /// `text`: of the file; `content` is that of its stand-ins where they have one.
-StepAssembly readStepAssembly(std::istream& content, bool solidNames, bool isUtf8, StepText text);
+StepAssembly readStepAssembly(std::istream& content, bool solidNames, StepText text);
 
 }  // namespace glissade

@@ -56,7 +56,7 @@ class Composition {
     std::string path;
     Pose X_FP;
     int depth = 0;
-    std::vector<std::string> names{};  ///< as of Occurrence
+    std::vector<NodeNames> names{};  ///< as of Occurrence
   };
   struct Missing {
     std::string name;
@@ -65,11 +65,11 @@ class Composition {
   };
 
   /// As of Occurrence, of a path below the place.
-  static std::vector<std::string> joinedNames(const Place& place, const std::string& path,
-                                              const std::vector<std::string>& names) {
+  static std::vector<NodeNames> joinedNames(const Place& place, const std::string& path,
+                                            const std::vector<NodeNames>& names) {
     if (place.names.empty() && names.empty()) return {};
-    std::vector<std::string> all = place.names.empty() ? stepsOf(place.path) : place.names;
-    const std::vector<std::string> below = names.empty() ? stepsOf(path) : names;
+    std::vector<NodeNames> all = place.names.empty() ? productNames(stepsOf(place.path)) : place.names;
+    const std::vector<NodeNames> below = names.empty() ? productNames(stepsOf(path)) : names;
     all.insert(all.end(), below.begin(), below.end());
     return all;
   }
@@ -83,6 +83,7 @@ class Composition {
       product_.parts.push_back(part);
       product_.parts.back().path = joinedPath(place.path, part.path);
       product_.parts.back().names = joinedNames(place, part.path, part.names);
+      if (!part.formerPath.empty()) product_.parts.back().formerPath = joinedPath(place.path, part.formerPath);
       if (place.depth > 0) product_.parts.back().X_FP = place.X_FP * part.X_FP;
     }
     for (const StepExternal& external : file.answer.externals) {

@@ -8,7 +8,7 @@
 #include <XSControl_WorkSession.hxx>
 
 #include "engine/base/printable_text.h"
-#include "engine/import/step_ending.h"
+#include "engine/import/cad_kind.h"
 
 namespace glissade {
 

@@ -4,9 +4,10 @@
 #include <string_view>
 
 #include "engine/base/number_text.h"
+#include "engine/import/cad_kind.h"
+#include "engine/import/iges_text_check.h"
 #include "engine/import/step_answer.h"
 #include "engine/import/step_composition.h"
-#include "engine/import/step_ending.h"
 
 namespace glissade {
 namespace {
@@ -17,7 +18,7 @@ constexpr std::string_view kBeginning = "ISO-10303-21;";
 constexpr std::string_view kEnd = "END-ISO-10303-21;";
 
 /// What a glance at the text tells, before a parser sees it.
-std::optional<Diagnostic> precheck(const ImporterCall& call, std::string_view text) {
+std::optional<Diagnostic> precheckStep(const ImporterCall& call, std::string_view text) {
   constexpr std::size_t kHeader = 65536;
   const std::string_view header = text.substr(0, std::min(text.find("DATA;"), kHeader));
   if (header.find(kBeginning) == std::string_view::npos) {
@@ -34,16 +35,43 @@ std::optional<Diagnostic> precheck(const ImporterCall& call, std::string_view te
   return std::nullopt;
 }
 
+std::optional<Diagnostic> precheckIges(const ImporterCall& call, std::string_view text) {
+  const auto fault = faultOfIgesText(text);
+  return fault ? std::optional(refusalOf(call, "cannot be read as IGES: " + *fault)) : std::nullopt;
+}
+
+std::optional<Diagnostic> precheckBrep(const ImporterCall& call, std::string_view text) {
+  constexpr std::size_t kHeader = 1024;
+  const std::string_view header = text.substr(0, kHeader);
+  if (header.find("Open CASCADE Topology") != std::string_view::npos) {
+    return refusalOf(call, "is a binary BREP file, which is not read: write it as text");
+  }
+  if (header.find("CASCADE Topology V") == std::string_view::npos) {
+    return refusalOf(call, "is not a BREP file (it does not begin with 'CASCADE Topology V')");
+  }
+  return std::nullopt;
+}
+
+std::optional<Diagnostic> precheck(CadKind kind, const ImporterCall& call, std::string_view text) {
+  switch (kind) {
+    case CadKind::Step: return precheckStep(call, text);
+    case CadKind::Iges: return precheckIges(call, text);
+    case CadKind::Brep: return precheckBrep(call, text);
+  }
+  return std::nullopt;
+}
+
 /// Without the files that it names.
 Result<StepAnswer> importOneFile(const FileContent& content, double deflection, const StopToken& stop) {
+  const CadKind kind = cadKindOf(content.file).value_or(CadKind::Step);
   const std::string millimetres = toText(deflection / protocol::kMillimetre);
   const ImporterCall call{"glissade-import-step",
-                          {millimetres},
+                          {nameOf(kind), millimetres},
                           content.file,
                           protocol::stepLimitsFor(content.bytes.size()),
                           "Export it again as STEP AP214 or AP242, or its parts as meshes.",
-                          {millimetres, "unnamed"}};
-  if (const auto refused = precheck(call, content.bytes)) return *refused;
+                          {nameOf(kind), millimetres, "unnamed"}};
+  if (const auto refused = precheck(kind, call, content.bytes)) return *refused;
   auto answer = callImporter(call, content.bytes, stop);
   if (!answer) return answer.error();
   return decodeStepAnswer(call, *answer);
@@ -51,7 +79,7 @@ Result<StepAnswer> importOneFile(const FileContent& content, double deflection, 
 
 }  // namespace
 
-bool isStepFile(const std::string& file) { return hasStepEnding(file); }
+bool isCadFile(const std::string& file) { return cadKindOf(file).has_value(); }
 
 Result<StepProduct> importStep(const FileContent& content, double deflection, const StopToken& stop) {
   return composeStepProduct(content, [&](const FileContent& file) { return importOneFile(file, deflection, stop); });

@@ -29,9 +29,10 @@ struct StepProduct {
   MissingShapes missing;                ///< of all files; there is a warning of each
 };
 
-/// Imports a STEP file (AP203, AP214, AP242) with OpenCASCADE, in a process of its own that can open no
-/// file and has limited memory and time. The file's unit is honoured. `deflection`: metres that the
-/// triangles may be off curved surfaces; 0: usualDeflection() of each part.
+/// Imports a STEP file (AP203, AP214, AP242), an IGES file (5.3 and before) or a BREP file with OpenCASCADE, in a
+/// process of its own that can open no file and has limited memory and time. The ending tells the kind. The file's unit
+/// is honoured; BREP files state none and are millimetres. `deflection`: metres that the triangles may be off curved
+/// surfaces; 0: usualDeflection() of each part.
 ///
 /// Parts that are in files of their own are read from the folder of the file and those below it, each file once and in
 /// a process of its own (step_composition.h has the rules).
@@ -41,7 +42,7 @@ struct StepProduct {
 Result<StepProduct> importStep(const FileContent& content, double deflection, const StopToken& stop = {});
 Result<StepProduct> importStep(const std::string& file, double deflection, const StopToken& stop = {});
 
-/// Whether the ending is one of STEP files.
-bool isStepFile(const std::string& file);
+/// Whether the ending is one of the files that importStep() reads: STEP, IGES, BREP.
+bool isCadFile(const std::string& file);
 
 }  // namespace glissade

@@ -36,6 +36,8 @@ class MirroredInstances {
     gp_XYZ shift;
   };
 
+  /// No instance is mirrored.
+  MirroredInstances() = default;
   /// To be made before the transfer: changes the operators.
   explicit MirroredInstances(const STEPCAFControl_Reader& reader);
 

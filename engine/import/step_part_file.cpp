@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "engine/import/cad_kind.h"
 #include "engine/import/safe_path.h"
-#include "engine/import/step_ending.h"
 
 namespace glissade {
 namespace {

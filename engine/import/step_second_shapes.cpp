@@ -68,6 +68,8 @@ void shortenAlone(const std::string& parent, std::vector<StepSolid>& solids) {
   if (parent.empty() || only == solids.end() || std::count_if(solids.begin(), solids.end(), isBelow) != 1) return;
   only->path = parent;
   only->names.pop_back();
+  only->formerPath.clear();
+  only->isOneOfSeveral = false;
 }
 
 }  // namespace

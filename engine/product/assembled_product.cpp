@@ -14,7 +14,7 @@ std::optional<std::size_t> AssembledProduct::indexOf(const std::string& id) cons
 
 const std::string& AssembledProduct::nameInFile(std::size_t body) const {
   const auto node = tree.find(bodies[body].id);
-  return node ? tree.nodes()[*node].name : bodies[body].name;
+  return node ? tree.nodes()[*node].names.product : bodies[body].name;
 }
 
 namespace {

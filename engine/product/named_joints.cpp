@@ -107,7 +107,8 @@ Designations designationsOf(const AssembledProduct& product) {
     const auto node = tree.find(product.bodies[body].id);
     auto own = designationIn(product.nameInFile(body));
     const auto above = node ? tree.nodes()[*node].parent : std::nullopt;
-    if (!own && above && tree.nodes()[*above].children.size() == 1) own = designationIn(tree.nodes()[*above].name);
+    if (!own && above && tree.nodes()[*above].children.size() == 1)
+      own = designationIn(tree.nodes()[*above].names.product);
     said.push_back(std::move(own));
   }
   return said;

@@ -169,7 +169,7 @@ class SuggestedJointFinder {
       if (!own) continue;
       const std::vector<std::size_t> above = tree.assembliesAbove(*own);
       const auto unit = std::find_if(above.begin(), above.end(),
-                                     [&](std::size_t node) { return isUnitName(tree.nodes()[node].name); });
+                                     [&](std::size_t node) { return isUnitName(tree.nodes()[node].names.product); });
       if (unit != above.end()) units[*unit].push_back(body);
     }
     for (const auto& [node, bodies] : units) {
@@ -181,7 +181,7 @@ class SuggestedJointFinder {
       joint.body = bodies.front();
       joint.others.assign(bodies.begin() + 1, bodies.end());
       joint.point = shapes_.box(joint.body).center();
-      joint.evidence = {"the assembly is called '" + tree.nodes()[node].name + "'"};
+      joint.evidence = {"the assembly is called '" + tree.nodes()[node].names.product + "'"};
       for (const std::size_t body : bodies) isTaken_[body] = true;
       joints.push_back(std::move(joint));
     }

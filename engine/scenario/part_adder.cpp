@@ -29,8 +29,15 @@ std::string idOf(const PartFile& part) {
 /// Of the last of these first steps of a part's path; a number that only tells siblings apart is left to the step.
 std::string nameInFile(const PartFile& part, const std::vector<std::string>& steps) {
   if (part.names.size() < steps.size()) return steps.back();
-  const std::string& name = part.names[steps.size() - 1];
+  const std::string& name = part.names[steps.size() - 1].product;
   return isNumbered(steps.back(), name) ? steps.back() : name;
+}
+
+/// What the use of the node of these first steps is called.
+void noteUse(const PartFile& part, std::size_t steps, NodeDescription& node) {
+  if (part.names.size() < steps) return;
+  node.occurrence = part.names[steps - 1].occurrence;
+  node.designator = part.names[steps - 1].designator;
 }
 
 std::string uniqueId(const std::string& stem, const std::set<std::string>& taken) {
@@ -97,9 +104,10 @@ std::string PartAdder::assemblyOf(const PartFile& part, const std::string& asset
   const bool byPath = node.id == key.second;
   if (!byPath) node.in = above;
   if (!byPath || name != path.back()) node.name = name;
+  noteUse(part, path.size(), node);
   assemblies_.emplace(key, node.id);
   assemblyIds_.insert(node.id);
-  if (node.name) addNode(node);
+  addNode(node);
   return node.id;
 }
 
@@ -113,10 +121,13 @@ void PartAdder::notePlace(const PartFile& part, const BodyDescription& body) {
   if (assembly != pathOf({path.begin(), path.end() - 1})) node.in = assembly;
   const std::string name = nameInFile(part, path);
   if (name != path.back()) node.name = name;
-  if (node.in || node.name) addNode(node);
+  noteUse(part, path.size(), node);
+  addNode(node);
 }
 
+/// Where there is something to be said.
 void PartAdder::addNode(const NodeDescription& node) {
+  if (node == NodeDescription{node.id}) return;
   ids_.insert(node.id);
   scenario_.nodes.push_back(node);
 }
@@ -148,7 +159,7 @@ void PartAdder::addToObject(const PartFile& part) {
 }
 
 Geometry PartAdder::geometryOf(const PartFile& part) {
-  if (isStepFile(part.path)) return StepGeometry{assetOf(part), part.part};
+  if (isCadFile(part.path)) return StepGeometry{assetOf(part), part.part, part.asOne};
   if (isUrdfFile(part.path)) return UrdfGeometry{assetOf(part)};
   return MeshGeometry{assetOf(part), part.groups, part.part};
 }

@@ -41,7 +41,7 @@ std::pair<std::string, std::string> splitPartName(const std::string& text) {
   std::error_code noneThere;
   for (std::size_t at = text.find(':'); at != std::string::npos; at = text.find(':', at + 1)) {
     const std::string file = text.substr(0, at);
-    if ((isStepFile(file) || mayHaveGroups(file)) && !fs::exists(text, noneThere)) return {file, text.substr(at + 1)};
+    if ((isCadFile(file) || mayHaveGroups(file)) && !fs::exists(text, noneThere)) return {file, text.substr(at + 1)};
   }
   return {text, ""};
 }
@@ -68,7 +68,7 @@ bool mayHaveGroups(const std::string& path) { return endingOf(path) == "obj"; }
 
 bool isUrdfFile(const std::string& path) { return endingOf(path) == "urdf"; }
 
-bool saysItsUnit(const std::string& path) { return isUrdfFile(path) || isStepFile(path); }
+bool saysItsUnit(const std::string& path) { return isUrdfFile(path) || isCadFile(path); }
 
 bool saysNoUnit(const std::string& path) {
   const std::string ending = endingOf(path);
@@ -83,6 +83,7 @@ PartFile usualPart(const std::string& text) {
   PartFile usual{path, PartRole::Static, 0.001, UpAxis::Z, part};
   if (saysItsUnit(path)) usual.unit = 1.0;
   usual.groups = mayHaveGroups(path) && !part.empty();
+  usual.asOne = isCadFile(path);
   if (ending == "dae" || ending == "gltf" || ending == "glb") {
     usual.unit = 1.0;
     usual.up = UpAxis::Y;
@@ -117,12 +118,13 @@ void readSmallFiles(const std::vector<std::string>& paths, GeometryCache& read, 
 }
 
 Result<std::vector<MeasuredPart>> partsInFile(const std::string& path, GeometryCache& read, const StopToken& stop,
-                                              bool groups) {
+                                              bool apart) {
   PartFile whole{path, PartRole::Static, 1.0, UpAxis::Z};
-  whole.groups = groups;
+  whole.groups = apart && mayHaveGroups(path);
+  whole.asOne = !apart && isCadFile(path);
   const auto geometry = readPart(whole, read, stop);
   if (!geometry) return geometry.error();
-  if (!isStepFile(path) && !groups) return std::vector<MeasuredPart>{{"", boxOf(**geometry)}};
+  if (!isCadFile(path) && !whole.groups) return std::vector<MeasuredPart>{{"", boxOf(**geometry)}};
   std::vector<MeasuredPart> parts;
   for (const Occurrence& part : (*geometry)->parts) parts.push_back({part.path, boundingBox(*part.mesh, part.X_FP)});
   return parts;

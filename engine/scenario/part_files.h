@@ -16,13 +16,14 @@ enum class PartRole { Moves, Static, Mobile };
 struct PartFile {
   std::string path;
   PartRole role = PartRole::Static;
-  double unit = 0.001;               ///< metres per unit of the file; 1 where saysItsUnit()
-  UpAxis up = UpAxis::Z;             ///< Z where saysItsUnit()
-  std::string part{};                ///< of a STEP file, or an assembly in it, as "pump/rotor"; empty: all of the file
-  double deflection = 0.0;           ///< as of Asset
-  bool closeHoles = false;           ///< as of Asset
-  bool groups = false;               ///< of an OBJ file: its groups are parts, and `part` is the name of one
-  std::vector<std::string> names{};  ///< of the steps of `part`, as of Occurrence; filled in where the file is read
+  double unit = 0.001;             ///< metres per unit of the file; 1 where saysItsUnit()
+  UpAxis up = UpAxis::Z;           ///< Z where saysItsUnit()
+  std::string part{};              ///< of a STEP file, or an assembly in it, as "pump/rotor"; empty: all of the file
+  double deflection = 0.0;         ///< as of Asset
+  bool closeHoles = false;         ///< as of Asset
+  bool groups = false;             ///< of an OBJ file: its groups are parts, and `part` is the name of one
+  std::vector<NodeNames> names{};  ///< of the steps of `part`, as of Occurrence; filled in where the file is read
+  bool asOne = false;              ///< as of StepGeometry
 };
 
 /// A static part, taken as files of its kind usually are: Collada and glTF in metres and y up, URDF and STEP
@@ -58,10 +59,10 @@ struct MeasuredPart {
   std::string part;  ///< as of PartFile; empty where the file holds one
   Box3 inFile;
 };
-/// The parts of a STEP file, or of an OBJ file whose groups are parts; or the one that another file is. `read` and
-/// errors as of readPart().
+/// The parts of a CAD file; or the one that another file is. `apart`: each solid of a part of several, and each group
+/// of an OBJ file, is a part. `read` and errors as of readPart().
 Result<std::vector<MeasuredPart>> partsInFile(const std::string& path, GeometryCache& read, const StopToken& stop = {},
-                                              bool groups = false);
+                                              bool apart = false);
 
 /// Where the reference point of an object of this radius may be so that it can get clear of the box, and
 /// move there.

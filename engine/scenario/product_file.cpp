@@ -14,10 +14,12 @@
 namespace glissade {
 namespace {
 
-Result<ProductFile> productOfParts(const std::string& file, const StopToken& stop, double deflection) {
+Result<ProductFile> productOfParts(const std::string& file, const StopToken& stop, double deflection,
+                                   const PartChoice& choice) {
   GeometryCache read;
   PartFile part = usualPart(file);
   part.deflection = deflection;
+  part.asOne = false;
   ProductFile loaded;
   std::vector<PartFile> guessed{part};
   const auto guesses = guessUnits(guessed, read, stop);
@@ -27,8 +29,11 @@ Result<ProductFile> productOfParts(const std::string& file, const StopToken& sto
   if (!geometry) return geometry.error();
   warnOfMissingFaces(**geometry, "", file, loaded.warnings);
   loaded.missing = (*geometry)->missing;
+  const auto parts = chosenParts((*geometry)->parts, lastStepOf(file), choice);
+  if (!parts) return parts.error();
+  loaded.canOpen = parts->size() < (*geometry)->parts.size();
   std::vector<ProductBody> bodies;
-  for (const Occurrence& solid : (*geometry)->parts) {
+  for (const Occurrence& solid : *parts) {
     const std::string name = solid.path.empty() ? file : solid.path;
     bodies.push_back({name, {solid.path.empty() ? lastStepOf(file) : solid.path, solid.names, solid.unit}});
     loaded.product.bodies.push_back({name, name, Mobility::Mobile, solid.mesh, solid.X_FP});
@@ -36,8 +41,8 @@ Result<ProductFile> productOfParts(const std::string& file, const StopToken& sto
     loaded.product.deflections.push_back(solid.deflection);
     loaded.product.spacings.push_back(solid.coordinateSpacing);
   }
-  labelBodies(loaded.product.bodies);
   loaded.product.tree = Product(bodies);
+  labelBodies(loaded.product.bodies, loaded.product.tree);
   loaded.product.fits.on = true;
   return loaded;
 }
@@ -76,13 +81,19 @@ AssembledProduct productOf(const LoadedScenario& scenario) {
   return product;
 }
 
-Result<ProductFile> readProduct(const std::string& file, const StopToken& stop, double deflection) {
+Result<ProductFile> readProduct(const std::string& file, const StopToken& stop, double deflection,
+                                const PartChoice& choice) {
   const bool isPart = isPartFile(usualPart(file).path);
   if (!isPart && deflection > 0.0) {
     return Diagnostic{ErrorKind::Usage, file, "", "is a scenario, which states the deflection of each of its assets",
                       "Change \"deflection\" of the asset there, or give the part file."};
   }
-  auto loaded = isPart ? productOfParts(file, stop, deflection) : productOfScenario(file, stop);
+  if (!isPart && !choice.open.empty()) {
+    return Diagnostic{
+        ErrorKind::Usage, file, "--open", "is a scenario, which says itself which bodies it has",
+        "Name the solids when it is made: glissade-cli new OUT.json --static FILE:PART/SOLID --static FILE."};
+  }
+  auto loaded = isPart ? productOfParts(file, stop, deflection, choice) : productOfScenario(file, stop);
   if (loaded) loaded->deviation = largestTwo(loaded->product.deflections);
   return loaded;
 }
@@ -121,15 +132,21 @@ Outcome leaveOut(const std::vector<std::string>& names, ProductFile& loaded) {
     if (!product.spacings.empty()) rest.spacings.push_back(product.spacings[i]);
     if (!loaded.classes.empty()) classes.push_back(loaded.classes[i]);
   }
-  labelBodies(rest.bodies);
+  labelBodies(rest.bodies, rest.tree);
   product = std::move(rest);
   loaded.classes = std::move(classes);
   return Done{};
 }
 
-Result<ProductFile> loadProduct(const std::string& file, const StopToken& stop, double deflection) {
-  auto loaded = readProduct(file, stop, deflection);
+Result<ProductFile> loadProduct(const std::string& file, const StopToken& stop, double deflection,
+                                const PartChoice& choice) {
+  auto loaded = readProduct(file, stop, deflection, choice);
   if (!loaded) return loaded;
+  if (loaded->product.bodies.size() < 2 && loaded->canOpen) {
+    return Diagnostic{ErrorKind::MalformedInput, file, "",
+                      "holds one part of several solids: there is nothing to take apart",
+                      "Give a product of several parts, or take it as its solids: --open " + lastStepOf(file) + "."};
+  }
   if (loaded->product.bodies.size() < 2) {
     return Diagnostic{ErrorKind::MalformedInput, file, "", "holds one body: there is nothing to take apart",
                       "Give a product of several parts."};

@@ -4,6 +4,7 @@
 
 #include "engine/base/result.h"
 #include "engine/base/stop_token.h"
+#include "engine/import/part_solids.h"
 #include "engine/scenario/scenario.h"
 #include "engine/sequence/body_group.h"
 #include "engine/sequence/order_rules.h"
@@ -19,6 +20,7 @@ struct ProductFile {
   std::vector<std::string> classes{};  ///< of a scenario: the class of each body; empty where it has none
   Warnings warnings;
   MissingShapes missing{};  ///< that the files state and that are no bodies; there is a warning of each
+  bool canOpen = false;     ///< the bodies of a part file are fewer than its solids: PartChoice can open them
 };
 
 /// The product of a scenario: its obstacles in their order, then its object at the start. Each body about its middle.
@@ -27,8 +29,10 @@ AssembledProduct productOf(const LoadedScenario& scenario);
 /// The bodies as the file has them, however many: those of a part file (`file` as usualPart() takes it: a STEP file, an
 /// assembly in one, a URDF or mesh file), or of a scenario with its object at the start. Fits are on for part files,
 /// and as the scenario says. `deflection`: metres that triangles may be off the surfaces of a part file; 0: by the size
-/// of each part. Errors: those of the importers, Interrupted, and Usage where a deflection is given for a scenario.
-Result<ProductFile> readProduct(const std::string& file, const StopToken& stop = {}, double deflection = 0.0);
+/// of each part. `choice`: of the parts of such a file. Errors: those of the importers and of chosenParts(),
+/// Interrupted, and Usage where a deflection or a part to open is given for a scenario.
+Result<ProductFile> readProduct(const std::string& file, const StopToken& stop = {}, double deflection = 0.0,
+                                const PartChoice& choice = {});
 
 /// The warning that a body is left out.
 Diagnostic isLeftOut(const std::string& name);
@@ -39,6 +43,7 @@ Outcome leaveOut(const std::vector<std::string>& names, ProductFile& loaded);
 
 /// The same with each body about its middle, as what moves is. Errors: as of readProduct(), and MalformedInput where
 /// there are less than two bodies.
-Result<ProductFile> loadProduct(const std::string& file, const StopToken& stop = {}, double deflection = 0.0);
+Result<ProductFile> loadProduct(const std::string& file, const StopToken& stop = {}, double deflection = 0.0,
+                                const PartChoice& choice = {});
 
 }  // namespace glissade

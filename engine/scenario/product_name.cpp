@@ -19,7 +19,7 @@ std::optional<std::string> rootName(const Product& tree) {
   for (const Product::Node& node : tree.nodes()) {
     if (node.parent) continue;
     if (name || !node.isAssembly) return std::nullopt;
-    name = node.name;
+    name = node.names.product;
   }
   return name && !name->empty() ? name : std::nullopt;
 }

@@ -12,6 +12,7 @@
 #include "engine/import/geometry_loader.h"
 #include "engine/import/import_limits.h"
 #include "engine/import/omplapp_config.h"
+#include "engine/import/unread_kind.h"
 #include "engine/scenario/default_colour.h"
 #include "engine/scenario/extent_check.h"
 #include "engine/scenario/fit_options.h"
@@ -161,7 +162,7 @@ Outcome loadObject(const Scenario& scenario, const LoadedScenario* before, Geome
 /// What people see of the names, among all bodies of the product.
 void labelAll(LoadedScenario& loaded) {
   std::vector<RigidBody> all = rigidBodiesOf(loaded);
-  labelBodies(all);
+  labelBodies(all, loaded.product);
   for (std::size_t i = 0; i < all.size(); ++i) {
     const std::size_t others = loaded.obstacles.size();
     (i < others ? loaded.obstacles[i] : loaded.objectBodies[i - others]).label = all[i].label;
@@ -239,6 +240,7 @@ Result<ReadScenario> readScenario(const std::string& file) {
     return Diagnostic{ErrorKind::Usage, file, "", "is a part file, and a scenario is needed",
                       "Make a scenario of it: glissade-cli new OUT.json --moves FILE:PART --static FILE."};
   }
+  if (const auto unread = unreadKind(file)) return *unread;
   const auto text = readFile(file, limits::kMostScenarioBytes);
   if (!text) return text.error();
   Warnings warnings;

@@ -63,8 +63,9 @@ Geometry readGeometry(const JsonCursor& at, const std::set<std::string>& assets)
   }
   if (const auto urdf = at.find("urdf")) return UrdfGeometry{assetOf(*urdf)};
   if (const auto step = at.find("step")) {
-    step->allowOnly({"asset", "part"});
-    return StepGeometry{assetOf(step->at("asset")), step->has("part") ? step->at("part").nonEmptyText() : ""};
+    step->allowOnly({"asset", "part", "as_one"});
+    return StepGeometry{assetOf(step->at("asset")), step->has("part") ? step->at("part").nonEmptyText() : "",
+                        step->has("as_one") && step->at("as_one").boolean()};
   }
   if (const auto box = at.find("box")) {
     const Vector3 size = box->vector();
@@ -174,10 +175,12 @@ std::vector<BodyDescription> readBodies(const JsonCursor& list, const std::set<s
 }
 
 NodeDescription readNode(const JsonCursor& at) {
-  at.allowOnly({"id", "name", "in", "attributes"});
+  at.allowOnly({"id", "name", "occurrence", "designator", "in", "attributes"});
   NodeDescription node;
   node.id = at.at("id").nonEmptyText();
   if (const auto name = at.find("name")) node.name = name->text();
+  if (const auto occurrence = at.find("occurrence")) node.occurrence = occurrence->text();
+  if (const auto designator = at.find("designator")) node.designator = designator->text();
   if (const auto in = at.find("in")) node.in = in->text();
   node.attributes = readAttributes(at.find("attributes"));
   return node;

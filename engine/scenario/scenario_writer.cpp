@@ -41,6 +41,7 @@ Json toJson(const Geometry& geometry) {
                                  Json json;
                                  json["asset"] = step.asset;
                                  if (!step.part.empty()) json["part"] = step.part;
+                                 if (step.asOne) json["as_one"] = true;
                                  return {{"step", json}};
                                },
                                [](const BoxGeometry& box) -> Json {
@@ -74,6 +75,8 @@ Json toJson(const BodyDescription& body) {
 Json toJson(const NodeDescription& node) {
   Json json{{"id", node.id}};
   if (node.name) json["name"] = *node.name;
+  if (!node.occurrence.empty()) json["occurrence"] = node.occurrence;
+  if (!node.designator.empty()) json["designator"] = node.designator;
   if (node.in) json["in"] = *node.in;
   if (!node.attributes.empty()) json["attributes"] = attributesToJson(node.attributes);
   return json;

@@ -101,10 +101,11 @@ std::vector<PartsListRow> partsList(const AssemblyPlan& plan, const AssembledPro
   Shapes shapes;
   constexpr std::size_t kAnyShape = static_cast<std::size_t>(-1);  // of fasteners of one designation
   std::map<std::tuple<std::string, std::size_t, std::string>, std::size_t> known;
-  for (const RigidBody& body : product.bodies) {
+  for (std::size_t i = 0; i < product.bodies.size(); ++i) {
+    const RigidBody& body = product.bodies[i];
     const auto said = designations.find(body.id);
     const std::string designation = said == designations.end() ? std::string() : said->second;
-    const std::string name = kindOfPart(body.name);
+    const std::string name = kindOfPart(i, product);
     const bool isDesignated = !designation.empty();
     const auto [at, isNew] =
         known.emplace(std::tuple(designation, isDesignated ? kAnyShape : shapes.numberOf(body.mesh),

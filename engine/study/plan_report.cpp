@@ -180,11 +180,15 @@ class Composer {
       for (const std::string& id : steps.back()->bodies()) bodies.push_back(id);
     }
     const std::string name = nameOfStep(*steps.front(), content_.product);
+    std::string kind;
+    for (const std::size_t body : bodiesOf(*steps.front(), content_.product)) {
+      kind += (kind.empty() ? "" : ", ") + kindOfPart(body, content_.product);
+    }
     const std::string first = stepNumber(range.place);
-    const std::string title =
-        range.count == 1 ? say("Step %1 of %2: %3", {first, all, name})
-                         : say("Steps %1 to %2 of %3: %4", {first, stepNumber(range.place + range.count - 1), all,
-                                                            std::to_string(range.count) + " × " + kindOfPart(name)});
+    const std::string title = range.count == 1
+                                  ? say("Step %1 of %2: %3", {first, all, name})
+                                  : say("Steps %1 to %2 of %3: %4", {first, stepNumber(range.place + range.count - 1),
+                                                                     all, std::to_string(range.count) + " × " + kind});
     report_.blocks.emplace_back(ReportHeading{title, 2, true});
     if (task < content_.pictures.size()) picture(content_.pictures[task], say("%1 on its way", {name}));
     report_.blocks.emplace_back(facts(factsOf(steps, bodies, range.place)));

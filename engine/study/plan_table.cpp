@@ -19,9 +19,23 @@ double largestAllowance(const AssemblyStep& step) {
   return largest;
 }
 
+/// The names of the bodies as the file has them, with those of the assemblies that they are in.
+class FullNames {
+ public:
+  explicit FullNames(const AssembledProduct& product) : product_(product), paths_(product.tree.shownPaths()) {}
+
+  std::string operator()(const std::string& id) const {
+    const auto node = product_.tree.find(id);
+    return node ? paths_[*node] : product_.bodies[*product_.indexOf(id)].name;
+  }
+
+ private:
+  const AssembledProduct& product_;
+  std::vector<std::string> paths_;
+};
+
 void addStep(CsvTable& table, const AssemblyStep& step, std::size_t number, const AssembledProduct& product,
-             PlanOrder order) {
-  const auto nameOf = [&product](const std::string& id) { return product.bodies[*product.indexOf(id)].name; };
+             const FullNames& nameOf, PlanOrder order) {
   const PlanWords words(Language::English, inMillimetres);
   double length = 0.0;
   double turn = 0.0;
@@ -51,8 +65,7 @@ void addStep(CsvTable& table, const AssemblyStep& step, std::size_t number, cons
   table.text(forced);
 }
 
-void addStuck(CsvTable& table, const StuckBody& stuck, const AssembledProduct& product) {
-  const auto nameOf = [&product](const std::string& id) { return product.bodies[*product.indexOf(id)].name; };
+void addStuck(CsvTable& table, const StuckBody& stuck, const FullNames& nameOf) {
   std::string blockers;
   for (const std::string& other : stuck.blockedBy) blockers += (blockers.empty() ? "" : "; ") + nameOf(other);
   table.row();
@@ -72,12 +85,13 @@ std::string planAsCsv(const AssemblyPlan& plan, const AssembledProduct& product,
   CsvTable table;
   table.header({"step", "part", "method", "motion", "length_m", "turn_rad", "proved_clearance_m", "min_clearance_m",
                 "nearest", "allowance_m", "wave", "blocked_by", "tool", "standing", "forced_although"});
+  const FullNames nameOf(product);
   const std::size_t steps = plan.steps.size();
   for (std::size_t i = 0; i < steps; ++i) {
     const std::size_t step = order == PlanOrder::Assembly ? steps - 1 - i : i;
-    addStep(table, plan.steps[step], steps - step, product, order);
+    addStep(table, plan.steps[step], steps - step, product, nameOf, order);
   }
-  for (const StuckBody& stuck : plan.stuck) addStuck(table, stuck, product);
+  for (const StuckBody& stuck : plan.stuck) addStuck(table, stuck, nameOf);
   return table.content();
 }
 

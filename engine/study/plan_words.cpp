@@ -244,12 +244,23 @@ std::string nameOfStep(const AssemblyStep& step, const AssembledProduct& product
   return names;
 }
 
-std::string kindOfPart(const std::string& name) {
-  const std::string last = lastStepOf(name);
-  const std::size_t number = last.rfind('#');
+namespace {
+
+std::string withoutNumber(const std::string& name) {
+  const std::size_t number = name.rfind('#');
   const bool counted = number != std::string::npos && number > 0 &&
-                       last.find_first_not_of("0123456789", number + 1) == std::string::npos;
-  return counted ? last.substr(0, number) : last;
+                       name.find_first_not_of("0123456789", number + 1) == std::string::npos;
+  return counted ? name.substr(0, number) : name;
+}
+
+}  // namespace
+
+std::string kindOfPart(const std::string& name) { return withoutNumber(lastStepOf(name)); }
+
+std::string kindOfPart(std::size_t body, const AssembledProduct& product) {
+  const auto node = product.tree.find(product.bodies[body].id);
+  const std::string& name = node ? product.tree.nodes()[*node].names.product : product.bodies[body].name;
+  return node && !name.empty() ? withoutNumber(name) : kindOfPart(product.bodies[body].name);
 }
 
 std::string shownNameOf(const std::string& id, const AssembledProduct& product) {

@@ -3095,6 +3095,26 @@
         <translation>Donnez le produit qui a été planifié.</translation>
     </message>
     <message>
+        <source>is a scenario, which says itself which bodies it has</source>
+        <translation>est un scénario, qui indique lui-même ses corps</translation>
+    </message>
+    <message>
+        <source>names &apos;%1&apos;, which is no part of several solids</source>
+        <translation>nomme «&#xa0;%1&#xa0;», qui n&apos;est pas une pièce de plusieurs solides</translation>
+    </message>
+    <message>
+        <source>See &apos;glissade-cli info&apos; for the names.</source>
+        <translation>Les noms sont donnés par «&#xa0;glissade-cli info&#xa0;».</translation>
+    </message>
+    <message>
+        <source>holds one part of several solids: there is nothing to take apart</source>
+        <translation>contient une seule pièce de plusieurs solides&#xa0;: il n&apos;y a rien à démonter</translation>
+    </message>
+    <message>
+        <source>Give a product of several parts, or take it as its solids: --open %1.</source>
+        <translation>Donnez un produit de plusieurs pièces, ou prenez-le comme ses solides&#xa0;: --open %1.</translation>
+    </message>
+    <message>
         <source>holds one body: there is nothing to take apart</source>
         <translation>contient un seul corps&#xa0;: il n&apos;y a rien à démonter</translation>
     </message>
@@ -4069,6 +4089,194 @@
     <message>
         <source>Export it again as STEP AP214 or AP242, or its parts as meshes.</source>
         <translation>Exportez-le de nouveau en STEP AP214 ou AP242, ou ses pièces en maillages.</translation>
+    </message>
+    <message>
+        <source>cannot be read as IGES: %1</source>
+        <translation>ne peut pas être lu comme IGES&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>cannot be read as BREP: %1</source>
+        <translation>ne peut pas être lu comme BREP&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>is %1, which is not read</source>
+        <translation>est %1, ce qui n&apos;est pas lu</translation>
+    </message>
+    <message>
+        <source>a SolidWorks file</source>
+        <translation>un fichier SolidWorks</translation>
+    </message>
+    <message>
+        <source>a CATIA file</source>
+        <translation>un fichier CATIA</translation>
+    </message>
+    <message>
+        <source>an Inventor file</source>
+        <translation>un fichier Inventor</translation>
+    </message>
+    <message>
+        <source>a part or an assembly of NX, Creo or Solid Edge</source>
+        <translation>une pièce ou un assemblage de NX, Creo ou Solid Edge</translation>
+    </message>
+    <message>
+        <source>a Solid Edge file</source>
+        <translation>un fichier Solid Edge</translation>
+    </message>
+    <message>
+        <source>a JT file</source>
+        <translation>un fichier JT</translation>
+    </message>
+    <message>
+        <source>a Parasolid file</source>
+        <translation>un fichier Parasolid</translation>
+    </message>
+    <message>
+        <source>an ACIS file</source>
+        <translation>un fichier ACIS</translation>
+    </message>
+    <message>
+        <source>a Fusion file</source>
+        <translation>un fichier Fusion</translation>
+    </message>
+    <message>
+        <source>a FreeCAD file</source>
+        <translation>un fichier FreeCAD</translation>
+    </message>
+    <message>
+        <source>a Rhino file</source>
+        <translation>un fichier Rhino</translation>
+    </message>
+    <message>
+        <source>an AutoCAD drawing</source>
+        <translation>un dessin AutoCAD</translation>
+    </message>
+    <message>
+        <source>a VDA-FS file</source>
+        <translation>un fichier VDA-FS</translation>
+    </message>
+    <message>
+        <source>a binary BREP file</source>
+        <translation>un fichier BREP binaire</translation>
+    </message>
+    <message>
+        <source>an OpenSCAD program</source>
+        <translation>un programme OpenSCAD</translation>
+    </message>
+    <message>
+        <source>a 3MF file</source>
+        <translation>un fichier 3MF</translation>
+    </message>
+    <message>
+        <source>an AMF file</source>
+        <translation>un fichier AMF</translation>
+    </message>
+    <message>
+        <source>a SketchUp file</source>
+        <translation>un fichier SketchUp</translation>
+    </message>
+    <message>
+        <source>a Blender file</source>
+        <translation>un fichier Blender</translation>
+    </message>
+    <message>
+        <source>an FBX file</source>
+        <translation>un fichier FBX</translation>
+    </message>
+    <message>
+        <source>a 3ds Max file</source>
+        <translation>un fichier 3ds Max</translation>
+    </message>
+    <message>
+        <source>a USD file</source>
+        <translation>un fichier USD</translation>
+    </message>
+    <message>
+        <source>a VRML or X3D file</source>
+        <translation>un fichier VRML ou X3D</translation>
+    </message>
+    <message>
+        <source>a building model (IFC)</source>
+        <translation>un modèle de bâtiment (IFC)</translation>
+    </message>
+    <message>
+        <source>STEP as XML</source>
+        <translation>du STEP en XML</translation>
+    </message>
+    <message>
+        <source>a compressed file</source>
+        <translation>un fichier compressé</translation>
+    </message>
+    <message>
+        <source>Export it as STEP (AP214 or AP242) in the program that it is from.</source>
+        <translation>Exportez-le en STEP (AP214 ou AP242) dans le programme dont il vient.</translation>
+    </message>
+    <message>
+        <source>Export it as STL, OBJ, PLY or glTF in the program that it is from.</source>
+        <translation>Exportez-le en STL, OBJ, PLY ou glTF dans le programme dont il vient.</translation>
+    </message>
+    <message>
+        <source>Unpack it, and give the file that is in it.</source>
+        <translation>Décompressez-le, et donnez le fichier qu&apos;il contient.</translation>
+    </message>
+    <message>
+        <source>are read as %1</source>
+        <translation>sont lus comme %1</translation>
+    </message>
+    <message>
+        <source>are in an encoding that cannot be told, and are read as %1</source>
+        <translation>sont dans un codage impossible à déterminer, et sont lus comme %1</translation>
+    </message>
+    <message>
+        <source>Where that is wrong, export it with names in UTF-8, or name its parts by their numbers (#2).</source>
+        <translation>Si c&apos;est faux, exportez-le avec des noms en UTF-8, ou nommez ses pièces par leurs numéros (#2).</translation>
+    </message>
+    <message>
+        <source>column 73 of its first line is not S: it is no text of 80 columns</source>
+        <translation>la colonne 73 de sa première ligne n&apos;est pas S&#xa0;: ce n&apos;est pas un texte de 80 colonnes</translation>
+    </message>
+    <message>
+        <source>it ends before its terminate section (T): it is cut off</source>
+        <translation>il finit avant sa section de fin (T)&#xa0;: il est tronqué</translation>
+    </message>
+    <message>
+        <source>its line %1 is of no section, or of another one than the lines around it</source>
+        <translation>sa ligne %1 n&apos;est d&apos;aucune section, ou d&apos;une autre que les lignes voisines</translation>
+    </message>
+    <message>
+        <source>its line %1 is not numbered as it should be (%2): lines are missing, or damaged</source>
+        <translation>sa ligne %1 n&apos;a pas le numéro attendu (%2)&#xa0;: des lignes manquent ou sont abîmées</translation>
+    </message>
+    <message>
+        <source>it has %1 lines in its section %2, and states %3: lines are missing</source>
+        <translation>il a %1 lignes dans sa section %2 et en annonce %3&#xa0;: des lignes manquent</translation>
+    </message>
+    <message>
+        <source>is a binary BREP file, which is not read: write it as text</source>
+        <translation>est un fichier BREP binaire, qui n&apos;est pas lu&#xa0;: écrivez-le en texte</translation>
+    </message>
+    <message>
+        <source>is not a BREP file (it does not begin with &apos;CASCADE Topology V&apos;)</source>
+        <translation>n&apos;est pas un fichier BREP (il ne commence pas par «&#xa0;CASCADE Topology V&#xa0;»)</translation>
+    </message>
+    <message>
+        <source>it is not sound IGES text</source>
+        <translation>ce n&apos;est pas un texte IGES correct</translation>
+    </message>
+    <message>
+        <source>it is not sound BREP text</source>
+        <translation>ce n&apos;est pas un texte BREP correct</translation>
+    </message>
+    <message>
+        <source>its groups are nested too deeply</source>
+        <translation>ses groupes sont trop imbriqués</translation>
+    </message>
+    <message>
+        <source>it has too many groups and parts</source>
+        <translation>il a trop de groupes et de pièces</translation>
+    </message>
+    <message>
+        <source>%1 faces are smaller than the gaps between faces</source>
+        <translation>%1 faces sont plus petites que les intervalles entre les faces</translation>
     </message>
     <message>
         <source>the solid could not be made</source>
@@ -11532,12 +11740,12 @@
         <translation>La pièce dont on cherche le mouvement&#xa0;; plusieurs bougent ensemble</translation>
     </message>
     <message>
-        <source>&amp;Groups are parts</source>
-        <translation>Les &amp;groupes sont des pièces</translation>
+        <source>&amp;Groups and solids are parts</source>
+        <translation>&amp;Groupes et solides sont des pièces</translation>
     </message>
     <message>
-        <source>Takes each group of an OBJ file as a part of its own</source>
-        <translation>Prend chaque groupe d&apos;un fichier OBJ comme une pièce à part</translation>
+        <source>Takes each group of an OBJ file, and each solid of a CAD part of several, as a part of its own</source>
+        <translation>Prend chaque groupe d&apos;un fichier OBJ, et chaque solide d&apos;une pièce de CAO qui en a plusieurs, comme une pièce à part</translation>
     </message>
     <message>
         <source>The files are being read: %1 of %2.</source>
@@ -12010,8 +12218,8 @@
         <translation>Clair ou sombre, comme le bureau au démarrage du programme</translation>
     </message>
     <message>
-        <source>As the product&apos;s file: inches, or µm, mm and m</source>
-        <translation>Celle du fichier du produit : pouces, ou µm, mm et m</translation>
+        <source>As the product&apos;s file; else µm, mm and m</source>
+        <translation>Celle du fichier du produit ; sinon µm, mm et m</translation>
     </message>
 </context>
 <context>

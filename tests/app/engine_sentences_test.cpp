@@ -49,6 +49,15 @@ constexpr const char* kShownOfTheJudge = "engine/check/condition.cpp";
 constexpr const char* kNotForTheWindow[] = {
     "of %1",
     "held by ",
+    "next assembly usage occurrence",  // keys and beginnings of files
+    "next assembly relationship",
+    "next assembly usage",
+    "Shift JIS",
+    "Open CASCADE Topology",
+    "CASCADE Topology V",
+    "%1\t%2\t%3\tIGES %4\t%5",
+    "as one",
+    "as %1",
     "simulated operator",
     "task operator",
     "shown configuration",

@@ -49,12 +49,12 @@ TEST_F(FitsWindow, TheFitsOfAProductLookAsTheyDid) {
   expectLike(picture, QStringLiteral("fits"));
 }
 
-/// A box of 2 x 1 x 1 inch is measured in inches, and one that states millimetres is not.
+/// A box of 2 x 1 x 1 inch is measured in inches, and one of 10 m that states millimetres in these.
 TEST_F(FitsWindow, AProductIsShownInTheUnitOfItsFile) {
   const QString measured = QStringLiteral(
       "new-scenario %1 1 Z\naction view.front\naction view.fit\n"
       "action measure.distance\nclick-body object\nclick 250 300\nexpect-measure %2\n");
-  for (const auto& [file, unit] : {std::pair("inch.step", "in,"), std::pair("box.step", "mm,")}) {
+  for (const auto& [file, unit] : {std::pair("inch.step", "in,"), {"box.step", "mm,"}, {"large-box.step", "mm,"}}) {
     const QString product = QString::fromStdString(stepFile(file));
     const WindowResult outcome = run(QString(), measured.arg(product, QLatin1String(unit)));
     EXPECT_EQ(outcome.exitCode, 0) << outcome.errors.toStdString();

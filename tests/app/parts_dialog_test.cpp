@@ -126,7 +126,7 @@ TEST_F(PartsPage, GroupsOfAnObjFileAreRowsOnDemand) {
                                             "f 5 7 6\nf 5 6 8\nf 6 7 8\nf 5 8 7\n");
   PartsDialog dialog(Purpose::NewScenario, {file, text(product.tray)}, true);
   EXPECT_EQ(table(dialog).rowCount(), 2);
-  auto* groups = dialog.findChild<QCheckBox*>(QStringLiteral("groups"));
+  auto* groups = dialog.findChild<QCheckBox*>(QStringLiteral("apart"));
   groups->setChecked(true);
   ASSERT_EQ(table(dialog).rowCount(), 3);
   EXPECT_EQ(table(dialog).item(0, PartsDialog::kPart)->text(), QStringLiteral("two.obj: a"));
@@ -137,6 +137,19 @@ TEST_F(PartsPage, GroupsOfAnObjFileAreRowsOnDemand) {
   EXPECT_EQ(table(dialog).rowCount(), 2);
   EXPECT_EQ(dialog.parts()[0].part, "");
   EXPECT_TRUE(mayAccept(dialog));
+}
+
+TEST_F(PartsPage, SolidsOfACadPartAreRowsOnDemand) {
+  PartsDialog dialog(Purpose::NewScenario, {text(test::stepFile("frames.step"))}, true);
+  EXPECT_EQ(table(dialog).rowCount(), 3);
+  auto* apart = dialog.findChild<QCheckBox*>(QStringLiteral("apart"));
+  apart->setChecked(true);
+  ASSERT_EQ(table(dialog).rowCount(), 5);
+  EXPECT_EQ(dialog.parts()[1].part, "frame/solid#2");
+  EXPECT_TRUE(mayAccept(dialog));
+  apart->setChecked(false);
+  EXPECT_EQ(table(dialog).rowCount(), 3);
+  EXPECT_EQ(dialog.parts()[0].part, "frame");
 }
 
 TEST_F(PartsPage, ARowHasItsBoxesFromWhenItIsSeen) {

@@ -75,15 +75,15 @@ TEST_F(ScenePanelTest, WhatIsLeftOutHasAShortNameAndItsPathAsToolTip) {
   EXPECT_TRUE(item(QStringLiteral("cap"))->toolTip(0).contains(QStringLiteral("motor/cover/cap")));
 }
 
-TEST_F(ScenePanelTest, NamesAreThoseOfTheFileUnlessASiblingHasTheSame) {
-  scenario.product = Product({{"pump/cover/screw", {"pump/cover/screw", {"Pump / 1", "", "M3"}}},
-                              {"pump/cover/screw#2", {"pump/cover/screw#2", {"Pump / 1", "", "M3"}}},
-                              {"pump/housing", {"pump/housing", {"Pump / 1", "H/7"}}}});
+TEST_F(ScenePanelTest, NamesAreThoseOfTheFileAndSiblingsOfOneNameAreNumbered) {
+  scenario.product = Product({{"pump/cover/screw", {"pump/cover/screw", productNames({"Pump / 1", "", "M3"})}},
+                              {"pump/cover/screw#2", {"pump/cover/screw#2", productNames({"Pump / 1", "", "M3"})}},
+                              {"pump/housing", {"pump/housing", productNames({"Pump / 1", "H/7"})}}});
   panel.setScenario(scenario);
   EXPECT_NE(item(QStringLiteral("Pump / 1")), nullptr);
   EXPECT_NE(item(QStringLiteral("H/7")), nullptr);
   EXPECT_NE(item(QStringLiteral("cover")), nullptr) << "its name is empty";
-  EXPECT_NE(item(QStringLiteral("screw#2")), nullptr);
+  EXPECT_NE(item(QStringLiteral("M3#2")), nullptr);
   EXPECT_NE(item(QStringLiteral("plate")), nullptr) << "no node of the product";
 }
 

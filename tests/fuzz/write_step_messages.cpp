@@ -44,6 +44,8 @@ struct NamedPart {
   std::string path;
   std::string names{};
   std::uint32_t shape = 0;
+  std::string formerPath{};
+  bool isSolidOfPart = false;
 };
 
 struct ExternalUse {
@@ -93,7 +95,9 @@ std::string messageOf(const std::vector<Kinds>& shapes, const std::vector<NamedP
     record.colour[1] = 0.2;
     record.pathBytes = sizeOf(part.path);
     record.namesBytes = sizeOf(part.names);
-    message.add(record).addText(part.path).addText(part.names);
+    record.formerPathBytes = sizeOf(part.formerPath);
+    record.isSolidOfPart = part.isSolidOfPart ? 1 : 0;
+    message.add(record).addText(part.path).addText(part.names).addText(part.formerPath);
   }
   for (const ExternalUse& use : externals) {
     protocol::ExternalPart record;
@@ -121,10 +125,14 @@ int main(int argc, char** argv) {
   write("one-part", messageOf({{Kind::Free, Kind::Plane}}, {{"L\u00e4ufer"}}, {}, "", ""));
   write("notes", messageOf({{Kind::Free, Kind::Free}}, {{"L\u00e4ufer"}}, {},
                            "L\t#12\ta face\nH\tL\u00e4ufer, #14\ta cone\nV\tL\u00e4ufer\t2 % smaller\n", ""));
-  write("two-parts",
-        messageOf({{Kind::Free, Kind::Cylinder}, {Kind::Cone, Kind::Torus}},
-                  {{"pump/rotor", "pump\nrotor/left\n"}, {"pin", "", 1}, {"pin#2", "pin\n", 1}}, {}, "", ""));
+  write("two-parts", messageOf({{Kind::Free, Kind::Cylinder}, {Kind::Cone, Kind::Torus}},
+                               {{"pump/rotor", "pump\t\t\nrotor/left\tupper rotor\t\n"},
+                                {"pin", "", 1, "stift"},
+                                {"pin#2", "pin\t\tX1\n", 1},
+                                {"frame/solid", "", 0, "", true},
+                                {"frame/solid#2", "", 1, "", true}},
+                               {}, "", ""));
   write("external-part",
-        messageOf({{Kind::Plane, Kind::Plane}}, {{"L\u00e4ufer"}}, {{"foot", "foot\n", "foot.stp"}}, "", "unit"));
+        messageOf({{Kind::Plane, Kind::Plane}}, {{"L\u00e4ufer"}}, {{"foot", "foot\t\t\n", "foot.stp"}}, "", "unit"));
   return 0;
 }

@@ -176,6 +176,10 @@ std::vector<GoodFile> makeGoodFiles(const std::string& folder, const std::string
     const std::string step = stepFiles + "/" + name + ".step";
     if (!stepFiles.empty() && fs::exists(step)) addAsset("step-" + name, "step", ".step", contentOf(step));
   }
+  for (const auto& [format, name] : {std::pair("iges", "surfaces.igs"), std::pair("brep", "solids.brep")}) {
+    const std::string file = stepFiles + "/" + name;
+    if (!stepFiles.empty() && fs::exists(file)) addAsset(format, "step", fs::path(name).extension(), contentOf(file));
+  }
   const std::string scenario = in("scenario.json");
   save(scenario, scenarioWith("box", ""));
   save(in("robot.stl"), meshFile(part, MeshFormat::BinaryStl));

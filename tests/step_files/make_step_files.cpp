@@ -13,8 +13,11 @@
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <GProp_GProps.hxx>
+#include <IGESControl_Controller.hxx>
+#include <IGESControl_Writer.hxx>
 #include <Interface_Static.hxx>
 #include <Quantity_Color.hxx>
 #include <STEPCAFControl_Controller.hxx>
@@ -358,8 +361,40 @@ void writeOddShapes(const std::string& file) {
   product.write(file);
 }
 
+/// A frame of two blocks that touch, twice, and a pad: the frame is one product of two solids.
+void writeFrames(const std::string& file) {
+  Product product;
+  const TDF_Label frame =
+      product.part("frame", compoundOf({blockAt(0, 0, 0, 60, 20, 10), blockAt(0, 0, 10, 20, 20, 30)}));
+  const TDF_Label unit = product.assembly("frames");
+  product.put(frame, unit, at(0, 0, 0));
+  product.put(frame, unit, turnedAt(0, 100, 40));
+  product.put(product.part("pad", box(10, 10, 4)), unit, at(25, 0, 12));
+  product.write(file);
+}
+
+/// Shapes as IGES text: as trimmed surfaces that nothing joins, or as solids.
+void writeIges(const std::string& file, const std::vector<TopoDS_Shape>& shapes, bool asSolids,
+               const char* unit = "MM") {
+  IGESControl_Controller::Init();
+  IGESControl_Writer writer(unit, asSolids ? 1 : 0);
+  for (const TopoDS_Shape& shape : shapes) writer.AddShape(shape);
+  writer.ComputeModel();
+  if (!writer.Write(file.c_str())) throw std::string("cannot write " + file);
+}
+
+void writeBrep(const std::string& file, const TopoDS_Shape& shape) {
+  if (!BRepTools::Write(shape, file.c_str())) throw std::string("cannot write " + file);
+}
+
+/// A plate with a pin in its hole, and a block beside them.
+std::vector<TopoDS_Shape> plateAndPin() {
+  return {plateWithHole(), cylinder(8, 40), box(30, 20, 10).Moved(at(100, 0, 0))};
+}
+
 void writeAll(const std::string& folder) {
   writePart(folder + "/box.step", "box", box(100, 50, 20));
+  writePart(folder + "/large-box.step", "box", box(10000, 5000, 2000));
   writePart(folder + "/cylinder.STP", "cylinder", cylinder(10, 40));
   writePart(folder + "/ball.stp", "ball", BRepPrimAPI_MakeSphere(25.0));
   writePart(folder + "/plate.step", "plate", plateWithHole());
@@ -380,6 +415,14 @@ void writeAll(const std::string& folder) {
   writeValidated(folder + "/validated-wrong.step", 1.05, 1.0);
   writeOddShapes(folder + "/odd-shapes.step");
   writeSplit(folder);
+  writeFrames(folder + "/frames.step");
+  writePart(folder + "/ribbed.step", "ribbed",
+            compoundOf({blockAt(0, 0, 0, 60, 20, 10), blockAt(0, 0, 10, 20, 20, 30), sheetAt(100)}));
+  writeIges(folder + "/surfaces.igs", plateAndPin(), false);
+  writeIges(folder + "/solids.iges", plateAndPin(), true, "INCH");
+  writeIges(folder + "/sheet.igs", {sheetAt(0)}, false);
+  writeBrep(folder + "/solids.brep", compoundOf(plateAndPin()));
+  writeBrep(folder + "/shell.brep", TopExp_Explorer(box(30, 20, 10), TopAbs_SHELL).Current());
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ QComboBox* makeBox(const char* id, const QString& name, const QString& tip) {
 }  // namespace
 
 void leaveToFile(const std::string& file, QComboBox& unit, QComboBox& up) {
-  if (isStepFile(file)) unit.setItemText(0, PartsDialog::tr("file's"));
+  if (isCadFile(file)) unit.setItemText(0, PartsDialog::tr("file's"));
   for (QComboBox* box : {&unit, &up}) {
     box->setEnabled(false);
     box->setToolTip(PartsDialog::tr("The file says its unit itself; Z is up"));

@@ -65,7 +65,7 @@ PartsDialog::PartsDialog(Purpose purpose, const QStringList& files, bool atOnce,
       table_(new QTableWidget(0, 5, this)),
       remove_(new QPushButton(tr("&Remove"), this)),
       closeHoles_(new QCheckBox(tr("Close planar &holes"), this)),
-      groups_(new QCheckBox(tr("&Groups are parts"), this)),
+      apart_(new QCheckBox(tr("&Groups and solids are parts"), this)),
       fineness_(new FinenessBox(this)),
       hint_(new QLabel(this)) {
   setObjectName(QStringLiteral("parts"));
@@ -123,12 +123,13 @@ QLayout* PartsDialog::makeFileButtons() {
   remove_->setEnabled(false);
   remove_->setToolTip(tr("Takes the selected rows out of the list (Del)"));
   auto* row = new FlowLayout;
-  for (QWidget* each : std::initializer_list<QWidget*>{add, remove_, fineness_, groups_, closeHoles_}) {
+  for (QWidget* each : std::initializer_list<QWidget*>{add, remove_, fineness_, apart_, closeHoles_}) {
     row->addWidget(each);
   }
-  groups_->setObjectName(QStringLiteral("groups"));
-  groups_->setToolTip(tr("Takes each group of an OBJ file as a part of its own"));
-  connect(groups_, &QCheckBox::toggled, this, &PartsDialog::readGroups);
+  apart_->setObjectName(QStringLiteral("apart"));
+  apart_->setToolTip(
+      tr("Takes each group of an OBJ file, and each solid of a CAD part of several, as a part of its own"));
+  connect(apart_, &QCheckBox::toggled, this, &PartsDialog::takeApart);
   closeHoles_->setObjectName(QStringLiteral("close-holes"));
   closeHoles_->setToolTip(tr("Closes holes of meshes whose edge lies in a plane; a warning says how many"));
   const auto* del = new QShortcut(QKeySequence::Delete, table_, nullptr, nullptr, Qt::WidgetWithChildrenShortcut);
@@ -155,7 +156,7 @@ void PartsDialog::addFiles(const QStringList& files) {
     const std::string path = QFileInfo(file).absoluteFilePath().toStdString();
     if (rowOf(path) >= 0) continue;
     rows_.push_back({usualPart(path), std::nullopt, false});
-    rows_.back().part.groups = groups_->isChecked() && mayHaveGroups(path);
+    rows_.back().part.groups = apart_->isChecked() && mayHaveGroups(path);
   }
   fillTable();
   refresh();
@@ -245,18 +246,20 @@ QComboBox* PartsDialog::makeUp(const QString& name) {
 }
 
 QString partFilePatterns() {
-  return QStringLiteral("*.step *.stp *.STEP *.STP *.stl *.obj *.ply *.dae *.gltf *.glb *.urdf");
+  return QStringLiteral(
+      "*.step *.stp *.p21 *.STEP *.STP *.P21 *.igs *.iges *.IGS *.IGES *.brep *.brp *.stl *.obj *.ply *.dae *.gltf "
+      "*.glb *.urdf");
 }
 
-/// Each OBJ file is one row again, which is measured anew.
-void PartsDialog::readGroups(bool wanted) {
+/// Each OBJ and CAD file is one row again, which is measured anew.
+void PartsDialog::takeApart(bool wanted) {
   std::vector<Row> rows;
   for (Row& row : rows_) {
-    const bool another = mayHaveGroups(row.part.path);
+    const bool another = mayHaveGroups(row.part.path) || isCadFile(row.part.path);
     if (another && !rows.empty() && rows.back().part.path == row.part.path) continue;
     rows.push_back(std::move(row));
     if (!another) continue;
-    rows.back().part.groups = wanted;
+    rows.back().part.groups = wanted && mayHaveGroups(rows.back().part.path);
     rows.back().part.part.clear();
     rows.back().inFile.reset();
   }
@@ -337,12 +340,12 @@ void PartsDialog::measureNext() {
   measuredPaths_ = filesToMeasure();
   if (measuredPaths_.empty()) return;
   const auto measure = [this, paths = measuredPaths_,
-                        groups = groups_->isChecked()](const WorkWatch& watch) -> BackgroundTask::Delivery {
+                        apart = apart_->isChecked()](const WorkWatch& watch) -> BackgroundTask::Delivery {
     GeometryCache read;
     readSmallFiles(paths, read, watch.stop);
     const auto measured = std::make_shared<std::vector<Measured>>();
     for (const std::string& path : paths) {
-      measured->push_back(partsInFile(path, read, watch.stop, groups && mayHaveGroups(path)));
+      measured->push_back(partsInFile(path, read, watch.stop, apart));
     }
     return [this, paths, measured, read] {
       read_.insert(read.begin(), read.end());
@@ -482,7 +485,7 @@ std::vector<PartFile> PartsDialog::parts() const {
   std::vector<PartFile> parts;
   for (const Row& row : rows_) {
     parts.push_back(row.part);
-    parts.back().deflection = isStepFile(row.part.path) ? fineness_->metres() : 0.0;
+    parts.back().deflection = isCadFile(row.part.path) ? fineness_->metres() : 0.0;
     parts.back().closeHoles = closeHoles_->isChecked() && isMeshFile(row.part.path);
   }
   return parts;

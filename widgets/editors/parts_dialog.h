@@ -63,7 +63,7 @@ class PartsDialog final : public QDialog {
   QComboBox* makeRole(const QString& name);
   QComboBox* makeUnit(const QString& name);
   QComboBox* makeUp(const QString& name);
-  void readGroups(bool wanted);
+  void takeApart(bool wanted);
   void chooseFiles();
   void removeSelected();
   void chooseRole(int row, PartRole role);
@@ -94,7 +94,7 @@ class PartsDialog final : public QDialog {
   QTableWidget* table_;
   QPushButton* remove_;
   QCheckBox* closeHoles_;
-  QCheckBox* groups_;
+  QCheckBox* apart_;  ///< groups of OBJ files and solids of CAD parts are parts
   FinenessBox* fineness_;
   QLabel* hint_;
   QPushButton* accept_ = nullptr;

@@ -173,7 +173,7 @@ void SemanticsTree::showAssemblies() {
     ids.push_back(node.id);
     paths.push_back(node.path);
   }
-  const std::vector<std::string> shown = glissade::shownNames(ids, paths);
+  const std::vector<std::string> shown = document_.product().labels(ids);
   assemblies_->setText(0, tr("Assemblies (%1)").arg(nodes.size()));
   assemblies_->setHidden(nodes.empty());
   cut(*assemblies_, static_cast<int>(nodes.size()));

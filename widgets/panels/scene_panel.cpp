@@ -5,6 +5,7 @@
 #include <QSignalBlocker>
 
 #include "engine/scenario/scenario_bodies.h"
+#include "engine/scenario/scenario_product.h"
 #include "widgets/commands/colour_swatch.h"
 #include "widgets/commands/length_text.h"
 
@@ -114,7 +115,7 @@ void ScenePanel::addLeftOut(const Scenario& scenario) {
     ids.push_back(body->id);
     paths.push_back(body->name);
   }
-  const std::vector<std::string> shown = shownNames(ids, paths);
+  const std::vector<std::string> shown = treeOf(scenario).labels(ids);
   for (std::size_t i = ids.size() - scenario.leftOut.size(); i < ids.size(); ++i) {
     auto* item = new QTreeWidgetItem(group, {QString::fromStdString(shown[i]), tr("left out")});
     item->setToolTip(

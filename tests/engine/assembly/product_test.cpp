@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <set>
 
@@ -44,7 +45,7 @@ TEST(Product, HasAssembliesAboveTheirBodies) {
   EXPECT_EQ(idsOf(product),
             (Ids{"pump", "pump/cover", "pump/cover/screw", "plate", "pump/cover/screw#2", "pump/housing"}));
   EXPECT_FALSE(product.nodes()[0].parent || product.nodes()[3].parent) << "at the top";
-  EXPECT_EQ(product.nodes()[1].name, "cover");
+  EXPECT_EQ(product.nodes()[1].names.product, "cover");
   EXPECT_EQ(product.bodiesBelow(0), (Ids{"pump/cover/screw", "pump/cover/screw#2", "pump/housing"}));
   EXPECT_EQ(product.bodiesBelow(1), (Ids{"pump/cover/screw", "pump/cover/screw#2"}));
   EXPECT_EQ(product.bodiesBelow(3), (Ids{"plate"}));
@@ -61,19 +62,89 @@ TEST(Product, ANameMeansNodesByTheirEnds) {
 
 /// "M3/6" cannot be a step of a path.
 TEST(Product, NodesHaveTheNamesOfTheirFile) {
-  const Product product({{"a_b/M3_6", {"a_b/M3_6", {"a/b", "M3/6"}}}, {"a_b/part", {"a_b/part", {"a/b", ""}}}});
-  EXPECT_EQ(product.nodes()[0].name, "a/b");
-  EXPECT_EQ(product.nodes()[1].name, "M3/6");
+  const Product product({{"a_b/M3_6", {"a_b/M3_6", productNames({"a/b", "M3/6"})}},
+                         {"a_b/part", {"a_b/part", productNames({"a/b", ""})}}});
+  EXPECT_EQ(product.nodes()[0].names.product, "a/b");
+  EXPECT_EQ(product.nodes()[1].names.product, "M3/6");
   EXPECT_EQ(product.shownNames(), (Ids{"a/b", "M3/6", "part"})) << "an empty name shows nothing";
   EXPECT_EQ(idsNamed(product, "M3/6"), (std::set<std::string>{"a_b/M3_6"}));
   EXPECT_EQ(idsNamed(product, "a/b"), (std::set<std::string>{"a_b"}));
   EXPECT_EQ(idsNamed(product, "a/b/M3/6"), (std::set<std::string>{"a_b/M3_6"}));
 }
 
-TEST(Product, SiblingsOfOneNameAreShownByTheirSteps) {
-  const Product product({{"pin", {"pin", {"pin"}}}, {"pin#2", {"pin#2", {"pin"}}}, {"nut#2", {"nut#2", {"nut"}}}});
+TEST(Product, SiblingsOfOneNameAreNumbered) {
+  const Product product({{"pin", {"pin", productNames({"pin"})}},
+                         {"pin#2", {"pin#2", productNames({"pin"})}},
+                         {"nut#2", {"nut#2", productNames({"nut"})}}});
   EXPECT_EQ(product.shownNames(), (Ids{"pin", "pin#2", "nut"}));
-  EXPECT_EQ(idsNamed(product, "pin"), (std::set<std::string>{"pin"})) << "paths go before names";
+  EXPECT_EQ(idsNamed(product, "pin"), (std::set<std::string>{"pin"}));
+}
+
+/// Bodies "board/C", "board/C#2", … of a product "C" whose uses are called so.
+Product boardOf(const std::vector<NodeNames>& uses) {
+  std::vector<ProductBody> bodies;
+  for (const NodeNames& use : uses) {
+    const std::string number = bodies.empty() ? "" : "#" + std::to_string(bodies.size() + 1);
+    bodies.push_back({"board/C" + number, {"board/C" + number, {{"board"}, use}}});
+  }
+  return Product(bodies);
+}
+
+TEST(Product, UsesAreShownByTheirNamesThenTheirDesignators) {
+  const Product product =
+      boardOf({{"C", "left", "C1"}, {"C", "", "C2"}, {"C", "NAUO3", ""}, {"C", "left", ""}, {"C", "C_5", "C_5"}});
+  EXPECT_EQ(product.shownNames(), (Ids{"board", "left", "C2", "C", "left#2", "C#2"}));
+  EXPECT_EQ(product.labels({"board/C", "board/C#4"}), (Ids{"left", "left#2"}));
+  EXPECT_EQ(idsNamed(product, "left#2"), (std::set<std::string>{"board/C#4"}));
+  EXPECT_EQ(idsNamed(product, "board/C2"), (std::set<std::string>{"board/C#2"}));
+  EXPECT_EQ(idsNamed(product, "C1"), (std::set<std::string>{"board/C"})) << "by what is not shown, too";
+  EXPECT_EQ(idsNamed(product, "C"), (std::set<std::string>{"board/C#3"})) << "as it is shown";
+  EXPECT_EQ(idsNamed(product, "board/C#4"), (std::set<std::string>{"board/C#4"})) << "by its id";
+  EXPECT_EQ(idsNamed(product, "#5"), (std::set<std::string>{"board/C#5"})) << "by its number";
+  EXPECT_TRUE(product.named("#6").empty() || product.named("#0").empty());
+}
+
+TEST(Product, LabelsAreTheShortestEndsThatNoOtherHas) {
+  const Product product({{"a/x", {"a/x", productNames({"a", "1/4-20"})}},
+                         {"b/x", {"b/x", productNames({"b", "1/4-20"})}},
+                         {"b/y", {"b/y", productNames({"b", "nut"})}}});
+  EXPECT_EQ(product.labels({"a/x", "b/x", "b/y"}), (Ids{"a/1/4-20", "b/1/4-20", "nut"}));
+  EXPECT_EQ(product.labels({"a/x", "b/y"}), (Ids{"1/4-20", "nut"}));
+}
+
+/// Each label ends its own path, no other one, and no shorter end does.
+TEST(Product, LabelsOfRandomTrees) {
+  RandomStream random(1, "trees");
+  const auto word = [&] { return std::string(1, static_cast<char>('a' + static_cast<int>(random.uniform(0.0, 3.0)))); };
+  for (int round = 0; round < 200; ++round) {
+    std::set<std::string> paths;
+    const int count = 1 + static_cast<int>(random.uniform(0.0, 12.0));
+    for (int i = 0; i < count; ++i) {
+      std::string path = word();
+      for (int depth = static_cast<int>(random.uniform(0.0, 5.0)); depth > 0; --depth) path = joinedPath(path, word());
+      paths.insert(path);
+    }
+    std::erase_if(paths, [&](const std::string& path) {
+      return std::any_of(paths.begin(), paths.end(),
+                         [&](const auto& other) { return other != path && isWithin(other, path); });
+    });
+    const Ids all(paths.begin(), paths.end());
+    const Ids labels = productOfPaths(all).labels(all);
+    EXPECT_EQ(std::set<std::string>(labels.begin(), labels.end()).size(), all.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      ASSERT_TRUE(endsInPath(all[i], labels[i]));
+      const auto matches = [&](const std::string& end) {
+        return std::count_if(all.begin(), all.end(), [&](const std::string& path) { return endsInPath(path, end); });
+      };
+      if (labels[i] != all[i]) {
+        EXPECT_EQ(matches(labels[i]), 1) << labels[i];
+      }
+      const Ids above = assembliesAbove(labels[i]);
+      if (!above.empty()) {
+        EXPECT_GT(matches(pathWithin(labels[i], above.front())), 1) << labels[i];
+      }
+    }
+  }
 }
 
 /// The ids of a scenario's bodies are no paths.
@@ -101,10 +172,10 @@ TEST(Product, WhatIsSaidGoesBeforePaths) {
                                  {"unit", "Unit", ""},
                                  {"b", std::nullopt, "unit"},
                                  {"d", "D", "a"}});
-  EXPECT_EQ(product.nodes()[*product.find("a")].name, "A / 1");
+  EXPECT_EQ(product.nodes()[*product.find("a")].names.product, "A / 1");
   EXPECT_EQ(product.nodes()[*product.find("a")].attributes.size(), 1U);
   EXPECT_EQ(parentOf(product, "b"), "unit");
-  EXPECT_EQ(product.nodes()[*product.find("unit")].name, "Unit");
+  EXPECT_EQ(product.nodes()[*product.find("unit")].names.product, "Unit");
   EXPECT_EQ(parentOf(product, "d"), "a");
   EXPECT_EQ(product.bodiesBelow(*product.find("a")), (Ids{"a.nut", "d"}));
 }

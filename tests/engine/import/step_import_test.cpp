@@ -1,12 +1,15 @@
 #include "engine/import/step_import.h"
 
 #include <numbers>
+#include <regex>
+#include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "engine/geometry/mesh_audit.h"
 #include "engine/import/step_deflection.h"
+#include "tests/engine/support/mapped_step.h"
 #include "tests/engine/support/step_files.h"
 #include "tests/engine/support/temporary_folder.h"
 
@@ -72,16 +75,48 @@ TEST(StepImport, TheFilesUnitIsHonoured) {
   EXPECT_EQ(onePart("box.step").unit, 0.001);
 }
 
-/// The standard allows neither; programs write both.
-TEST(StepImport, NamesMayBeUtf8OrLatin1) {
-  for (const std::string e : {"\xC3\xA9", "\xE9"}) {
-    std::string text = stepText("fits.step");
-    for (std::size_t at = text.find("'bolt'"); at != std::string::npos; at = text.find("'bolt'", at + 1)) {
-      text.replace(at + 2, 1, e);
-    }
-    const auto product = importStep(FileContent{"names.step", text}, 0.0);
+/// fits.step with another name for its bolt.
+Result<StepProduct> productWithBoltCalled(const std::string& name) {
+  std::string text = stepText("fits.step");
+  const std::string bolt = "'bolt'";
+  for (std::size_t at = text.find(bolt); at != std::string::npos; at = text.find(bolt, at + 1)) {
+    text.replace(at, bolt.size(), "'" + name + "'");
+  }
+  return importStep(FileContent{"names.step", text}, 0.0);
+}
+
+struct ForeignName {
+  std::string bytes;
+  std::string name;      ///< UTF-8
+  std::string encoding;  ///< empty: the bytes are UTF-8
+  bool isSure = true;
+};
+
+/// The standard allows ASCII with directives and, since its third edition, UTF-8; programs write more.
+TEST(StepImport, NamesAreReadInTheEncodingsThatProgramsWrite) {
+  const std::vector<ForeignName> names{
+      {"\\X2\\87BA9489\\X0\\", "\u87ba\u9489", ""},
+      {"b\u00e9lt", "b\u00e9lt", ""},
+      {"b\xE9lt", "b\u00e9lt", "Windows-1252"},
+      {"\xDC"
+       "bergr\xF6\xDF"
+       "e",
+       "\u00dcbergr\u00f6\u00dfe", "Windows-1252"},
+      {"\xD8 20 \xB1 0.1", "\u00d8 20 \u00b1 0.1", "Windows-1252"},
+      {"\xC2\xDD\xB6\xA4 M6", "\u87ba\u9489 M6", "GB18030"},
+      {"\xB5\xE7\xBB\xFA\xD6\xE1", "\u7535\u673a\u8f74", "GB18030"},
+      {"\x82\xCB\x82\xB6 M6", "\u306d\u3058 M6", "Shift JIS"},
+      {"\x95\x5C\x83\x5C\x81\x5B", "\u8868\u30bd\u30fc", "Shift JIS"},  // with bytes that are backslashes
+      {"\xCA\xEE\xF0\xEF\xF3\xF1", "\u00ca\u00ee\u00f0\u00ef\u00f3\u00f1", "Windows-1252", false}};  // Cyrillic
+  for (const ForeignName& each : names) {
+    SCOPED_TRACE(each.name);
+    const auto product = productWithBoltCalled(each.bytes);
     ASSERT_TRUE(product) << toString(product.error());
-    EXPECT_THAT(pathsOf(product->parts), testing::Contains("b\xC3\xA9lt"));
+    EXPECT_THAT(pathsOf(product->parts), testing::Contains(each.name));
+    ASSERT_EQ(product->warnings.size(), each.encoding.empty() ? 0U : 1U);
+    if (each.encoding.empty()) continue;
+    EXPECT_THAT(product->warnings[0].reason, testing::HasSubstr("read as " + each.encoding + ": '" + each.name + "'"));
+    EXPECT_EQ(product->warnings[0].reason.find("cannot be told") == std::string::npos, each.isSure);
   }
 }
 
@@ -109,6 +144,76 @@ TEST(StepImport, ColoursAreTheFiles) {
 
 TEST(StepImport, SeveralSolidsOfAProductAreParts) {
   EXPECT_THAT(pathsOf(partsOf("two-solids.step")), ElementsAre("two/solid", "two/solid#2"));
+}
+
+/// The uses of unit.step, in the order of the file, with other names and designators.
+std::string unitWithUses(const std::vector<std::pair<std::string, std::string>>& uses) {
+  const std::string text = stepText("unit.step");
+  const std::regex pattern("NEXT_ASSEMBLY_USAGE_OCCURRENCE\\('([^']*)','[^']*','',\\s*(#\\d+),\\s*(#\\d+),\\s*\\$\\)");
+  std::string changed;
+  auto from = text.cbegin();
+  std::size_t number = 0;
+  for (std::sregex_iterator use(text.begin(), text.end(), pattern), end; use != end; ++use) {
+    const auto& [name, designator] = uses.at(number++);
+    changed.append(from, text.cbegin() + use->position());
+    changed += "NEXT_ASSEMBLY_USAGE_OCCURRENCE('" + use->str(1) + "','" + name + "',''," + use->str(2) + "," +
+               use->str(3) + "," + (designator.empty() ? "$" : "'" + designator + "'") + ")";
+    from = text.cbegin() + use->position() + use->length();
+  }
+  EXPECT_EQ(number, uses.size());
+  return changed.append(from, text.cend());
+}
+
+TEST(StepImport, UsesKeepTheirNamesAndDesignatorsApart) {
+  const auto product = importStep(
+      FileContent{"uses.step", unitWithUses({{"h", ""}, {"x", "X1"}, {"M8/2", "X2"}, {"p", ""}, {"", ""}})}, 0.0);
+  ASSERT_TRUE(product) << toString(product.error());
+  EXPECT_THAT(pathsOf(product->parts), ElementsAre("plate", "pin", "pin#2", "pump/housing", "pump/L\u00e4ufer"))
+      << "paths are made of the names of products";
+  std::set<std::string> names;
+  for (const Occurrence& part : product->parts) {
+    if (part.names.empty()) continue;
+    const NodeNames& own = part.names.back();
+    names.insert(own.product + "|" + own.occurrence + "|" + own.designator);
+  }
+  EXPECT_THAT(names, testing::IsSupersetOf({std::string("pin|x|X1"), std::string("pin|M8/2|X2")}));
+}
+
+/// OpenCASCADE gives products that share a shape one name, so that both were "stud" in earlier versions. A path of an
+/// earlier version means one part: "stud" is the pin, and the stud keeps its number.
+TEST(StepImport, AMappedProductHasItsOwnName) {
+  const auto product = importStep(FileContent{"mapped.step", test::mappedStepText()}, 0.0);
+  ASSERT_TRUE(product) << toString(product.error());
+  EXPECT_THAT(pathsOf(product->parts), ElementsAre("plate", "pin", "stud#2", "pump/housing", "pump/L\u00e4ufer"));
+  EXPECT_EQ(product->parts[1].formerPath, "stud");
+  EXPECT_EQ(product->parts[2].names.back().product, "stud");
+  EXPECT_EQ(product->parts[1].mesh, product->parts[2].mesh);
+  EXPECT_TRUE(boxInFile(product->parts[2]).center().isApprox(Vector3(0, 0.2, 0.008), 1e-3));
+}
+
+TEST(StepImport, IgesAndBrepSolidsAreClosedAndHaveTheirVolumes) {
+  const std::vector<double> volumes{100 * 60 * 10 - std::numbers::pi * 8.5 * 8.5 * 10, std::numbers::pi * 8 * 8 * 40,
+                                    30 * 20 * 10};
+  for (const auto& [name, unit] : {std::pair("surfaces.igs", 0.001), {"solids.iges", 0.0254}, {"solids.brep", 0.001}}) {
+    SCOPED_TRACE(name);
+    const auto parts = partsOf(name);
+    ASSERT_EQ(parts.size(), volumes.size());
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const MeshAudit result = audit(*parts[i].mesh);
+      EXPECT_TRUE(result.closed() && result.consistentlyOriented);
+      EXPECT_NEAR(result.volume, volumes[i] * kCubicMillimetre, 0.01 * volumes[i] * kCubicMillimetre);
+      EXPECT_EQ(parts[i].unit, unit);
+    }
+    EXPECT_TRUE(boxInFile(parts[2]).center().isApprox(Vector3(0.1, 0, 0), 1e-6));
+  }
+  EXPECT_TRUE(audit(*onePart("shell.brep").mesh).closed());
+}
+
+TEST(StepImport, AnIgesSheetIsOpenAndThatIsSaid) {
+  const auto product = importStep(stepFile("sheet.igs"), 0.0);
+  ASSERT_TRUE(product) << toString(product.error());
+  ASSERT_EQ(product->warnings.size(), 1U);
+  EXPECT_EQ(product->warnings[0].reason, "is no solid: its faces (1) bound nothing, 4 of their edges are open");
 }
 
 TEST(StepImport, ASheetIsAPartThatIsNotClosedAndThatIsSaid) {
@@ -174,8 +279,9 @@ TEST(StepImport, IsStoppedAtOnce) {
 }
 
 TEST(StepImport, EndingsInAnyCase) {
-  for (const char* name : {"a.step", "a.STP", "a.Step"}) EXPECT_TRUE(isStepFile(name)) << name;
-  for (const char* name : {"a.stl", "step", "a.step.stl"}) EXPECT_FALSE(isStepFile(name)) << name;
+  for (const char* name : {"a.step", "a.STP", "a.Step", "a.p21", "a.IGS", "a.iges", "a.brep"})
+    EXPECT_TRUE(isCadFile(name)) << name;
+  for (const char* name : {"a.stl", "step", "a.step.stl"}) EXPECT_FALSE(isCadFile(name)) << name;
 }
 
 }  // namespace

@@ -63,6 +63,36 @@ TEST(MalformedStep, GivesOneClearMessage) {
   expectRefused(importStep(folder / "gone.step", 0.0), folder / "gone.step", "No such file");
 }
 
+/// The text without the line that has this.
+std::string withoutLine(const std::string& text, const std::string& what) {
+  const std::size_t at = text.find(what);
+  const std::size_t begin = text.rfind('\n', at) + 1;
+  return text.substr(0, begin) + text.substr(text.find('\n', at) + 1);
+}
+
+TEST(MalformedStep, IgesAndBrepGiveOneClearMessage) {
+  const TemporaryFolder folder;
+  const std::string iges = stepText("surfaces.igs");
+  const std::string brep = stepText("solids.brep");
+  const std::vector<std::tuple<const char*, std::string, const char*>> table{
+      {"empty.igs", "", "cannot be read as IGES"},
+      {"step.igs", stepText("box.step"), "cannot be read as IGES: column 73"},
+      {"cut.igs", iges.substr(0, iges.rfind("\n", iges.size() / 2)), "cut off"},
+      {"gap.igs", withoutLine(iges, "D0000133"), "its line 138 is not numbered as it should be (D133)"},
+      {"number.igs", test::replaced(iges, "D0000133", "D0000633"), "its line 138 is not numbered as it should be"},
+      {"end.igs", test::replaced(iges, "D0000227", "       "), "of no section"},
+      {"cut.brep", brep.substr(0, brep.size() / 2), "it is not sound BREP text"},
+      {"words.brep", test::replaced(brep, "TShapes", "Shapes"), "it is not sound BREP text"},
+      {"mesh.brep", "solid a\n", "not a BREP file"},
+      {"binary.brep", "Open CASCADE Topology V4 (c)\n", "binary BREP file"},
+  };
+  for (const auto& [name, content, reason] : table) {
+    SCOPED_TRACE(name);
+    const std::string file = folder.write(name, content);
+    expectRefused(importStep(file, 0.0), file, reason);
+  }
+}
+
 std::string repeated(const std::string& text, std::size_t count) {
   std::string result;
   for (std::size_t i = 0; i < count; ++i) result += text;

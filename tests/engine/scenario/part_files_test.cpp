@@ -173,7 +173,9 @@ TEST(ScenarioOfParts, FilesThatCannotBeReadAreNamed) {
   constexpr ErrorKind kMalformed = ErrorKind::MalformedInput;
   expectRefused(with(partOf(product.folder / "gone.stl")), kMalformed, "gone.stl", "No such file");
   expectRefused(with(partOf(product.folder.write("a.stl", "solid a\nfacet"))), kMalformed, "a.stl", "endsolid");
-  expectRefused(with(partOf(product.folder.write("a.iges", "S"))), kMalformed, "a.iges", "kind");
+  expectRefused(with(partOf(product.folder.write("a.iges", "S"))), kMalformed, "a.iges", "cannot be read as IGES");
+  expectRefused(with(partOf(product.folder.write("a.SLDPRT", "x"))), kMalformed, "a.SLDPRT", "is a SolidWorks file");
+  expectRefused(with(partOf(product.folder.write("a.xyz", "x"))), kMalformed, "a.xyz", "kind");
   expectRefused(with(partOf(product.folder.write("a.step", "ISO"))), kMalformed, "a.step", "not a STEP file");
   expectRefused(with(partOf(product.folder.write("point.obj", "v 1 2 3\nf 1 1 1\n"))), kMalformed, "point.obj",
                 "triangle");

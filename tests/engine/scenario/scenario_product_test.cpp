@@ -144,7 +144,7 @@ TEST(ScenarioProduct, BodiesOfOneDescriptionStandBelowIt) {
   }();
   EXPECT_EQ(parentOf("unit/pin#2", loaded.product), "unit");
   EXPECT_EQ(parentOf("unit/pump/housing", loaded.product), "unit/pump");
-  EXPECT_EQ(nodeOf("unit/pin#2", loaded.product).name, "pin") << "as the file has it";
+  EXPECT_EQ(nodeOf("unit/pin#2", loaded.product).names.product, "pin") << "as the file has it";
   EXPECT_FALSE(nodeOf("unit", loaded.product).isAssembly);
 }
 
@@ -174,18 +174,18 @@ TEST_F(RenamedUnit, NamesWithASlashAreKept) {
   const std::string unit = file("unit.step", "pump/main", "M3/6");
   const Scenario scenario = made({unit + ":plate", unit});
   const Product product = treeOf(scenario);
-  EXPECT_EQ(nodeOf("pump_main", product).name, "pump/main");
-  EXPECT_EQ(nodeOf("pump_main.M3_6", product).name, "M3/6");
+  EXPECT_EQ(nodeOf("pump_main", product).names.product, "pump/main");
+  EXPECT_EQ(nodeOf("pump_main.M3_6", product).names.product, "M3/6");
   EXPECT_EQ(parentOf("pump_main.M3_6", product), "pump_main");
   EXPECT_THAT(bodiesMeant(product, "M3/6"), ElementsAre("pump_main.M3_6"));
   EXPECT_EQ(bodiesMeant(product, "pump/main").size(), 2U);
   const auto read = parseScenario(writeScenario(scenario), "s.json");
   ASSERT_TRUE(read.ok()) << toString(read.error());
   EXPECT_EQ(writeScenario(*read), writeScenario(scenario));
-  EXPECT_EQ(nodeOf("pump_main", treeOf(*read)).name, "pump/main");
+  EXPECT_EQ(nodeOf("pump_main", treeOf(*read)).names.product, "pump/main");
   auto loaded = loadProduct(unit);
   ASSERT_TRUE(loaded.ok()) << toString(loaded.error());
-  EXPECT_EQ(nodeOf("pump_main/M3_6", loaded->product.tree).name, "M3/6");
+  EXPECT_EQ(nodeOf("pump_main/M3_6", loaded->product.tree).names.product, "M3/6");
   ASSERT_TRUE(leaveOut({"pump/main"}, *loaded).ok());
   EXPECT_EQ(loaded->product.bodies.size(), 3U);
 }
@@ -205,7 +205,7 @@ TEST_F(RenamedUnit, AssembliesOfTwoFilesWithOneNameAreTwo) {
   Scenario scenario = made({one + ":plate", one, other + ":pump"});
   const Product product = treeOf(scenario);
   EXPECT_THAT(assembliesOf(product), ElementsAre("pump", "pump#2"));
-  EXPECT_EQ(nodeOf("pump#2", product).name, "pump");
+  EXPECT_EQ(nodeOf("pump#2", product).names.product, "pump");
   EXPECT_EQ(product.bodiesBelow(*product.find("pump")).size(), 2U);
   EXPECT_EQ(product.bodiesBelow(*product.find("pump#2")).size(), 2U);
   EXPECT_EQ(scenario.bodies.back().name.substr(0, 5), "pump/") << "the body's name is its path in its file";
@@ -234,8 +234,8 @@ double secondsFor(int count) {
   for (int i = 0; i < count; ++i) {
     PartFile part = usualPart(test::stepFile("unit.step"));
     part.part = joinedPath(above, "M3_" + std::to_string(i));
-    part.names = stepsOf(above);
-    part.names.push_back("M3/" + std::to_string(i));
+    part.names = productNames(stepsOf(above));
+    part.names.push_back({"M3/" + std::to_string(i)});
     adder.addBody(part);
   }
   const auto bodies = static_cast<std::size_t>(count);

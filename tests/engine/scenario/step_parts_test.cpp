@@ -10,6 +10,7 @@
 #include "engine/scenario/product_file.h"
 #include "engine/scenario/scenario_io.h"
 #include "tests/engine/support/loaded_scenario.h"
+#include "tests/engine/support/mapped_step.h"
 #include "tests/engine/support/step_files.h"
 #include "tests/engine/support/temporary_folder.h"
 
@@ -70,6 +71,80 @@ TEST(StepParts, AnAssemblyInTheFileMovesAsOne) {
   EXPECT_THAT(idsOf(loaded), ElementsAre("plate", "pin", "pin#2"));
   EXPECT_EQ(loaded.obstacles[2].mobility, Mobility::Mobile);
   EXPECT_EQ(loaded.obstacles[1].mobility, Mobility::Static);
+}
+
+const std::string kFrames = stepFile("frames.step");
+
+TEST(StepParts, AProductOfSeveralSolidsIsOnePart) {
+  const LoadedScenario loaded = loadedFrom(scenarioOf({moving(kFrames + ":pad"), still(kFrames)}));
+  ASSERT_THAT(idsOf(loaded), ElementsAre("frame", "frame#2"));
+  EXPECT_EQ(loaded.obstacles[0].mesh, loaded.obstacles[1].mesh) << "instances share their triangles";
+  EXPECT_EQ(audit(*loaded.obstacles[0].mesh).surfaces.size(), 2U);
+  EXPECT_TRUE(audit(*loaded.obstacles[0].mesh).closed());
+}
+
+/// A mesh with an open surface has no inside.
+TEST(StepParts, AnOpenSurfaceOfAProductLeavesItsSolidsClosed) {
+  const auto product = readProduct(stepFile("ribbed.step"));
+  ASSERT_TRUE(product) << toString(product.error());
+  ASSERT_EQ(product->product.bodies.size(), 2U);
+  const MeshAudit solids = audit(*product->product.bodies[0].mesh);
+  EXPECT_EQ(solids.surfaces.size(), 2U);
+  EXPECT_TRUE(solids.closed());
+  EXPECT_EQ(product->product.bodies[1].shown(), "surfaces");
+}
+
+TEST(StepParts, ASolidThatIsNamedOpensItsPart) {
+  const LoadedScenario loaded = loadedFrom(scenarioOf({moving(kFrames + ":frame/solid#2"), still(kFrames)}));
+  EXPECT_EQ(loaded.object.name, "frame/solid#2");
+  EXPECT_THAT(idsOf(loaded), ElementsAre("frame.solid", "frame#2", "pad"));
+  const auto open = readProduct(kFrames, {}, 0.0, {{"frame#2"}, {}});
+  ASSERT_TRUE(open) << toString(open.error());
+  EXPECT_EQ(open->product.bodies.size(), 4U);
+  EXPECT_FALSE(readProduct(kFrames, {}, 0.0, {{"pad"}, {}})) << "a part of one solid";
+}
+
+/// Scenarios and plans of earlier versions say nothing of parts of several solids: each solid is a body.
+TEST(StepParts, EarlierScenariosAndPlansFindTheirSolids) {
+  Scenario earlier = scenarioOf({moving(kFrames + ":pad"), still(kFrames)});
+  ASSERT_EQ(earlier.bodies.size(), 2U);
+  EXPECT_THAT(writeScenario(earlier), HasSubstr("\"as_one\": true"));
+  earlier.bodies[0].geometry = StepGeometry{earlier.assets[0].id, "frame"};
+  earlier.bodies[1].geometry = StepGeometry{earlier.assets[0].id, "frame#2/solid#2"};
+  EXPECT_THAT(writeScenario(earlier), testing::Not(HasSubstr("as_one")));
+  EXPECT_THAT(idsOf(loadedFrom(earlier)), ElementsAre("frame/solid", "frame/solid#2", "frame#2"));
+  const auto planned = readProduct(kFrames, {}, 0.0, {{}, {"frame/solid", "frame/solid#2", "frame#2", "pad"}});
+  ASSERT_TRUE(planned) << toString(planned.error());
+  std::vector<std::string> ids;
+  for (const RigidBody& body : planned->product.bodies) ids.push_back(body.id);
+  EXPECT_THAT(ids, ElementsAre("frame/solid", "frame/solid#2", "frame#2", "pad"));
+}
+
+/// Both were named "stud" then.
+TEST(StepParts, EarlierScenariosAndPlansFindTheBodiesOfMappedProducts) {
+  const test::TemporaryFolder folder;
+  const std::string file = folder.write("mapped.step", test::mappedStepText());
+  Scenario earlier = scenarioOf({moving(file + ":pump/housing"), still(file)});
+  ASSERT_EQ(earlier.bodies.size(), 4U);
+  earlier.bodies = {earlier.bodies[1], earlier.bodies[2]};
+  earlier.bodies[0].geometry = StepGeometry{earlier.assets[0].id, "stud"};
+  earlier.bodies[1].geometry = StepGeometry{earlier.assets[0].id, "stud#2"};
+  const LoadedScenario loaded = loadedFrom(earlier);
+  EXPECT_TRUE(worldBox(loaded, "pin").center().isApprox(Vector3(0, 0, 0.01), 1e-3));
+  EXPECT_TRUE(worldBox(loaded, "stud#2").center().isApprox(Vector3(0, 0.2, 0.008), 1e-3));
+  const auto planned = readProduct(file, {}, 0.0, {{}, {"plate", "stud", "stud#2"}});
+  ASSERT_TRUE(planned) << toString(planned.error());
+  EXPECT_TRUE(planned->product.indexOf("stud#2"));
+}
+
+TEST(StepParts, AFileOfOnePartOfSeveralSolidsSaysHowToOpenIt) {
+  const std::string file = stepFile("two-solids.step");
+  const auto whole = loadProduct(file);
+  ASSERT_FALSE(whole);
+  EXPECT_THAT(whole.error().advice, HasSubstr("--open two-solids.step"));
+  const auto open = loadProduct(file, {}, 0.0, {{"two-solids.step"}, {}});
+  ASSERT_TRUE(open) << toString(open.error());
+  EXPECT_EQ(open->product.bodies.size(), 2U);
 }
 
 TEST(StepParts, AFileOfOnePartIsTakenAsAMesh) {

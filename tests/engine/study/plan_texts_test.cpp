@@ -308,6 +308,18 @@ TEST(PartsList, PartsOfOneShapeAreOneRowWhateverTheirCounterAndPlace) {
   EXPECT_EQ(texts, (std::vector<std::string>{"1 base", "2 nut", "1 nut-3", "1 M5 x 20"}));
 }
 
+/// "/" and commas are no steps of a path and no columns.
+TEST(PartsList, NamesAreThoseOfTheFile) {
+  AssembledProduct product = test::productOf({boxBody("base", {2.0, 1.0, 0.1}, Pose::identity()),
+                                              boxBody("1_4-20", {0.1, 0.1, 0.1}, Pose::translation({0, 0, 1}))});
+  product.tree = Product({{"base", {"base"}}, {"1_4-20", {"1_4-20", productNames({"1/4-20 x 1, zinc"})}}});
+  AssemblyPlan plan;
+  plan.staying = {"base"};
+  plan.steps.push_back(stepOf("1_4-20", {Pose::identity(), Pose::translation({0, 0, 1})}));
+  EXPECT_EQ(partsList(plan, product).back().name, "1/4-20 x 1, zinc");
+  EXPECT_NE(planAsCsv(plan, product, PlanOrder::Removal).find("\n1,\"1/4-20 x 1, zinc\","), std::string::npos);
+}
+
 TEST(PlanReport, SaysTimesAndTheLine) {
   const AssembledProduct product = test::lockedDrawer();
   const AssemblyPlan plan = somePlan();

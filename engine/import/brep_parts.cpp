@@ -1,0 +1,29 @@
+#include "engine/import/brep_parts.h"
+
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
+#include <ios>
+#include <stdexcept>
+
+#include "engine/import/loose_parts.h"
+#include "engine/import/nothing_read.h"
+
+namespace glissade {
+
+StepAssembly readBrepParts(std::istream& content) {
+  constexpr double kGap = 1e-3;
+  TopoDS_Shape shape;
+  // OpenCASCADE reads on without end where a word that it expects does not come.
+  content.exceptions(std::ios::failbit | std::ios::badbit);
+  try {
+    BRepTools::Read(shape, content, BRep_Builder());
+  } catch (const std::ios::failure&) {
+    shape.Nullify();
+  }
+  if (shape.IsNull()) throw std::runtime_error("it is not sound BREP text");
+  StepAssembly assembly = loosePartsOf({shape}, kGap, [](const TopoDS_Shape&) { return std::string(); });
+  if (assembly.solids.empty()) throw std::runtime_error(nothingRead(assembly.notes));
+  return assembly;
+}
+
+}  // namespace glissade
