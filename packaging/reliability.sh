@@ -147,6 +147,8 @@ campaign "trapped parts" "$release/check_attack" \
   "$release/check_attack" trapped "$release/glissade-cli" "$work/trapped" "$seed" "$trapped"
 campaign "trapped parts that have lost faces" "$release/check_attack" \
   "$release/check_attack" open "$release/glissade-cli" "$work/open" "$seed" "$((trapped / 4))"
+campaign "overlaps" "$release/check_attack" \
+  "$release/check_attack" overlaps "$release/glissade-cli" "$work/overlaps" "$seed" "$trapped"
 campaign "mutated paths and plans" "$release/check_attack" \
   "$release/check_attack" mutants "$release/glissade-cli" "$work/mutants" "$seed" "$mutants"
 campaign "plans with words of their own" "$release/check_attack" \

@@ -82,7 +82,8 @@ int checkPath(const CheckOptions& options, const Interrupt& interrupt, const Sto
   }
   const auto path = check::readPath(options.path);
   if (!path) return reportError(path.error(), options.format);
-  auto question = check::readQuestion(options.scenario, {options.fits.on, options.fits.acceptedClash}, stop);
+  auto question =
+      check::readQuestion(options.scenario, {options.fits.on, options.fits.acceptedClash, options.fits.cut}, stop);
   if (!question) return reportStopped(question.error(), interrupt, options.format);
   reportWarnings(question->product.warnings);
   if (const Outcome found = addForbiddenPlaces(options.scenario, stop, *question); !found) {
@@ -110,8 +111,9 @@ int checkPath(const CheckOptions& options, const Interrupt& interrupt, const Sto
 int checkPlan(const CheckOptions& options, const Interrupt& interrupt, const StopToken& stop) {
   const auto plan = check::readPlan(options.path);
   if (!plan) return reportError(plan.error(), options.format);
-  auto product = check::readProduct(options.scenario, plan->deflection, {options.fits.on, options.fits.acceptedClash},
-                                    stop, {options.open, plan->bodies});
+  auto product = check::readProduct(options.scenario, plan->deflection,
+                                    {options.fits.on, options.fits.acceptedClash, options.fits.cut}, stop,
+                                    {options.open, plan->bodies});
   if (!product) return reportStopped(product.error(), interrupt, options.format);
   if (const Outcome left = check::leaveOut(options.without, *product); !left) {
     return reportError(left.error(), options.format);

@@ -46,6 +46,7 @@ Json toJson(const PairFit& row) {
             {"allowance_m", row.way().allowance()},
             {"status", statusName(row.status())},
             {"ways", {toJson(row.ways[0], row.a, row.b), toJson(row.ways[1], row.b, row.a)}}};
+  if (contact.isPlainOverlap) json["plain_overlap"] = true;
   if (contact.axis) {
     json["axis"] = {{"point", coordinates(contact.axis->point)},
                     {"direction", coordinates(contact.axis->direction)},
@@ -56,10 +57,16 @@ Json toJson(const PairFit& row) {
   return json;
 }
 
+std::size_t plainOverlapsIn(const std::vector<PairFit>& rows) {
+  return static_cast<std::size_t>(
+      std::count_if(rows.begin(), rows.end(), [](const PairFit& row) { return row.contact.isPlainOverlap; }));
+}
+
 void printPairs(const std::vector<PairFit>& rows, const MissingShapes& missing) {
   Json json{{"pairs", Json::array()}, {"counts", Json::object()}, {"missing_shapes", missingShapesJson(missing)}};
   for (const PairFit& row : rows) json["pairs"].push_back(toJson(row));
   for (const auto& [kind, count] : countsByKind(rows)) json["counts"][kind] = count;
+  json["plain_overlaps"] = plainOverlapsIn(rows);
   // Names come from files.
   std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
 }
@@ -137,6 +144,7 @@ void printTable(const std::vector<PairFit>& rows, std::size_t bodies) {
     separator = ", ";
   }
   std::cout << "\n";
+  if (const std::size_t plain = plainOverlapsIn(rows); plain > 0) std::cout << plainOverlapsInWords(plain) << "\n";
 }
 
 Outcome checkLimits(const ContactLimits& limits) {
@@ -168,6 +176,7 @@ int runFits(const FitsOptions& options) {
     return reportError(why, options.format);
   }
   const std::vector<PairFit>& rows = table->pairs();
+  reportWarnings(warningsOfPlainOverlaps(rows));
   reportWarnings(warningsOf(findAlternatives(product.bodies, interrupt.token()), product.bodies));
   if (options.format == Format::Json) {
     printPairs(rows, loaded->missing);

@@ -77,6 +77,8 @@ void addAcceptClashes(CLI::App& command, FitOptions& options) {
         options.acceptedClash = overlap;
       },
       "Take clashes up to this overlap as fits, as 1.5mm");
+  command.add_option("--cut", options.cut,
+                     "In accepted clashes, the body that is cut where it is not clear which of the two has the hole");
 }
 
 void addFitOptions(CLI::App& command, FitOptions& options, const std::string& usual) {

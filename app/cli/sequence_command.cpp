@@ -366,7 +366,7 @@ AssemblyPlan planWithout(const AssembledProduct& product, const SequenceRequest&
 
 /// Writes and prints the plan; the exit code.
 int deliver(const AssemblyPlan& plan, const ProductFile& loaded, const SequenceOptions& options,
-            const ProgressHost& host, double seconds) {
+            const ProgressHost& host, double seconds, std::size_t plainOverlaps) {
   if (!loaded.product.fits.on && !plan.stuck.empty()) reportWarnings({fitsAreOff(options.file)});
   if (!options.out.empty()) {
     if (const Outcome saved = savePlan(plan, options.file, options.out); !saved) {
@@ -377,11 +377,13 @@ int deliver(const AssemblyPlan& plan, const ProductFile& loaded, const SequenceO
     nlohmann::ordered_json report = planJson(plan, options.file);
     report["wall_s"] = seconds;
     report["surface_deviation_m"] = loaded.deviation;
+    report["plain_overlaps"] = plainOverlaps;
     report["missing_shapes"] = missingShapesJson(loaded.missing);
     printJson(report);
   } else {
     printPlan(plan, host, seconds);
     if (!loaded.missing.empty()) std::cout << statementOf(loaded.missing) << "\n";
+    if (plainOverlaps > 0) std::cout << plainOverlapsInWords(plainOverlaps) << "\n";
   }
   return exitCodeOf(plan);
 }
@@ -451,7 +453,13 @@ int runSequence(const SequenceOptions& options) {
   AssemblyPlan& plan = *planned;
   if (plan.end == PlanEnd::Interrupted && !interrupt.requested()) plan.end = PlanEnd::TimeLimit;
   plan.deflection = deflection;
-  return deliver(plan, *loaded, options, host, secondsSince(begin));
+  std::size_t plainOverlaps = 0;
+  if (fits) {
+    const std::vector<Contact>& contacts = fits->contacts();
+    plainOverlaps = static_cast<std::size_t>(
+        std::count_if(contacts.begin(), contacts.end(), [](const Contact& each) { return each.isPlainOverlap; }));
+  }
+  return deliver(plan, *loaded, options, host, secondsSince(begin), plainOverlaps);
 }
 
 }  // namespace glissade::cli

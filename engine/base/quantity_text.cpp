@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
-#include <sstream>
 
 #include "engine/base/length_units.h"
 #include "engine/base/number_text.h"
@@ -73,12 +72,6 @@ std::string inMillimetres(double metres) {
   if (words.find('.') != std::string::npos) words.erase(words.find_last_not_of('0') + 1);
   if (words.back() == '.') words.pop_back();
   return words + " mm";
-}
-
-std::string millimetresUp(double metres) {
-  std::ostringstream text;
-  text << std::ceil(metres * 1e5) / 1e2 << "mm";
-  return text.str();
 }
 
 }  // namespace glissade

@@ -19,7 +19,4 @@ std::optional<double> toRadians(std::string_view text, double unit);
 /// full.
 std::string inMillimetres(double metres);
 
-/// "0.41mm": an option's value that is not below the length, in hundredths.
-std::string millimetresUp(double metres);
-
 }  // namespace glissade

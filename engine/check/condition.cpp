@@ -1,12 +1,14 @@
 #include "engine/check/condition.h"
 
+#include "engine/base/depth_text.h"
 #include "engine/base/quantity_text.h"
 
 namespace glissade::check {
 
 Condition clashIsAccepted(double depth) {
-  return {"clashes up to " + inMillimetres(depth) + " are accepted (--accept-clashes " + millimetresUp(depth) + ")",
-          depth};
+  return {
+      "clashes up to " + depthInMillimetres(depth) + " are accepted (--accept-clashes " + depthAsOption(depth) + ")",
+      depth};
 }
 
 Condition hookBends(const std::string& hook, const std::string& edge, double bend) {

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <map>
 
+#include "engine/base/depth_text.h"
 #include "engine/base/tolerances.h"
 #include "engine/check/overlap.h"
+#include "engine/check/pulled_thread.h"
 
 namespace glissade::check {
 namespace {
@@ -58,6 +60,65 @@ void findTouching(const PlacedBody& one, const PlacedBody& other, MeasuredPair& 
   });
 }
 
+/// Metres: an overlap of no more than that is what the files may be off, which counts for the whole of the region.
+double countsEverywhere(const PlacedBody& body, const MeasuredSide& side, std::uint32_t region) {
+  const double sagitta = body.mesh.faces.empty() ? body.regions.sagitta[region] : 0.0;
+  return side.localDepth + side.own[region] + side.others[region] + sagitta;
+}
+
+/// Facets that are next to each other on a curved surface without stated faces have the largest of their depths.
+std::vector<double> depthsOfPatches(const PlacedBody& body, const MeasuredSide& side) {
+  std::vector<double> depths = side.overlap.depths;
+  for (std::size_t r = 0; r < body.regions.next.size() && body.mesh.faces.empty(); ++r) {
+    for (const std::uint32_t next : body.regions.next[r]) depths[r] = std::max(depths[r], side.overlap.depths[next]);
+  }
+  for (std::uint32_t r = 0; r < depths.size(); ++r) {
+    if (depths[r] <= countsEverywhere(body, side, r)) depths[r] = 0.0;
+  }
+  return depths;
+}
+
+/// The depth of each patch, where a region has several of them.
+std::vector<double> measuredPatches(const PlacedBody& body, const PlacedBody& other, const MeasuredSide& side,
+                                    const StopToken& stop) {
+  PlacedBody fine(Body{"", "", side.mesh, Pose::identity()}, Pose::identity());
+  const auto count = static_cast<std::uint32_t>(side.patches->regions.size());
+  for (std::size_t t = 0; t < side.patches->triangles.size(); ++t) {
+    const std::uint32_t patch = side.patches->patches[t];
+    const std::uint32_t region = body.regions.of[side.patches->parents[t]];
+    fine.regions.of[t] = patch == FacePatches::kNone ? count + region : patch;
+  }
+  fine.regions.count = count + body.regions.count;
+  return overlapIn(fine, other, stop).depths;
+}
+
+void findPatches(const PlacedBody& body, const PlacedBody& other, MeasuredSide& side, const StopToken& stop) {
+  side.localDepth = body.spacing + other.spacing + assembledMargin(std::max(body.radius, body.halfDiagonal));
+  if (body.regions.count == 0) return;
+  const std::vector<double> depths = depthsOfPatches(body, side);
+  double above = kTouchingSurfaces + body.spacing + other.spacing + body.largestDeflection + other.largestDeflection;
+  if (body.mesh.faces.empty()) above += *std::max_element(body.regions.sagitta.begin(), body.regions.sagitta.end());
+  side.patches = facePatchesOf({body, other, depths, above}, stop);
+  if (!side.patches) return;
+  side.mesh = std::make_shared<const TriangleMesh>(side.patches->divided(body.mesh));
+  side.patchDepths.assign(side.patches->regions.size(), 0.0);
+  bool isSingle = true;
+  std::vector<std::uint32_t> patchOf(body.regions.count, FacePatches::kNone);
+  for (std::size_t t = 0; t < side.patches->triangles.size(); ++t) {
+    const std::uint32_t patch = side.patches->patches[t];
+    if (patch == FacePatches::kNone) continue;
+    const std::uint32_t region = body.regions.of[side.patches->parents[t]];
+    side.patchDepths[patch] = std::max(side.patchDepths[patch], depths[region]);
+    isSingle = isSingle && (patchOf[region] == FacePatches::kNone || patchOf[region] == patch);
+    patchOf[region] = patch;
+  }
+  if (isSingle) return;
+  const std::vector<double> measured = measuredPatches(body, other, side, stop);
+  for (std::size_t i = 0; i < side.patchDepths.size(); ++i) {
+    side.patchDepths[i] = std::min(side.patchDepths[i], measured[i]);
+  }
+}
+
 bool addsSagitta(const PairWord* word) {
   return word != nullptr && (word->kind == "thread" || word->kind == "cylindrical" || word->kind == "press");
 }
@@ -90,41 +151,92 @@ std::vector<double> withNextFacets(const FaceRegions& regions, const std::vector
   return most;
 }
 
+/// The overlap that counts for the whole of a region: only one that needs no patch.
+double overlapOfRegion(const MeasuredBody& side, std::uint32_t region) {
+  const double overlap = side.measured.overlap.depths[region];
+  return overlap > countsEverywhere(side.body, side.measured, region) ? 0.0 : overlap;
+}
+
+/// Each triangle has what counts for its region, and that of a patch what counts for the patch.
+void setAtMost(const MeasuredSide& side, const FaceRegions& regions, const std::vector<double>& ofRegions,
+               const std::vector<double>& ofPatches, AllowanceBound& bound) {
+  if (!side.patches) {
+    for (const std::uint32_t region : regions.of) bound.atMost.push_back(ofRegions[region]);
+    return;
+  }
+  const std::vector<std::uint32_t>& parents = side.patches->parents;
+  if (!side.patches->midpoints.empty()) {
+    bound.mesh = side.mesh;
+    bound.parents = parents;
+  }
+  for (std::size_t t = 0; t < parents.size(); ++t) {
+    const std::uint32_t patch = side.patches->patches[t];
+    const double ofRegion = ofRegions[regions.of[parents[t]]];
+    bound.atMost.push_back(patch == FacePatches::kNone ? ofRegion : std::max(ofRegion, ofPatches[patch]));
+  }
+}
+
 AllowanceBound boundOf(const MeasuredBody& side, const MeasuredBody& other, double spacing, double margin,
                        const PairWord* word) {
   const FaceRegions& regions = side.body.regions;
   AllowanceBound bound;
   std::vector<double> sums(regions.count, 0.0);
+  std::vector<Evidence> ofRegions(regions.count, Evidence{0.0, 0.0, spacing, margin, 0.0});
+  const auto take = [&bound](const Evidence& evidence) {
+    if (evidence.sum() > bound.most) {
+      bound.most = evidence.sum();
+      bound.largest = evidence;
+    }
+    return evidence.sum();
+  };
   const double ofOther = addsSagitta(word) ? sagittaInFit(other) : 0.0;
   for (std::uint32_t r = 0; r < regions.count; ++r) {
     const double overlap = side.measured.overlap.depths[r];
     if (overlap <= 0.0 && !side.measured.touches[r]) continue;
-    Evidence evidence{overlap, side.measured.own[r] + side.measured.others[r], spacing, margin, 0.0};
+    Evidence evidence{overlapOfRegion(side, r), side.measured.own[r] + side.measured.others[r], spacing, margin, 0.0};
     if (addsSagitta(word)) evidence.byPerson = sagittaByPerson(side, ofOther, r);
     if (word != nullptr && word->allowance) evidence = {0.0, 0.0, 0.0, 0.0, *word->allowance};
     bound.inFit = true;
-    sums[r] = evidence.sum();
-    if (sums[r] <= bound.most) continue;
-    bound.most = sums[r];
-    bound.largest = evidence;
+    sums[r] = take(evidence);
+    ofRegions[r] = evidence;
   }
   if (side.body.mesh.faces.empty()) sums = withNextFacets(regions, sums);
-  for (const std::uint32_t region : regions.of) bound.atMost.push_back(sums[region]);
+  std::vector<double> ofPatches;
+  for (std::size_t i = 0; i < side.measured.patchDepths.size(); ++i) {
+    Evidence evidence = ofRegions[side.measured.patches->regions[i]];
+    if (word == nullptr || !word->allowance) evidence.overlap = side.measured.patchDepths[i];
+    ofPatches.push_back(take(evidence));
+  }
+  setAtMost(side.measured, regions, sums, ofPatches, bound);
   return bound;
 }
 
-/// Nothing is taken from a body whose faces the other one is below by so much, metres.
-void refuseClash(AllowanceBound& bound, double overlap) {
-  if (!bound.inFit) return;
-  std::ostringstream text;
-  text.precision(3);
-  text << "they overlap by " << overlap * 1e3 << " mm, which is a clash that nobody accepted";
-  bound.refused = text.str();
-  bound.clash = overlap;
+std::vector<double> leastOfTriangles(const AllowanceBound& bound) {
+  if (bound.parents.empty()) return bound.atMost;
+  std::map<std::uint32_t, double> least;
+  for (std::size_t t = 0; t < bound.parents.size(); ++t) {
+    const auto [known, isNew] = least.try_emplace(bound.parents[t], bound.atMost[t]);
+    if (!isNew) known->second = std::min(known->second, bound.atMost[t]);
+  }
+  std::vector<double> all;
+  for (const auto& [triangle, each] : least) all.push_back(each);
+  return all;
+}
+
+/// Nothing is taken from a body whose faces the other one is too far below.
+void refuseClash(AllowanceBound& bound) {
+  bound.isClash = true;
   bound.most = 0.0;
   std::fill(bound.atMost.begin(), bound.atMost.end(), 0.0);
 }
 
+/// Rounding of coordinates makes no micrometre more.
+double inMicrometresUp(double metres) {
+  constexpr double kRounding = 1e-3;
+  return std::max(0.0, std::ceil(metres * 1e6 - kRounding)) * 1e-6;
+}
+
+/// An overlap of this depth, where the pair has that thickness, is a clash that nobody accepted.
 bool isClash(double overlap, double thickness, const FitWords& fits, const PairWord* word) {
   if (overlap <= kClashOverlap && overlap <= kClashShare * thickness) return false;
   const bool said = word != nullptr && (word->allowance || (!word->kind.empty() && word->kind != "clash"));
@@ -139,7 +251,7 @@ void addBend(const std::vector<bool>& hook, double bend, const PlacedBody& body,
   const Evidence evidence{0.0, 0.0, spacing, margin, bend};
   bool any = false;
   for (std::size_t t = 0; t < bound.atMost.size(); ++t) {
-    if (!hook[body.regions.of[t]]) continue;
+    if (!hook[body.regions.of[bound.parents.empty() ? t : bound.parents[t]]]) continue;
     bound.atMost[t] = std::max(bound.atMost[t], evidence.sum());
     any = true;
   }
@@ -164,7 +276,18 @@ double touchingReach(const PlacedBody& one, const PlacedBody& other) {
 MeasuredPair measurePair(const PlacedBody& one, const PlacedBody& other, const StopToken& stop) {
   MeasuredPair measured{emptySide(one, overlapIn(one, other, stop)), emptySide(other, overlapIn(other, one, stop))};
   findTouching(one, other, measured, stop);
+  findPatches(one, other, measured.one, stop);
+  findPatches(other, one, measured.other, stop);
   return measured;
+}
+
+std::vector<double> mostOfTriangles(const AllowanceBound& bound, std::size_t count) {
+  if (bound.parents.empty()) return bound.atMost;
+  std::vector<double> most(count, 0.0);
+  for (std::size_t t = 0; t < bound.parents.size(); ++t) {
+    most[bound.parents[t]] = std::max(most[bound.parents[t]], bound.atMost[t]);
+  }
+  return most;
 }
 
 PairBounds boundsOf(const MeasuredBody& one, const MeasuredBody& other, const FitWords& fits, const PairWord* word) {
@@ -181,29 +304,48 @@ PairBounds boundsOf(const MeasuredBody& one, const MeasuredBody& other, const Fi
   const double thickness = std::max(one.measured.overlap.thickness, other.measured.overlap.thickness);
   const double ofOne = a > 0.0 ? a : b;
   const double ofOther = b > 0.0 ? b : a;
-  if (isClash(ofOne, thickness, fits, word)) refuseClash(bounds.one, ofOne);
-  if (isClash(ofOther, thickness, fits, word)) refuseClash(bounds.other, ofOther);
+  if (isClash(ofOne, thickness, fits, word)) refuseClash(bounds.one);
+  if (isClash(ofOther, thickness, fits, word)) refuseClash(bounds.other);
+  bounds.depth = inMicrometresUp(std::min(ofOne, ofOther));
+  const double off =
+      kTouchingSurfaces + spacing + std::max(bounds.one.largest.deflection, bounds.other.largest.deflection);
+  const bool isSaid = word != nullptr && (word->allowance || !word->kind.empty() || word->accepted);
+  bounds.isPlainOverlap = !isSaid && bounds.depth > off + roundOverlap(one.body, other.body);
+  bounds.isRefused = bounds.one.most <= 0.0 && bounds.other.most <= 0.0 &&
+                     (bounds.one.isClash || bounds.other.isClash) && !fits.accepts(word, bounds.depth);
   return bounds;
 }
 
-double PairBounds::clash() const {
-  if (refused().empty()) return 0.0;
-  if (one.clash <= 0.0 || other.clash <= 0.0) return std::max(one.clash, other.clash);
-  return std::min(one.clash, other.clash);
+std::string clashRefused(double depth) {
+  return "they overlap by " + depthInMillimetres(depth) + ", which is a clash that nobody accepted";
 }
 
-std::string PairBounds::refused() const {
-  if (one.most > 0.0 || other.most > 0.0) return {};
-  return one.refused.empty() ? other.refused : one.refused;
-}
-
-AllowanceBound united(const AllowanceBound& a, const AllowanceBound& b) {
+AllowanceBound larger(const AllowanceBound& a, const AllowanceBound& b) {
+  const AllowanceBound& less = a.most >= b.most ? b : a;
   AllowanceBound both = a.most >= b.most ? a : b;
-  for (std::size_t t = 0; t < both.atMost.size(); ++t) both.atMost[t] = std::max(a.atMost[t], b.atMost[t]);
+  // If the two have different meshes, the least on a triangle of the body counts for all of it.
+  const std::vector<double> least = leastOfTriangles(less);
+  for (std::size_t t = 0; t < both.atMost.size(); ++t) {
+    const double other = less.mesh == both.mesh ? less.atMost[t] : least[both.parents.empty() ? t : both.parents[t]];
+    both.atMost[t] = std::max(both.atMost[t], other);
+  }
   both.inFit = a.inFit || b.inFit;
   both.share = std::max(a.share, b.share);
-  if (a.clash > 0.0 || b.clash > 0.0) refuseClash(both, std::max(a.clash, b.clash));
+  if (a.isClash || b.isClash) refuseClash(both);
   return both;
+}
+
+PairBounds united(const PairBounds& a, const PairBounds& b) {
+  PairBounds both{larger(a.one, b.one), larger(a.other, b.other), std::max(a.depth, b.depth)};
+  both.isPlainOverlap = a.isPlainOverlap || b.isPlainOverlap;
+  both.isRefused = (a.isRefused || b.isRefused) && both.one.most <= 0.0 && both.other.most <= 0.0;
+  return both;
+}
+
+bool FitWords::isCut(const std::string& id) const {
+  return std::any_of(cut.begin(), cut.end(), [&](const std::string& name) {
+    return id == name || (id.size() > name.size() && id.ends_with(name) && id[id.size() - name.size() - 1] == '/');
+  });
 }
 
 const SnapWord* FitWords::snapOf(const std::string& a, const std::string& b) const {

@@ -6,10 +6,12 @@
 namespace glissade::check {
 namespace {
 
-MeshPtr meshOf(const PairFit::HollowPtr& hollow) { return {hollow, &hollow->mesh}; }
+/// That the allowances are of the triangles of.
+const MeshPtr& meshOf(const Body& body, const MeshPtr& divided, const std::vector<double>& allowances) {
+  return divided && !allowances.empty() ? divided : body.mesh;
+}
 
 }  // namespace
-
 JudgedMotion judgeMotion(const MotionQuestion& question, MotionBodies& prepared, const WorkWatch& watch) {
   std::map<MeshPtr, MeshPtr> inPathFrame;  // the object as it is taken
   const auto placed = [&](const MeshPtr& mesh) {
@@ -25,11 +27,12 @@ JudgedMotion judgeMotion(const MotionQuestion& question, MotionBodies& prepared,
   for (const MotionPair& pair : question.pairs) {
     if (watch.stop.stopRequested()) return {{}, "the check was stopped"};
     const PairFit& fit = pair.fit;
-    objects.push_back(placed(fit.hollowMoving
-                                 ? meshOf(fit.hollowMoving)
-                                 : prepared.taken(question.moving.mesh, fit.moving, fit.share, fit.coreOfMoving())));
-    others.push_back(fit.hollowOther ? meshOf(fit.hollowOther)
-                                     : prepared.taken(pair.other->mesh, fit.other, fit.share, fit.coreOfOther()));
+    objects.push_back(placed(fit.hollowMoving ? fit.hollowMoving
+                                              : prepared.taken(meshOf(question.moving, fit.meshOfMoving, fit.moving),
+                                                               fit.moving, fit.share, fit.coreOfMoving())));
+    others.push_back(fit.hollowOther ? fit.hollowOther
+                                     : prepared.taken(meshOf(*pair.other, fit.meshOfOther, fit.other), fit.other,
+                                                      fit.share, fit.coreOfOther()));
     for (const MeshPtr& mesh : {objects.back(), others.back()}) meshes.push_back(mesh.get());
     bodies.push_back(*pair.other);
   }

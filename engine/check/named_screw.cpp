@@ -140,13 +140,11 @@ std::optional<ScrewInSolid> screwInSolid(const Placement& screw, const Placement
   for (const RoundFace& shaft : guest.rounds) {
     const double share = 2.0 * shaft.radius / *size;
     if (!shaft.isShaft || share < kThinnest || share > kThickest || hasHole(solid, shaft)) continue;
-    const PlacedBodies::HollowPtr hollow = bodies.hollowOf(host, screw, stop);
+    const MeshPtr hollow = bodies.hollowOf(host, screw, stop);
     if (!hollow) return std::nullopt;
-    const auto part = PartInHost(shaft, solid).of(guest, transformed(hollow->mesh, host.X_WB));
+    const auto part = PartInHost(shaft, solid).of(guest, transformed(*hollow, host.X_WB));
     if (!part) continue;
-    // The wall of the hole is the surface of the screw: it is off the cylinder by as much as that.
-    const double room = hollowRoom(solid, guest) + 2.0 * guest.largestDeflection;
-    return ScrewInSolid{shaft.point, shaft.axis, shaft.radius, part->first, part->second, room};
+    return ScrewInSolid{shaft.point, shaft.axis, shaft.radius, part->first, part->second};
   }
   return std::nullopt;
 }

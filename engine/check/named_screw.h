@@ -18,7 +18,6 @@ struct ScrewInSolid {
   double radius = 0.0;
   double low = 0.0;  ///< of the part that is in the body, along the axis from the point, metres
   double high = 0.0;
-  double room = 0.0;  ///< by which the screw is taken thinner in the hole that it makes, metres
 };
 
 /// A screw makes its hole where its name states its size, a cylinder of it has that size, nothing but this cylinder and

@@ -19,12 +19,27 @@ constexpr int kMostWidenings = 16;
 /// into cells, down to this share of the largest depth met, unless it is in a thin wall.
 constexpr std::size_t kManyTriangles = 256;
 constexpr double kFinestShare = 0.01;
+/// The largest depth of such a clash is met to this factor.
+constexpr double kEnough = 1.01;
 /// Points between two questions whether to stop.
 constexpr std::size_t kPointsBetweenStops = 64;
 /// Metres: the other face of a wall is looked for so near first, then twice as far.
 constexpr double kFirstReach = kClashOverlap / 32.0;
 /// Least cosine between the way from one face of a wall to the other and the inward normal of the one.
 constexpr double kStraightThrough = 0.7;
+
+/// At the middle of the longest edge.
+void halve(const Triangle& triangle, std::vector<Triangle>& open) {
+  std::size_t longest = 0;
+  const auto lengthOf = [&](std::size_t edge) { return (triangle[(edge + 1) % 3] - triangle[edge]).squaredNorm(); };
+  for (const std::size_t edge : {1, 2}) longest = lengthOf(edge) > lengthOf(longest) ? edge : longest;
+  const Vector3& a = triangle[longest];
+  const Vector3& b = triangle[(longest + 1) % 3];
+  const Vector3& c = triangle[(longest + 2) % 3];
+  const Vector3 middle = 0.5 * (a + b);
+  open.push_back({a, middle, c});
+  open.push_back({middle, b, c});
+}
 
 class DepthSearch {
  public:
@@ -48,7 +63,7 @@ class DepthSearch {
 
  private:
   /// Triangles of the body that can be nearest to a point of the part are no farther from it than it is deep. Of a
-  /// clash with a fine mesh not all points are looked at: what is not met is not allowed.
+  /// clash with a fine mesh not all points are looked at for the depths of faces: what is not met is not allowed.
   void meetTriangle(std::uint32_t number, const StopToken& stop) {
     const Triangle& part = other_.tree.triangles()[number];
     const Vector3& normal = other_.normals[number];
@@ -57,7 +72,7 @@ class DepthSearch {
     for (int i = 0; i < kMostWidenings; ++i) {
       const double reach = 2.0 * std::max(deepest, kLeastDepth);
       const std::vector<std::uint32_t> near = trianglesNear(part, reach);
-      if (deepest > kClashOverlap && near.size() > kManyTriangles) return;
+      if (deepest > kClashOverlap && near.size() > kManyTriangles) return deepen(part, stop);
       if (deepest == 0.0 && isOutside(part, normal, near)) return;
       if (isKnown(near, normal, deepest + longestEdge(part))) return;
       const bool many = near.size() > kManyTriangles && !isInWall(near, normal);
@@ -65,6 +80,39 @@ class DepthSearch {
           deepest, many ? deepestInCells(part, normal, {near, reach}, stop) : deepestOf(part, normal, near, stop));
       if (deepest <= reach || stop.stopRequested()) return;
     }
+  }
+
+  /// The largest depth of the part, to a hundredth, for no face. Over a piece of the part the depth grows by no more
+  /// than its points move, and the distance from one triangle of the surface is largest at a corner.
+  void deepen(const Triangle& part, const StopToken& stop) {
+    std::vector<Triangle> open{part};
+    while (!open.empty() && !stop.stopRequested()) {
+      const Triangle piece = open.back();
+      open.pop_back();
+      const Vector3 middle = (piece[0] + piece[1] + piece[2]) / 3.0;
+      double radius = 0.0;
+      for (const Vector3& corner : piece) radius = std::max(radius, (corner - middle).norm());
+      const double enough = kEnough * overlap_.deepest;
+      const auto nearest =
+          body_.tree.nearest(middle, std::numeric_limits<double>::infinity(), std::max(0.0, enough - radius));
+      if (nearest.distance + radius <= enough) continue;
+      const bool inside = body_.tree.box().contains(middle) && body_.contains(middle);
+      if (!inside && nearest.distance >= radius) continue;
+      if (inside) takeDeepest(middle, nearest);
+      double atCorners = 0.0;
+      for (const Vector3& corner : piece) {
+        const Vector3 foot = nearestPoint(body_.tree.triangles()[nearest.triangle], corner);
+        atCorners = std::max(atCorners, (foot - corner).norm());
+      }
+      if (atCorners > kEnough * overlap_.deepest + kLeastDepth) halve(piece, open);
+    }
+  }
+
+  void takeDeepest(const Vector3& p, const TriangleTree::Nearest& nearest) {
+    if (nearest.distance <= overlap_.deepest) return;
+    overlap_.deepest = nearest.distance;
+    deepest_ = p;
+    triangle_ = nearest.triangle;
   }
 
   double deepestOf(const Triangle& part, const Vector3& normal, const std::vector<std::uint32_t>& near,
@@ -193,11 +241,7 @@ class DepthSearch {
       const TriangleTree::Nearest across = acrossTheWall(p, normal, nearest);
       if (isFacing(across.triangle, normal)) count(across);
     }
-    if (nearest.distance > overlap_.deepest) {
-      overlap_.deepest = nearest.distance;
-      deepest_ = p;
-      triangle_ = nearest.triangle;
-    }
+    takeDeepest(p, nearest);
     return nearest.distance;
   }
 

@@ -59,24 +59,25 @@ void apply(const StatedAllowance& stated, PairWork& work) {
   allowance.stated = stated.allowance;
   const double enough = bound.most + std::max(kEstimateAtLeast, kEstimate * bound.most);
   if (stated.allowance <= (bound.most > 0.0 ? enough : 0.0)) return;
-  const bool apart = bound.refused.empty() && !bound.inFit;
-  work.fit.refusals.push_back(allowanceRefused(allowance, apart ? "they are apart" : bound.refused));
+  const std::string why = bound.isClash ? clashRefused(work.bounds.depth) : bound.inFit ? "" : "they are apart";
+  work.fit.refusals.push_back(allowanceRefused(allowance, why));
 }
 
 /// Taken so, the pair is free where it is assembled.
 bool isFree(const PairWork& work) {
-  const TriangleMesh own = work.fit.moving.empty()
-                               ? *work.question.moving.mesh
-                               : thinned(*work.question.moving.mesh, work.fit.moving, work.fit.share);
-  TriangleMesh others = work.fit.other.empty() ? *work.question.other.mesh
-                                               : thinned(*work.question.other.mesh, work.fit.other, work.fit.share);
+  const auto taken = [&](const AllowanceBound& bound, const Body& body, const std::vector<double>& allowances) {
+    return allowances.empty() ? *body.mesh : thinned(bound.mesh ? *bound.mesh : *body.mesh, allowances, work.fit.share);
+  };
+  const TriangleMesh own = taken(work.bounds.one, work.question.moving, work.fit.moving);
+  TriangleMesh others = taken(work.bounds.other, work.question.other, work.fit.other);
   others = transformed(others, work.question.other.X_WB);
   const double gap = 0.5 * assembledMargin(radiusAboutOrigin(*work.question.moving.mesh));
   return std::all_of(work.question.assembled.begin(), work.question.assembled.end(),
                      [&](const Pose& end) { return areApart(transformed(own, end), others, gap); });
 }
 
-/// What the evidence bears: of the moving body where that is enough, else of the other one, else of both.
+/// What the evidence bears: of the moving body where that is enough, else of the other one, else of both. Of both at
+/// once where one is below a part of a face of the other one: they slide past the rest of the face.
 void applyOwn(PairWork& work) {
   if (const std::string refused = work.bounds.refused(); !refused.empty()) {
     AppliedAllowance& allowance = work.add(false, 0.0);
@@ -85,7 +86,9 @@ void applyOwn(PairWork& work) {
   if (work.bounds.one.most <= 0.0 && work.bounds.other.most <= 0.0) return;
   const std::vector<double> one = limited(work.bounds.one.atMost, work.bounds.one.most);
   const std::vector<double> other = limited(work.bounds.other.atMost, work.bounds.other.most);
-  for (const auto& [moving, yielding] : {std::pair(true, false), std::pair(false, true), std::pair(true, true)}) {
+  std::vector<std::pair<bool, bool>> choices{{true, false}, {false, true}, {true, true}};
+  if (work.bounds.one.mesh || work.bounds.other.mesh) std::swap(choices.front(), choices.back());
+  for (const auto& [moving, yielding] : choices) {
     work.fit.moving = moving ? one : std::vector<double>();
     work.fit.other = yielding ? other : std::vector<double>();
     if (isFree(work)) break;

@@ -28,17 +28,20 @@ struct AppliedAllowance {
   double most = 0.0;               ///< metres that the meshes and the person give
   Evidence evidence{};             ///< for that
   std::optional<Thread> thread{};
+  double plainOverlap = 0.0;  ///< metres: depth of the pair, where PairBounds::isPlainOverlap
   double bend = 0.0;  ///< metres, by which a person says that the hook of the thinner body bends; 0: it has none
 };
 
 /// How the two bodies of a pair are taken while the one moves past the other.
 struct PairFit {
-  using HollowPtr = PlacedBodies::HollowPtr;
-
-  std::vector<double> moving{};  ///< allowance of each triangle of the moving one; empty: it is whole
+  /// Allowance of each triangle of the moving one, as AllowanceBound::mesh has them; empty: it is whole.
+  std::vector<double> moving{};
   std::vector<double> other{};
-  HollowPtr hollowMoving{};  ///< without what the other one fills; null: it is not hollow
-  HollowPtr hollowOther{};
+  MeshPtr meshOfMoving{};  ///< AllowanceBound::mesh
+  MeshPtr meshOfOther{};
+  MeshPtr hollowMoving{};  ///< without what the other one fills; null: it is not hollow
+  MeshPtr hollowOther{};
+  double depth = 0.0;                     ///< metres: PairBounds::depth
   std::optional<ScrewInSolid> inSolid{};  ///< one is hollow because the other one is a screw that makes its hole
   bool acceptedClash = false;             ///< one is hollow, and the pair would be refused if nobody accepted it
   double share = kThicknessShare;         ///< as AllowanceBound::share, of either

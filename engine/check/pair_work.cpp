@@ -48,15 +48,17 @@ double largest(const std::vector<double>& values) {
 void PairWork::findBounds(const PairWord* about) {
   FitWords words = fits;
   if (!bends(*this)) words.snaps.clear();
-  bool first = true;
+  std::optional<PairBounds> all;
   for (const Pose& end : question.assembled) {
     const PairBounds found =
         bodies.boundsOf({question.moving, end}, {question.other, question.other.X_WB}, words, about, stop);
-    bounds.one = first ? found.one : united(bounds.one, found.one);
-    bounds.other = first ? found.other : united(bounds.other, found.other);
-    first = false;
+    all = all ? united(*all, found) : found;
   }
+  if (all) bounds = std::move(*all);
   fit.share = std::max(bounds.one.share, bounds.other.share);
+  fit.depth = bounds.depth;
+  fit.meshOfMoving = bounds.one.mesh;
+  fit.meshOfOther = bounds.other.mesh;
 }
 
 AppliedAllowance& PairWork::add(bool yields, double applied) {
@@ -71,6 +73,7 @@ AppliedAllowance& PairWork::add(bool yields, double applied) {
   allowance.most = bound.most;
   allowance.evidence = bound.largest;
   allowance.bend = bendOf(*this, yields);
+  if (bounds.isPlainOverlap) allowance.plainOverlap = bounds.depth;
   fit.applied.push_back(std::move(allowance));
   return fit.applied.back();
 }

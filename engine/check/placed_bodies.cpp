@@ -48,14 +48,18 @@ const PlacedBody& PlacedBodies::at(const Placement& placement) {
   return *entries.back().placed;
 }
 
-PlacedBodies::MeasuredPtr PlacedBodies::measured(const PlacedBody& one, const PlacedBody& other,
+PlacedBodies::MeasuredPtr PlacedBodies::measured(const PlacedBody& one, const PlacedBody& other, const Body& otherBody,
                                                  const StopToken& stop) {
   {
     const std::lock_guard lock(mutex_);
     const auto known = pairs_.find({&one, &other});
     if (known != pairs_.end()) return known->second;
   }
-  auto found = std::make_shared<const MeasuredPair>(measurePair(one, other, stop));
+  MeasuredPair pair = measurePair(one, other, stop);
+  if (pair.other.patches) {
+    pair.other.mesh = std::make_shared<const TriangleMesh>(pair.other.patches->divided(*otherBody.mesh));
+  }
+  auto found = std::make_shared<const MeasuredPair>(std::move(pair));
   if (stop.stopRequested()) return found;
   const std::lock_guard lock(mutex_);
   return pairs_.try_emplace({&one, &other}, std::move(found)).first->second;
@@ -100,37 +104,64 @@ PlacedBodies::HookPtr PlacedBodies::measuredHook(const HookQuestion& question, c
   return hooks_.try_emplace(key, std::move(found)).first->second;
 }
 
-PlacedBodies::HollowPtr PlacedBodies::hollowOf(const Placement& body, const Placement& guest, const StopToken& stop) {
+MeshPtr PlacedBodies::hollowOf(const Placement& body, const Placement& guest, const StopToken& stop) {
   const PlacedBody& own = at({body.body, Pose::identity()});
   const PlacedBody& other = at({guest.body, rounded(inverse(body.X_WB) * guest.X_WB)});
   {
     const std::lock_guard lock(mutex_);
     if (const auto known = hollows_.find({&own, &other}); known != hollows_.end()) return known->second;
   }
-  std::optional<Hollow> made = hollowed(own, other, stop);
-  HollowPtr found = made ? std::make_shared<const Hollow>(std::move(*made)) : nullptr;
+  std::optional<TriangleMesh> made = hollowed(own, other, stop);
+  MeshPtr found = made ? std::make_shared<const TriangleMesh>(std::move(*made)) : nullptr;
   if (stop.stopRequested()) return found;
   const std::lock_guard lock(mutex_);
   return hollows_.try_emplace({&own, &other}, std::move(found)).first->second;
 }
 
-PairBounds PlacedBodies::boundsInContact(const Placement& one, const Placement& other, const FitWords& fits,
-                                         const PairWord* word, const StopToken& stop) {
+PlacedBodies::Ordered PlacedBodies::ordered(const Placement& one, const Placement& other) {
   const bool inOrder = isFirst(one.body, other.body);
   const Placement& first = inOrder ? one : other;
   const Placement& second = inOrder ? other : one;
-  const Pose relative = rounded(inverse(first.X_WB) * second.X_WB);
-  const PlacedBody& a = at({first.body, Pose::identity()});
-  const PlacedBody& own = at({second.body, Pose::identity()});
-  const Box3 box = own.tree.box().transformed(toIsometry(relative));
+  return {inOrder, at({first.body, Pose::identity()}), second.body, rounded(inverse(first.X_WB) * second.X_WB)};
+}
+
+Cut PlacedBodies::cutOf(const Placement& one, const Placement& other, const FitWords& fits, const StopToken& stop) {
+  const Ordered pair = ordered(one, other);
+  const PlacedBody& first = pair.first;
+  const PlacedBody& second = at({pair.secondBody, pair.second});
+  const auto shape = [&] {
+    {
+      const std::lock_guard lock(mutex_);
+      if (const auto known = cuts_.find({&first, &second}); known != cuts_.end()) return known->second;
+    }
+    const CutShape found = cutShapeOf(first, second, stop);
+    if (stop.stopRequested()) return found;
+    const std::lock_guard lock(mutex_);
+    return cuts_.try_emplace({&first, &second}, found).first->second;
+  }();
+  const bool namesOne = fits.isCut(one.body.id);
+  const bool namesOther = fits.isCut(other.body.id);
+  const Cut cut =
+      pair.isInOrder ? check::cutOf(shape, namesOne, namesOther) : check::cutOf(shape, namesOther, namesOne);
+  if (pair.isInOrder || (cut != Cut::One && cut != Cut::Other)) return cut;
+  return cut == Cut::One ? Cut::Other : Cut::One;
+}
+
+PairBounds PlacedBodies::boundsInContact(const Placement& one, const Placement& other, const FitWords& fits,
+                                         const PairWord* word, const StopToken& stop) {
+  const Ordered order = ordered(one, other);
+  const PlacedBody& a = order.first;
+  const PlacedBody& own = at({order.secondBody, Pose::identity()});
+  const Box3 box = own.tree.box().transformed(toIsometry(order.second));
   if (a.tree.box().exteriorDistance(box) > touchingReach(a, own)) {
     return {noBound(one.body), noBound(other.body)};
   }
-  const PlacedBody& b = at({second.body, relative});
-  const MeasuredPtr pair = measured(a, b, stop);
+  const PlacedBody& b = at({order.secondBody, order.second});
+  const MeasuredPtr pair = measured(a, b, order.secondBody, stop);
   const MeasuredBody ofFirst{a, pair->one};
   const MeasuredBody ofSecond{b, pair->other};
-  return inOrder ? check::boundsOf(ofFirst, ofSecond, fits, word) : check::boundsOf(ofSecond, ofFirst, fits, word);
+  return order.isInOrder ? check::boundsOf(ofFirst, ofSecond, fits, word)
+                         : check::boundsOf(ofSecond, ofFirst, fits, word);
 }
 
 }  // namespace glissade::check

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/base/stop_token.h"
+#include "engine/check/cut_shape.h"
 #include "engine/check/evidence.h"
 #include "engine/check/hollow.h"
 #include "engine/check/hook.h"
@@ -31,9 +32,10 @@ class PlacedBodies {
   PairBounds boundsOf(const Placement& one, const Placement& other, const FitWords& fits, const PairWord* word,
                       const StopToken& stop);
 
-  using HollowPtr = std::shared_ptr<const Hollow>;
   /// The body without what the guest fills, in the body's frame; null where hollowed() has nothing.
-  HollowPtr hollowOf(const Placement& body, const Placement& guest, const StopToken& stop);
+  MeshPtr hollowOf(const Placement& body, const Placement& guest, const StopToken& stop);
+  /// Which of the two is cut where their clash is accepted.
+  Cut cutOf(const Placement& one, const Placement& other, const FitWords& fits, const StopToken& stop);
 
  private:
   using MeasuredPtr = std::shared_ptr<const MeasuredPair>;
@@ -42,7 +44,16 @@ class PlacedBodies {
   using HookKey = std::tuple<const PlacedBody*, const PlacedBody*, double, double, double, double>;
   PairBounds boundsInContact(const Placement& one, const Placement& other, const FitWords& fits, const PairWord* word,
                              const StopToken& stop);
-  MeasuredPtr measured(const PlacedBody& one, const PlacedBody& other, const StopToken& stop);
+  /// A pair in the frame of its first body, which does not depend on the order in which the two are given.
+  struct Ordered {
+    bool isInOrder;
+    const PlacedBody& first;
+    const Body& secondBody;
+    Pose second;
+  };
+  Ordered ordered(const Placement& one, const Placement& other);
+  /// `otherBody`: of the other one, which is placed in the frame of the one.
+  MeasuredPtr measured(const PlacedBody& one, const PlacedBody& other, const Body& otherBody, const StopToken& stop);
   void addHook(const SnapWord& snap, const Placement& hook, const Placement& edge, AllowanceBound& bound,
                const StopToken& stop);
   HookPtr measuredHook(const HookQuestion& question, const StopToken& stop);
@@ -55,7 +66,8 @@ class PlacedBodies {
   std::map<const TriangleMesh*, std::vector<Entry>> entries_;
   std::map<std::pair<const PlacedBody*, const PlacedBody*>, MeasuredPtr> pairs_;
   std::map<HookKey, HookPtr> hooks_;
-  std::map<std::pair<const PlacedBody*, const PlacedBody*>, HollowPtr> hollows_;
+  std::map<std::pair<const PlacedBody*, const PlacedBody*>, MeshPtr> hollows_;
+  std::map<std::pair<const PlacedBody*, const PlacedBody*>, CutShape> cuts_;
 };
 
 }  // namespace glissade::check

@@ -48,7 +48,9 @@ struct FitWords {
   std::vector<PairWord> pairs{};
   std::vector<SnapWord> snaps{};
   PartingWords partings{};
+  std::vector<std::string> cut{};  ///< bodies that are cut in accepted clashes: ids, or what follows a "/" in them
 
+  bool isCut(const std::string& id) const;
   /// In either order; null: nothing is said.
   const PairWord* about(const std::string& a, const std::string& b) const;
   /// In either order; null: the pair is no snap.

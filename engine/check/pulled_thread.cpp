@@ -97,6 +97,17 @@ class TurnOut {
 
 }  // namespace
 
+double roundOverlap(const PlacedBody& one, const PlacedBody& other) {
+  double most = 0.0;
+  for (const RoundFace& own : one.rounds) {
+    for (const RoundFace& others : other.rounds) {
+      const auto round = aroundEachOther(own, others);
+      if (round && round->depth < kMostThreadDepth * round->radius) most = std::max(most, round->depth);
+    }
+  }
+  return most;
+}
+
 /// Those that are too thick for their holes; where none is and the file calls the pair a thread, the closest one.
 std::vector<CommonThread> commonThreads(const LeavingPair& pair) {
   if (const ScrewInSolid* screw = pair.inSolid) {

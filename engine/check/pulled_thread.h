@@ -58,4 +58,8 @@ struct TurnedThread {
 };
 std::vector<TurnedThread> turnedThreads(const std::vector<CommonThread>& threads, const std::vector<Pose>& path);
 
+/// By how much a shaft of the one is thicker than the hole of the other that it is in, metres, at most, where that may
+/// be a thread or a press fit; else 0.
+double roundOverlap(const PlacedBody& one, const PlacedBody& other);
+
 }  // namespace glissade::check

@@ -134,6 +134,7 @@ void choose(const FitChoice& choice, FitWords& fits) {
     fits.on = true;
   }
   if (choice.on) fits.on = *choice.on;
+  fits.cut.insert(fits.cut.end(), choice.cut.begin(), choice.cut.end());
 }
 
 /// Each about the middle of its box; meshes that were shared still are.

@@ -14,6 +14,7 @@ namespace glissade::check {
 struct FitChoice {
   std::optional<bool> on{};
   std::optional<double> acceptedClash{};  ///< metres; turns fits on unless they are turned off
+  std::vector<std::string> cut{};         ///< as FitWords::cut
 };
 
 /// Reads a scenario or an OMPL.app file. Errors: MalformedInput with the place, Usage for a part file, Interrupted.

@@ -113,6 +113,10 @@ FitWords readFitWords(const JsonCursor& at) {
     fits.acceptedClash = clash->coordinate();
     if (fits.acceptedClash < 0.0) clash->fail("is below zero", "Give metres, 0 or more.");
   }
+  const auto cut = at.find("cut");
+  for (std::size_t i = 0; cut && i < cut->sizeUpTo(limits::kMostBodies); ++i) {
+    fits.cut.push_back(cut->element(i).nonEmptyText());
+  }
   const auto pairs = at.find("pairs");
   for (std::size_t i = 0; pairs && i < pairs->sizeUpTo(limits::kMostBodies); ++i) {
     const PairWord word = readPair(pairs->element(i));

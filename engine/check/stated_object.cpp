@@ -74,6 +74,9 @@ FitWords wordsOfGroup(const FitWords& fits, const std::vector<Body>& group, cons
     return std::any_of(group.begin(), group.end(), [&id](const Body& body) { return body.id == id; });
   };
   FitWords ofGroup{fits.on, fits.acceptedClash, {}};
+  ofGroup.cut = fits.cut;
+  const bool isCut = std::any_of(group.begin(), group.end(), [&](const Body& body) { return fits.isCut(body.id); });
+  if (isCut) ofGroup.cut.push_back(groupId);
   std::map<std::string, GroupWord> words;  // by the other body
   for (const PairWord& said : fits.pairs) {
     if (isInGroup(said.a) && isInGroup(said.b)) continue;

@@ -174,11 +174,9 @@ class StepJudge {
     words.acceptedClash = std::max(words.acceptedClash, (1.0 + kEstimate) * claimed);
     PairFit accepted = fitOf(asked, words, placed_, watch_.stop);
     if (!accepted.refusals.empty()) return fit;
-    double depth = 0.0;
-    for (const AppliedAllowance& each : accepted.applied) depth = std::max(depth, each.evidence.overlap);
-    words.acceptedClash = std::max(product_.fits.acceptedClash, depth);
+    words.acceptedClash = std::max(product_.fits.acceptedClash, accepted.depth);
     const bool isEnough = fitOf(asked, words, placed_, watch_.stop).refusals.empty();
-    verdict.conditions.push_back(clashIsAccepted(isEnough ? depth : (1.0 + kEstimate) * claimed));
+    verdict.conditions.push_back(clashIsAccepted(isEnough ? accepted.depth : (1.0 + kEstimate) * claimed));
     return accepted;
   }
 

@@ -35,7 +35,10 @@ void takeTouching(const Thread& thread, const ThreadCore& core, PairWork& work) 
   const PlacedBody& other = work.bodies.at({work.question.other, work.question.other.X_WB});
   const bool own = thread.movingIsShaft;
   const double touching = core.spacing + core.margin + moving.largestDeflection + other.largestDeflection;
-  std::vector<double> allowances = own ? work.bounds.one.atMost : work.bounds.other.atMost;
+  // No more than `touching` is taken, which counts for whole faces.
+  const std::size_t count = (own ? moving : other).mesh.triangles.size();
+  std::vector<double> allowances = mostOfTriangles(own ? work.bounds.one : work.bounds.other, count);
+  (own ? work.fit.meshOfMoving : work.fit.meshOfOther) = nullptr;
   const std::vector<bool> ofThread = trianglesOfThread((own ? moving : other).mesh, core);
   for (std::size_t t = 0; t < allowances.size(); ++t) {
     allowances[t] = ofThread[t] ? 0.0 : std::min(allowances[t], touching);

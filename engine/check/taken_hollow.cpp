@@ -18,16 +18,32 @@ bool isClash(const PairWork& work) {
   });
 }
 
-/// The other body of the pair fills what is taken away.
-PlacedBodies::HollowPtr hollowOf(const PairWork& work, bool yields) {
-  const Placement other{work.question.other, work.question.other.X_WB};
+/// The configuration in which the two overlap deepest.
+struct Overlapping {
+  Pose end;
+  double depth = 0.0;  ///< metres
+};
+
+Overlapping deepestEnd(const PairWork& work) {
+  Overlapping deepest;
   for (const Pose& end : work.question.assembled) {
-    const Placement moving{work.question.moving, end};
-    const PlacedBodies::HollowPtr hollow =
-        work.bodies.hollowOf(yields ? other : moving, yields ? moving : other, work.stop);
-    if (hollow) return hollow;
+    const Placement other{work.question.other, work.question.other.X_WB};
+    const double depth =
+        work.bodies.boundsOf({work.question.moving, end}, other, work.fits, work.word, work.stop).depth;
+    if (depth > deepest.depth) deepest = {end, depth};
   }
-  return nullptr;
+  return deepest;
+}
+
+/// Why the body that the file cuts is not the one that is cut; empty: it is.
+std::string wrongCut(Cut cut, bool yields, const PairWork& work) {
+  switch (cut) {
+    case Cut::NotClear: return "which of the two is cut is not clear, and no person names it";
+    case Cut::NotWhole: return "what would be left of it is not one piece as before";
+    case Cut::One: return yields ? "'" + work.question.moving.name + "' is the one that is cut" : "";
+    case Cut::Other: return yields ? "" : "'" + work.question.other.name + "' is the one that is cut";
+  }
+  return "";
 }
 
 /// The body that fills the hollow one makes its hole there.
@@ -47,15 +63,15 @@ void takeAllAround(const StatedAllowance& stated, PairWork& work) {
   const PlacedBody& moving = work.bodies.at({work.question.moving, work.question.moving.X_WB});
   const PlacedBody& other = work.bodies.at({work.question.other, work.question.other.X_WB});
   const double spacing = moving.spacing + other.spacing;
-  const double room = work.fit.inSolid ? work.fit.inSolid->room : hollowRoom(moving, other);
   const PlacedBody& thinner = stated.yields ? other : moving;
+  const double room = hollowRoom(stated.yields ? moving : other, thinner);
   (stated.yields ? work.fit.other : work.fit.moving)
       .assign(thinner.mesh.triangles.size(), std::min(stated.allowance, room));
   AppliedAllowance& allowance = work.add(stated.yields, std::min(stated.allowance, room));
   allowance.stated = stated.allowance;
   allowance.most = room;
-  const double ofSurface = room - hollowRoom(moving, other);
-  allowance.evidence = {0.0, ofSurface, spacing, room - ofSurface - spacing, 0.0};
+  const double ofWall = wallDeflection(thinner);
+  allowance.evidence = {0.0, ofWall, spacing, room - ofWall - spacing, 0.0};
   if (stated.allowance > (1.0 + kEstimate) * room) work.fit.refusals.push_back(allowanceRefused(allowance, ""));
 }
 
@@ -75,20 +91,32 @@ void takeHollow(const std::vector<StatedAllowance>& stated, PairWork& work) {
   if (stated.size() != 2 || guest.hollow || host.yields == guest.yields || host.core || host.thread || guest.thread)
     return refuse(host, "what overlaps is taken away of one body of a pair, and the other one is taken thinner");
   if (work.word != nullptr && work.word->isThread()) return refuse(host, "a person says that the pair is a thread");
-  const PlacedBodies::HollowPtr hollow = hollowOf(work, host.yields);
-  if (!hollow) return refuse(host, "no overlap with the other one can be taken away of it");
-  if (!work.fits.accepts(work.word, hollow->depth)) {
+  work.findBounds(work.word);
+  work.fit = {};
+  const Overlapping at = deepestEnd(work);
+  work.fit.depth = at.depth;
+  if (at.depth <= 0.0) return refuse(host, "no overlap with the other one can be taken away of it");
+  if (!work.fits.accepts(work.word, at.depth)) {
     work.fit.inSolid = screwOf(work, host.yields);
-    if (!work.fit.inSolid) return refuse(host, "it is a clash that nobody accepted");
+    if (!work.fit.inSolid) return refuse(host, clashRefused(at.depth));
+    work.bounds.isPlainOverlap = false;
   }
+  const Placement moving{work.question.moving, at.end};
+  const Placement other{work.question.other, work.question.other.X_WB};
+  if (!work.fit.inSolid) {
+    const std::string wrong = wrongCut(work.bodies.cutOf(moving, other, work.fits, work.stop), host.yields, work);
+    if (!wrong.empty()) return refuse(host, wrong);
+  }
+  const MeshPtr hollow = work.bodies.hollowOf(host.yields ? other : moving, host.yields ? moving : other, work.stop);
+  if (!hollow) return refuse(host, "no overlap with the other one can be taken away of it");
   (host.yields ? work.fit.hollowOther : work.fit.hollowMoving) = hollow;
   work.fit.acceptedClash = !work.fit.inSolid && isClash(work);
-  AppliedAllowance& ofHost = work.add(host.yields, hollow->depth);
+  AppliedAllowance& ofHost = work.add(host.yields, at.depth);
   ofHost.hollow = true;
   ofHost.screwHole = work.fit.inSolid.has_value();
   ofHost.stated = host.allowance;
-  ofHost.most = hollow->depth;
-  ofHost.evidence = {hollow->depth, 0.0, 0.0, 0.0, 0.0};
+  ofHost.most = at.depth;
+  ofHost.evidence = {at.depth, 0.0, 0.0, 0.0, 0.0};
   takeAllAround(guest, work);
 }
 

@@ -2,11 +2,11 @@
 
 #include <Eigen/QR>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <tuple>
 #include <vector>
@@ -15,6 +15,7 @@
 #include "engine/check/ray_containment.h"
 #include "engine/geometry/continued_cones.h"
 #include "engine/geometry/triangle_crossing.h"
+#include "engine/geometry/triangle_tree.h"
 
 namespace glissade::check {
 namespace {
@@ -56,49 +57,6 @@ Box3 boxAround(const Corners& corners) {
   return box;
 }
 
-/// Boxes by where they are along the longest axis of all of them, so that only those near a box are looked at.
-class BoxRow {
- public:
-  explicit BoxRow(const std::vector<Box3>& boxes) : boxes_(boxes) {
-    Box3 all;
-    for (const Box3& box : boxes) all.extend(box);
-    if (all.isEmpty()) return;
-    all.sizes().maxCoeff(&axis_);
-    low_ = all.min()[axis_];
-    const double length = all.sizes()[axis_];
-    perLength_ = length > 0.0 ? kBins / length : 0.0;
-    for (std::uint32_t i = 0; i < boxes.size(); ++i) {
-      for (std::size_t bin = binOf(boxes[i].min()); bin <= binOf(boxes[i].max()); ++bin) bins_[bin].push_back(i);
-    }
-  }
-
-  /// Calls `take` with each box that meets this one, once, until it returns false.
-  template <class Take>
-  void visit(const Box3& box, const Take& take) const {
-    const std::size_t first = binOf(box.min());
-    for (std::size_t bin = first; bin <= binOf(box.max()); ++bin) {
-      for (const std::uint32_t i : bins_[bin]) {
-        const bool before = bin > first && binOf(boxes_[i].min()) < bin;
-        if (!before && box.intersects(boxes_[i]) && !take(i)) return;
-      }
-    }
-  }
-
- private:
-  static constexpr std::size_t kBins = 512;
-
-  std::size_t binOf(const Vector3& at) const {
-    const double bin = (at[axis_] - low_) * perLength_;
-    return bin > 0.0 ? std::min(static_cast<std::size_t>(bin), kBins - 1) : 0;
-  }
-
-  const std::vector<Box3>& boxes_;
-  Eigen::Index axis_ = 0;
-  double low_ = 0.0;
-  double perLength_ = 0.0;
-  std::array<std::vector<std::uint32_t>, kBins> bins_;
-};
-
 /// A body's triangles over vertices that are each there once, and what each face and vertex may move by.
 class ThinBody {
  public:
@@ -122,9 +80,9 @@ class ThinBody {
     }
     for (const TriangleIndices& triangle : triangles_) {
       faces_.push_back(cornersOf(triangle, points_));
-      boxes_.push_back(boxAround(faces_.back()));
-      box_.extend(boxes_.back());
+      box_.extend(boxAround(faces_.back()));
     }
+    tree_.emplace(faces_);
   }
 
   /// The body thinned; the body where it has no place for that, or is open too near.
@@ -189,7 +147,6 @@ class ThinBody {
     const std::vector<bool> may = mayMove();
     const double reach = *std::max_element(allowances_.begin(), allowances_.end()) / share_;
     const double same = kSameFace * box_.diagonal().norm();
-    const BoxRow row(boxes_);
     for (std::size_t f = 0; f < faces_.size(); ++f) {
       const TriangleIndices& corners = triangles_[f];
       rooms_.push_back(share_ * reach);
@@ -202,7 +159,7 @@ class ThinBody {
         const Vector3 to = from - reach * normals_[f];
         Box3 box(from);
         box.extend(to);
-        row.visit(box, [&](std::uint32_t other) {
+        tree_->visit(box, [&](std::uint32_t other) {
           const double hit = reach * crossing(from, to, faces_[other]);
           if (hit > same) thickness = std::min(thickness, hit);
           return true;
@@ -228,13 +185,24 @@ class ThinBody {
     return moves;
   }
 
-  /// A chamfer ends where its thinned cylinder does.
+  /// A chamfer ends where its thinned cylinder does. It stays where the cylinder beside it is not thinned: that is
+  /// taken thinner in a patch elsewhere.
   void moveConesWithCylinders(std::vector<Vector3>& moves) const {
     std::vector<double> taken(stated_.size(), 0.0);
     for (std::size_t f = 0; f < faceOf_.size(); ++f) {
       taken[faceOf_[f]] = std::max(taken[faceOf_[f]], std::min(allowances_[f], rooms_[f]));
     }
-    moveCones(coneVertices({points_, triangles_, stated_, faceOf_}), taken, moves);
+    const std::vector<ConeVertex> cones = coneVertices({points_, triangles_, stated_, faceOf_});
+    std::set<std::pair<std::uint32_t, std::uint32_t>> edges;  // a vertex and its cylinder
+    for (const ConeVertex& each : cones) edges.emplace(each.vertex, each.cylinder);
+    const std::vector<double> whole = taken;
+    for (std::size_t f = 0; f < faceOf_.size() && !edges.empty(); ++f) {
+      if (allowances_[f] >= 0.5 * whole[faceOf_[f]]) continue;
+      for (const std::uint32_t corner : triangles_[f]) {
+        if (edges.count({corner, faceOf_[f]}) > 0) taken[faceOf_[f]] = 0.0;
+      }
+    }
+    moveCones(cones, taken, moves);
   }
 
   Vector3 moveOf(const Angles& faces) const {
@@ -310,7 +278,6 @@ class ThinBody {
   std::set<std::uint32_t> crossingCorners(const TriangleMesh& thin) const {
     std::set<std::uint32_t> bad;
     const double rounding = kSameFace * box_.diagonal().norm();
-    const BoxRow row(boxes_);
     for (const TriangleIndices& moved : thin.triangles) {
       double way = 0.0;
       for (const std::uint32_t i : moved) way = std::max(way, (thin.vertices[i] - points_[i]).norm());
@@ -318,7 +285,7 @@ class ThinBody {
       const double near = std::max(rounding, kStays * way);
       const Corners corners = cornersOf(moved, thin.vertices);
       const Box3 box = boxAround(corners);
-      row.visit(box, [&](std::uint32_t f) {
+      tree_->visit(box, [&](std::uint32_t f) {
         if (piece_[moved[0]] != piece_[triangles_[f][0]]) return true;
         if (meetAtStillCorner(moved, triangles_[f], thin) || !trianglesCross(corners, faces_[f], near)) return true;
         addCornersToHoldBack(moved, triangles_[f], bad);
@@ -377,7 +344,7 @@ class ThinBody {
   const std::vector<SurfaceFace>& stated_;
   std::vector<std::uint32_t> faceOf_;  ///< of each triangle, where the file states faces
   std::vector<Corners> faces_;
-  std::vector<Box3> boxes_;
+  std::optional<TriangleTree> tree_;  ///< of the faces
   Box3 box_;
   std::vector<Vector3> normals_;  ///< outwards; zero of a face with next to no area
   std::vector<double> rooms_;

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "engine/base/quantity_text.h"
+#include "engine/check/plain_overlaps.h"
 #include "engine/check/verdict_words.h"
 #include "engine/import/json_reader.h"
 #include "engine/import/missing_shapes_json.h"
@@ -158,6 +159,22 @@ std::string placesInWords(const std::vector<ForbiddenRegion>& regions) {
   return words;
 }
 
+Report overlapsJson(const std::vector<PlainOverlap>& overlaps) {
+  Report list = Report::array();
+  for (const PlainOverlap& each : overlaps)
+    list.push_back({{"a", each.one}, {"b", each.other}, {"overlap_m", each.depth}});
+  return list;
+}
+
+std::vector<PlainOverlap> plainOverlapsOf(const PlanVerdict& verdict) {
+  std::vector<PlainOverlap> overlaps;
+  for (const StepVerdict& step : verdict.steps) addPlainOverlaps(step.allowances, overlaps);
+  for (const LineVerdict& line : verdict.lines) {
+    for (const StepVerdict& step : line.steps) addPlainOverlaps(step.allowances, overlaps);
+  }
+  return overlaps;
+}
+
 std::string headlineOf(const PathVerdict& verdict, const Product& product) {
   if (verdict.valid() && !product.missing.empty()) return "valid without what was not read: ";
   if (verdict.valid()) return "valid: ";
@@ -177,6 +194,9 @@ std::string reportText(const PathVerdict& verdict, const Question& question, boo
   text << "\n";
   for (const AppliedAllowance& each : verdict.allowances) text << "allowance: " << inWords(each) << "\n";
   for (const std::string& refusal : verdict.refusals) text << "refused: " << refusal << "\n";
+  std::vector<PlainOverlap> overlaps;
+  addPlainOverlaps(verdict.allowances, overlaps);
+  if (!overlaps.empty()) text << inWords(overlaps) << "\n";
   if (verdict.forbidden) {
     text << "edge " << verdict.forbidden->edge << " meets the place '" << verdict.forbidden->place
          << "', which a person forbids, or its margin of " << inMillimetres(verdict.forbiddenMargin) << "\n";
@@ -217,6 +237,9 @@ Report reportJson(const PathVerdict& verdict, const Question& question, bool edg
   certificate["surface_deviation_m"] = verdict.deviation;
   certificate["coordinate_spacing_m"] = verdict.spacing;
   if (!verdict.allowances.empty()) certificate["allowances"] = allowancesJson(verdict.allowances);
+  std::vector<PlainOverlap> overlaps;
+  addPlainOverlaps(verdict.allowances, overlaps);
+  if (!overlaps.empty()) certificate["plain_overlaps"] = overlapsJson(overlaps);
   Report report{{"valid", verdict.valid()},
                 {"configurations", verdict.configurations},
                 {"begins_at_start", verdict.beginsAtStart},
@@ -334,6 +357,7 @@ std::string reportText(const PlanVerdict& verdict, const Product& product) {
   if (const std::size_t holes = screwHoles(verdict); holes > 0) {
     text << "screws in bodies without a hole in the file, each of which makes its own: " << holes << "\n";
   }
+  if (const auto overlaps = plainOverlapsOf(verdict); !overlaps.empty()) text << inWords(overlaps) << "\n";
   if (verdict.deviation > 0.0) {
     text << "the certificates are about triangles, which are within +/- " << inMillimetres(verdict.deviation)
          << " of the CAD surfaces\n";
@@ -410,6 +434,9 @@ Report reportJson(const PlanVerdict& verdict, const Product& product) {
                                {"valid", line.valid()},
                                {"refusals", line.refusals},
                                {"steps", stepsJson(line.steps, line.group, product)}});
+  }
+  if (const auto overlaps = plainOverlapsOf(verdict); !overlaps.empty()) {
+    report["plain_overlaps"] = overlapsJson(overlaps);
   }
   report["surface_deviation_m"] = verdict.deviation;
   report["missing_shapes"] = missingShapesJson(product.missing);

@@ -1,5 +1,6 @@
 #include "engine/check/verdict_words.h"
 
+#include "engine/base/depth_text.h"
 #include "engine/base/quantity_text.h"
 
 namespace glissade::check {
@@ -25,7 +26,7 @@ std::string inWords(const AppliedAllowance& allowance) {
   }
   if (allowance.hollow) {
     return "'" + allowance.thinner + "' is taken without what overlaps '" + allowance.against + "', up to " +
-           inMillimetres(allowance.applied) + " deep: a clash that a person accepts";
+           depthInMillimetres(allowance.applied) + " deep: a clash that a person accepts";
   }
   std::string words = "'" + allowance.thinner + "' is taken " + inMillimetres(allowance.applied) +
                       " thinner against '" + allowance.against + "' (" + inWords(allowance.evidence) + ")";

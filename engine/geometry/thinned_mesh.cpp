@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 
 #include "engine/base/in_threads.h"
@@ -147,6 +148,17 @@ std::vector<Vector3> ThinnableMesh::movesOf(const Wanted& wanted) const {
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     double& most = taken[mesh_.faceOf[f]];
     most = std::max(most, std::min(wanted.allowances[f], roomOf(f, wanted)));
+  }
+  // A chamfer stays where the cylinder beside it is thinned in a patch elsewhere only.
+  std::set<std::pair<std::uint32_t, std::uint32_t>> edges;  // a vertex and its cylinder
+  for (const ConeVertex& each : coneVertices_) edges.emplace(each.vertex, each.cylinder);
+  const std::vector<double> whole = taken;
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    const std::uint32_t face = mesh_.faceOf[f];
+    if (wanted.allowances[f] >= 0.5 * whole[face]) continue;
+    for (const std::uint32_t corner : mesh_.triangles[f]) {
+      if (edges.count({corner, face}) > 0) taken[face] = 0.0;
+    }
   }
   moveCones(coneVertices_, taken, moves);
   return moves;

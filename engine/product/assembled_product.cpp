@@ -23,7 +23,7 @@ bool areSameFits(const FitSettings& a, const FitSettings& b) {
   const auto tied = [](const FitEdit& edit) {
     return std::tie(edit.a, edit.b, edit.kind, edit.allowance, edit.accepted, edit.pitch, edit.turned);
   };
-  return a.on == b.on && a.acceptedClash == b.acceptedClash &&
+  return a.on == b.on && a.acceptedClash == b.acceptedClash && a.cut == b.cut &&
          std::equal(a.pairs.begin(), a.pairs.end(), b.pairs.begin(), b.pairs.end(),
                     [&](const FitEdit& one, const FitEdit& other) { return tied(one) == tied(other); });
 }

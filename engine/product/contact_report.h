@@ -39,6 +39,7 @@ struct Contact {
   double deviation = 0.0;    ///< metres that the triangles near each other may be off the surfaces, of both bodies
   double thickness = 0.0;    ///< of the thicker of the two at the deepest point, metres; 0 where nothing overlaps
   std::optional<ContactAxis> axis;
+  bool isPlainOverlap = false;  ///< as of check::PairBounds; a clash that nobody accepted is none
 };
 
 struct ContactReport {

@@ -29,7 +29,7 @@ struct InThread {
 std::vector<double> besideThread(const CoreSide& shaft, const CoreSide& hole, const check::ThreadCore& core) {
   const double touching = core.spacing + core.margin + shaft.placed.largestDeflection + hole.placed.largestDeflection;
   const std::vector<bool> ofThread = check::trianglesOfThread(shaft.placed.mesh, core);
-  std::vector<double> allowances = shaft.bound.atMost;
+  std::vector<double> allowances = check::mostOfTriangles(shaft.bound, shaft.placed.mesh.triangles.size());
   for (std::size_t t = 0; t < allowances.size(); ++t) {
     allowances[t] = ofThread[t] ? 0.0 : std::min(allowances[t], touching);
   }

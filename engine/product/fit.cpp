@@ -2,6 +2,7 @@
 
 #include <sstream>
 
+#include "engine/base/depth_text.h"
 #include "engine/base/quantity_text.h"
 
 namespace glissade {
@@ -22,7 +23,7 @@ std::string inWords(const Fit& fit, const std::string& object, const std::string
     return thinner + " taken without what its screw " + other + " fills (no hole in the file)";
   }
   if (fit.hollow) {
-    return thinner + " taken without what overlaps " + other + ", up to " + inMillimetres(fit.allowance) +
+    return thinner + " taken without what overlaps " + other + ", up to " + depthInMillimetres(fit.allowance) +
            " deep (accepted clash)";
   }
   const bool isThread = fit.kind == ContactKind::Thread;

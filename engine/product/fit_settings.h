@@ -34,6 +34,9 @@ struct FitSettings {
   bool on = false;             ///< false: clearance is required of every pair
   double acceptedClash = 0.0;  ///< metres: clashes up to this overlap are accepted
   std::vector<FitEdit> pairs;  ///< what a person says, before what is measured
+  /// Bodies that are cut in accepted clashes where it is not clear which of the two is: ids, or what follows a "/" in
+  /// them.
+  std::vector<std::string> cut{};
 };
 
 }  // namespace glissade

@@ -4,6 +4,7 @@
 #include <mutex>
 #include <tuple>
 
+#include "engine/base/depth_text.h"
 #include "engine/product/giving_way.h"
 
 namespace glissade {
@@ -127,6 +128,35 @@ void FitTable::addPairs(const AssembledProduct& product) {
     const Diagnostic* ofB = warningOf(objects_[pair.contact.b], pair.contact.a);
     if (const Diagnostic* warning = ofA != nullptr ? ofA : ofB) warnings_.push_back(*warning);
   }
+  const Warnings overlaps = warningsOfPlainOverlaps(pairs_);
+  warnings_.insert(warnings_.end(), overlaps.begin(), overlaps.end());
+}
+
+std::string plainOverlapsInWords(std::size_t pairs) {
+  return (pairs == 1 ? "1 pair overlaps" : std::to_string(pairs) + " pairs overlap") +
+         std::string(" without being a fit, a thread or a press");
+}
+
+Warnings warningsOfPlainOverlaps(const std::vector<PairFit>& fits) {
+  constexpr std::size_t kListed = 8;
+  Warnings warnings;
+  std::size_t more = 0;
+  for (const PairFit& fit : fits) {
+    if (!fit.contact.isPlainOverlap) continue;
+    if (warnings.size() == kListed) {
+      ++more;
+      continue;
+    }
+    warnings.push_back(
+        {ErrorKind::InCollision, "", "'" + fit.shown[0] + "' and '" + fit.shown[1] + "'",
+         "overlap by " + depthInMillimetres(fit.contact.overlap) + " without being a fit, a thread or a press",
+         "Mend the parts, or say what kind of fit they are."});
+  }
+  if (more > 0) {
+    warnings.push_back({ErrorKind::InCollision, "", "", std::to_string(more) + " more pairs overlap in the same way",
+                        "See 'glissade-cli fits' for all of them."});
+  }
+  return warnings;
 }
 
 std::map<std::string, int> countsByKind(const std::vector<PairFit>& fits) {

@@ -61,7 +61,7 @@ class FitTable {
   const std::vector<PairFit>& pairs() const { return pairs_; }
   /// Of each body with others, while it moves.
   const std::vector<ObjectFits>& objects() const { return objects_; }
-  /// Clashes, each once.
+  /// Clashes, each once, and plain overlaps.
   const Warnings& warnings() const { return warnings_; }
   /// What the worlds of the product's motions are made of, with the thinned bodies in it.
   const std::shared_ptr<PreparedBodies>& prepared() const { return prepared_; }
@@ -74,6 +74,13 @@ class FitTable {
   Warnings warnings_;
   std::shared_ptr<PreparedBodies> prepared_;
 };
+
+/// Pairs that overlap without being a fit, a thread or a press, as a warning that lists the first of them; none: no
+/// pair does.
+Warnings warningsOfPlainOverlaps(const std::vector<PairFit>& fits);
+
+/// "2 pairs overlap without being a fit, a thread or a press"
+std::string plainOverlapsInWords(std::size_t pairs);
 
 /// How many pairs there are of each kind, by the name of the kind.
 std::map<std::string, int> countsByKind(const std::vector<PairFit>& fits);

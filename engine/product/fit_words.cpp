@@ -24,6 +24,7 @@ check::FitWords wordsOf(const FitSettings& settings) {
     word.turned = edit.turned;
     words.pairs.push_back(std::move(word));
   }
+  words.cut = settings.cut;
   return words;
 }
 

@@ -2,7 +2,6 @@
 
 #include <optional>
 
-#include "engine/check/named_screw.h"
 #include "engine/check/placed_bodies.h"
 #include "engine/product/thinnable_bodies.h"
 
@@ -12,16 +11,13 @@ namespace glissade {
 struct HollowFit {
   MeshPtr host;          ///< in its frame
   MeshPtr guest;         ///< taken thinner all around, in its frame
-  double depth;          ///< of the overlap, metres
   double room;           ///< by which the guest is taken thinner, metres
   double spacing;        ///< of the coordinates of both, metres: a part of the room
-  double surface = 0.0;  ///< by which the guest's surface is off its cylinder, twice, metres: likewise
+  double surface = 0.0;  ///< check::wallDeflection(), metres: likewise
 };
 
 /// Nothing where the overlap cannot be taken away (check::hollowed()), or where the guest has no place for the room.
-/// `screw`: the guest, where it makes its hole.
 std::optional<HollowFit> hollowFitOf(const check::Placement& host, const check::Placement& guest,
-                                     const std::optional<check::ScrewInSolid>& screw, check::PlacedBodies& placed,
-                                     ThinnableBodies& thinnable, const StopToken& stop);
+                                     check::PlacedBodies& placed, ThinnableBodies& thinnable, const StopToken& stop);
 
 }  // namespace glissade

@@ -4,7 +4,8 @@
 #include <array>
 #include <memory>
 
-#include "engine/base/quantity_text.h"
+#include "engine/base/depth_text.h"
+#include "engine/check/named_screw.h"
 #include "engine/product/fit_refusals.h"
 #include "engine/product/fit_thread.h"
 #include "engine/product/fit_words.h"
@@ -20,8 +21,6 @@ namespace {
 constexpr double kPathShare = 0.25;
 /// Of the same gap: the least clearance where paths begin.
 constexpr double kStartShare = 0.3;
-/// Metres: by so much a clash may be deeper than what a person accepts (check::FitWords::accepts()).
-constexpr double kAcceptedSlack = 1e-9;
 constexpr std::array<double, 2> kBothWays{1.0, -1.0};
 
 /// The object's place in the coaxial pair; it is `b`.
@@ -56,11 +55,6 @@ Decision decide(const Contact& contact, const FitEdit* edit, bool accepted, cons
   if (edit != nullptr && edit->kind) decision.kind = *edit->kind;
   decision.refused = !decision.given && clash;
   return decision;
-}
-
-/// That has to be accepted: as the contact has it, exact for fitted surfaces, and as the evidence has it.
-double clashOverlap(const Contact& contact, const check::PairBounds& bounds) {
-  return std::max(contact.overlap, bounds.clash());
 }
 
 class FitFinder {
@@ -116,7 +110,7 @@ class FitFinder {
     std::optional<check::PairBounds> bounds;
     for (const Pose& end : ends_) {
       const check::PairBounds found = tools_.placed.boundsOf({own, end}, {fixed, fixed.X_WB}, words_, word, stop_);
-      bounds = bounds ? check::PairBounds{united(bounds->one, found.one), united(bounds->other, found.other)} : found;
+      bounds = bounds ? united(*bounds, found) : found;
     }
     return *bounds;
   }
@@ -124,25 +118,25 @@ class FitFinder {
   void resolve(std::size_t obstacle, const FoundContact& found) {
     const FitEdit* edit = editAbout(obstacle);
     const check::PairBounds bounds = boundsWith(obstacle, wordAbout(obstacle));
-    const Decision decision = decide(found.contact, edit, words_.accepts(wordAbout(obstacle), found.contact.overlap),
-                                     bounds, question_.limits);
+    const Decision decision =
+        decide(found.contact, edit, words_.accepts(wordAbout(obstacle), bounds.depth), bounds, question_.limits);
     Contact& contact = fits_.contacts.emplace_back(found.contact);
     contact.kind = decision.kind;
-    if (found.contact.kind == ContactKind::Clash && decision.kind == ContactKind::Overlap) {
-      contact.overlap = std::min(contact.overlap, std::max(bounds.one.largest.overlap, bounds.other.largest.overlap));
-    }
+    const bool hasDepth = decision.kind == ContactKind::Clash || decision.kind == ContactKind::Overlap;
+    if (hasDepth && bounds.depth > 0.0) contact.overlap = bounds.depth;
+    contact.isPlainOverlap = hasDepth && bounds.isPlainOverlap && !decision.refused;
     Fit fit{obstacle, decision.kind, roleOf(contact), contact.overlap};
     const bool marked = edit != nullptr && edit->kind == ContactKind::Thread;
     if (marked && found.contact.axis) fit.thread = threadOf(found, edit);
     if (decision.refused) {
-      if (takeWithoutThread(fit, found) || takeScrewHole(fit, found)) return;
-      refuseClash(fit, found, clashOverlap(found.contact, bounds));
+      if (!takeWithoutThread(fit, found) && !takeScrewHole(fit, found, bounds.depth))
+        refuseClash(fit, found, bounds.depth);
     } else if ((found.contact.kind == ContactKind::Clearance && !hookYields(obstacle)) ||
                (bounds.one.most <= 0.0 && bounds.other.most <= 0.0)) {
       if (fit.thread) {
         fits_.allowed.push_back(fit);
       } else if (contact.kind != ContactKind::Clearance) {
-        resolveCrossing(fit, found);
+        resolveCrossing(fit, found, bounds.depth);
       }
     } else if (decision.given || !isClearInThread(fit, found)) {
       takeThinner(fit, bounds, found, decision.accepted);
@@ -151,10 +145,10 @@ class FitFinder {
 
   /// Surfaces that go through each other where no face of the one faces the other, as of a rod that is drawn through a
   /// plate: nothing is below a face, and the overlap is a clash all the same.
-  void resolveCrossing(const Fit& fit, const FoundContact& found) {
-    if (isFree(object_.mesh, fit.obstacle, body(fit.obstacle).mesh, found.at) || takeHollow(fit, found)) return;
-    if (takeScrewHole(fit, found)) return;
-    if (const double depth = hollowDepth(fit.obstacle, found); depth > 0.0) refuseClash(fit, found, depth);
+  void resolveCrossing(const Fit& fit, const FoundContact& found, double depth) {
+    if (depth <= 0.0 || isFree(object_.mesh, fit.obstacle, body(fit.obstacle).mesh, found.at)) return;
+    if (takeHollow(fit, found, depth) || takeScrewHole(fit, found, depth)) return;
+    refuseClash(fit, found, depth);
   }
 
   /// The object moves clear in a thread that is modelled: it is taken as it is.
@@ -197,32 +191,52 @@ class FitFinder {
     fits_.clashes.push_back(std::move(fit));
   }
 
+  /// If the clash is accepted, the reason is that no body of the two can be cut.
   void refuseClash(Fit fit, const FoundContact& found, double overlap) {
     fit.overlap = overlap;
     fit.allowance = overlap + found.contact.deviation;
-    refuse(fit, "overlap by " + inMillimetres(overlap) + ", which is a clash",
-           "Accept it (--accept-clashes " + millimetresUp(overlap - kAcceptedSlack) + "), or mend the parts.");
+    if (words_.accepts(wordAbout(fit.obstacle), overlap)) {
+      const bool isNotClear = cutOf(fit.obstacle, found) == check::Cut::NotClear;
+      refuse(fit,
+             "overlap by " + depthInMillimetres(overlap) + ", and " +
+                 (isNotClear ? "which of the two is cut is not clear" : "neither can be cut and stay in one piece"),
+             isNotClear ? "Name the one that is cut (--cut NAME), or mend the parts." : "Mend the parts.");
+      return;
+    }
+    refuse(fit, "overlap by " + depthInMillimetres(overlap) + ", which is a clash",
+           "Accept it (--accept-clashes " + depthAsOption(overlap) + "), or mend the parts.");
   }
 
   /// One body alone gives way where that frees the pair. Of a shaft in a hole it has to free the way along the axis,
   /// too: corners between faces that move and faces that stay move less, and a shaft that is taken thinner may be
-  /// thicker at its end. Else both give way.
+  /// thicker at its end. Else both give way. So do two bodies of which one is below a part of a face of the other one:
+  /// while they slide past each other, the part meets the rest of the face.
   void takeThinner(const Fit& fit, const check::PairBounds& bounds, const FoundContact& found, bool accepted) {
     const RigidBody& other = body(fit.obstacle);
-    std::vector<Fit> alone;
-    for (const bool yields : inTurn(fit.obstacle)) {
-      if (alone.empty()) alone = takenAlone(fit, yields, bounds, found.at);
+    const bool isInPatches = bounds.one.mesh || bounds.other.mesh;
+    std::vector<bool> order = inTurn(fit.obstacle);
+    // A shaft that gives way in a patch only does not slide out.
+    if (isInPatches && hasShaft(found.contact) && !hookYields(fit.obstacle)) {
+      order = {fit.role == Fit::Role::Shaft, fit.role != Fit::Role::Shaft};
     }
-    const bool isEnough = !alone.empty() && (!hasShaft(found.contact) || slides(alone, fit.obstacle, found));
-    const std::vector<Fit> both = isEnough ? std::vector<Fit>() : bothThinner(fit, bounds, found.at);
-    const bool takesBoth = !both.empty() && (alone.empty() || slides(both, fit.obstacle, found));
+    std::vector<Fit> alone;
+    bool isEnough = false;
+    for (const bool yields : order) {
+      if (isEnough) break;
+      std::vector<Fit> taken = takenAlone(fit, yields, bounds, found.at);
+      isEnough = !taken.empty() && (!hasShaft(found.contact) || slides(taken, fit.obstacle, found));
+      if (alone.empty() || isEnough) alone.swap(taken);
+      for (const Fit& unused : taken) forget(unused.thinned);
+    }
+    const bool needsBoth = isInPatches && !hasShaft(found.contact);
+    const std::vector<Fit> both = isEnough && !needsBoth ? std::vector<Fit>() : bothThinner(fit, bounds, found.at);
+    const bool takesBoth = !both.empty() && (alone.empty() || needsBoth || slides(both, fit.obstacle, found));
     const std::vector<Fit>& taken = takesBoth ? both : alone;
     for (const Fit& unused : takesBoth ? alone : both) forget(unused.thinned);
     fits_.allowed.insert(fits_.allowed.end(), taken.begin(), taken.end());
-    if (!taken.empty() || takeWithoutThread(fit, found) || (accepted && takeHollow(fit, found))) return;
-    const double depth = accepted ? hollowDepth(fit.obstacle, found) : 0.0;
-    if (depth > 0.0 && !words_.accepts(wordAbout(fit.obstacle), depth)) {
-      refuseClash(fit, found, depth);
+    if (!taken.empty() || takeWithoutThread(fit, found) || (accepted && takeHollow(fit, found, bounds.depth))) return;
+    if (bounds.depth > 0.0 && cutOf(fit.obstacle, found) != check::Cut::NotWhole) {
+      refuseClash(fit, found, bounds.depth);
       return;
     }
     const auto ownOpening = openBeside(object_, bounds.one);
@@ -239,16 +253,23 @@ class FitFinder {
     refuse(wanted, opening ? noRoomBeside(wanted.allowance, *opening) : noRoom(wanted.allowance), "Mend the parts.");
   }
 
-  /// What the smaller body fills of the larger one is taken away; where that does not help, of the smaller one.
-  bool takeHollow(const Fit& fit, const FoundContact& found) {
-    if (fit.thread) return false;
-    const bool larger = !inTurn(fit.obstacle).front();
-    return takeHollow(fit, found, larger) || takeHollow(fit, found, !larger);
+  check::Cut cutOf(std::size_t obstacle, const FoundContact& found) const {
+    const check::Body own = measuredBody(question_.object);
+    const check::Body other = measuredBody(obstacle);
+    return tools_.placed.cutOf({own, found.measuredAt}, {other, other.X_WB}, words_, stop_);
+  }
+
+  /// Takes away what the one body fills of the one that is cut. `depth`: of the overlap, metres.
+  bool takeHollow(const Fit& fit, const FoundContact& found, double depth) {
+    if (fit.thread || !words_.accepts(wordAbout(fit.obstacle), depth)) return false;
+    const check::Cut cut = cutOf(fit.obstacle, found);
+    if (cut != check::Cut::One && cut != check::Cut::Other) return false;
+    return takeHollow(fit, found, cut == check::Cut::Other, depth);
   }
 
   /// A screw by its name in a body that is drawn without a hole: it is a thread, and the body is taken without what the
   /// screw fills. A person may say something else of the pair.
-  bool takeScrewHole(Fit fit, const FoundContact& found) {
+  bool takeScrewHole(Fit fit, const FoundContact& found, double depth) {
     if (editAbout(fit.obstacle) != nullptr) return false;
     fit.kind = ContactKind::Thread;
     for (const bool yields : {true, false}) {
@@ -257,22 +278,23 @@ class FitFinder {
       const check::Placement moving{own, found.measuredAt};
       const check::Placement fixed{other, other.X_WB};
       const auto screw = check::screwInSolid(yields ? moving : fixed, yields ? fixed : moving, tools_.placed, stop_);
-      if (!screw || !takeHollow(fit, found, yields, screw)) continue;
+      if (!screw || !takeHollow(fit, found, yields, depth)) continue;
       fits_.contacts.back().kind = ContactKind::Thread;
+      fits_.contacts.back().isPlainOverlap = false;
       return true;
     }
     return false;
   }
 
-  bool takeHollow(Fit host, const FoundContact& found, bool yields,
-                  const std::optional<check::ScrewInSolid>& screw = std::nullopt) {
-    const auto taken = hollowFit(host.obstacle, found, yields, screw);
-    if (!taken || (!screw && !words_.accepts(wordAbout(host.obstacle), taken->depth))) return false;
+  /// `yields`: the obstacle is the one that is cut.
+  bool takeHollow(Fit host, const FoundContact& found, bool yields, double depth) {
+    const auto taken = hollowFit(host.obstacle, found, yields);
+    if (!taken) return false;
     Fit guest = host;
     host.hollow = true;
     host.yields = yields;
     host.thinned = taken->host;
-    host.allowance = host.evidence.overlap = taken->depth;
+    host.allowance = host.evidence.overlap = depth;
     guest.yields = !yields;
     guest.thinned = taken->guest;
     guest.allowance = taken->room;
@@ -290,20 +312,12 @@ class FitFinder {
   }
 
   /// `yields`: the obstacle is the one without what the other one fills.
-  std::optional<HollowFit> hollowFit(std::size_t obstacle, const FoundContact& found, bool yields,
-                                     const std::optional<check::ScrewInSolid>& screw = std::nullopt) const {
+  std::optional<HollowFit> hollowFit(std::size_t obstacle, const FoundContact& found, bool yields) const {
     const check::Body ownBody = measuredBody(question_.object);
     const check::Body otherBody = measuredBody(obstacle);
     const check::Placement own{ownBody, found.measuredAt};
     const check::Placement other{otherBody, otherBody.X_WB};
-    return hollowFitOf(yields ? other : own, yields ? own : other, screw, tools_.placed, tools_.thinnable, stop_);
-  }
-
-  /// Metres that would have to be accepted for the overlap to be taken away; 0: it cannot be.
-  double hollowDepth(std::size_t obstacle, const FoundContact& found) const {
-    const auto own = hollowFit(obstacle, found, false);
-    const auto others = hollowFit(obstacle, found, true);
-    return std::max(own ? own->depth : 0.0, others ? others->depth : 0.0);
+    return hollowFitOf(yields ? other : own, yields ? own : other, tools_.placed, tools_.thinnable, stop_);
   }
 
   /// A thread that is modelled on the shaft is taken away against the other body, where nobody says anything else of
@@ -361,7 +375,8 @@ class FitFinder {
   /// Metres from the contact to where the surface of the body is open, where that is so near that what is inside it is
   /// not known.
   std::optional<double> openBeside(const RigidBody& body, const check::AllowanceBound& bound) const {
-    const ThinnableMesh* thinnable = bound.most > 0.0 ? tools_.thinnable.of(body.mesh) : nullptr;
+    const ThinnableMesh* thinnable =
+        bound.most > 0.0 ? tools_.thinnable.of(bound.mesh ? bound.mesh : body.mesh) : nullptr;
     return thinnable != nullptr ? thinnable->openBeside(bound.atMost) : std::nullopt;
   }
 
@@ -424,7 +439,8 @@ class FitFinder {
   /// Nothing where the body has no place for the allowance.
   std::optional<Fit> thinned(Fit fit, bool yields, const check::AllowanceBound& bound, double allowance) const {
     if (allowance <= 0.0) return std::nullopt;
-    const MeshPtr& whole = yields ? body(fit.obstacle).mesh : object_.mesh;
+    const MeshPtr& own = yields ? body(fit.obstacle).mesh : object_.mesh;
+    const MeshPtr& whole = bound.mesh ? bound.mesh : own;
     fit.thinned = tools_.thinnable.thinned(whole, limited(bound.atMost, allowance), bound.share);
     if (!fit.thinned) return std::nullopt;
     fit.yields = yields;

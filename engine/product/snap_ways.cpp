@@ -59,7 +59,7 @@ class BendTrial {
     if (bend > 0.0) words.snaps = {{own.id, other.id, bend, direction}};
     const check::AllowanceBound bound =
         placed_.boundsOf({own, own.X_WB}, {other, other.X_WB}, words, nullptr, stop_).one;
-    const ThinnableMesh* thinnable = thinnable_.of(hook_.mesh);
+    const ThinnableMesh* thinnable = thinnable_.of(bound.mesh ? bound.mesh : hook_.mesh);
     if (thinnable == nullptr) return false;
     const auto thinned = bound.most > 0.0 ? thinnable->thinned(bound.atMost, bound.share) : std::optional(*hook_.mesh);
     return thinned && slides(*thinned, edge, direction);

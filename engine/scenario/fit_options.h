@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "engine/base/stop_token.h"
 #include "engine/scenario/scenario.h"
@@ -12,6 +13,7 @@ namespace glissade {
 struct FitOptions {
   std::optional<bool> on;
   std::optional<double> acceptedClash;  ///< metres; turns fits on unless they are turned off
+  std::vector<std::string> cut{};       ///< as FitSettings::cut
 };
 
 /// The settings with what the options say.

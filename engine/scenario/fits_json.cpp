@@ -80,12 +80,16 @@ Json toJson(const FitEdit& edit) {
 }  // namespace
 
 FitSettings readFits(const JsonCursor& at) {
-  at.allowOnly({"mode", "accept_clashes", "pairs"});
+  at.allowOnly({"mode", "accept_clashes", "cut", "pairs"});
   FitSettings fits;
   const std::string mode = at.at("mode").text();
   if (mode != "on" && mode != "off") at.at("mode").fail("is neither \"on\" nor \"off\"");
   fits.on = mode == "on";
   if (const auto clash = at.find("accept_clashes")) fits.acceptedClash = readAllowance(*clash);
+  const auto cut = at.find("cut");
+  for (std::size_t i = 0; cut && i < cut->sizeUpTo(limits::kMostBodies); ++i) {
+    fits.cut.push_back(cut->element(i).nonEmptyText());
+  }
   const auto pairs = at.find("pairs");
   for (std::size_t i = 0; pairs && i < pairs->sizeUpTo(limits::kMostBodies); ++i) {
     const FitEdit edit = readPair(pairs->element(i));
@@ -98,9 +102,10 @@ FitSettings readFits(const JsonCursor& at) {
 }
 
 void addFits(const FitSettings& fits, Json& json) {
-  if (!fits.on && fits.acceptedClash == 0.0 && fits.pairs.empty()) return;
+  if (!fits.on && fits.acceptedClash == 0.0 && fits.pairs.empty() && fits.cut.empty()) return;
   Json section{{"mode", fits.on ? "on" : "off"}};
   if (fits.acceptedClash > 0.0) section["accept_clashes"] = fits.acceptedClash;
+  if (!fits.cut.empty()) section["cut"] = fits.cut;
   if (!fits.pairs.empty()) section["pairs"] = Json::array();
   for (const FitEdit& edit : fits.pairs) section["pairs"].push_back(toJson(edit));
   json["fits"] = std::move(section);

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/product/fit_thread.h"
+#include "engine/product/fit_words.h"
 #include "engine/product/fitted_world.h"
 #include "engine/scenario/scenario_bodies.h"
 
@@ -33,6 +34,9 @@ FitSettings fitsOfGroup(const FitSettings& fits, const std::vector<RigidBody>& g
   };
   FitSettings ofGroup = fits;
   ofGroup.pairs.clear();
+  const check::FitWords said = wordsOf(fits);
+  if (std::any_of(group.begin(), group.end(), [&](const RigidBody& body) { return said.isCut(body.id); }))
+    ofGroup.cut.push_back(groupId);
   std::map<std::string, GroupWord> words;  // by the other body
   for (const FitEdit& edit : fits.pairs) {
     const bool a = isInGroup(edit.a);

@@ -268,6 +268,7 @@ FitSettings withOptions(FitSettings settings, const FitOptions& options) {
     settings.on = true;
   }
   if (options.on) settings.on = *options.on;
+  settings.cut.insert(settings.cut.end(), options.cut.begin(), options.cut.end());
   return settings;
 }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/base/quantity_text.h"
+#include "engine/base/depth_text.h"
 
 namespace glissade {
 
@@ -77,7 +77,7 @@ std::string StuckReasons::ofClashes(const BodyGroup& unit) const {
   if (deepest == nullptr) return {};
   // Of bodies that only touch, the table of fits says why nothing gives way.
   constexpr double kOverlap = 1e-5;
-  const std::string depth = deepest->overlap < kOverlap ? "" : " (" + inMillimetres(deepest->overlap) + ")";
+  const std::string depth = deepest->overlap < kOverlap ? "" : " (" + depthInMillimetres(deepest->overlap) + ")";
   return "it and " + name(deepest->obstacle) + " clash where they are assembled" + depth +
          ": mend the parts, or accept the clash";
 }

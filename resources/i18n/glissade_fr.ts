@@ -5231,6 +5231,34 @@
         <translation>se recouvrent de %1, ce qui est une collision</translation>
     </message>
     <message>
+        <source>overlap by %1 without being a fit, a thread or a press</source>
+        <translation>se recouvrent de %1 sans être ni un ajustement, ni un filetage, ni un emmanchement</translation>
+    </message>
+    <message>
+        <source>Mend the parts, or say what kind of fit they are.</source>
+        <translation>Corrigez les pièces, ou dites quel type d&apos;ajustement elles forment.</translation>
+    </message>
+    <message>
+        <source>%1 more pairs overlap in the same way</source>
+        <translation>%1 autres paires se recouvrent de la même façon</translation>
+    </message>
+    <message>
+        <source>See &apos;glissade-cli fits&apos; for all of them.</source>
+        <translation>Voyez «&#xa0;glissade-cli fits&#xa0;» pour les connaître toutes.</translation>
+    </message>
+    <message>
+        <source>overlap by %1, and which of the two is cut is not clear</source>
+        <translation>se recouvrent de %1, et on ne sait pas lequel des deux est découpé</translation>
+    </message>
+    <message>
+        <source>Name the one that is cut (--cut NAME), or mend the parts.</source>
+        <translation>Nommez celui qui est découpé (--cut NAME), ou corrigez les pièces.</translation>
+    </message>
+    <message>
+        <source>overlap by %1, and neither can be cut and stay in one piece</source>
+        <translation>se recouvrent de %1, et aucun des deux ne peut être découpé et rester d&apos;un seul tenant</translation>
+    </message>
+    <message>
         <source>Accept it (--accept-clashes %1), or mend the parts.</source>
         <translation>Acceptez-la (--accept-clashes %1), ou corrigez les pièces.</translation>
     </message>

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "tests/oracle/mutation_campaign.h"
+#include "tests/oracle/overlap_campaign.h"
 #include "tests/oracle/trapped_campaign.h"
 #include "tests/oracle/word_campaign.h"
 
@@ -25,10 +26,14 @@ int run(int argc, char** argv) {
   if (command == "words" && argc == 7) {
     return runWordMutations({argv[2], argv[3], argv[4], std::stoull(argv[5]), std::stoull(argv[6])});
   }
+  if (command == "overlaps" && argc == 6) {
+    return runOverlaps({argv[2], argv[3], std::stoull(argv[4]), std::stoull(argv[5])});
+  }
   std::cerr << "usage: check_attack trapped GLISSADE_CLI FOLDER SEED PAIRS [PLAN_EVERY]\n"
                "       check_attack open GLISSADE_CLI FOLDER SEED PAIRS [PLAN_EVERY]\n"
                "       check_attack mutants GLISSADE_CLI FOLDER SEED MUTANTS\n"
-               "       check_attack words GLISSADE_CLI FOLDER PRODUCT.step SEED MUTANTS\n";
+               "       check_attack words GLISSADE_CLI FOLDER PRODUCT.step SEED MUTANTS\n"
+               "       check_attack overlaps GLISSADE_CLI FOLDER SEED CASES\n";
   return 2;
 }
 

@@ -124,6 +124,13 @@ TEST(Oracle, NoTrappedPartWithAnOpenSurfaceLeaves) {
   EXPECT_EQ(end.exitCode, 0) << end.errors << end.output;
 }
 
+/// A thousand are tried by packaging/reliability.sh.
+TEST(Oracle, NoOverlapFreesABodyElsewhere) {
+  const test::TemporaryFolder folder;
+  const ChildEnd end = attack("overlaps", folder.path(), "11", "4");
+  EXPECT_EQ(end.exitCode, 0) << end.errors << end.output;
+}
+
 /// Ten thousand are tried by packaging/reliability.sh.
 TEST(Oracle, NoFalsePathOrPlanIsValid) {
   const test::TemporaryFolder folder;

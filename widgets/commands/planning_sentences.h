@@ -118,6 +118,13 @@ inline constexpr const char* kPlanningSentences[] = {
     QT_TRANSLATE_NOOP("Diagnostics", "Give another kind."),
     QT_TRANSLATE_NOOP("Diagnostics", "overlap by %1, which is a clash"),
     QT_TRANSLATE_NOOP("Diagnostics", "Accept it (--accept-clashes %1), or mend the parts."),
+    QT_TRANSLATE_NOOP("Diagnostics", "overlap by %1 without being a fit, a thread or a press"),
+    QT_TRANSLATE_NOOP("Diagnostics", "Mend the parts, or say what kind of fit they are."),
+    QT_TRANSLATE_NOOP("Diagnostics", "%1 more pairs overlap in the same way"),
+    QT_TRANSLATE_NOOP("Diagnostics", "See 'glissade-cli fits' for all of them."),
+    QT_TRANSLATE_NOOP("Diagnostics", "overlap by %1, and which of the two is cut is not clear"),
+    QT_TRANSLATE_NOOP("Diagnostics", "Name the one that is cut (--cut NAME), or mend the parts."),
+    QT_TRANSLATE_NOOP("Diagnostics", "overlap by %1, and neither can be cut and stay in one piece"),
     QT_TRANSLATE_NOOP("Diagnostics",
                       "touch where neither can be taken thinner: the surfaces are open %1 and %2 from the contact, so "
                       "that what is inside them there is not known"),

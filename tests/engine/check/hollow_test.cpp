@@ -4,8 +4,11 @@
 
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 #include "engine/check/path_verdict.h"
+#include "engine/check/thinning.h"
+#include "engine/geometry/triangle_pair.h"
 #include "tests/engine/check/check_bodies.h"
 #include "tests/engine/support/random_pose.h"
 
@@ -122,8 +125,8 @@ TEST(Hollow, HoldsThePointsOfTheBodyThatAreNotInTheGuest) {
         const auto hollow = hollowed(placed(body, X_WA), placed(guest, X_WB));
         if (!hollow) continue;
         ++overlaps;
-        EXPECT_LT(wrongShare(body, X_WA, guest, X_WB, hollow->mesh, random), 0.002);
-        EXPECT_LT(lostSurface(body, X_WA, guest, X_WB, hollow->mesh, random), 1e-8);
+        EXPECT_LT(wrongShare(body, X_WA, guest, X_WB, *hollow, random), 0.002);
+        EXPECT_LT(lostSurface(body, X_WA, guest, X_WB, *hollow, random), 1e-8);
       }
     }
   }
@@ -140,7 +143,7 @@ TEST(Hollow, FlushFacesAndContactsLoseNoSurface) {
     const Pose X_WB = Pose::translation(at);
     const auto hollow = hollowed(placed(block, Pose::identity()), placed(bar, X_WB));
     ASSERT_TRUE(hollow) << at.transpose();
-    EXPECT_LT(lostSurface(block, Pose::identity(), bar, X_WB, hollow->mesh, random), 1e-8) << at.transpose();
+    EXPECT_LT(lostSurface(block, Pose::identity(), bar, X_WB, *hollow, random), 1e-8) << at.transpose();
   }
 }
 
@@ -154,14 +157,6 @@ TEST(Hollow, ThereIsNoneWithoutAnOverlapOrAnInside) {
   open.mesh.triangles.pop_back();
   EXPECT_FALSE(hollowed(placed(open, Pose::identity()), placed(block, Pose::translation({0.01, 0.0, 0.0}))));
   EXPECT_FALSE(hollowed(own, placed(open, Pose::translation({0.01, 0.0, 0.0}))));
-}
-
-TEST(Hollow, TheDepthIsThatInTheBodyWhereItIsLess) {
-  const PlacedBody block = placed(boxOf({0.01, 0.01, 0.01}), Pose::identity());
-  const PlacedBody bar = placed(boxOf({0.002, 0.002, 0.02}), Pose::translation({0.0, 0.0, 0.027}));
-  const auto hollow = hollowed(block, bar);
-  ASSERT_TRUE(hollow);
-  EXPECT_NEAR(hollow->depth, 0.002, 2e-5) << "3 mm deep, and the bar is 4 mm wide";
 }
 
 /// A knob of twelve sides whose lip overlaps it by less than 0.8 mm, and what is accepted of that.
@@ -201,6 +196,36 @@ TEST(Hollow, AnAcceptedClashLeavesTheKnobNoWayThroughTheLip) {
   ASSERT_EQ(down.allowances.size(), 2U);
   EXPECT_TRUE(down.allowances[0].hollow);
   EXPECT_NEAR(down.allowances[0].applied, 7.7e-4, 2e-5);
+}
+
+/// The wall of the cut is made of the triangles of the guest, whose corners would stick in its facets.
+TEST(Hollow, ARoundGuestTurnsInTheHoleThatItMakes) {
+  constexpr int kSides = 24;
+  constexpr double kRadius = 0.005;
+  Body rod = test::checkBody("rod", test::prism(kSides, kRadius, 0.04), {0.0, 0.0, -0.02});
+  rod.deflection = kRadius * (1.0 - std::cos(std::numbers::pi / kSides));
+  const PlacedBody guest(rod, rod.X_WB);
+  const PlacedBody plate(test::checkBody("plate", makeBox({0.03, 0.03, 0.006})), Pose::identity());
+  const auto left = hollowed(plate, guest);
+  ASSERT_TRUE(left);
+  const TriangleTree wall(*left);
+  const auto meets = [&](double room, double turn) {
+    const TriangleMesh thin = thinned(*rod.mesh, std::vector<double>(rod.mesh->triangles.size(), room));
+    const Pose turned{rod.X_WB.position, fromRollPitchYaw(0.0, 0.0, turn)};
+    bool any = false;
+    TriangleTree(transformed(thin, turned)).visitPairs(wall, 0.0, [&](std::uint32_t i, std::uint32_t k) {
+      const auto& [a, b, c] = thin.triangles[i];
+      const Triangle moved{turned * thin.vertices[a], turned * thin.vertices[b], turned * thin.vertices[c]};
+      any = trianglesMeet(moved, wall.triangles()[k]);
+      return !any;
+    });
+    return any;
+  };
+  const double room = hollowRoom(plate, guest);
+  const double half = std::numbers::pi / kSides;  // from a corner to the middle of a facet
+  EXPECT_FALSE(meets(room, 0.0));
+  EXPECT_FALSE(meets(room, half));
+  EXPECT_TRUE(meets(room - wallDeflection(guest), half));
 }
 
 TEST(Hollow, FalseClaimsAreRefused) {

@@ -123,7 +123,7 @@ TEST(FitTable, ARefusedPairSaysWhy) {
   const PairFit& pair = table.pairs().front();
   EXPECT_EQ(pair.status(), FitStatus::Clash);
   EXPECT_EQ(pair.contact.kind, ContactKind::Clash);
-  EXPECT_NE(pair.way().refused.find("1.2 mm"), std::string::npos) << pair.way().refused;
+  EXPECT_NE(pair.way().refused.find("1.203 mm"), std::string::npos) << pair.way().refused;
   EXPECT_TRUE(pair.thinner().empty());
   EXPECT_EQ(table.warnings().size(), 1U);
 }

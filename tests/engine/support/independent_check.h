@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "engine/check/motion_check.h"
@@ -15,18 +16,28 @@
 
 namespace glissade {
 
-/// Metres by which each triangle of the object is thinner against each obstacle; an empty list: the object is whole.
-using FaceAllowances = std::vector<std::vector<double>>;
+/// Metres by which each triangle of a body is thinner against an obstacle; an empty list: the body is whole.
+struct ThinnerFaces {
+  std::vector<double> allowances{};
+  MeshPtr mesh{};  ///< of these triangles; null: the body's own
+
+  bool operator<(const ThinnerFaces& b) const { return std::tie(allowances, mesh) < std::tie(b.allowances, b.mesh); }
+  TriangleMesh of(const TriangleMesh& body) const { return check::thinned(mesh ? *mesh : body, allowances); }
+};
+/// The faces of the object against each obstacle.
+using FaceAllowances = std::vector<ThinnerFaces>;
 
 /// All of the object is thinner by one allowance against each obstacle.
 inline FaceAllowances everywhere(const std::vector<double>& allowances, const TriangleMesh& object) {
   FaceAllowances all;
-  for (const double allowance : allowances) all.emplace_back(allowance > 0.0 ? object.triangles.size() : 0, allowance);
+  for (const double allowance : allowances) {
+    all.push_back({std::vector<double>(allowance > 0.0 ? object.triangles.size() : 0, allowance)});
+  }
   return all;
 }
 
-/// Of the body that the fit takes thinner, while the last body of the product moves: metres, of each triangle.
-inline std::vector<double> faceAllowances(const Fit& fit, const AssembledProduct& product) {
+/// The faces of the body that the fit takes thinner, while the last body of the product moves.
+inline ThinnerFaces faceAllowances(const Fit& fit, const AssembledProduct& product) {
   const auto bodyAt = [&](std::size_t index) {
     const RigidBody& body = product.bodies[index];
     return check::Body{body.id, body.name, body.mesh, body.X_WB, product.spacingOf(index), product.deflections[index]};
@@ -37,8 +48,9 @@ inline std::vector<double> faceAllowances(const Fit& fit, const AssembledProduct
   check::PlacedBodies placed;
   const check::PairBounds bounds =
       placed.boundsOf({object, object.X_WB}, {other, other.X_WB}, words, words.about(object.id, other.id), {});
-  std::vector<double> faces = fit.yields ? bounds.other.atMost : bounds.one.atMost;
-  for (double& each : faces) each = std::min(each, fit.allowance);
+  const check::AllowanceBound& bound = fit.yields ? bounds.other : bounds.one;
+  ThinnerFaces faces{bound.atMost, bound.mesh};
+  for (double& each : faces.allowances) each = std::min(each, fit.allowance);
   return faces;
 }
 
@@ -57,7 +69,7 @@ inline std::vector<RigidBody> obstaclesOf(const std::vector<Fit>& fits, const As
   for (const Fit& fit : fits) {
     if (!fit.thinned || !fit.yields) continue;
     MeshPtr& mesh = obstacles[fit.obstacle].mesh;
-    mesh = std::make_shared<const TriangleMesh>(check::thinned(*mesh, faceAllowances(fit, product)));
+    mesh = std::make_shared<const TriangleMesh>(faceAllowances(fit, product).of(*mesh));
   }
   return obstacles;
 }
@@ -79,11 +91,11 @@ class IndependentCheck {
   IndependentCheck(const std::vector<RigidBody>& taken, const std::vector<RigidBody>& obstacles,
                    const TriangleMesh& object, const FaceAllowances& allowances,
                    const std::vector<ThreadRule>& threads) {
-    std::map<std::vector<double>, MeshPtr> objects{{{}, std::make_shared<const TriangleMesh>(object)}};
+    std::map<ThinnerFaces, MeshPtr> objects{{{}, std::make_shared<const TriangleMesh>(object)}};
     std::vector<const TriangleMesh*> meshes;
-    for (const std::vector<double>& each : allowances) {
+    for (const ThinnerFaces& each : allowances) {
       MeshPtr& thinner = objects[each];
-      if (!thinner) thinner = std::make_shared<const TriangleMesh>(check::thinned(object, each));
+      if (!thinner) thinner = std::make_shared<const TriangleMesh>(each.of(object));
     }
     for (const auto& [allowance, mesh] : objects) meshes.push_back(mesh.get());
     for (const RigidBody& body : obstacles) meshes.push_back(body.mesh.get());
@@ -91,7 +103,7 @@ class IndependentCheck {
     const double scale = check::MotionCheck::scaleFor(meshes, judgedBodies(obstacles));
     std::vector<check::MotionCheck::Against> against;
     for (std::size_t i = 0; i < obstacles.size(); ++i) {
-      const std::vector<double> ofPair = i < allowances.size() ? allowances[i] : std::vector<double>();
+      const ThinnerFaces ofPair = i < allowances.size() ? allowances[i] : ThinnerFaces();
       const auto prepared = check::MotionCheck::prepare(*taken[i].mesh, taken[i].X_WB, scale);
       against.push_back({prepared, objects[ofPair]});
     }

@@ -1,0 +1,394 @@
+#include "engine/check/face_patches.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <set>
+
+#include "engine/geometry/vertex_welder.h"
+
+namespace glissade::check {
+namespace {
+
+constexpr double kFinestPatch = 1.0 / 32.0;  ///< of the diagonal of the box that both bodies have in common
+/// As long as pieces are so many depths, their corners move less than the pieces are long when they are taken thinner.
+constexpr double kDepths = 4.0;
+constexpr std::size_t kAngles = 72;
+constexpr std::size_t kMostDivided = 200'000;
+
+enum class Cover : std::uint8_t { None, Part, All };
+
+/// One end before the other, by number.
+using EdgeEnds = std::pair<std::uint32_t, std::uint32_t>;
+
+/// The part of a convex polygon below the plane: normal.dot(p) <= offset.
+std::vector<Vector3> keptBelow(const std::vector<Vector3>& polygon, const Vector3& normal, double offset) {
+  std::vector<Vector3> kept;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vector3& from = polygon[i];
+    const Vector3& to = polygon[(i + 1) % polygon.size()];
+    const double a = normal.dot(from) - offset;
+    const double b = normal.dot(to) - offset;
+    if (a <= 0.0) kept.push_back(from);
+    if ((a < 0.0 && b > 0.0) || (a > 0.0 && b < 0.0)) kept.emplace_back(from + a / (a - b) * (to - from));
+  }
+  return kept;
+}
+
+class PatchFinder {
+ public:
+  PatchFinder(const PatchQuestion& question, const StopToken& stop)
+      : question_(question), body_(question.body), stop_(stop), vertices_(body_.mesh.vertices) {
+    const Vector3 reach = Vector3::Constant(question.above);
+    const Box3& box = question.other.tree.box();
+    const double common = body_.tree.box().intersection(Box3(box.min() - reach, box.max() + reach)).diagonal().norm();
+    const double deepest = *std::max_element(question.depths.begin(), question.depths.end());
+    size_ = std::max(kFinestPatch * common, kDepths * deepest);
+    VertexWelder welder(vertices_.size());
+    for (const Vector3& vertex : vertices_) number_.push_back(welder.indexOf(vertex));
+    findFamilies();
+  }
+
+  std::optional<FacePatches> find() {
+    for (std::uint32_t t = 0; t < body_.mesh.triangles.size(); ++t) {
+      add({body_.mesh.triangles[t], t, coverOf(body_.tree.triangles()[t], t)});
+    }
+    coverHoles();
+    while (!stop_.stopRequested() && pieces_.size() < kMostDivided) {
+      const std::set<EdgeEnds> edges = edgesToDivide();
+      if (edges.empty()) return patches();
+      divide(edges);
+    }
+    return std::nullopt;
+  }
+
+ private:
+  struct Piece {
+    TriangleIndices corners;
+    std::uint32_t parent;
+    Cover cover;
+  };
+
+  double depthOf(std::uint32_t parent) const { return question_.depths[body_.regions.of[parent]]; }
+
+  Triangle cornersOf(const Piece& piece) const {
+    return {vertices_[piece.corners[0]], vertices_[piece.corners[1]], vertices_[piece.corners[2]]};
+  }
+
+  EdgeEnds edgeOf(const Piece& piece, std::size_t i) const {
+    return std::minmax(number_[piece.corners[i]], number_[piece.corners[(i + 1) % 3]]);
+  }
+
+  double lengthOf(const Piece& piece, std::size_t i) const {
+    return (vertices_[piece.corners[i]] - vertices_[piece.corners[(i + 1) % 3]]).norm();
+  }
+
+  /// The longest edge; of equal ones the first by its ends, which is the same on both of its sides.
+  std::size_t longestOf(const Piece& piece) const {
+    std::size_t longest = 0;
+    for (const std::size_t i : {1, 2}) {
+      const double own = lengthOf(piece, i);
+      const double known = lengthOf(piece, longest);
+      if (own > known || (own == known && edgeOf(piece, i) < edgeOf(piece, longest))) longest = i;
+    }
+    return longest;
+  }
+
+  /// Regions that are smooth surfaces together have the same number.
+  void findFamilies() {
+    family_.resize(body_.regions.count);
+    std::iota(family_.begin(), family_.end(), 0U);
+    const auto rootOf = [&](std::uint32_t r) {
+      while (family_[r] != r) r = family_[r] = family_[family_[r]];
+      return r;
+    };
+    for (std::uint32_t r = 0; r < body_.regions.next.size(); ++r) {
+      for (const std::uint32_t next : body_.regions.next[r]) family_[rootOf(r)] = rootOf(next);
+    }
+    for (std::uint32_t r = 0; r < family_.size(); ++r) family_[r] = rootOf(r);
+  }
+
+  /// The other surface is below or a little above a triangle with this normal, or beside that by the size of a piece.
+  /// Beside the triangle it has to be in the body: what is around a round body is below the planes of its facets.
+  bool isReached(const Triangle& t, const Vector3& normal, double depth) const {
+    std::array<std::pair<Vector3, double>, 3> sides;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vector3 out = (t[(i + 1) % 3] - t[i]).cross(normal).stableNormalized();
+      sides[i] = {out, out.dot(t[i])};
+    }
+    const auto between = [&sides](std::vector<Vector3> polygon, double beside) {
+      for (const auto& [out, offset] : sides) polygon = keptBelow(polygon, out, offset + beside);
+      return polygon;
+    };
+    Box3 box(t[0]);
+    for (const Vector3& corner : t) {
+      box.extend(corner + question_.above * normal);
+      box.extend(corner - (depth + question_.above) * normal);
+    }
+    box.min().array() -= size_;
+    box.max().array() += size_;
+    bool reached = false;
+    question_.other.tree.visit(box, [&](std::uint32_t k) {
+      if (question_.other.normals[k].dot(normal) > kFacing) return true;
+      const Triangle& other = question_.other.tree.triangles()[k];
+      std::vector<Vector3> polygon(other.begin(), other.end());
+      polygon = keptBelow(polygon, normal, normal.dot(t[0]) + question_.above);
+      polygon = keptBelow(polygon, -normal, -normal.dot(t[0]) + depth + question_.above);
+      const std::vector<Vector3> near = between(polygon, size_);
+      reached = !near.empty() && (!between(near, question_.above).empty() || isInBody(near));
+      return !reached;
+    });
+    return reached;
+  }
+
+  /// One of the corners, or the middle, is in the body or a little above its surface.
+  bool isInBody(const std::vector<Vector3>& polygon) const {
+    const auto isIn = [this](const Vector3& p) {
+      return body_.tree.nearest(p, question_.above).distance < question_.above || body_.contains(p);
+    };
+    Vector3 middle = Vector3::Zero();
+    for (const Vector3& corner : polygon) middle += corner / static_cast<double>(polygon.size());
+    return isIn(middle) || std::any_of(polygon.begin(), polygon.end(), isIn);
+  }
+
+  Cover coverOf(const Triangle& triangle, std::uint32_t parent) const {
+    const double depth = depthOf(parent);
+    const Vector3& normal = body_.normals[parent];
+    if (depth <= 0.0 || normal.isZero() || !isReached(triangle, normal, depth)) return Cover::None;
+    std::size_t longest = 0;
+    const auto length = [&](std::size_t i) { return (triangle[(i + 1) % 3] - triangle[i]).norm(); };
+    for (const std::size_t i : {1, 2}) longest = length(i) > length(longest) ? i : longest;
+    if (length(longest) <= size_ || stop_.stopRequested()) return Cover::All;
+    const Vector3 middle = 0.5 * (triangle[longest] + triangle[(longest + 1) % 3]);
+    const Vector3& opposite = triangle[(longest + 2) % 3];
+    const Cover one = coverOf({triangle[longest], middle, opposite}, parent);
+    if (one == Cover::Part) return one;
+    const Cover two = coverOf({middle, triangle[(longest + 1) % 3], opposite}, parent);
+    return one == two ? one : Cover::Part;
+  }
+
+  void add(Piece piece) {
+    for (std::size_t i = 0; i < 3; ++i) users_[edgeOf(piece, i)].push_back(static_cast<std::uint32_t>(pieces_.size()));
+    pieces_.push_back(piece);
+  }
+
+  /// A hole that is covered at every angle is covered along its whole length.
+  void coverHoles() {
+    for (const RoundFace& round : body_.rounds) {
+      if (round.isShaft) continue;
+      std::vector<std::uint32_t> ofHole;
+      std::array<bool, kAngles> covered{};
+      for (std::uint32_t t = 0; t < pieces_.size(); ++t) {
+        if (!isOfHole(round, t)) continue;
+        ofHole.push_back(t);
+        if (pieces_[t].cover == Cover::None) continue;
+        markAngles(round, t, covered);
+      }
+      if (!std::all_of(covered.begin(), covered.end(), [](bool each) { return each; })) continue;
+      for (const std::uint32_t t : ofHole) {
+        if (depthOf(t) > 0.0) pieces_[t].cover = Cover::All;
+      }
+    }
+  }
+
+  bool isOfHole(const RoundFace& round, std::uint32_t t) const {
+    const double off = std::max(kOnCylinder, kShareOfCylinderRadius * round.radius);
+    const auto isOn = [&](const Vector3& p) {
+      const Vector3 from = p - round.point;
+      const double along = from.dot(round.axis);
+      return std::abs((from - along * round.axis).norm() - round.radius) <= off && along >= round.low - off &&
+             along <= round.high + off;
+    };
+    const Triangle& triangle = body_.tree.triangles()[t];
+    const Vector3 from = (triangle[0] + triangle[1] + triangle[2]) / 3.0 - round.point;
+    const Vector3 across = from - from.dot(round.axis) * round.axis;
+    return std::all_of(triangle.begin(), triangle.end(), isOn) && body_.normals[t].dot(across) < 0.0;
+  }
+
+  /// The angles between the corners of a triangle that spans less than half a turn.
+  void markAngles(const RoundFace& round, std::uint32_t t, std::array<bool, kAngles>& covered) const {
+    const Vector3 u = round.axis.unitOrthogonal();
+    const Vector3 v = round.axis.cross(u);
+    const auto angleOf = [&](const Vector3& p) {
+      return std::atan2((p - round.point).dot(v), (p - round.point).dot(u));
+    };
+    const Triangle& triangle = body_.tree.triangles()[t];
+    const double first = angleOf(triangle[0]);
+    double low = 0.0;
+    double high = 0.0;
+    for (const std::size_t i : {1, 2}) {
+      const double turn = std::remainder(angleOf(triangle[i]) - first, 2.0 * std::numbers::pi);
+      low = std::min(low, turn);
+      high = std::max(high, turn);
+    }
+    const double step = 2.0 * std::numbers::pi / kAngles;
+    const auto from = static_cast<long>(std::floor((first + low) / step));
+    const auto to = static_cast<long>(std::floor((first + high) / step));
+    constexpr long kTurn = kAngles;
+    for (long i = from; i <= to; ++i) covered[static_cast<std::size_t>(((i % kTurn) + kTurn) % kTurn)] = true;
+  }
+
+  /// Edges of coarse pieces that are covered in part, or that have a corner at the border of a patch. With a long edge
+  /// of a piece its longest one is divided, so that pieces stay plump and fit together.
+  std::set<EdgeEnds> edgesToDivide() const {
+    std::map<EdgeEnds, std::pair<bool, bool>> corners;  // of a vertex in a family: pieces with and without cover
+    const auto cornerOf = [&](const Piece& piece, std::size_t i) {
+      return EdgeEnds{number_[piece.corners[i]], family_[body_.regions.of[piece.parent]]};
+    };
+    for (const Piece& piece : pieces_) {
+      if (piece.cover != Cover::All) continue;
+      for (std::size_t i = 0; i < 3; ++i) corners[cornerOf(piece, i)].first = true;
+    }
+    for (const Piece& piece : pieces_) {
+      if (piece.cover == Cover::All) continue;
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (const auto known = corners.find(cornerOf(piece, i)); known != corners.end()) known->second.second = true;
+      }
+    }
+    std::set<EdgeEnds> edges;
+    std::vector<std::uint32_t> open;
+    for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
+      const Piece& piece = pieces_[i];
+      bool divides = piece.cover == Cover::Part;
+      for (std::size_t k = 0; k < 3 && !divides; ++k) {
+        const auto known = corners.find(cornerOf(piece, k));
+        divides = known != corners.end() && known->second.second;
+      }
+      if (divides && lengthOf(piece, longestOf(piece)) > size_) open.push_back(i);
+    }
+    while (!open.empty()) {
+      const Piece& piece = pieces_[open.back()];
+      open.pop_back();
+      const EdgeEnds edge = edgeOf(piece, longestOf(piece));
+      if (!edges.insert(edge).second) continue;
+      const std::vector<std::uint32_t>& users = users_.at(edge);
+      open.insert(open.end(), users.begin(), users.end());
+    }
+    return edges;
+  }
+
+  std::uint32_t middleOf(const Piece& piece, std::size_t edge) {
+    const std::uint32_t a = piece.corners[edge];
+    const std::uint32_t b = piece.corners[(edge + 1) % 3];
+    const auto [known, isNew] = middles_.try_emplace(edgeOf(piece, edge), static_cast<std::uint32_t>(vertices_.size()));
+    if (isNew) {
+      midpoints_.emplace_back(a, b);
+      number_.push_back(static_cast<std::uint32_t>(vertices_.size()) + kNewNumbers);
+      const Vector3 middle = 0.5 * (vertices_[a] + vertices_[b]);
+      vertices_.push_back(middle);
+    }
+    return known->second;
+  }
+
+  void divide(const std::set<EdgeEnds>& edges) {
+    std::set<std::uint32_t> touched;
+    for (const EdgeEnds& edge : edges) {
+      for (const std::uint32_t user : users_.at(edge)) touched.insert(user);
+    }
+    for (const std::uint32_t i : touched) {
+      std::vector<Piece> open{pieces_[i]};
+      forget(i);
+      bool isFirst = true;
+      while (!open.empty()) {
+        const Piece piece = open.back();
+        open.pop_back();
+        std::size_t edge = longestOf(piece);
+        for (std::size_t k = 0; k < 3 && edges.count(edgeOf(piece, edge)) == 0; ++k) edge = k;
+        if (edges.count(edgeOf(piece, edge)) == 0) {
+          const Cover cover = piece.cover == Cover::Part ? coverOf(cornersOf(piece), piece.parent) : piece.cover;
+          put({piece.corners, piece.parent, cover}, isFirst ? std::optional(i) : std::nullopt);
+          isFirst = false;
+          continue;
+        }
+        const std::uint32_t middle = middleOf(piece, edge);
+        const std::uint32_t from = piece.corners[edge];
+        const std::uint32_t to = piece.corners[(edge + 1) % 3];
+        const std::uint32_t opposite = piece.corners[(edge + 2) % 3];
+        open.push_back({{from, middle, opposite}, piece.parent, piece.cover});
+        open.push_back({{middle, to, opposite}, piece.parent, piece.cover});
+      }
+    }
+  }
+
+  void forget(std::uint32_t i) {
+    for (std::size_t k = 0; k < 3; ++k) std::erase(users_[edgeOf(pieces_[i], k)], i);
+  }
+
+  /// `at`: the number of a piece that is no longer there; nothing: a new one.
+  void put(const Piece& piece, std::optional<std::uint32_t> at) {
+    if (!at) return add(piece);
+    for (std::size_t i = 0; i < 3; ++i) users_[edgeOf(piece, i)].push_back(*at);
+    pieces_[*at] = piece;
+  }
+
+  FacePatches patches() const {
+    FacePatches found;
+    found.midpoints = midpoints_;
+    std::vector<std::uint32_t> parent(pieces_.size());
+    std::iota(parent.begin(), parent.end(), 0U);
+    const auto rootOf = [&](std::uint32_t i) {
+      while (parent[i] != i) i = parent[i] = parent[parent[i]];
+      return i;
+    };
+    const bool states = !body_.mesh.faces.empty();
+    std::map<EdgeEnds, std::uint32_t> at;  // a piece of a patch, at a vertex of a surface
+    for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
+      if (pieces_[i].cover != Cover::All) continue;
+      const std::uint32_t region = body_.regions.of[pieces_[i].parent];
+      for (const std::uint32_t corner : pieces_[i].corners) {
+        const EdgeEnds key{number_[corner], states ? region : family_[region]};
+        const auto [known, isNew] = at.try_emplace(key, i);
+        if (!isNew) parent[rootOf(i)] = rootOf(known->second);
+      }
+    }
+    std::map<std::uint32_t, std::uint32_t> numbers;
+    for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
+      found.triangles.push_back(pieces_[i].corners);
+      found.parents.push_back(pieces_[i].parent);
+      found.patches.push_back(FacePatches::kNone);
+      if (pieces_[i].cover != Cover::All) continue;
+      const auto [known, isNew] = numbers.try_emplace(rootOf(i), static_cast<std::uint32_t>(found.regions.size()));
+      if (isNew) found.regions.push_back(body_.regions.of[pieces_[i].parent]);
+      found.patches.back() = known->second;
+    }
+    return found;
+  }
+
+  static constexpr std::uint32_t kNewNumbers = 0x80000000;  ///< added to the numbers of new vertices
+
+  const PatchQuestion& question_;
+  const PlacedBody& body_;
+  const StopToken& stop_;
+  double size_ = 0.0;  ///< metres: pieces at the border of a patch are no longer
+  std::vector<Vector3> vertices_;
+  std::vector<std::uint32_t> number_;  ///< of each vertex: the same where the positions are
+  std::vector<std::uint32_t> family_;  ///< of each region
+  std::vector<Piece> pieces_;
+  std::map<EdgeEnds, std::vector<std::uint32_t>> users_;  ///< pieces at each edge
+  std::map<EdgeEnds, std::uint32_t> middles_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> midpoints_;
+};
+
+}  // namespace
+
+TriangleMesh FacePatches::divided(const TriangleMesh& whole) const {
+  TriangleMesh mesh{whole.vertices, triangles, whole.faces, {}};
+  for (const auto& [a, b] : midpoints) {
+    const Vector3 middle = 0.5 * (mesh.vertices[a] + mesh.vertices[b]);
+    mesh.vertices.push_back(middle);
+  }
+  for (const std::uint32_t parent : parents) {
+    if (!whole.faceOf.empty()) mesh.faceOf.push_back(whole.faceOf[parent]);
+  }
+  return mesh;
+}
+
+std::optional<FacePatches> facePatchesOf(const PatchQuestion& question, const StopToken& stop) {
+  const bool any = std::any_of(question.depths.begin(), question.depths.end(), [](double each) { return each > 0.0; });
+  return any ? PatchFinder(question, stop).find() : std::nullopt;
+}
+
+}  // namespace glissade::check

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/check/pair_fit.h"
+
+namespace glissade::check {
+
+/// A pair that overlaps and is no fit, no thread and no press fit: somebody has drawn a part too large.
+struct PlainOverlap {
+  std::string one;  ///< names, for people
+  std::string other;
+  double depth = 0.0;  ///< metres
+};
+
+/// Adds those of the allowances, each pair once.
+void addPlainOverlaps(const std::vector<AppliedAllowance>& allowances, std::vector<PlainOverlap>& overlaps);
+
+/// "1 pair overlaps without being a fit, a thread or a press: 'bar' and 'post' by 0.75 mm"; empty: none does.
+std::string inWords(const std::vector<PlainOverlap>& overlaps);
+
+}  // namespace glissade::check

@@ -1,0 +1,78 @@
+#include "engine/check/face_patches.h"
+
+#include <gtest/gtest.h>
+
+#include "engine/check/evidence.h"
+#include "engine/check/thinning.h"
+#include "engine/geometry/triangle_tree.h"
+#include "tests/engine/check/check_bodies.h"
+
+namespace glissade::check {
+namespace {
+
+PlacedBody inPlace(const Body& body) { return PlacedBody(body, body.X_WB); }
+
+/// The allowances of the one body.
+AllowanceBound boundOf(const Body& one, const Body& other) {
+  const PlacedBody a = inPlace(one);
+  const PlacedBody b = inPlace(other);
+  const MeasuredPair pair = measurePair(a, b, {});
+  return check::boundsOf(MeasuredBody{a, pair.one}, MeasuredBody{b, pair.other}, FitWords{true, 0.0, {}}, nullptr).one;
+}
+
+/// What is allowed at a point of the surface, world frame. `own`: of the body, where no triangle is divided.
+double allowedAt(const AllowanceBound& bound, const Vector3& p, const MeshPtr& own = nullptr) {
+  return bound.atMost[TriangleTree(bound.mesh ? *bound.mesh : *own).nearest(p, 1.0).triangle];
+}
+
+double areaOf(const TriangleMesh& mesh) {
+  double area = 0.0;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    area += 0.5 * (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]).norm();
+  }
+  return area;
+}
+
+TEST(FacePatches, AnOverlapCountsWhereItIs) {
+  const Body slab = test::checkBody("slab", makeBox({0.1, 0.04, 0.02}));
+  TriangleMesh bosses = makeBox({0.006, 0.006, 0.01});
+  for (Vector3& v : bosses.vertices) v += Vector3(-0.04, 0.0, 0.015 - 9e-4);
+  append(bosses, transformed(makeBox({0.006, 0.006, 0.01}), Pose::translation({0.03, 0.01, 0.015 - 1e-4})));
+  const AllowanceBound bound = boundOf(slab, test::checkBody("bosses", bosses));
+  ASSERT_TRUE(bound.mesh);
+  EXPECT_NEAR(areaOf(*bound.mesh), areaOf(*slab.mesh), 1e-12) << "the surface is the same";
+  EXPECT_NEAR(allowedAt(bound, {-0.04, 0.0, 0.01}), 9e-4, 1e-5);
+  EXPECT_NEAR(allowedAt(bound, {0.03, 0.01, 0.01}), 1e-4, 1e-5) << "each patch has its own depth";
+  EXPECT_LT(allowedAt(bound, {0.045, -0.012, 0.01}), 1e-5) << "no more than the margin elsewhere";
+  EXPECT_LT(allowedAt(bound, {0.0, 0.0, 0.01}), 1e-5);
+}
+
+TEST(FacePatches, TheTriangulationFitsTogether) {
+  const Body slab = test::checkBody("slab", makeBox({0.1, 0.04, 0.02}));
+  const Body boss = test::checkBody("boss", makeBox({0.007, 0.005, 0.01}), {0.021, 0.003, 0.0145});
+  const AllowanceBound bound = boundOf(slab, boss);
+  ASSERT_TRUE(bound.mesh);
+  const PlacedBody fine = inPlace({"fine", "fine", bound.mesh, Pose::identity()});
+  EXPECT_TRUE(fine.interior) << "no edge is open";
+  const TriangleMesh thin = thinned(*bound.mesh, bound.atMost);
+  const TriangleTree tree(thin);
+  EXPECT_GT(tree.nearest({0.021, 0.003, 0.01}, 1.0).distance, 4e-4) << "all of the depth in the middle";
+  EXPECT_GT(tree.nearest({0.021 + 0.0035, 0.003 + 0.0025, 0.01}, 1.0).distance, 4e-4) << "and at the corners";
+  EXPECT_LT(tree.nearest({-0.03, -0.01, 0.01}, 1.0).distance, 1e-5);
+}
+
+TEST(FacePatches, TheWallOfAHoleIsOnePatchAndAShaftIsNot) {
+  const Body hole = test::checkBody("hole", test::holedPlate(36, 0.01, 0.05, 0.0, 0.06));
+  const Body shaft = test::checkBody("shaft", test::prism(36, 0.0101, 0.06), {0.0, 0.0, -0.04});
+  const AllowanceBound ofHole = boundOf(hole, shaft);
+  EXPECT_FALSE(ofHole.mesh) << "whole triangles";
+  EXPECT_GT(allowedAt(ofHole, {0.01, 0.0, 0.055}, hole.mesh), 9e-5)
+      << "the shaft is not there, and the hole has one radius";
+  const AllowanceBound ofShaft = boundOf(shaft, hole);
+  ASSERT_TRUE(ofShaft.mesh);
+  EXPECT_GT(allowedAt(ofShaft, {0.0101, 0.0, 0.01}), 9e-5);
+  EXPECT_LT(allowedAt(ofShaft, {0.0101, 0.0, -0.03}), 1e-5) << "outside of the hole";
+}
+
+}  // namespace
+}  // namespace glissade::check

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace glissade::oracle {
+
+using Direction = std::array<double, 3>;
+
+/// Two exact solids that overlap where they are assembled, millimetres, and on which straight ways the object leaves.
+struct OverlapCase {
+  struct Solids;
+
+  std::string name;  ///< what it is, for people
+  std::shared_ptr<const Solids> solids;
+  double accepted = 0.0;             ///< clashes up to this depth are accepted; 0: none is
+  std::vector<Direction> blocked{};  ///< unit: the object meets the block at another place, or the wall of its cut
+  std::vector<Direction> free{};     ///< unit
+
+  bool leaves() const { return !free.empty(); }
+};
+
+/// Overlaps at one place of a plane, a cylinder or a spline with a lip at another place of the same face; rods through
+/// plates, with heads or without; bars through frames; discs of a rod's own outline; ends in blocks; sunk flanges.
+OverlapCase overlapCase(std::uint64_t seed, std::uint64_t number);
+
+/// STEP files of the object and of the block. Throws std::runtime_error.
+void writeCase(const OverlapCase& pair, const std::string& object, const std::string& block);
+
+/// The volume that the exact solids share when the object has moved so far, cubic millimetres.
+double sharedVolume(const OverlapCase& pair, const Direction& direction, double way);
+
+}  // namespace glissade::oracle
