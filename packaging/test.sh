@@ -44,7 +44,8 @@ run_suite() {
   shift
   local report=$PWD/build/$preset-tests.xml
   rm -f "$report"
-  ctest --test-dir "build/$preset" --output-on-failure --output-junit "$report" -j "$(nproc)" "$@" \
+  # One more than there are cores, because some tests wait.
+  ctest --test-dir "build/$preset" --output-on-failure --output-junit "$report" -j "$(($(nproc) + 1))" "$@" \
     >"build/$preset-tests.log" 2>&1
   grep -E '\*\*\*|^[0-9]+% tests passed' "build/$preset-tests.log"
   if [ ! -s "$report" ]; then

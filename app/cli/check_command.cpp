@@ -40,7 +40,10 @@ class CheckProgress {
 };
 
 /// 0 valid; else why not: what was shown goes before a stop.
-int exitCodeOf(bool valid, bool refused, const Interrupt& interrupt, const StopToken& stop) {
+/// Shapes that files state and that are no bodies are a condition: that they are in nobody's way.
+int exitCodeOf(bool valid, bool refused, const MissingShapes& missing, const Interrupt& interrupt,
+               const StopToken& stop) {
+  if (valid && !missing.empty()) return kExitUnderConditions;
   if (valid) return 0;
   if (!refused && interrupt.requested()) return exitCode(ErrorKind::Interrupted);
   if (!refused && stop.stopRequested()) return exitCode(ErrorKind::LimitReached);
@@ -105,7 +108,7 @@ int checkPath(const CheckOptions& options, const Interrupt& interrupt, const Sto
   } else {
     std::cout << check::reportText(verdict, *question, options.edges);
   }
-  return exitCodeOf(verdict.valid(), verdict.refused(), interrupt, stop);
+  return exitCodeOf(verdict.valid(), verdict.refused(), question->product.missing, interrupt, stop);
 }
 
 int checkPlan(const CheckOptions& options, const Interrupt& interrupt, const StopToken& stop) {
@@ -135,7 +138,7 @@ int checkPlan(const CheckOptions& options, const Interrupt& interrupt, const Sto
   if (outcome == check::PlanOutcome::Incomplete) return exitCode(ErrorKind::NoPath);
   if (outcome == check::PlanOutcome::Conditional) return kExitUnderConditions;
   if (verdict.valid() && verdict.stepsWithoutProof() > 0) return kExitWithoutProof;
-  return exitCodeOf(verdict.valid(), verdict.refused(), interrupt, stop);
+  return exitCodeOf(verdict.valid(), verdict.refused(), product->missing, interrupt, stop);
 }
 
 }  // namespace

@@ -288,7 +288,7 @@ int runInfo(const InfoOptions& options) {
   }
   if (options.format == Format::Text) {
     printText(*loaded);
-    printMissing(missingShapes(*loaded));
+    printMissing(loaded->missing);
     if (knowledge) printEnvironment(*knowledge, semanticsOf(loaded->problem, *knowledge, loaded->problem.scene.edits));
     return 0;
   }
@@ -298,7 +298,7 @@ int runInfo(const InfoOptions& options) {
   report["description"] = scenario.description;
   report["assets"] = Json::array();
   for (const Asset& asset : scenario.assets) report["assets"].push_back(toJson(asset));
-  report["missing_shapes"] = missingShapesJson(missingShapes(*loaded));
+  report["missing_shapes"] = missingShapesJson(loaded->missing);
   report["bodies"] = Json::array();
   MeshAudits audits;
   for (const RigidBody& body : loaded->obstacles)

@@ -91,14 +91,14 @@ std::string inWords(const MotionCertificate& certificate, const CollisionWorld& 
 void addUncertainties(const LoadedScenario& scenario, const std::vector<PathPoint>& path, Json& certificate) {
   certificate["surface_deviation_m"] = surfaceDeviation(scenario);
   certificate["coordinate_spacing_m"] = coordinateSpacing(scenario);
-  certificate["missing_shapes"] = missingShapesJson(missingShapes(scenario));
+  certificate["missing_shapes"] = missingShapesJson(scenario.missing);
   if (!scenario.fits.allowed.empty()) certificate["allowances"] = allowancesJson(scenario, path);
 }
 
 std::string deviationInWords(const LoadedScenario& scenario, const std::vector<PathPoint>& path) {
   std::ostringstream text;
   for (const std::string& allowance : allowancesInWords(scenario, path)) text << "allowance: " << allowance << "\n";
-  if (const MissingShapes missing = missingShapes(scenario); !missing.empty()) text << statementOf(missing) << "\n";
+  if (const MissingShapes& missing = scenario.missing; !missing.empty()) text << statementOf(missing) << "\n";
   if (const double deviation = surfaceDeviation(scenario); deviation > 0.0) {
     text << "the certificate is about triangles, which are within +/- " << inMillimetres(deviation)
          << " of the CAD surfaces\n";

@@ -72,7 +72,7 @@ void InstructionJob::start(PlanDocument document, const QString& file, Finished 
   if (shown.access) content->access = textsOf(*shown.access, shown.product->bodies);
   content->title = nameOfProduct(*bench_.document.scenario());
   content->deviation = surfaceDeviation(*bench_.document.scenario());
-  content->missing = missingShapes(*bench_.document.scenario());
+  content->missing = bench_.document.scenario()->missing;
   content->times = sequence_.workTimes().times();
   content->look = sequence_.instructions().look();
   content->paper = sequence_.instructions().paper();

@@ -5,11 +5,12 @@
 
 namespace glissade {
 
-/// A shape that a file states and that is no body, or a product for which it states none: proofs know nothing of it.
+/// A shape that a file states and that is no body, a product for which it states none, or a part that a scenario
+/// neither names nor leaves out: proofs know nothing of it.
 struct MissingShape {
   std::string file;
   std::string product;  ///< its name; empty: none
-  std::string entity;   ///< "#12"
+  std::string entity;   ///< "#12"; empty: it is a part, of this name
   std::string kind;     ///< as the file has it: "CSG_SOLID"
   std::string reason;   ///< "its kind is not read"
 
@@ -17,8 +18,9 @@ struct MissingShape {
 };
 using MissingShapes = std::vector<MissingShape>;
 
-/// "CSG_SOLID #12 ('pump')", in any language.
+/// "CSG_SOLID #12 ('pump')", "'pump'", in any language.
 inline std::string nameOf(const MissingShape& shape) {
+  if (shape.entity.empty()) return "'" + shape.product + "'";
   const std::string entity = shape.kind.empty() ? shape.entity : shape.kind + " " + shape.entity;
   return shape.product.empty() ? entity : entity + " ('" + shape.product + "')";
 }
@@ -33,8 +35,7 @@ inline std::string listOf(const MissingShapes& shapes) {
 
 /// A proof states this sentence. Precondition: there are some.
 inline std::string statementOf(const MissingShapes& shapes) {
-  return "nothing is known of where these shapes of the file are, and the proof is about the product without them: " +
-         listOf(shapes);
+  return "the proof is about the product without these shapes, which the file states: " + listOf(shapes);
 }
 
 }  // namespace glissade

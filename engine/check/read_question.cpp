@@ -274,7 +274,11 @@ Outcome readBodies(const std::string& file, const StopToken& stop, ReadScenario&
   read.objectBodies = {read.object};
   if (stated.object.size() > 1) read.objectBodies = groupBodiesOf(stated, ofObject);
   read.warnings.insert(read.warnings.end(), loader.warnings().begin(), loader.warnings().end());
-  read.missing = missingShapesOf(loader.loaded());
+  std::vector<const Geometry*> named;
+  for (const auto* bodies : {&stated.bodies, &stated.object, &stated.leftOut}) {
+    for (const StatedScenario::StatedBody& body : *bodies) named.push_back(&body.geometry);
+  }
+  read.missing = missingShapesOf(loader.loaded(), named, stated.assets, folderOf(file));
   return Done{};
 }
 

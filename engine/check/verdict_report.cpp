@@ -175,9 +175,12 @@ std::vector<PlainOverlap> plainOverlapsOf(const PlanVerdict& verdict) {
   return overlaps;
 }
 
+const char* validWords(const Product& product) {
+  return product.missing.empty() ? "valid: " : "valid without shapes that the files state: ";
+}
+
 std::string headlineOf(const PathVerdict& verdict, const Product& product) {
-  if (verdict.valid() && !product.missing.empty()) return "valid without what was not read: ";
-  if (verdict.valid()) return "valid: ";
+  if (verdict.valid()) return validWords(product);
   return verdict.refused() ? "invalid: " : "undecided: ";
 }
 
@@ -299,7 +302,7 @@ std::string partsInWords(const PlanVerdict& verdict) {
 
 std::string headlineOf(const PlanVerdict& verdict, const Product& product) {
   switch (verdict.outcome()) {
-    case PlanOutcome::Valid: return product.missing.empty() ? "valid: " : "valid without what was not read: ";
+    case PlanOutcome::Valid: return validWords(product);
     case PlanOutcome::Incomplete: return "incomplete: ";
     case PlanOutcome::Undecided: return "undecided: ";
     case PlanOutcome::Invalid: return "invalid: ";

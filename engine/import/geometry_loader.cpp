@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
 
 #include "engine/assembly/unique_names.h"
 #include "engine/base/file.h"
@@ -134,10 +135,31 @@ GeometryLoader::GeometryLoader(const std::vector<Asset>& assets, std::string fol
                                const GeometryCache* known, StopToken stop)
     : assets_(assets), folder_(std::move(folder)), file_(std::move(file)), known_(known), stop_(std::move(stop)) {}
 
+namespace {
+
+/// The part of a file that a geometry names; empty: all of them. Nothing: it names no file of several parts.
+std::optional<std::string> partNamedBy(const Geometry& geometry) {
+  if (const auto* step = std::get_if<StepGeometry>(&geometry)) return step->part;
+  const auto* mesh = std::get_if<MeshGeometry>(&geometry);
+  return mesh != nullptr && !mesh->part.empty() ? std::optional(mesh->part) : std::nullopt;
+}
+
+/// The geometry of all parts of the file of which a geometry names one.
+Geometry wholeFileOf(const Geometry& geometry) {
+  const std::string& asset = *assetOf(geometry);
+  if (std::holds_alternative<StepGeometry>(geometry)) return StepGeometry{asset, ""};
+  return MeshGeometry{asset, true};
+}
+
+}  // namespace
+
 Result<LoadedGeometryPtr> GeometryLoader::load(const Geometry& geometry) {
   const std::string key = geometryKey(geometry, assets_, folder_);
   LoadedGeometryPtr& loaded = loaded_[key];
-  if (!loaded) loaded = found(key, known_);
+  if (!loaded) {
+    loaded = found(key, known_);
+    if (loaded && partNamedBy(geometry)) keepWholeFileOf(geometry);
+  }
   if (!loaded) {
     auto read = this->read(geometry);
     if (!read) return read.error();
@@ -146,6 +168,12 @@ Result<LoadedGeometryPtr> GeometryLoader::load(const Geometry& geometry) {
   if (const std::string* asset = assetOf(geometry)) hashes_[*asset] = loaded->sha256;
   takeWarnings(*loaded);
   return loaded;
+}
+
+/// Its parts that nobody names are missing shapes, also where nothing is read again.
+void GeometryLoader::keepWholeFileOf(const Geometry& geometry) {
+  const std::string key = geometryKey(wholeFileOf(geometry), assets_, folder_);
+  if (LoadedGeometryPtr whole = found(key, known_)) loaded_[key] = std::move(whole);
 }
 
 /// Each once, also where it was read before and several bodies have it.
@@ -453,8 +481,32 @@ void warnOfMissingFaces(const LoadedGeometry& geometry, const std::string& bodyI
   }
 }
 
-MissingShapes missingShapesOf(const GeometryCache& read) {
+namespace {
+
+bool isNamed(const Occurrence& part, const std::string& asset, const std::vector<const Geometry*>& named) {
+  return std::any_of(named.begin(), named.end(), [&](const Geometry* geometry) {
+    if (assetOf(*geometry) == nullptr || *assetOf(*geometry) != asset) return false;
+    const auto node = partNamedBy(*geometry);
+    return !node || node->empty() || isWithin(part.path, *node) || isWithin(part.formerPath, *node);
+  });
+}
+
+}  // namespace
+
+MissingShapes missingShapesOf(const GeometryCache& read, const std::vector<const Geometry*>& named,
+                              const std::vector<Asset>& assets, const std::string& folder) {
   MissingShapes missing;
+  std::set<std::string> looked;
+  for (const Geometry* geometry : named) {
+    if (!partNamedBy(*geometry) || !looked.insert(*assetOf(*geometry)).second) continue;
+    const auto whole = read.find(geometryKey(wholeFileOf(*geometry), assets, folder));
+    if (whole == read.end()) continue;
+    const Asset& asset = assetById(*assetOf(*geometry), assets);
+    for (const Occurrence& part : whole->second->parts) {
+      if (isNamed(part, asset.id, named)) continue;
+      missing.push_back({asset.path, part.path, "", "", "the scenario neither names it nor leaves it out"});
+    }
+  }
   for (const auto& [key, geometry] : read) {
     for (const MissingShape& shape : geometry->missing) {
       if (std::find(missing.begin(), missing.end(), shape) == missing.end()) missing.push_back(shape);

@@ -54,6 +54,7 @@ class GeometryLoader {
   Result<LoadedGeometry> partOf(const std::string& asset, const std::string& part, const Geometry& wholeFile,
                                 bool asOne);
   void takeWarnings(const LoadedGeometry& geometry);
+  void keepWholeFileOf(const Geometry& geometry);
   Outcome checkOwnUnit(const Asset& asset, const std::string& kind) const;
 
   const std::vector<Asset>& assets_;
@@ -74,8 +75,10 @@ std::string partId(const std::string& bodyId, const Occurrence& part);
 void warnOfMissingFaces(const LoadedGeometry& geometry, const std::string& bodyId, const std::string& file,
                         Warnings& warnings);
 
-/// Each shape of all files that were read, once.
-MissingShapes missingShapesOf(const GeometryCache& read);
+/// Each shape of all files that were read and that is no body, once. Of files of which `named` has single parts, that
+/// is each other part, too. `named`: the geometries of all bodies of a scenario, with those that it leaves out.
+MissingShapes missingShapesOf(const GeometryCache& read, const std::vector<const Geometry*>& named,
+                              const std::vector<Asset>& assets, const std::string& folder);
 
 /// All parts as one mesh about a point of the geometry's frame.
 TriangleMesh wholeMesh(const LoadedGeometry& geometry, const Vector3& reference);

@@ -197,9 +197,10 @@ class FitFinder {
     fit.allowance = overlap + found.contact.deviation;
     if (words_.accepts(wordAbout(fit.obstacle), overlap)) {
       const bool isNotClear = cutOf(fit.obstacle, found) == check::Cut::NotClear;
+      const std::string depth = depthInMillimetres(overlap);
       refuse(fit,
-             "overlap by " + depthInMillimetres(overlap) + ", and " +
-                 (isNotClear ? "which of the two is cut is not clear" : "neither can be cut and stay in one piece"),
+             isNotClear ? "overlap by " + depth + ", and which of the two is cut is not clear"
+                        : "overlap by " + depth + ", and neither can be cut and stay in one piece",
              isNotClear ? "Name the one that is cut (--cut NAME), or mend the parts." : "Mend the parts.");
       return;
     }

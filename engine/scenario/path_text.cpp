@@ -74,7 +74,7 @@ Json provenanceJson(const Path& path, const LoadedScenario& scenario, const Path
             {"seed", provenance.seed},
             {"program", std::string("Glissade ") + kVersion},
             {"certificate", certificateJson(path.certificate, idsOf(scenario))}};
-  if (const MissingShapes missing = missingShapes(scenario); !missing.empty()) {
+  if (const MissingShapes& missing = scenario.missing; !missing.empty()) {
     json["certificate"]["missing_shapes"] = missingShapesJson(missing);
   }
   if (!scenario.fits.allowed.empty()) json["certificate"]["allowances"] = allowancesJson(scenario, path.points);

@@ -61,7 +61,7 @@ Result<ProductFile> productOfScenario(const std::string& file, const StopToken& 
   loaded.demands = std::move(*demands);
   loaded.joints = scenario->scenario.joints;
   loaded.classes = classesOf(semanticEditsOf(scenario->scenario), loaded.product.bodies);
-  loaded.missing = missingShapes(*scenario);
+  loaded.missing = scenario->missing;
   loaded.warnings = std::move(scenario->warnings);
   return loaded;
 }

@@ -98,6 +98,8 @@ struct LoadedScenario {
   std::vector<RigidBody> objectBodies;
   Product product;         ///< the tree of all bodies, those that are left out among them
   GeometryCache geometry;  ///< what the bodies and the object are made of
+  /// Shapes that files state and that are no bodies: certificates are about the scenario without them.
+  MissingShapes missing;
   /// Metres that meshes are off the surfaces they stand for, about: of STEP parts, by rigid body's id.
   std::map<std::string, double> deflections;
   /// Metres that meshes may be off their files, by rigid body's id: 32-bit numbers, edges closed at T-junctions.
@@ -117,9 +119,5 @@ double surfaceDeviation(const LoadedScenario& scenario);
 /// How far vertices of the object and of an obstacle may be, together, from where the programs that wrote their
 /// files had them: the spacing of 32-bit numbers at their coordinates. 0 where the files hold decimal numbers.
 double coordinateSpacing(const LoadedScenario& scenario);
-
-/// Shapes that the files of the scenario state and that are no bodies: certificates are about the scenario without
-/// them.
-MissingShapes missingShapes(const LoadedScenario& scenario);
 
 }  // namespace glissade

@@ -180,6 +180,12 @@ std::optional<Diagnostic> leftOutWarning(const Scenario& scenario, const std::st
                     "Proofs are about the product without them."};
 }
 
+MissingShapes missingShapesIn(const GeometryCache& read, const Scenario& scenario, const std::string& folder) {
+  std::vector<const Geometry*> named;
+  for (const BodyDescription* body : allBodiesOf(scenario)) named.push_back(&body->geometry);
+  return missingShapesOf(read, named, scenario.assets, folder);
+}
+
 Outcome applyParameters(const Scenario& scenario, const std::string& file, ParameterValues& values) {
   for (const auto& [id, value] : scenario.parameters) {
     const Outcome outcome = values.set(id, value);
@@ -313,6 +319,7 @@ Result<LoadedScenario> loadGeometry(Scenario scenario, const std::string& folder
   loaded.product = treeOf(scenario, geometries);
   loader.noteHashes(scenario.assets);
   loaded.geometry = std::move(loader.loaded());
+  loaded.missing = missingShapesIn(loaded.geometry, scenario, folder);
   loaded.warnings = std::move(loader.warnings());
   labelAll(loaded);
   for (const RigidBody& body : rigidBodiesOf(loaded)) warnIfOpen(body, file, before, loaded);
@@ -370,8 +377,6 @@ Outcome saveScenario(const Scenario& scenario, const std::string& file) {
 }
 
 double surfaceDeviation(const LoadedScenario& scenario) { return largestOfBoth(scenario.deflections, scenario); }
-
-MissingShapes missingShapes(const LoadedScenario& scenario) { return missingShapesOf(scenario.geometry); }
 
 double coordinateSpacing(const LoadedScenario& scenario) {
   return largestOfBoth(scenario.coordinateSpacings, scenario);

@@ -92,7 +92,7 @@ class PathReportComposer {
     for (const std::string& allowance : allowancesInWords(content_.scenario, content_.path.points)) {
       rows.push_back({words_("Allowance"), allowance});
     }
-    if (const MissingShapes missing = missingShapes(content_.scenario); !missing.empty()) {
+    if (const MissingShapes& missing = content_.scenario.missing; !missing.empty()) {
       rows.push_back({words_("Not known"), words_("where these shapes of the file are: %1", {listOf(missing)})});
     }
     if (const double deviation = surfaceDeviation(content_.scenario); deviation > 0.0) {

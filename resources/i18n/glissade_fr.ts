@@ -4051,8 +4051,12 @@
         <translation>il est déplacé d&apos;une manière qui n&apos;est pas lue</translation>
     </message>
     <message>
-        <source>nothing is known of where these shapes of the file are, and the proof is about the product without them: %1</source>
-        <translation>on ne sait pas où sont ces formes du fichier, et la preuve porte sur le produit sans elles&#xa0;: %1</translation>
+        <source>the proof is about the product without these shapes, which the file states: %1</source>
+        <translation>la preuve porte sur le produit sans ces formes, que le fichier énonce : %1</translation>
+    </message>
+    <message>
+        <source>the scenario neither names it nor leaves it out</source>
+        <translation>le scénario ne la nomme pas et ne l'écarte pas</translation>
     </message>
     <message>
         <source>has more than %1 parts</source>

@@ -85,9 +85,8 @@ inline constexpr const char* kImportSentences[] = {
     QT_TRANSLATE_NOOP("Diagnostics", "%1 refers to point %2, which is not in its lists"),
     QT_TRANSLATE_NOOP("Diagnostics", "%1 has a point that is not in space"),
     QT_TRANSLATE_NOOP("Diagnostics", "it is repositioned in a way that is not read"),
-    QT_TRANSLATE_NOOP(
-        "Diagnostics",
-        "nothing is known of where these shapes of the file are, and the proof is about the product without them: %1"),
+    QT_TRANSLATE_NOOP("Diagnostics", "the proof is about the product without these shapes, which the file states: %1"),
+    QT_TRANSLATE_NOOP("Diagnostics", "the scenario neither names it nor leaves it out"),
     QT_TRANSLATE_NOOP("Diagnostics", "Do not trust paths near it; export it again, or as a mesh."),
     QT_TRANSLATE_NOOP("Diagnostics", "has a part that is at no place in space"),
     QT_TRANSLATE_NOOP("Diagnostics", "its assemblies are nested too deeply, or hold themselves"),

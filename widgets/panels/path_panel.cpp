@@ -59,7 +59,7 @@ QString certificateText(const Path& path, const LoadedScenario& scenario) {
   for (const Fit& fit : scenario.fits.allowed) {
     text += QStringLiteral("<br>") + allowanceText(fit, path.points, scenario);
   }
-  if (const MissingShapes missing = missingShapes(scenario); !missing.empty()) {
+  if (const MissingShapes& missing = scenario.missing; !missing.empty()) {
     text += QStringLiteral("<br>⚠ ") + PathPanel::tr("without shapes that were not read, of which nothing is known: %1")
                                            .arg(QString::fromStdString(listOf(missing)).toHtmlEscaped());
   }

@@ -77,7 +77,7 @@ TEST(MalformedStep, IgesAndBrepGiveOneClearMessage) {
   const std::vector<std::tuple<const char*, std::string, const char*>> table{
       {"empty.igs", "", "cannot be read as IGES"},
       {"step.igs", stepText("box.step"), "cannot be read as IGES: column 73"},
-      {"cut.igs", iges.substr(0, iges.rfind("\n", iges.size() / 2)), "cut off"},
+      {"cut.igs", iges.substr(0, iges.rfind('\n', iges.size() / 2)), "cut off"},
       {"gap.igs", withoutLine(iges, "D0000133"), "its line 138 is not numbered as it should be (D133)"},
       {"number.igs", test::replaced(iges, "D0000133", "D0000633"), "its line 138 is not numbered as it should be"},
       {"end.igs", test::replaced(iges, "D0000227", "       "), "of no section"},

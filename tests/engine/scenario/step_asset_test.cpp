@@ -74,6 +74,21 @@ TEST_F(StepAsset, WhatIsMissingIsToldWheneverItIsLoadedAndOnce) {
   EXPECT_EQ(product->warnings.size(), 1U);
 }
 
+TEST_F(StepAsset, PartsThatAScenarioNeitherNamesNorLeavesOutAreMissingShapes) {
+  GeometryCache read;
+  Scenario made = scenario(read);
+  EXPECT_TRUE(load(made).missing.empty());
+  const BodyDescription body = made.bodies.back();
+  made.bodies.pop_back();
+  const std::string part = std::get<StepGeometry>(body.geometry).part;
+  for (const LoadedScenario& loaded : {load(made), load(made, read)}) {
+    ASSERT_EQ(loaded.missing.size(), 1U);
+    EXPECT_EQ(nameOf(loaded.missing.front()), "'" + part + "'");
+  }
+  made.leftOut.push_back(body);
+  EXPECT_TRUE(load(made).missing.empty()) << "a person has said so";
+}
+
 TEST_F(StepAsset, AProductFileTakesADeflectionAndAScenarioDoesNot) {
   const auto fine = readProduct(folder / "split.step", {}, 1e-5);
   ASSERT_TRUE(fine) << toString(fine.error());

@@ -92,7 +92,8 @@ TEST(ThreadedSession, AFailingDeviceIsReportedAndPlanningGoesOn) {
   EXPECT_TRUE(waitFor(*session, [](const auto& s) { return s.state == SessionState::Solved; }));
 }
 
-/// The thread sanitizer sees whether the view, which the window turns, and the hand, which reads it, exclude each other.
+/// The thread sanitizer sees whether the view, which the window turns, and the hand, which reads it, exclude each
+/// other.
 TEST(ThreadedSession, ViewsReadersAndListenersChangeWhileTheHandMoves) {
   const auto session =
       makeThreadedSession(sessionConfig(closedProblem(), std::make_unique<HomingDevice>(Vector3(-0.3, 0, 0))));

@@ -233,8 +233,7 @@ TEST_P(UsualSweptVolume, ContainsTheBodyAndIsNoMoreThanATenthLarger) {
 
 std::vector<UsualCase> usualCases() {
   RandomStream random(1, "usual sweeps");
-  return {{"bar", makeBentBar(), randomPath(random, 2.0, 4)},
-          {"nut", makeFrame(), helix(0.002, 12)}};
+  return {{"bar", makeBentBar(), randomPath(random, 2.0, 4)}, {"nut", makeFrame(), helix(0.002, 12)}};
 }
 
 INSTANTIATE_TEST_SUITE_P(Bodies, UsualSweptVolume, testing::ValuesIn(usualCases()),
