@@ -24,19 +24,41 @@ enum class Cover : std::uint8_t { None, Part, All };
 /// One end before the other, by number.
 using EdgeEnds = std::pair<std::uint32_t, std::uint32_t>;
 
-/// The part of a convex polygon below the plane: normal.dot(p) <= offset.
-std::vector<Vector3> keptBelow(const std::vector<Vector3>& polygon, const Vector3& normal, double offset) {
-  std::vector<Vector3> kept;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vector3& from = polygon[i];
-    const Vector3& to = polygon[(i + 1) % polygon.size()];
-    const double a = normal.dot(from) - offset;
-    const double b = normal.dot(to) - offset;
-    if (a <= 0.0) kept.push_back(from);
-    if ((a < 0.0 && b > 0.0) || (a > 0.0 && b < 0.0)) kept.emplace_back(from + a / (a - b) * (to - from));
+/// A triangle that is cut by a few planes, each of which adds at most one corner. Corners that rounding would add
+/// beyond the room for them are left out: less of the polygon is there then.
+class ConvexPolygon {
+ public:
+  explicit ConvexPolygon(const Triangle& triangle) { std::copy(triangle.begin(), triangle.end(), corners_.begin()); }
+
+  bool empty() const { return count_ == 0; }
+  std::size_t size() const { return count_; }
+  const Vector3* begin() const { return corners_.data(); }
+  const Vector3* end() const { return corners_.data() + count_; }
+
+  /// The part below the plane: normal.dot(p) <= offset.
+  ConvexPolygon keptBelow(const Vector3& normal, double offset) const {
+    ConvexPolygon kept;
+    for (std::size_t i = 0; i < count_; ++i) {
+      const Vector3& from = corners_[i];
+      const Vector3& to = corners_[(i + 1) % count_];
+      const double a = normal.dot(from) - offset;
+      const double b = normal.dot(to) - offset;
+      if (a <= 0.0) kept.add(from);
+      if ((a < 0.0 && b > 0.0) || (a > 0.0 && b < 0.0)) kept.add(from + a / (a - b) * (to - from));
+    }
+    return kept;
   }
-  return kept;
-}
+
+ private:
+  ConvexPolygon() : count_(0) {}
+
+  void add(const Vector3& corner) {
+    if (count_ < corners_.size()) corners_[count_++] = corner;
+  }
+
+  std::array<Vector3, 16> corners_;
+  std::size_t count_ = 3;
+};
 
 class PatchFinder {
  public:
@@ -119,8 +141,8 @@ class PatchFinder {
       const Vector3 out = (t[(i + 1) % 3] - t[i]).cross(normal).stableNormalized();
       sides[i] = {out, out.dot(t[i])};
     }
-    const auto between = [&sides](std::vector<Vector3> polygon, double beside) {
-      for (const auto& [out, offset] : sides) polygon = keptBelow(polygon, out, offset + beside);
+    const auto between = [&sides](ConvexPolygon polygon, double beside) {
+      for (const auto& [out, offset] : sides) polygon = polygon.keptBelow(out, offset + beside);
       return polygon;
     };
     Box3 box(t[0]);
@@ -133,11 +155,10 @@ class PatchFinder {
     bool reached = false;
     question_.other.tree.visit(box, [&](std::uint32_t k) {
       if (question_.other.normals[k].dot(normal) > kFacing) return true;
-      const Triangle& other = question_.other.tree.triangles()[k];
-      std::vector<Vector3> polygon(other.begin(), other.end());
-      polygon = keptBelow(polygon, normal, normal.dot(t[0]) + question_.above);
-      polygon = keptBelow(polygon, -normal, -normal.dot(t[0]) + depth + question_.above);
-      const std::vector<Vector3> near = between(polygon, size_);
+      const ConvexPolygon polygon = ConvexPolygon(question_.other.tree.triangles()[k])
+                                        .keptBelow(normal, normal.dot(t[0]) + question_.above)
+                                        .keptBelow(-normal, -normal.dot(t[0]) + depth + question_.above);
+      const ConvexPolygon near = between(polygon, size_);
       reached = !near.empty() && (!between(near, question_.above).empty() || isInBody(near));
       return !reached;
     });
@@ -145,7 +166,7 @@ class PatchFinder {
   }
 
   /// One of the corners, or the middle, is in the body or a little above its surface.
-  bool isInBody(const std::vector<Vector3>& polygon) const {
+  bool isInBody(const ConvexPolygon& polygon) const {
     const auto isIn = [this](const Vector3& p) {
       return body_.tree.nearest(p, question_.above).distance < question_.above || body_.contains(p);
     };
