@@ -5,8 +5,9 @@ if(GLISSADE_COMPILER_CACHE)
   find_program(GLISSADE_CCACHE ccache)
   if(GLISSADE_CCACHE)
     # Paths below the checkout are hashed relative to it, so that a clone in another folder finds what this one left.
+    # The language of messages, which packaging/test.sh sets and people do not, changes no program.
     set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=true
-      CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_MAXSIZE=20G ${GLISSADE_CCACHE})
+      CCACHE_SLOPPINESS=pch_defines,time_macros,locale CCACHE_MAXSIZE=20G ${GLISSADE_CCACHE})
     # The macro __FILE__, which GoogleTest's assertions hold, would differ between two clones.
     add_compile_options(-fmacro-prefix-map=${CMAKE_SOURCE_DIR}/=)
     # The cache knows a compilation with a precompiled header only by this option.
