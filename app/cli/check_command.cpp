@@ -39,8 +39,8 @@ class CheckProgress {
   int percent_ = -1;
 };
 
-/// 0 valid; else why not: what was shown goes before a stop.
-/// Shapes that files state and that are no bodies are a condition: that they are in nobody's way.
+/// The exit code is 0 for a valid path or plan. A refusal that was shown counts more than a stop. Shapes that files
+/// state and that are no bodies make the verdict conditional: they may be in the way.
 int exitCodeOf(bool valid, bool refused, const MissingShapes& missing, const Interrupt& interrupt,
                const StopToken& stop) {
   if (valid && !missing.empty()) return kExitUnderConditions;

@@ -10,6 +10,7 @@
 #include "app/cli/interrupt.h"
 #include "engine/base/number_text.h"
 #include "engine/base/quantity_text.h"
+#include "engine/check/plain_overlaps.h"
 #include "engine/import/missing_shapes_json.h"
 #include "engine/product/alternatives.h"
 #include "engine/product/fit_table.h"
@@ -144,7 +145,8 @@ void printTable(const std::vector<PairFit>& rows, std::size_t bodies) {
     separator = ", ";
   }
   std::cout << "\n";
-  if (const std::size_t plain = plainOverlapsIn(rows); plain > 0) std::cout << plainOverlapsInWords(plain) << "\n";
+  if (const std::size_t plain = plainOverlapsIn(rows); plain > 0)
+    std::cout << check::plainOverlapsInWords(plain) << "\n";
 }
 
 Outcome checkLimits(const ContactLimits& limits) {

@@ -125,13 +125,13 @@ CLI::App* addPlan(CLI::App& app, PlanOptions& options) {
   return plan;
 }
 
-/// Of commands that take products.
+/// Commands that take products have this option.
 void addWithout(CLI::App& command, std::vector<std::string>& without) {
   command.add_option("--without", without,
                      "Leave a body or an assembly of the product out: its name (can be repeated)");
 }
 
-/// Of commands that take product files.
+/// Commands that take product files have this option.
 void addOpen(CLI::App& command, std::vector<std::string>& open) {
   command.add_option("--open", open, "Take a part of several solids as these: its name (can be repeated)");
 }

@@ -11,6 +11,7 @@
 #include "app/cli/interrupt.h"
 #include "engine/base/number_text.h"
 #include "engine/base/quantity_text.h"
+#include "engine/check/plain_overlaps.h"
 #include "engine/import/missing_shapes_json.h"
 #include "engine/product/alternatives.h"
 #include "engine/product/joint_edits.h"
@@ -383,7 +384,7 @@ int deliver(const AssemblyPlan& plan, const ProductFile& loaded, const SequenceO
   } else {
     printPlan(plan, host, seconds);
     if (!loaded.missing.empty()) std::cout << statementOf(loaded.missing) << "\n";
-    if (plainOverlaps > 0) std::cout << plainOverlapsInWords(plainOverlaps) << "\n";
+    if (plainOverlaps > 0) std::cout << check::plainOverlapsInWords(plainOverlaps) << "\n";
   }
   return exitCodeOf(plan);
 }

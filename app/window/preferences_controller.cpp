@@ -69,7 +69,7 @@ void PreferencesController::apply(const Preferences& preferences) {
 
 namespace {
 
-/// Of lengths of a product whose file states them in a unit of so many metres.
+/// The unit in which lengths are shown, for a file that states them in a unit of so many metres.
 LengthUnit unitOfFile(double metres) {
   if (metres == kInch || metres == kFoot) return LengthUnit::Inches;
   if (metres == 0.001) return LengthUnit::Millimetres;
@@ -78,7 +78,7 @@ LengthUnit unitOfFile(double metres) {
 
 }  // namespace
 
-/// Where nobody has chosen a unit, a product is shown in that of its file.
+/// Lengths of a product are shown in the unit of its file if nobody has chosen a unit.
 void PreferencesController::showLengthUnit() {
   const ScenarioPtr scenario = bench_.document.scenario();
   const double ofFile = scenario ? scenario->product.lengthUnit() : 0.0;

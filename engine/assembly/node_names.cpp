@@ -9,7 +9,7 @@ namespace {
 
 bool isNumeral(char c) { return c >= '0' && c <= '9'; }
 
-/// Of any script: the bytes of characters beyond ASCII count as letters.
+/// The bytes of characters beyond ASCII count as letters, so that letters of any script are letters.
 bool isLetterOfAnyScript(char c) {
   const auto byte = static_cast<unsigned char>(c);
   return byte >= 0x80 || std::isalpha(byte) != 0;

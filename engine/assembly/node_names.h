@@ -5,11 +5,11 @@
 
 namespace glissade {
 
-/// What a CAD file calls a part or an assembly at the place where it is used. Names may be empty, hold a "/", and be
-/// those of siblings.
+/// The names that a CAD file gives to a part or an assembly at the place where it is used. A name may be empty, hold a
+/// "/", and be the name of a sibling, too.
 struct NodeNames {
-  std::string product{};     ///< of what is used there
-  std::string occurrence{};  ///< of the use, also where it is only a number of the exporter
+  std::string product{};     ///< the name of the part or assembly that is used
+  std::string occurrence{};  ///< the name of the use, which may be a number that the exporter gave
   std::string designator{};  ///< reference designator of the use: "C4"
 
   friend bool operator==(const NodeNames&, const NodeNames&) = default;

@@ -68,13 +68,13 @@ class Product {
   /// The nodes that a person means by a name: the one that has it as id; else those whose shown names on the way to
   /// them end in it; else those whose path does; else those that the file calls so. "#2" is the second body.
   std::vector<std::size_t> named(const std::string& name) const;
-  /// What people see of each node below its parent: shownName(), or the last step of its path where that is empty; the
-  /// second of siblings with one name is "pin#2".
+  /// The name that people see of each node below its parent: shownName(), or the last step of its path if that is
+  /// empty. The second of two siblings with one name is "pin#2".
   std::vector<std::string> shownNames() const;
   /// The shown names on the way to each node, and its own, joined by "/".
   std::vector<std::string> shownPaths() const;
-  /// What people see of each of these nodes among them, by their ids: the shortest end of the shown names on the way to
-  /// it in which no other one ends, or the whole way; the id of what is no node.
+  /// The name that people see of each of the nodes with these ids, in a list of these nodes alone. It is the shortest
+  /// end of the node's shown path that no other one of them has, or the whole path. An id of no node is its own label.
   std::vector<std::string> labels(const std::vector<std::string>& ids) const;
   /// Metres: the unit that most of its bodies state lengths in, the first of equally many; 0: none states one.
   double lengthUnit() const;

@@ -46,7 +46,7 @@ class Mailbox {
     if (lock) value_ = value;
     return lock.owns_lock();
   }
-  /// Empty while another thread has the value.
+  /// Returns an empty value while another thread has the value.
   Value tryTake() {
     const std::unique_lock lock(mutex_, std::try_to_lock);
     return lock ? std::exchange(value_, Value{}) : Value{};

@@ -133,8 +133,9 @@ class PatchFinder {
     for (std::uint32_t r = 0; r < family_.size(); ++r) family_[r] = rootOf(r);
   }
 
-  /// The other surface is below or a little above a triangle with this normal, or beside that by the size of a piece.
-  /// Beside the triangle it has to be in the body: what is around a round body is below the planes of its facets.
+  /// The other surface is below the triangle with this normal, or a little above it, or beside it by at most the size
+  /// of a piece. A surface beside the triangle counts only if it is in the body, because the surface of a hole around a
+  /// round body is below the planes of the facets of that body, too.
   bool isReached(const Triangle& t, const Vector3& normal, double depth) const {
     std::array<std::pair<Vector3, double>, 3> sides;
     for (std::size_t i = 0; i < 3; ++i) {

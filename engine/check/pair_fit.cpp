@@ -76,8 +76,9 @@ bool isFree(const PairWork& work) {
                      [&](const Pose& end) { return areApart(transformed(own, end), others, gap); });
 }
 
-/// What the evidence bears: of the moving body where that is enough, else of the other one, else of both. Of both at
-/// once where one is below a part of a face of the other one: they slide past the rest of the face.
+/// Takes thinner what the evidence bears. The moving body gives way if that is enough, else the other one, else both.
+/// Both give way at once if one is below a part of a face of the other one, because they slide past the rest of the
+/// face.
 void applyOwn(PairWork& work) {
   if (const std::string refused = work.bounds.refused(); !refused.empty()) {
     AppliedAllowance& allowance = work.add(false, 0.0);

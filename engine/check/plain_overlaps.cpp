@@ -9,6 +9,11 @@
 
 namespace glissade::check {
 
+std::string plainOverlapsInWords(std::size_t pairs) {
+  const std::string subject = pairs == 1 ? "1 pair overlaps" : std::to_string(pairs) + " pairs overlap";
+  return subject + " without being a fit, a thread or a press";
+}
+
 void addPlainOverlaps(const std::vector<AppliedAllowance>& allowances, std::vector<PlainOverlap>& overlaps) {
   for (const AppliedAllowance& each : allowances) {
     if (each.plainOverlap <= 0.0) continue;
@@ -23,8 +28,7 @@ void addPlainOverlaps(const std::vector<AppliedAllowance>& allowances, std::vect
 
 std::string inWords(const std::vector<PlainOverlap>& overlaps) {
   if (overlaps.empty()) return {};
-  std::string words = overlaps.size() == 1 ? "1 pair overlaps" : std::to_string(overlaps.size()) + " pairs overlap";
-  words += " without being a fit, a thread or a press: ";
+  std::string words = plainOverlapsInWords(overlaps.size()) + ": ";
   for (std::size_t i = 0; i < overlaps.size(); ++i) {
     words += (i == 0 ? "" : ", ") + pairInWords(overlaps[i].one, overlaps[i].other) + " by " +
              depthInMillimetres(overlaps[i].depth);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -14,10 +15,13 @@ struct PlainOverlap {
   double depth = 0.0;  ///< metres
 };
 
-/// Adds those of the allowances, each pair once.
+/// "1 pair overlaps without being a fit, a thread or a press"
+std::string plainOverlapsInWords(std::size_t pairs);
+
+/// Adds the plain overlaps that allowances state, each pair once.
 void addPlainOverlaps(const std::vector<AppliedAllowance>& allowances, std::vector<PlainOverlap>& overlaps);
 
-/// "1 pair overlaps without being a fit, a thread or a press: 'bar' and 'post' by 0.75 mm"; empty: none does.
+/// "1 pair overlaps without being a fit, a thread or a press: 'bar' and 'post' by 0.75 mm"; empty if there is none.
 std::string inWords(const std::vector<PlainOverlap>& overlaps);
 
 }  // namespace glissade::check

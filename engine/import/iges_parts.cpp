@@ -51,7 +51,7 @@ std::string entityName(const Entity& entity) {
   return name.IsNull() ? std::string() : std::string(name->ToCString());
 }
 
-/// What OpenCASCADE does not read: blocks, wedges, cylinders, cones, spheres, tori, solids of revolution and of
+/// OpenCASCADE does not read these types: blocks, wedges, cylinders, cones, spheres, tori, solids of revolution and of
 /// extrusion, ellipsoids, operations, assemblies and instances of solids.
 bool isUnreadSolid(int type) {
   static constexpr std::array<int, 12> kTypes{150, 152, 154, 156, 158, 160, 162, 164, 168, 180, 184, 430};

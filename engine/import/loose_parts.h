@@ -9,7 +9,7 @@
 
 namespace glissade {
 
-/// What a file calls a shape; empty where it does not say.
+/// Returns the name that a file gives to a shape; empty if it gives none.
 using ShapeName = std::function<std::string(const TopoDS_Shape&)>;
 
 /// The parts of shapes that no product describes, as IGES and BREP files hold them. A compound with solids or compounds

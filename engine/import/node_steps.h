@@ -10,7 +10,7 @@ namespace glissade {
 /// As one step of a path: printable, without '/', ASCII's control characters and blanks at its ends. May be empty.
 std::string asStep(std::string name);
 
-/// What a node below another one is called.
+/// The step from a node to one below it, with the names of that one.
 struct NodeStep {
   std::string step;    ///< never empty, each once among its siblings
   std::string former;  ///< the step that earlier versions gave

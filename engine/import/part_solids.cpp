@@ -26,7 +26,7 @@ class PartsAsOne {
  public:
   using Occurrences = std::vector<Occurrence>;
 
-  /// Of one part: its solids as one, and beside them what is no solid.
+  /// Joins the solids of one part; shapes of the part that are no solids stay beside them.
   Occurrences joined(Occurrences::const_iterator first, Occurrences::const_iterator end) {
     Occurrences solids;
     Occurrences parts;

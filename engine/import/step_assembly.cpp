@@ -150,7 +150,7 @@ class AssemblyWalk {
     std::vector<NodeNames> names;
     for (const auto& own : names_.ofUses(assembly, shapes)) {
       names.push_back(own.value_or(NodeNames{}));
-      // What has no name of its own is called as OpenCASCADE calls it.
+      // A node without a name of its own has the name that OpenCASCADE gives to it.
       if (asStep(names.back().product).empty()) names.back().product = printableLine(former[names.size() - 1]);
     }
     const std::vector<NodeStep> steps = stepsFor(names, former);

@@ -56,7 +56,7 @@ std::string entryOf(const TDF_Label& label) {
   return entry.ToCString();
 }
 
-/// Where the document has a product, which may be the place of several with one shape.
+/// The label of a product in the document. Several products with one shape may have the same label.
 std::string entryOf(const TopoDS_Shape& product, const STEPCAFControl_Reader& reader) {
   const TopoDS_Shape atOrigin = product.Located(TopLoc_Location());
   return reader.GetShapeLabelMap().IsBound(atOrigin) ? entryOf(reader.GetShapeLabelMap().Find(atOrigin)) : "";

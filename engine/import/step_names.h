@@ -12,17 +12,17 @@
 
 namespace glissade {
 
-/// What a STEP file calls its products and their uses, from its entities. OpenCASCADE keeps one name of products with
-/// one shape (a mapped item), and one text of a use. Refers to nothing of the reader.
+/// The names that a STEP file gives to its products and their uses, read from its entities. OpenCASCADE keeps one name
+/// for products that share a shape (a mapped item), and one text for a use. An object refers to nothing of the reader.
 class StepNames {
  public:
   /// After the transfer.
   explicit StepNames(STEPCAFControl_Reader& reader);
 
-  /// Of a product that no assembly uses; nothing where it has no shape of its own.
+  /// The name of a product that no assembly uses; nothing if the product has no shape of its own.
   std::optional<std::string> ofRoot(const TDF_Label& product) const;
 
-  /// Of the uses of products in an assembly, where it has them; nothing for a shape that is no use.
+  /// The names of these uses of products in an assembly, in the order of the uses; nothing for a shape that is no use.
   std::vector<std::optional<NodeNames>> ofUses(const TDF_Label& assembly, const std::vector<TopoDS_Shape>& uses) const;
 
  private:

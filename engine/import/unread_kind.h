@@ -7,8 +7,9 @@
 
 namespace glissade {
 
-/// What a file is that has the ending of a kind that is known and not read (SolidWorks, JT, Parasolid, 3MF …), and what
-/// to export there; nothing for other endings. The content is not looked at. The error is MalformedInput.
+/// An error of MalformedInput for a file with the ending of a kind that is known and not read (SolidWorks, JT,
+/// Parasolid, 3MF …): it names the kind and the format to export. Nothing for other endings. The content is not looked
+/// at.
 std::optional<Diagnostic> unreadKind(const std::string& file);
 
 }  // namespace glissade

@@ -132,11 +132,6 @@ void FitTable::addPairs(const AssembledProduct& product) {
   warnings_.insert(warnings_.end(), overlaps.begin(), overlaps.end());
 }
 
-std::string plainOverlapsInWords(std::size_t pairs) {
-  return (pairs == 1 ? "1 pair overlaps" : std::to_string(pairs) + " pairs overlap") +
-         std::string(" without being a fit, a thread or a press");
-}
-
 Warnings warningsOfPlainOverlaps(const std::vector<PairFit>& fits) {
   constexpr std::size_t kListed = 8;
   Warnings warnings;

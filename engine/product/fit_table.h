@@ -79,9 +79,6 @@ class FitTable {
 /// pair does.
 Warnings warningsOfPlainOverlaps(const std::vector<PairFit>& fits);
 
-/// "2 pairs overlap without being a fit, a thread or a press"
-std::string plainOverlapsInWords(std::size_t pairs);
-
 /// How many pairs there are of each kind, by the name of the kind.
 std::map<std::string, int> countsByKind(const std::vector<PairFit>& fits);
 

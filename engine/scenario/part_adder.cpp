@@ -33,7 +33,7 @@ std::string nameInFile(const PartFile& part, const std::vector<std::string>& ste
   return isNumbered(steps.back(), name) ? steps.back() : name;
 }
 
-/// What the use of the node of these first steps is called.
+/// Takes over the names of the use to which the first `steps` steps of the part's path lead.
 void noteUse(const PartFile& part, std::size_t steps, NodeDescription& node) {
   if (part.names.size() < steps) return;
   node.occurrence = part.names[steps - 1].occurrence;
@@ -125,7 +125,7 @@ void PartAdder::notePlace(const PartFile& part, const BodyDescription& body) {
   addNode(node);
 }
 
-/// Where there is something to be said.
+/// A node that says no more than its id is not added.
 void PartAdder::addNode(const NodeDescription& node) {
   if (node == NodeDescription{node.id}) return;
   ids_.insert(node.id);

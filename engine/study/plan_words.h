@@ -70,7 +70,7 @@ std::string shownNameOf(const std::string& id, const AssembledProduct& product);
 
 /// The name without the number that tells two of one name apart: "nut" of "nut#2".
 std::string kindOfPart(const std::string& name);
-/// The same of the name that the file has for the product of a body.
+/// The name that the file has for the product of a body, without that number.
 std::string kindOfPart(std::size_t body, const AssembledProduct& product);
 
 }  // namespace glissade

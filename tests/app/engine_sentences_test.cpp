@@ -48,9 +48,6 @@ constexpr const char* kShownOfTheJudge = "engine/check/condition.cpp";
 /// what files say of their writer, and texts of the command line.
 constexpr const char* kNotForTheWindow[] = {
     "of %1",
-    "1 pair overlaps",  // on the command line only
-    "%1 pairs overlap",
-    "%1 without being a fit, a thread or a press",
     "held by ",
     "next assembly usage occurrence",  // keys and beginnings of files
     "next assembly relationship",

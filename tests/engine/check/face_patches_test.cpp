@@ -20,7 +20,7 @@ AllowanceBound boundOf(const Body& one, const Body& other) {
   return check::boundsOf(MeasuredBody{a, pair.one}, MeasuredBody{b, pair.other}, FitWords{true, 0.0, {}}, nullptr).one;
 }
 
-/// What is allowed at a point of the surface, world frame. `own`: of the body, where no triangle is divided.
+/// The allowance at a point of the surface, world frame. `own`: the mesh of the body, for bounds without a mesh.
 double allowedAt(const AllowanceBound& bound, const Vector3& p, const MeshPtr& own = nullptr) {
   return bound.atMost[TriangleTree(bound.mesh ? *bound.mesh : *own).nearest(p, 1.0).triangle];
 }

@@ -120,7 +120,7 @@ TEST(StepParts, EarlierScenariosAndPlansFindTheirSolids) {
   EXPECT_THAT(ids, ElementsAre("frame/solid", "frame/solid#2", "frame#2", "pad"));
 }
 
-/// Both were named "stud" then.
+/// Earlier versions named both bodies "stud".
 TEST(StepParts, EarlierScenariosAndPlansFindTheBodiesOfMappedProducts) {
   const test::TemporaryFolder folder;
   const std::string file = folder.write("mapped.step", test::mappedStepText());
