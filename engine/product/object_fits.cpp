@@ -219,10 +219,11 @@ class FitFinder {
            "Accept it (--accept-clashes " + depthAsOption(overlap) + "), or mend the parts.");
   }
 
-  /// One body alone gives way where that frees the pair. Of a shaft in a hole it has to free the way along the axis and
-  /// the turn about it, too: corners between faces that move and faces that stay move less, and a shaft that is taken
-  /// thinner may be thicker at its end. Else both give way. So do two bodies of which one is below a part of a face of
-  /// the other one: while they slide past each other, the part meets the rest of the face.
+  /// One body alone gives way where that frees the pair. Of a shaft in a hole it has to free the way along the axis,
+  /// too, and the one goes first that also frees the turn about it: corners between faces that move and faces that stay
+  /// move less, and a shaft that is taken thinner may be thicker at its end. Else both give way. So do two bodies of
+  /// which one is below a part of a face of the other one: while they slide past each other, the part meets the rest of
+  /// the face.
   void takeThinner(const Fit& fit, const check::PairBounds& bounds, const FoundContact& found, bool accepted) {
     const RigidBody& other = body(fit.obstacle);
     const bool isInPatches = bounds.one.mesh || bounds.other.mesh;
@@ -242,10 +243,10 @@ class FitFinder {
       for (const Fit& unused : taken) forget(unused.thinned);
     }
     const bool needsBoth = isInPatches && !hasShaft(found.contact);
-    const bool isEnough = freedom == Freedom::All && !needsBoth;
+    const bool isEnough = freedom != Freedom::None && !needsBoth;
     const std::vector<Fit> both = isEnough ? std::vector<Fit>() : bothThinner(fit, bounds, found.at);
     const bool takesBoth =
-        !both.empty() && (alone.empty() || needsBoth || freedomOf(both, fit.obstacle, found) > freedom);
+        !both.empty() && (alone.empty() || needsBoth || freedomOf(both, fit.obstacle, found) != Freedom::None);
     const std::vector<Fit>& taken = takesBoth ? both : alone;
     for (const Fit& unused : takesBoth ? alone : both) forget(unused.thinned);
     fits_.allowed.insert(fits_.allowed.end(), taken.begin(), taken.end());

@@ -58,7 +58,7 @@ enum class ShaftHead { None, Round, Hexagon };
 
 /// A shaft from -`length` to 0, its head above. All of it is one free face of a CAD file.
 inline TriangleMesh groovedShaft(const Relief& relief, double length, double radius, ShaftHead head = ShaftHead::None,
-                                 int levels = 80, int directions = 72) {
+                                 int levels = 64, int directions = 48) {
   std::vector<Station> stations{{-length, circle(0.0)}};
   for (int i = 0; i <= levels; ++i) {
     const double z = -length + length * i / levels;
