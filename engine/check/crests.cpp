@@ -67,6 +67,16 @@ Mean meanOf(const Around* first, const Around* last, double pitch) {
   return mean;
 }
 
+/// The crests are so many that no pitch suits them by chance, and no half of a turn is without one.
+bool isUnbroken(const std::vector<Around>& crests, double pitch) {
+  constexpr std::size_t kFewest = 24;
+  constexpr double kLongestGap = 0.5;
+  for (std::size_t i = 1; i < crests.size(); ++i) {
+    if (crests[i].height - crests[i - 1].height > kLongestGap * std::abs(pitch)) return false;
+  }
+  return crests.size() >= kFewest;
+}
+
 /// The pitch of the helix that the crests are, by trial: the largest of those that put them at one side of the axis
 /// best. Between two trials a crest turns by less than an eighth of a turn.
 std::optional<double> pitchOfHelix(const std::vector<Around>& crests, double diameter) {
@@ -91,7 +101,7 @@ std::optional<double> pitchOfHelix(const std::vector<Around>& crests, double dia
   const Mean upper = meanOf(middle, crests.data() + crests.size(), best);
   const double drift = std::remainder(upper.phase - lower.phase, kWholeTurn) / (upper.height - lower.height);
   const double exact = kWholeTurn / (kWholeTurn / best + drift);
-  return areHelix(crests, exact) ? std::optional(exact) : std::nullopt;
+  return areHelix(crests, exact) && isUnbroken(crests, exact) ? std::optional(exact) : std::nullopt;
 }
 
 /// How near to the axis of a wall vertices are that are in it, metres.

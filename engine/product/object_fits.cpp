@@ -215,6 +215,12 @@ class FitFinder {
              isNotClear ? "Name the one that is cut (--cut NAME), or mend the parts." : "Mend the parts.");
       return;
     }
+    if (fit.kind == ContactKind::Press && isPressedInsert(fit.obstacle, found.contact)) {
+      refuse(fit, "overlap by " + depthInMillimetres(overlap) + ", because the insert is pressed or melted in",
+             "It leaves with its host. To press it out, accept the clash (--accept-clashes " + depthAsOption(overlap) +
+                 ") and say so of the joint.");
+      return;
+    }
     refuse(fit, "overlap by " + depthInMillimetres(overlap) + ", which is a clash",
            "Accept it (--accept-clashes " + depthAsOption(overlap) + "), or mend the parts.");
   }

@@ -5323,6 +5323,14 @@
         <translation>«&#xa0;%1&#xa0;» est une pièce de %2 solides qui ne se touchent pas&#xa0;: prenez-les comme des pièces (--open &quot;%3&quot;, ou «&#xa0;Groupes et solides sont des pièces&#xa0;» dans la liste des pièces)</translation>
     </message>
     <message>
+        <source>overlap by %1, because the insert is pressed or melted in</source>
+        <translation>se recouvrent de %1, car l&apos;insert est pressé ou fondu dans la pièce</translation>
+    </message>
+    <message>
+        <source>It leaves with its host. To press it out, accept the clash (--accept-clashes %1) and say so of the joint.</source>
+        <translation>Il sort avec sa pièce. Pour l&apos;en extraire, acceptez la collision (--accept-clashes %1) et dites-le de la liaison.</translation>
+    </message>
+    <message>
         <source>the motion that a person gave it is not free</source>
         <translation>le mouvement donné à la main n&apos;est pas libre</translation>
     </message>

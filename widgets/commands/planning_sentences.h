@@ -160,6 +160,10 @@ inline constexpr const char* kPlanningSentences[] = {
     QT_TRANSLATE_NOOP("Diagnostics",
                       "it is held by %1 in %2, and no free turn out of it was found: free the way, or dissolve the "
                       "joint"),
+    QT_TRANSLATE_NOOP("Diagnostics", "overlap by %1, because the insert is pressed or melted in"),
+    QT_TRANSLATE_NOOP("Diagnostics",
+                      "It leaves with its host. To press it out, accept the clash (--accept-clashes %1) and say so of "
+                      "the joint."),
     QT_TRANSLATE_NOOP("Diagnostics", "it is between parts that are pressed together: press one of them out"),
     QT_TRANSLATE_NOOP("Diagnostics",
                       "'%1' is one part of %2 solids that do not touch each other: take these as parts (--open \"%3\", "

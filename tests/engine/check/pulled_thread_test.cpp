@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/base/random_stream.h"
+#include "engine/check/crests.h"
 #include "tests/engine/check/check_bodies.h"
 #include "tests/engine/product/grooved_shafts.h"
 
@@ -173,6 +175,22 @@ TEST(PulledThread, AHelixStatesItsPitchAndItsHand) {
     EXPECT_NEAR(threads[0].pitch, pitch, 0.01 * std::abs(pitch));
     EXPECT_NEAR(threads[0].radius, 0.005, 1e-9);
     EXPECT_EQ(pulledThread(threads, turned(0.025 / std::abs(pitch), std::abs(pitch), 16)), "");
+  }
+}
+
+/// A ring of vertices of a head that is sunk into its hole: some pitch suits a few of them by chance.
+TEST(PulledThread, AFewVerticesAreNoHelix) {
+  using namespace glissade::test;
+  RandomStream random(11, "crests");
+  for (int round = 0; round < 200; ++round) {
+    const RoundFace wall{Vector3::Zero(), Vector3::UnitZ(), 0.0044, false, -0.02, 0.0};
+    TriangleMesh mesh;
+    const int count = 8 + round % 12;
+    for (int i = 0; i < count; ++i) {
+      const double angle = 2.0 * kHalfTurn * (i + random.uniform(0.0, 0.9)) / count;
+      mesh.vertices.emplace_back(0.005 * std::cos(angle), 0.005 * std::sin(angle), random.uniform(-0.01, -0.002));
+    }
+    EXPECT_FALSE(crestsInto(wall, mesh)) << round;
   }
 }
 
