@@ -1,6 +1,6 @@
 #include "engine/geometry/separate_solids.h"
 
-#include <algorithm>
+#include <cstdint>
 #include <map>
 #include <numeric>
 #include <vector>
@@ -48,24 +48,26 @@ std::vector<TriangleMesh> solidsOf(const TriangleMesh& mesh) {
   return solids;
 }
 
-bool isNear(const TriangleMesh& mesh, const TriangleTree& other, double distance) {
-  return std::any_of(mesh.vertices.begin(), mesh.vertices.end(), [&](const Vector3& vertex) {
-    return other.box().exteriorDistance(vertex) <= distance &&
-           other.nearest(vertex, 2.0 * distance, distance).distance <= distance;
+bool areNear(const TriangleTree& one, const TriangleTree& other, double distance) {
+  bool isFound = false;
+  one.visitPairs(other, distance, [&](std::uint32_t i, std::uint32_t k) {
+    const Triangle& a = one.triangles()[i];
+    const Triangle& b = other.triangles()[k];
+    isFound = trianglesMeet(a, b) || triangleDistance(a, b).squared <= distance * distance;
+    return !isFound;
   });
+  return isFound;
 }
 
 }  // namespace
 
 std::size_t separateSolids(const TriangleMesh& mesh, double touching) {
-  const std::vector<TriangleMesh> solids = solidsOf(mesh);
-  std::vector<TriangleTree> trees;
-  for (const TriangleMesh& solid : solids) trees.emplace_back(solid);
+  std::vector<TriangleTree> solids;
+  for (const TriangleMesh& solid : solidsOf(mesh)) solids.emplace_back(solid);
   JoinedSets groups(solids.size());
   for (std::size_t a = 0; a < solids.size(); ++a) {
     for (std::size_t b = a + 1; b < solids.size(); ++b) {
-      if (trees[a].box().exteriorDistance(trees[b].box()) > touching) continue;
-      if (isNear(solids[a], trees[b], touching) || isNear(solids[b], trees[a], touching)) groups.join(a, b);
+      if (areNear(solids[a], solids[b], touching)) groups.join(a, b);
     }
   }
   std::size_t count = 0;

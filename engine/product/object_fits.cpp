@@ -249,10 +249,12 @@ class FitFinder {
       for (const Fit& unused : taken) forget(unused.thinned);
     }
     const bool needsBoth = isInPatches && !hasShaft(found.contact);
-    const bool isEnough = freedom != Freedom::None && !needsBoth;
+    // What is deep as a thread has to turn, else it is enough that the one is pulled out of the other.
+    const Freedom wanted = found.contact.kind == ContactKind::Thread ? Freedom::All : Freedom::Slides;
+    const bool isEnough = freedom >= wanted && !needsBoth;
     const std::vector<Fit> both = isEnough ? std::vector<Fit>() : bothThinner(fit, bounds, found.at);
     const bool takesBoth =
-        !both.empty() && (alone.empty() || needsBoth || freedomOf(both, fit.obstacle, found) != Freedom::None);
+        !both.empty() && (alone.empty() || needsBoth || freedomOf(both, fit.obstacle, found) > freedom);
     const std::vector<Fit>& taken = takesBoth ? both : alone;
     for (const Fit& unused : takesBoth ? alone : both) forget(unused.thinned);
     fits_.allowed.insert(fits_.allowed.end(), taken.begin(), taken.end());
@@ -269,10 +271,10 @@ class FitFinder {
     }
     // Of the body that would lose less.
     const bool fromOther = bounds.one.most <= 0.0 || (bounds.other.most > 0.0 && bounds.other.most < bounds.one.most);
-    Fit wanted = fit;
-    wanted.allowance = fromOther ? bounds.other.most : bounds.one.most;
+    Fit lacking = fit;
+    lacking.allowance = fromOther ? bounds.other.most : bounds.one.most;
     const auto opening = ownOpening ? ownOpening : othersOpening;
-    refuse(wanted, opening ? noRoomBeside(wanted.allowance, *opening) : noRoom(wanted.allowance), "Mend the parts.");
+    refuse(lacking, opening ? noRoomBeside(lacking.allowance, *opening) : noRoom(lacking.allowance), "Mend the parts.");
   }
 
   check::Cut cutOf(std::size_t obstacle, const FoundContact& found) const {

@@ -187,12 +187,9 @@ TEST(ObjectFits, WhatWouldLoseMoreThanTwoFifthsOfBothIsAClash) {
     const AssembledProduct product = test::productOf({host}, tube, switchedOn());
     const auto found = findObjectFits({product, 1});
     ASSERT_TRUE(found);
-    EXPECT_EQ(found->allowed.size(), fits ? 1U : 0U);
+    EXPECT_EQ(found->allowed.size(), fits ? 2U : 0U) << "of what is deep as a thread both give way, so that it turns";
     EXPECT_EQ(found->clashes.size(), fits ? 0U : 1U);
     EXPECT_EQ(found->warnings.size(), found->clashes.size());
-    if (fits) {
-      EXPECT_TRUE(found->allowed.front().yields) << "the tube has no place for it";
-    }
   }
 }
 

@@ -79,8 +79,8 @@ TEST(ThreadCoreFits, TheScrewIsItsCoreInTheNutWhicheverOfThemMoves) {
 
 /// A screw for plastic: its core is half as thick as its crests, and its hole is wide and deep.
 AssembledProduct screwInBoss() {
-  const test::ThreadedScrew screw{0.0011, 0.00064, 0.00085, 0.006};
-  return test::productOf({threadedBody("M2x6 self tapping screw", screw.mesh()),
+  const test::ThreadedScrew screw{0.0011, 0.00064, 0.00085, 0.0045};
+  return test::productOf({threadedBody("M2x4 self tapping screw", screw.mesh()),
                           threadedBody("boss", test::blockMesh(0.00095, 0.008, 0.006, -0.012, -0.001))},
                          true);
 }
