@@ -1,4 +1,4 @@
-#include "app/cli/check_command.h"
+#include "app/cli/commands.h"
 
 #include <unistd.h>
 

@@ -1,4 +1,4 @@
-#include "app/cli/convert_command.h"
+#include "app/cli/commands.h"
 
 #include <filesystem>
 #include <iostream>

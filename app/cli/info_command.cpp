@@ -1,4 +1,4 @@
-#include "app/cli/info_command.h"
+#include "app/cli/commands.h"
 
 #include <algorithm>
 #include <array>
@@ -73,7 +73,7 @@ Json toJson(const RigidBody& body, const Uncertainty& uncertainty, MeshAudits& a
   const MeshAudit& result = audits.of(body.mesh);
   return {{"id", body.id},
           {"name", body.name},
-          {"mobility", body.mobility == Mobility::Static ? "static" : "mobile"},
+          {"mobility", kMobilityNames.of(body.mobility)},
           {"triangles", result.triangles},
           {"closed", result.closed()},
           {"open_edges", result.openEdges},
@@ -177,7 +177,7 @@ void printText(const LoadedScenario& loaded) {
   MeshAudits audits;
   const int width = nameWidth(rigidBodiesOf(loaded));
   for (const RigidBody& body : loaded.obstacles) {
-    const char* role = body.mobility == Mobility::Static ? "static" : "mobile";
+    const char* role = kMobilityNames.of(body.mobility);
     printBody(body, uncertaintyOf(body, loaded), role, width, audits);
   }
   for (const RigidBody& body : loaded.objectBodies) {

@@ -10,29 +10,30 @@
 #include <optional>
 #include <string>
 
-#include "app/cli/access_command.h"
-#include "app/cli/check_command.h"
-#include "app/cli/convert_command.h"
-#include "app/cli/fits_command.h"
-#include "app/cli/info_command.h"
-#include "app/cli/joints_command.h"
-#include "app/cli/length_option.h"
-#include "app/cli/new_command.h"
-#include "app/cli/plan_command.h"
+#include "app/cli/commands.h"
 #include "app/cli/printable_output.h"
-#include "app/cli/replay_command.h"
-#include "app/cli/sequence_command.h"
-#include "app/cli/smooth_command.h"
-#include "app/cli/study_command.h"
-#include "app/cli/sweep_command.h"
-#include "app/cli/times_command.h"
 #include "app/version_text.h"
 #include "engine/base/guarded.h"
 #include "engine/base/limits.h"
 #include "engine/base/number_text.h"
+#include "engine/base/quantity_text.h"
 #include "engine/scenario/path_exporter.h"
 
 namespace {
+
+/// Metres of a length as people write it: 0.0005, 0.5mm, 5 cm, 1in. Units: m, cm, mm, in, inch, ft; none: metres.
+/// Throws CLI::ValidationError with what is wrong.
+double metres(const std::string& text) {
+  const auto length = toMetres(text, 1.0);
+  if (!length) {
+    throw CLI::ValidationError("'" + text +
+                               "' is not a length: give metres, or a unit as in 0.5mm (m, cm, mm, in, ft)");
+  }
+  if (!limits::isCoordinate(*length)) {
+    throw CLI::ValidationError("'" + text + "' is beyond 1e9 m: check the unit");
+  }
+  return *length;
+}
 
 using namespace glissade;
 using namespace glissade::cli;
@@ -316,7 +317,7 @@ CLI::App* addAccess(CLI::App& app, AccessOptions& options) {
   access->add_option("--path", options.path, "Path of the object: " + readablePathFormats());
   access->add_option("--plan", options.plan, "Assembly plan, as 'sequence --out' writes it");
   std::map<std::string, HandSize> sizes;
-  for (const HandSize size : kHandSizes) sizes[handSizeName(size)] = size;
+  for (const HandSize size : kHandSizes) sizes[kHandSizeNames.of(size)] = size;
   access
       ->add_option_function<std::string>(
           "--hand", [&options, sizes](const std::string& size) { options.hand = sizes.at(size); },

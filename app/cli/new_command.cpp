@@ -1,4 +1,4 @@
-#include "app/cli/new_command.h"
+#include "app/cli/commands.h"
 
 #include <iostream>
 

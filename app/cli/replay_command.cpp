@@ -1,4 +1,4 @@
-#include "app/cli/replay_command.h"
+#include "app/cli/commands.h"
 
 #include <glissade/version.h>
 

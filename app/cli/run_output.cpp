@@ -68,7 +68,7 @@ template <class T>
 Json byAuthor(const PerAuthor<T>& values) {
   Json json;
   for (const Author author : {Author::Computer, Author::Operator, Author::Contact}) {
-    json[authorName(author)] = values[static_cast<std::size_t>(author)];
+    json[kAuthorNames.of(author)] = values[static_cast<std::size_t>(author)];
   }
   return json;
 }

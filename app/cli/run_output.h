@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/cli/plan_command.h"
+#include "app/cli/commands.h"
 
 namespace glissade::cli {
 

@@ -1,4 +1,4 @@
-#include "app/cli/sequence_command.h"
+#include "app/cli/commands.h"
 
 #include <algorithm>
 #include <chrono>

@@ -211,7 +211,7 @@ Outcome AccessController::expectAccess(const ScriptCommands::Words& words) const
   if (sequence_.shown().access) {
     found = std::to_string(sequence_.shown().access->reached());
   } else if (checkedPath_) {
-    found = handAccessName(pathAccess_.motion.hand.access);
+    found = kHandAccessNames.of(pathAccess_.motion.hand.access);
   }
   if (found == words[0]) return Done{};
   return unmetExpectation("the access is " + found + ", not " + words[0]);

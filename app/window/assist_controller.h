@@ -1,10 +1,31 @@
 #pragma once
 
-#include "app/window/hand_hint.h"
+#include "app/window/scene_hint.h"
 #include "app/window/workbench.h"
 #include "widgets/panels/difficulty_panel.h"
 
 namespace glissade {
+
+/// The line over the scene for a person who steers: what the search asks of the hand, and the keys while a run goes on
+/// by hand.
+class HandHint final : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit HandHint(const Workbench& bench);
+
+  /// Empty: nothing is asked.
+  void ask(const QString& text);
+
+ private:
+  void write();
+  QString keys() const;
+
+  const Workbench& bench_;
+  SceneHint* hint_;
+  QString asked_;
+  QString shown_;
+};
 
 /// Offers the places where a search does not get on, and takes the hand and the view there: in a run that the hand
 /// takes part in, or in a new one where the last run found no path or nobody held the object. On screen, a run by hand

@@ -4,12 +4,33 @@
 #include <QDialog>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
+#include <QToolButton>
 
-#include "app/window/colour_button.h"
+#include <optional>
+
 #include "app/window/preferences.h"
+#include "engine/environment/rigid_body.h"
 #include "widgets/commands/action_catalogue.h"
 
 namespace glissade {
+
+/// A button that shows a colour, or that none is chosen, and asks for another one.
+class ColourButton final : public QToolButton {
+  Q_OBJECT
+
+ public:
+  ColourButton(const QString& name, const std::optional<Colour>& colour, QWidget* parent);
+
+  /// Nothing: the colour of the theme.
+  const std::optional<Colour>& colour() const { return colour_; }
+  void setColour(const std::optional<Colour>& colour);
+
+ private:
+  void ask();
+
+  QString name_;
+  std::optional<Colour> colour_;
+};
 
 /// What a user chooses for all scenarios. Navigation is an action: the dialog sets it when it is accepted.
 class PreferencesDialog final : public QDialog {

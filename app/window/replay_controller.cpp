@@ -5,13 +5,37 @@
 
 #include <algorithm>
 
-#include "app/window/replay_script.h"
+#include "app/script/script_commands.h"
+#include "engine/base/number_text.h"
 #include "engine/scenario/run_record.h"
 #include "engine/session/run_comparison.h"
 #include "widgets/commands/diagnostic_text.h"
 
 namespace glissade {
 namespace {
+
+Outcome seek(ReplayController& replay, const std::string& word) {
+  const auto step = toNumber(word);
+  if (!step || *step < 0) return wrongCommand("'" + word + "' is not a step");
+  if (!replay.isActive()) return wrongCommand("no replay is open");
+  replay.seek(static_cast<std::uint64_t>(*step));
+  return Done{};
+}
+
+Outcome expectReplay(const ReplayController& replay, const std::string& verdict) {
+  const std::string found = replay.isActive() ? replay.verdict() : "closed";
+  if (found == verdict) return Done{};
+  return unmetExpectation("the replay is " + (found.empty() ? "still running" : found) + ", not " + verdict);
+}
+
+/// The script commands about recordings and replays.
+void addReplayCommands(ScriptCommands& scripts, ReplayController& replay) {
+  using Words = ScriptCommands::Words;
+  scripts.add("save-recording", 1,
+              [&replay](const Words& words) { return outcomeOf(replay.save(QString::fromStdString(words[0]))); });
+  scripts.add("seek", 1, [&replay](const Words& words) { return seek(replay, words[0]); });
+  scripts.add("expect-replay", 1, [&replay](const Words& words) { return expectReplay(replay, words[0]); });
+}
 
 constexpr int kTickMilliseconds = 16;
 /// At full speed a whole run passes in this many ticks (two seconds).

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QMenu>
 #include <QObject>
 
 #include <functional>
@@ -7,11 +8,28 @@
 #include <string>
 
 #include "app/window/autosave_controller.h"
-#include "app/window/earlier_versions_menu.h"
 #include "engine/base/file_save.h"
 #include "widgets/bridge/session_bridge.h"
 
 namespace glissade {
+
+/// The menu of the earlier versions of the file that is open (engine/base/file_versions.h), the latest first.
+class EarlierVersionsMenu final : public QMenu {
+  Q_OBJECT
+
+ public:
+  /// `openFile` is empty where no file is open.
+  EarlierVersionsMenu(std::function<QString()> openFile, QWidget* parent);
+
+ signals:
+  /// The user wants the content of this file in place of what is open.
+  void chosen(const QString& versionFile);
+
+ private:
+  void fill();
+
+  std::function<QString()> openFile_;
+};
 
 /// What the window does for its saves.
 struct SaveHost {

@@ -7,10 +7,13 @@
 #include <QMouseEvent>
 
 #include <ctime>
-#include <fstream>
+#include <filesystem>
+#include <sstream>
 
 #include "app/window/scene_target.h"
 #include "app/window/window_picture.h"
+#include "engine/base/file.h"
+#include "engine/base/file_save.h"
 #include "engine/base/memory_use.h"
 #include "engine/base/number_text.h"
 #include "widgets/plots/picture_file.h"
@@ -20,6 +23,8 @@ namespace glissade {
 namespace {
 
 using Words = ScriptCommands::Words;
+
+constexpr std::size_t kMostMeasured = 1U << 20;  ///< bytes of a file that measurements are appended to
 
 Outcome trigger(const ActionCatalogue& actions, const std::string& id) {
   QAction* action = actions.find(QString::fromStdString(id));
@@ -79,14 +84,21 @@ Outcome clickBody(const Workbench& bench, const std::string& id) {
   return wrongCommand("the body '" + id + "' is not seen");
 }
 
+Outcome append(const std::string& line, const std::string& name) {
+  const auto before =
+      std::filesystem::exists(name) ? readFile(name, kMostMeasured) : Result<std::string>(std::string());
+  if (!before) return before.error();
+  Warnings warnings;
+  return saveFile(name, *before + line, warnings);
+}
+
 /// Appends a line: seconds since the start, megabytes in main memory, megabytes after free memory was given back.
 Outcome appendMemory(const QElapsedTimer& since, const std::string& name) {
   const double seconds = static_cast<double>(since.elapsed()) / 1000.0;
   const double resident = residentMegabytes();
-  std::ofstream file(name, std::ios::app);
-  file << seconds << " " << resident << " " << residentMegabytesAfterTrim() << " " << allocatedMegabytes() << "\n";
-  file.close();
-  return file ? Outcome(Done{}) : wrongCommand("the file cannot be written", "Check the folder.");
+  std::ostringstream line;
+  line << seconds << " " << resident << " " << residentMegabytesAfterTrim() << " " << allocatedMegabytes() << "\n";
+  return append(line.str(), name);
 }
 
 /// Turns the camera once around in so many pictures; appends a line: seconds of the first picture, pictures a second
@@ -109,10 +121,9 @@ Outcome measureTurning(SceneWidget& scene, const std::string& pictures, const st
     turning += secondsOfPicture();
   }
   const double work = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
-  std::ofstream file(name, std::ios::app);
-  file << first << " " << *count / turning << " " << secondsOfPicture() << " " << work / *count << "\n";
-  file.close();
-  return file ? Outcome(Done{}) : wrongCommand("the file cannot be written", "Check the folder.");
+  std::ostringstream line;
+  line << first << " " << *count / turning << " " << secondsOfPicture() << " " << work / *count << "\n";
+  return append(line.str(), name);
 }
 
 }  // namespace

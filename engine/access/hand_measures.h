@@ -1,7 +1,6 @@
 #pragma once
 
-#include <optional>
-#include <string>
+#include "engine/base/enum_names.h"
 
 namespace glissade {
 
@@ -32,7 +31,6 @@ struct HandMeasures {
 const HandMeasures& measuresOf(HandSize size);
 
 /// "p5f", "p50", "p95m".
-const char* handSizeName(HandSize size);
-std::optional<HandSize> handSizeByName(const std::string& name);
+inline constexpr EnumNames<HandSize, 3> kHandSizeNames{{"p5f", "p50", "p95m"}};
 
 }  // namespace glissade

@@ -7,6 +7,7 @@
 
 #include "engine/base/limits.h"
 #include "engine/check/stated_json.h"
+#include "engine/geometry/pose_json.h"
 
 namespace glissade::check {
 namespace {
@@ -203,12 +204,12 @@ StatedScenario readStatedScenario(const JsonCursor& root) {
   if (const auto product = root.find("product")) scenario.nodes = readNodes(*product);
   if (const auto centre = object.find("centre_on_vertex_mean")) scenario.centreOnVertexMean = centre->boolean();
   if (const auto point = object.find("reference_point")) scenario.referencePoint = point->vector();
-  scenario.start = root.at("start").pose();
+  scenario.start = readPose(root.at("start"));
   const JsonCursor goal = root.at("goal");
-  if (!goal.isString()) scenario.goal = goal.pose();
+  if (!goal.isString()) scenario.goal = readPose(goal);
   if (goal.isString() && goal.text() != "out") goal.fail("is neither a configuration nor \"out\"");
   const JsonCursor workspace = root.at("workspace");
-  scenario.workspace = Box3(workspace.at("min").vector(), workspace.at("max").vector());
+  scenario.workspace = Box3(readVector(workspace.at("min")), readVector(workspace.at("max")));
   if (const auto parameters = root.find("parameters")) {
     for (const auto& item : parameters->json().items()) {
       const auto id = parameterByKey(item.key());

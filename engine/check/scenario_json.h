@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/json_reader.h"
 #include "engine/base/parameters.h"
 #include "engine/check/product.h"
 #include "engine/import/asset.h"
-#include "engine/import/json_reader.h"
 
 namespace glissade::check {
 

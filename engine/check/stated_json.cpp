@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/base/limits.h"
+#include "engine/geometry/pose_json.h"
 
 namespace glissade::check {
 namespace {
@@ -64,8 +65,8 @@ double pitchIn(const JsonCursor& joint) {
 
 StatedThread readThread(const JsonCursor& at) {
   StatedThread thread;
-  thread.point = at.at("point_m").vector();
-  thread.direction = at.at("direction").vector();
+  thread.point = readVector(at.at("point_m"));
+  thread.direction = readVector(at.at("direction"));
   if (!(thread.direction.norm() > 0.0)) at.at("direction").fail("has no direction");
   thread.pitch = at.at("pitch_m").coordinate();
   thread.radiusMoving = at.at("radius_moving_m").length();
@@ -106,7 +107,7 @@ std::vector<Point> readPoints(const JsonCursor& at) {
     if (author != "computer" && author != "operator" && author != "contact") {
       point.at("author").fail("is not computer, operator or contact");
     }
-    points.push_back({JsonCursor(pose, at.file(), point.pointer()).pose(), author == "contact"});
+    points.push_back({readPose(JsonCursor(pose, at.file(), point.pointer())), author == "contact"});
   }
   if (points.empty()) at.fail("is empty", "Give a path.");
   return points;
@@ -191,7 +192,7 @@ Demands readDemands(const JsonCursor& at) {
     demands.motions.push_back(std::move(demanded));
   });
   each("forbidden", [&](const JsonCursor& direction) {
-    const Vector3 way = direction.at("direction").vector();
+    const Vector3 way = readVector(direction.at("direction"));
     if (!(way.norm() > 0.0)) direction.at("direction").fail("has no direction");
     demands.forbidden.emplace_back(direction.at("body").nonEmptyText(), way);
   });

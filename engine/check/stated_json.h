@@ -1,8 +1,8 @@
 #pragma once
 
+#include "engine/base/json_reader.h"
 #include "engine/check/path.h"
 #include "engine/check/product.h"
-#include "engine/import/json_reader.h"
 
 namespace glissade::check {
 

@@ -1,13 +1,18 @@
 #include <algorithm>
+#include <atomic>
+#include <functional>
 #include <limits>
 #include <map>
+#include <memory>
+#include <mutex>
+#include <utility>
 
 #include "engine/base/tolerances.h"
 #include "engine/collision/collision_query.h"
 #include "engine/collision/coordinate_rounding.h"
 #include "engine/collision/forbidding_query.h"
 #include "engine/collision/grouped_query.h"
-#include "engine/collision/later_geometry.h"
+#include "engine/collision/motion_bound.h"
 #include "engine/collision/motion_certificate.h"
 #include "engine/collision/prepared_bodies.h"
 #include "engine/collision/screw_profile.h"
@@ -32,6 +37,35 @@ struct CollisionWorld::Impl {
 };
 
 namespace {
+
+/// What queries of a world need.
+struct QueryGeometry {
+  WorldGeometry geometry;
+  std::shared_ptr<const MotionBound> motionBound;
+};
+
+/// The same, prepared when it is asked for. Any number of threads may ask: the first one prepares, the others wait.
+class LaterGeometry {
+ public:
+  explicit LaterGeometry(std::function<QueryGeometry()> prepare) : prepare_(std::move(prepare)) {}
+
+  /// After an exception (no memory) the next call prepares again.
+  const QueryGeometry& get() const {
+    std::call_once(once_, [this] {
+      prepared_ = prepare_();
+      prepare_ = nullptr;
+      isPrepared_ = true;
+    });
+    return prepared_;
+  }
+  bool isPrepared() const { return isPrepared_; }
+
+ private:
+  mutable std::once_flag once_;
+  mutable std::function<QueryGeometry()> prepare_;
+  mutable QueryGeometry prepared_;
+  mutable std::atomic<bool> isPrepared_{false};
+};
 
 /// Of the clearance that a path usually keeps, and of what its chords are off a screw motion: so much of it is shown of
 /// a screw motion without effort.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/assembly/attributes.h"
+#include "engine/base/enum_names.h"
 #include "engine/base/result.h"
 #include "engine/geometry/pose.h"
 
@@ -15,6 +16,9 @@ namespace glissade {
 enum class AttributeType { Bool, Integer, Number, Text, Choice };
 /// What an attribute describes.
 enum class AttributeOwner { Place, Body };
+
+inline constexpr EnumNames<AttributeType, 5> kAttributeTypeNames{{"bool", "integer", "number", "text", "choice"}};
+inline constexpr EnumNames<AttributeOwner, 2> kAttributeOwnerNames{{"place", "body"}};
 
 /// What an attribute is: its type decides how it is edited, checked and used in rules (paper 2,
 /// section 5.1.1: actual attributes are derived from a generic one).
@@ -34,9 +38,6 @@ struct AttributeDefinition {
   friend bool operator==(const AttributeDefinition&, const AttributeDefinition&) = default;
 };
 
-/// "bool", "integer", "number", "text", "choice".
-std::string_view toText(AttributeType type);
-std::optional<AttributeType> attributeTypeByName(std::string_view name);
 /// The value as a person writes it: yes, 3, 0.25, circle.
 std::string toText(const AttributeValue& value);
 /// A first value of the right type.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/assembly/body_path.h"
+#include "engine/base/enum_names.h"
 #include "engine/geometry/triangle_mesh.h"
 
 namespace glissade {
@@ -14,6 +15,7 @@ class Product;
 /// Static bodies belong to the building; mobile ones may be moved by somebody (paper 2, section
 /// 4.1). Both are obstacles to the object.
 enum class Mobility { Static, Mobile };
+inline constexpr EnumNames<Mobility, 2> kMobilityNames{{"static", "mobile"}};
 
 /// sRGB, each 0...1.
 using Colour = std::array<double, 3>;

@@ -22,7 +22,7 @@ SemanticModel::SemanticModel(const EnvironmentModelPtr& environment, const std::
     names_.push_back(place.name);
   }
   for (const RigidBody& body : bodies) {
-    bodies_[body.id].computed["mobility"] = std::string(body.mobility == Mobility::Static ? "static" : "mobile");
+    bodies_[body.id].computed["mobility"] = std::string(kMobilityNames.of(body.mobility));
   }
   bodies_[objectId_].computed["mobility"] = std::string("mobile");
   for (const PlaceEdit& edit : edits.places) {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "engine/import/json_reader.h"
+#include "engine/base/json_reader.h"
 
 namespace glissade {
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "engine/base/json_reader.h"
 #include "engine/environment/body_class.h"
-#include "engine/import/json_reader.h"
 
 namespace glissade {
 

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <limits>
 
-#include "engine/import/json_reader.h"
+#include "engine/base/json_reader.h"
 
 namespace glissade {
 namespace {

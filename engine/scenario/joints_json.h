@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "engine/import/json_reader.h"
+#include "engine/base/json_reader.h"
 #include "engine/product/assembled_product.h"
 #include "engine/product/joint.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/import/json_reader.h"
+#include "engine/base/json_reader.h"
 #include "engine/sequence/assembly_plan.h"
 
 namespace glissade {

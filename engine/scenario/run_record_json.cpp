@@ -3,6 +3,7 @@
 #include <charconv>
 
 #include "engine/base/tolerances.h"
+#include "engine/geometry/pose_json.h"
 #include "engine/scenario/semantics_json.h"
 
 namespace glissade {
@@ -114,7 +115,7 @@ void readStream(const JsonCursor& stream, int version, const WorkWatch& watch, R
       continue;
     }
     at.allowOnly({"step", "q"});
-    log.operatorStream.push_back({readStep(at.at("step"), log.operatorStream), at.at("q").pose()});
+    log.operatorStream.push_back({readStep(at.at("step"), log.operatorStream), readPose(at.at("q"))});
   }
 }
 

@@ -1,9 +1,12 @@
 #include <algorithm>
 #include <filesystem>
+#include <string>
 
 #include "engine/base/file.h"
 #include "engine/base/file_versions.h"
 #include "engine/base/limits.h"
+#include "engine/base/number_text.h"
+#include "engine/base/result.h"
 #include "engine/base/utf8.h"
 #include "engine/environment/held_edits.h"
 #include "engine/geometry/mesh_audit.h"
@@ -14,10 +17,10 @@
 #include "engine/import/omplapp_config.h"
 #include "engine/import/unread_kind.h"
 #include "engine/scenario/default_colour.h"
-#include "engine/scenario/extent_check.h"
 #include "engine/scenario/fit_options.h"
 #include "engine/scenario/object_geometry.h"
 #include "engine/scenario/part_files.h"
+#include "engine/scenario/scenario.h"
 #include "engine/scenario/scenario_bodies.h"
 #include "engine/scenario/scenario_file.h"
 #include "engine/scenario/scenario_fits.h"
@@ -25,6 +28,46 @@
 
 namespace glissade {
 namespace {
+
+Diagnostic refused(const std::string& file, const std::string& location, const std::string& reason) {
+  return {ErrorKind::MalformedInput, file, location, reason, "Check its pose, its size and the unit of its file."};
+}
+
+Outcome checkReach(const RigidBody& body, const std::string& file) {
+  const Box3 box = boundingBox(*body.mesh, body.X_WB);
+  const double reach = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+  if (limits::isCoordinate(reach)) return Done{};
+  return refused(file, "body '" + body.name + "'",
+                 "reaches " + toText(reach) + " m from the world's origin, beyond 1e9 m");
+}
+
+/// Refuses a scenario that has expanded to more than limits::kMostBodies rigid bodies.
+Outcome checkNumberOfBodies(const LoadedScenario& loaded, const std::string& file) {
+  if (loaded.obstacles.size() <= limits::kMostBodies) return Done{};
+  return Diagnostic{ErrorKind::MalformedInput, file, "/bodies",
+                    "expand to more than " + std::to_string(limits::kMostBodies) + " rigid bodies",
+                    "Give the parts that matter, or fewer bodies made of the same file."};
+}
+
+/// Refuses a scenario whose bodies or object, as they are placed, reach beyond limits::kLargestLength, whose object is
+/// smaller than limits::kSmallestSize, or whose workspace is more than limits::kLargestRatio times the object's radius.
+/// Errors are MalformedInput with the body as location.
+Outcome checkExtents(const LoadedScenario& loaded, const Box3& workspace, const std::string& file) {
+  for (const RigidBody& body : loaded.obstacles) {
+    if (const Outcome near = checkReach(body, file); !near) return near;
+  }
+  if (const Outcome near = checkReach(loaded.object, file); !near) return near;
+  const double radius = radiusAboutOrigin(*loaded.object.mesh);
+  if (!limits::isSize(radius)) {
+    return refused(file, "body '" + loaded.object.name + "'",
+                   "has a radius of " + toText(radius) + " m, which is not from 1e-12 m to 1e9 m");
+  }
+  if (workspace.diagonal().norm() > limits::kLargestRatio * radius) {
+    return Diagnostic{ErrorKind::MalformedInput, file, "/workspace", "is more than 1e10 times as large as the object",
+                      "Check the units of both, or give a smaller workspace."};
+  }
+  return Done{};
+}
 
 constexpr Colour kMobileColour{0.80, 0.68, 0.45};
 constexpr Colour kObjectColour{0.93, 0.90, 0.80};

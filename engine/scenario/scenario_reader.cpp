@@ -1,9 +1,10 @@
 #include <array>
 #include <set>
 
+#include "engine/base/json_reader.h"
 #include "engine/base/limits.h"
+#include "engine/geometry/pose_json.h"
 #include "engine/import/json_checksum.h"
-#include "engine/import/json_reader.h"
 #include "engine/scenario/fits_json.h"
 #include "engine/scenario/joints_json.h"
 #include "engine/scenario/kept_path_json.h"
@@ -25,7 +26,7 @@ using Migration = void (*)(Json&);
 constexpr std::array<Migration, kScenarioVersion - 1> kMigrations{};
 
 Colour readColour(const JsonCursor& at) {
-  const Vector3 v = at.vector();
+  const Vector3 v = readVector(at);
   if (v.minCoeff() < 0.0 || v.maxCoeff() > 1.0) at.fail("is not a colour: three numbers from 0 to 1");
   return {v.x(), v.y(), v.z()};
 }
@@ -86,9 +87,9 @@ BodyDescription readDescription(const JsonCursor& at, const std::set<std::string
   body.id = at.at("id").nonEmptyText();
   body.name = at.has("name") ? at.at("name").text() : body.id;
   if (const auto mobility = at.find("mobility")) {
-    const std::string value = mobility->text();
-    if (value != "static" && value != "mobile") mobility->fail("is neither \"static\" nor \"mobile\"");
-    body.mobility = value == "mobile" ? Mobility::Mobile : Mobility::Static;
+    const auto known = kMobilityNames.find(mobility->text());
+    if (!known) mobility->fail("is neither \"static\" nor \"mobile\"");
+    body.mobility = *known;
   }
   body.geometry = readGeometry(at.at("geometry"), assets);
   if (const auto colour = at.find("colour")) body.colour = readColour(*colour);
@@ -127,14 +128,14 @@ ObjectDescription readObject(const JsonCursor& at, const std::set<std::string>& 
 }
 
 Goal readGoal(const JsonCursor& at) {
-  if (!at.isString()) return at.pose();
+  if (!at.isString()) return readPose(at);
   if (at.text() != "out") at.fail("is neither a configuration nor \"out\"");
   return GoalOut{};
 }
 
 Box3 readWorkspace(const JsonCursor& at) {
   at.allowOnly({"min", "max"});
-  const Box3 box(at.at("min").vector(), at.at("max").vector());
+  const Box3 box(readVector(at.at("min")), readVector(at.at("max")));
   if (box.isEmpty()) at.fail("has a minimum above its maximum");
   return box;
 }
@@ -212,12 +213,12 @@ Scenario readScenario(const JsonCursor& root) {
   checkIds(bodies, scenario.object, root.at("object"));
   if (const auto leftOut = root.find("left_out")) scenario.leftOut = readBodies(*leftOut, assets, bodies);
   if (const auto product = root.find("product")) scenario.nodes = readNodes(*product);
-  scenario.start = root.at("start").pose();
+  scenario.start = readPose(root.at("start"));
   scenario.goal = readGoal(root.at("goal"));
   scenario.workspace = readWorkspace(root.at("workspace"));
   const auto wayPoints = root.find("way_points");
   for (std::size_t i = 0; wayPoints && i < wayPoints->size(); ++i) {
-    scenario.wayPoints.push_back(wayPoints->element(i).pose());
+    scenario.wayPoints.push_back(readPose(wayPoints->element(i)));
   }
   if (const auto planner = root.find("planner")) scenario.planner = planner->nonEmptyText();
   scenario.parameters = readParameters(root.find("parameters"));

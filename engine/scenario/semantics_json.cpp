@@ -1,8 +1,8 @@
 #include "engine/scenario/semantics_json.h"
 
 #include "engine/base/limits.h"
+#include "engine/geometry/pose_json.h"
 #include "engine/planning/planner.h"
-#include "engine/scenario/forbidden_regions_json.h"
 #include "engine/scenario/scenario_bodies.h"
 #include "engine/scenario/scenario_product.h"
 
@@ -11,6 +11,50 @@ namespace glissade {
 using Json = JsonCursor::Json;
 
 namespace {
+
+/// More cells than this are in no topological layer.
+constexpr std::size_t kMostBoxes = 4'000'000;
+
+Box3 readBox(const JsonCursor& at) {
+  if (at.size() != 6) at.fail("is not a box", "Give six coordinates: the least x, y and z, then the largest.");
+  Box3 box;
+  for (int axis = 0; axis < 3; ++axis) {
+    box.min()[axis] = at.element(static_cast<std::size_t>(axis)).coordinate();
+    box.max()[axis] = at.element(static_cast<std::size_t>(axis) + 3).coordinate();
+  }
+  if (box.isEmpty()) at.fail("is not a box", "Give six coordinates: the least x, y and z, then the largest.");
+  return box;
+}
+
+/// What a scenario file says of forbidden places by boxes, beside the edits that forbid them: who has no environment
+/// model reads these. Private to the readers and writers of this room. Reading throws JsonError.
+void readForbiddenRegions(const JsonCursor& root, Scenario& scenario) {
+  const auto regions = root.find("forbidden_regions");
+  for (std::size_t i = 0; regions && i < regions->sizeUpTo(limits::kMostBodies); ++i) {
+    const JsonCursor region = regions->element(i);
+    region.allowOnly({"place", "boxes"});
+    ForbiddenPlace place{region.at("place").nonEmptyText(), {}};
+    const JsonCursor boxes = region.at("boxes");
+    for (std::size_t box = 0; box < boxes.sizeUpTo(kMostBoxes); ++box)
+      place.boxes.push_back(readBox(boxes.element(box)));
+    scenario.forbiddenRegions.push_back(std::move(place));
+  }
+}
+
+/// Adds "forbidden_regions" where there are some.
+void addForbiddenRegions(const ForbiddenPlaces& places, JsonCursor::Json& json) {
+  if (places.empty()) return;
+  auto& regions = json["forbidden_regions"] = JsonCursor::Json::array();
+  for (const ForbiddenPlace& place : places) {
+    auto boxes = JsonCursor::Json::array();
+    for (const Box3& box : place.boxes) {
+      const Vector3& least = box.min();
+      const Vector3& most = box.max();
+      boxes.push_back({least.x(), least.y(), least.z(), most.x(), most.y(), most.z()});
+    }
+    regions.push_back({{"place", place.name}, {"boxes", std::move(boxes)}});
+  }
+}
 
 /// Of an attribute; they are searched one after another.
 constexpr std::size_t kMostChoices = 1000;
@@ -60,9 +104,9 @@ EnvironmentOptions readEnvironmentOptions(const JsonCursor& at) {
 namespace {
 
 AttributeOwner readOwner(const JsonCursor& at) {
-  const std::string owner = at.text();
-  if (owner != "place" && owner != "body") at.fail("is neither \"place\" nor \"body\"");
-  return owner == "place" ? AttributeOwner::Place : AttributeOwner::Body;
+  const auto owner = kAttributeOwnerNames.find(at.text());
+  if (!owner) at.fail("is neither \"place\" nor \"body\"");
+  return *owner;
 }
 
 AttributeDefinition readDefinition(const JsonCursor& at) {
@@ -70,7 +114,7 @@ AttributeDefinition readDefinition(const JsonCursor& at) {
   AttributeDefinition definition;
   definition.name = at.at("name").nonEmptyText();
   definition.label = at.has("label") ? at.at("label").text() : definition.name;
-  const auto type = attributeTypeByName(at.at("type").text());
+  const auto type = kAttributeTypeNames.find(at.at("type").text());
   if (!type) at.at("type").fail("is not a type of attribute", "Give bool, integer, number, text or choice.");
   definition.type = *type;
   definition.owner = readOwner(at.at("of"));
@@ -90,7 +134,7 @@ AttributeDefinition readDefinition(const JsonCursor& at) {
 PlaceEdit readPlace(const JsonCursor& at) {
   at.allowOnly({"at", "name", "attributes"});
   PlaceEdit edit;
-  edit.at = at.at("at").vector();
+  edit.at = readVector(at.at("at"));
   if (const auto name = at.find("name")) edit.name = name->text();
   edit.attributes = readAttributes(at.find("attributes"));
   return edit;
@@ -98,7 +142,7 @@ PlaceEdit readPlace(const JsonCursor& at) {
 
 MilestoneEdit readMilestone(const JsonCursor& at) {
   at.allowOnly({"at", "pose"});
-  return {at.at("at").vector(), at.at("pose").pose()};
+  return {readVector(at.at("at")), readPose(at.at("pose"))};
 }
 
 StrategyRules readRules(const JsonCursor& at) {
@@ -214,8 +258,8 @@ Json toJson(const AttributeDefinition& definition) {
   Json json;
   json["name"] = definition.name;
   json["label"] = definition.label;
-  json["type"] = std::string(toText(definition.type));
-  json["of"] = definition.owner == AttributeOwner::Place ? "place" : "body";
+  json["type"] = kAttributeTypeNames.of(definition.type);
+  json["of"] = kAttributeOwnerNames.of(definition.owner);
   if (!definition.unit.empty()) json["unit"] = definition.unit;
   const AttributeDefinition usual;
   if (definition.minimum != usual.minimum) json["minimum"] = definition.minimum;

@@ -1,6 +1,7 @@
 #include "engine/scenario/sequence_json.h"
 
 #include "engine/base/limits.h"
+#include "engine/geometry/pose_json.h"
 #include "engine/scenario/author_names.h"
 #include "engine/scenario/body_classes_json.h"
 #include "engine/scenario/joints_json.h"
@@ -125,9 +126,9 @@ std::vector<PathPoint> readMotion(const JsonCursor& at) {
     const JsonCursor point = at.element(i);
     point.allowOnly({"position", "orientation", "author"});
     const SequenceJson pose{{"position", point.at("position").json()}, {"orientation", point.at("orientation").json()}};
-    const auto author = authorByName(point.at("author").text());
+    const auto author = kAuthorNames.find(point.at("author").text());
     if (!author) point.at("author").fail("is not computer, operator or contact");
-    path.push_back({JsonCursor(pose, at.file(), at.pointer() + "/" + std::to_string(i)).pose(), *author});
+    path.push_back({readPose(JsonCursor(pose, at.file(), at.pointer() + "/" + std::to_string(i))), *author});
   }
   if (path.empty()) at.fail("is empty", "Give a path.");
   return path;
@@ -137,7 +138,7 @@ SequenceJson motionJson(const std::vector<PathPoint>& path) {
   SequenceJson json = SequenceJson::array();
   for (const PathPoint& point : path) {
     SequenceJson configuration = toJson(point.q);
-    configuration["author"] = authorName(point.author);
+    configuration["author"] = kAuthorNames.of(point.author);
     json.push_back(std::move(configuration));
   }
   return json;

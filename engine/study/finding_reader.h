@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/import/json_reader.h"
+#include "engine/base/json_reader.h"
 #include "engine/study/finding.h"
 #include "engine/study/study_json.h"
 

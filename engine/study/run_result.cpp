@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "engine/base/guarded.h"
-#include "engine/import/json_reader.h"
+#include "engine/base/json_reader.h"
 #include "engine/study/study_json.h"
 
 namespace glissade {

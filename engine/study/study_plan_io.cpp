@@ -1,4 +1,4 @@
-#include "engine/import/json_reader.h"
+#include "engine/base/json_reader.h"
 #include "engine/study/finding_reader.h"
 #include "engine/study/study_json.h"
 #include "engine/study/study_plan.h"

@@ -3,13 +3,62 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QGridLayout>
+#include <QLabel>
 #include <QObject>
+#include <QSlider>
+#include <QWidget>
 
 #include "engine/operator/device_shaping.h"
-#include "widgets/devices/axis_bar.h"
-#include "widgets/devices/value_slider.h"
 
 namespace glissade {
+
+/// A slider with its value beside it. Values come while it is dragged.
+class ValueSlider final : public QWidget {
+  Q_OBJECT
+
+ public:
+  ValueSlider(const ShapingRange& range, const QString& name, QWidget* parent);
+
+  /// Shows the value without telling anybody.
+  void setValue(double value);
+  double value() const { return value_; }
+  /// The part that has the keyboard focus.
+  QSlider* slider() const { return slider_; }
+
+ signals:
+  void valueChosen(double value);
+
+ private:
+  void showText();
+
+  double value_ = 0.0;
+  QSlider* slider_;
+  QLabel* text_;
+};
+
+/// One axis, live: the raw deflection as a thin bar above the shaped one, both from the middle; the dead
+/// zone is hatched.
+class AxisBar final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit AxisBar(QWidget* parent);
+
+  void setValues(double raw, double shaped);
+  void setDeadZone(double deadZone);
+  double shaped() const { return shaped_; }
+
+  QSize sizeHint() const override { return {180, 22}; }
+  QSize minimumSizeHint() const override { return {110, 20}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  double raw_ = 0.0;
+  double shaped_ = 0.0;
+  double deadZone_ = 0.0;
+};
 
 /// One axis of the calibration page: its live bar and the editors of its shaping, in a row of a grid.
 class AxisRow final : public QObject {

@@ -90,7 +90,7 @@ ProvenValue SemanticDocument::bodyValue(const QString& bodyId, const std::string
   }
   const auto body = std::find_if(bodies_.begin(), bodies_.end(), [&](const RigidBody& b) { return b.id == id; });
   if (attribute == "mobility" && body != bodies_.end()) {
-    return {std::string(body->mobility == Mobility::Static ? "static" : "mobile"), Provenance::Computed};
+    return {std::string(kMobilityNames.of(body->mobility)), Provenance::Computed};
   }
   return {table_.find(AttributeOwner::Body, attribute)->initial, Provenance::Initial};
 }

@@ -9,6 +9,7 @@
 #include <QScrollBar>
 #include <QShortcut>
 #include <QVBoxLayout>
+
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
@@ -57,6 +58,21 @@ QString reasonText(Diagnostic why) {
 }
 
 }  // namespace
+
+FinenessBox::FinenessBox(QWidget* parent) : QDoubleSpinBox(parent) {
+  constexpr double kMostMillimetres = 5.0;
+  setObjectName(QStringLiteral("fineness"));
+  setAccessibleName(tr("Fineness of STEP surfaces"));
+  setToolTip(
+      tr("By how much triangles may be off the surfaces of STEP files. Finer ones allow smaller gaps and take longer; "
+         "by its size, a part has a thousandth of its diagonal, from 0.01 to 0.5 mm"));
+  setRange(0.0, kMostMillimetres);
+  setDecimals(3);
+  setSingleStep(0.01);
+  setSuffix(tr(" mm"));
+  setPrefix(tr("STEP within "));
+  setSpecialValueText(tr("STEP by size"));
+}
 
 PartsDialog::PartsDialog(Purpose purpose, const QStringList& files, bool atOnce, QWidget* parent)
     : QDialog(parent),

@@ -3,18 +3,30 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialog>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QTableWidget>
+
 #include <optional>
 #include <vector>
 
 #include "engine/scenario/part_files.h"
 #include "engine/scenario/unit_guess.h"
 #include "widgets/bridge/background_task.h"
-#include "widgets/editors/fineness_box.h"
 
 namespace glissade {
+
+/// Asks by how much triangles may be off the surfaces of STEP files; at first by the size of each part.
+class FinenessBox final : public QDoubleSpinBox {
+  Q_OBJECT
+
+ public:
+  explicit FinenessBox(QWidget* parent = nullptr);
+
+  /// 0: by the size of each part.
+  double metres() const { return value() / 1e3; }
+};
 
 /// Names of part files, as file dialogs want them.
 QString partFilePatterns();

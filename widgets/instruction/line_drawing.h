@@ -2,13 +2,42 @@
 
 #include <QColor>
 #include <QImage>
+#include <QPointF>
+#include <QRectF>
 
 #include <vector>
 
 #include "engine/environment/rigid_body.h"
-#include "widgets/instruction/projection.h"
+#include "engine/geometry/triangle_mesh.h"
 
 namespace glissade {
+
+/// A parallel projection to a picture, as drawings of work instructions have it. The view's frame V: x to the right, y
+/// up, z towards the eye.
+class Projection {
+ public:
+  /// `up`: not parallel to toEye.
+  Projection(const Vector3& toEye, const Vector3& up);
+
+  /// Rows are the axes of V in the world.
+  const Eigen::Matrix3d& R_VW() const { return R_VW_; }
+  /// The box in V of a mesh at X_WB.
+  Box3 boxOf(const TriangleMesh& mesh, const Pose& X_WB) const;
+  /// Shows a box in V in the middle of a rectangle of the picture, as large as it can be. Pixels.
+  void fit(const Box3& box_V, const QRectF& target);
+
+  double pixelsPerMetre() const { return scale_; }
+  /// x and y: pixels, y down; z: metres towards the eye.
+  Vector3 project(const Vector3& p_W) const;
+  QPointF pixel(const Vector3& p_W) const;
+  /// The place of a box in V.
+  QRectF rectOf(const Box3& box_V) const;
+
+ private:
+  Eigen::Matrix3d R_VW_;
+  double scale_ = 1.0;
+  Eigen::Vector2d origin_ = Eigen::Vector2d::Zero();  ///< pixels of the origin of V
+};
 
 /// A body of a drawing.
 struct DrawnBody {

@@ -2,19 +2,51 @@
 
 #include <QComboBox>
 #include <QLabel>
+#include <QSpinBox>
 #include <QWidget>
+
 #include <memory>
 #include <optional>
 
 #include "engine/planning/path_examination.h"
+#include "engine/planning/path_spacing.h"
 #include "engine/scenario/scenario.h"
 #include "widgets/commands/action_catalogue.h"
 #include "widgets/panels/author_bar.h"
 #include "widgets/panels/clearance_curve.h"
-#include "widgets/panels/ghost_row.h"
+#include "widgets/panels/quantity_box.h"
 #include "widgets/panels/way_slider.h"
 
 namespace glissade {
+
+/// Where the object is drawn along the path: nowhere, at a number of places, or every so many millimetres.
+class GhostRow final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit GhostRow(QWidget* parent);
+
+  const PathSpacing& spacing() const { return spacing_; }
+  /// Announces it, too.
+  void setSpacing(const PathSpacing& spacing);
+
+ signals:
+  void changed(const glissade::PathSpacing& spacing);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void connectWidgets();
+  void showUnit();
+  void showSpacing();
+
+  PathSpacing spacing_;
+  double perMetre_ = 1e3;
+  QComboBox* by_;
+  QSpinBox* number_;
+  QuantityBox* distance_;
+};
 
 /// The path found or given: its certificate or what is in its way, its figures, its clearance as a curve, and a slider
 /// that moves the object along it.

@@ -2,10 +2,34 @@
 
 #include <QLabel>
 #include <QPushButton>
+#include <QTableWidget>
 
-#include "widgets/studies/work_time_table.h"
+#include <vector>
+
+#include "engine/sequence/work_times.h"
 
 namespace glissade {
+
+/// The rows of a table of work times: name, value, unit, default. Values that differ from their defaults are bold. What
+/// a person writes is told; the rows show only what they are given.
+class WorkTimeTable final : public QTableWidget {
+  Q_OBJECT
+
+ public:
+  explicit WorkTimeTable(QWidget* parent);
+
+  void setTimes(const WorkTimes& times);
+  /// Of workTimeRows(), ascending.
+  std::vector<std::size_t> selectedTimes() const;
+  /// As a person writes it into the value of this row.
+  void write(std::size_t row, const QString& text);
+
+ signals:
+  void written(std::size_t row, const QString& text);
+
+ private:
+  void addRow(int row, const WorkTimeRow& time);
+};
 
 /// A table of work times that a person edits, reads from a file and saves. The owner keeps the table and its earlier
 /// states; this shows what it is given.

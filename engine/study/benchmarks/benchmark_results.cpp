@@ -4,8 +4,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "engine/base/json_reader.h"
 #include "engine/base/number_text.h"
-#include "engine/import/json_reader.h"
 #include "engine/study/statistics.h"
 
 namespace glissade {

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/base/file.h"
-#include "engine/import/json_reader.h"
+#include "engine/base/json_reader.h"
 #include "engine/study/instruction/instruction_script.h"
 #include "engine/study/report_html.h"
 #include "engine/study/xml_text.h"

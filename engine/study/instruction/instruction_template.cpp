@@ -4,8 +4,8 @@
 #include <filesystem>
 
 #include "engine/base/file.h"
+#include "engine/base/json_reader.h"
 #include "engine/base/limits.h"
-#include "engine/import/json_reader.h"
 
 namespace glissade {
 namespace {

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "engine/import/json_reader.h"
+#include "engine/base/json_reader.h"
 #include "engine/scenario/scenario_io.h"
 #include "tests/engine/scenario/broken_scenarios.h"
 

@@ -1,7 +1,6 @@
-#include "engine/import/json_reader.h"
+#include "engine/base/json_reader.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <limits>
 #include <set>
@@ -9,7 +8,6 @@
 
 #include "engine/base/limits.h"
 #include "engine/base/printable_text.h"
-#include "engine/base/tolerances.h"
 
 namespace glissade {
 
@@ -113,28 +111,6 @@ std::uint64_t JsonCursor::wholeNumber() const {
 bool JsonCursor::boolean() const {
   if (!value_->is_boolean()) fail("is neither true nor false");
   return value_->get<bool>();
-}
-
-Vector3 JsonCursor::vector() const {
-  if (size() != 3) fail("is not a list of three numbers");
-  return {element(0).coordinate(), element(1).coordinate(), element(2).coordinate()};
-}
-
-Pose JsonCursor::pose() const {
-  allowOnly({"position", "orientation"});
-  Pose pose;
-  pose.position = at("position").vector();
-  const JsonCursor orientation = at("orientation");
-  if (orientation.size() != 4) orientation.fail("is not a quaternion x, y, z, w");
-  for (std::size_t i = 0; i < 4; ++i) {
-    pose.orientation.coeffs()[static_cast<Eigen::Index>(i)] = orientation.element(i).number();
-  }
-  const double norm = pose.orientation.norm();
-  if (std::abs(norm - 1.0) > tolerance::kQuaternionNorm) {
-    orientation.fail("is not a unit quaternion (its length is " + std::to_string(norm) + ")",
-                     "Divide its four numbers by that length.");
-  }
-  return pose;
 }
 
 namespace {
@@ -248,13 +224,6 @@ Result<Json> parseJson(const std::string& text, const std::string& file, const W
 
 std::string jsonText(const Json& json, int indent) {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace);
-}
-
-Json toJson(const Vector3& v) { return Json::array({v.x(), v.y(), v.z()}); }
-
-Json toJson(const Pose& pose) {
-  const Quaternion& q = pose.orientation;
-  return {{"position", toJson(pose.position)}, {"orientation", Json::array({q.x(), q.y(), q.z(), q.w()})}};
 }
 
 }  // namespace glissade

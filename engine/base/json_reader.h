@@ -8,12 +8,11 @@
 
 #include "engine/base/result.h"
 #include "engine/base/work_watch.h"
-#include "engine/geometry/pose.h"
 
 namespace glissade {
 
 /// A value inside a JSON document together with where it is: every getter either gives what was asked
-/// for or throws JsonError naming file and location. Private to the readers of files (rooms scenario and study).
+/// for or throws JsonError naming file and location.
 class JsonCursor {
  public:
   using Json = nlohmann::ordered_json;
@@ -48,8 +47,6 @@ class JsonCursor {
   double length() const;      ///< a size in metres, within the limits
   std::uint64_t wholeNumber() const;
   bool boolean() const;
-  Vector3 vector() const;  ///< three coordinates
-  Pose pose() const;       ///< {"position": [x,y,z], "orientation": [x,y,z,w]}
 
  private:
   const Json* value_;
@@ -90,9 +87,5 @@ auto readJson(const std::string& text, const std::string& file, const Read& read
 }
 /// What a reader that was asked to stop says of its file.
 Diagnostic notReadToItsEnd(const std::string& file);
-
-/// Poses and vectors as the files have them.
-JsonCursor::Json toJson(const Vector3& v);
-JsonCursor::Json toJson(const Pose& pose);
 
 }  // namespace glissade
