@@ -21,6 +21,9 @@
 
 namespace {
 
+using namespace glissade;
+using namespace glissade::cli;
+
 /// Metres of a length as people write it: 0.0005, 0.5mm, 5 cm, 1in. Units: m, cm, mm, in, inch, ft; none: metres.
 /// Throws CLI::ValidationError with what is wrong.
 double metres(const std::string& text) {
@@ -34,9 +37,6 @@ double metres(const std::string& text) {
   }
   return *length;
 }
-
-using namespace glissade;
-using namespace glissade::cli;
 
 void addFormat(CLI::App& command, Format& format) {
   command.add_flag_callback(

@@ -6,7 +6,7 @@
 namespace glissade {
 
 /// The whole of `glissade` and `glissade-offscreen`: reads the command line, opens the window, runs a
-/// script or the event loop, and returns the exit code of DESIGN section 6.
+/// script or the event loop, and returns the exit code (exitCode()).
 int runApplication(int argc, char** argv, const SceneWidgetFactory& makeScene, SessionClock clock);
 
 /// What both programs do before anything else: signals that would kill them, plugins of the current

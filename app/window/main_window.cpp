@@ -31,7 +31,6 @@
 #include "app/window/measure_controller.h"
 #include "app/window/menus.h"
 #include "app/window/named_views_controller.h"
-#include "app/window/navigation_controller.h"
 #include "app/window/preferences_controller.h"
 #include "app/window/recording_controller.h"
 #include "app/window/refusal_controller.h"
@@ -115,7 +114,6 @@ void MainWindow::addParts() {
   new DisplayController(bench_);
   views_ = new NamedViewsController(bench_);
   connect(views_, &NamedViewsController::cameraMoved, view, &ViewController::publishOperatorFrame);
-  new NavigationController(bench_);
   auto* eyes = new EyesController(bench_);
   auto* fits = new FitsController(bench_);
   auto* joints = new JointsController(bench_);

@@ -1,11 +1,13 @@
 #include "app/window/view_controller.h"
 
+#include <QActionGroup>
 #include <QEvent>
 
 #include "widgets/commands/length_text.h"
 #include "widgets/scene3d/camera_controller.h"
 #include "widgets/scene3d/label_overlay.h"
 #include "widgets/scene3d/legend_overlay.h"
+#include "widgets/scene3d/navigation_style.h"
 #include "widgets/scene3d/scale_bar.h"
 #include "widgets/scene3d/view_cube.h"
 
@@ -22,6 +24,7 @@ constexpr const char* kCameraActions[] = {"view.fit",   "view.zoom-selection", "
 ViewController::ViewController(const Workbench& bench) : QObject(&bench.window), bench_(bench) {
   QWidget* widget = bench.scene.widget();
   addNavigationAids();
+  connectNavigationStyles();
   widget->installEventFilter(this);
   showGridUnit();
   bench.scene.onCameraMoved([this] { publishOperatorFrame(); });
@@ -53,6 +56,17 @@ void ViewController::addNavigationAids() {
     bench_.scene.view().camera().lookFrom(towardsEye);
     showCamera();
   });
+}
+
+void ViewController::connectNavigationStyles() {
+  auto* group = new QActionGroup(this);
+  for (const NavigationStyleEntry& entry : kNavigationStyles) {
+    QAction* action = group->addAction(bench_.actions[QLatin1String(entry.action)]);
+    connect(action, &QAction::toggled, this, [&scene = bench_.scene, style = entry.style](bool chosen) {
+      if (chosen) scene.setNavigationStyle(style);
+    });
+  }
+  bench_.actions[QLatin1String(kNavigationStyles.front().action)]->setChecked(true);
 }
 
 bool ViewController::eventFilter(QObject* watched, QEvent* event) {

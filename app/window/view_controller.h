@@ -4,7 +4,7 @@
 
 namespace glissade {
 
-/// Keeps the 3D view in step with the document and the run that is shown; standard views, layers.
+/// Keeps the 3D view in step with the document and the run that is shown; standard views, layers, styles of navigation.
 class ViewController final : public QObject {
   Q_OBJECT
 
@@ -21,6 +21,8 @@ class ViewController final : public QObject {
   void updateView(Changes what);
   void connectActions();
   void addNavigationAids();
+  /// Which buttons and keys move the camera.
+  void connectNavigationStyles();
   /// After the camera was moved.
   void showCamera();
   void zoomToSelection();

@@ -18,7 +18,6 @@
 #include "engine/base/reserve_filled.h"
 
 namespace glissade {
-namespace {
 
 /// A program that has just been started.
 struct LaunchedChild {
@@ -27,6 +26,8 @@ struct LaunchedChild {
   Descriptor output;   ///< read end of its standard output, non-blocking
   Descriptor errors;   ///< read end of its standard error, non-blocking
 };
+
+namespace {
 
 constexpr int kCannotStart = 127;
 

@@ -8,7 +8,7 @@
 namespace glissade {
 
 /// Read side of a request to stop, cheap to copy and safe to read from any thread.
-/// Long loops look at it in every step (DESIGN section 3: a stop answers within 50 ms).
+/// Long loops look at it in every step (a stop answers within 50 ms).
 class StopToken {
  public:
   using Clock = std::chrono::steady_clock;

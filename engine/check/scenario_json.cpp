@@ -47,8 +47,8 @@ Geometry readShape(const JsonCursor& at, const std::set<std::string>& assets) {
                         step->has("as_one") && step->at("as_one").boolean()};
   }
   if (const auto box = at.find("box")) {
-    if (!limits::isSize(box->vector().minCoeff())) box->fail("has a size that is not above zero, or below 1e-12 m");
-    return BoxGeometry{box->vector()};
+    if (!limits::isSize(readVector(*box).minCoeff())) box->fail("has a size that is not above zero, or below 1e-12 m");
+    return BoxGeometry{readVector(*box)};
   }
   if (const auto cylinder = at.find("cylinder")) {
     return CylinderGeometry{cylinder->at("radius").length(), cylinder->at("length").length()};
@@ -61,7 +61,7 @@ StatedScenario::StatedBody readStatedBody(const JsonCursor& at, const std::set<s
   body.id = at.at("id").nonEmptyText();
   body.name = at.has("name") ? at.at("name").text() : body.id;
   body.geometry = readShape(at.at("geometry"), assets);
-  if (const auto pose = at.find("pose")) body.pose = pose->pose();
+  if (const auto pose = at.find("pose")) body.pose = readPose(*pose);
   return body;
 }
 
@@ -203,7 +203,7 @@ StatedScenario readStatedScenario(const JsonCursor& root) {
   if (const auto leftOut = root.find("left_out")) addBodies(*leftOut, scenario.leftOut);
   if (const auto product = root.find("product")) scenario.nodes = readNodes(*product);
   if (const auto centre = object.find("centre_on_vertex_mean")) scenario.centreOnVertexMean = centre->boolean();
-  if (const auto point = object.find("reference_point")) scenario.referencePoint = point->vector();
+  if (const auto point = object.find("reference_point")) scenario.referencePoint = readVector(*point);
   scenario.start = readPose(root.at("start"));
   const JsonCursor goal = root.at("goal");
   if (!goal.isString()) scenario.goal = readPose(goal);

@@ -30,7 +30,7 @@ std::vector<SnapWord> bendsIn(const JsonCursor& joint) {
   const auto direction = made ? made->find("direction") : std::nullopt;
   const auto others = joint.find("others");
   if (!bend || !direction || !others || metres(*bend) == 0.0) return snaps;
-  const Vector3 way = direction->vector();
+  const Vector3 way = readVector(*direction);
   if (!(way.norm() > 0.0)) direction->fail("has no direction");
   for (const std::string& edge : readTexts(*others)) {
     snaps.push_back({joint.at("body").nonEmptyText(), edge, metres(*bend), way.normalized()});

@@ -21,21 +21,6 @@
 #include "engine/collision/world_geometry.h"
 
 namespace glissade {
-
-struct CollisionWorld::Impl {
-  WorldGeometry geometry;  ///< where it is prepared later: backend, bodies and their box
-  double objectRadius = 0.0;
-  std::shared_ptr<const MotionBound> motionBound;
-  std::shared_ptr<const LaterGeometry> later;  ///< null: all is prepared
-
-  const WorldGeometry& prepared() const { return later ? later->get().geometry : geometry; }
-  std::vector<ObjectVariant> variants;
-  std::vector<ObstacleGroup> groups;                ///< where there are variants: these answer, and not the geometry
-  CollisionWorldPtr whole;                          ///< that withVariants() was asked of
-  std::shared_ptr<const ThreadedWorld> threads;     ///< null: there are none
-  std::shared_ptr<const ForbiddenSpace> forbidden;  ///< null: nothing is
-};
-
 namespace {
 
 /// What queries of a world need.
@@ -66,6 +51,24 @@ class LaterGeometry {
   mutable QueryGeometry prepared_;
   mutable std::atomic<bool> isPrepared_{false};
 };
+
+}  // namespace
+
+struct CollisionWorld::Impl {
+  WorldGeometry geometry;  ///< where it is prepared later: backend, bodies and their box
+  double objectRadius = 0.0;
+  std::shared_ptr<const MotionBound> motionBound;
+  std::shared_ptr<const LaterGeometry> later;  ///< null: all is prepared
+
+  const WorldGeometry& prepared() const { return later ? later->get().geometry : geometry; }
+  std::vector<ObjectVariant> variants;
+  std::vector<ObstacleGroup> groups;                ///< where there are variants: these answer, and not the geometry
+  CollisionWorldPtr whole;                          ///< that withVariants() was asked of
+  std::shared_ptr<const ThreadedWorld> threads;     ///< null: there are none
+  std::shared_ptr<const ForbiddenSpace> forbidden;  ///< null: nothing is
+};
+
+namespace {
 
 /// Of the clearance that a path usually keeps, and of what its chords are off a screw motion: so much of it is shown of
 /// a screw motion without effort.

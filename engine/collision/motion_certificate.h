@@ -29,7 +29,7 @@ struct EdgeCertificate {
   NearestObstacle nearest;       ///< the pair there: the object and this body
 };
 
-/// A continuous proof about a motion or a path (DESIGN section 4), never sampled checks.
+/// A continuous proof about a motion or a path, never sampled checks.
 struct MotionCertificate {
   CertificateStatus status = CertificateStatus::Undecided;
   double tolerance = 0.0;        ///< the clearance that was required, metres

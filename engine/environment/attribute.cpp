@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/base/number_text.h"
+#include "engine/environment/rigid_body.h"
 
 namespace glissade {
 namespace {

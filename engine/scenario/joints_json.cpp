@@ -72,7 +72,7 @@ Joint readMade(const JsonCursor& at, JointKind kind, std::vector<std::string>* c
   joint.kind = kind;
   joint.state = JointState::Confirmed;
   *clamped = readIds(at.find("clamped"));
-  if (const auto point = at.find("point")) joint.point = point->vector();
+  if (const auto point = at.find("point")) joint.point = readVector(*point);
   if (const auto direction = at.find("direction")) joint.direction = readDirection(*direction);
   if (const auto thread = at.find("thread")) joint.thread = readThread(*thread);
   if (const auto drive = at.find("drive")) {

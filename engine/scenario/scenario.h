@@ -53,7 +53,7 @@ struct ObjectDescription {
 /// A person's plan for the simulated operator: free configurations to pass through in order.
 using WayPoints = std::vector<Pose>;
 
-/// One scenario file as a value: what is asked, not yet loaded geometry (DESIGN section 5).
+/// One scenario file as a value: what is asked, not yet loaded geometry.
 struct Scenario {
   std::string name;
   std::string description;

@@ -69,7 +69,7 @@ Geometry readGeometry(const JsonCursor& at, const std::set<std::string>& assets)
                         step->has("as_one") && step->at("as_one").boolean()};
   }
   if (const auto box = at.find("box")) {
-    const Vector3 size = box->vector();
+    const Vector3 size = readVector(*box);
     if (!limits::isSize(size.minCoeff())) box->fail("has a size that is not above zero, or below 1e-12 m");
     return BoxGeometry{size};
   }
@@ -100,7 +100,7 @@ BodyDescription readDescription(const JsonCursor& at, const std::set<std::string
 BodyDescription readBody(const JsonCursor& at, const std::set<std::string>& assets) {
   at.allowOnly({"id", "name", "mobility", "geometry", "pose", "colour", "attributes"});
   BodyDescription body = readDescription(at, assets);
-  if (const auto pose = at.find("pose")) body.pose = pose->pose();
+  if (const auto pose = at.find("pose")) body.pose = readPose(*pose);
   return body;
 }
 
@@ -120,7 +120,7 @@ ObjectDescription readObject(const JsonCursor& at, const std::set<std::string>& 
     if (object.centreOnVertexMean && !mesh) centre->fail("is for mesh files only");
   }
   if (const auto point = at.find("reference_point")) {
-    object.referencePoint = point->vector();
+    object.referencePoint = readVector(*point);
     if (object.centreOnVertexMean) point->fail("is said twice: there is 'centre_on_vertex_mean'");
   }
   if (object.centreOnVertexMean && object.isGroup()) at.at("with").fail("is not beside 'centre_on_vertex_mean'");

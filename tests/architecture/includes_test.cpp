@@ -1,4 +1,4 @@
-// The edges of DESIGN section 2, read from the includes themselves.
+// Which room of the engine may use which, read from the includes themselves.
 #include <gtest/gtest.h>
 
 #include <algorithm>

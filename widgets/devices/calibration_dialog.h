@@ -5,16 +5,39 @@
 #include <QDialog>
 #include <QLabel>
 #include <QTimer>
+#include <QWidget>
 
 #include <vector>
 
+#include "engine/operator/device_shaping.h"
 #include "engine/operator/hand_inputs.h"
 #include "widgets/commands/action_catalogue.h"
 #include "widgets/devices/axis_row.h"
 #include "widgets/devices/device_settings.h"
-#include "widgets/devices/response_curve.h"
 
 namespace glissade {
+
+/// Shaped against raw deflection of one axis, with a dot where the device is now.
+class ResponseCurve final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ResponseCurve(QWidget* parent);
+
+  void setAxis(const QString& title, const AxisShaping& axis);
+  void setRaw(double raw);
+
+  QSize sizeHint() const override { return {190, 190}; }
+  QSize minimumSizeHint() const override { return {150, 150}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  QString title_;
+  AxisShaping axis_;
+  double raw_ = 0.0;
+};
 
 /// The calibration page: the six axes of a device live, raw and shaped, and everything that shapes them.
 /// A change counts at once and is kept for the device of that name.
