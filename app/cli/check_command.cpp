@@ -59,7 +59,7 @@ int reportStopped(Diagnostic error, const Interrupt& interrupt, Format format) {
 /// Forbidden places are found as planners find them, so that none is passed over that the file does not state. Regions
 /// that it states count as well.
 Outcome addForbiddenPlaces(const std::string& file, const StopToken& stop, check::Question& question) {
-  if (!question.forbidsPlaces) return Done{};
+  if (!question.product.forbidsPlaces) return Done{};
   const auto loaded = loadScenario(file, stop);
   if (!loaded) return loaded.error();
   const auto places = forbiddenPlacesOf(*loaded, loaded->scenario, stop);
@@ -68,7 +68,7 @@ Outcome addForbiddenPlaces(const std::string& file, const StopToken& stop, check
     reportWarnings({*warning});
     for (const ForbiddenPlace& place : *places) question.forbidden.push_back({place.name, place.boxes});
   }
-  question.forbidsPlaces = !question.forbidden.empty();
+  question.product.forbidsPlaces = !question.forbidden.empty();
   return Done{};
 }
 
@@ -122,6 +122,7 @@ int checkPlan(const CheckOptions& options, const Interrupt& interrupt, const Sto
     return reportError(left.error(), options.format);
   }
   reportWarnings(product->warnings);
+  if (product->forbidsPlaces) reportWarnings({placesHoldForPathsOnly(options.scenario)});
   check::PlanVerdict verdict;
   {
     CheckProgress progress(options.format == Format::Text);

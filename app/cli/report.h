@@ -24,6 +24,8 @@ void printJson(const nlohmann::ordered_json& json);
 /// Prints the error to stderr (and as JSON to stdout) and returns the exit code that goes with it.
 int reportError(const Diagnostic& error, Format format);
 void reportWarnings(const Warnings& warnings);
+/// A warning about a plan of a scenario that forbids places: they hold for the path of its object alone.
+Diagnostic placesHoldForPathsOnly(const std::string& file);
 
 /// Number of a JSON report; null where it is not finite.
 nlohmann::ordered_json number(double value);

@@ -435,6 +435,7 @@ int runSequence(const SequenceOptions& options) {
   const bool outOfTime = !fits && fits.error().kind == ErrorKind::Interrupted && !interrupt.requested();
   if (!fits && !outOfTime) return reportError(fits.error(), options.format);
   reportWarnings(loaded->warnings);
+  if (loaded->forbidsPlaces) reportWarnings({placesHoldForPathsOnly(options.file)});
   ProgressHost host(stop, team, product, begin);
   if (earlier) host.skip(earlier->steps.size());
   const std::string usual = options.strategy.empty() ? kUsualStrategy : options.strategy;

@@ -8,6 +8,7 @@
 #include "engine/check/deepest_points.h"
 #include "engine/check/part_cells.h"
 #include "engine/geometry/triangle_crossing.h"
+#include "engine/geometry/vertex_welder.h"
 
 namespace glissade::check {
 namespace {
@@ -315,13 +316,118 @@ class DepthSearch {
   std::uint32_t triangle_ = 0;
 };
 
+/// Sine of the angle between the axes of a hole and of a shaft that is drawn tilted in it.
+constexpr double kLeastTilt = 1e-3;
+constexpr double kLargestTilt = 0.2;
+
+/// A hole of a body, and a round shaft of another body that goes through it and is tilted.
+struct ShaftInHole {
+  const RoundFace& hole;
+  const RoundFace& shaft;
+
+  double alongHole(const Vector3& p) const { return (p - hole.point).dot(hole.axis); }
+  double fromAxisOfHole(const Vector3& p) const { return (p - hole.point).cross(hole.axis).norm(); }
+  Vector3 endOfShaft(double along) const { return shaft.point + along * shaft.axis; }
+
+  bool goesThrough() const {
+    if (hole.isShaft || !shaft.isShaft || shaft.radius > hole.radius + kClashOverlap) return false;
+    const double tilt = hole.axis.cross(shaft.axis).norm();
+    if (tilt < kLeastTilt || tilt > kLargestTilt) return false;
+    const auto [low, high] = std::minmax({alongHole(endOfShaft(shaft.low)), alongHole(endOfShaft(shaft.high))});
+    return low < hole.low && high > hole.high && fromAxisOfHole(shaftAt(hole.low)) < hole.radius &&
+           fromAxisOfHole(shaftAt(hole.high)) < hole.radius;
+  }
+
+  /// The point of the axis of the shaft that is so far along the hole.
+  Vector3 shaftAt(double along) const {
+    return shaft.point + (along - alongHole(shaft.point)) / shaft.axis.dot(hole.axis) * shaft.axis;
+  }
+
+  double fromAxisOfShaft(const Vector3& p) const { return (p - shaft.point).cross(shaft.axis).norm(); }
+  double offShaft() const { return std::max(kOnCylinder, kShareOfCylinderRadius * shaft.radius); }
+  bool isInShaft(const Vector3& p) const { return fromAxisOfShaft(p) <= shaft.radius + offShaft(); }
+
+  bool isOfHole(const Triangle& triangle) const {
+    const double off = std::max(kOnCylinder, kShareOfCylinderRadius * hole.radius);
+    return std::all_of(triangle.begin(), triangle.end(), [&](const Vector3& p) {
+      const double along = alongHole(p);
+      return along >= hole.low - off && along <= hole.high + off && std::abs(fromAxisOfHole(p) - hole.radius) <= off;
+    });
+  }
+
+  /// The body with the shaft is thicker than the shaft somewhere, such as at a knob, and not much thicker than the hole
+  /// is wide. A wider hole would let it pass.
+  bool hasKnob(const PlacedBody& body) const {
+    VertexWelder welder(body.mesh.vertices.size());
+    std::vector<std::uint32_t> number;
+    for (const Vector3& vertex : body.mesh.vertices) number.push_back(welder.indexOf(vertex));
+    std::vector<double> from;
+    for (const Vector3& vertex : welder.vertices()) from.push_back(fromAxisOfShaft(vertex));
+    std::vector<bool> isFarthest(from.size(), true);
+    for (const TriangleIndices& corners : body.mesh.triangles) {
+      for (const std::uint32_t a : corners) {
+        for (const std::uint32_t b : corners) {
+          if (from[number[b]] > from[number[a]]) isFarthest[number[a]] = false;
+        }
+      }
+    }
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      const bool isThicker = from[i] > shaft.radius + offShaft() && from[i] <= hole.radius + 2.0 * kClashOverlap;
+      if (isFarthest[i] && isThicker) return true;
+    }
+    return false;
+  }
+
+  /// Metres: how far the shaft is in the wall of the hole, across the axis of the hole.
+  double depth(const PlacedBody& body) const {
+    const double middle = 0.5 * (hole.low + hole.high);
+    const double half = 0.5 * (hole.high - hole.low);
+    double farthest = 0.0;
+    for (const Triangle& triangle : body.tree.triangles()) {
+      if (!std::all_of(triangle.begin(), triangle.end(), [&](const Vector3& p) { return isInShaft(p); })) continue;
+      // The distance from an axis is largest at a corner of the part of the triangle that is in the hole.
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Vector3& from = triangle[i];
+        const Vector3 way = triangle[(i + 1) % 3] - from;
+        const double along = alongHole(from) - middle;
+        const double step = way.dot(hole.axis);
+        if (std::abs(along) <= half) farthest = std::max(farthest, fromAxisOfHole(from));
+        for (const double end : {-half, half}) {
+          const double share = step != 0.0 ? (end - along) / step : -1.0;
+          if (share >= 0.0 && share <= 1.0) farthest = std::max(farthest, fromAxisOfHole(from + share * way));
+        }
+      }
+    }
+    return farthest - hole.radius;
+  }
+};
+
+/// A tilted shaft is deepest at the rims of its hole, where the face around the hole is nearer to its points than the
+/// wall of the hole. The wall counts across the axis of the hole.
+void deepenHoles(const PlacedBody& body, const PlacedBody& other, Overlap& overlap) {
+  for (const RoundFace& hole : body.rounds) {
+    for (const RoundFace& round : other.rounds) {
+      const ShaftInHole pair{hole, round};
+      if (!pair.goesThrough()) continue;
+      const double depth = std::min(kClashOverlap, pair.depth(other));
+      if (depth <= kLeastDepth || pair.hasKnob(other)) continue;
+      for (std::uint32_t t = 0; t < body.mesh.triangles.size(); ++t) {
+        double& ofRegion = overlap.depths[body.regions.of[t]];
+        if (ofRegion > 0.0 && ofRegion < depth && pair.isOfHole(body.tree.triangles()[t])) ofRegion = depth;
+      }
+    }
+  }
+}
+
 }  // namespace
 
 Overlap overlapIn(const PlacedBody& body, const PlacedBody& other, const StopToken& stop) {
   if (!body.interior || !body.tree.box().intersects(other.tree.box())) {
     return {std::vector<double>(body.regions.count, 0.0), 0.0, 0.0};
   }
-  return DepthSearch(body, other).search(stop);
+  Overlap overlap = DepthSearch(body, other).search(stop);
+  if (overlap.deepest > 0.0) deepenHoles(body, other, overlap);
+  return overlap;
 }
 
 }  // namespace glissade::check

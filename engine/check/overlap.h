@@ -19,7 +19,9 @@ struct Overlap {
 
 /// The depth of a point of the other surface is its distance from the surface of the body. It counts for the region
 /// that has the nearest point, where that faces the other surface. It is taken at points where it can be largest
-/// (deepestPoints()), and nothing is added: what is not met is not allowed. Bodies that are not closed have no inside.
+/// (deepestPoints()), and nothing is added: what is not met is not allowed. The wall of a round hole that a shaft goes
+/// through, tilted by up to 11 degrees, counts across the axis of the hole, unless the body with the shaft has a knob
+/// beside it that a wider hole would let pass. Bodies that are not closed have no inside.
 Overlap overlapIn(const PlacedBody& body, const PlacedBody& other, const StopToken& stop);
 
 }  // namespace glissade::check

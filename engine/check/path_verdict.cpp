@@ -66,7 +66,7 @@ void judgeForbidden(const Question& question, const std::vector<Pose>& path, Pat
   if (!question.forbidden.empty()) {
     verdict.forbiddenMargin = tolerance::kForbiddenMargin * radiusAboutOrigin(*question.object().mesh);
     verdict.forbidden = firstForbidden(path, question.forbidden, verdict.forbiddenMargin);
-  } else if (question.forbidsPlaces) {
+  } else if (question.product.forbidsPlaces) {
     verdict.refusals.push_back("the scenario forbids places, and where they are is not known");
   }
 }

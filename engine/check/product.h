@@ -109,17 +109,18 @@ struct Product {
   Warnings warnings{};       ///< of reading it
   JointWords joints{};
   MissingShapes missing{};  ///< that its files state and that are no bodies
+  /// A person forbids places. Regions of a place hold for the object of a path, and for no part of a plan.
+  bool forbidsPlaces = false;
 };
 
 /// What a path is asked for.
 struct Question {
-  Product product;             ///< the object is the last body, at the start
-  std::optional<Pose> goal{};  ///< nothing: anywhere clear of the others' bounding box
-  Box3 workspace;              ///< of the object's reference point
-  std::vector<ForbiddenRegion> forbidden{};
-  bool forbidsPlaces = false;      ///< a person does; without regions no path is valid
-  double requiredClearance = 0.0;  ///< metres
-  double contactGap = 0.0;         ///< metres
+  Product product;                           ///< the object is the last body, at the start
+  std::optional<Pose> goal{};                ///< nothing: anywhere clear of the others' bounding box
+  Box3 workspace;                            ///< of the object's reference point
+  std::vector<ForbiddenRegion> forbidden{};  ///< if a person forbids places and none is known, no path is valid
+  double requiredClearance = 0.0;            ///< metres
+  double contactGap = 0.0;                   ///< metres
 
   const Body& object() const { return product.bodies.back(); }
 };

@@ -308,6 +308,7 @@ Product productOf(const ReadScenario& read, const std::vector<Body>& object, con
   shorten(product);
   product.demands = read.stated.demands;
   product.joints = read.stated.joints;
+  product.forbidsPlaces = read.stated.forbidsPlaces;
   return product;
 }
 
@@ -329,7 +330,6 @@ Result<Question> readQuestion(const std::string& file, const FitChoice& fits, co
   if (scenario.goal) question.goal = unitRotation(*scenario.goal);
   question.workspace = scenario.workspace;
   question.forbidden = scenario.forbidden;
-  question.forbidsPlaces = scenario.forbidsPlaces;
   if (const Outcome taken = takeParameters(scenario, file, question); !taken) return taken.error();
   return question;
 }

@@ -22,6 +22,7 @@
 #include "engine/import/confinement.h"
 #include "engine/import/foreign_text.h"
 #include "engine/import/iges_parts.h"
+#include "engine/import/shape_overlaps.h"
 #include "engine/import/step_assembly.h"
 #include "engine/import/step_fineness.h"
 #include "engine/import/step_healing_notes.h"
@@ -260,32 +261,47 @@ StepAssembly readBrepText(std::vector<char>& content) {
   return readBrepParts(stream);
 }
 
-int import(CadKind kind, double deflection, bool solidNames, const ForeignText& foreign, const ImportOutput& output) {
+void writeVolumes(const std::vector<std::pair<std::string, std::string>>& pairs, const StepAssembly& assembly,
+                  const ImportOutput& output) {
+  protocol::Header header;
+  header.kind = protocol::kVolumes;
+  header.vertices = static_cast<std::uint32_t>(pairs.size());
+  std::vector<double> volumes;
+  for (const auto& [a, b] : pairs) volumes.push_back(commonVolume(assembly, a, b));
+  output.write(&header, sizeof header);
+  output.write(volumes);
+}
+
+int import(const StepImportOrder& order, const ForeignText& foreign, const ImportOutput& output) {
   std::vector<char> content = readStandardInput(protocol::kStepLimits.bytes);
-  if (content.empty()) return failToRead(kind, output, "it is empty or too large");
-  const StepAssembly assembly = kind == CadKind::Iges   ? readIgesParts(content)
-                                : kind == CadKind::Brep ? readBrepText(content)
-                                                        : readStepParts(content, solidNames, foreign);
-  Message(deflection, assembly).write(output);
+  if (content.empty()) return failToRead(order.kind, output, "it is empty or too large");
+  const StepAssembly assembly = order.kind == CadKind::Iges   ? readIgesParts(content)
+                                : order.kind == CadKind::Brep ? readBrepText(content)
+                                                              : readStepParts(content, order.solidNames, foreign);
+  if (order.volumesOf.empty()) {
+    Message(order.deflection, assembly).write(output);
+  } else {
+    writeVolumes(order.volumesOf, assembly, output);
+  }
   return 0;
 }
 
 }  // namespace
 
-int confinedStepImport(CadKind kind, double deflection, bool solidNames) {
+int confinedStepImport(const StepImportOrder& order) {
   const ImportOutput output;
   const ForeignText foreign;
   if (const Outcome confined = confine(protocol::kStepLimits); !confined) return output.refuse(confined.error());
   ::Message::DefaultMessenger()->ChangePrinters().Clear();
   try {
-    return import(kind, deflection, solidNames, foreign, output);
+    return import(order, foreign, output);
   } catch (const Standard_Failure& failure) {
-    return failToRead(kind, output,
+    return failToRead(order.kind, output,
                       std::string("its shapes cannot be computed (") + failure.DynamicType()->Name() + ")");
   } catch (const std::bad_alloc&) {
-    return failToRead(kind, output, "it needs more memory than an import may take");
+    return failToRead(order.kind, output, "it needs more memory than an import may take");
   } catch (const std::exception& error) {
-    return failToRead(kind, output, error.what());
+    return failToRead(order.kind, output, error.what());
   }
 }
 

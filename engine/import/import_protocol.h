@@ -18,14 +18,19 @@ namespace glissade::import_protocol {
 // below); for kError (the file cannot be read) and kNotConfined (the process cannot give up its rights, and has read
 // nothing) `vertices` bytes of text: the location in the file (may be empty), a line feed, the reason.
 //
+// With kVolumesOf as its argument, glissade-import-step writes kVolumes: `vertices` doubles, cubic millimetres, not a
+// number where a volume is not known.
+//
 // With kSeveral as its argument, glissade-import reads several files, each as a SmallFile and its bytes, and writes a
 // message (kMesh or kError) of each in the same order.
 inline constexpr const char* kSeveral = "several";
+inline constexpr const char* kVolumesOf = "volumes";
 inline constexpr std::uint32_t kMagic = 0x474c494d;
 inline constexpr std::uint32_t kMesh = 1;
 inline constexpr std::uint32_t kError = 2;
 inline constexpr std::uint32_t kAssembly = 3;
 inline constexpr std::uint32_t kNotConfined = 4;
+inline constexpr std::uint32_t kVolumes = 5;
 /// Kinds of notes: something is missing; a face got new triangles; the volume of a part with such a face is doubtful; a
 /// part has no inside; curves are left out; a shape is missing; a shape belongs to no product; a second representation
 /// is left out; names are in an encoding that was told, or that was not.

@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/assembly/missing_shape.h"
@@ -41,6 +42,14 @@ struct StepProduct {
 /// Interrupted where it was stopped.
 Result<StepProduct> importStep(const FileContent& content, double deflection, const StopToken& stop = {});
 Result<StepProduct> importStep(const std::string& file, double deflection, const StopToken& stop = {});
+
+/// The exact volume that two parts of a CAD file have in common, of each pair of paths, cubic metres: OpenCASCADE's
+/// Boolean operation on the solids of the file, in the confined process. Nothing for a pair that has no volume there,
+/// because a part has no solid, is in another file, or cannot be intersected. Takes seconds. Errors: as of
+/// importStep().
+Result<std::vector<std::optional<double>>> commonVolumes(const std::string& file,
+                                                         const std::vector<std::pair<std::string, std::string>>& parts,
+                                                         const StopToken& stop = {});
 
 /// Whether the ending is one of the files that importStep() reads: STEP, IGES, BREP.
 bool isCadFile(const std::string& file);

@@ -62,6 +62,7 @@ Result<ProductFile> productOfScenario(const std::string& file, const StopToken& 
   loaded.joints = scenario->scenario.joints;
   loaded.classes = classesOf(semanticEditsOf(scenario->scenario), loaded.product.bodies);
   loaded.missing = scenario->missing;
+  loaded.forbidsPlaces = forbidsPlaces(semanticEditsOf(scenario->scenario));
   loaded.warnings = std::move(scenario->warnings);
   return loaded;
 }

@@ -19,8 +19,9 @@ struct ProductFile {
   std::vector<JointEdit> joints{};     ///< of a scenario: what a person says of joints
   std::vector<std::string> classes{};  ///< of a scenario: the class of each body; empty where it has none
   Warnings warnings;
-  MissingShapes missing{};  ///< that the files state and that are no bodies; there is a warning of each
-  bool canOpen = false;     ///< the bodies of a part file are fewer than its solids: PartChoice can open them
+  MissingShapes missing{};     ///< that the files state and that are no bodies; there is a warning of each
+  bool forbidsPlaces = false;  ///< a scenario does; the places hold for the path of its object
+  bool canOpen = false;        ///< the bodies of a part file are fewer than its solids: PartChoice can open them
 };
 
 /// The product of a scenario: its obstacles in their order, then its object at the start. Each body about its middle.

@@ -561,6 +561,9 @@ TEST_F(Cli, AForbiddenPlaceThatTheFileDoesNotLocateIsJudged) {
   const Finished beside = judged(forbidden, pathOf("beside.path", {{0.35, 0.35, 0.3}, {1.35, 0.5, 0.3}}));
   EXPECT_NE(beside.out.find("forbidden places: the path keeps"), std::string::npos) << beside.out;
 
+  const Finished sequence = run("sequence " + forbidden + " --time-limit 1");
+  EXPECT_NE(sequence.err.find("forbids places to the path of its object"), std::string::npos) << sequence.err;
+
   // On the floor of the workspace, which is a face of both places.
   json["start"]["position"] = {1.35, 0.5, 0.0};
   json["goal"]["position"] = {1.35, 1.2, 0.0};

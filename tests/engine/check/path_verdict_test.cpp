@@ -118,7 +118,7 @@ TEST(PathVerdict, NothingMeetsWhatAPersonForbids) {
 TEST(PathVerdict, AForbiddenPlaceThatIsNotKnownIsNotPassedOver) {
   Question question = knobUnderItsLip();
   const Path path = straightUp(std::nullopt);
-  question.forbidsPlaces = true;
+  question.product.forbidsPlaces = true;
   const PathVerdict unknown = judgePath(question, path);
   ASSERT_FALSE(unknown.refusals.empty());
   EXPECT_NE(unknown.refusals.front().find("forbids places"), std::string::npos);

@@ -12,6 +12,7 @@
 #include "tests/engine/support/mapped_step.h"
 #include "tests/engine/support/step_files.h"
 #include "tests/engine/support/temporary_folder.h"
+#include "tests/step_files/step_text.h"
 
 namespace glissade {
 namespace {
@@ -73,6 +74,31 @@ TEST(StepImport, TheFilesUnitIsHonoured) {
   EXPECT_TRUE(boxInFile(onePart("inch.step")).sizes().isApprox(Vector3(0.0508, 0.0254, 0.0254), 1e-9));
   EXPECT_EQ(onePart("inch.step").unit, 0.0254);
   EXPECT_EQ(onePart("box.step").unit, 0.001);
+}
+
+TEST(StepImport, CommonVolumesAreThoseOfTheSolids) {
+  test::StepText text;
+  const auto block = text.part("block", text.box({0, 0, 0}, {20, 20, 20}), "FACETED_BREP_SHAPE_REPRESENTATION");
+  const auto bar = text.part("bar", text.box({0, 0, 0}, {10, 8, 6}) + "," + text.box({0, 12, 0}, {10, 8, 6}),
+                             "FACETED_BREP_SHAPE_REPRESENTATION");
+  const auto empty = text.part("empty", "");
+  auto assembly = text.product("assembly");
+  text.define(assembly, text.representation(""));
+  text.place(assembly, block, {0, 0, 0});
+  text.place(assembly, bar, {19.25, 0, 0});            // 0.75 deep with both of its solids
+  text.place(assembly, bar, {40, 0, 0});               // apart
+  text.place(assembly, bar, {5, 5, 19.5}, {1, 0, 0});  // turned: its x is along z
+  text.place(assembly, empty, {0, 0, 0});
+  const test::TemporaryFolder folder;
+  const std::string file = folder.write("overlaps.step", text.str());
+  const auto volumes =
+      commonVolumes(file, {{"block", "bar"}, {"bar#2", "block"}, {"bar#3", "block"}, {"block", "no such part"}});
+  ASSERT_TRUE(volumes) << toString(volumes.error());
+  ASSERT_EQ(volumes->size(), 4U);
+  EXPECT_NEAR(volumes->at(0).value_or(0.0), 2 * 0.75 * 8 * 6 * kCubicMillimetre, 1e-15);
+  EXPECT_EQ(volumes->at(1), 0.0);
+  EXPECT_TRUE(volumes->at(2));
+  EXPECT_FALSE(volumes->at(3)) << "a part that is not there has no volume";
 }
 
 /// fits.step with another name for its bolt.
