@@ -165,7 +165,7 @@ void setAtMost(const MeasuredSide& side, const FaceRegions& regions, const std::
     return;
   }
   const std::vector<std::uint32_t>& parents = side.patches->parents;
-  if (!side.patches->midpoints.empty()) {
+  if (!side.patches->newVertices.empty()) {
     bound.mesh = side.mesh;
     bound.parents = parents;
   }

@@ -16,6 +16,10 @@ namespace {
 constexpr double kFinestPatch = 1.0 / 32.0;  ///< of the diagonal of the box that both bodies have in common
 /// As long as pieces are so many depths, their corners move less than the pieces are long when they are taken thinner.
 constexpr double kDepths = 4.0;
+/// Of the reach of a patch beside an overlap: what is beside a ring is out of reach, and not divided.
+constexpr double kBesideRing = 1.25;
+/// Of the same: pieces at both sides of the end of a ring are as long, and need not be divided.
+constexpr double kAtEndOfRing = 0.9;
 constexpr std::size_t kAngles = 72;
 constexpr std::size_t kMostDivided = 200'000;
 
@@ -63,22 +67,23 @@ class ConvexPolygon {
 class PatchFinder {
  public:
   PatchFinder(const PatchQuestion& question, const StopToken& stop)
-      : question_(question), body_(question.body), stop_(stop), vertices_(body_.mesh.vertices) {
+      : question_(question), body_(question.body), stop_(stop) {
     const Vector3 reach = Vector3::Constant(question.above);
     const Box3& box = question.other.tree.box();
     const double common = body_.tree.box().intersection(Box3(box.min() - reach, box.max() + reach)).diagonal().norm();
     const double deepest = *std::max_element(question.depths.begin(), question.depths.end());
     size_ = std::max(kFinestPatch * common, kDepths * deepest);
-    VertexWelder welder(vertices_.size());
-    for (const Vector3& vertex : vertices_) number_.push_back(welder.indexOf(vertex));
     findFamilies();
   }
 
   std::optional<FacePatches> find() {
-    for (std::uint32_t t = 0; t < body_.mesh.triangles.size(); ++t) {
-      add({body_.mesh.triangles[t], t, coverOf(body_.tree.triangles()[t], t)});
+    std::vector<Ring> rings = ringsInHoles(body_, question_.other, kBesideRing * size_);
+    std::erase_if(rings, [&](const Ring& ring) { return !hasDepth(ring.round); });
+    begin(dividedAtRings(body_, rings, kAtEndOfRing * size_));
+    for (const RoundFace& round : body_.rounds) {
+      if (!round.isShaft) coverAround({round, round.low, round.high});
     }
-    coverHoles();
+    for (const Ring& ring : rings) coverAround(ring);
     while (!stop_.stopRequested() && pieces_.size() < kMostDivided) {
       const std::set<EdgeEnds> edges = edgesToDivide();
       if (edges.empty()) return patches();
@@ -197,37 +202,46 @@ class PatchFinder {
     pieces_.push_back(piece);
   }
 
-  /// A hole that is covered at every angle is covered along its whole length.
-  void coverHoles() {
-    for (const RoundFace& round : body_.rounds) {
-      if (round.isShaft) continue;
-      std::vector<std::uint32_t> ofHole;
-      std::array<bool, kAngles> covered{};
-      for (std::uint32_t t = 0; t < pieces_.size(); ++t) {
-        if (!isOfHole(round, t)) continue;
-        ofHole.push_back(t);
-        if (pieces_[t].cover == Cover::None) continue;
-        markAngles(round, t, covered);
-      }
-      if (!std::all_of(covered.begin(), covered.end(), [](bool each) { return each; })) continue;
-      for (const std::uint32_t t : ofHole) {
-        if (depthOf(t) > 0.0) pieces_[t].cover = Cover::All;
-      }
+  void begin(DividedTriangles divided) {
+    vertices_ = divided.vertices(body_.mesh.vertices);
+    newVertices_ = std::move(divided.newVertices);
+    VertexWelder welder(vertices_.size());
+    for (const Vector3& vertex : vertices_) number_.push_back(welder.indexOf(vertex));
+    for (std::size_t i = 0; i < divided.triangles.size(); ++i) {
+      Piece piece{divided.triangles[i], divided.parents[i], Cover::None};
+      piece.cover = coverOf(cornersOf(piece), piece.parent);
+      add(piece);
     }
   }
 
-  bool isOfHole(const RoundFace& round, std::uint32_t t) const {
-    const double off = std::max(kOnCylinder, kShareOfCylinderRadius * round.radius);
-    const auto isOn = [&](const Vector3& p) {
-      const Vector3 from = p - round.point;
-      const double along = from.dot(round.axis);
-      return std::abs((from - along * round.axis).norm() - round.radius) <= off && along >= round.low - off &&
-             along <= round.high + off;
-    };
-    const Triangle& triangle = body_.tree.triangles()[t];
-    const Vector3 from = (triangle[0] + triangle[1] + triangle[2]) / 3.0 - round.point;
-    const Vector3 across = from - from.dot(round.axis) * round.axis;
-    return std::all_of(triangle.begin(), triangle.end(), isOn) && body_.normals[t].dot(across) < 0.0;
+  /// A ring that is covered at every angle is covered along its whole length.
+  void coverAround(const Ring& ring) {
+    std::vector<std::uint32_t> ofRing;
+    std::array<bool, kAngles> covered{};
+    for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
+      const Piece& piece = pieces_[i];
+      if (!isOf(ring.round, body_, piece.parent) || !isBetween(ring, cornersOf(piece))) continue;
+      ofRing.push_back(i);
+      if (piece.cover != Cover::None) markAngles(ring.round, piece.parent, covered);
+    }
+    if (!std::all_of(covered.begin(), covered.end(), [](bool each) { return each; })) return;
+    for (const std::uint32_t i : ofRing) {
+      if (depthOf(pieces_[i].parent) > 0.0) pieces_[i].cover = Cover::All;
+    }
+  }
+
+  bool hasDepth(const RoundFace& round) const {
+    for (std::uint32_t t = 0; t < body_.mesh.triangles.size(); ++t) {
+      if (depthOf(t) > 0.0 && isOf(round, body_, t)) return true;
+    }
+    return false;
+  }
+
+  static bool isBetween(const Ring& ring, const Triangle& corners) {
+    return std::all_of(corners.begin(), corners.end(), [&](const Vector3& p) {
+      const double along = (p - ring.round.point).dot(ring.round.axis);
+      return along >= ring.low - kOnCylinder && along <= ring.high + kOnCylinder;
+    });
   }
 
   /// The angles between the corners of a triangle that spans less than half a turn.
@@ -297,7 +311,7 @@ class PatchFinder {
     const std::uint32_t b = piece.corners[(edge + 1) % 3];
     const auto [known, isNew] = middles_.try_emplace(edgeOf(piece, edge), static_cast<std::uint32_t>(vertices_.size()));
     if (isNew) {
-      midpoints_.emplace_back(a, b);
+      newVertices_.push_back({a, b, 0.5});
       number_.push_back(static_cast<std::uint32_t>(vertices_.size()) + kNewNumbers);
       const Vector3 middle = 0.5 * (vertices_[a] + vertices_[b]);
       vertices_.push_back(middle);
@@ -348,7 +362,7 @@ class PatchFinder {
 
   FacePatches patches() const {
     FacePatches found;
-    found.midpoints = midpoints_;
+    found.newVertices = newVertices_;
     std::vector<std::uint32_t> parent(pieces_.size());
     std::iota(parent.begin(), parent.end(), 0U);
     const auto rootOf = [&](std::uint32_t i) {
@@ -391,17 +405,13 @@ class PatchFinder {
   std::vector<Piece> pieces_;
   std::map<EdgeEnds, std::vector<std::uint32_t>> users_;  ///< pieces at each edge
   std::map<EdgeEnds, std::uint32_t> middles_;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> midpoints_;
+  std::vector<NewVertex> newVertices_;
 };
 
 }  // namespace
 
 TriangleMesh FacePatches::divided(const TriangleMesh& whole) const {
-  TriangleMesh mesh{whole.vertices, triangles, whole.faces, {}};
-  for (const auto& [a, b] : midpoints) {
-    const Vector3 middle = 0.5 * (mesh.vertices[a] + mesh.vertices[b]);
-    mesh.vertices.push_back(middle);
-  }
+  TriangleMesh mesh{vertices(whole.vertices), triangles, whole.faces, {}};
   for (const std::uint32_t parent : parents) {
     if (!whole.faceOf.empty()) mesh.faceOf.push_back(whole.faceOf[parent]);
   }
