@@ -207,7 +207,7 @@ class SuggestedJointFinder {
     joints.push_back(std::move(joint));
   }
 
-  /// Neither of two flexible bodies goes around the other: belts side by side touch.
+  /// Belts side by side touch. Neither goes around the other one.
   bool isFlexible(std::size_t body) const {
     std::string reason;
     return kindOf(body, &reason) == JointKind::Flexible;
