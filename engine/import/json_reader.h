@@ -12,8 +12,8 @@
 
 namespace glissade {
 
-/// A value of a JSON document with its place: every getter returns the requested value or throws JsonError with file
-/// and location. Private to the readers of files (rooms scenario and study).
+/// A value inside a JSON document together with where it is: every getter either gives what was asked
+/// for or throws JsonError naming file and location. Private to the readers of files (rooms scenario and study).
 class JsonCursor {
  public:
   using Json = nlohmann::ordered_json;
@@ -90,7 +90,7 @@ auto readJson(const std::string& text, const std::string& file, const Read& read
 /// The error for a file whose reading was stopped.
 Diagnostic notReadToItsEnd(const std::string& file);
 
-/// Vectors and poses in the form of the files.
+/// Poses and vectors as the files have them.
 JsonCursor::Json toJson(const Vector3& v);
 JsonCursor::Json toJson(const Pose& pose);
 

@@ -208,10 +208,10 @@ class FitFinder {
            "Accept it (--accept-clashes " + depthAsOption(overlap) + "), or mend the parts.");
   }
 
-  /// Thins one body if that frees the pair, else both. For a shaft in a hole, the motion along the axis has to be free
-  /// as well: corners between faces that move and faces that stay move less, and a thinned shaft may be thicker at its
-  /// end. If one body is below a part of a face of the other, both are thinned, because that part meets the rest of the
-  /// face while they slide past each other.
+  /// One body alone gives way where that frees the pair. Of a shaft in a hole it has to free the way along the axis,
+  /// too: corners between faces that move and faces that stay move less, and a shaft that is taken thinner may be
+  /// thicker at its end. Else both give way. So do two bodies of which one is below a part of a face of the other one:
+  /// while they slide past each other, the part meets the rest of the face.
   void takeThinner(const Fit& fit, const check::PairBounds& bounds, const FoundContact& found, bool accepted) {
     const RigidBody& other = body(fit.obstacle);
     const bool isInPatches = bounds.one.mesh || bounds.other.mesh;
@@ -418,8 +418,7 @@ class FitFinder {
 
   Box3 boxOf(std::size_t obstacle) const { return boundingBox(*body(obstacle).mesh, body(obstacle).X_WB); }
 
-  /// True if the object with these fits can move along the axis of the pair, in one of the two senses, until it is past
-  /// the obstacle.
+  /// Taken so, the object moves along the axis of the pair, the one way or the other, until it is past the obstacle.
   bool slides(const std::vector<Fit>& taken, std::size_t obstacle, const FoundContact& found) {
     MeshPtr object = object_.mesh;
     MeshPtr other = body(obstacle).mesh;

@@ -15,33 +15,33 @@
 namespace glissade {
 namespace {
 
-// All in spacings of the lattice.
-constexpr double kDeviation = 0.03;    ///< deviation of a piece of the motion from a straight one
-constexpr double kLongestPiece = 8.0;  ///< in the frame of the body; boxes around longer segments exclude little
-constexpr double kEnough = 0.025;      ///< a smaller clearance counts as 0
-constexpr double kRounding = 0.005;    ///< rounding to single precision, here and in files
+// In spacings of the lattice.
+constexpr double kDeviation = 0.03;    ///< of a piece of the motion from a straight one
+constexpr double kLongestPiece = 8.0;  ///< as the body sees it: boxes around longer segments rule out little
+constexpr double kEnough = 0.025;      ///< a smaller clearance is taken as 0
+constexpr double kRounding = 0.005;    ///< of numbers in single precision, here and in files
 static_assert(SweepClearances::kSlack >= kEnough + 2.0 * kDeviation + kRounding);
 
-constexpr int kPointsOfAJob = 32;      ///< points along each axis of a block for a thread
-constexpr int kPointsOfALeaf = 2;      ///< points along each axis of a block that is not divided
-constexpr double kWider = 1.0 + 1e-9;  ///< covers the rounding of lengths
+constexpr int kPointsOfAJob = 32;      ///< of a block that a thread takes, along each axis
+constexpr int kPointsOfALeaf = 2;      ///< of a block that is not divided, along each axis
+constexpr double kWider = 1.0 + 1e-9;  ///< what rounding may take from lengths
 
-/// A block of points of the lattice.
+/// Points of the lattice, from the first one so many along each axis.
 struct Block {
   std::array<int, 3> first;
   std::array<int, 3> counts;
 };
 
-/// A piece of the motion of the world, in the frame of the body.
+/// Where a piece of the motion has the world, as the body sees it.
 struct SeenPiece {
   MotionPiece piece;
   Eigen::Isometry3d X_BW_from;
   Eigen::Isometry3d X_BW_to;
-  Vector3 middle_W;    ///< centre of the ball around the body, at the beginning
-  double swing = 0.0;  ///< largest displacement of that centre
+  Vector3 middle_W;    ///< of the ball around the body, at the beginning
+  double swing = 0.0;  ///< that this moves, at most
 };
 
-/// Bounds of a distance.
+/// A distance is between them.
 struct Bounds {
   double least;
   double most;
@@ -49,11 +49,11 @@ struct Bounds {
 
 /// A piece in which the body may come near a block.
 struct NearPiece {
-  double distance;  ///< lower bound on the distance of the body from the middle of the block
+  double distance;  ///< of the body from the middle of the block, at least
   std::size_t piece;
 };
 
-/// The body's surface with the pieces of its motion.
+/// The body's surface and its ways.
 class MovingBody {
  public:
   MovingBody(const TriangleMesh& mesh, const std::vector<Pose>& path, double spacing) : tree_(mesh), spacing_(spacing) {
@@ -70,15 +70,15 @@ class MovingBody {
 
   std::size_t pieces() const { return pieces_.size(); }
 
-  /// True if the body is farther from p than this during the whole piece. Quick.
+  /// Quick: the body is farther from p than this during all of the piece.
   bool isFarther(std::size_t index, const Vector3& p_W, double distance) const {
     const SeenPiece& seen = pieces_[index];
     const double most = (radius_ + seen.swing + distance) * kWider;
     return (p_W - seen.middle_W).squaredNorm() > most * most;
   }
 
-  /// Bounds of the least distance of the body's surface from p during the piece; both are at least `limit` if the
-  /// distance is.
+  /// The distance of the body's surface from p, at its nearest during the piece; from `limit` on both are at least
+  /// that.
   Bounds clearance(std::size_t index, const Vector3& p_W, double limit) const {
     const SeenPiece& seen = pieces_[index];
     const Vector3 from = seen.X_BW_from * p_W;
@@ -89,17 +89,17 @@ class MovingBody {
     return {distance - error, distance + error};
   }
 
-  /// True if the body is a solid that contains p at the beginning of the piece.
+  /// The body is a solid, and p is inside it at the beginning of the piece.
   bool contains(std::size_t index, const Vector3& p_W) const {
     return interior_ && interior_->contains(pieces_[index].X_BW_from * p_W);
   }
 
  private:
   TriangleTree tree_;
-  std::unique_ptr<SolidInterior> interior_;  ///< set for a closed mesh
+  std::unique_ptr<SolidInterior> interior_;  ///< of a closed mesh
   std::vector<SeenPiece> pieces_;
   double spacing_;
-  double radius_ = 0.0;  ///< radius of a ball around the body
+  double radius_ = 0.0;  ///< of a ball around the body
 };
 
 /// The values of one block and of all blocks within it.
@@ -132,7 +132,7 @@ class BlockClearances {
            Vector3(block.counts[0] - 1, block.counts[1] - 1, block.counts[2] - 1).norm();
   }
 
-  /// `candidates`: the nearest first, with distances from a point within `aside` of the block's middle.
+  /// `candidates`: the nearest first, with distances from a point that is `aside` from the block's middle.
   void lower(const Block& block, const std::vector<NearPiece>& candidates, double aside) const {
     const Vector3 middle = middleOf(block);
     const double radius = radiusOf(block);
@@ -167,7 +167,7 @@ class BlockClearances {
     });
   }
 
-  /// The value at a point that is `aside` from the middle of its block.
+  /// Of a point that is `aside` from the middle of its block.
   double valueAt(const Vector3& p, double aside, const std::vector<NearPiece>& near) const {
     double least = reach_;
     for (const NearPiece& candidate : near) {
@@ -187,7 +187,7 @@ class BlockClearances {
     }
   }
 
-  /// Visits the halves along each axis that has more than one point.
+  /// The halves along each axis that has more than one point.
   template <class Visit>
   static void forEachOctant(const Block& block, const Visit& visit) {
     for (unsigned octant = 0; octant < 8; ++octant) {

@@ -15,30 +15,30 @@
 namespace glissade {
 namespace {
 
-/// Usual bound of surfaces, in spacings. If a surface has more, a finer lattice is used.
+/// Spacings: the bound that surfaces have, mostly. Where one has more, a finer lattice is taken.
 constexpr double kBound = 2.3;
-constexpr double kMargin = SweepClearances::kReach + 1.0;  ///< margin around the motion, in spacings
+constexpr double kMargin = SweepClearances::kReach + 1.0;  ///< spacings around the motion
 
 constexpr double kMostPoints = 2.5e8;
 constexpr double kUsualPoints = 6e7;
-/// Least spacing, metres, for a body without size.
+/// Metres: a body without size has no lattice of its own.
 constexpr double kLeastSpacing = 1e-12;
 
 constexpr double kUsualExcess = 0.07;
-constexpr double kUsualCells = 15e3;  ///< approximate number of cells that the surface crosses; fine enough for display
+constexpr double kUsualCells = 15e3;       ///< that the surface crosses, about: fine enough to look at
 constexpr double kMostUsualCells = 110e3;  ///< about a million triangles
-constexpr double kFirstSpacings = 20.0;    ///< along the diagonal of the body
-/// A surface is kept if the required spacing is at least this share of its spacing.
+constexpr double kFirstSpacings = 20.0;    ///< of the diagonal of the body
+/// A surface is kept when the spacing wanted is no less than this share of its own.
 constexpr double kFineEnough = 0.85;
-/// Limit of the refinement in one step, because coarse surfaces predict the required spacing poorly.
+/// Coarse surfaces say little of how fine the last one will be.
 constexpr double kMostRefinement = 4.0;
-/// Shares of the remaining progress: for the first, coarse surface, and for the others.
+/// Of the progress left: the first, coarse surface, and the others.
 constexpr double kShareOfFirst = 0.2;
 constexpr double kShareOfFine = 0.8;
-/// Points that are nearer to the covered volume, in spacings, do not count as outside, on average (measured).
+/// Spacings: points that are nearer to what is covered do not count as outside, in the mean (measured).
 constexpr double kCountedOffset = 0.12;
 
-/// A box that contains the body during the motion.
+/// Holds the body during the motion.
 Box3 boxOf(const TriangleMesh& body, const std::vector<Pose>& path) {
   const MotionBound speed(body);
   Box3 box = boundingBox(body, path.front());
@@ -58,7 +58,7 @@ double pointsIn(const Box3& box, double spacing) {
   return ((box.sizes().array() + 2.0 * kMargin * spacing) / spacing + 2.0).prod();
 }
 
-/// The least spacing with at most this number of points.
+/// The least spacing with no more than so many points.
 double leastSpacing(const Box3& box, double points) {
   double spacing = std::cbrt(std::max(box.volume(), 1e-300) / points);
   spacing = std::max({spacing, box.diagonal().norm() / 1e5, kLeastSpacing});
@@ -66,9 +66,10 @@ double leastSpacing(const Box3& box, double points) {
   return spacing;
 }
 
-/// The least spacing for which 32-bit coordinates, as in files, are within the rounding that clearances allow.
+/// The least spacing for which coordinates of 32 bits, as files have them, are within what clearances leave for
+/// rounding.
 double spacingOfSinglePrecision(const Box3& box) {
-  constexpr double kRounding = 0.0025;  // in spacings
+  constexpr double kRounding = 0.0025;  // spacings
   const double farthest = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
   return std::numeric_limits<float>::epsilon() * farthest / kRounding;
 }
@@ -85,7 +86,7 @@ Diagnostic nothingMoves() {
   return refusal(ErrorKind::Usage, "there is nothing that moves", "Give a body with triangles and a path.");
 }
 
-/// The volume by which the surface exceeds the covered volume, as a share of the latter.
+/// The volume by which the surface is larger than what is covered, as a share of that.
 double excessOf(const SweptVolume& sweep, const EnclosingValues& enclosing, double spacing) {
   const auto inside = static_cast<double>(std::count(enclosing.outside.begin(), enclosing.outside.end(), false));
   const double covered = inside * std::pow(spacing, 3.0) - kCountedOffset * spacing * areaOf(sweep.surface_W);
@@ -93,7 +94,7 @@ double excessOf(const SweptVolume& sweep, const EnclosingValues& enclosing, doub
   return std::max(0.0, sweep.volume / covered - 1.0);
 }
 
-/// Reports the progress of a number of attempts that is not known in advance: each gets a part of the rest.
+/// Tells the progress of one attempt after the other, of which nobody knows the last: each has a part of what is left.
 class Attempts {
  public:
   explicit Attempts(const WorkWatch& watch) : watch_(watch) {}
@@ -108,7 +109,7 @@ class Attempts {
   double done_ = 0.0;
 };
 
-/// The swept volume with this spacing; its bound follows from it.
+/// With this spacing; the bound is what it comes to.
 Result<SweptVolume> sweepWithSpacing(const TriangleMesh& body, const std::vector<Pose>& path, Box3 box, double spacing,
                                      const WorkWatch& watch) {
   if (const double least = spacingOfSinglePrecision(box); spacing < least) {
