@@ -23,8 +23,8 @@ constexpr std::size_t kMostParts = 400'000;
 /// A piece of the surface of the overlap.
 struct OverlapPiece {
   Polygon polygon;
-  bool isOfOne = false;              ///< of the surface of `one`
-  bool isShared = false;             ///< of both surfaces
+  bool isOfOne = false;              ///< it belongs to the surface of `one`
+  bool isShared = false;             ///< it belongs to both surfaces
   Vector3 normal = Vector3::Zero();  ///< out of the overlap, length: the area
   bool isDeep = false;               ///< deeper in the other body than the deviations of the files
 };

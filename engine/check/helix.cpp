@@ -146,7 +146,7 @@ class HelixPairs {
     return std::max(boxes, inProfile(moving, fixed, most) - moving.error - fixed.error);
   }
 
-  /// As bound(), but divides the triangle with the less precise profile until `wanted` is shown.
+  /// A bound() that divides the triangle with the less precise profile until `wanted` is shown.
   double closeBound(const Corners& moving, const Profile& one, const Corners& fixed, const Profile& other,
                     int splits) const {
     const double whole = bound(one, other, kNoEnd);

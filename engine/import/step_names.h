@@ -31,9 +31,8 @@ class StepNames {
     NodeNames names;
   };
 
-  std::unordered_map<std::string, std::vector<Use>> usesIn_;  ///< by the entry of the assembly's label
-  std::unordered_map<std::string, std::vector<Use>>
-      productsAt_;  ///< by the entry of the product's label, without a use
+  std::unordered_map<std::string, std::vector<Use>> usesIn_;      ///< by the entry of the assembly's label
+  std::unordered_map<std::string, std::vector<Use>> productsAt_;  ///< by the label of the product, without a use
 };
 
 }  // namespace glissade

@@ -37,7 +37,7 @@ struct Contact {
   double overlap = 0.0;      ///< metres, see engine/product/README.md; 0 if the bodies do not overlap
   double uncertainty = 0.0;  ///< largest error of gap and overlap by tessellation, metres
   double deviation = 0.0;    ///< deviation of the near triangles from the surfaces, both bodies together, metres
-  double thickness = 0.0;    ///< of the thicker body at the deepest point, metres; 0 without an overlap
+  double thickness = 0.0;    ///< thickness at the deepest point, of the thicker body, metres
   std::optional<ContactAxis> axis;
   bool isPlainOverlap = false;  ///< see check::PairBounds::isPlainOverlap; false for a clash that nobody has accepted
 };

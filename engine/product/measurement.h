@@ -16,7 +16,7 @@ struct MeasureFeature {
   Vector3 from = Vector3::Zero();    ///< ends of an edge
   Vector3 to = Vector3::Zero();
   Vector3 direction = Vector3::UnitZ();  ///< unit: direction of an edge or an axis, normal of a face
-  Vector3 axisPoint = Vector3::Zero();   ///< of a cylinder or a cone, beside `picked`; centre of a sphere or a torus
+  Vector3 axisPoint = Vector3::Zero();   ///< on the axis, beside `picked`; or the centre of a sphere or a torus
   double radius = 0.0;  ///< metres: radius of a cylinder, of a cone beside `picked`, of a sphere, of a torus's circle
   double halfAngle = 0.0;   ///< angle of a cone between its axis and its lines, radians
   double tubeRadius = 0.0;  ///< radius of a torus's tube, metres

@@ -14,9 +14,9 @@ struct SnapWay {
   double bend = 0.0;  ///< metres; 0: the body leaves without a bend
 };
 
-/// Of the six directions of the world's axes, those in which the body leaves while its hooks bend within their limits,
-/// each with the least bend. A hook bends where the judge permits it (check/hook.h), and is thinned as in fits. After a
-/// stop some may be missing.
+/// The directions of the world's axes in which the body leaves while its hooks bend within their limits, each with the
+/// least bend. A hook bends where the judge permits it (check/hook.h), and is thinned as in fits. After a stop some may
+/// be missing.
 std::vector<SnapWay> snapWays(const AssembledProduct& product, std::size_t body, const std::vector<std::size_t>& edges,
                               const StopToken& stop);
 

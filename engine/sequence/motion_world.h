@@ -19,7 +19,7 @@ namespace glissade {
 struct MovingObject {
   MeshPtr mesh;
   Pose X_WB;              ///< pose where the product is assembled
-  double radius = 0.0;    ///< about the frame's origin, metres
+  double radius = 0.0;    ///< radius about the frame's origin, metres
   double required = 0.0;  ///< clearance that its motions keep, metres: the least of those of its bodies
 };
 

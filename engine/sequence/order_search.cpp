@@ -58,7 +58,7 @@ std::vector<std::size_t> completed(std::vector<std::size_t> order, CarriedOut do
 
 struct Node {
   double estimate;
-  std::size_t number;  ///< of nodes with equal estimates the lowest number comes first
+  std::size_t number;  ///< nodes with equal estimates are expanded in this order
   double cost;         ///< cost without the last step's cost until that is known
   bool isCostKnown;
   std::vector<std::size_t> order;

@@ -19,7 +19,7 @@ struct MotionLeg {
 /// The motion as legs: consecutive edges of the same direction and axis are one.
 std::vector<MotionLeg> legsOf(const std::vector<PathPoint>& path);
 
-/// The same motion from its end to its beginning.
+/// The legs of the motion from its end to its beginning.
 std::vector<MotionLeg> reversed(const std::vector<MotionLeg>& legs);
 
 /// Unit direction in which the motion begins; zero where it only turns.

@@ -72,7 +72,7 @@ TEST(FitTable, IsWhatEachBodyFindsAlone) {
   }
 }
 
-/// The same body is thinned whichever moves; by at least as much if the larger one moves.
+/// Whichever body moves, one body of the pair is thinned; by at least as much if the larger one moves.
 TEST(FitTable, TheSameBodyGivesWayWhicheverMoves) {
   RandomStream random(2, "rings");
   int pairs = 0;
