@@ -15,7 +15,7 @@ namespace glissade::check {
 struct FacePatches {
   static constexpr std::uint32_t kNone = 0xffffffff;
 
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> midpoints;  ///< edges divided at their midpoints
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> midpoints;  ///< edges whose midpoints follow the body's vertices
   std::vector<TriangleIndices> triangles;
   std::vector<std::uint32_t> parents;  ///< for each triangle, the triangle of the body that contains it
   std::vector<std::uint32_t> patches;  ///< patch of each triangle; kNone: no patch

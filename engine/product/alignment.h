@@ -17,12 +17,7 @@ bool canFlip(const MeasureFeature& moving, const MeasureFeature& fixed);
 /// | --- | --- | --- | --- |
 /// | vertex | in one point | on its line | in the plane |
 /// | edge, axis | | collinear, in the direction that is nearer | edge: in the plane; cylinder: tangent to it |
-///
-/// plane
-///
-///
-/// coplanar, the faces face each other
-///
+/// | plane | | | coplanar, the faces face each other |
 ///
 /// Cones and tori are replaced by their axes; a sphere is replaced by its centre, and is tangent to planes. The body
 /// turns about the picked point (for a feature with an axis, about the point of the axis beside it) and then moves by
