@@ -32,7 +32,7 @@ struct ReachedMotion {
 /// sampled, and no proof.
 struct MotionAccess {
   HandAnswer hand;
-  HandFollow follow;               ///< motion of the hand relative to the bodies
+  HandFollow follow;               ///< how the hand follows the bodies
   ToolKind tool = ToolKind::None;  ///< tool in the hand
   SightAnswer sight;
   std::vector<HandSample> samples{};  ///< tested samples, in their order

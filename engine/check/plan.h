@@ -22,7 +22,7 @@ struct StatedJoint {
   std::string body;                 ///< id
   std::vector<std::string> others;  ///< ids
   std::string drive{};              ///< "hex", "hex_socket", ...; empty: none
-  bool isNamed = false;             ///< a designation names its size
+  bool isNamed = false;             ///< it has a designation
   std::optional<double> diameter{};
   std::optional<double> pitch{};  ///< metres a turn; below 0: left-handed
   std::optional<double> turns{};

@@ -72,7 +72,7 @@ struct AssemblyCounts {
   std::uint32_t parts = 0;
   std::uint32_t noteBytes = 0;
   std::uint32_t externalParts = 0;
-  std::uint32_t rootNameBytes = 0;  ///< name of the only product of the file if that is no assembly; else 0
+  std::uint32_t rootNameBytes = 0;  ///< for the only product of the file if that is no assembly; else 0
   std::uint32_t unused = 0;
   double unit = kMillimetre;  ///< metres: unit in which the file states lengths
 };
