@@ -93,7 +93,7 @@ class IgesShapes {
     return known == names_.end() ? std::string() : known->second;
   }
 
-  /// A line of the protocol for each entity that was not made.
+  /// A line of the protocol for each entity with material that was not made.
   const std::vector<std::string>& missing() const { return missing_; }
 
   double unit() const { return protocol::kMillimetre * model_->GlobalSection().UnitValue(); }
