@@ -15,7 +15,6 @@ struct ForbiddenEdge {
   std::string place;
 };
 
-/// The verdict on a path.
 struct PathVerdict {
   std::size_t configurations = 0;
   JudgedMotion motion;  ///< names bodies by their number in the product; empty if the motion was not judged

@@ -11,7 +11,6 @@
 
 namespace glissade::check {
 
-/// The verdict on a step.
 struct StepVerdict {
   std::vector<std::string> bodies;  ///< ids
   JudgedMotion motion{};            ///< names bodies by number in the product; for a group, the least clear one
@@ -59,7 +58,6 @@ enum class PlanOutcome {
   Invalid
 };
 
-/// The verdict on a plan.
 struct PlanVerdict {
   std::vector<StepVerdict> steps;
   std::vector<std::string> refusals{};  ///< refused statements of the plan, for people

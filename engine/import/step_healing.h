@@ -13,7 +13,7 @@ namespace glissade {
 /// A face whose triangles had a fault.
 struct HealedFace {
   TopoDS_Face face;
-  FaceFault fault = FaceFault::None;          ///< the fault
+  FaceFault fault = FaceFault::None;
   FaceMeshing meshing = FaceMeshing::Failed;  ///< the way in which its triangles were replaced
   double deflection = 0.0;                    ///< measured deflection of the new triangles
 };

@@ -8,7 +8,6 @@
 
 namespace glissade {
 
-/// The key of a joint of this product.
 JointKey keyOf(const Joint& joint, const AssembledProduct& product);
 
 /// The joints after a person's statements: confirmed, dissolved, made, changed. An insert that is pressed out becomes a

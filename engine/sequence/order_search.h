@@ -30,7 +30,6 @@ struct OrderQuestion {
 /// has no circle.
 std::vector<std::size_t> cheapestOrder(const OrderQuestion& question, const StopToken& stop);
 
-/// Cost of an order.
 double costOf(const std::vector<std::size_t>& order, const OrderQuestion& question);
 
 }  // namespace glissade

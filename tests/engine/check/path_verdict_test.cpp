@@ -129,7 +129,6 @@ TEST(PathVerdict, AForbiddenPlaceThatIsNotKnownIsNotPassedOver) {
   EXPECT_DOUBLE_EQ(known.forbiddenMargin, tolerance::kForbiddenMargin * radiusAboutOrigin(*question.object().mesh));
 }
 
-/// The claims of a plan are compared with its steps.
 TEST(PlanClaims, EachIsComparedWithTheSteps) {
   Product product;
   product.bodies = {test::checkBody("box", makeBox({1, 1, 1})),
