@@ -13,8 +13,8 @@
 namespace glissade::check {
 namespace {
 
-constexpr double kFinestPatch = 1.0 / 32.0;  ///< of the diagonal of the box that both bodies have in common
-/// As long as pieces are so many depths, their corners move less than the pieces are long when they are taken thinner.
+constexpr double kFinestPatch = 1.0 / 32.0;  ///< share of the diagonal of the common box of both bodies
+/// Least length of pieces, in depths: corners of such pieces move less than the pieces are long when they are thinned.
 constexpr double kDepths = 4.0;
 /// Of the reach of a patch beside an overlap: what is beside a ring is out of reach, and not divided.
 constexpr double kBesideRing = 1.25;
@@ -25,11 +25,11 @@ constexpr std::size_t kMostDivided = 200'000;
 
 enum class Cover : std::uint8_t { None, Part, All };
 
-/// One end before the other, by number.
+/// The numbers of the ends of an edge, the lower one first.
 using EdgeEnds = std::pair<std::uint32_t, std::uint32_t>;
 
-/// A triangle that is cut by a few planes, each of which adds at most one corner. Corners that rounding would add
-/// beyond the room for them are left out: less of the polygon is there then.
+/// A triangle that is cut by a few planes, each of which adds at most one corner. If rounding adds more corners than
+/// there is room for, they are dropped and the polygon is smaller.
 class ConvexPolygon {
  public:
   explicit ConvexPolygon(const Triangle& triangle) { std::copy(triangle.begin(), triangle.end(), corners_.begin()); }
@@ -39,7 +39,7 @@ class ConvexPolygon {
   const Vector3* begin() const { return corners_.data(); }
   const Vector3* end() const { return corners_.data() + count_; }
 
-  /// The part below the plane: normal.dot(p) <= offset.
+  /// The part with normal.dot(p) <= offset.
   ConvexPolygon keptBelow(const Vector3& normal, double offset) const {
     ConvexPolygon kept;
     for (std::size_t i = 0; i < count_; ++i) {
@@ -113,7 +113,7 @@ class PatchFinder {
     return (vertices_[piece.corners[i]] - vertices_[piece.corners[(i + 1) % 3]]).norm();
   }
 
-  /// The longest edge; of equal ones the first by its ends, which is the same on both of its sides.
+  /// The longest edge; of equal ones the first by its ends, so that both pieces at an edge choose the same.
   std::size_t longestOf(const Piece& piece) const {
     std::size_t longest = 0;
     for (const std::size_t i : {1, 2}) {
@@ -124,7 +124,7 @@ class PatchFinder {
     return longest;
   }
 
-  /// Regions that are smooth surfaces together have the same number.
+  /// Gives one number to all regions of a smooth surface.
   void findFamilies() {
     family_.resize(body_.regions.count);
     std::iota(family_.begin(), family_.end(), 0U);
@@ -138,9 +138,9 @@ class PatchFinder {
     for (std::uint32_t r = 0; r < family_.size(); ++r) family_[r] = rootOf(r);
   }
 
-  /// The other surface is below the triangle with this normal, or a little above it, or beside it by at most the size
-  /// of a piece. A surface beside the triangle counts only if it is in the body, because the surface of a hole around a
-  /// round body is below the planes of the facets of that body, too.
+  /// True if the other surface is below the triangle, a little above it, or beside it by at most the size of a piece. A
+  /// surface beside the triangle counts only if it is in the body, because the surface of a hole around a round body is
+  /// below the planes of that body's facets, too.
   bool isReached(const Triangle& t, const Vector3& normal, double depth) const {
     std::array<std::pair<Vector3, double>, 3> sides;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -171,7 +171,7 @@ class PatchFinder {
     return reached;
   }
 
-  /// One of the corners, or the middle, is in the body or a little above its surface.
+  /// True if a corner or the centre is in the body or a little above its surface.
   bool isInBody(const ConvexPolygon& polygon) const {
     const auto isIn = [this](const Vector3& p) {
       return body_.tree.nearest(p, question_.above).distance < question_.above || body_.contains(p);
@@ -244,7 +244,7 @@ class PatchFinder {
     });
   }
 
-  /// The angles between the corners of a triangle that spans less than half a turn.
+  /// Marks the angles between the corners of a triangle that spans less than half a turn.
   void markAngles(const RoundFace& round, std::uint32_t t, std::array<bool, kAngles>& covered) const {
     const Vector3 u = round.axis.unitOrthogonal();
     const Vector3 v = round.axis.cross(u);
@@ -267,10 +267,10 @@ class PatchFinder {
     for (long i = from; i <= to; ++i) covered[static_cast<std::size_t>(((i % kTurn) + kTurn) % kTurn)] = true;
   }
 
-  /// Edges of coarse pieces that are covered in part, or that have a corner at the border of a patch. With a long edge
-  /// of a piece its longest one is divided, so that pieces stay plump and fit together.
+  /// Edges of coarse pieces that are covered in part or have a corner at the border of a patch. Together with an edge
+  /// of a piece, the piece's longest edge is divided, so that pieces stay compact and fit together.
   std::set<EdgeEnds> edgesToDivide() const {
-    std::map<EdgeEnds, std::pair<bool, bool>> corners;  // of a vertex in a family: pieces with and without cover
+    std::map<EdgeEnds, std::pair<bool, bool>> corners;  // with and without cover, by vertex and family
     const auto cornerOf = [&](const Piece& piece, std::size_t i) {
       return EdgeEnds{number_[piece.corners[i]], family_[body_.regions.of[piece.parent]]};
     };
@@ -353,7 +353,7 @@ class PatchFinder {
     for (std::size_t k = 0; k < 3; ++k) std::erase(users_[edgeOf(pieces_[i], k)], i);
   }
 
-  /// `at`: the number of a piece that is no longer there; nothing: a new one.
+  /// `at`: the number of a piece that is replaced; nothing: adds a piece.
   void put(const Piece& piece, std::optional<std::uint32_t> at) {
     if (!at) return add(piece);
     for (std::size_t i = 0; i < 3; ++i) users_[edgeOf(piece, i)].push_back(*at);
@@ -370,7 +370,7 @@ class PatchFinder {
       return i;
     };
     const bool states = !body_.mesh.faces.empty();
-    std::map<EdgeEnds, std::uint32_t> at;  // a piece of a patch, at a vertex of a surface
+    std::map<EdgeEnds, std::uint32_t> at;  // one piece of a patch for each vertex of a surface
     for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
       if (pieces_[i].cover != Cover::All) continue;
       const std::uint32_t region = body_.regions.of[pieces_[i].parent];
@@ -398,10 +398,10 @@ class PatchFinder {
   const PatchQuestion& question_;
   const PlacedBody& body_;
   const StopToken& stop_;
-  double size_ = 0.0;  ///< metres: pieces at the border of a patch are no longer
+  double size_ = 0.0;  ///< metres: upper limit of pieces at the border of a patch
   std::vector<Vector3> vertices_;
-  std::vector<std::uint32_t> number_;  ///< of each vertex: the same where the positions are
-  std::vector<std::uint32_t> family_;  ///< of each region
+  std::vector<std::uint32_t> number_;  ///< for each vertex, a number that is equal for equal positions
+  std::vector<std::uint32_t> family_;  ///< family of each region
   std::vector<Piece> pieces_;
   std::map<EdgeEnds, std::vector<std::uint32_t>> users_;  ///< pieces at each edge
   std::map<EdgeEnds, std::uint32_t> middles_;
