@@ -20,7 +20,8 @@ struct OrientedBox {
 /// principal axes, and the longest edge of the largest triangle with its normal.
 OrientedBox fitBox(const std::vector<const Triangle*>& triangles);
 
-/// Of fewer candidates: for many triangles along the coordinate axes only. A third of the time, for large meshes.
+/// Like fitBox() with fewer candidates; many triangles get a box along the coordinate axes. Takes a third of the time
+/// for large meshes.
 OrientedBox fitBoxQuickly(const std::vector<const Triangle*>& triangles);
 
 }  // namespace glissade
