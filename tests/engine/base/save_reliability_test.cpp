@@ -51,7 +51,7 @@ class AttackRow {
   AttackRow(const AttackRow&) = delete;
   AttackRow& operator=(const AttackRow&) = delete;
 
-  /// `defect` is empty where the attack did no harm.
+  /// Counts an attack; `defect` is empty where it did no harm.
   void count(const std::string& defect) {
     ++tried_;
     if (defect.empty()) return;
@@ -67,8 +67,8 @@ class AttackRow {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-/// Puts temporary folders into memory where that is possible: hundreds of flushes to a disk take long, and no
-/// power cut comes.
+/// Puts temporary folders into memory where that is possible: hundreds of flushes to a disk take long, and the tests
+/// simulate no power cut.
 class SaveReliability : public testing::Test {
  protected:
   void SetUp() override {
