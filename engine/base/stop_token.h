@@ -22,7 +22,7 @@ class StopToken {
     return deadline_ && Clock::now() >= *deadline_;
   }
 
-  /// The same request with an additional deadline; the earlier one counts.
+  /// A token for this request with an additional deadline; the earlier deadline counts.
   StopToken withDeadline(Clock::time_point deadline) const {
     StopToken token = *this;
     if (!token.deadline_ || deadline < *token.deadline_) token.deadline_ = deadline;

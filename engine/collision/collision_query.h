@@ -149,26 +149,26 @@ class CollisionWorld : public std::enable_shared_from_this<CollisionWorld> {
   const Box3& obstaclesBox() const;
 
   CollisionBackend backend() const;
-  /// The same world with another backend.
+  /// This world with another backend.
   std::shared_ptr<const CollisionWorld> withBackend(CollisionBackend backend) const;
 
   /// Another object among the same obstacles, which are not prepared again. Precondition: there are no variants.
   std::shared_ptr<const CollisionWorld> withObject(MeshPtr object) const;
-  /// The same world with the object and each of its variants replaced by the result of `change` for their meshes. The
+  /// This world with the object and each of its variants replaced by the result of `change` for their meshes. The
   /// obstacles are not prepared again.
   std::shared_ptr<const CollisionWorld> withObjects(const std::function<MeshPtr(const TriangleMesh&)>& change) const;
 
-  /// The same world with variants of the object, which replace existing ones. Each obstacle is prepared once, with its
+  /// This world with variants of the object, which replace existing ones. Each obstacle is prepared once, with its
   /// variant. A world without variants gives the same answers as one that never had any.
   std::shared_ptr<const CollisionWorld> withVariants(std::vector<ObjectVariant> variants) const;
   const std::vector<ObjectVariant>& variants() const;
 
-  /// The same world with threads between the object and obstacles, which come apart only by turning. `whole`: the same
+  /// This world with threads between the object and obstacles, which come apart only by turning. `whole`: the same
   /// world in which these pairs are whole, as after a thread is disengaged. All other worlds made from this one have no
   /// threads, except those of withObjects() and withBackend().
   std::shared_ptr<const CollisionWorld> withThreads(std::vector<ThreadPair> pairs,
                                                     std::shared_ptr<const CollisionWorld> whole) const;
-  /// The same world in which the object's reference point keeps out of the places that are forbidden at the time of
+  /// This world in which the object's reference point keeps out of the places that are forbidden at the time of
   /// each query (ForbiddingQuery). Null: nothing is forbidden. All worlds made from this one keep it.
   std::shared_ptr<const CollisionWorld> withForbidden(std::shared_ptr<const ForbiddenSpace> space) const;
   /// The forbidden regions; null where nothing is forbidden.

@@ -34,7 +34,7 @@ CollisionWorldPtr wholeWorld(const LoadedScenario& scenario);
 /// path, if one is given.
 std::vector<std::string> allowancesInWords(const LoadedScenario& scenario, const std::vector<PathPoint>& path = {});
 
-/// The same descriptions for files and reports: an array with one object for each fit, lengths in metres.
+/// These descriptions for files and reports: an array with one object for each fit, lengths in metres.
 nlohmann::ordered_json allowancesJson(const LoadedScenario& scenario, const std::vector<PathPoint>& path = {});
 
 /// A thread whose material is removed, as plans and paths state it.

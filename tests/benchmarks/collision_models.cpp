@@ -88,7 +88,7 @@ void addQuestions(const std::string& model, const LoadedScenario& scenario, std:
     add(
         "distance", [=](std::size_t i) { use(fcl->nearest((*poses)[i], kInfinity)); },
         [=](std::size_t i) {
-          // The same queries as the world makes: yes/no first, then the distance.
+          // These are the queries that the world makes: yes/no first, then the distance.
           if (!kernel->touches((*poses)[i])) use(kernel->nearest((*poses)[i], kInfinity));
         });
     auto drawnEdges = std::make_shared<std::vector<Edge>>();

@@ -12,7 +12,7 @@ namespace glissade {
 /// Shrink and repair: a path is found first for the eroded object. It is then found again near itself while the object
 /// grows back, a little beyond its size and back again (after D. Hsu, G. Sanchez-Ante, H. Cheng, J.-C. Latombe,
 /// "Multi-level free-space dilation for sampling narrow passages in PRM planning", 2006; here for single queries).
-/// Where a level takes too long, the step of growth is halved. The planner gives up after several halvings: the way of
+/// If a level takes too long, the step of growth is halved. The planner gives up after several halvings: the way of
 /// the smaller object may not exist for the whole object, and a new seed may find another way.
 ///
 /// Nodes and edges are those of the level of the object itself, because those of the eroded levels are not free.

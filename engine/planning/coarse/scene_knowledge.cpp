@@ -49,7 +49,7 @@ Result<SceneKnowledgePtr> buildSceneKnowledge(const Problem& problem, double req
   if (!environment) return environment.error();
   knowledge->environment = std::move(*environment);
   knowledge->source = {options, problem.scene.edits, requiredClearance};
-  // Where the octree's depth was limited by memory, the former position of a mobile body is not known.
+  // The former position of a mobile body is not known if memory limited the octree's depth.
   const Octree& octree = *knowledge->environment->octree;
   if (before) knowledge->source.options.cellSize = octree.frame().cellSize(octree.depth());
   const auto& places = knowledge->environment->map.places;

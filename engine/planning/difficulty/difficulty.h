@@ -5,7 +5,7 @@
 
 namespace glissade {
 
-/// Where a search failed to find a path, and what blocks it.
+/// The places at which a search failed to find a path, and the bodies that block it.
 struct Difficulty {
   /// The nearest two configurations of the start's and the goal's trees.
   struct Frontier {

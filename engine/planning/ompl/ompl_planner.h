@@ -23,7 +23,7 @@ enum class OmplAlgorithm {
 enum class OmplManner {
   /// Like the engine's own planners: with its metric, extensions, collision checks and certified paths.
   Adapted,
-  /// As OMPL's users run them, for comparison: OMPL's SE(3), its defaults (except for the parameters ompl_range and
+  /// The use by OMPL's own users, for comparison: OMPL's SE(3), its defaults (except for the parameters ompl_range and
   /// ompl_resolution), edges checked at intervals, and collisions of the surfaces by FCL. The first path is the result,
   /// and our certificate judges it. A path that fails ends the run and is counted (PlannerCounts::rejectedPaths).
   AsItIs

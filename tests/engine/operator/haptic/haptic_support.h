@@ -8,7 +8,7 @@
 
 namespace glissade {
 
-/// The same surface with every triangle divided into n * n.
+/// The mesh with every triangle divided into n * n.
 inline TriangleMesh subdivided(const TriangleMesh& mesh, std::uint32_t n) {
   TriangleMesh fine;
   for (const TriangleIndices& triangle : mesh.triangles) {
