@@ -84,7 +84,7 @@ MeshAudit audit(const TriangleMesh& input) {
 
 bool isClosedSurface(const TriangleMesh& mesh) {
   if (mesh.empty()) return false;
-  // If every edge has an even number of triangles, it still has after vertices are merged.
+  // If every edge has an even number of triangles, it still has one after vertices are merged.
   return edgeFactsOf(mesh).open == 0 || edgeFactsOf(welded(mesh)).open == 0;
 }
 

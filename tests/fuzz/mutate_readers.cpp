@@ -1,10 +1,13 @@
-// Gives mutated inputs to the readers of all formats and counts the defects. usage: mutate_readers CORPUS [--target
-// NAME] [--inputs mutations|truncations] [--mutations N] [--seconds S] [--seed S]
-//                       [--keep FOLDER] CORPUS has a folder of valid files for each target. truncations: every
-//                       beginning of every file instead of mutations. Prints one row for each target:
-//   name | tried | clean | defects | seconds | peak MB | seed A defect is an input on which the reader crashes, breaks
-//   a promise (targets.h), takes more than 10 s or more than 2 GB. --seconds ends each target's run early. --keep
-//   writes the inputs that are defects. Exit code 1: there are defects.
+// Gives mutated inputs to the readers of all formats and counts the defects.
+//
+// usage: mutate_readers CORPUS [--target NAME] [--inputs mutations|truncations] [--mutations N] [--seconds S]
+//                       [--seed S] [--keep FOLDER]
+//
+// CORPUS has a folder of valid files for each target. truncations: every beginning of every file instead of mutations.
+// --seconds ends each target's run early. --keep writes the inputs that are defects. Prints one row for each target:
+//   name | tried | clean | defects | seconds | peak MB | seed
+// A defect is an input on which the reader crashes, breaks the contract (targets.h), takes more than 10 s or more than
+// 2 GB. Exit code 1: there are defects.
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
