@@ -10,7 +10,7 @@ namespace glissade {
 namespace {
 
 constexpr double kStepSeconds = 2.0;
-/// Least duration of a step. Single precision holds this difference of times up to half an hour of animation.
+/// Least time between key frames, seconds. Single precision holds this difference up to half an hour of animation.
 constexpr float kLeastStepTime = 2e-4F;
 
 /// The configurations of a step in playback order.

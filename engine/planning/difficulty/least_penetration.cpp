@@ -9,7 +9,7 @@
 namespace glissade {
 namespace {
 
-/// Erosions to try, in radii of the object.
+/// The smallest and the largest erosion to try, in radii of the object, and the number of erosions.
 constexpr double kFirst = 0.01;
 constexpr double kLast = 0.64;
 constexpr double kErosions = 7.0;
