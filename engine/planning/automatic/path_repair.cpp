@@ -135,7 +135,7 @@ void PathRepair::deliver(PlannerHost& host) {
   Path path;
   for (const Pose& q : way_) path.points.push_back({q, Author::Computer});
   path.certificate = certifyPath(*query_, path.points, host.parameters(), host.stopToken());
-  // it was stopped: every motion was certified before
+  // The repair was stopped, because every motion was certified before.
   if (path.certificate.status != CertificateStatus::Certified) return;
   for (const Pose& q : way_) {
     if (!nodes_.empty()) {
