@@ -7,7 +7,7 @@
 
 namespace glissade {
 
-/// Authors as path files name them.
+/// Name of an author in path files.
 constexpr const char* authorName(Author author) {
   switch (author) {
     case Author::Computer: return "computer";
