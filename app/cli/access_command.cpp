@@ -24,7 +24,7 @@ constexpr const char* kSampled =
     "hand, forearm and tool were sampled along each motion: this is no proof of what lies between the samples, and "
     "the rest of the body is not considered";
 
-/// Bodies are named by the index that answers have.
+/// A body is named by its index in `bodies`, because the answers hold that index.
 Json toJson(const MotionAccess& motion, const std::vector<RigidBody>& bodies) {
   const auto name = [&bodies](const std::optional<std::size_t>& body) {
     return body ? Json(bodies[*body].id) : Json(nullptr);
@@ -105,7 +105,8 @@ int accessOfPath(const AccessOptions& options, const StopToken& stop) {
   return accessExitCode(access->motion.isReachedAndSeen());
 }
 
-/// Those of a group are numbered after the step that brings it, as in the work instruction.
+/// Prints the steps of a line and of its groups. The steps of a group are numbered after the step that adds the group,
+/// as in the work instruction.
 void printLine(const LineAccess& access, const std::vector<AssemblyStep>& steps,
                const std::vector<SubassemblyLine>& lines, const std::string& group, const AssembledProduct& product) {
   for (std::size_t i = 0; i < steps.size(); ++i) {

@@ -17,7 +17,7 @@
 namespace glissade::cli {
 namespace {
 
-/// The share of the work that is done, on the terminal of whoever waits.
+/// Shows on the terminal which share of the work is done.
 class CheckProgress {
  public:
   explicit CheckProgress(bool shown) : shown_(shown && isatty(STDERR_FILENO) != 0) {}
@@ -50,14 +50,13 @@ int exitCodeOf(bool valid, bool refused, const MissingShapes& missing, const Int
   return exitCode(ErrorKind::NoPath);
 }
 
-/// A reader that was stopped by the limit says that it was interrupted.
+/// Reports the error. A reader that the time limit stopped reports Interrupted; this becomes LimitReached.
 int reportStopped(Diagnostic error, const Interrupt& interrupt, Format format) {
   if (error.kind == ErrorKind::Interrupted && !interrupt.requested()) error.kind = ErrorKind::LimitReached;
   return reportError(error, format);
 }
 
-/// Forbidden places are found as planners find them, so that none is passed over that the file does not state. Regions
-/// that it states count as well.
+/// Adds the forbidden places of the scenario as planners find them, and the regions that its file states.
 Outcome addForbiddenPlaces(const std::string& file, const StopToken& stop, check::Question& question) {
   if (!question.product.forbidsPlaces) return Done{};
   const auto loaded = loadScenario(file, stop);

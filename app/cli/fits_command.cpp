@@ -26,7 +26,7 @@ using Json = nlohmann::ordered_json;
 
 Json coordinates(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
 
-/// What is taken thinner while one of the bodies moves past the other.
+/// The allowances with which one body of the pair moves past the other.
 Json toJson(const PairWay& way, const std::string& moving, const std::string& other) {
   Json json{{"moving", moving}, {"thinner", Json::array()}};
   for (const Fit& fit : way.taken) {
@@ -69,8 +69,8 @@ std::size_t plainOverlapsIn(const std::vector<PairFit>& rows) {
 /// Whether the overlap of the pair is an error of modelling, or may be one.
 bool isOverlap(const PairFit& row) { return row.contact.isPlainOverlap || row.status() == FitStatus::Clash; }
 
-/// Cubic metres that the solids of the file have in common, of each row that isOverlap(); nothing for other rows, and
-/// where the file has no solids.
+/// Cubic metres that the solids of the file have in common, for each row that isOverlap(); nothing for other rows, and
+/// if the file has no solids.
 using Volumes = std::vector<std::optional<double>>;
 
 Volumes commonVolumesOf(const std::vector<PairFit>& rows, const std::string& file, const StopToken& stop) {
@@ -103,7 +103,7 @@ void printPairs(const std::vector<PairFit>& rows, const Volumes& volumes, const 
   }
   for (const auto& [kind, count] : countsByKind(rows)) json["counts"][kind] = count;
   json["plain_overlaps"] = plainOverlapsIn(rows);
-  // Names come from files.
+  // Names come from files and can hold invalid UTF-8.
   std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
 }
 
@@ -119,7 +119,7 @@ std::string joined(const std::vector<std::string>& names) {
   return all;
 }
 
-/// Bodies by the names that the file has, with those of the assemblies that they are in.
+/// Prints bodies by their names in the file, and the names of the assemblies that hold them.
 void printCsv(const std::vector<PairFit>& rows, const Product& tree) {
   const std::vector<std::string> paths = tree.shownPaths();
   const auto nameOf = [&](const std::string& id) {

@@ -23,8 +23,8 @@ namespace {
 
 constexpr const char* kReplay = "replay:";
 
-/// The way of a simulated operator: that of a path, where one is given; else the scenario's way-points, then the goal
-/// if it is a configuration.
+/// The way-points of a simulated operator: those of the path file if one is given, else the scenario's way-points and
+/// its goal if it is a configuration.
 Result<std::vector<Pose>> routeOf(const PlanOptions& options, const LoadedScenario& scenario) {
   if (!options.way.empty()) {
     const auto points = readPath(options.way);
@@ -46,7 +46,7 @@ Outcome setAll(const std::map<ParameterId, double>& values, ParameterValues& par
   return Done{};
 }
 
-/// "GTS" is what the window calls gts.
+/// Lets the strategy be written in capital letters, as "GTS" in the window.
 std::string lowerCase(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
   return text;
@@ -58,7 +58,7 @@ Outcome checkPlanner(const std::string& id) {
                     "See 'glissade-cli plan --help' for the planners."};
 }
 
-/// The recorded run again, or with what the options change.
+/// Sets up the recorded run, with the changes that the options make.
 Result<std::unique_ptr<LockstepSession>> setUpReplay(const PlanOptions& options, const LoadedScenario& scenario,
                                                      const std::string& file, const StopToken& stop) {
   const auto record = readRunRecord(file);
@@ -96,8 +96,8 @@ Diagnostic unknownOperator(const std::string& name) {
           "Choose one of " + known + " or replay:FILE."};
 }
 
-/// The session that a run needs, from scenario, options and (for replay) a run record. The options
-/// win over the record, the record over the scenario.
+/// Sets up the session of a run from the scenario, the options and (for replay) a run record. The options override the
+/// record, and the record overrides the scenario.
 Result<std::unique_ptr<LockstepSession>> setUpRun(const PlanOptions& options, const LoadedScenario& scenario,
                                                   const StopToken& stop) {
   const std::string& name = options.operatorName;
@@ -124,10 +124,10 @@ Result<std::unique_ptr<LockstepSession>> setUpRun(const PlanOptions& options, co
   return makeLockstepSession(std::move(config));
 }
 
-/// Planner steps between two looks at the clock of the outside world.
+/// Planner steps between two checks for an interruption.
 constexpr std::uint64_t kSlice = 200;
 
-/// Plans until the run ends or somebody interrupts it.
+/// Plans until the run ends or a person interrupts it.
 SnapshotPtr planInLockstep(LockstepSession& session, const Interrupt& interrupt) {
   session.post(command::Start{});
   session.advance(0);
@@ -139,18 +139,19 @@ SnapshotPtr planInLockstep(LockstepSession& session, const Interrupt& interrupt)
   return session.snapshot();
 }
 
-/// The planner makes an environment model of its own, or none: its counts must not depend on what is asked here.
+/// Warns of edits without effect. It builds its own environment model, because the planner's counts must not depend on
+/// these checks.
 void checkEdits(const LoadedScenario& loaded, const StopToken& stop) {
   if (loaded.scenario.places.empty() && loaded.scenario.milestones.empty()) return;
   const auto knowledge = buildSceneKnowledge(loaded.problem, loaded.parameters[ParameterId::RequiredClearance], stop);
   if (!knowledge) return;
   warnOfEdits(loaded, **knowledge);
   const auto places = forbiddenPlacesOf((*knowledge)->environment->map, semanticEditsOf(loaded.scenario));
-  if (!places) return;  // the run says why
+  if (!places) return;  // the run reports the reason
   if (const auto warning = regionsWarning(loaded.scenario, *places, loaded.file)) reportWarnings({*warning});
 }
 
-/// Only strategies that plan coarsely look at milestones and preferences.
+/// Warns of milestones and preferences that the strategy does not use: only strategies that plan coarsely use them.
 void warnOfUnused(const PlanOptions& options, const LoadedScenario& loaded) {
   const std::string strategy = options.strategy.value_or(loaded.scenario.planner);
   if (isMultiLayer(strategy)) return;
@@ -166,7 +167,7 @@ void warnOfUnused(const PlanOptions& options, const LoadedScenario& loaded) {
   reportWarnings(unused);
 }
 
-/// Asked first, not after the whole search.
+/// Checks the output format before the search starts.
 Outcome knowsOutput(const PlanOptions& options) {
   if (options.out.empty()) return Done{};
   const auto exporter = pathExporterFor(options.out);

@@ -21,8 +21,8 @@
 namespace glissade::cli {
 namespace {
 
-/// The line on standard error that says how far a study is: rewritten in place on a terminal, now and
-/// then a new one elsewhere.
+/// Shows the progress of a study on standard error. A terminal has one line that is rewritten; other outputs get a new
+/// line now and then.
 class ProgressLine {
  public:
   ProgressLine();
@@ -61,7 +61,7 @@ std::string median(const Distribution& distribution, int digits) {
   return text.str();
 }
 
-/// Bytes that begin a character: what a terminal shows of UTF-8.
+/// The number of UTF-8 characters: the bytes that begin one.
 std::size_t width(const std::string& text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
@@ -86,7 +86,7 @@ void ProgressLine::end() {
   if (terminal_ && shown_) std::cerr << "\n";
 }
 
-/// A short table of a study's results on standard output.
+/// Prints a short table of a study's results on standard output.
 void printSummary(const StudyFolder& folder, Warnings& warnings) {
   const Study& study = folder.plan().study;
   const auto summaries = summarise(study, folder.results(warnings));
@@ -127,7 +127,7 @@ Result<Shard> parseShard(const std::string& text) {
                     "Write 1/4, 2/4, 3/4 and 4/4 for four shards."};
 }
 
-/// Says what would be run, and what of it the folder already holds.
+/// Prints which runs the study has and how many of them the folder already holds.
 int describe(const StudyOptions& options, const StudyPlan& plan, const Shard& shard) {
   std::size_t done = 0;
   Warnings warnings;
@@ -149,7 +149,7 @@ int describe(const StudyOptions& options, const StudyPlan& plan, const Shard& sh
   return 0;
 }
 
-/// Tables and report of what is there.
+/// Writes tables and report of the results that exist.
 Outcome writeResults(const StudyFolder& folder, Warnings& warnings) {
   const Outcome written = writeTables(folder, warnings);
   return written ? writeReport(folder, folder.path(), warnings) : written;

@@ -1,9 +1,10 @@
 // glissade-import-step: reads one STEP, IGES or BREP file from standard input and writes its parts to standard output.
-// Runs with limited memory and time and cannot open a file, so that a malformed file can do no harm.
+// It runs with limited memory and time and cannot open a file, so a malformed file can do no harm.
 // usage: glissade-import-step STEP|IGES|BREP DEFLECTION [unnamed] < FILE
 //        glissade-import-step STEP|IGES|BREP volumes PART PART [PART PART]... < FILE
-// DEFLECTION in millimetres; 0: by the size of each part. unnamed: without the names of solids, on which OpenCASCADE
-// crashes in some files. volumes: writes the volume that two parts have in common, of each pair of paths.
+// DEFLECTION is in millimetres; 0: from the size of each part. unnamed: reads no names of solids, because OpenCASCADE
+// crashes on them in some files. volumes: writes the common volume of each pair of parts, which are given by their
+// paths.
 #include <unistd.h>
 
 #include <charconv>
@@ -18,7 +19,7 @@
 
 namespace {
 
-/// Nothing where the arguments are none of the usage.
+/// Nothing if the arguments do not follow the usage.
 std::optional<glissade::StepImportOrder> orderOf(const std::vector<std::string>& arguments) {
   using glissade::CadKind;
   if (arguments.size() < 2) return std::nullopt;
@@ -51,6 +52,6 @@ int main(int argc, char** argv) {
                  "       glissade-import-step STEP|IGES|BREP volumes PART PART [PART PART]... < FILE\n";
     return 2;
   }
-  // Not by return: taking the model apart again would take a tenth of the time.
+  // No return from main(): destroying the model would take a tenth of the time.
   ::_exit(glissade::confinedStepImport(*order));
 }
