@@ -161,7 +161,7 @@ std::string inCubicMillimetres(double volume) {
   return text.str();
 }
 
-/// The deepest overlap first.
+/// Prints the common volumes, the deepest overlap first.
 void printVolumes(const std::vector<PairFit>& rows, const Volumes& volumes) {
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < rows.size(); ++i) {

@@ -17,7 +17,7 @@ namespace {
 
 using Words = ScriptCommands::Words;
 
-/// As kGizmoHandles.
+/// Names in the order of kGizmoHandles.
 constexpr std::array<const char*, 9> kHandleNames{"x", "y", "z", "yz", "zx", "xy", "rx", "ry", "rz"};
 
 std::optional<GizmoHandle> handleNamed(const std::string& name) {
@@ -221,7 +221,7 @@ void ArrangeController::flip() {
   placeAligned();
 }
 
-/// An alignment and its flips are one edit.
+/// An alignment and its flips are one undoable edit.
 void ArrangeController::placeAligned() {
   aligned_->after = alignment(aligned_->moving, aligned_->fixed, aligned_->flipped) * aligned_->before;
   const Aligned aligned = *aligned_;

@@ -21,7 +21,7 @@ constexpr double kMillimetres = 1000.0;
 
 constexpr double kDegrees = 180.0 / 3.14159265358979323846;
 
-/// As fine as the placement panel shows it.
+/// The smallest difference that the placement panel shows.
 constexpr double kSame = 0.01;
 
 using Words = ScriptCommands::Words;
@@ -104,7 +104,7 @@ Outcome expectPlace(WorkbenchDocument& document, const std::string& what, const 
   return off <= kSame ? Outcome(Done{}) : elsewhere;
 }
 
-/// The script commands about parts, where they and the ends of the motion are, and rules.
+/// Adds the script commands about parts, about the poses of parts and of the ends of the motion, and about rules.
 void addAssemblyCommands(const Workbench& bench, PartImport& parts) {
   ScriptCommands& scripts = bench.scripts;
   WorkbenchDocument& document = bench.document;
@@ -237,14 +237,14 @@ void AssemblyController::editScenario(const QString& text, const std::function<O
   showFailure(document_.edit(text, change));
 }
 
-/// Ids of the scenario's bodies, those of the object among them.
+/// Ids of the selected bodies of the scenario, including those of the object.
 std::set<std::string> AssemblyController::selectedOfAll() const {
   std::set<std::string> ids;
   for (const QString& id : document_.semantics().selectedBodies()) ids.insert(bodyIdOf(id.toStdString()));
   return ids;
 }
 
-/// The same without those of the object.
+/// Ids of the selected bodies, without those of the object.
 std::set<std::string> AssemblyController::selectedBodies() const {
   std::set<std::string> ids = selectedOfAll();
   if (!document_.scenario()) return ids;
@@ -279,7 +279,7 @@ void AssemblyController::putBackSelected() {
   editScenario(tr("Put back"), [&ids](Scenario& scenario) { return editEach(ids, putBack, scenario); });
 }
 
-/// What is selected of the object goes on to move: so a group grows.
+/// Marks the selected bodies as moving. Selected bodies of the object keep moving, so a group can grow.
 void AssemblyController::markSelected() {
   const std::vector<std::string> ids = selectedToMove();
   const QString first = QString::fromStdString(ids.front());
@@ -288,7 +288,7 @@ void AssemblyController::markSelected() {
   editScenario(text, [&](Scenario& scenario) { return markMoving(ids, *document_.scenario(), scenario); });
 }
 
-/// In the background; an edit of the arrangement cancels it.
+/// Moves the ends clear in the background; an edit of the arrangement cancels it.
 void AssemblyController::moveEndsClear() {
   const double required = document_.settings().parameters[ParameterId::RequiredClearance];
   bench_.work.run(
@@ -335,7 +335,7 @@ void AssemblyController::choose(const std::optional<AssemblyItem>& item) {
   takeSelection();
 }
 
-/// One body that is selected is what is placed; the object is placed at its start.
+/// Shows the placement of the selected body, or of the object's start if the object is selected.
 void AssemblyController::takeSelection() {
   if (!document_.scenario()) return;
   const std::set<std::string> ids = selectedBodies();
@@ -358,7 +358,7 @@ void AssemblyController::takeSelection() {
 
 void AssemblyController::showPlacement() {
   if (!document_.scenario()) return;
-  if (placed_ == chosen_ && document_.isArranging()) return;  // what the user types is not there yet
+  if (placed_ == chosen_ && document_.isArranging()) return;  // the user's input is not arranged yet
   placed_ = chosen_;
   const QString name = chosen_ ? nameOf(*chosen_) : QString();
   const auto pose = chosen_ ? poseOf(document_.scenario()->scenario, *chosen_) : std::nullopt;

@@ -11,10 +11,10 @@
 namespace glissade {
 namespace {
 
-/// Seconds of planning until help is asked for by itself; the next times after twice as long.
+/// Seconds of planning before the first offer of help; each later offer waits twice as long.
 constexpr double kFirstOffer = 5.0;
 
-/// The share of the work that looks for a whole way; the rest looks at gaps.
+/// The share of the work that searches a whole path; the rest searches gaps.
 constexpr double kWholeWay = 0.6;
 
 bool isPerson(const std::string& deviceId) {
@@ -29,7 +29,7 @@ bool followsHand(const std::string& strategy) {
   return entry != nullptr && entry->usesOperator;
 }
 
-/// The search goes on or has ended, without a path.
+/// The search goes on without a path, or ended without one.
 bool isStuck(const SessionSnapshot& snapshot) {
   return snapshot.run > 0 && !snapshot.path && (isRunning(snapshot) || searchFailed(snapshot));
 }
@@ -49,7 +49,7 @@ void HandHint::ask(const QString& text) {
   write();
 }
 
-/// Most snapshots leave it as it is.
+/// Writes the lines only if they changed; most snapshots change nothing.
 void HandHint::write() {
   QStringList lines;
   if (!asked_.isEmpty()) lines << asked_;
@@ -149,7 +149,8 @@ BackgroundTask::Work AssistController::search(Then then) {
 
 void AssistController::find(Then then) { bench_.work.run(tr("Looking for places to help"), search(then)); }
 
-/// The chosen place, or after it the next one; after the last one they are looked for again.
+/// Takes the hand to the chosen place, or to the next one if the hand was there already. After the last one it searches
+/// places again.
 void AssistController::go() {
   if (!places_ || (taken_ && chosen_ + 1 == places_->size())) {
     find(Then::Go);
@@ -164,7 +165,7 @@ void AssistController::go() {
   }
 }
 
-/// A new run puts the object at the start, so the hand is taken to the place after that.
+/// Starts a run by hand. A new run puts the object at the start, so the hand is taken to the place after that.
 void AssistController::startByHand() {
   bench_.document.whenArranged([this] {
     const HelpPlacesPtr places = places_;
@@ -172,7 +173,7 @@ void AssistController::startByHand() {
     bench_.session.post(command::Stop{});
     if (!isPerson(bench_.session.deviceId())) bench_.session.setDevice("hand");
     if (!followsHand(bench_.document.settings().strategy)) bench_.session.post(command::SetPlanner{"interactive"});
-    places_ = places;  // forgotten with the session of the device before
+    places_ = places;  // changing the device ended the session, which cleared places_
     chosen_ = chosen;
     starting_ = true;
     bench_.session.post(command::Start{});

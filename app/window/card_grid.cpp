@@ -24,7 +24,7 @@ QFont nameFont(const QWidget& card) {
   return font;
 }
 
-/// The text in as many lines as there may be; the last one is elided.
+/// The text in at most `most` lines; the last line is elided.
 QStringList linesOf(const QString& text, const QFont& font, int width, int most) {
   QStringList lines;
   QTextLayout layout(text, font);
@@ -43,7 +43,7 @@ QStringList linesOf(const QString& text, const QFont& font, int width, int most)
 }
 
 constexpr int kCardGap = 12;
-/// Heights of a line.
+/// Widths in heights of a line.
 constexpr int kNarrowestLines = 10;
 constexpr int kWidestLines = 14;
 constexpr int kMostColumns = 5;

@@ -8,19 +8,19 @@
 
 namespace glissade {
 
-/// What a card of the welcome page shows.
+/// The content of a card of the welcome page.
 struct WelcomeEntry {
-  QString file;  ///< what a click opens
+  QString file;  ///< the file that a click opens
   QString name;
-  QString text;            ///< one line or two
-  QImage light;            ///< on a light ground; null: there is none
-  QImage dark;             ///< on a dark ground
-  bool isThere = true;     ///< false: greyed, and nothing can be opened
+  QString text;            ///< one or two lines
+  QImage light;            ///< picture for a light background; null: none
+  QImage dark;             ///< picture for a dark background
+  bool isThere = true;     ///< false: grey, and cannot be opened
   QString whole = {};      ///< tool tip; empty: `text`
   bool isOneLine = false;  ///< `text` is elided in its middle, as paths are
 };
 
-/// A picture with a name and a text, which is clicked, or chosen with Enter or the space bar.
+/// A picture with a name and a text. A click, Enter or the space bar chooses it.
 class WelcomeCard final : public QAbstractButton {
   Q_OBJECT
 
@@ -49,7 +49,7 @@ class WelcomeCard final : public QAbstractButton {
   WelcomeEntry entry_;
 };
 
-/// Cards in rows of as many as the width has room for. The arrow keys go from card to card.
+/// Shows cards in rows, as many in a row as the width allows. The arrow keys move from card to card.
 class CardGrid final : public QWidget {
   Q_OBJECT
 
@@ -59,7 +59,7 @@ class CardGrid final : public QWidget {
   void setEntries(const std::vector<WelcomeEntry>& entries);
   const std::vector<WelcomeCard*>& cards() const { return cards_; }
   int heightForWidth(int width) const override;
-  /// The width of a full row: more room is left free.
+  /// The width of a full row; wider grids leave the rest free.
   int widest() const;
 
  signals:
@@ -75,7 +75,7 @@ class CardGrid final : public QWidget {
   int columnsIn(int width) const;
   int cardWidth(int width) const;
   void arrange();
-  /// The card whose place is `by` after that of the card, or the next one in that direction that can have the focus.
+  /// Moves the focus by `by` cards, or further in that direction to the next card that can have the focus.
   bool moveFocus(const QObject* from, int by);
 
   std::vector<WelcomeCard*> cards_;

@@ -21,7 +21,7 @@ Outcome expect(const LoadedScenario& scenario, const DifficultyPtr& difficulty, 
   return unmetExpectation("'" + part + "' names " + name + ", not " + body);
 }
 
-/// The script commands about why no path was found.
+/// Adds the script commands about the reasons why no path was found.
 void addDifficultyCommands(const Workbench& bench, DifficultyController& difficulty) {
   using Words = ScriptCommands::Words;
   bench.scripts.add("show-difficulty", 1, [&difficulty](const Words& words) -> Outcome {
@@ -34,7 +34,7 @@ void addDifficultyCommands(const Workbench& bench, DifficultyController& difficu
   });
 }
 
-/// The share of the work that is taken by the reasons; the rest looks for places to help.
+/// The share of the work that finds the reasons; the rest finds places to help.
 constexpr double kReasons = 0.7;
 
 }  // namespace
