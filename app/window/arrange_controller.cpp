@@ -72,7 +72,7 @@ Outcome expectText(const QString& is, const std::string& part) {
   return found ? Outcome(Done{}) : unmetExpectation("the text is '" + is.toStdString() + "', without '" + part + "'");
 }
 
-/// Script commands about arranging in the view.
+/// Adds the script commands about arranging in the view.
 void addArrangeCommands(const Workbench& bench, ArrangeController& arrange) {
   ScriptCommands& scripts = bench.scripts;
   scripts.add("drag-handle", 3, [&bench, &arrange](const Words& words) {

@@ -25,7 +25,7 @@ AttributeValue valueOf(const std::string& text) {
   return text;
 }
 
-/// By the mouse: a row that is highlighted already can be chosen again.
+/// Clicks a row with the mouse, because a highlighted row can be chosen again.
 Outcome clickStep(const EnvironmentController& environment, const std::string& name) {
   auto* steps = environment.planPanel()->findChild<QTreeWidget*>(QStringLiteral("steps"));
   const auto number = toNumber(name);
@@ -78,7 +78,7 @@ Outcome setAttribute(SemanticDocument& document, const std::string& name, const 
                                value == "-" ? std::nullopt : std::optional<AttributeValue>(valueOf(value)));
 }
 
-/// Key by key, and not committed.
+/// Types the text key by key and does not commit it.
 Outcome type(const EnvironmentController& environment, const std::string& name, const std::string& text) {
   const QString id = QString::fromStdString("attribute-" + name);
   auto* editor = environment.semanticsPanel()->findChild<QWidget*>(id);
@@ -151,7 +151,7 @@ Outcome identify(EnvironmentController& environment, const std::string& identifi
   return Done{};
 }
 
-/// The script commands about places, attributes and the coarse plan.
+/// Adds the script commands about places, attributes and the coarse plan.
 void addEnvironmentCommands(const Workbench& bench, EnvironmentController& environment) {
   using Words = ScriptCommands::Words;
   ScriptCommands& scripts = bench.scripts;
@@ -170,9 +170,9 @@ void addEnvironmentCommands(const Workbench& bench, EnvironmentController& envir
   scripts.add("identify", 1, [&environment](const Words& words) { return identify(environment, words[0]); });
 }
 
-/// A press and a release nearer than this are a click, not a drag.
+/// A press and a release within this distance are a click, not a drag.
 constexpr double kClickPixels = 4.0;
-/// How much shorter ways through a preferred place count.
+/// Factor by which paths through a preferred place count as shorter.
 constexpr double kPreferred = 4.0;
 
 std::map<std::string, AttributeValue> mobilityOf(const SemanticEdits& edits) {
@@ -252,14 +252,14 @@ void EnvironmentController::followDocument(Changes what) {
   }
 }
 
-/// A scenario about places gets its environment model at once, and their panels come to the front.
+/// Builds the environment model of a scenario about places, and raises the panels about places.
 void EnvironmentController::startScenario() {
   builder_.cancel();
   semantics_->setBusy(false);
   const Scenario& scenario = bench_.document.scenario()->scenario;
   if (!isMultiLayer(scenario.planner) && scenario.places.empty()) return;
   for (const char* panel : {"panel.semantics", "panel.plan"}) bench_.actions[QLatin1String(panel)]->trigger();
-  bench_.scene.widget()->setFocus();  // keys steer the object
+  bench_.scene.widget()->setFocus();  // the focus lets keys steer the object
   build(nullptr);
 }
 
@@ -276,7 +276,7 @@ bool EnvironmentController::isModelled(const LoadedScenario& scenario) const {
          modelled_.workspace.min() == workspace.min() && modelled_.workspace.max() == workspace.max();
 }
 
-/// After an edit: rules, start and goal do not matter to the model; bodies, the workspace and mobility do.
+/// Updates the model after an edit. It depends on bodies, workspace and mobility, not on rules, start and goal.
 void EnvironmentController::updateModel(Changes what) {
   const SceneKnowledgePtr known = bench_.document.knowledge();
   if (!known && !builder_.isBusy()) return;
@@ -285,7 +285,7 @@ void EnvironmentController::updateModel(Changes what) {
   } else if (builder_.isBusy() || !isModelled(*bench_.document.scenario())) {
     build(known);
   } else if (what & Change::Arrangement) {
-    bench_.document.setKnowledge(known);  // it holds, and the new session has none
+    bench_.document.setKnowledge(known);  // the model is still valid, but the new session has none
   }
 }
 
@@ -333,8 +333,8 @@ void EnvironmentController::followRun(const SnapshotPtr& snapshot) {
   if (newPlan) showPlan();
 }
 
-/// The plan of the run while it goes on, and as long as planning again would begin with it; else a preview, which is
-/// made in the background.
+/// Shows the plan of the run during the run, and afterwards as long as a new run would begin with that plan; else shows
+/// a preview, which is made in the background.
 void EnvironmentController::showPlan() {
   if (!snapshot_) return;
   const PreviewQuestion question{bench_.document.scenario()->problem, snapshot_->plannerId, document_.knowledge(),
@@ -371,7 +371,7 @@ void EnvironmentController::drawPlan() {
   bench_.scene.refresh();
 }
 
-/// A step that is looked at has its place selected, so that what is done to places is done to that one.
+/// Selects the place of the step that is looked at, so that edits of places apply to it.
 void EnvironmentController::showStep() {
   const auto step = plan_->currentStep();
   bench_.scene.view().setShownStep(step);
@@ -385,7 +385,7 @@ void EnvironmentController::showStep() {
   enableActions();
 }
 
-/// Where something else was selected the step is not looked at any more.
+/// Leaves the step if the selection no longer holds its place.
 void EnvironmentController::leaveStep() {
   const auto step = plan_->currentStep();
   const int place = step ? shownPlan_->steps[*step].place : TopologicalStep::kWholeWorkspace;

@@ -106,7 +106,7 @@ void HeadsetPanelController::showScenario() {
   showRun();
 }
 
-/// What the status line says before a run is about keys.
+/// Shows the run. Before a run the text is empty, because the status line then explains keys.
 void HeadsetPanelController::showRun() {
   const SnapshotPtr& snapshot = bench_.run.snapshot();
   if (!snapshot) return;

@@ -23,7 +23,7 @@ struct HelpPages {
   Q_DECLARE_TR_FUNCTIONS(HelpPages)
 };
 
-/// A dialog: how to steer, and all shortcuts.
+/// Shows a dialog that explains steering and lists all shortcuts.
 void showShortcuts(const ActionCatalogue& actions, QWidget* parent) {
   auto* dialog = new QDialog(parent);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -44,7 +44,7 @@ void showShortcuts(const ActionCatalogue& actions, QWidget* parent) {
   dialog->open();
 }
 
-/// A dialog: what the program is.
+/// Shows a dialog about the program.
 void showAbout(QWidget* parent) {
   auto* box = new QMessageBox(
       QMessageBox::NoIcon, HelpPages::tr("About Glissade"),

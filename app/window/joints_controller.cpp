@@ -21,7 +21,7 @@ Result<JointKind> kindIn(const std::string& word) {
                       "Say screw, nut, thread, insert, pin, snap, flexible, permanent or unit.");
 }
 
-/// Those that count, of this kind as the panel shows it.
+/// The number of joints of this kind in the panel that count.
 std::size_t countOf(const JointsPanel& panel, JointKind kind) {
   if (!panel.table()) return 0;
   const std::vector<JointRow>& rows = panel.table()->rows();
@@ -29,7 +29,7 @@ std::size_t countOf(const JointsPanel& panel, JointKind kind) {
       rows.begin(), rows.end(), [kind](const JointRow& row) { return row.counts() && row.key.kind == kind; }));
 }
 
-/// "none": there is no row of the body.
+/// The state of the joint of a body; "none" if there is no such row.
 std::string stateOf(const JointsPanel& panel, JointKind kind, const std::string& body) {
   if (!panel.table()) return "none";
   for (const JointRow& row : panel.table()->rows()) {
@@ -87,7 +87,7 @@ bool counts(const JointRow& row) { return row.counts(); }
 
 bool isSaid(const JointRow& row) { return row.isSaid(); }
 
-/// The chosen rows as values: the table changes with the edit.
+/// The chosen rows as copies, because the table changes with the edit.
 std::vector<JointRow> chosenIn(const JointsPanel& panel, bool (*fits)(const JointRow&)) {
   std::vector<JointRow> rows;
   for (const JointRow* row : panel.chosen()) {
@@ -98,13 +98,13 @@ std::vector<JointRow> chosenIn(const JointsPanel& panel, bool (*fits)(const Join
 
 bool isAnyChosen(const JointsPanel& panel, bool (*fits)(const JointRow&)) { return !chosenIn(panel, fits).empty(); }
 
-/// Joints do not depend on what a person says of fits.
+/// Whether the bodies are the same. Edits of fits do not matter, because joints do not depend on them.
 bool haveSameBodies(AssembledProduct one, const AssembledProduct& other) {
   one.fits = other.fits;
   return isSameProduct(one, other);
 }
 
-/// Why a word cannot be that was possible, or not there, before; nothing: all of them can.
+/// The reason why one more edit is refused after the change; nothing if none is.
 std::optional<Diagnostic> newRefusal(const JointTable& before, const JointTable& after) {
   if (after.count(JointRowState::Refused) <= before.count(JointRowState::Refused)) return std::nullopt;
   return after.rows().back().refusal;
@@ -146,7 +146,7 @@ void JointsController::connectActions() {
   bench_.onAction("joints.change", this, [this] { askForChosen(); });
 }
 
-/// What was found holds for the bodies and their classes; where these are others it is found again.
+/// Removes the found joints after another scenario. Finds them again if bodies or classes have changed.
 void JointsController::followDocument(Changes what) {
   if (what & Change::Scenario) {
     task_.cancel();
@@ -183,7 +183,7 @@ void JointsController::find() {
   task_.start("looking for joints", work, bench_.work.isAtOnce());
 }
 
-/// Bodies may have moved meanwhile.
+/// Takes the found joints, unless bodies have moved during the search.
 void JointsController::take(const Found& found) {
   found_ = found;
   if (isOfFound(Change::Arrangement)) {
@@ -200,7 +200,7 @@ void JointsController::showFound() {
   panel_->setTable(std::make_shared<const JointTable>(found_->product, found_->joints, said));
 }
 
-/// All bodies of the joints are selected, so that the view and the tree mark them.
+/// Selects all bodies of the chosen joints, so that the view and the tree mark them.
 void JointsController::showChosen() {
   enableActions();
   SemanticSelection selection;
@@ -285,7 +285,7 @@ void JointsController::askForNew() {
   dialog.exec();
 }
 
-/// Where the kind or the bodies change it is another joint, and the earlier one is dissolved.
+/// Asks for changes of the chosen joint. If its kind or its bodies change, the earlier joint is dissolved.
 void JointsController::askForChosen() {
   const std::vector<JointRow> rows = chosenIn(*panel_, counts);
   if (rows.size() != 1) return;
@@ -301,7 +301,7 @@ void JointsController::askForChosen() {
   dialog.exec();
 }
 
-/// Refused before anything changes where what a person would say cannot be.
+/// Applies a change of the edits. If it makes an edit invalid, nothing changes and the error says why.
 Outcome JointsController::apply(const QString& text, const JointChange& change) {
   const JointTablePtr table = panel_->table();
   if (!table) return Done{};

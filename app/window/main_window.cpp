@@ -59,7 +59,7 @@ void WindowRoom::fit(const QSize& room) {
   room_ = room;
   if (room.isEmpty()) return;
   docks_.setRoom(room);
-  window_.layout()->activate();  // the least size is that of what is shown now
+  window_.layout()->activate();  // otherwise the minimum size is still that of the earlier contents
   window_.resize(window_.size().boundedTo(room));
 }
 
@@ -103,11 +103,11 @@ MainWindow::MainWindow(const SceneWidgetFactory& makeScene, SessionClock clock)
 }
 
 MainWindow::~MainWindow() {
-  // The scene widget is a child of the window and owned by scene_: take it out before either ends.
+  // The scene widget is a child of the window and owned by scene_, so it is taken out before either is destroyed.
   scene_->widget()->setParent(nullptr);
 }
 
-/// A new panel is one line among the docks.
+/// Makes the controllers. Each panel adds one line to the docks.
 void MainWindow::addParts() {
   new DocumentController(bench_);
   auto* view = new ViewController(bench_);
@@ -177,7 +177,7 @@ void MainWindow::addParts() {
   docks_.add({tr("Difficulty"), "difficulty", difficulty->panel(), DockPlace::LowerRight, "panel.difficulty",
               Scrolling::Own, [difficulty] { return difficulty->difficulty() != nullptr; }});
   docks_.orderTabStops();
-  resize(1280, 720);  // the docks share the width that the window has now
+  resize(1280, 720);  // the docks share the width that the window has at this moment
   docks_.arrange();
   makeMenus(*this, actions_, {files_->recentMenu(), files_->saves().versionsMenu(), views_->menu()});
   new ContextMenus(bench_);
