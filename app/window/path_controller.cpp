@@ -24,15 +24,15 @@
 namespace glissade {
 namespace {
 
-/// What is seen of the tightest place: a box with this half side, in radii of the object.
+/// Half side of the box that the picture of the tightest place shows, in radii of the object.
 constexpr double kTightestSurroundings = 1.2;
 
-/// Of the width of a page of paper.
+/// Share of the width of a page.
 constexpr double kPictureShare = 0.75;
 
 std::string lengthWords(double metres) { return lengthText(metres).toStdString(); }
 
-/// none, a number, or a length with its unit.
+/// Sets the ghosts from "none", a number, or a length with its unit.
 Outcome setGhosts(PathController& path, const std::string& word) {
   PathSpacing spacing = path.panel()->ghosts().spacing();
   const auto number = toNumber(word);
@@ -52,7 +52,7 @@ Outcome setGhosts(PathController& path, const std::string& word) {
   return Done{};
 }
 
-/// The script commands about the path that was found or given.
+/// Adds the script commands about the path that was found or given.
 void addPathCommands(ScriptCommands& scripts, PathController& path) {
   using Words = ScriptCommands::Words;
   scripts.add("export", 1,
@@ -77,7 +77,7 @@ void addPathCommands(ScriptCommands& scripts, PathController& path) {
   scripts.add("ghosts", 1, [&path](const Words& words) { return setGhosts(path, words[0]); });
 }
 
-/// Places of the path at which its clearance is measured for the curve.
+/// Number of samples of the path's clearance for the curve.
 constexpr std::size_t kProfileSamples = 400;
 
 /// "*.csv *.json"
@@ -121,7 +121,7 @@ void PathReportJob::start(const RunResults& results, const std::shared_ptr<const
                   });
 }
 
-/// The camera and the object are as before afterwards.
+/// Takes the picture of the tightest place, and restores the camera and the object's pose.
 SaveResult PathReportJob::takeTightest(const ClearanceSample& sample, const std::string& file) const {
   SceneView& view = bench_.scene.view();
   const CameraController before = view.camera();

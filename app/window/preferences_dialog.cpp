@@ -84,7 +84,7 @@ PreferencesDialog::PreferencesDialog(const ActionCatalogue& actions, const Prefe
 
 void PreferencesDialog::fill(const Preferences& present) {
   language_->addItem(tr("As the desktop"), QString());
-  // Each in its own language, so that whoever cannot read this one finds the other.
+  // Each name is in its own language, so that a person who cannot read the present language finds the other.
   language_->addItem(QStringLiteral("English"), QStringLiteral("en"));
   language_->addItem(QStringLiteral("Français"), QStringLiteral("fr"));
   language_->setCurrentIndex(std::max(0, language_->findData(present.language)));

@@ -14,14 +14,14 @@
 
 namespace glissade {
 
-/// A button that shows a colour, or that none is chosen, and asks for another one.
+/// A button that shows the chosen colour, or that none is chosen, and asks for another one.
 class ColourButton final : public QToolButton {
   Q_OBJECT
 
  public:
   ColourButton(const QString& name, const std::optional<Colour>& colour, QWidget* parent);
 
-  /// Nothing: the colour of the theme.
+  /// Without a value the theme's colour is used.
   const std::optional<Colour>& colour() const { return colour_; }
   void setColour(const std::optional<Colour>& colour);
 
@@ -32,7 +32,7 @@ class ColourButton final : public QToolButton {
   std::optional<Colour> colour_;
 };
 
-/// What a user chooses for all scenarios. Navigation is an action: the dialog sets it when it is accepted.
+/// A user's choices for all scenarios. Navigation is an action, which the dialog sets when it is accepted.
 class PreferencesDialog final : public QDialog {
   Q_OBJECT
 

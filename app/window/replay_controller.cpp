@@ -28,7 +28,7 @@ Outcome expectReplay(const ReplayController& replay, const std::string& verdict)
   return unmetExpectation("the replay is " + (found.empty() ? "still running" : found) + ", not " + verdict);
 }
 
-/// The script commands about recordings and replays.
+/// Adds the script commands about recordings and replays.
 void addReplayCommands(ScriptCommands& scripts, ReplayController& replay) {
   using Words = ScriptCommands::Words;
   scripts.add("save-recording", 1,
@@ -38,15 +38,15 @@ void addReplayCommands(ScriptCommands& scripts, ReplayController& replay) {
 }
 
 constexpr int kTickMilliseconds = 16;
-/// At full speed a whole run passes in this many ticks (two seconds).
+/// Number of ticks of a whole run at full speed (two seconds).
 constexpr std::uint64_t kTicksOfAWholeRun = 120;
-/// A replay with other parameters ends at the latest after so many times the steps of the run.
+/// A replay with other parameters ends at the latest after this multiple of the run's steps.
 constexpr std::uint64_t kPatience = 10;
 constexpr std::uint64_t kLeastSteps = 1000;
 
 QString count(std::uint64_t value) { return QLocale().toString(static_cast<qulonglong>(value)); }
 
-/// Records of version 1 know their scenario by its file alone.
+/// Whether the record belongs to the scenario. Records of version 1 identify their scenario only by its file.
 bool isOf(const RunRecord& record, const ScenarioPtr& scenario) {
   if (!scenario) return false;
   if (record.version > 1) return record.problemSha256 == problemSha256(scenario->scenario);
@@ -133,7 +133,7 @@ std::optional<Diagnostic> ReplayController::open(
   const ScenarioPtr before = bench_.document.scenario();
   if (!isOf(record, before) || before->fitsPending) {
     if (auto why = openOther(QString::fromStdString(record.scenario))) return why;
-    if (bench_.document.scenario() == before) return std::nullopt;  // the user keeps the scenario that is open
+    if (bench_.document.scenario() == before) return std::nullopt;  // the user keeps the open scenario
   }
   auto log = replayLog(record, *bench_.document.scenario(), file.toStdString());
   if (!log) return log.error();

@@ -17,7 +17,7 @@
 namespace glissade {
 namespace {
 
-/// Planner steps between two looks at the state while waiting offscreen.
+/// Planner steps between two checks of the state while waiting offscreen.
 constexpr std::uint64_t kWaitSlice = 50;
 
 constexpr EnumNames<SessionState, 6> kStateNames{{"idle", "planning", "paused", "solved", "stopped", "failed"}};
@@ -36,7 +36,7 @@ struct NamedValue {
   double value;
 };
 
-/// `words`: a parameter's key and a value.
+/// Reads a parameter's key and a value.
 Result<NamedValue> parameterOf(const ScriptCommands::Words& words) {
   const auto id = parameterByKey(words[0]);
   const auto value = toNumber(words[1]);
@@ -95,7 +95,7 @@ Outcome wait(SessionBridge& session, const std::string& state, const std::string
   return unmetExpectation("the session did not reach the state '" + state + "'");
 }
 
-/// The script commands about parameters, strategy, operator and the state of the run.
+/// Adds the script commands about parameters, strategy, operator and the state of the run.
 void addRunCommands(const Workbench& bench) {
   using Words = ScriptCommands::Words;
   ScriptCommands& scripts = bench.scripts;
@@ -129,7 +129,7 @@ RunController::RunController(const Workbench& bench)
   connect(&bench.document, &WorkbenchDocument::changed, this, [this](Changes what) {
     if (!(what & (Change::Scenario | Change::Arrangement))) return;
     interaction_->setScenario(*bench_.document.scenario());
-    showRun(bench_.run.snapshot());  // of the new session
+    showRun(bench_.run.snapshot());  // the snapshot is one of the new session
   });
   connect(&bench.session, &SessionBridge::snapshotChanged, this,
           [this](const SnapshotPtr& snapshot) { takeSnapshot(*snapshot); });
@@ -146,7 +146,7 @@ RunController::RunController(const Workbench& bench)
 void RunController::connectActions() {
   bench_.onAction("run.start", this, [this] {
     bench_.document.whenArranged([this] {
-      bench_.session.post(command::Stop{});  // smoothing that may still go on
+      bench_.session.post(command::Stop{});  // a smoothing may still be running
       bench_.session.post(command::Start{});
     });
   });
@@ -207,7 +207,8 @@ void RunController::enableActions(const SessionSnapshot* snapshot) {
   bench_.actions["run.pause"]->setChecked(live && snapshot->state == SessionState::Paused);
 }
 
-/// Whoever takes the object in his hand means to take part in the search.
+/// Chooses the device, and a strategy that uses it: a person who takes the object in hand wants to take part in the
+/// search.
 void RunController::chooseDevice(const std::string& id) {
   bench_.session.setDevice(id);
   const std::string& strategy = bench_.document.settings().strategy;

@@ -88,7 +88,7 @@ std::optional<UnsavedEdits> SaveController::unsavedEdits() const {
 bool SaveController::openEdits(const UnsavedEdits& edits) {
   if (!openAs(edits.scenario, edits.file)) return false;
   noteContent(edits.file, edits.sha256);
-  autosave_->writeChanges(true);  // before those that were left are removed
+  autosave_->writeChanges(true);  // before the offered edits are removed
   return true;
 }
 
@@ -100,7 +100,7 @@ void SaveController::openVersion(const QString& versionFile) {
     host_.showError(tr("The earlier version cannot be opened"), scenario.error());
     return;
   }
-  (void)openAs(std::move(*scenario), host_.scenario()->file);  // its assets are named as seen from the file
+  (void)openAs(std::move(*scenario), host_.scenario()->file);  // the paths of its assets are relative to the file
 }
 
 bool SaveController::openAs(Scenario scenario, const std::string& file) {

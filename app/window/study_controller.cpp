@@ -20,7 +20,7 @@ namespace {
 
 using Words = ScriptCommands::Words;
 
-/// From 0; -1 where the word is not a number from 1.
+/// The index of the word, from 0; -1 if the word is no number from 1.
 int indexOf(const std::string& word) {
   const auto number = toNumber(word);
   return number ? static_cast<int>(*number) - 1 : -1;
@@ -73,7 +73,7 @@ Outcome start(StudyController& studies, const std::string& cell, const std::stri
   return outcomeOf(studies.show(run));
 }
 
-/// The script commands about studies.
+/// Adds the script commands about studies.
 void addStudyCommands(const Workbench& bench, StudyController& studies) {
   ScriptCommands& scripts = bench.scripts;
   scripts.add("study", 1,

@@ -13,7 +13,7 @@ namespace {
 
 using Words = ScriptCommands::Words;
 
-/// The place in workTimeRows(); nothing where no row has this name.
+/// The index in workTimeRows(); nothing if no row has this id.
 std::optional<std::size_t> rowOf(const std::string& id) {
   const auto& rows = workTimeRows();
   const auto found = std::find_if(rows.begin(), rows.end(), [&](const WorkTimeRow& row) { return row.id == id; });
@@ -54,7 +54,7 @@ Outcome expectTimes(const TimesView& view, const std::string& what, const std::s
   return unmetExpectation("the times have " + what + " " + found + ", not " + expected);
 }
 
-/// The commands about the times of the assembly and their table.
+/// Adds the script commands about the times of the assembly and their table.
 void addTimesCommands(const Workbench& bench, TimesController& times) {
   bench.scripts.add("times", 1, [&times](const Words& words) -> Outcome {
     times.show();
@@ -130,7 +130,7 @@ void TimesController::makeView() {
   connect(&editor, &WorkTimesEditor::saveAsked, this, &TimesController::chooseTarget);
 }
 
-/// CBC does not stop early: what is asked while it works waits for its end.
+/// Computes the times. A running CBC cannot be stopped, so a later request waits for its end.
 void TimesController::update() {
   if (view_ == nullptr || !view_->isVisible()) return;
   const ShownPlan& shown = sequence_.shown();

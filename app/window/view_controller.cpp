@@ -14,7 +14,7 @@
 namespace glissade {
 namespace {
 
-/// They need something to look at.
+/// Actions that need a scenario.
 constexpr const char* kCameraActions[] = {"view.fit",   "view.zoom-selection", "view.isometric", "view.front",
                                           "view.back",  "view.left",           "view.right",     "view.top",
                                           "view.bottom"};
@@ -29,7 +29,7 @@ ViewController::ViewController(const Workbench& bench) : QObject(&bench.window),
   showGridUnit();
   bench.scene.onCameraMoved([this] { publishOperatorFrame(); });
   connect(&bench.document, &WorkbenchDocument::changedForView, this, &ViewController::updateView);
-  // A body that was dragged goes back.
+  // A failed edit puts a dragged body back.
   connect(&bench.document, &WorkbenchDocument::editFailed, this, [this] { updateView(Change::Arrangement); });
   connect(&bench.run, &ShownRun::changed, this, [this](const SnapshotPtr& snapshot) {
     bench_.scene.view().setSnapshot(snapshot);
@@ -39,7 +39,7 @@ ViewController::ViewController(const Workbench& bench) : QObject(&bench.window),
   for (const char* id : kCameraActions) bench.enable(id, false);
 }
 
-/// Shown once there is something to look at.
+/// Adds the navigation aids. View cube and scale bar are hidden until a scenario is open.
 void ViewController::addNavigationAids() {
   auto* cube = new ViewCube(bench_.scene.view(), bench_.scene.widget());
   auto* scale = new ScaleBar(bench_.scene.view(), bench_.scene.widget());
@@ -84,7 +84,7 @@ void ViewController::showCamera() {
   bench_.scene.refresh();
 }
 
-/// The bodies that are selected; everything where none is.
+/// Shows the selected bodies, or everything if none is selected.
 void ViewController::zoomToSelection() {
   std::set<std::string> ids;
   for (const QString& id : bench_.document.semantics().selectedBodies()) ids.insert(id.toStdString());
