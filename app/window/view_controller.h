@@ -23,7 +23,7 @@ class ViewController final : public QObject {
   void addNavigationAids();
   /// Lets actions choose which buttons and keys move the camera.
   void connectNavigationStyles();
-  /// After the camera was moved.
+  /// Updates the window after the camera has moved.
   void showCamera();
   void zoomToSelection();
   /// Updates the unit of the grid after the unit of lengths has changed.

@@ -25,7 +25,7 @@ enum class Kind { Text, Word, Mark };
 
 struct Token {
   Kind kind;
-  std::string text;  ///< of a literal without quotes and escapes, of a mark one character or "<<", "->"
+  std::string text;  ///< literal: without quotes and escapes; mark: one character, "<<" or "->"
 };
 
 bool isWord(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == ':' || c == '.'; }
@@ -42,7 +42,7 @@ std::string withoutEscapes(const std::string& text) {
   return result;
 }
 
-/// Past the quote that ends the literal which begins at `at`.
+/// The position after the quote that ends the literal which begins at `at`.
 std::size_t endOfLiteral(const std::string& source, std::size_t at) {
   const char quote = source[at++];
   while (at < source.size() && source[at] != quote) at += source[at] == '\\' ? 2 : 1;
@@ -77,7 +77,7 @@ std::vector<Token> tokensOf(const std::string& source) {
       i = end;
     } else if (isWord(c) && c != ':' && c != '.') {
       const std::size_t from = i;
-      // A ' within a number separates digits.
+      // A ' inside a number separates digits.
       while (i < source.size() &&
              (isWord(source[i]) || (source[i] == '\'' && std::isdigit(static_cast<unsigned char>(c)) != 0)))
         ++i;
@@ -92,7 +92,7 @@ std::vector<Token> tokensOf(const std::string& source) {
   return tokens;
 }
 
-/// What is known so far of one expression.
+/// The state of an expression that is being read.
 struct Expression {
   std::string text;
 
@@ -106,7 +106,7 @@ struct Expression {
 
   bool streams = false;
 
-  bool ofString = false;  ///< what std::string is made of
+  bool ofString = false;  ///< the expression is the argument of std::string
 
   void addText(const std::string& literal) {
     isOneText = text.empty() && !endsInPlace;
@@ -121,7 +121,7 @@ struct Expression {
     endsInPlace = true;
   }
 
-  /// What stands before the first << is the stream.
+  /// Reads "<<". An expression without text before the first << is the stream, and is dropped.
   void stream() {
     if (!streams && !hasText) *this = {};
     streams = true;
@@ -156,7 +156,7 @@ class Reader {
     if (!isString(at_)) current().addPlace();
   }
 
-  /// Whether std::string is made there of what follows in parentheses.
+  /// Whether the tokens construct a std::string.
   bool isString(std::size_t at) const {
     return at + 1 < tokens_.size() && tokens_[at].text == "std::string" && tokens_[at + 1].text == "(";
   }
@@ -167,7 +167,7 @@ class Reader {
     current().ofString = ofString;
   }
 
-  /// Angle brackets of a cast or a template hug a word; those of a comparison do not.
+  /// Angle brackets of a cast or a template follow a word; those of a comparison do not.
   bool isComparison(const Token& token) const {
     return isOf(token, "<>") && at_ > 0 && at_ + 1 < tokens_.size() && tokens_[at_ - 1].kind == Kind::Mark;
   }
@@ -203,19 +203,18 @@ class Reader {
   std::vector<Expression> open_{1};
 
   std::vector<std::string> texts_;
-
-  /// The texts that the expressions of a C++ source make of string literals: `"line " + std::to_string(n) + ": " + why`
-  /// is "line %1: %2". Streams (`<<`) count as `+`. Literals with an encoding or raw ones are left out.
 };
 
+/// The texts that the expressions of a C++ source make of string literals: `"line " + std::to_string(n) + ": " + why`
+/// is "line %1: %2". Streams (`<<`) count as `+`. Raw literals and those with an encoding are left out.
 std::vector<std::string> textsMadeIn(const std::string& source) { return Reader(source).texts(); }
 
 namespace fs = std::filesystem;
 
-/// Reports and plots of studies are translated by study_french.cpp, instructions by
-/// instruction_french.cpp; benchmarks are for developers. The command line prints the verdicts of the judge; the window
-/// shows only whether a path or a step is valid, and the conditions (kShownOfTheJudge). The window has
-/// words of its own for the rows of work times (work_time_texts.cpp).
+/// Files whose texts are not translated by the window's tables. Reports and plots of studies are translated by
+/// study_french.cpp, instructions by instruction_french.cpp; benchmarks are for developers. The command line prints the
+/// verdicts of the judge; the window shows only whether a path or a step is valid, and the conditions
+/// (kShownOfTheJudge). The window has its own texts for the rows of work times (work_time_texts.cpp).
 constexpr const char* kOtherwiseTranslated[] = {"engine/check/",
                                                 "engine/study/study_french.cpp",
                                                 "engine/study/instruction/instruction_french.cpp",
@@ -233,8 +232,8 @@ constexpr const char* kOtherwiseTranslated[] = {"engine/check/",
 
 constexpr const char* kShownOfTheJudge = "engine/check/condition.cpp";
 
-/// Not for people to read in the window: names of random streams, keys of caches, rules and commands as they are typed,
-/// what files say of their writer, and texts of the command line.
+/// Texts that the window does not show to people: names of random streams, keys of caches, rules and commands as they
+/// are typed, statements of files about their writer, and texts of the command line.
 constexpr const char* kNotForTheWindow[] = {
     "of %1",
     "held by ",
@@ -250,7 +249,7 @@ constexpr const char* kNotForTheWindow[] = {
     "simulated operator",
     "task operator",
     "shown configuration",
-    "Shows a way at the level of a task.",  // of studies, on the command line only
+    "Shows a way at the level of a task.",  // shown by studies on the command line only
     "random shooter",
     "goal bias",
     "%1 life %2",
@@ -307,13 +306,13 @@ std::string contentOf(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// Two words at least: keys, names and formats have one.
+/// Whether the text has at least two words; keys, names and formats have one.
 bool isSentence(const std::string& text) {
   static const std::regex words("[A-Za-z]{2,}[,:]? [A-Za-z%'(0-9]|^[A-Z][a-z]+ [a-z]");
   return std::regex_search(text, words);
 }
 
-/// As it stands for itself: what joins it to the text before it is left out.
+/// The text without the characters that join it to the text before.
 std::string alone(const std::string& text) {
   static const std::regex joint("^[;.,]? +");
   return std::regex_replace(text, joint, "");
