@@ -23,7 +23,8 @@ struct HandMeasures {
   double forearmHandLength = 0.0;     ///< elbow to the tip of the middle finger
 
   double forearmLength() const { return forearmHandLength - handLength; }
-  /// Of a cross-section of two lines and two half circles with this breadth and circumference.
+  /// Thickness of a hand with this breadth and circumference whose cross-section consists of two lines and two half
+  /// circles.
   double handThickness() const;
 };
 

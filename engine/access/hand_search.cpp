@@ -49,7 +49,7 @@ struct Trial {
   std::optional<std::size_t> blockedBy{};
 };
 
-/// Of the holds that are looked at once more where none is free.
+/// Maximum number of the most natural holds that are examined again if no hold is free.
 constexpr std::size_t kNaturalHolds = 60;
 
 class Trials {

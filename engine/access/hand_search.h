@@ -21,14 +21,14 @@ struct HandSample {
 /// How a hand goes with what it moves.
 class HandFollow {
  public:
-  /// As one rigid body with it.
+  /// The hand moves rigidly with the body.
   static HandFollow rigidly() { return HandFollow(); }
-  /// Without its turns, as fingers that grip again and again: what is at this point stays in the hand.
+  /// The hand follows this point of the body but not its turns, as fingers that grip again and again.
   static HandFollow point(const Vector3& p_W);
-  /// Not at all: it turns a bolt that stays.
+  /// The hand does not move: it turns a bolt that stays.
   static HandFollow still();
 
-  /// Where the hand has moved to when the body has moved so.
+  /// The motion of the hand when the body has moved by `moved`.
   Pose movedWith(const Pose& moved) const;
 
  private:
@@ -54,7 +54,7 @@ enum class HandAccess {
 
 inline constexpr EnumNames<HandAccess, 4> kHandAccessNames{{"not_asked", "free", "blocked", "no_grip"}};
 
-/// What is asked of the hand: bodies by their index in the prepared ones.
+/// A question about the hand. Bodies are given by their index in the prepared ones.
 struct HandQuestion {
   std::vector<HandHold> holds;         ///< tried in this order
   std::vector<HandSample> samples;     ///< one or more

@@ -58,7 +58,7 @@ class ToolHolds {
     }
   }
 
-  /// The same arm between thumb and fingers, from its end or from a side.
+  /// Adds holds of the handle's arm between thumb and fingers, from its end or from a side.
   void addPinches(const Pose& X_WT) {
     const Vector3 at = handle_.to - kPadLength * Vector3::UnitX();
     for (const double tilt : kPinchTilts) {
@@ -113,7 +113,7 @@ std::vector<HandHold> toolHolds(ToolKind kind, const FastenerHead& head, const P
   return holds.take();
 }
 
-/// Of a handle, on each of which a fastener is turned (tool_shape.h).
+/// Angle of one swing of a handle, which turns a fastener (tool_shape.h).
 constexpr double kSwing = std::numbers::pi / 3.0;
 /// Metres before its place from which a body may be pushed with a finger.
 constexpr double kPushed = 0.015;

@@ -100,7 +100,8 @@ class RingCut {
     add({onB, c, onC}, t, cut);
   }
 
-  /// The same position for both triangles at the edge: it is computed from the end with the lower number.
+  /// The vertex on an edge. Both triangles at the edge get an equal position, because it is computed from the end with
+  /// the lower number.
   std::uint32_t vertexOn(std::uint32_t a, std::uint32_t b, DividedTriangles& cut) {
     if (number_[a] > number_[b]) std::swap(a, b);
     const auto next = static_cast<std::uint32_t>(vertices_.size() + made_.size());

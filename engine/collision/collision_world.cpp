@@ -23,13 +23,14 @@
 namespace glissade {
 namespace {
 
-/// What queries of a world need.
+/// The data that queries of a world need.
 struct QueryGeometry {
   WorldGeometry geometry;
   std::shared_ptr<const MotionBound> motionBound;
 };
 
-/// The same, prepared when it is asked for. Any number of threads may ask: the first one prepares, the others wait.
+/// QueryGeometry that is prepared when it is first requested. Any number of threads may request it: the first one
+/// prepares, the others wait.
 class LaterGeometry {
  public:
   explicit LaterGeometry(std::function<QueryGeometry()> prepare) : prepare_(std::move(prepare)) {}

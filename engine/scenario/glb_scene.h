@@ -17,7 +17,7 @@ class GlbBuilder {
  public:
   using Json = nlohmann::ordered_json;
 
-  /// What numbers are for: glTF wants vertices marked.
+  /// The purpose of numbers, because glTF requires that vertices are marked.
   enum class Use { Vertices, KeyFrames };
 
   explicit GlbBuilder(const std::string& generator);

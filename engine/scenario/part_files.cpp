@@ -22,7 +22,7 @@ namespace glissade {
 namespace {
 namespace fs = std::filesystem;
 
-/// What of a STEP file is spoken for.
+/// A node of a part file that a body uses.
 struct Claim {
   std::string path;
   std::string node;
@@ -62,7 +62,7 @@ bool isOpen(const std::string& part, const PartFile& by, const std::vector<Claim
   });
 }
 
-/// As of Occurrence, of the steps of a node.
+/// The names of the steps of a node, as in Occurrence::names.
 std::vector<NodeNames> namesAt(const std::string& node, const std::vector<Occurrence>& places) {
   const auto below =
       std::find_if(places.begin(), places.end(), [&](const Occurrence& place) { return isWithin(place.path, node); });

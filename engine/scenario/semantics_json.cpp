@@ -26,8 +26,8 @@ Box3 readBox(const JsonCursor& at) {
   return box;
 }
 
-/// What a scenario file says of forbidden places by boxes, beside the edits that forbid them: who has no environment
-/// model reads these. Private to the readers and writers of this room. Reading throws JsonError.
+/// Reads the boxes of forbidden places, which a scenario file states beside the edits that forbid them. A reader
+/// without an environment model uses them. Private to the readers and writers of this module. Reading throws JsonError.
 void readForbiddenRegions(const JsonCursor& root, Scenario& scenario) {
   const auto regions = root.find("forbidden_regions");
   for (std::size_t i = 0; regions && i < regions->sizeUpTo(limits::kMostBodies); ++i) {

@@ -73,7 +73,7 @@ struct Block {
   std::array<int, 3> counts;
 };
 
-/// Where a piece of the motion has the world, as the body sees it.
+/// A piece of the motion with the world's poses in the body's frame.
 struct SeenPiece {
   MotionPiece piece;
   Eigen::Isometry3d X_BW_from;
@@ -208,7 +208,7 @@ class BlockClearances {
     });
   }
 
-  /// Of a point that is `aside` from the middle of its block.
+  /// The value at a point that is `aside` from the middle of its block.
   double valueAt(const Vector3& p, double aside, const std::vector<NearPiece>& near) const {
     double least = reach_;
     for (const NearPiece& candidate : near) {

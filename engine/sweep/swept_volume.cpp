@@ -70,7 +70,7 @@ constexpr double kFirstSpacings = 20.0;    ///< of the diagonal of the body
 constexpr double kFineEnough = 0.85;
 /// Coarse surfaces say little of how fine the last one will be.
 constexpr double kMostRefinement = 4.0;
-/// Of the progress left: the first, coarse surface, and the others.
+/// Shares of the remaining progress for the first, coarse surface and for each later one.
 constexpr double kShareOfFirst = 0.2;
 constexpr double kShareOfFine = 0.8;
 /// Spacings: points that are nearer to what is covered do not count as outside, in the mean (measured).

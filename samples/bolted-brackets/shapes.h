@@ -11,7 +11,7 @@ namespace glissade::bolted_brackets {
 
 /// Vertices of a circle: corners of a hexagon and of a square are among their directions.
 inline constexpr std::uint32_t kSteps = 24;
-/// Of bolts, rod and all holes alike, metres: they touch.
+/// Radius of bolts, rod and all holes, metres; they touch.
 inline constexpr double kRadius = 0.004;
 /// Across the flats of a hexagon, half.
 inline constexpr double kFlat = 0.0065;

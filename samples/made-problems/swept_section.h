@@ -57,7 +57,8 @@ inline TriangleMesh solidAlong(const Frames& frames, const Section& section) {
   return mesh;
 }
 
-/// What is between two sections of as many corners, swept along the frames: a tube that is open at both ends.
+/// The volume between two sections with equal numbers of corners, swept along the frames: a pipe with a bore that is
+/// open at both ends.
 inline TriangleMesh tubeAlong(const Frames& frames, const Section& inner, const Section& outer) {
   TriangleMesh mesh;
   const auto count = static_cast<std::uint32_t>(inner.size());

@@ -8,7 +8,7 @@
 
 namespace glissade::nut_and_bolt {
 
-/// Of an M10 thread, metres.
+/// Pitch of an M10 thread, metres.
 inline constexpr double kPitch = 0.0015;
 /// Vertices of a turn, and layers of vertices of a pitch: edges follow the helix.
 inline constexpr int kSteps = 32;

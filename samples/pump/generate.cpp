@@ -241,7 +241,7 @@ Mesh frame() {
   return mesh;
 }
 
-// What stands in the way ------------------------------------------------------------------------------------------
+// Obstacles -------------------------------------------------------------------------------------------------------
 
 /// A window with rounded corners through the plate of which `at` is a point.
 Mesh window(Axis normal, const Point& at, double width, double height) {

@@ -39,7 +39,7 @@ Mesh cylinder(Axis axis, const Point& foot, double radius, double length, int se
 /// are rounded by parabolas that begin `bend` before them.
 Mesh tube(const Ring& corners, double bend, double radius, int segments);
 
-/// What is not a manifold throws.
+/// Both functions throw if the result is not a manifold.
 void unite(Mesh& mesh, Mesh part);
 void subtract(Mesh& mesh, Mesh part);
 

@@ -45,7 +45,7 @@ using Cube = std::array<int, 3>;
 
 /// Three cubes in an angle.
 inline const std::vector<Cube> kPiece{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-/// Where the piece goes, one cube after the other, until it has left the block.
+/// Moves of the piece by one cube each, until it has left the block.
 inline const std::vector<Cube> kMoves{{1, 0, 0}, {0, 0, 1}, {0, 1, 0}, {-1, 0, 0}, {0, 1, 0}, {0, 0, -1}, {1, 0, 0},
                                       {1, 0, 0}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1},  {0, 0, 1}, {0, 0, 1},  {0, 0, 1}};
 inline const Cube kStart{2, 2, 2};

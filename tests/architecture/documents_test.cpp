@@ -1,4 +1,4 @@
-// What documents say of the code.
+// Checks the statements of documents about the code.
 #include <gtest/gtest.h>
 
 #include <filesystem>

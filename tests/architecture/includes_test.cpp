@@ -88,7 +88,7 @@ void follow(const std::string& file, std::set<std::string>& seen) {
   }
 }
 
-/// What judges plans shares nothing with what makes them, also not through the headers of other rooms.
+/// The judge of plans shares no code with their planners, directly or through the headers of other modules.
 TEST(Architecture, TheJudgeReachesNothingOfThePlanners) {
   const std::set<std::string> allowed{"check", "base", "geometry", "assembly", "import"};
   std::size_t files = 0;

@@ -45,7 +45,7 @@ MeshPtr thinnedBy(double depth, const MeshPtr& mesh) {
   return thinner ? std::make_shared<const TriangleMesh>(std::move(*thinner)) : mesh;
 }
 
-/// Those whose boxes meet the body's on its way.
+/// The bodies whose boxes meet the swept box of the body.
 std::vector<PreparedBodies::Against> nearWay(PreparedBodies& prepared, std::size_t body, const Vector3& way,
                                              const BodySet& others, const MeshPtr& mesh) {
   const Box3& box = prepared.boxOf(body);
@@ -96,9 +96,9 @@ class SixAxes {
   std::map<MeshPtr, MeshPtr> thin_;
 };
 
-/// What others do, in short: body after body, straight along one of the six axes of the world until it is out of the
-/// box of the others, looked at in 400 configurations. It may penetrate others by 0.15 mm: it is taken thinner by so
-/// much. Nothing is proved of what is between. Ends where no body leaves, or after a stop.
+/// The usual method in short: removes body after body, straight along one of the six axes of the world, until the body
+/// is out of the box of the others, and checks 400 configurations. The body is thinned so that it may penetrate others
+/// by 0.15 mm. Nothing is proved between the configurations. Ends if no body can leave, or after a stop.
 std::vector<SixAxesStep> sixAxesSequence(const AssembledProduct& product, const BodySet& staying,
                                          const StopToken& stop) {
   SixAxes axes(product);

@@ -10,7 +10,7 @@
 
 namespace glissade::oracle {
 
-/// The same numbers with every standard library.
+/// Random numbers that are equal with every standard library.
 class MutationDice {
  public:
   MutationDice(std::uint64_t seed, std::uint64_t number) {
@@ -23,7 +23,7 @@ class MutationDice {
   double uniform(double low, double high) {
     return low + (high - low) * static_cast<double>(engine_() >> 11U) * 0x1p-53;
   }
-  /// Of a size between the two, every order of magnitude as often.
+  /// A size between both bounds; every order of magnitude is equally frequent.
   double magnitude(double low, double high) { return std::exp(uniform(std::log(low), std::log(high))); }
   double either(double size) { return flip() ? size : -size; }
 

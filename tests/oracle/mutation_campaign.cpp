@@ -189,7 +189,7 @@ class Mutations {
     require(runCli({"check", sound.scenario, folder_ + "/sound.json"}), folder_ + "/sound.json");
   }
 
-  /// What an allowance for the pair can rest on, metres: twice as much is not given.
+  /// An upper bound of the allowances, metres, that the evidence for the pair supports.
   static double mostOf(const Sound& sound) { return 1.5 * sound.fit + 5e-4 * sound.radius + 5e-6; }
 
   std::string whyFalsePath(const Sound& sound, const Json& path) const {

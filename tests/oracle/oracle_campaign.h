@@ -7,7 +7,7 @@
 
 namespace glissade::oracle {
 
-/// What the paths of a folder of scenes came to.
+/// The verdicts on the paths of a folder of scenes.
 struct Judged {
   std::uint64_t paths = 0;
   Verdict verdict;

@@ -96,7 +96,7 @@ using Json = nlohmann::json;
 /// Millimetres over what the judge may allow for bodies that touch: a micrometre for the attack, and two that rounding
 /// and fitting leave.
 constexpr double kLeastLip = 3e-3;
-/// Of curved surfaces: triangles of both are off by up to this, millimetres.
+/// Deflection of curved surfaces, millimetres: triangles of both bodies deviate by up to this.
 constexpr double kDeflection = 0.01;
 constexpr const char* kPlanSeconds = "2";
 /// Exact volumes take a second each.
@@ -265,9 +265,9 @@ class Trapped {
     if (end.exitCode == 0) find("planned", "the planner finds a way out");
   }
 
-  /// The exact solids share a volume where the flange is in the lip, and a free body shares none but that of its fit.
-  /// Where the body is in the lip depends on its shape: a dovetail is as wide as the lip near
-  /// its bottom only, and meets a thin lip just before it leaves.
+  /// Checks that the exact solids of a trapped pair share a volume when the flange is in the lip. The position of the
+  /// body in the lip depends on its shape: a dovetail is as wide as the lip only near its bottom, and meets a thin lip
+  /// just before it leaves. So the check tries several positions.
   void checkVolume(const TrappedPair& pair) {
     ++tried_["volumes"];
     bool shared = false;

@@ -126,7 +126,7 @@ WordMutant mutateAllowanceNumbers(Json& plan, MutationDice& dice) {
   }
 }
 
-/// What stays and what does not leave is one.
+/// Drops steps and makes their bodies staying ones, so that the base has several bodies.
 WordMutant mutateBase(Json& plan, MutationDice& dice) {
   Json& steps = plan["steps"];
   if (steps.size() < 2) return mutateCounts(plan, dice);

@@ -7,7 +7,7 @@
 
 namespace glissade::oracle {
 
-/// What is known of a changed plan because of how it was changed.
+/// The known truth of a plan after a change.
 enum class MutantTruth {
   False,    ///< a number or a name is wrong: it must be refused
   ByWords,  ///< it rests on words of its own, if it holds at all: it must not be called valid without a condition

@@ -8,7 +8,7 @@
 
 namespace glissade::ratchet {
 
-/// What a case takes, counted without a clock, and so the same on every machine:
+/// The work of a case, counted without a clock, so that it is equal on every machine:
 /// - pairs: pairs of boxes and leaves that the collision kernel has looked at;
 /// - queries: collision and distance queries of a planner;
 /// - configurations: random, operator and contact configurations;

@@ -91,7 +91,7 @@ const char* const kDae = R"(<?xml version="1.0" encoding="utf-8"?>
 </COLLADA>
 )";
 
-/// The same tetrahedron in little-endian floats.
+/// A tetrahedron in little-endian floats.
 std::string binaryPly() {
   std::string file =
       "ply\nformat binary_little_endian 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
@@ -127,7 +127,7 @@ const char* const kUrdf = R"(<?xml version="1.0"?>
 <joint name="j" type="fixed"><parent link="root"/><child link="arm"/><origin xyz="0 0 0.1" rpy="0 0 0"/></joint></robot>
 )";
 
-/// What a scenario may say beside bodies and ends.
+/// Entries of a scenario about environment and semantics.
 const char* const kSemantics =
     R"json("environment": {"cell_size": 0.1, "memory": 16, "topology_level": 5, "places": "watershed"},
 "attributes": [{"name": "weight", "type": "number", "of": "body", "unit": "kg", "minimum": 0, "maximum": 1000, "initial": 2.5},
@@ -153,7 +153,7 @@ std::string journalOf(const std::string& record) {
   return head.dump() + "\n" + events.dump() + "\n";
 }
 
-/// What a product says of its pairs, of the order of its bodies, and of paths that were kept.
+/// Entries of a scenario about fits, the order of bodies, and kept paths.
 const char* const kProduct =
     R"json("fits": {"mode": "on", "accept_clashes": 0.001, "pairs": [{"a": "object", "b": "wall", "kind": "overlap",
 "allowance": 0.0001, "accepted": true}]},

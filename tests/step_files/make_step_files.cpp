@@ -263,8 +263,9 @@ TopoDS_Shape ballAt(double x, double radius) {
   return BRepPrimAPI_MakeSphere(gp_Ax2(gp_Pnt(x, 0, 60), gp_Dir(0, 0, 1)), radius);
 }
 
-/// What fits by round surfaces: three screws in countersinks of a plate that their shafts do not touch, one seated, one
-/// 0.1 mm too deep, one 0.05 mm too high; above them balls in a groove that is a torus, of its radius and 0.05 mm less.
+/// A product with fits of round surfaces. Three screws are in countersinks of a plate that their shafts do not touch:
+/// one seated, one 0.1 mm too deep, one 0.05 mm too high. Above them, balls are in a groove with the shape of a torus:
+/// of its radius, and 0.05 mm smaller.
 void writeRoundFits(const std::string& file) {
   TopoDS_Shape plate = blockAt(0, 0, 0, 80, 30, 6);
   for (const double x : {-25.0, 0.0, 25.0}) {
@@ -337,7 +338,7 @@ TopoDS_Shape sheetAt(double height, bool upwards = true) {
   return BRepBuilderAPI_MakeFace(plane, -20.0, 20.0, -10.0, 10.0);
 }
 
-/// Of the two sides of one sheet.
+/// A solid made of the two sides of one sheet.
 TopoDS_Shape flatSolid() {
   BRepBuilderAPI_Sewing sewing;
   sewing.Add(sheetAt(200));

@@ -14,7 +14,7 @@
 namespace glissade {
 namespace {
 
-/// Of a corner. Zero has two signs and one place.
+/// Hash of a corner. Both signs of zero give the same hash.
 std::uint64_t mixed(const Vector3& corner) {
   std::uint64_t key = 0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -24,7 +24,7 @@ std::uint64_t mixed(const Vector3& corner) {
   return key;
 }
 
-/// The same for the same corners in any order.
+/// Hash of a triangle, which does not depend on the order of its corners.
 std::uint64_t keyOf(const OwnedTriangle& triangle) {
   return mixed(triangle.corners[0]) + mixed(triangle.corners[1]) + mixed(triangle.corners[2]);
 }

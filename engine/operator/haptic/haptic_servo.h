@@ -17,8 +17,8 @@ struct VirtualCoupling {
   double stiffness = 5.0;        ///< full force at a fifth of the radius (of a radian) apart
   double dampingSeconds = 2e-3;  ///< damping over stiffness; the device's own damping must outweigh it
 
-  /// What pulls the device at X_WD to the object at X_WB; apart they go at V_apart (of object against
-  /// device). Not saturated.
+  /// The wrench that pulls the device at X_WD to the object at X_WB. V_apart is the velocity of the object relative to
+  /// the device. The wrench is not limited.
   Wrench operator()(const Pose& X_WD, const Pose& X_WB, const Twist& V_apart) const {
     const Vector3 apart = X_WB.position - X_WD.position + dampingSeconds * V_apart.linear_W;
     const Vector3 turned = rotationVector(X_WD.orientation, X_WB.orientation) + dampingSeconds * V_apart.angular_W;

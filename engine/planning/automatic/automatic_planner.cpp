@@ -8,8 +8,8 @@
 namespace glissade {
 namespace {
 
-/// What the members do, in quarters of a yes/no query. An iteration looks for neighbours; a draw that
-/// is discarded at once costs next to nothing, so that steps do not count but for one a turn.
+/// The work of members, in quarters of a yes/no query. An iteration searches neighbours. A draw that is discarded at
+/// once costs almost nothing, so steps do not count, except one for each turn.
 constexpr std::uint64_t kCollisionWork = 4;
 constexpr std::uint64_t kDistanceWork = 16;
 constexpr std::uint64_t kMotionWork = 80;

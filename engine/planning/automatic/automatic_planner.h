@@ -13,7 +13,7 @@
 
 namespace glissade {
 
-/// What one member did in a round.
+/// The result of one member's round.
 struct SlotResult {
   SubPlanner::State state = SubPlanner::State::Running;
   std::uint64_t work = 0;   ///< queries and steps, by what they cost; never seconds

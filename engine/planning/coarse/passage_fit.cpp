@@ -95,7 +95,7 @@ struct Placement {
   std::size_t direction = 0;
 };
 
-/// What a silhouette is fitted into.
+/// The opening into which a silhouette is fitted.
 struct Opening {
   Eigen::AlignedBox2d box;  ///< where the object's reference point may be
   Point2 widest;            ///< where to begin
@@ -164,7 +164,7 @@ Placement bestPlacement(const PassageSection& section, const Opening& opening,
       found.push_back(start);
     }
   }
-  // Of equally good ways the first: the largest face ahead.
+  // Among equally good placements the first one is taken, which has the largest face ahead.
   std::stable_sort(found.begin(), found.end(),
                    [](const Placement& a, const Placement& b) { return a.margin > b.margin; });
   Placement best;

@@ -116,8 +116,8 @@ ReportTable besideTheBest(const Study& study, const std::vector<CellSummary>& su
   return table;
 }
 
-/// What the page of results says of one study: findings, `auto` beside the best of the others on every
-/// scenario, plots, how runs ended and seconds. The study's own report has the rest.
+/// The section of one study on the page of results: findings, `auto` beside the best of the others on every scenario,
+/// plots, endings of runs and seconds. The study's own report has the rest.
 std::vector<ReportBlock> planningSection(const StudyFolder& folder, Warnings& warnings) {
   const Study& study = folder.plan().study;
   const auto summaries = summarise(study, folder.results(warnings));
