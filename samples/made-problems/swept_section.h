@@ -7,10 +7,10 @@
 
 namespace glissade::made {
 
-/// Corners in x and y, counter-clockwise.
+/// Corners of a section in x and y, counter-clockwise.
 using Section = std::vector<Eigen::Vector2d>;
 
-/// Frames along a line: z goes on, sections are in x and y.
+/// Frames along a line: z is the direction of the line, sections are in x and y.
 using Frames = std::vector<Pose>;
 
 namespace swept {

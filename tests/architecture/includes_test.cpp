@@ -1,4 +1,4 @@
-// Which room of the engine may use which, read from the includes themselves.
+// Checks which module of the engine may use which, from the include directives.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -43,7 +43,7 @@ std::vector<Include> includesUnder(const std::string& folder) {
   return result;
 }
 
-/// "engine/planning/contact/x.h" lies in room "planning".
+/// The module of a file: "planning" for "engine/planning/contact/x.h".
 std::string roomOf(const std::string& path) {
   static const std::regex pattern(R"(^engine/([a-z]+)/)");
   std::smatch match;
@@ -76,7 +76,7 @@ const std::map<std::string, std::set<std::string>>& allowedRooms() {
   return allowed;
 }
 
-/// Headers of the engine that a file includes, and those that they include.
+/// Collects the engine headers that a file includes, directly and indirectly.
 void follow(const std::string& file, std::set<std::string>& seen) {
   static const std::regex pattern(R"re(^\s*#\s*include\s*"(engine/[^"]+)")re");
   std::ifstream stream(fs::path(test::sourceDirectory()) / file);
@@ -116,7 +116,7 @@ TEST(Architecture, EngineRoomsOnlyUseTheRoomsBelowThem) {
   EXPECT_GT(seen, 10);
 }
 
-/// "engine/planning/contact/x.h" lies in sub-room "contact"; a file of the room itself in "".
+/// The submodule of a file: "contact" for "engine/planning/contact/x.h"; "" for a file of the module itself.
 std::optional<std::string> planningRoomOf(const std::string& path) {
   static const std::regex pattern(R"(^engine/planning/(?:([a-z]+)/)?[^/]+$)");
   std::smatch match;
@@ -124,7 +124,7 @@ std::optional<std::string> planningRoomOf(const std::string& path) {
   return match[1].str();
 }
 
-/// Every sub-room may use the room itself, which uses none of them.
+/// Every submodule may use the module itself, which uses no submodule.
 const std::map<std::string, std::set<std::string>>& allowedPlanningRooms() {
   static const std::map<std::string, std::set<std::string>> allowed{
       {"", {}},
@@ -245,7 +245,8 @@ TEST(Architecture, WidgetsDoNotKnowTheApplication) {
   }
 }
 
-/// The document has the scenario; the session has what it runs, the view what it draws, the recorder what it records.
+/// The document keeps the scenario; the session keeps what it runs, the view what it draws, the recorder what it
+/// records.
 TEST(Architecture, NobodyElseKeepsAScenario) {
   const std::set<std::string> holders{"widgets/document/workbench_document.h",
                                       "widgets/document/workbench_document.cpp", "widgets/bridge/session_bridge.h",

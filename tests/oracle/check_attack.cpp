@@ -1,4 +1,4 @@
-// Attacks `glissade-cli check` with trapped parts and with changed paths and plans. Uses nothing of the engine.
+// Attacks `glissade-cli check` with trapped parts and with changed paths and plans. It uses no code of the engine.
 #include <exception>
 #include <iostream>
 #include <string>

@@ -152,7 +152,7 @@ class LineJudge {
     }
   }
 
-  /// Judges the opening of a joint, whose direction is that in which its fastener leaves.
+  /// Judges the opening of a joint. The joint's direction is that in which its fastener leaves.
   void judgeOpening(const StatedJoint& joint, const StatedStep& step, const Ids& leaving) {
     if (joint.pitch == 0.0) return;
     const std::string what = "the thread of " + joint.kind + " '" + joint.body + "' opens, and ";

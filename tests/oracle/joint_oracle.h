@@ -7,7 +7,7 @@
 
 namespace glissade::oracle {
 
-/// A joint of a screw, a nut or a flexible body, as a file states it. Bodies by id, lengths in metres.
+/// A joint of a screw, a nut or a flexible body, as a file states it. Bodies are given by id, lengths in metres.
 struct StatedJoint {
   std::string kind;
   std::string body;
@@ -26,7 +26,7 @@ struct StatedStep {
   std::vector<std::string> bodies;
   std::vector<Placement> path;
   bool certified = true;
-  std::vector<std::string> threads{};  ///< bodies that its fits call its threads
+  std::vector<std::string> threads{};  ///< bodies that its fits state as its threads
 };
 
 /// A plan, or the line of a group that is disassembled by itself.
@@ -39,18 +39,18 @@ struct StatedLine {
   std::vector<StatedLine> lines;
 };
 
-/// The violations that a fitter would refuse in a plan, as texts; empty: none.
+/// The violations for which an assembler would refuse a plan, as texts; empty: none.
 /// - a thread opens, unless the step turns about its axis by its pitch on the whole motion until it is free, and no
 ///   point of the axis is off it by more than two hundredths of the pitch
-/// - a body leaves without a turn from another one that its own allowances call a thread
+/// - a body leaves without a turn from another body although its own allowances state a thread between them
 /// - a body leaves that a closed joint clamps
 /// - a screw or a nut leaves after the bodies that it clamps, although its thread was closed then
 /// - a body is there twice, or not at all: each leaves once, stays, or is stuck
 /// - a step of no flexible body has no proof
 std::vector<std::string> violationsOf(const StatedLine& plan, const std::vector<StatedJoint>& joints);
 
-/// Read the files that `glissade-cli sequence --out` and `glissade-cli joints --json` write. `suggested`: unconfirmed
-/// joints count, too. Throw std::runtime_error.
+/// Both read the files that `glissade-cli sequence --out` and `glissade-cli joints --json` write. `suggested`:
+/// unconfirmed joints count too. They throw std::runtime_error.
 StatedLine readStatedPlan(const std::string& file);
 std::vector<StatedJoint> readStatedJoints(const std::string& file, bool suggested);
 

@@ -1,4 +1,4 @@
-// Prints the violations of a plan that a fitter would refuse. usage: joint_oracle PLAN JOINTS [suggested]
+// Prints the violations for which an assembler would refuse a plan. usage: joint_oracle PLAN JOINTS [suggested]
 #include <exception>
 #include <iostream>
 #include <string>

@@ -1,4 +1,4 @@
-// The checker of plans by joints refuses what a fitter would refuse.
+// The checker of plans by joints refuses the plans that an assembler would refuse.
 #include "tests/oracle/joint_oracle.h"
 
 #include <gtest/gtest.h>
@@ -172,8 +172,8 @@ TEST(JointOracle, TheJudgeRefusesAPullThatNobodyAskedFor) {
   std::filesystem::remove_all(folder);
 }
 
-/// Its parts are meshes without stated faces: no allowance holds for other angles than the assembled one, unless a
-/// person marks the pairs as threads. So threads may be pulled, and all other rules hold.
+/// The sample's parts are meshes without stated faces. Allowances hold only for the assembled angle, unless a person
+/// marks the pairs as threads. So threads may be pulled, and all other rules hold.
 TEST(JointOracle, AcceptsTheOrderOfASampleOfMeshes) {
   const std::string product = test::sourceDirectory() + "/samples/bolted-brackets/scenario.json";
   for (const std::string& each : violationsOfProduct(product, "brackets", false)) {

@@ -82,7 +82,7 @@ TEST(Oracle, ReadsEveryFormatThatItWrites) {
   }
 }
 
-/// The path maker uses the engine; the judge includes nothing of it.
+/// The path maker uses the engine; the judge includes no code of it.
 TEST(Oracle, SharesNothingWithTheEngine) {
   int seen = 0;
   for (const auto& entry : fs::directory_iterator(test::sourceDirectory() + "/tests/oracle")) {
@@ -96,7 +96,7 @@ TEST(Oracle, SharesNothingWithTheEngine) {
   EXPECT_GT(seen, 10);
 }
 
-/// packaging/reliability.sh judges ten thousand.
+/// packaging/reliability.sh judges ten thousand paths.
 TEST(Oracle, NoCertifiedPathPenetrates) {
   const test::TemporaryFolder folder;
   const std::string programs = test::programDirectory();
@@ -111,7 +111,7 @@ ChildEnd attack(const char* campaign, const std::string& folder, const char* see
   return runChild({programs + "/check_attack", campaign, programs + "/glissade-cli", folder, seed, count}, {100, 4096});
 }
 
-/// packaging/reliability.sh tries a thousand.
+/// packaging/reliability.sh tries a thousand pairs.
 TEST(Oracle, NoTrappedPartLeaves) {
   const test::TemporaryFolder folder;
   const ChildEnd end = attack("trapped", folder.path(), "11", "6");
@@ -124,21 +124,21 @@ TEST(Oracle, NoTrappedPartWithAnOpenSurfaceLeaves) {
   EXPECT_EQ(end.exitCode, 0) << end.errors << end.output;
 }
 
-/// packaging/reliability.sh tries a thousand.
+/// packaging/reliability.sh tries a thousand cases.
 TEST(Oracle, NoOverlapFreesABodyElsewhere) {
   const test::TemporaryFolder folder;
   const ChildEnd end = attack("overlaps", folder.path(), "11", "4");
   EXPECT_EQ(end.exitCode, 0) << end.errors << end.output;
 }
 
-/// packaging/reliability.sh tries ten thousand.
+/// packaging/reliability.sh tries ten thousand mutants.
 TEST(Oracle, NoFalsePathOrPlanIsValid) {
   const test::TemporaryFolder folder;
   const ChildEnd end = attack("mutants", folder.path(), "11", "60");
   EXPECT_EQ(end.exitCode, 0) << end.errors << end.output;
 }
 
-/// packaging/reliability.sh tries ten thousand.
+/// packaging/reliability.sh tries ten thousand mutants.
 TEST(Oracle, NoPlanIsValidByItsOwnWords) {
   const test::TemporaryFolder folder;
   const std::string programs = test::programDirectory();

@@ -1,5 +1,5 @@
-// Produces certified paths for path_oracle, with the engine: planned ones, and many straight motions near surfaces that
-// the certificate accepts.
+// Produces certified paths for path_oracle, with the engine: planned paths, and many straight motions near surfaces
+// that the certificate accepts.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>

@@ -16,8 +16,8 @@ struct Polygon {
   bool cap = false;
 };
 
-/// The solid between a cap at the first ring, the faces from each ring to the next one, and a cap at the last ring.
-/// The first ring looks down. Rings that go up are outer walls, rings that go down are walls of a cavity.
+/// The solid between a cap at the first ring, the faces from each ring to the next one, and a cap at the last ring. The
+/// first cap faces down. Rings that go up are outer walls, rings that go down are walls of a cavity.
 std::vector<Polygon> ringSolid(const std::vector<Ring>& rings);
 
 Triangles trianglesOf(const std::vector<Polygon>& polygons);

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Random numbers that are the same with every standard library.
+/// Random numbers that are equal with every standard library.
 class Dice {
  public:
   Dice(std::uint64_t seed, std::uint64_t index) : engine_(seed * 1'000'003U + index) {}
@@ -98,7 +98,8 @@ Draft hole(Dice& dice) {
           2.0};
 }
 
-/// Blocks with common planes. The object is a small gap above one of them, with its sides in their planes.
+/// Blocks with common planes. The object is a small gap above a block, with its sides in the planes of the block's
+/// sides.
 Draft coplanar(Dice& dice) {
   const double gap = std::pow(10.0, dice.uniform(-4.0, -2.0));
   return {"coplanar",

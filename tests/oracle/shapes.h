@@ -16,7 +16,7 @@ Outline squareOf(int corners, double side);
 
 /// A solid between z = -height / 2 and height / 2. The outline is star-shaped about its corner `centre`.
 Triangles extruded(const Outline& outline, double height, std::size_t centre = 0);
-/// A solid between an outer and an inner outline with as many corners, of the given height.
+/// A solid between an outer and an inner outline with equal numbers of corners, of the given height.
 Triangles extrudedRing(const Outline& outer, const Outline& inner, double height);
 Triangles box(double width, double depth, double height);
 /// An L of the given arms; its corner is at the origin of the plane.

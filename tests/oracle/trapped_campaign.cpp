@@ -71,7 +71,7 @@ TopoDS_Shape solidOf(const std::vector<Ring>& rings, bool round) { return round 
 /// Writes a solid of rings (millimetres) as a STEP file by OpenCASCADE: plane faces, or surfaces of revolution through
 /// the rings' radii. Throws std::runtime_error.
 void writeStep(const std::string& file, const std::vector<Ring>& rings, bool round) {
-  Message::DefaultMessenger()->ChangePrinters().Clear();  // statistics on the standard output
+  Message::DefaultMessenger()->ChangePrinters().Clear();  // prevents statistics on the standard output
   STEPControl_Writer writer;
   const bool written = writer.Transfer(solidOf(rings, round), STEPControl_AsIs) == IFSelect_RetDone &&
                        writer.Write(file.c_str()) == IFSelect_RetDone;
@@ -93,8 +93,8 @@ double commonVolume(const TrappedPair& pair, double lifted) {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-/// Millimetres over what the judge may allow for bodies that touch: a micrometre for the attack, and two that rounding
-/// and fitting leave.
+/// Millimetres above the judge's allowance for bodies that touch: a micrometre for the attack, and two for rounding and
+/// fitting.
 constexpr double kLeastLip = 3e-3;
 /// Deflection of curved surfaces, millimetres: triangles of both bodies deviate by up to this.
 constexpr double kDeflection = 0.01;
@@ -179,7 +179,7 @@ class Trapped {
 
   bool isStep(std::uint64_t number) const { return number % 2 == 0 && !options_.open; }
 
-  /// All of them, or without up to three. At least one body of two is open.
+  /// All faces, or all except up to three. At least one body of a pair is open.
   std::vector<Polygon> facesOf(const std::vector<Ring>& rings, std::mt19937_64& random) {
     std::vector<Polygon> faces = ringSolid(rings);
     if (!options_.open) return faces;
@@ -193,7 +193,7 @@ class Trapped {
 
   std::string scenario() const { return folder_ + "/scenario.json"; }
 
-  /// Straight up and out.
+  /// Writes a path straight up and out.
   std::string writePath(const std::string& name, double allowance, bool yields) {
     std::ifstream stream(scenario());
     const Json json = Json::parse(stream);
@@ -216,7 +216,7 @@ class Trapped {
     return folder_ + "/" + name;
   }
 
-  /// A format that states no allowances: the judge applies what it finds.
+  /// Writes the path in a format that states no allowances, so that the judge applies its own.
   std::string writeTable() {
     const std::string json = writePath("straight.json", 0.0, false);
     std::ifstream stream(json);
@@ -283,7 +283,7 @@ class Trapped {
   std::map<std::string, std::uint64_t> defects_;
   std::uint64_t found_ = 0;
   std::uint64_t left_ = 0;  ///< free parts
-  bool isSecond_ = false;   ///< the next body is the second one of its pair
+  bool isSecond_ = false;   ///< whether the next body is the second one of its pair
 };
 
 }  // namespace

@@ -10,8 +10,8 @@ namespace glissade::oracle {
 namespace {
 
 enum class Shape { Prism, Knob, Dovetail, Gear, Insert };
-/// Additional fits of the pair: none; a pin below, thicker than its hole by the overlap or as thick as it; the same
-/// with a transition from the pin to the flange by slopes below 36 degrees; one wall of the cavity that is pressed in.
+/// Additional fits of the pair: none; a pin below, thicker than its hole by the overlap or of equal thickness; a pin
+/// with a transition to the flange by slopes below 36 degrees; one wall of the cavity that is pressed in.
 enum class FitPlace { None, ThickPin, EqualPin, SmoothPin, Bump };
 
 constexpr const char* kShapes[] = {"prism", "knob", "dovetail", "gear", "insert"};
@@ -92,8 +92,8 @@ class PairMaker {
 
   bool hasPin() const { return fit_ != FitPlace::None && fit_ != FitPlace::Bump; }
 
-  /// Adds the pin. The rings of the block go from its outer bottom to the bottom of its cavity; those after the opening
-  /// are saved first.
+  /// Adds the pin. The rings of the block go from its outer bottom to the bottom of its cavity; the rings after the
+  /// opening are saved first.
   void addPin() {
     if (!hasPin()) return;
     const double pin = 0.5 * radius_;

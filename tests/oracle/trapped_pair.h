@@ -12,12 +12,12 @@ struct TrappedPair {
   std::string name;  ///< description for people
   std::vector<Ring> object;
   std::vector<Ring> block;
-  bool round = false;  ///< corners replace circles, which STEP files of the pair have
+  bool round = false;  ///< true: the corners approximate circles, and STEP files of the pair have circles
   double lip = 0.0;    ///< overlap of the lip over the body; 0: no lip, and the body leaves
   double fit = 0.0;    ///< overlap at another place of the pair
   double top = 0.0;    ///< height of the block's top
-  /// Ratio of a corner's distance from the other body's surface to that of its faces, where these are inside it: the
-  /// nearest point of the surface to a corner may be a corner.
+  /// Ratio of a corner's distance from the other body's surface to that of its faces, if these are inside that body:
+  /// the nearest point of the surface to a corner may be a corner.
   double corner = 1.0;
 
   bool isTrapped() const { return lip > 0.0; }

@@ -2,8 +2,8 @@
 //
 // usage: work_ratchet CASES TABLE FOLDERS... [--more CASES] [--seeds N] [--family NAME] [--record REASON]
 // FOLDERS: programs, samples, STEP files, made problems, public problems, library heap_count.
-// Without --record, prints what has risen by more than it may; the exit code is 1 where something has. With --record,
-// rows that have changed are written with the reason.
+// Without --record, it prints the values that have risen by more than their limits; the exit code is 1 if there are
+// any. With --record, it writes changed rows with the reason.
 #include <unistd.h>
 
 #include <charconv>
@@ -30,17 +30,17 @@ namespace {
 struct WorkCase {
   std::string family;
   std::string name;
-  std::string command;  ///< as a line of cases.txt has it
+  std::string command;  ///< as in a line of cases.txt
 };
 
-/// Folders that the command lines name.
+/// Folders that the command lines use.
 struct WorkFolders {
-  std::string programs;  ///< of glissade-cli and the importers
+  std::string programs;  ///< folder of glissade-cli and the importers
   std::string samples;
   std::string steps;    ///< files of tests/step_files
   std::string made;     ///< problems of generate-made-problems
-  std::string open;     ///< public problems; they are left out where the folder is absent
-  std::string scratch;  ///< for what cases write
+  std::string open;     ///< public problems; their cases are skipped if the folder is absent
+  std::string scratch;  ///< for files that cases write
   std::string counter;  ///< the library heap_count
 };
 
@@ -59,7 +59,7 @@ std::string trimmed(const std::string& text) {
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
-/// The word with the folders in place of their names.
+/// The word with the paths of folders in place of their names.
 std::string located(std::string word, std::uint64_t seed, const WorkFolders& folders) {
   const std::pair<const char*, std::string> places[] = {
       {"{samples}", folders.samples},  {"{steps}", folders.steps},          {"{made}", folders.made},
@@ -71,7 +71,7 @@ std::string located(std::string word, std::uint64_t seed, const WorkFolders& fol
   return word;
 }
 
-/// The child of a case: words, and the file that is its standard input.
+/// The child of a case: its words, and the file for its standard input.
 struct Child {
   ChildCommand command;
   std::string input;
@@ -162,12 +162,12 @@ Result<std::vector<WorkCase>> readCases(const std::string& file) {
   return cases;
 }
 
-/// Whether the case's files are there: public problems may be absent.
+/// Whether the case's files exist; public problems may be absent.
 bool isThere(const WorkCase& each, const WorkFolders& folders) {
   return each.command.find("{public}") == std::string::npos || std::filesystem::is_directory(folders.open);
 }
 
-/// Carries the case out. Errors: Internal with what the program has said where it does not do its work.
+/// Carries the case out. Errors: Internal with the program's message if the program fails.
 Result<WorkRow> measured(const WorkCase& each, std::uint64_t seed, const WorkFolders& folders) {
   const std::string heap = folders.scratch + "/heap";
   std::string command = each.command;

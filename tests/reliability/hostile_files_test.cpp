@@ -57,7 +57,7 @@ TEST(HostileFiles, WhatIsNoRegularFileIsRefusedAndNeverWaitedFor) {
   }
 }
 
-/// An importer that opened the file's references would wait for the FIFO's writer.
+/// An importer that opened the references of the file would wait for the FIFO's writer.
 TEST(HostileFiles, WhatAMeshFileNamesIsNotOpened) {
   const TemporaryFolder folder;
   ASSERT_EQ(::mkfifo((folder / "fifo").c_str(), 0600), 0);

@@ -1,5 +1,6 @@
 // Gives glissade-cli malformed files of every format, and prints one row of the table of packaging/reliability.sh for
-// each: name | tried | clean | defects | seconds | peak MB | seed. FORMAT: only this one. Uses nothing of the engine.
+// each: name | tried | clean | defects | seconds | peak MB | seed. FORMAT: only this one. It uses no code of the
+// engine.
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -26,22 +27,22 @@
 namespace glissade::reliability {
 namespace {
 
-/// A well-formed file, and how `glissade-cli` is asked to read it.
+/// A well-formed file, and the command with which `glissade-cli` reads it.
 struct GoodFile {
-  std::string format;   ///< as the table names it
-  std::string name;     ///< of the file, in the campaign's folder
+  std::string format;   ///< as in the table
+  std::string name;     ///< file name in the campaign's folder
   std::string content;  ///< malformed variants are made of it
-  /// Arguments of glissade-cli; they name the file by what `name` says.
+  /// Arguments of glissade-cli, with the file's name as in `name`.
   std::vector<std::string> command;
-  bool mesh = false;  ///< its triangles are counted
+  bool mesh = false;  ///< whether its triangles are counted
 };
 
-/// Writes what the files refer to (scenarios) into the folder. `cli` makes the paths and the run record, STEP
-/// files come from the folder `stepFiles` (empty: none).
+/// Writes the files that the good files refer to (scenarios) into the folder. `cli` makes the paths and the run record;
+/// STEP files come from the folder `stepFiles` (empty: none).
 std::vector<GoodFile> makeGoodFiles(const std::string& folder, const std::string& cli, const std::string& stepFiles);
 
-/// How many triangles a reader would count that takes a cut-off mesh file for what is there: facets begun in
-/// text, facets claimed in binary.
+/// The number of triangles that a reader would count that accepts a truncated mesh file: facets begun in text, facets
+/// claimed in binary.
 std::size_t trianglesBegun(const GoodFile& file, const std::string& content);
 
 namespace fs = std::filesystem;
@@ -55,7 +56,7 @@ std::string contentOf(const std::string& file) {
 
 void save(const std::string& file, const std::string& content) { std::ofstream(file, std::ios::binary) << content; }
 
-/// An object that moves past a wall. The object's geometry is that of the asset, or a box.
+/// A scenario with an object that moves past a wall. The object's geometry is that of the asset, or a box.
 std::string scenarioWith(const std::string& kind, const std::string& assetFile) {
   const std::string pose = R"("orientation": [0, 0, 0, 1]})";
   std::string text = R"({"format": "glissade-scenario", "version": 1, "name": "Malformed", "assets": [)";
@@ -137,7 +138,7 @@ const char* const kSemantics =
 "rules": {"node": "1", "edge": "if(2 > 1 and not (1 == 2), 1, max(2, -3))", "fine": [{"when": "1", "geometrical": true, "local": "rrt"}], "loop": true},
 "seed": 1)json";
 
-/// A recording as a run writes it while it goes on: a line that says what is run, and one of what has happened.
+/// A recording as a run writes it during the run: a line about the run's settings, and a line with its events.
 std::string journalOf(const std::string& record) {
   nlohmann::ordered_json head = nlohmann::ordered_json::parse(record, nullptr, false);
   if (head.is_discarded()) return {};
