@@ -19,7 +19,7 @@ constexpr double kDepths = 4.0;
 /// Of the reach of a patch beside an overlap: what is beside a ring is out of reach, and not divided.
 constexpr double kBesideRing = 1.25;
 /// Of the same: pieces at both sides of the end of a ring are as long, and need not be divided.
-constexpr double kAtEndOfRing = 0.9;
+constexpr double kAtEndOfRing = 0.6;
 constexpr std::size_t kAngles = 72;
 constexpr std::size_t kMostDivided = 200'000;
 
