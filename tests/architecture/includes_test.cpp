@@ -44,13 +44,13 @@ std::vector<Include> includesUnder(const std::string& folder) {
 }
 
 /// The module of a file: "planning" for "engine/planning/contact/x.h".
-std::string roomOf(const std::string& path) {
+std::string moduleOf(const std::string& path) {
   static const std::regex pattern(R"(^engine/([a-z]+)/)");
   std::smatch match;
   return std::regex_search(path, match, pattern) ? match[1].str() : "";
 }
 
-const std::map<std::string, std::set<std::string>>& allowedRooms() {
+const std::map<std::string, std::set<std::string>>& allowedModules() {
   static const std::map<std::string, std::set<std::string>> allowed{
       {"base", {}},
       {"geometry", {"base"}},
@@ -100,24 +100,24 @@ TEST(Architecture, TheJudgeReachesNothingOfThePlanners) {
   }
   EXPECT_GT(files, 20U);
   EXPECT_GT(reached.size(), 30U);
-  for (const std::string& header : reached) EXPECT_TRUE(allowed.count(roomOf(header))) << header;
+  for (const std::string& header : reached) EXPECT_TRUE(allowed.count(moduleOf(header))) << header;
 }
 
-TEST(Architecture, EngineRoomsOnlyUseTheRoomsBelowThem) {
+TEST(Architecture, EngineModulesOnlyUseTheModulesBelowThem) {
   int seen = 0;
   for (const Include& include : includesUnder("engine")) {
-    const std::string from = roomOf(include.from);
-    const std::string to = roomOf(include.what);
+    const std::string from = moduleOf(include.from);
+    const std::string to = moduleOf(include.what);
     if (to.empty() || to == from) continue;
     ++seen;
-    ASSERT_TRUE(allowedRooms().count(from)) << "a room without rules: " << include.from;
-    EXPECT_TRUE(allowedRooms().at(from).count(to)) << include.from << " includes " << include.what;
+    ASSERT_TRUE(allowedModules().count(from)) << "a module without rules: " << include.from;
+    EXPECT_TRUE(allowedModules().at(from).count(to)) << include.from << " includes " << include.what;
   }
   EXPECT_GT(seen, 10);
 }
 
 /// The submodule of a file: "contact" for "engine/planning/contact/x.h"; "" for a file of the module itself.
-std::optional<std::string> planningRoomOf(const std::string& path) {
+std::optional<std::string> submoduleOf(const std::string& path) {
   static const std::regex pattern(R"(^engine/planning/(?:([a-z]+)/)?[^/]+$)");
   std::smatch match;
   if (!std::regex_search(path, match, pattern)) return std::nullopt;
@@ -125,7 +125,7 @@ std::optional<std::string> planningRoomOf(const std::string& path) {
 }
 
 /// Every submodule may use the module itself, which uses no submodule.
-const std::map<std::string, std::set<std::string>>& allowedPlanningRooms() {
+const std::map<std::string, std::set<std::string>>& allowedPlanningSubmodules() {
   static const std::map<std::string, std::set<std::string>> allowed{
       {"", {}},
       {"contact", {}},
@@ -140,16 +140,16 @@ const std::map<std::string, std::set<std::string>>& allowedPlanningRooms() {
   return allowed;
 }
 
-TEST(Architecture, PlanningRoomsOnlyUseTheRoomsBelowThem) {
+TEST(Architecture, PlanningSubmodulesOnlyUseTheModulesBelowThem) {
   const std::string registry = "engine/planning/planner_registry.cpp";  // names every planner
   int seen = 0;
   for (const Include& include : includesUnder("engine/planning")) {
-    const auto from = planningRoomOf(include.from);
-    const auto to = planningRoomOf(include.what);
-    ASSERT_TRUE(from && allowedPlanningRooms().count(*from)) << "a room without rules: " << include.from;
+    const auto from = submoduleOf(include.from);
+    const auto to = submoduleOf(include.what);
+    ASSERT_TRUE(from && allowedPlanningSubmodules().count(*from)) << "a module without rules: " << include.from;
     if (!to || to->empty() || to == from || include.from == registry) continue;
     ++seen;
-    EXPECT_TRUE(allowedPlanningRooms().at(*from).count(*to)) << include.from << " includes " << include.what;
+    EXPECT_TRUE(allowedPlanningSubmodules().at(*from).count(*to)) << include.from << " includes " << include.what;
   }
   EXPECT_GT(seen, 10);
 }
