@@ -96,7 +96,7 @@ TEST(SelfTappingScrew, IsTurnedOutAndTheJudgeRefusesThePull) {
   EXPECT_TRUE(plan->steps[0].allowances[0].core);
   EXPECT_NEAR(plan->steps[0].allowances[0].pitch, 0.00085, 0.01 * 0.00085);
   EXPECT_TRUE(isConfirmed(*plan, product));
-  // The same claim of another hand, and a straight pull.
+  // The judge refuses the claim of a left-handed thread, and a straight pull.
   AssemblyPlan leftHanded = *plan;
   leftHanded.steps[0].allowances[0].core->pitch *= -1.0;
   leftHanded.steps[0].allowances[0].pitch *= -1.0;
