@@ -19,9 +19,9 @@ class JournalWriter {
  public:
   using Part = std::shared_ptr<const RunLog>;
 
-  /// `head` is what the journal begins with.
+  /// The journal begins with `head`.
   JournalWriter(RunRecord head, std::string folder);
-  /// Removes the journal: who ends cleanly does not need it.
+  /// Removes the journal, which only a killed program needs.
   ~JournalWriter();
   JournalWriter(const JournalWriter&) = delete;
   JournalWriter& operator=(const JournalWriter&) = delete;
