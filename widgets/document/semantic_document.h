@@ -66,8 +66,8 @@ class SemanticDocument final : public QObject {
   bool isMoved(std::size_t body) const { return body >= obstacles_; }
   /// The attributes that exist, also before the environment model is there.
   const AttributeTable& table() const { return table_; }
-  /// The value of a body or an assembly. A value that neither computation nor edit gives is inherited from the
-  /// assemblies above it.
+  /// The value of a body or an assembly: its own edit, else the edit of the nearest assembly above it, else the
+  /// computed or initial value.
   ProvenValue bodyValue(const QString& id, const std::string& attribute) const;
 
   /// Sets an attribute on several places and bodies at once; nothing: resets it to the computed value. Refuses a value

@@ -133,8 +133,7 @@ void PartsDialog::resizeEvent(QResizeEvent* event) {
 QLayout* PartsDialog::makeFileButtons() {
   auto* add = new QPushButton(tr("Add &files…"), this);
   add->setObjectName(QStringLiteral("add-files"));
-  for (QPushButton* button : {add, remove_})
-    button->setAutoDefault(false);  // the Return key presses the accepting button
+  for (QPushButton* button : {add, remove_}) button->setAutoDefault(false);  // Return accepts
   add->setToolTip(tr("Meshes (STL, OBJ, Collada, glTF), STEP or URDF files"));
   remove_->setObjectName(QStringLiteral("remove"));
   remove_->setEnabled(false);

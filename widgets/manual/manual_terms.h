@@ -19,7 +19,7 @@ class ManualTerms {
   explicit ManualTerms(const ManualFacts& facts) : facts_(facts) {}
 
   QString html(const QString& kind, const QString& argument);
-  /// The terms that do not exist, as they stand in the sources.
+  /// The terms that do not exist, as the sources write them.
   const QStringList& problems() const { return problems_; }
 
  private:
