@@ -14,7 +14,7 @@ namespace glissade {
 namespace {
 
 constexpr XrViewConfigurationType kBothEyes = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
-/// Metres from the floor to the head, where the runtime does not know the floor: of a person who sits.
+/// Height of a seated person's head above the floor in metres, for runtimes that do not know the floor.
 constexpr float kSeatedHeight = 1.2F;
 
 bool knowsFloor(XrSession session) {

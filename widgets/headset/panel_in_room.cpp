@@ -10,7 +10,7 @@ namespace {
 
 /// Pose over the hand, leaned back so that a person who looks down at the panel sees it straight.
 const Pose kInHand{Vector3(0.0, 0.21, -0.08), Quaternion(Eigen::AngleAxisd(-0.5, Vector3::UnitX()))};
-/// Height of the eyes above the panel, where a desk has its papers.
+/// Height of the eyes above the panel, metres of the room.
 constexpr double kBelow = 0.2;
 
 /// The pose before a head that looks this way: upright, and leaned towards the eyes.

@@ -15,7 +15,7 @@ struct EyeDetail {
 /// first, because their errors are the fewest pixels.
 class PictureRate {
  public:
-  using Time = std::chrono::nanoseconds;  ///< of the runtime
+  using Time = std::chrono::nanoseconds;  ///< time of the runtime
 
   static constexpr double kLeast = 72.0;  ///< pictures a second
   static constexpr int kSteps = 5;        ///< number of steps of detail

@@ -6,7 +6,7 @@ namespace {
 /// Angle of a pixel, radians.
 constexpr double kPixel = 0.4e-3 / 0.6;
 
-/// The upright orientation that faces this direction. Straight upwards, x is that of the room.
+/// The upright orientation that faces this direction. If that is vertical, x is the room's x.
 Quaternion towards(const Vector3& direction) {
   const Vector3 z = direction.normalized();
   Vector3 x = Vector3::UnitY().cross(z);

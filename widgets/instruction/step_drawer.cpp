@@ -93,7 +93,8 @@ struct Scene {
   Box3 first_V;  ///< box of the first step's parts, on their way and at their place
 };
 
-/// Draws an arrow along the way. An arrow along the line of sight becomes a mark.
+/// Draws an arrow along the way. It begins at the edge of the drawn parts; an arrow that would be too short is left
+/// out.
 void drawArrow(QPainter& painter, const std::vector<QPointF>& way, double alongPixels, double size) {
   if (way.size() < 2) return;
   QPainterPath line(way.front());

@@ -194,7 +194,7 @@ void ManualBrowser::connectView() {
   connect(view_, &QTextBrowser::historyChanged, this, &ManualBrowser::showPlaceInContents);
   back_->setEnabled(false);
   forward_->setEnabled(false);
-  // The Return key searches on; in a dialog it would press a button that can have the focus.
+  // The Return key continues the search, and the dialog must not press a button for it.
   for (QToolButton* button : findChildren<QToolButton*>()) button->setFocusPolicy(Qt::TabFocus);
   connect(wanted_, &QLineEdit::returnPressed, this, [this] { search(true); });
   connect(wanted_, &QLineEdit::textChanged, wanted_, [this] {

@@ -75,8 +75,7 @@ class ZoomBand final : public QwtPlotPicker {
   explicit ZoomBand(QWidget* canvas)
       : QwtPlotPicker(QwtPlot::xBottom, QwtPlot::yLeft, QwtPicker::RectRubberBand, QwtPicker::AlwaysOff, canvas) {
     setStateMachine(new QwtPickerDragRectMachine);
-    for (const KeyPatternCode key : {KeyLeft, KeyRight, KeyUp, KeyDown})
-      setKeyPattern(key, 0);  // the plot handles these keys
+    for (const KeyPatternCode key : {KeyLeft, KeyRight, KeyUp, KeyDown}) setKeyPattern(key, 0);  // see steer()
   }
 
  protected:
