@@ -11,7 +11,8 @@
 
 namespace glissade {
 
-/// Pictures of the bodies of a product, drawn on a worker and cached; congruent bodies are drawn once.
+/// Pictures of the bodies of a product, drawn on a worker and cached. Bodies with the same mesh, orientation and colour
+/// share one.
 class PartPictures final : public QObject {
   Q_OBJECT
 

@@ -4,8 +4,8 @@
 
 namespace glissade {
 
-/// A view without a current row makes its first row current when it gets the focus. This function limits that to a
-/// person who goes to the view with Tab or a shortcut. When a dialog or another window closes, no row becomes current.
+/// A view without a current row makes its first row current when it gets the focus. This function prevents that if the
+/// view gets the focus because a dialog, a popup or another window has closed.
 void keepUnchosen(QAbstractItemView& view);
 
 }  // namespace glissade
