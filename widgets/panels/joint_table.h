@@ -49,7 +49,7 @@ class JointTable {
   /// Sorted by body, then by kind; refused statements come last.
   const std::vector<JointRow>& rows() const { return rows_; }
   std::size_t count(JointRowState state) const;
-  /// The same found joints with other statements.
+  /// This table with other statements about the same found joints.
   JointTable with(std::vector<JointEdit> said) const { return {product_, found_, std::move(said)}; }
   /// The displayed name of the body; its id if there is no such body.
   QString shown(const std::string& id) const;

@@ -14,8 +14,8 @@ constexpr double kCameraTurnPerHeight = std::numbers::pi;
 constexpr double kNearestShare = 1e-3;
 /// Share of its way to a followed point that the focus moves at each picture.
 constexpr double kFollowShare = 0.1;
-/// Least distance of picture and eye from each other, as a share of the distance of the focus. It bounds the distance
-/// from the eye straight before the picture.
+/// Least distance of the picture from the eye straight before it, as a share of the focus's distance. It is also the
+/// least distance of an eye from the picture, as a share of the picture's distance.
 constexpr double kNearestPicture = 0.1;
 
 /// The view frame that looks along -z_V with y_V up.

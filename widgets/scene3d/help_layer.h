@@ -14,7 +14,7 @@
 
 namespace glissade {
 
-/// Target of the hand: the selected place or, from there, the way through its passage.
+/// Target of the hand: the selected place or, once the hand was moved there, the far end of its passage.
 const Pose& helpTarget(const HelpPicture& help);
 
 /// Draws the object at the target of the hand, the passage there, and the beginnings of the other places.

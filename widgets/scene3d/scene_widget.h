@@ -14,9 +14,9 @@
 
 namespace glissade {
 
-/// A widget that shows a SceneView. Two implementations: QOpenGLWidget on screen, an image rendered by OSMesa
-/// offscreen; Both handle the mouse alike (orbit, pan, zoom) and repaint on demand only. The widget has no keys of its
-/// own: keys go to the window.
+/// A widget that shows a SceneView. There are two implementations: QOpenGLWidget on screen, and an image rendered by
+/// OSMesa offscreen. Both handle the mouse alike (orbit, pan, zoom) and repaint on demand only. The widget handles no
+/// keys, which go to the window.
 class SceneWidget {
  public:
   virtual ~SceneWidget() = default;
