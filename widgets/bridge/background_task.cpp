@@ -79,7 +79,7 @@ void BackgroundTask::announceEnd() {
   });
 }
 
-/// Joins the workers that are done and delivers what the last request has found.
+/// Joins the workers that are done, and delivers the result of the last request.
 void BackgroundTask::collect() {
   std::list<Worker> done;
   for (auto worker = workers_.begin(); worker != workers_.end();) {

@@ -23,7 +23,7 @@ class BackgroundTask final : public QObject {
  public:
   /// Hands over what the work found; called on this object's thread.
   using Delivery = std::function<void()>;
-  /// Runs on another thread and holds values of its own.
+  /// The work, which runs on another thread. It holds copies of its input.
   using Work = std::function<Delivery(const WorkWatch&)>;
 
   explicit BackgroundTask(QObject* parent = nullptr);

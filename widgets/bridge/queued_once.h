@@ -10,8 +10,8 @@
 namespace glissade {
 
 /// Returns a function for any thread that makes the call on the receiver's thread, once for all requests until then.
-/// Copies request the same call. Precondition: no request comes after the receiver is gone. A call that waits then is
-/// dropped.
+/// Copies request the same call. Precondition: nobody requests a call after the receiver was destroyed. A call that
+/// waits then is dropped.
 inline std::function<void()> queuedOnce(QObject* receiver, std::function<void()> call) {
   const auto pending = std::make_shared<std::atomic<bool>>(false);
   return [receiver, pending, call = std::move(call)] {

@@ -7,7 +7,7 @@ namespace glissade {
 namespace {
 
 constexpr std::chrono::milliseconds kReportInterval{50};
-/// Session steps between two looks at the clock.
+/// Session steps between two readings of the clock.
 constexpr std::uint64_t kSlice = 200;
 
 using Report = std::function<void(const Result<ReplayProgress>&)>;

@@ -5,7 +5,7 @@
 
 namespace glissade {
 
-/// How far a replay has come. The roadmap only grows, so any step replayed so far can be shown.
+/// Progress of a replay. The roadmap only grows, so any step replayed so far can be shown.
 struct ReplayProgress {
   SnapshotPtr latest;
   std::shared_ptr<const ReplayTrack> track;

@@ -9,14 +9,14 @@
 
 namespace glissade {
 
-/// Keeps the recording of the last run: what the session publishes of it anyway. While journals are
-/// kept, a killed program leaves it on disk; a thread of its own writes there. Used on the GUI thread only.
+/// Keeps the recording of the last run, which consists of data that the session publishes. While journals are kept, the
+/// recording of a killed program is left on disk; a separate thread writes there. Used on the GUI thread only.
 class RunRecorder {
  public:
-  /// From now on runs are journalled in this folder.
+  /// Runs from now on are journalled in this folder.
   void keepJournals(const std::string& folder) { folder_ = folder; }
   void open(const ScenarioPtr& scenario);
-  /// The next run is of this scenario; the recording of the last one stays until then.
+  /// Sets the scenario of the next run; the recording of the last one stays until then.
   void rearrange(const ScenarioPtr& scenario) { next_ = scenario; }
   /// Takes the snapshot into the recording. True if another run has begun.
   bool follow(const SessionSnapshot& snapshot);
@@ -29,7 +29,7 @@ class RunRecorder {
   std::optional<Diagnostic> trouble() const;
   /// Returns trouble() once for each run.
   std::optional<Diagnostic> takeTrouble();
-  /// Waits until the disk holds what was followed so far.
+  /// Waits until the disk holds everything that was followed so far.
   void waitUntilJournalled();
 
  private:

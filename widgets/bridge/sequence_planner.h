@@ -46,8 +46,8 @@ struct GrownPlan {
 PlanCheck checkOf(const AssemblyPlan& plan, const AssembledProduct& product, const SequenceDemands& said,
                   const WorkWatch& watch);
 
-/// Plans a sequence on a worker, with all cores, and judges plans there. Steps are announced while they are found. A
-/// class that crosses between the GUI thread and the engine.
+/// Plans a sequence on a worker, with all cores, and judges plans there. Steps are announced while they are found. The
+/// class connects the GUI thread with the engine.
 class SequencePlanner final : public QObject {
   Q_OBJECT
 

@@ -109,7 +109,7 @@ void SessionBridge::keepPath(const std::string& objectId) {
   if (path != nullptr) kept_[objectId] = {path->points, last->provenance};
 }
 
-/// Ends the session and begins another. `prepare` takes from the old one what the new one needs.
+/// Ends the session and begins another. `prepare` takes the data from the old one that the new one needs.
 template <class Prepare>
 void SessionBridge::beginAnew(const Prepare& prepare) {
   const auto why = guarded(kBeginning, [&] {
@@ -211,7 +211,7 @@ void SessionBridge::post(Command command) {
     startedRun_ = announced_ ? announced_->run + 1 : 1;
   }
   session_->post(std::move(command));
-  // In lockstep commands are carried out at once; in real time the planner thread does it.
+  // Commands are carried out at once in lockstep; in real time the planner thread carries them out.
   advance(0);
 }
 

@@ -26,12 +26,11 @@ struct FixedRun {
   std::string deviceId;  ///< "none": the device has no operator
 };
 
-/// The only class that crosses threads: owns the session, posts commands into it, and turns its
-/// wake-ups into a signal on the GUI thread.
+/// Owns the session, posts commands into it, and turns its wake-ups into a signal on the GUI thread.
 ///
 /// If an exception prevents a new session (no memory, no thread), there is no session: an earlier one would prove paths
-/// in an arrangement that is gone. snapshot() is Failed and says why, and the next call that needs a session tries to
-/// make it again with the same settings.
+/// in an arrangement that does not exist any more. snapshot() is Failed and gives the reason, and the next call that
+/// needs a session tries to make it again with the same settings.
 class SessionBridge final : public QObject {
   Q_OBJECT
 
@@ -67,7 +66,7 @@ class SessionBridge final : public QObject {
   /// The snapshot that was announced last; null while no scenario is open. Calling this takes no news away from
   /// observers.
   const SnapshotPtr& snapshot() const { return announced_; }
-  /// A run was started that snapshot() does not show yet.
+  /// Whether a run was started that snapshot() does not show yet.
   bool isStarting() const { return session_ && announced_ && announced_->run < startedRun_; }
   SessionClock clock() const { return clock_; }
   /// Lets the session do this many planner steps; in lockstep only.

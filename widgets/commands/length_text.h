@@ -12,7 +12,7 @@ enum class LengthUnit { Fitting, Millimetres, Inches, Metres };
 /// (announceLengthUnit()).
 LengthUnit lengthUnit();
 void setLengthUnit(LengthUnit unit);
-/// Lets all widgets write their lengths again. GUI thread only.
+/// Lets all widgets write their lengths again. Called on the GUI thread only.
 void announceLengthUnit();
 
 /// The unit, in metres, of which round lengths are multiples: an inch if lengths are in inches, else a metre.
@@ -27,7 +27,7 @@ QString lengthText(double metres);
 /// there.
 QString columnLengthText(double metres);
 
-/// How a field shows a length that people type.
+/// The unit of a field for lengths that people type.
 struct LengthField {
   QString unit;     ///< "mm"
   double perMetre;  ///< the number that the field shows for a length of one metre

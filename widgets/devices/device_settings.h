@@ -11,7 +11,7 @@ namespace glissade {
 /// in the file, or out of range, is the standard.
 class DeviceSettings {
  public:
-  /// The user's file, in the place where the desktop keeps configurations.
+  /// Reads the user's file, in the desktop's folder for configurations.
   DeviceSettings();
   /// Reads another file, for tests.
   explicit DeviceSettings(const QString& file);

@@ -19,7 +19,7 @@ struct HeadPreferences {
 /// out of range, is the standard.
 class HeadSettings {
  public:
-  /// The user's file, in the place where the desktop keeps configurations.
+  /// Reads the user's file, in the desktop's folder for configurations.
   HeadSettings();
   /// Reads another file, for tests.
   explicit HeadSettings(const QString& file);

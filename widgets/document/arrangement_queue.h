@@ -27,7 +27,7 @@ class ArrangementQueue final : public QObject {
   };
   /// Version of the state that a job is made for. A job begins again if this has changed while its scenario loaded.
   using Basis = std::function<std::uint64_t()>;
-  /// Loads a scenario on another thread. It is made on the GUI thread and holds values of its own.
+  /// Loads a scenario on another thread. It is made on the GUI thread and holds copies of its input.
   using Load = std::function<Result<ScenarioPtr>(Scenario, const StopToken&)>;
   using MakeLoad = std::function<Load()>;
 

@@ -80,7 +80,7 @@ WorkbenchDocument::WorkbenchDocument(QObject* parent)
 }
 
 WorkbenchDocument::~WorkbenchDocument() {
-  // The undo stack signals its own end, when its observers may be gone.
+  // Disconnects the undo stack, which signals its own end when its observers may be destroyed.
   undo_.disconnect();
 }
 

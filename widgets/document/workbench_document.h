@@ -61,8 +61,8 @@ struct RunResults {
 /// (README.md). Used on the GUI thread only.
 ///
 /// A change is announced in a round of three signals: changedForView(), changedForSession(), changed(). The order of
-/// the observers of one signal does not matter. A change that an observer makes is announced in a round of its own,
-/// after the present one.
+/// the observers of one signal does not matter. A change by an observer is announced in a separate round, after the
+/// present one.
 class WorkbenchDocument final : public QObject {
   Q_OBJECT
 
@@ -100,7 +100,7 @@ class WorkbenchDocument final : public QObject {
   /// left for later (fits, the world's preparation) is done in the background and announced as a change of the
   /// arrangement; if edits are done at once, it is done when whenArranged() needs it.
   void open(const ScenarioPtr& scenario);
-  /// Changes a scenario; refused with an error.
+  /// A change of a scenario; an error refuses it.
   using ScenarioChange = std::function<Outcome(Scenario&)>;
   /// Changes the scenario, as an undoable command. Its geometry is loaded in the background (setAtOnce()); edits are
   /// made one after the other, each on the result of the edit before. An edit is refused if its geometry cannot be

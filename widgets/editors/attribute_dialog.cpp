@@ -117,8 +117,7 @@ Result<AttributeDefinition> AttributeDialog::definition() const {
       if (!choice.trimmed().isEmpty()) definition.choices.push_back(choice.trimmed().toStdString());
     }
   }
-  if (definition.minimum > definition.maximum)
-    return definition;  // the definition is refused, and has no initial value
+  if (definition.minimum > definition.maximum) return definition;  // is refused, without an initial value
   definition.initial = initialValue(definition);
   if (isNumber(type())) {
     const Outcome read = readNumber(*initial_, std::get<double>(definition.initial));

@@ -86,7 +86,7 @@ class AttributeView final : public QTreeWidget {
 
   /// The attribute of the current row; empty: none.
   std::string currentAttribute() const;
-  /// Whose attributes are shown.
+  /// The owner of the attributes that are shown.
   AttributeOwner owner() const { return document_.selection().owner(); }
 
  signals:

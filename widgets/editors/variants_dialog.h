@@ -16,7 +16,8 @@ struct Variant {
   QImage picture;
 };
 
-/// Asks which of several bodies that fill the same place is built: a picture of each, one choice for each place.
+/// Asks for the one that is built among several bodies that fill the same place. Each body has a picture, and each
+/// place one choice.
 class VariantsDialog final : public QDialog {
   Q_OBJECT
 

@@ -37,7 +37,7 @@ osg::ref_ptr<osg::Node> makeRay() {
   const osg::ref_ptr<osg::Geometry> line =
       makeLines({Vector3::Zero(), -Vector3::UnitZ()}, LineKind::Strip, kOpen, kRayWidth);
   makeUnlit(*line);
-  line->getOrCreateStateSet()->setRenderBinDetails(PanelModel::kBin + 1, "RenderBin");  // before the panel
+  line->getOrCreateStateSet()->setRenderBinDetails(PanelModel::kBin + 1, "RenderBin");  // after the panel
   return line;
 }
 

@@ -15,7 +15,7 @@ QString accessMark(const MotionAccess& motion);
 /// "The hand is blocked by plate, 11 % of the way from the place; 81 % of the place is seen". `bodies`: the bodies that
 /// the answer refers to.
 QString accessText(const MotionAccess& motion, const std::vector<RigidBody>& bodies);
-/// "5th percentile of women".
+/// Name of a size, such as "5th percentile of women".
 QString handSizeText(HandSize size);
 
 }  // namespace glissade

@@ -20,7 +20,7 @@ constexpr double kKeyStep = 0.01;
 constexpr double kSmallestDrawn = 1e-9;
 /// Largest number of decades with a label.
 constexpr int kMostLabels = 4;
-/// Okabe and Ito's hues.
+/// Colours of the bodies, in Okabe and Ito's hues.
 constexpr std::array<QRgb, 7> kColours{0xff0072b2, 0xffd55e00, 0xff009e73, 0xffcc79a7,
                                        0xffe69f00, 0xff56b4e9, 0xff8c8c8c};
 

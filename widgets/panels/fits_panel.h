@@ -29,7 +29,7 @@ class FitsPanel final : public QWidget {
   const PairFitsPtr& fits() const { return fits_; }
   /// The pair of the current row; null: none.
   const PairFit* chosen() const;
-  /// Makes the row of this pair the current one. False: there is none.
+  /// Makes the row of this pair the current one. False if there is none.
   bool choose(const QString& a, const QString& b);
   /// Goes to the first row about one of these bodies, which were selected elsewhere; emits no signal.
   void showBodies(const QSet<QString>& ids);

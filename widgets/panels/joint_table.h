@@ -22,7 +22,7 @@ enum class JointRowState {
   Refused      ///< a person's statement about it is impossible in this product
 };
 
-/// "recognised", "suggested", "confirmed", "made", "pressed-out", "dissolved", "opened", "refused".
+/// Name of the state: "recognised", "suggested", "confirmed", "made", "pressed-out", "dissolved", "opened", "refused".
 const char* jointRowStateName(JointRowState state);
 
 /// One joint as the panel shows it.

@@ -38,7 +38,7 @@ class StepTable final : public QTreeWidget {
   void show(const ShownPlan& shown, PlanOrder order);
   /// Takes pictures that were drawn meanwhile.
   void takeIcons();
-  /// The step (its index in the plan), or the stuck part (its id), of a row or the current one.
+  /// The step (its index in the plan), or the stuck part (its id), of a row.
   static std::optional<std::size_t> stepOf(const QTreeWidgetItem* row);
   static std::string stuckOf(const QTreeWidgetItem* row);
   QTreeWidgetItem* rowOf(std::size_t step) const;

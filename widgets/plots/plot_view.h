@@ -51,7 +51,7 @@ class PlotView final : public QWidget {
   QColor colourOf(const PlotSeries& series) const;
   /// The place of a point; both axes go from 0 to 1.
   QPointF placeOf(const PlotSeries& series, const PlotPoint& point) const;
-  /// The nearest point within reach of the pointer; null: none.
+  /// The nearest point within reach of the pointer; null if there is none.
   const PlotPoint* pointAt(const QPoint& pixel) const;
 
   Plot plot_;

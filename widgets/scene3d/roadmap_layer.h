@@ -78,7 +78,7 @@ class RoadmapLayer {
   osg::ref_ptr<osg::Geode> geode_;
   ScenePalette palette_;
   std::uint64_t run_ = 0;
-  std::size_t chunksTaken_ = 0;  ///< number of complete chunks, whose contents follow:
+  std::size_t chunksTaken_ = 0;  ///< number of chunks that are complete
   std::size_t nodesBefore_ = 0;
   std::size_t edgesBefore_ = 0;
   std::size_t droppedTaken_ = 0;

@@ -24,7 +24,7 @@ SceneView::SceneView() : impl_(std::make_unique<Impl>()) {
   lightModel->setTwoSided(true);
   state->setAttributeAndModes(lightModel);
   state->setAttributeAndModes(new osg::BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA));
-  // Blending would leave the framebuffer's alpha below one and the picture whitish.
+  // Alpha is not written, because blending would leave it below one and the picture whitish.
   state->setAttribute(new osg::ColorMask(true, true, true, false));
   state->setMode(GL_NORMALIZE, osg::StateAttribute::ON);
   state->setMode(GL_LINE_SMOOTH, osg::StateAttribute::ON);

@@ -172,7 +172,7 @@ class SceneView {
   /// Draws the obstacles at the scenario's poses again.
   void putBackObstacles();
   /// Draws the ghost of the object at its start elsewhere, as placeObstacle() does; placeGoal() does so at its goal.
-  /// Nothing happens if there is none.
+  /// Precondition: the ghost exists.
   void placeStart(const Pose& X_WB);
   void placeGoal(const Pose& X_WB);
   /// Fits the parts with both ends of the object and the path, and keeps the direction. The workspace does not count,

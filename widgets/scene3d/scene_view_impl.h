@@ -91,8 +91,7 @@ struct SceneView::Impl {
   std::set<std::string> hidden;    ///< obstacles, by id
   std::set<std::size_t> inHand;    ///< obstacles that are dragged
   SequencePicture sequence;
-  osg::ref_ptr<osg::Group> plainObjects =
-      new osg::Group;  ///< the object's bodies as bodies of the product, which sections cut
+  osg::ref_ptr<osg::Group> plainObjects = new osg::Group;  ///< the object as bodies of the product, cut by sections
   osg::ref_ptr<osg::Group> motionLayers = new osg::Group;  ///< layers about the motion of the object
 
   osg::Group& layer(SceneLayer id) { return *layers[static_cast<std::size_t>(id)]; }

@@ -29,7 +29,7 @@ struct StereoModeEntry {
   const char* action;  ///< id in the action catalogue
 };
 
-/// In the order of StereoMode.
+/// The modes in the order of StereoMode.
 inline constexpr std::array kStereoModes{
     StereoModeEntry{StereoMode::Off, "off", "stereo.off"},
     StereoModeEntry{StereoMode::Anaglyph, "anaglyph", "stereo.anaglyph"},

@@ -32,7 +32,7 @@ QString faceName(int axis, double side) {
   return side < 0.0 ? ViewCube::tr("Bottom") : ViewCube::tr("Top");
 }
 
-/// The axes in the plane of a face that its text runs along: to the right and upwards.
+/// The axes of a face's text: to the right and upwards.
 std::array<Vector3, 2> textAxes(int axis, double side) {
   if (axis == 0) return {Vector3(0.0, side, 0.0), Vector3::UnitZ()};
   if (axis == 1) return {Vector3(-side, 0.0, 0.0), Vector3::UnitZ()};
