@@ -11,7 +11,7 @@
 namespace glissade {
 namespace {
 
-/// Where the tip says too little to a person who sees the action for the first time.
+/// Further help on actions whose tip is not enough for a person who sees them for the first time.
 constexpr std::pair<const char*, const char*> kMore[] = {
     {"file.new", QT_TRANSLATE_NOOP("ActionHelp",
                                    "STEP files of a product become one row for each part, placed as the assembly has "
@@ -87,8 +87,8 @@ constexpr std::pair<const char*, const char*> kMore[] = {
                                           "moves the view instead.")},
 };
 
-/// What "What's this?" says of an action: its name, its shortcut, its tip, and more where the tip is not enough. Rich
-/// text.
+/// The text of "What's this?" on an action, as rich text: its name, shortcut and tip, and the text of kMore if there is
+/// one.
 QString actionHelp(const QString& id, const QString& text, const QString& keys, const QString& tip) {
   QString name = text.toHtmlEscaped();
   if (!keys.isEmpty()) name += QStringLiteral(" (%1)").arg(keys.toHtmlEscaped());
@@ -102,7 +102,7 @@ QString actionHelp(const QString& id, const QString& text, const QString& keys, 
 
 QString translated(const char* text) { return QCoreApplication::translate("Actions", text); }
 
-/// What a button says where its panel or its icon tells what it is about; menus and commands have the whole text.
+/// Short texts of buttons whose panel or icon gives the context; menus and commands have the whole text.
 constexpr std::pair<const char*, const char*> kButtonTexts[] = {
     {"file.open", QT_TRANSLATE_NOOP("Actions", "Open")},
     {"file.save", QT_TRANSLATE_NOOP("Actions", "Save")},

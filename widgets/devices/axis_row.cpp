@@ -13,11 +13,11 @@
 namespace glissade {
 namespace {
 
-/// A position of the slider is a hundredth.
+/// Positions of the slider per unit.
 constexpr double kPerUnit = 100.0;
 constexpr int kStep = 5;
 
-/// From the middle of `area` to the share of its half width.
+/// The part of `area` from its middle to this share of its half width.
 QRectF barOf(const QRectF& area, double share) {
   const double middle = area.center().x();
   const double end = middle + 0.5 * area.width() * std::clamp(share, -1.0, 1.0);

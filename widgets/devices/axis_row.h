@@ -12,17 +12,17 @@
 
 namespace glissade {
 
-/// A slider with its value beside it. Values come while it is dragged.
+/// A slider with its value beside it. It announces values while it is dragged.
 class ValueSlider final : public QWidget {
   Q_OBJECT
 
  public:
   ValueSlider(const ShapingRange& range, const QString& name, QWidget* parent);
 
-  /// Shows the value without telling anybody.
+  /// Shows the value without a signal.
   void setValue(double value);
   double value() const { return value_; }
-  /// The part that has the keyboard focus.
+  /// The slider, which has the keyboard focus.
   QSlider* slider() const { return slider_; }
 
  signals:
@@ -36,8 +36,8 @@ class ValueSlider final : public QWidget {
   QLabel* text_;
 };
 
-/// One axis, live: the raw deflection as a thin bar above the shaped one, both from the middle; the dead
-/// zone is hatched.
+/// The live deflection of one axis: a thin bar for the raw value above a bar for the shaped value, both from the
+/// middle; the dead zone is hatched.
 class AxisBar final : public QWidget {
   Q_OBJECT
 
@@ -67,18 +67,18 @@ class AxisRow final : public QObject {
  public:
   AxisRow(const QString& name, QGridLayout& grid, int row, QWidget* parent);
 
-  /// The words over the columns, in row 0.
+  /// Adds the titles of the columns, in row 0.
   static void addHeader(QGridLayout& grid, QWidget* parent);
 
   const QString& name() const { return name_; }
   const AxisShaping& shaping() const { return shaping_; }
-  /// Shows it without telling anybody.
+  /// Shows the shaping without a signal.
   void setShaping(const AxisShaping& shaping);
   AxisBar& bar() { return *bar_; }
 
  signals:
   void changed();
-  /// One of the editors has the keyboard focus.
+  /// An editor has received the keyboard focus.
   void entered();
 
  protected:

@@ -218,7 +218,7 @@ QWidget* CalibrationDialog::makeButtons() {
   return box;
 }
 
-/// The buttons of a controller have places that all of them share.
+/// Names the buttons of controllers, which all controllers have in the same places.
 void CalibrationDialog::nameButtons() {
   const QStringList names{tr("Trigger"), tr("Menu"), tr("Lower button"), tr("Upper button"), tr("Stick")};
   const int named = isController(input()) ? names.size() : 0;
@@ -227,7 +227,7 @@ void CalibrationDialog::nameButtons() {
   }
 }
 
-/// A controller has buttons only: the object goes with its place.
+/// Settings of axes are disabled for a controller: it has buttons only, and the object follows its pose.
 void CalibrationDialog::chooseDevice(int /*index*/) {
   for (QWidget* ofAxes : {axes_, motion_, static_cast<QWidget*>(preset_)}) ofAxes->setEnabled(!isController(input()));
   nameButtons();

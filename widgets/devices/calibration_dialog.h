@@ -17,7 +17,7 @@
 
 namespace glissade {
 
-/// Shaped against raw deflection of one axis, with a dot where the device is now.
+/// Plots shaped against raw deflection of one axis, with a dot at the present deflection.
 class ResponseCurve final : public QWidget {
   Q_OBJECT
 
@@ -39,8 +39,8 @@ class ResponseCurve final : public QWidget {
   double raw_ = 0.0;
 };
 
-/// The calibration page: the six axes of a device live, raw and shaped, and everything that shapes them.
-/// A change counts at once and is kept for the device of that name.
+/// The calibration page: the six axes of a device, raw and shaped, live, and the settings of their shaping. A change
+/// takes effect at once and is kept for the device of that name.
 class CalibrationDialog final : public QDialog {
   Q_OBJECT
 
@@ -49,7 +49,7 @@ class CalibrationDialog final : public QDialog {
 
   /// Shows the devices as they are now.
   void refresh();
-  /// A button was pressed: shows what it does.
+  /// Shows the action of the button that was pressed.
   void showButton(const HandInput& input, std::size_t button);
 
  protected:
@@ -64,7 +64,7 @@ class CalibrationDialog final : public QDialog {
   void chooseDevice(int index);
   void choosePreset(int index);
   void resetDevice();
-  /// The editors' values count and are kept.
+  /// Applies and keeps the editors' values.
   void apply();
   void showShaping(const DeviceShaping& shaping);
   void showAction();

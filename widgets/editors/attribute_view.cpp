@@ -120,7 +120,7 @@ QWidget* AttributeEditor::makeNumberBox(const AttributeDefinition& definition) {
   return connected(box, isLength ? field.unit.toStdString() : definition.unit, scale);
 }
 
-/// The value below the range stands for "different"; what is shown is `scale` times the value.
+/// The value below the range stands for different values; the box shows `scale` times the value.
 template <class Box, class Number>
 QWidget* AttributeEditor::connected(RangeBox<Box, Number>* box, const std::string& unit, double scale) {
   box->setSpecialValueText(kDiffers);
@@ -196,7 +196,7 @@ void AttributeView::refresh() {
       if (definition.owner == owner()) definitions.push_back(definition);
     }
   }
-  // The rows stay as long as they can, so that an editor in use keeps the focus.
+  // Rows are kept as long as possible, so that an editor in use keeps the focus.
   if (definitions != shown_) rebuild(definitions);
   for (Row& row : rows_) showValues(row);
 }
@@ -216,7 +216,7 @@ void AttributeView::rebuild(const std::vector<AttributeDefinition>& definitions)
 void AttributeView::changeEvent(QEvent* event) {
   QTreeWidget::changeEvent(event);
   if (event->type() != QEvent::LocaleChange) return;
-  rebuild({});  // fields of lengths have another unit
+  rebuild({});  // the unit of fields of lengths has changed
   refresh();
 }
 
@@ -243,7 +243,7 @@ void AttributeView::addRow(const AttributeDefinition& definition) {
   rows_.push_back({definition.name, editor, item});
 }
 
-/// The button is only there where there is something to take back.
+/// The button exists only if there is an edit to remove.
 void AttributeView::showReset(const Row& row, bool visible) {
   if (visible == (itemWidget(row.item, kResetColumn) != nullptr)) return;
   if (!visible) {

@@ -14,7 +14,7 @@
 namespace glissade {
 
 /// A spin box (`Box`: QSpinBox or QDoubleSpinBox) whose minimum lies one step below its least value and is shown as its
-/// special text: neither steps nor typing lead there.
+/// special text: neither steps nor typing reach it.
 template <class Box, class Number>
 class RangeBox final : public Box {
  public:
@@ -45,21 +45,21 @@ class RangeBox final : public Box {
   Number least_;
 };
 
-/// The editor of one attribute's value, made for its type: check box, spin box with unit, combo box
-/// or line of text. Several owners with different values show as "—" until one is chosen. The wheel only
-/// turns an editor that has the focus, and undoing is left to the window.
+/// The editor of one attribute's value, made for its type: check box, spin box with unit, combo box or line of text.
+/// Different values of several owners are shown as "—" until one is set. The wheel changes only an editor that has the
+/// focus, and undoing is left to the window.
 class AttributeEditor final : public QWidget {
   Q_OBJECT
 
  public:
   explicit AttributeEditor(const AttributeDefinition& definition, QWidget* parent = nullptr);
 
-  /// Nothing: the owners differ. Does not emit.
+  /// Shows the value, without a signal. Nothing: the owners have different values.
   void setValue(const std::optional<AttributeValue>& value);
 
  signals:
   void edited(const glissade::AttributeValue& value);
-  void finished();  ///< what is edited from now on is another edit
+  void finished();  ///< the next change is a separate edit
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -76,8 +76,8 @@ class AttributeEditor final : public QWidget {
   std::function<void(const std::optional<AttributeValue>&)> show_;
 };
 
-/// The attributes of what is selected: value with an editor for its type, where it comes from, and a
-/// button that takes an edit back. F2, Enter and Space on a row lead to its editor.
+/// The attributes of the selection: value with an editor for its type, source, and a button that removes an edit. F2,
+/// Enter and Space on a row lead to its editor.
 class AttributeView final : public QTreeWidget {
   Q_OBJECT
 
@@ -86,7 +86,7 @@ class AttributeView final : public QTreeWidget {
 
   /// The attribute of the current row; empty: none.
   std::string currentAttribute() const;
-  /// Whose attributes are shown.
+  /// The owner of the attributes that are shown.
   AttributeOwner owner() const { return document_.selection().owner(); }
 
  signals:

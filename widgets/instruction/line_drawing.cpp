@@ -115,7 +115,7 @@ class Drawing {
     }
   }
 
-  /// A line lies between two samples.
+  /// Whether a line lies between two samples.
   bool isEdge(std::size_t a, std::size_t b) const {
     if (facet_[a] == facet_[b]) return false;
     if (facet_[a] == kNothing || facet_[b] == kNothing) return true;
@@ -126,7 +126,7 @@ class Drawing {
     return std::abs(depth_[a] - depth_[b]) > 3.0F * step * (f.slope + g.slope + 0.5F);
   }
 
-  /// The line is that of the body in front, on both sides.
+  /// Finds the lines. A line belongs to the body in front, on both sides.
   void findLines() {
     std::vector<std::uint32_t> thin(count(), 0);
     const auto mark = [&](std::size_t a, std::size_t b) {
@@ -181,8 +181,8 @@ class Drawing {
   int width_;
   int height_;
   std::vector<float> depth_;
-  std::vector<std::uint32_t> facet_;  ///< index; kNothing: the ground
-  std::vector<std::uint32_t> line_;   ///< of the body with this number, from 1; 0: none
+  std::vector<std::uint32_t> facet_;  ///< index; kNothing: the background
+  std::vector<std::uint32_t> line_;   ///< number of the body whose line is here, from 1; 0: none
   std::vector<Facet> facets_;
 };
 

@@ -15,13 +15,13 @@ constexpr int kStripHeight = 34;
 constexpr int kStripGap = 4;
 constexpr int kStrips = 3;
 constexpr double kLabelGap = 4.0;
-/// Clearances below are drawn at the bottom of the axis, metres.
+/// Metres; smaller clearances are drawn at the bottom of the axis.
 constexpr double kLeastClearance = 1e-7;
 constexpr QRgb kNodesColour = 0xff0072b2;
 constexpr QRgb kAuthorityColour = 0xffd55e00;
 constexpr QRgb kClearanceColour = 0xff009e73;
 
-/// 1, 2 or 5 times a power of ten, not below the value.
+/// The least of 1, 2 or 5 times a power of ten that is not below the value.
 double roundUp(double value) {
   const double decade = std::pow(10.0, std::floor(std::log10(std::max(value, 1.0))));
   for (const double step : {1.0, 2.0, 5.0}) {
@@ -42,7 +42,7 @@ struct RunCurves::Curve {
   QString lowest;  ///< labels of the axis
   QString highest;
   QRgb colour;
-  /// From 0 at the bottom to 1 at the top; nothing: not known.
+  /// Height in the plot from 0 at the bottom to 1 at the top; nothing: not known.
   std::function<std::optional<double>(const RunSample&)> height;
 };
 
@@ -82,12 +82,12 @@ RunCurves::Curve RunCurves::authorityCurve() const {
           kAuthorityColour,    [](const RunSample& sample) { return std::optional<double>(sample.authority); }};
 }
 
-/// On a logarithmic axis of whole decades.
+/// The curve of clearance, on a logarithmic axis of whole decades.
 RunCurves::Curve RunCurves::clearanceCurve() const {
   double least = 1.0;
   double most = kLeastClearance;
   for (const RunSample& sample : history_.samples()) {
-    if (!sample.clearance || *sample.clearance <= 0.0) continue;  // drawn at the bottom
+    if (!sample.clearance || *sample.clearance <= 0.0) continue;  // such clearances are drawn at the bottom
     least = std::min(least, std::max(*sample.clearance, kLeastClearance));
     most = std::max(most, *sample.clearance);
   }
@@ -109,7 +109,7 @@ RunCurves::Curve RunCurves::clearanceCurve() const {
 }
 
 QRectF RunCurves::plotBelow(double top) const {
-  int widest = fontMetrics().horizontalAdvance(lengthText(1.11e-5));  // usual ones, so that plots seldom shift
+  int widest = fontMetrics().horizontalAdvance(lengthText(1.11e-5));  // a usual label, so that plots seldom shift
   for (const Curve& curve : {nodesCurve(), authorityCurve(), clearanceCurve()}) {
     for (const QString& label : {curve.lowest, curve.highest}) {
       widest = std::max(widest, fontMetrics().horizontalAdvance(label));
@@ -158,7 +158,7 @@ void RunCurves::paintCurve(QPainter& painter, const Curve& curve, double top) co
   painter.drawPolyline(part);
 }
 
-/// Below the last strip: the axis that all of them share.
+/// Paints the common time axis below the last strip.
 void RunCurves::paintTimes(QPainter& painter) const {
   const double line = fontMetrics().height();
   const QRectF plot = plotBelow(0.0);
@@ -192,7 +192,7 @@ CountsPanel::CountsPanel(QWidget* parent) : QWidget(parent), layout_(new QFormLa
   pace_ = addRow(tr("Steps per second"), tr("Planner steps in a second"));
   mode_ = addRow(tr("Contact mode"), tr("On while contact samples are shot"));
   nearest_ = addRow(tr("Nearest obstacle"), tr("Of the object in the operator's hand"));
-  nearest_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // no name widens the panel
+  nearest_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // long names do not widen the panel
   layout_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   distance_ = addRow(tr("Distance"), tr("To the nearest obstacle"));
 }
@@ -255,7 +255,7 @@ void CountsPanel::showDistance() {
                                              : tr("in collision"));
 }
 
-/// Another unit of lengths was chosen.
+/// Writes lengths again when their unit has changed.
 void CountsPanel::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
   if (event->type() != QEvent::LocaleChange) return;

@@ -15,7 +15,8 @@
 
 namespace glissade {
 
-/// Nodes, authority and clearance over the time of planning, one curve below the other. Hidden until a run has begun.
+/// Curves of nodes, authority and clearance over the time of planning, one below the other. Hidden until a run has
+/// begun.
 class RunCurves final : public QWidget {
   Q_OBJECT
 
@@ -74,7 +75,7 @@ class CountsPanel final : public QWidget {
   QLabel* mode_;
   QLabel* nearest_;
   QLabel* distance_;
-  QLabel* hand_;                         ///< what came of what the hand has shown
+  QLabel* hand_;                         ///< result of the motions that the hand has shown
   std::optional<double> shownDistance_;  ///< metres; none: not known
 };
 

@@ -15,12 +15,12 @@ namespace {
 /// Samples of a pixel in each direction.
 constexpr int kSamples = 3;
 
-/// Of the picture, on each side.
+/// Border on each side, as a share of the picture.
 constexpr double kBorder = 0.04;
 
 constexpr double kAmbient = 0.35;
 
-/// Rows: to the right, up, towards the eye.
+/// The rotation to the view; its rows point to the right, up and towards the eye.
 Eigen::Matrix3d viewFromACorner() {
   const Vector3 toEye = Vector3(-1.0, -1.4, 1.1).normalized();
   const Vector3 right = Vector3::UnitZ().cross(toEye).normalized();
@@ -37,7 +37,7 @@ class Raster {
         depth_(static_cast<std::size_t>(size * size), -std::numeric_limits<double>::infinity()),
         shade_(static_cast<std::size_t>(size * size), -1.0) {}
 
-  /// x to the right, y down, in samples; z towards the eye.
+  /// Draws a triangle. x to the right, y down, in samples; z towards the eye.
   void draw(const std::array<Vector3, 3>& p, double shade) {
     const double area = (p[1].x() - p[0].x()) * (p[2].y() - p[0].y()) - (p[2].x() - p[0].x()) * (p[1].y() - p[0].y());
     if (area == 0.0) return;
@@ -87,11 +87,11 @@ class Raster {
 
   int size_;
   std::vector<double> depth_;
-  std::vector<double> shade_;  ///< below 0: nothing is there
+  std::vector<double> shade_;  ///< below 0: background
 };
 
-/// A small picture of a body as it lies in the product, from a corner above, on a transparent ground. Drawn by the
-/// processor, without OpenGL, so that any thread can draw it. `pixels`: width and height.
+/// A small picture of a body in its pose in the product, from a corner above, on a transparent background. The
+/// processor draws it without OpenGL, so that any thread can call this. `pixels`: width and height.
 QImage partPicture(const RigidBody& body, int pixels) {
   QImage picture(pixels, pixels, QImage::Format_ARGB32);
   picture.fill(Qt::transparent);
@@ -141,7 +141,7 @@ QIcon PartPictures::of(const RigidBody& body) const {
   return known == icons_.end() ? QIcon() : known->second;
 }
 
-/// Pictures of products that are not shown any more are forgotten.
+/// Pictures of bodies that are not in the product are forgotten.
 void PartPictures::draw(const ProductPtr& product, int pixels, bool atOnce) {
   std::map<Key, QIcon> known;
   std::map<Key, RigidBody> open;
@@ -168,7 +168,7 @@ void PartPictures::draw(const ProductPtr& product, int pixels, bool atOnce) {
           for (const auto& [key, picture] : *pictures) {
             const QPixmap pixmap = QPixmap::fromImage(picture);
             QIcon icon(pixmap);
-            icon.addPixmap(pixmap, QIcon::Selected);  // not tinted where the row is chosen
+            icon.addPixmap(pixmap, QIcon::Selected);  // not tinted if the row is selected
             icons_[key] = icon;
           }
           emit drawn();

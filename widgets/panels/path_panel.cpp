@@ -17,16 +17,16 @@
 namespace glissade {
 namespace {
 
-/// Metres.
+/// Range of the ghosts' distance, metres.
 constexpr double kLeastGhostDistance = 1e-5;
 constexpr double kMostGhostDistance = 1e4;
 
-/// Of playing: 1 shows the whole path in the seconds of WaySlider.
+/// Speeds of playing: 1 shows the whole path in the seconds of WaySlider.
 constexpr std::array<double, 6> kSpeeds{0.1, 0.25, 0.5, 1.0, 2.0, 4.0};
 
 QString number(double value, int decimals) { return QLocale().toString(value, 'f', decimals); }
 
-/// As it can stand in rich text.
+/// The name of a body, escaped for rich text.
 QString nameOf(int body, const LoadedScenario& scenario) {
   return QString::fromStdString(scenario.obstacles[static_cast<std::size_t>(body)].shown()).toHtmlEscaped();
 }
@@ -83,13 +83,13 @@ QString certificateText(const Path& path, const LoadedScenario& scenario) {
   return text;
 }
 
-/// Texts would widen the panel.
+/// Shows buttons without their texts, which would widen the panel.
 void showIconsOnly(const QHBoxLayout& row) {
   for (int i = 0; i < row.count(); ++i) {
     auto* button = qobject_cast<QToolButton*>(row.itemAt(i)->widget());
     if (button == nullptr) continue;
     button->setToolButtonStyle(Qt::ToolButtonIconOnly);
-    button->setMinimumWidth(2 * button->iconSize().width());  // icons come later
+    button->setMinimumWidth(2 * button->iconSize().width());  // icons are set later
   }
 }
 
@@ -122,7 +122,7 @@ GhostRow::GhostRow(QWidget* parent)
       by_(new QComboBox(this)),
       number_(new QSpinBox(this)),
       distance_(new QuantityBox(QuantityBox::Quantity::Length, this)) {
-  // In the order of PathSpacing::By.
+  // The items are in the order of PathSpacing::By.
   by_->addItems({tr("none"), tr("number"), tr("every")});
   by_->setObjectName(QStringLiteral("ghosts"));
   by_->setAccessibleName(tr("Ghosts of the object along the path"));
@@ -303,7 +303,7 @@ void PathPanel::showTightest() {
   slider_->showAt(profile->samples[*profile->tightest()].share);
 }
 
-/// Speed, loop, backwards.
+/// The row of speed, loop and direction.
 QHBoxLayout* PathPanel::makePlaybackRow(const ActionCatalogue& actions) {
   speed_->setAccessibleName(tr("Speed of playing"));
   speed_->setToolTip(tr("Speed of playing"));

@@ -15,9 +15,9 @@ namespace glissade {
 namespace {
 
 constexpr int kPlaces = 1000;
-/// Metres: a difference that the field shows.
+/// Finest difference that the field shows, metres.
 constexpr double kFinestSection = 1e-5;
-/// Sections may lie beside what is drawn, by so many times its size.
+/// Largest distance of sections from the drawn scene, in sizes of the scene.
 constexpr double kBeside = 10.0;
 
 QToolButton* smallButton(const QString& text, const QString& name, QWidget* parent) {
@@ -30,7 +30,7 @@ QToolButton* smallButton(const QString& text, const QString& name, QWidget* pare
   return button;
 }
 
-/// A direction that differs less from an axis is named after it.
+/// A direction with a larger component along an axis is named after the axis.
 constexpr double kIsAxis = 0.999999;
 
 }  // namespace
@@ -179,7 +179,7 @@ std::vector<SectionPlane> SectionPanel::sections() const {
   return sections;
 }
 
-/// X, X 2, Face, Face 2
+/// A free name such as "X", "X 2", "Face" or "Face 2".
 QString SectionPanel::freeName(const Vector3& direction) const {
   QString kind = tr("Face");
   for (int axis = 0; axis < 3; ++axis) {
@@ -223,7 +223,7 @@ void SectionPanel::remove(std::size_t index) {
   showNote();
 }
 
-/// The next row has the focus then, so that the keyboard goes on there.
+/// Removes a section and gives the next row the focus, for use by the keyboard.
 void SectionPanel::removeByHand(SectionRow* row) {
   const auto index = static_cast<std::size_t>(std::find(rows_.begin(), rows_.end(), row) - rows_.begin());
   remove(index);

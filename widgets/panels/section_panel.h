@@ -15,27 +15,26 @@
 
 namespace glissade {
 
-/// One section as a person sees and moves it: on or off, its place as a slider and as a length, the side that is cut
-/// away.
+/// The controls of one section: on or off, its place as a slider and as a length, the side that is cut away.
 class SectionRow final : public QWidget {
   Q_OBJECT
 
  public:
-  /// `name` begins the row; `id` is its object name.
+  /// `name` is the title of the row; `id` is its object name.
   SectionRow(const QString& name, const QString& id, const SectionPlane& section, const PlaceRange& range,
              QWidget* parent);
 
   const SectionPlane& section() const { return section_; }
-  /// Announces nothing.
+  /// Emits no signal.
   void setSection(const SectionPlane& section);
   void setRange(const PlaceRange& range);
   void focusPlace() { length_->setFocus(); }
 
  signals:
-  /// Somebody has changed it.
+  /// The user has changed the section.
   void changed();
   void removed();
-  /// What was typed is no length within the range.
+  /// The text is no length within the range.
   void refused(const QString& text);
 
  protected:
@@ -63,18 +62,18 @@ class SectionPanel final : public QWidget {
  public:
   explicit SectionPanel(const ActionCatalogue& actions, QWidget* parent = nullptr);
 
-  /// What the sliders go through.
+  /// Sets the range of the sliders.
   void setExtent(const Box3& extent);
   const Box3& extent() const { return extent_; }
   std::vector<SectionPlane> sections() const;
-  /// Announces nothing, as the next three.
+  /// Neither this function nor the next three emit a signal.
   void add(const SectionPlane& section);
   void set(std::size_t index, const SectionPlane& section);
   void remove(std::size_t index);
   void clear();
 
  signals:
-  /// Somebody has changed, switched or removed a section.
+  /// The user has changed, switched or removed a section.
   void changed();
 
  private:

@@ -30,7 +30,7 @@ struct TubePoint {
 
 constexpr int kSides = 8;
 
-/// The directions of the ways before and after each point, in the mean.
+/// The mean directions of the segments before and after each point.
 std::vector<Vector3> tangentsOf(const std::vector<TubePoint>& points) {
   std::vector<Vector3> tangents(points.size(), Vector3::Zero());
   Vector3 before = Vector3::Zero();
@@ -48,7 +48,7 @@ std::vector<Vector3> tangentsOf(const std::vector<TubePoint>& points) {
   return tangents;
 }
 
-/// One ring about a point.
+/// Adds one ring about a point.
 void addRing(const TubePoint& point, const Vector3& u, const Vector3& v, double radius, osg::Vec3Array& corners,
              osg::Vec3Array& normals, osg::Vec4Array& colours) {
   for (int side = 0; side < kSides; ++side) {
@@ -60,7 +60,7 @@ void addRing(const TubePoint& point, const Vector3& u, const Vector3& v, double 
   }
 }
 
-/// Triangles between each two rings.
+/// Triangles between successive rings.
 osg::ref_ptr<osg::DrawElementsUInt> joinRings(std::size_t rings) {
   osg::ref_ptr<osg::DrawElementsUInt> triangles = new osg::DrawElementsUInt(GL_TRIANGLES);
   for (unsigned ring = 0; ring + 1 < rings; ++ring) {
@@ -73,8 +73,8 @@ osg::ref_ptr<osg::DrawElementsUInt> joinRings(std::size_t rings) {
   return triangles;
 }
 
-/// A lit tube along the points; its colours run from one to the next. Equal points that follow each other change the
-/// colour at once.
+/// A lit tube along the points; its colours run from one point to the next. Successive equal points change the colour
+/// at once.
 osg::ref_ptr<osg::Geometry> makeTube(const std::vector<TubePoint>& points, double radius) {
   osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array;
   osg::ref_ptr<osg::Vec3Array> normals = new osg::Vec3Array;
@@ -83,7 +83,7 @@ osg::ref_ptr<osg::Geometry> makeTube(const std::vector<TubePoint>& points, doubl
   Vector3 u = Vector3::Zero();
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vector3 tangent = tangents[i].norm() > 0.0 ? Vector3(tangents[i].normalized()) : Vector3::UnitZ();
-    // The rings turn as little as they can, so that the tube is not twisted.
+    // The rings turn as little as possible, so that the tube is not twisted.
     u -= u.dot(tangent) * tangent;
     u = u.norm() > 1e-6 ? Vector3(u.normalized()) : tangent.unitOrthogonal();
     addRing(points[i], u, tangent.cross(u), radius, *corners, *normals, *colours);
@@ -101,13 +101,13 @@ constexpr float kPathWidth = 4.0F;
 /// A dark rim keeps the path legible before bodies of any colour.
 constexpr float kRimWidth = 7.0F;
 constexpr float kRimOpacity = 0.55F;
-/// Of the object where a path is blocked.
+/// Number and opacity of the object's ghosts where a path is blocked.
 constexpr std::size_t kBlockedGhosts = 7;
 constexpr float kFaded = 0.45F;
-/// Of the ball at the tightest place, in radii of the tube.
+/// Radius of the ball at the tightest place, in radii of the tube.
 constexpr double kTightestBall = 2.5;
 
-/// Where each sample is between the tightest place and the widest, by the logarithm of its clearance.
+/// The share of each sample between the tightest place and the widest, by the logarithm of its clearance.
 std::vector<double> sharesOf(const ClearanceProfile& profile) {
   const auto [least, most] =
       std::minmax_element(profile.samples.begin(), profile.samples.end(),
@@ -178,7 +178,7 @@ std::vector<TubePoint> tubePointsOf(const PathPicture& picture, const ScenePalet
   return points;
 }
 
-/// Where a body hides it, it is faint, as a line of the window is.
+/// Adds a faint geometry for the parts that bodies hide, as lines of the window have.
 void addHidden(const osg::ref_ptr<osg::Geometry>& faint, osg::Geode& geode) {
   makeUnlit(*faint);
   makeTransparent(*faint);
@@ -188,7 +188,7 @@ void addHidden(const osg::ref_ptr<osg::Geometry>& faint, osg::Geode& geode) {
   geode.addDrawable(faint);
 }
 
-/// The way as a headset shows it: lines have no depth there. The tightest place is a ball.
+/// The path in a headset, as a tube, because lines have no depth there. A ball marks the tightest place.
 osg::ref_ptr<osg::Geode> makeSpatialWay(const PathPicture& picture, const ScenePalette& palette) {
   osg::ref_ptr<osg::Geode> way = new osg::Geode;
   way->setNodeMask(kHeadsetOnly);

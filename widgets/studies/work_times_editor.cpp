@@ -22,7 +22,7 @@ enum Column { kName, kValue, kUnit, kDefault, kColumns };
 
 QString keysOf(QKeySequence::StandardKey key) { return QKeySequence(key).toString(QKeySequence::NativeText); }
 
-/// The mnemonic of the button stays.
+/// Adds a shortcut besides the mnemonic of the button.
 void addShortcut(QKeySequence::StandardKey key, QPushButton& button) {
   auto* shortcut = new QShortcut(QKeySequence(key), button.parentWidget());
   QObject::connect(shortcut, &QShortcut::activated, &button, &QPushButton::click);

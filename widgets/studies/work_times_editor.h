@@ -10,8 +10,8 @@
 
 namespace glissade {
 
-/// The rows of a table of work times: name, value, unit, default. Values that differ from their defaults are bold. What
-/// a person writes is told; the rows show only what they are given.
+/// The rows of a table of work times: name, value, unit, default. Values that differ from their defaults are bold. A
+/// person's input is announced and not kept; setTimes() changes the rows.
 class WorkTimeTable final : public QTableWidget {
   Q_OBJECT
 
@@ -19,9 +19,9 @@ class WorkTimeTable final : public QTableWidget {
   explicit WorkTimeTable(QWidget* parent);
 
   void setTimes(const WorkTimes& times);
-  /// Of workTimeRows(), ascending.
+  /// Selected indices of workTimeRows(), ascending.
   std::vector<std::size_t> selectedTimes() const;
-  /// As a person writes it into the value of this row.
+  /// Writes the text into the value of this row, as a person does.
   void write(std::size_t row, const QString& text);
 
  signals:
@@ -32,7 +32,7 @@ class WorkTimeTable final : public QTableWidget {
 };
 
 /// A table of work times that a person edits, reads from a file and saves. The owner keeps the table and its earlier
-/// states; this shows what it is given.
+/// states; the editor shows the table that it is given.
 class WorkTimesEditor final : public QWidget {
   Q_OBJECT
 
@@ -43,13 +43,13 @@ class WorkTimesEditor final : public QWidget {
   const WorkTimes& times() const { return times_; }
   void setCanUndo(bool can) { undo_->setEnabled(can); }
   void setCanRedo(bool can) { redo_->setEnabled(can); }
-  /// As a person writes it into the value of this row.
+  /// Writes the text into the value of this row, as a person does.
   void write(std::size_t row, const QString& text) { table_->write(row, text); }
-  /// Why the last value was not taken; empty: it was.
+  /// The reason why the last value was refused; empty: it was accepted.
   QString trouble() const { return trouble_->text(); }
 
  signals:
-  /// A person wants this table.
+  /// A person asks for this table.
   void edited(const glissade::WorkTimes& times);
   void undoAsked();
   void redoAsked();

@@ -1,5 +1,5 @@
-// The panel in the scene, and a person who works with nothing else: the real window with the runtime for tests, on a
-// virtual display. See with_headset.sh.
+// A person works with the panel in the scene only: the real window with the runtime for tests, on a virtual display.
+// See with_headset.sh.
 #include <QAbstractButton>
 #include <QSlider>
 
@@ -15,7 +15,7 @@ namespace {
 
 class PointingHands {
  public:
-  /// The left hand is there; the right one comes with the first motion.
+  /// The left hand is there from the beginning; the right one comes with its first motion.
   explicit PointingHands(const Pose& X_RG) {
     ControllerMoment left;
     left.X_RG = X_RG;
@@ -63,17 +63,17 @@ class PointingHands {
   std::vector<ControllerMoment> moments_;
 };
 
-/// Before the panel, so that it is seen as it is used.
+/// The head before the panel, as a person uses it.
 const Pose kHead{Vector3(0.0, 1.6, 0.0), Quaternion(Eigen::AngleAxisd(-0.45, Vector3::UnitX()))};
 const Pose kLeftHand{Vector3(-0.12, 1.12, -0.32), Quaternion(Eigen::AngleAxisd(-0.1, Vector3::UnitY()))};
-/// A real headset has 20 pixels a degree, and this has 11.
+/// A real headset has 20 pixels for each degree, and this one has 11.
 constexpr int kEyePixels = 1024;
 
 class HeadsetPanelTest : public test::WindowWithHeadset {
  protected:
   HeadsetPanelTest() : WindowWithHeadset("environment-1/scenario.json") {
     window_->setTheme(Theme::Light);
-    window_->resize(600, 400);  // drawn by the same cores
+    window_->resize(600, 400);  // the same cores draw the window
     bench().actions["headset.on-table"]->setChecked(true);
     test::setHead(kHead);
   }
@@ -96,7 +96,7 @@ class HeadsetPanelTest : public test::WindowWithHeadset {
   QSlider& slider(const char* parameter) {
     return *page().findChild<QWidget*>(QLatin1String(parameter))->findChild<QSlider*>();
   }
-  /// In shares of the page; `share` of the widget's width.
+  /// A place of a widget in shares of the page; `share` of the widget's width.
   Eigen::Vector2d placeOf(const QWidget& widget, double share = 0.5) {
     const QPointF at = widget.mapTo(&page(), QPoint()) + QPointF(share * widget.width(), 0.5 * widget.height());
     return {at.x() / page().width(), at.y() / page().height()};
@@ -110,7 +110,7 @@ class HeadsetPanelTest : public test::WindowWithHeadset {
   }
   QImage picture() {
     const int before = test::shownPictures();
-    until([before] { return test::shownPictures() > before + 1; });  // what was painted is shown
+    until([before] { return test::shownPictures() > before + 1; });  // the painted page is shown
     const std::vector<test::EyePicture> shown = test::nextPictures(std::chrono::seconds(20));
     return QImage(shown.at(0).rgba.data(), shown[0].width, shown[0].height, QImage::Format_RGBX8888).copy();
   }
@@ -125,7 +125,7 @@ TEST_F(HeadsetPanelTest, ARunIsStartedAndStoppedAndAlphaIsDraggedByThePanelAlone
   const double before = alpha();
   QSlider& authority = slider("alpha");
   const double share = static_cast<double>(authority.value()) / authority.maximum();
-  // The handle does not reach the ends of the slider.
+  // The place of the slider's handle, which does not reach the ends of the slider.
   const auto handle = [&](double value) {
     return placeOf(authority, (16.0 + value * (authority.width() - 32.0)) / authority.width());
   };
