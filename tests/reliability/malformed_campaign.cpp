@@ -36,14 +36,6 @@ struct GoodFile {
   bool mesh = false;  ///< its triangles are counted
 };
 
-/// Writes what the files refer to (scenarios) into the folder. `cli` makes the paths and the run record, STEP
-/// files come from the folder `stepFiles` (empty: none).
-std::vector<GoodFile> makeGoodFiles(const std::string& folder, const std::string& cli, const std::string& stepFiles);
-
-/// How many triangles a reader would count that takes a cut-off mesh file for what is there: facets begun in
-/// text, facets claimed in binary.
-std::size_t trianglesBegun(const GoodFile& file, const std::string& content);
-
 namespace fs = std::filesystem;
 
 using oracle::MeshFormat;
@@ -180,6 +172,8 @@ std::size_t countOf(const std::string& text, const std::string& word) {
   return count;
 }
 
+/// Writes what the files refer to (scenarios) into the folder. `cli` makes the paths and the run record, STEP
+/// files come from the folder `stepFiles` (empty: none).
 std::vector<GoodFile> makeGoodFiles(const std::string& folder, const std::string& cli, const std::string& stepFiles) {
   const auto in = [&](const std::string& name) { return folder + "/" + name; };
   const oracle::Triangles part = oracle::lShape(0.6, 0.2, 0.2);
@@ -244,6 +238,8 @@ std::vector<GoodFile> makeGoodFiles(const std::string& folder, const std::string
   return files;
 }
 
+/// How many triangles a reader would count that takes a cut-off mesh file for what is there: facets begun in
+/// text, facets claimed in binary.
 std::size_t trianglesBegun(const GoodFile& file, const std::string& content) {
   if (file.format == "stl-text") return (countOf(content, "vertex") + 2) / 3;
   if (file.format == "obj") return countOf(content, "\nf ");
@@ -328,7 +324,6 @@ class Mutator {
 /// engine gives the same variants everywhere.
 std::string mutated(const std::string& good, std::mt19937_64& engine) { return Mutator(good, engine).run(); }
 
-namespace fs = std::filesystem;
 using oracle::ChildEnd;
 using oracle::ChildLimits;
 using oracle::runChild;
