@@ -32,6 +32,29 @@ using Clock = std::chrono::steady_clock;
 
 double secondsSince(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
+/// Standard error, at the beginning of a line about the progress of a run that began at this time.
+std::ostream& progressLine(Clock::time_point begin) {
+  return std::cerr << "glissade-cli: " << std::fixed << std::setprecision(1) << secondsSince(begin)
+                   << " s: " << std::defaultfloat;
+}
+
+/// Writes every few seconds what share of the pairs of bodies has been compared.
+class FitProgress {
+ public:
+  explicit FitProgress(Clock::time_point begin) : begin_(begin), shown_(Clock::now()) {}
+
+  void show(double share) {
+    constexpr double kEvery = 5.0;
+    if (secondsSince(shown_) < kEvery) return;
+    shown_ = Clock::now();
+    progressLine(begin_) << "comparing pairs of bodies, " << std::lround(100.0 * share) << " %\n";
+  }
+
+ private:
+  Clock::time_point begin_;
+  Clock::time_point shown_;
+};
+
 /// A line on standard error for each wave, and for each search.
 class ProgressHost final : public SequenceHost {
  public:
@@ -52,14 +75,14 @@ class ProgressHost final : public SequenceHost {
 
   void asking(std::size_t bodies, int effort) override {
     keep();
-    if (effort > 0) line() << "searching motions of " << bodies << " parts, effort " << effort << "\n";
+    if (effort > 0) progressLine(begin_) << "searching motions of " << bodies << " parts, effort " << effort << "\n";
   }
 
   void stepFound(const AssemblyPlan& plan) override {
     for (; reported_ < plan.steps.size(); ++reported_) {
       const AssemblyStep& step = plan.steps[reported_];
-      line() << plan.removed() << " of " << plan.parts() << " parts: " << namesOf(step)
-             << (step.with.empty() ? " leaves (" : " leave as one (") << step.method << ")\n";
+      progressLine(begin_) << plan.removed() << " of " << plan.parts() << " parts: " << namesOf(step)
+                           << (step.with.empty() ? " leaves (" : " leave as one (") << step.method << ")\n";
     }
     if (file_.empty()) return;
     unkept_ = plan;
@@ -84,11 +107,6 @@ class ProgressHost final : public SequenceHost {
     if (const Outcome saved = savePlan(*unkept_, productName_, file_); !saved) reportWarnings({saved.error()});
     writing_ = secondsSince(kept_);
     unkept_.reset();
-  }
-
-  std::ostream& line() {
-    return std::cerr << "glissade-cli: " << std::fixed << std::setprecision(1) << secondsSince(begin_)
-                     << " s: " << std::defaultfloat;
   }
 
   StopToken stop_;
@@ -431,7 +449,8 @@ int runSequence(const SequenceOptions& options) {
   const auto joints = jointsOf(*loaded, *demands, stop);
   if (!joints) return reportError(joints.error(), options.format);
   product.snaps = bendsOf(countingJoints(*joints, demands->jointUse), product);
-  const auto fits = ProductFits::find(product, team, stop);
+  FitProgress progress(begin);
+  const auto fits = ProductFits::find(product, team, {stop, [&](double share) { progress.show(share); }});
   const bool outOfTime = !fits && fits.error().kind == ErrorKind::Interrupted && !interrupt.requested();
   if (!fits && !outOfTime) return reportError(fits.error(), options.format);
   reportWarnings(loaded->warnings);

@@ -207,15 +207,15 @@ Result<LaunchedChild> launchChild(const ChildCommand& command) {
 using Clock = StopToken::Clock;
 
 constexpr std::size_t kErrorBytes = 1U << 20U;
-/// A killed process ends at once, unless the kernel waits for a device.
+/// Longest wait for the end of a killed process. It ends at once, unless the kernel waits for a device.
 constexpr auto kPatienceWithKernel = std::chrono::seconds(5);
 constexpr auto kPollInterval = std::chrono::milliseconds(20);
 
-/// Appends what is there to read, `most` bytes in all; drops the rest. True if something was dropped.
+/// Appends the available bytes of a pipe, up to a length of `most`, and drops the rest. True if bytes were dropped.
 bool takeFrom(Descriptor& pipe, std::string& text, std::size_t most) {
   std::array<char, 65536> buffer{};
   bool dropped = false;
-  // At most one pipe's content a call, so that a child that writes for ever does not hold the caller.
+  // Reads at most one pipe's content per call, so that a child that writes for ever does not block the caller.
   for (int i = 0; i < 16 && pipe.valid(); ++i) {
     const ssize_t count = ::read(pipe.get(), buffer.data(), buffer.size());
     if (count < 0 && errno == EINTR) continue;
@@ -300,7 +300,7 @@ bool ChildProcess::isGivenUp() const { return killed_ && Clock::now() - *killed_
 
 std::optional<ChildEnd> ChildProcess::poll() {
   const std::chrono::duration<double> lived = Clock::now() - started_;
-  // The end is looked at first: what a child has written before its end is then all in the pipes.
+  // The end is checked first, because all that a child wrote before its end is then in the pipes.
   const bool ended = hasEnded() || isGivenUp();
   takeOutput();
   if (ended) return collect();
@@ -310,7 +310,7 @@ std::optional<ChildEnd> ChildProcess::poll() {
 
 /// Precondition: the child has ended, or is given up.
 ChildEnd ChildProcess::collect() {
-  ::kill(-pid_, SIGKILL);  // processes that it left running; the group is ours until it is collected
+  ::kill(-pid_, SIGKILL);  // kills processes that it left running; the group is ours until the child is collected
   int status = 0;
   rusage usage{};
   const bool collected = ::wait4(pid_, &status, WNOHANG, &usage) == pid_;

@@ -115,13 +115,13 @@ bool JsonCursor::boolean() const {
 
 namespace {
 
-/// What JSON allows and we do not; the first is said.
+/// A refusal of JSON that the standard permits; the first one is reported.
 struct JsonRefusal {
   std::string reason;
 };
 
-/// Watches the parser: keys given twice would lose a value in silence, deep documents and documents of many small
-/// values would take many times their size in memory, and objects of many keys time that is quadratic in them.
+/// Observes the parser: keys given twice would silently lose a value, deep documents and documents of many small values
+/// would take many times their size in memory, and objects with many keys take quadratic time.
 class ParserGuard {
  public:
   explicit ParserGuard(std::size_t& valuesLeft) : valuesLeft_(valuesLeft) {}
@@ -153,7 +153,7 @@ class ParserGuard {
 
 struct Stopped {};
 
-/// The characters of a text for the parser, with a look at the watch every now and then.
+/// The characters of a text for the parser; checks the watch at intervals.
 class WatchedText {
  public:
   using iterator_category = std::input_iterator_tag;

@@ -28,15 +28,15 @@ class JsonCursor {
   bool isString() const { return value_->is_string(); }
   bool has(const std::string& key) const { return value_->is_object() && value_->contains(key); }
   void expectObject() const;
-  /// An object whose keys are all among those given; anything else is an error at that key.
+  /// Checks that the value is an object with keys among these only; the error is at the first other key.
   void allowOnly(std::initializer_list<const char*> keys) const;
   JsonCursor at(const std::string& key) const;
   std::optional<JsonCursor> find(const std::string& key) const;
 
-  std::size_t size() const;  ///< of an array
+  std::size_t size() const;  ///< length of an array
   JsonCursor element(std::size_t index) const;
 
-  std::size_t sizeUpTo(std::size_t most) const;  ///< of an array; longer ones are refused
+  std::size_t sizeUpTo(std::size_t most) const;  ///< length of an array, which may not exceed `most`
 
   std::string text() const;  ///< printable: see printableText()
   std::string nonEmptyText() const;
@@ -59,21 +59,20 @@ struct JsonError {
   Diagnostic diagnostic;
 };
 
-/// Values that the documents of one file may hold together: 20 million of the largest kind take 1.3 GB.
+/// Limit of the values in the documents of one file: 20 million of the largest kind take 1.3 GB.
 inline constexpr std::size_t kMostJsonValues = 20'000'000;
 
 /// Parses text into a document; syntax errors name line and column. Refused: nesting deeper than 32, a key given twice
-/// in an object, more than 20,000 keys in an object (looking one up is linear), more values than `valuesLeft`, which is
-/// lowered by those read. Stopped: an Interrupted error.
+/// in an object, more than 20,000 keys in an object (a look-up is linear), more values than `valuesLeft`, from which
+/// the values read are subtracted. After a stop: an Interrupted error.
 Result<JsonCursor::Json> parseJson(const std::string& text, const std::string& file, const WorkWatch& watch,
                                    std::size_t& valuesLeft);
 Result<JsonCursor::Json> parseJson(const std::string& text, const std::string& file, const WorkWatch& watch = {});
 
-/// The text of a document, which is valid UTF-8 whatever the document holds (U+FFFD stands for invalid bytes). -1: on
-/// one line.
+/// The text of a document, which is always valid UTF-8 (U+FFFD replaces invalid bytes). `indent` -1: on one line.
 std::string jsonText(const JsonCursor::Json& json, int indent = -1);
 
-/// Parses text and gives the document to `read`, which takes a JsonCursor and may throw JsonError.
+/// Parses text and passes the document to `read`, which takes a JsonCursor and may throw JsonError.
 template <class Read>
 auto readJson(const std::string& text, const std::string& file, const Read& read)
     -> Result<decltype(read(std::declval<const JsonCursor&>()))> {
@@ -85,7 +84,7 @@ auto readJson(const std::string& text, const std::string& file, const Read& read
     return error.diagnostic;
   }
 }
-/// What a reader that was asked to stop says of its file.
+/// The error for a file whose reading was stopped.
 Diagnostic notReadToItsEnd(const std::string& file);
 
 }  // namespace glissade

@@ -12,7 +12,7 @@
 namespace glissade::check {
 namespace {
 
-/// Metres a turn: what is above is no pitch of anything. Diameters limit it further (thread_axis.h).
+/// Limits of a stated pitch, metres a turn. Diameters limit it further (thread_axis.h).
 constexpr double kLeastStatedPitch = 1e-5;
 constexpr double kMostStatedPitch = 1.0;
 
@@ -65,7 +65,7 @@ StatedScenario::StatedBody readStatedBody(const JsonCursor& at, const std::set<s
   return body;
 }
 
-/// A person says of the body that it does not leave.
+/// True if a person says that the body does not leave.
 bool saysThatItStays(const JsonCursor& body) {
   const auto attributes = body.find("attributes");
   if (!attributes) return false;

@@ -22,7 +22,7 @@ std::vector<std::string> readTexts(const JsonCursor& at) {
   return texts;
 }
 
-/// A bend that is said of each of the edges; empty where none is.
+/// One bend for each edge that a statement names; empty if it states no bend.
 std::vector<SnapWord> bendsIn(const JsonCursor& joint) {
   std::vector<SnapWord> snaps;
   const auto made = joint.find("made");
@@ -46,7 +46,7 @@ Evidence readEvidence(const JsonCursor& at) {
   return evidence;
 }
 
-/// The body and the others of a joint.
+/// The body and the other bodies of a joint.
 std::vector<std::string> bodiesOfJoint(const JsonCursor& joint) {
   std::vector<std::string> bodies{joint.at("body").nonEmptyText()};
   const auto others = joint.find("others");
@@ -54,7 +54,7 @@ std::vector<std::string> bodiesOfJoint(const JsonCursor& joint) {
   return bodies;
 }
 
-/// Signed metres a turn that a word gives for the thread of a joint; 0: none.
+/// Signed pitch that a statement gives for the thread of a joint, metres a turn; 0: none.
 double pitchIn(const JsonCursor& joint) {
   const auto made = joint.find("made");
   const auto thread = made ? made->find("thread") : std::nullopt;

@@ -27,7 +27,7 @@ AttributeDefinition builtIn(const char* name, const char* label, AttributeType t
   return definition;
 }
 
-/// What assembly plans know of a body. A user's attribute of the same name takes its place.
+/// True for attributes of bodies that assembly plans use. A user's attribute of the same name replaces it.
 bool isKnowledge(const AttributeDefinition& definition) {
   constexpr std::array<std::string_view, 8> kKnowledge{"class", "mass",      "fragile",     "base",
                                                        "stays", "goes_with", "goes_before", "needs_tool"};

@@ -121,21 +121,22 @@ std::vector<Place> gatherPlaces(const CellGrid& grid, const PlaceLabels& labels,
   return places;
 }
 
-/// The clearance of cells is good to a cell; here the static surfaces themselves are asked.
+/// Measures the narrowness of a place on the static surfaces, because the clearance of cells has the error of a cell.
 void measureNarrowness(const TriangleMesh& statics_W, const CellGrid& grid, Place& place) {
   const double wall = (Box3(grid.box(0).min(), grid.box(grid.size() - 1).max())).exteriorDistance(place.anchor);
   const double reach = place.narrowness / 2.0 + 2.0 * grid.cellSize() + wall;
   const PointClearance clearanceAt(statics_W, place.anchor, reach);
   Box3 within = place.box;
-  // Uphill along its axis leads out of a passage: it is measured where it is narrow.
+  // The anchor of a passage does not move along its axis, where the clearance grows; the passage is measured at its
+  // narrow part.
   if (place.passage) within.min()[place.axis] = within.max()[place.axis] = place.anchor[place.axis];
   place.anchor = clearanceAt.widestNear(place.anchor, grid.cellSize() / 2.0, within);
-  // Passages are measured as they are; rooms end at the workspace, too, which cells know.
+  // Passages are measured on the surfaces alone. Rooms also end at the workspace, which the cells include.
   const double exact = 2.0 * clearanceAt(place.anchor);
   place.narrowness = std::min(exact, place.narrowness + 2.0 * grid.cellSize());
 }
 
-/// Complexity levels by the paper's halving of cells, from the size of the widest cell that fits.
+/// Assigns complexity levels by the paper's halving of cells, from the size of the widest cell that fits.
 void rateComplexity(double side, std::vector<Place>& places) {
   const auto level = [&](const Place& place) {
     return std::max(0, static_cast<int>(std::floor(std::log2(side / std::max(place.narrowness, 1e-9 * side)) + 1e-6)));
@@ -145,7 +146,7 @@ void rateComplexity(double side, std::vector<Place>& places) {
   for (Place& place : places) place.complexity = 1 + level(place) - coarsest;
 }
 
-/// Complexity first, then place by place along x, y, z (whole cells, so that rounding does not matter).
+/// The order of places: by complexity, then along x, y, z (in whole cells, so that rounding does not matter).
 std::vector<std::size_t> orderOf(const CellGrid& grid, const std::vector<Place>& places) {
   std::vector<std::size_t> order(places.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -167,7 +168,7 @@ std::vector<std::size_t> orderOf(const CellGrid& grid, const std::vector<Place>&
   return order;
 }
 
-/// A face that two places share: the cells on both sides, the one of the lower place first.
+/// A face between two places: the cells on both sides, that of the lower place first.
 struct SharedFace {
   std::size_t a;
   std::size_t b;
@@ -185,7 +186,7 @@ SharedFaces sharedFaces(const CellGrid& grid, const PlaceLabels& labels) {
   return faces;
 }
 
-/// Faces whose lower cells touch, also at edges and corners, are one border.
+/// Groups faces whose lower cells touch, also at edges and corners, into borders.
 std::vector<std::vector<SharedFace>> connectedFaces(const CellGrid& grid, const std::vector<SharedFace>& faces) {
   std::map<std::size_t, std::vector<std::size_t>> byCell;
   for (std::size_t i = 0; i < faces.size(); ++i) byCell[faces[i].a].push_back(i);
@@ -257,7 +258,7 @@ Border makeBorder(const TopologicalMap& map, std::pair<int, int> pair, std::size
   border.centre = sum / static_cast<double>(faces.size());
   if (normal.norm() > 1e-9) border.normal = normal.normalized();
   border.opening = std::pow(map.grid.cellSize(), 2) * static_cast<double>(faces.size());
-  // Places overlap by the size of the narrower one's cells, but not by more than half of the other.
+  // The overlap has the size of the narrower place's cells, but at most half of the other place.
   const Place& a = map.places[static_cast<std::size_t>(pair.first)];
   const Place& b = map.places[static_cast<std::size_t>(pair.second)];
   const double reach = std::min(std::min(a.narrowness, b.narrowness), std::max(a.narrowness, b.narrowness) / 2.0);

@@ -41,7 +41,7 @@ std::vector<TopoDS_Solid> solidsOf(const StepAssembly& assembly, const std::stri
     if (!isBelow(each.path, part)) continue;
     const gp_Trsf transformation = transformationOf(each.placement);
     for (TopExp_Explorer explorer(each.shape, TopAbs_SOLID); explorer.More(); explorer.Next()) {
-      // A copy, because a shape of another orientation or scale cannot be placed by a location.
+      // A copy is made, because a location cannot reverse or scale a shape.
       solids.push_back(TopoDS::Solid(BRepBuilderAPI_Transform(explorer.Current(), transformation, true).Shape()));
     }
   }

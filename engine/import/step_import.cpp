@@ -18,7 +18,7 @@ namespace protocol = import_protocol;
 constexpr std::string_view kBeginning = "ISO-10303-21;";
 constexpr std::string_view kEnd = "END-ISO-10303-21;";
 
-/// What a glance at the text tells, before a parser sees it.
+/// Checks the text quickly before a parser reads it.
 std::optional<Diagnostic> precheckStep(const ImporterCall& call, std::string_view text) {
   constexpr std::size_t kHeader = 65536;
   const std::string_view header = text.substr(0, std::min(text.find("DATA;"), kHeader));
@@ -62,7 +62,7 @@ std::optional<Diagnostic> precheck(CadKind kind, const ImporterCall& call, std::
   return std::nullopt;
 }
 
-/// `arguments`: those after the kind.
+/// `arguments`: arguments after the kind.
 ImporterCall callFor(const FileContent& content, const std::vector<std::string>& arguments) {
   const CadKind kind = cadKindOf(content.file).value_or(CadKind::Step);
   ImporterCall call{"glissade-import-step",
@@ -80,7 +80,7 @@ Result<ImporterAnswer> run(const ImporterCall& call, const FileContent& content,
   return callImporter(call, content.bytes, stop);
 }
 
-/// Without the files that it names.
+/// Imports the file without the files that it names.
 Result<StepAnswer> importOneFile(const FileContent& content, double deflection, const StopToken& stop) {
   ImporterCall call = callFor(content, {toText(deflection / protocol::kMillimetre)});
   call.argumentsAfterCrash = call.arguments;

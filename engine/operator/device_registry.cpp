@@ -47,7 +47,7 @@ class CombinedDevice final : public OperatorDevice {
 
 using Member = HandInput HandInputs::*;
 
-/// What a person holds slides on the obstacles that there are.
+/// Adds sliding along the obstacles to a device that a person holds, if there are any.
 std::unique_ptr<OperatorDevice> amongObstacles(const DeviceContext& context, std::unique_ptr<OperatorDevice> device) {
   if (!context.world) return device;
   return std::make_unique<SlidingHand>(context.world, std::move(device));
@@ -88,7 +88,7 @@ DeviceEntry simulated(const OperatorLevel& level, std::string label, std::string
           }};
 }
 
-/// The pace of a scripted hand, in radii of the object a second.
+/// Speed of a scripted hand, in radii of the object per second.
 constexpr double kHandSpeed = 0.6;
 
 std::unique_ptr<HapticDevice> makeSimulatedHaptic(const DeviceContext& context) {

@@ -47,7 +47,7 @@ using Json = GlbBuilder::Json;
 
 constexpr double kRoughness = 0.8;
 
-/// glTF's colours are linear, ours sRGB.
+/// Converts a colour component from sRGB to linear, which glTF uses.
 double linear(double value) { return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4); }
 
 Json coordinateList(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
@@ -63,7 +63,8 @@ std::size_t addMaterial(GlbBuilder& glb, const RigidBody& body, double opacity) 
   return glb.add("materials", material);
 }
 
-/// Corners are not shared, so that edges stay hard; so there is nothing to index, and glTF takes them by threes.
+/// Writes the triangles without an index: corners are not shared, so that edges stay hard, and glTF takes unindexed
+/// corners in threes.
 Json surfaceOf(GlbBuilder& glb, const TriangleMesh& mesh) {
   const auto corners = static_cast<Eigen::Index>(3 * mesh.triangles.size());
   Eigen::MatrixXf positions(3, corners);
@@ -80,7 +81,7 @@ Json surfaceOf(GlbBuilder& glb, const TriangleMesh& mesh) {
           {"NORMAL", glb.addNumbers(normals, GlbBuilder::Use::Vertices)}};
 }
 
-/// A sampler each for translation and rotation of one node.
+/// Adds a sampler for the translation and one for the rotation of a node.
 void addTrack(GlbBuilder& glb, const GlbTrack& track, Json& animation) {
   const auto count = static_cast<Eigen::Index>(track.frames.size());
   Eigen::MatrixXf times(1, count);
@@ -90,7 +91,7 @@ void addTrack(GlbBuilder& glb, const GlbTrack& track, Json& animation) {
     const KeyFrame& frame = track.frames[static_cast<std::size_t>(i)];
     times(0, i) = frame.time;
     translations.col(i) = frame.q.position.cast<float>();
-    rotations.col(i) = frame.q.orientation.coeffs().cast<float>();  // x y z w, as glTF
+    rotations.col(i) = frame.q.orientation.coeffs().cast<float>();  // order x y z w, as in glTF
   }
   const auto numbers = [&](const Eigen::MatrixXf& values) {
     return glb.addNumbers(values, GlbBuilder::Use::KeyFrames);

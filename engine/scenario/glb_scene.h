@@ -38,14 +38,14 @@ class GlbBuilder {
   std::string buffer_;
 };
 
-/// Adds the root node, which turns z up into y up. Returns it.
+/// Adds the root node, which turns z up into y up, and returns it.
 std::size_t addGlbWorld(GlbBuilder& glb);
 
 /// Adds a body below the root node, with a material of its colour (glTF's colours are linear, ours sRGB). Returns its
 /// node.
 std::size_t addGlbBody(GlbBuilder& glb, std::size_t world, const RigidBody& body, double opacity);
 
-/// How a node moves.
+/// Motion of a node.
 struct GlbTrack {
   std::size_t node;
   std::vector<KeyFrame> frames;  ///< times increase strictly
@@ -54,7 +54,7 @@ struct GlbTrack {
 /// Adds one animation that moves nodes, interpolated linearly.
 void addGlbAnimation(GlbBuilder& glb, const char* name, const std::vector<GlbTrack>& tracks);
 
-/// Larger numbers would be infinite in single precision.
+/// True if the coordinates fit into single precision, in which larger numbers would be infinite.
 bool isWithinSinglePrecision(const std::vector<KeyFrame>& frames);
 
 }  // namespace glissade

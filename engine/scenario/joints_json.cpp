@@ -62,7 +62,7 @@ Vector3 readDirection(const JsonCursor& at) {
   const Vector3 direction = readVector(at);
   const double length = direction.norm();
   if (!(length > 1e-9)) at.fail("has no length", "Give a direction, as [0, 0, 1].");
-  // What is unit as far as numbers allow stays as it is: files are read and written without a change.
+  // A direction of unit length within rounding is kept, so that files are read and written without a change.
   return std::abs(length - 1.0) < 1e-12 ? direction : Vector3(direction / length);
 }
 

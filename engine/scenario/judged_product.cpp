@@ -74,7 +74,7 @@ check::Step judgedStep(const AssemblyStep& step) {
   return judged;
 }
 
-/// What a person says of joints counts in the order in which it is said.
+/// A person's statements about joints, in the order in which they were made.
 check::PartingWords partingsOf(const SequenceDemands& demands) {
   check::PartingWords words;
   words.anyPair = demands.jointUse == JointUse::Off;

@@ -37,7 +37,7 @@ KeptAllowance readKeptAllowance(const JsonCursor& at) {
   return allowance;
 }
 
-/// Lengths that a path keeps: 0 or more.
+/// Reads a clearance of a path: 0 or more.
 double readKeptClearance(const JsonCursor& at) {
   const double value = at.coordinate();
   if (value < 0.0) at.fail("is below zero", "Give metres, 0 or more.");

@@ -5,9 +5,9 @@
 
 namespace glissade {
 
-/// The section "paths" of a scenario file. Private to the readers and writers of this room. Reading throws JsonError.
+/// The section "paths" of a scenario file. Private to the readers and writers of this folder. Reading throws JsonError.
 KeptPaths readKeptPaths(const JsonCursor& at);
-/// Adds "paths" where there are any.
+/// Adds "paths" if there are any.
 void addKeptPaths(const KeptPaths& paths, JsonCursor::Json& json);
 
 }  // namespace glissade

@@ -152,7 +152,8 @@ Outcome checkParts(const std::vector<PartFile>& parts) {
   return Done{};
 }
 
-/// "product.step:pump/rotor" is a part of a STEP file, and "product.obj:rotor" a group, unless a file is called so.
+/// Splits "product.step:pump/rotor", a part of a STEP file, or "product.obj:rotor", a group, unless a file has that
+/// name.
 std::pair<std::string, std::string> splitPartName(const std::string& text) {
   std::error_code noneThere;
   for (std::size_t at = text.find(':'); at != std::string::npos; at = text.find(':', at + 1)) {
@@ -167,7 +168,7 @@ void takeRead(GeometryLoader& loader, GeometryCache& read) {
   read.merge(loader.loaded());
 }
 
-/// Box of the bodies from the given one on.
+/// Bounding box of the bodies from index `first` on.
 Result<Box3> boxOfBodies(GeometryLoader& loader, const Scenario& scenario, std::size_t first) {
   Box3 box;
   for (std::size_t i = first; i < scenario.bodies.size(); ++i) {

@@ -19,9 +19,9 @@ namespace glissade {
 namespace {
 
 constexpr std::size_t kMostPathBytes = 256U << 20;
-/// Twelve numbers as the longest texts that doubles have.
+/// Length of twelve numbers in the longest texts that doubles have.
 constexpr std::size_t kLongestLine = 8192;
-/// Half a gigabyte.
+/// Limit of the configurations, about half a gigabyte.
 constexpr std::size_t kMostConfigurations = 5'000'000;
 constexpr const char* kJsonFormat = "glissade-path";
 constexpr const char* kCsvHeader = "index,s,x,y,z,qx,qy,qz,qw,clearance,contact,author";
@@ -37,13 +37,13 @@ std::vector<std::string> split(const std::string& line, const char* separators) 
   return words;
 }
 
-/// What of a file is shown in a message.
+/// A word of the file for a message.
 std::string quoted(const std::string& word) {
   constexpr std::size_t kLongest = 40;
   return "'" + printableLine(word.substr(0, kLongest)) + (word.size() > kLongest ? "...'" : "'");
 }
 
-/// One of the two text formats, line by line.
+/// Reads one of the two text formats, line by line.
 class TextPathReader {
  public:
   explicit TextPathReader(std::string file) : file_(std::move(file)) {}

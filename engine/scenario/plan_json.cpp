@@ -22,11 +22,11 @@ namespace {
 using Json = JsonCursor::Json;
 
 constexpr std::size_t kMostEffort = 64;
-/// Lines of groups of groups.
+/// Deepest nesting of the lines of groups.
 constexpr std::size_t kMostLines = 32;
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-/// What a certificate says of itself: a flexible body leaves without a proof.
+/// Status of a certificate. A flexible body leaves without a proof.
 constexpr const char* kCertified = "certified";
 constexpr const char* kNotCertified = "not_certified";
 
@@ -194,7 +194,7 @@ class PlanReader {
     return ids;
   }
 
-  /// Of steps that were carried out before something was found.
+  /// Reads a number of preceding steps, at most the number of steps read so far.
   std::size_t readAfter(const JsonCursor& at) const {
     const std::uint64_t after = at.wholeNumber();
     if (after > plan_.steps.size()) at.fail("is more than the steps before it");
@@ -271,7 +271,7 @@ class PlanReader {
     return tool;
   }
 
-  /// All earlier steps where the file does not say.
+  /// Reads the predecessors; all earlier steps where the file does not state them.
   std::vector<std::size_t> readPredecessors(const JsonCursor& step) const {
     std::vector<std::size_t> after;
     const auto at = step.find("after");
@@ -363,7 +363,8 @@ class PlanReader {
     return stuck;
   }
 
-  /// Of a group: its bodies are those that are there, and nothing has left before. `steps`: of what it belongs to.
+  /// Reads the line of a group. All its bodies are present at its beginning, and those that stay cannot leave. `steps`:
+  /// number of steps of the plan that contains it.
   SubassemblyLine readLine(const JsonCursor& at, std::size_t steps, std::size_t depth) const {
     at.allowOnly({"step", "bodies", "staying", "steps", "stuck", "lines"});
     if (depth == kMostLines) at.fail("is deeper than " + std::to_string(kMostLines) + " lines");

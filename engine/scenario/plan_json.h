@@ -7,7 +7,7 @@ namespace glissade {
 
 inline constexpr const char* kPlanFormat = "glissade-plan";
 
-/// Reads what planJson() makes. Private to the readers of this room. Throws JsonError.
+/// Reads the document of planJson(). Private to the readers of this folder. Throws JsonError.
 AssemblyPlan readPlanJson(const JsonCursor& at);
 
 }  // namespace glissade

@@ -67,7 +67,7 @@ Result<ProductFile> productOfScenario(const std::string& file, const StopToken& 
   return loaded;
 }
 
-/// The two largest, together.
+/// The sum of the two largest values.
 double largestTwo(std::vector<double> values) {
   values.resize(std::max<std::size_t>(values.size(), 2), 0.0);
   std::partial_sort(values.begin(), values.begin() + 2, values.end(), std::greater<>());

@@ -31,7 +31,8 @@ Json toJson(const RunCheckpoint& checkpoint) {
           {"seconds", checkpoint.seconds}};
 }
 
-/// [step, x, y, z, qx, qy, qz, qw], or [step] where nobody holds the object: there are many of these.
+/// [step, x, y, z, qx, qy, qz, qw], or [step] where nobody holds the object. The form is short because a record has
+/// many of these.
 Json toJson(const RunLog::HandPose& pose) {
   Json json = Json::array({pose.step});
   if (!pose.q_device) return json;
@@ -52,7 +53,7 @@ ParameterId readParameterId(const JsonCursor& at, const std::string& key) {
   return *id;
 }
 
-/// A step that does not come before the one above it: a replay goes through them in order.
+/// Reads a step, which must not be less than the step of the entry before: a replay processes them in order.
 template <class Entry>
 std::uint64_t readStep(const JsonCursor& at, const std::vector<Entry>& before) {
   const std::uint64_t step = at.wholeNumber();
@@ -101,7 +102,7 @@ RunLog::HandPose readHandPose(const JsonCursor& at, const std::vector<RunLog::Ha
   return entry;
 }
 
-/// By far the longest part of a record.
+/// Reads the stream of hand poses, by far the longest part of a record.
 void readStream(const JsonCursor& stream, int version, const WorkWatch& watch, RunLog& log) {
   constexpr std::size_t kBetweenLooks = 4096;
   for (std::size_t i = 0; i < stream.size(); ++i) {

@@ -21,7 +21,8 @@ constexpr std::uint64_t kScenarioVersion = 1;
 
 using Json = JsonCursor::Json;
 
-/// Brings a document one version up; entry i migrates version i + 1. Version 1 is the first: empty.
+/// Migrates a document to the next version; entry i migrates version i + 1. The list is empty, because version 1 is the
+/// first.
 using Migration = void (*)(Json&);
 constexpr std::array<Migration, kScenarioVersion - 1> kMigrations{};
 

@@ -56,9 +56,9 @@ void addForbiddenRegions(const ForbiddenPlaces& places, JsonCursor::Json& json) 
   }
 }
 
-/// Of an attribute; they are searched one after another.
+/// Most choices of an attribute, because they are searched sequentially.
 constexpr std::size_t kMostChoices = 1000;
-/// Of a strategy; they are tried one after another.
+/// Most rules of a strategy, because they are tried sequentially.
 constexpr std::size_t kMostRules = 1000;
 
 AttributeValue readValue(const JsonCursor& at) {
@@ -162,7 +162,7 @@ StrategyRules readRules(const JsonCursor& at) {
   return rules;
 }
 
-/// Wrong values are refused where the file is read, so that the message can say where.
+/// Refuses wrong values when the file is read, so that the message can state the place.
 void checkSemantics(const Scenario& scenario, const JsonCursor& root) {
   const SemanticEdits edits = semanticEditsOf(scenario);
   const auto refuse = [&](Diagnostic why) {
@@ -173,7 +173,7 @@ void checkSemantics(const Scenario& scenario, const JsonCursor& root) {
   const Outcome sound = checkEdits(edits, nodeIdsOf(scenario));
   if (!sound) {
     Diagnostic why = sound.error();
-    // In the file a body is known by its number.
+    // Places in the file name a body by its index.
     for (std::size_t i = 0; i < scenario.bodies.size(); ++i) {
       const std::string byId = "/bodies/" + scenario.bodies[i].id + "/attributes/";
       if (why.location.rfind(byId, 0) == 0) {
@@ -290,7 +290,7 @@ Json toJson(const StrategyRules& rules) {
   return {{"node", rules.node}, {"edge", rules.edge}, {"fine", fine}, {"loop", rules.loop}, {"fitted", rules.fitted}};
 }
 
-/// Made where there is none yet.
+/// The description of a node; created where there is none yet.
 NodeDescription& descriptionOf(const std::string& id, Scenario& scenario) {
   for (NodeDescription& node : scenario.nodes) {
     if (node.id == id) return node;
@@ -299,7 +299,7 @@ NodeDescription& descriptionOf(const std::string& id, Scenario& scenario) {
   return scenario.nodes.back();
 }
 
-/// The id is that of a part of a body. What is known of parts is kept in the section about the sequence.
+/// True if the id is that of a part of a body. Attributes of parts are stored in the section about the sequence.
 bool isPart(const std::string& id) { return bodyIdOf(id) != id; }
 
 template <class Range>

@@ -27,7 +27,7 @@ Vector3 readDirection(const JsonCursor& at) {
   return gravity;
 }
 
-/// [[body, text], ...]
+/// Reads [[body, text], ...].
 std::vector<std::pair<std::string, std::string>> readPairs(const std::optional<JsonCursor>& at) {
   std::vector<std::pair<std::string, std::string>> pairs;
   for (std::size_t i = 0; at && i < at->sizeUpTo(limits::kMostBodies); ++i) {
@@ -64,7 +64,7 @@ void readKnowledge(const JsonCursor& at, SequenceDemands& demands) {
   if (const auto classes = at.find("classes")) demands.classes = readBodyClasses(*classes);
 }
 
-/// What a person has done to steps.
+/// Reads a person's edits of steps.
 void readSteps(const JsonCursor& at, SequenceDemands& demands) {
   const auto places = at.find("places");
   for (std::size_t i = 0; places && i < places->sizeUpTo(limits::kMostBodies); ++i) {

@@ -51,7 +51,7 @@ TEST(Documents, TheWayOfAClickNamesCallsThatAreThere) {
   }
 }
 
-TEST(Documents, EveryRoomIsInTheArchitecturePage) {
+TEST(Documents, EveryModuleIsInTheArchitecturePage) {
   const fs::path root = test::sourceDirectory();
   const std::string page = contentOf(root / "engine/README.md");
   for (const auto& entry : fs::directory_iterator(root / "engine")) {

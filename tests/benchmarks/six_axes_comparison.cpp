@@ -1,5 +1,5 @@
-// A row for each product: what straight lines along six axes with sampled penetration remove, and what Glissade does.
-// Usage: six_axes_comparison FILE...   (STEP files or scenarios)
+// Prints a row for each product: the parts that straight lines along six axes with sampled penetration remove, and
+// those that Glissade removes. Usage: six_axes_comparison FILE...   (STEP files or scenarios)
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -138,7 +138,7 @@ double penetrationOf(const AssembledProduct& product, const SixAxesStep& step, c
   return std::numeric_limits<double>::infinity();
 }
 
-/// Of the neighbours, for a product.
+/// Time limit of the straight lines for a product.
 constexpr double kSecondsOfAProduct = 3600.0;
 
 /// Processor time of this process.

@@ -1,13 +1,13 @@
-// Gives mutated inputs to the readers of all formats and counts those that a reader does not survive.
-// usage: mutate_readers CORPUS [--target NAME] [--inputs mutations|truncations] [--mutations N] [--seconds S] [--seed
-// S]
-//                       [--keep FOLDER]
-// CORPUS has a folder of sound files for each target. truncations: every beginning of every file instead of
-// mutations. Prints one row for each target:
+// Gives mutated inputs to the readers of all formats and counts the defects.
+//
+// usage: mutate_readers CORPUS [--target NAME] [--inputs mutations|truncations] [--mutations N] [--seconds S]
+//                       [--seed S] [--keep FOLDER]
+//
+// CORPUS has a folder of valid files for each target. truncations: every beginning of every file instead of mutations.
+// --seconds ends each target's run early. --keep writes the inputs that are defects. Prints one row for each target:
 //   name | tried | clean | defects | seconds | peak MB | seed
-// A defect is an input on which the reader crashes, breaks a promise (targets.h), takes more than 10 s or more than 2
-// GB.
-// --seconds ends each target's run early. --keep writes the inputs that are defects. Exit code 1: there are some.
+// A defect is an input on which the reader crashes, breaks the contract (targets.h), takes more than 10 s or more than
+// 2 GB. Exit code 1: there are defects.
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -151,12 +151,12 @@ struct Count {
   long peakKilobytes = 0;
 };
 
-/// What parent and child both see.
+/// Memory that parent and child share.
 struct Shared {
-  std::uint64_t next = 0;  ///< the input that is tried, or the first not tried
+  std::uint64_t next = 0;  ///< index of the present input, or of the first one not tried
 };
 
-/// What is given to a reader, by number.
+/// Inputs of a reader, by number.
 struct Inputs {
   std::uint64_t count;
   std::function<std::string(std::uint64_t)> at;
@@ -208,7 +208,7 @@ void keepInput(const std::string& folder, const std::string& name, std::uint64_t
   std::ofstream(fs::path(folder) / (name + "-" + std::to_string(number)), std::ios::binary) << input;
 }
 
-/// Each defect ends a child; the next one goes on behind it.
+/// Runs the inputs. Each defect ends a child; the next child continues behind it.
 Count run(const Target& target, const Inputs& inputs, const Options& options, Shared& shared) {
   const auto begin = Clock::now();
   const auto deadline =

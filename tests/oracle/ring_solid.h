@@ -10,7 +10,7 @@ struct Ring {
   double z = 0.0;
 };
 
-/// A plane face. A cap is a star about the z-axis.
+/// A plane face. A cap is star-shaped about the z-axis.
 struct Polygon {
   std::vector<Point> corners;  ///< counter-clockwise, seen from outside
   bool cap = false;
@@ -22,7 +22,7 @@ std::vector<Polygon> ringSolid(const std::vector<Ring>& rings);
 
 Triangles trianglesOf(const std::vector<Polygon>& polygons);
 
-/// A regular polygon's directions; the radius of corner i is radii[i % radii.size()].
+/// The directions of a regular polygon; the radius of corner i is radii[i % radii.size()].
 Outline polarOutline(int corners, const std::vector<double>& radii);
 
 }  // namespace glissade::oracle

@@ -13,10 +13,10 @@ namespace glissade::oracle {
 /// a unit quaternion.
 std::optional<std::vector<Placement>> statedPoses(const nlohmann::json& poses);
 
-/// Nothing where it is not a number from 0 to 1e9.
+/// An allowance; nothing where it is not a number from 0 to 1e9.
 std::optional<double> statedAllowance(const nlohmann::json& allowance);
 
-/// Metres that the list states against the body, for the moving body and for the other one.
+/// Allowances in the list against the body, in metres, for the moving body and for the other one.
 struct StatedSum {
   double moving = 0.0;
   double yielding = 0.0;

@@ -1,5 +1,5 @@
 // Gives glissade-cli malformed files of every format, and prints one row of the table of packaging/reliability.sh for
-// each: name | tried | clean | defects | seconds | peak MB | seed. FORMAT: only this one. Links nothing of the engine.
+// each: name | tried | clean | defects | seconds | peak MB | seed. FORMAT: only this one. Uses nothing of the engine.
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -330,11 +330,11 @@ using oracle::runChild;
 
 struct Options {
   std::string cli;
-  std::string folder;     ///< of the campaign; variants that show a defect stay in it
-  std::string stepFiles;  ///< folder, or empty
+  std::string folder;     ///< folder of the campaign; variants with a defect stay in it
+  std::string stepFiles;  ///< path of a folder, or empty
   std::uint64_t seed = 1;
-  std::size_t variants = 200;           ///< of each format
-  std::size_t truncations = 1'000'000;  ///< of each good file, at the most
+  std::size_t variants = 200;           ///< number of variants of each format
+  std::size_t truncations = 1'000'000;  ///< most truncations of each good file
   std::string format;                   ///< empty: all
 };
 
@@ -420,7 +420,7 @@ class Campaign {
     return "";
   }
 
-  /// A cut-off mesh that is taken without a warning although triangles are missing.
+  /// The loss in a truncated mesh that is accepted without a warning although triangles are missing.
   static std::string silentLoss(const GoodFile& file, const std::string& content, const ChildEnd& end) {
     if (end.exitCode != 0 || !end.errors.empty()) return "";
     const auto report = nlohmann::json::parse(end.output, nullptr, false);

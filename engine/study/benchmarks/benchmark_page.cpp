@@ -141,7 +141,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMostBytes = 16U << 20;
 constexpr double kMicro = 1e6;
 
-/// A question of the kernel's, and how much faster than FCL it is to be (geometric mean).
+/// A query of the kernel, and the required ratio to FCL's time (geometric mean).
 struct Aim {
   const char* question;
   const char* text;
@@ -153,7 +153,7 @@ constexpr Aim kAims[] = {
     {"edge", "A certified edge: 10 times faster than 20 discrete checks by FCL.", 10.0},
 };
 
-/// A quantity that grows, as its plot names it.
+/// A quantity that grows with the size, and its name in the plot.
 struct Growing {
   const char* quantity;
   const char* title;
@@ -266,7 +266,7 @@ ReportTable timesTable(const std::vector<BenchmarkTime>& times) {
   return table;
 }
 
-/// Puts the page together, section by section.
+/// Writes the page, section by section.
 class Writer {
  public:
   Writer(std::string folder, Warnings& warnings) : folder_(std::move(folder)), warnings_(warnings) {}
@@ -296,7 +296,7 @@ class Writer {
  private:
   void add(ReportBlock block) { report_.blocks.push_back(std::move(block)); }
 
-  /// A file that is not there is a section that is missing.
+  /// Reads a file of the folder. A missing file makes its section missing.
   Outcome take(const std::string& name) {
     const std::string file = folder_ + "/" + name + ".json";
     std::error_code ignored;
@@ -352,7 +352,7 @@ class Writer {
     add(std::move(table));
   }
 
-  /// The section's heading; false, with a word about it, where there is nothing to say.
+  /// Begins a section with its heading. Returns false, after a note, where the section has no data.
   bool begin(const std::string& heading, const std::string& name) {
     add(ReportHeading{heading});
     if (run(name) != nullptr) return true;

@@ -12,7 +12,6 @@ namespace {
 
 PlacedBody inPlace(const Body& body) { return PlacedBody(body, body.X_WB); }
 
-/// The allowances of the one body.
 AllowanceBound boundOf(const Body& one, const Body& other) {
   const PlacedBody a = inPlace(one);
   const PlacedBody b = inPlace(other);

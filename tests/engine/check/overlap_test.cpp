@@ -21,8 +21,8 @@ PlacedBody placed(TriangleMesh mesh, const Pose& X_WB) {
 }
 
 /// A large plate whose lower face is tilted about the middle of a ring's upper face. Most triangles of a fine ring are
-/// farther from the plate than the plate is deep: a search that takes the nearest of the others for the nearest of all
-/// does not end.
+/// farther from the plate than its depth: a search that takes the nearest of the others for the nearest of all would
+/// not end.
 TEST(Overlap, OfATiltedPlateInAFineRingIsThatAtItsRim) {
   constexpr double kOuter = 0.007;
   constexpr double kLength = 0.005;
@@ -34,13 +34,13 @@ TEST(Overlap, OfATiltedPlateInAFineRingIsThatAtItsRim) {
     X_WP.position = Vector3(0.0, 0.0, 0.5 * kLength) + X_WP.orientation * Vector3(0.0, 0.0, 0.5 * kThickness);
     const PlacedBody plate = placed(makeBox({0.6, 0.4, kThickness}), X_WP);
     const Overlap overlap = overlapIn(ring, plate, {});
-    // As far from the face above as from the side.
+    // The deepest point is equally far from the upper face and the side.
     const double atRim = kOuter * std::sin(tilt) / (1.0 + std::sin(tilt));
     EXPECT_NEAR(overlap.deepest, atRim, 0.01 * atRim) << tilt;
   }
 }
 
-/// A disc about z whose upper rim is rounded in so many steps.
+/// A disc about z with an upper rim that is rounded in `steps` steps.
 TriangleMesh roundedDisc(double radius, double rounding, double height, int around, int steps) {
   TriangleMesh mesh;
   std::vector<std::pair<double, double>> profile{{radius, 0.0}};
@@ -70,8 +70,8 @@ TriangleMesh roundedDisc(double radius, double rounding, double height, int arou
   return mesh;
 }
 
-/// At the rim the plate leaves the body along a curve over many small facets: cells that have to become as small as the
-/// depth there take minutes.
+/// At the rim the plate leaves the body along a curve over many small facets. Cells that have to become as small as the
+/// depth there would take minutes.
 TEST(Overlap, OfALargePlateOnARoundedRimIsThatBelowThePlate) {
   constexpr double kHeight = 0.02;
   constexpr double kDeep = 1.2e-4;
@@ -82,7 +82,7 @@ TEST(Overlap, OfALargePlateOnARoundedRimIsThatBelowThePlate) {
   for (const double depth : overlap.depths) EXPECT_LE(depth, kDeep * (1.0 + 1e-9));
 }
 
-/// A rod of radius 4 about an axis that is tilted in a hole of radius 4.1 and length 8, in millimetres.
+/// A rod of radius 4 that is tilted in a hole of radius 4.1 and length 8, in millimetres.
 TriangleMesh tiltedRod() {
   TriangleMesh rod = test::prism(72, 0.004, 0.06);
   for (Vector3& v : rod.vertices) v.z() -= 0.03;

@@ -41,7 +41,7 @@ TEST(AttributeTable, AddsWhatIsSoundAndKeepsTheOrder) {
   const std::size_t builtIn = table.definitions().size();
   ASSERT_TRUE(table.add(definitionOf(AttributeType::Choice)));
   AttributeDefinition second = definitionOf(AttributeType::Bool);
-  second.owner = AttributeOwner::Body;  // the same name, another owner
+  second.owner = AttributeOwner::Body;  // the same name for another owner
   ASSERT_TRUE(table.add(second));
   ASSERT_EQ(table.definitions().size(), builtIn + 2);
   EXPECT_EQ(table.definitions().back(), second);

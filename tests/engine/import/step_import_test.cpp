@@ -46,7 +46,7 @@ std::vector<std::string> pathsOf(const std::vector<Occurrence>& parts) {
 Box3 boxInFile(const Occurrence& part) { return boundingBox(*part.mesh, part.X_FP); }
 
 TEST(StepImport, SolidsAreClosedAndTheirOutsideIsOutside) {
-  // Each with the volume of the true solid, mm³.
+  // Solids with their exact volumes, mm³.
   const double ball = 4.0 / 3.0 * std::numbers::pi * 25 * 25 * 25;
   const std::vector<std::pair<const char*, double>> solids{
       {"box.step", 100 * 50 * 20},
@@ -118,7 +118,7 @@ struct ForeignName {
   bool isSure = true;
 };
 
-/// The standard allows ASCII with directives and, since its third edition, UTF-8; programs write more.
+/// The standard permits ASCII with directives and, since its third edition, UTF-8; programs write other encodings, too.
 TEST(StepImport, NamesAreReadInTheEncodingsThatProgramsWrite) {
   const std::vector<ForeignName> names{
       {"\\X2\\87BA9489\\X0\\", "\u87ba\u9489", ""},
@@ -205,8 +205,8 @@ TEST(StepImport, UsesKeepTheirNamesAndDesignatorsApart) {
   EXPECT_THAT(names, testing::IsSupersetOf({std::string("pin|x|X1"), std::string("pin|M8/2|X2")}));
 }
 
-/// OpenCASCADE gives products that share a shape one name, so that both were "stud" in earlier versions. A path of an
-/// earlier version means one part: "stud" is the pin, and the stud keeps its number.
+/// OpenCASCADE gives one name to products that share a shape, so that both were "stud" in earlier versions. A path of
+/// an earlier version means one part: "stud" is the pin, and the stud keeps its number.
 TEST(StepImport, AMappedProductHasItsOwnName) {
   const auto product = importStep(FileContent{"mapped.step", test::mappedStepText()}, 0.0);
   ASSERT_TRUE(product) << toString(product.error());

@@ -1,5 +1,5 @@
-// A screw with a modelled thread in a nut that is drawn with the core diameter: the pair comes apart by turning, and
-// the judge confirms nothing else.
+// A screw with a modelled thread in a nut that is drawn with the core diameter: the pair comes apart by turning only,
+// and the judge confirms no other motion.
 #include <gtest/gtest.h>
 
 #include "engine/base/thread_team.h"
@@ -126,7 +126,7 @@ TEST_F(ThreadCorePlan, ALargerAllowanceIsRefused) {
   EXPECT_FALSE(isConfirmed(plan, product));
 }
 
-/// The same claim for the same motion of a nut whose hole is narrower than the roots, on a pin, and on a shank.
+/// The claim is repeated for the motion of a nut whose hole is narrower than the roots, on a pin, and on a shank.
 TEST_F(ThreadCorePlan, ItIsRefusedOfBodiesWithoutThatThread) {
   EXPECT_FALSE(isConfirmed(plan, screwInNut({}, 0.0019)));
   AssembledProduct pin = product;
@@ -139,7 +139,7 @@ TEST_F(ThreadCorePlan, ItIsRefusedOfBodiesWithoutThatThread) {
   EXPECT_FALSE(isConfirmed(plan, screwInNut(shank)));
 }
 
-/// A person's word is above what the file claims.
+/// A person's statement has priority over the file's claim.
 TEST_F(ThreadCorePlan, ItIsRefusedWhereAPersonSaysThatThePairIsNoThread) {
   product.fits.pairs.push_back({"screw", "nut", ContactKind::Cylindrical, std::nullopt});
   EXPECT_FALSE(isConfirmed(plan, product));
