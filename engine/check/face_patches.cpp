@@ -16,10 +16,11 @@ namespace {
 constexpr double kFinestPatch = 1.0 / 32.0;  ///< share of the diagonal of the common box of both bodies
 /// Least length of pieces, in depths: corners of such pieces move less than the pieces are long when they are thinned.
 constexpr double kDepths = 4.0;
-/// Of the reach of a patch beside an overlap: what is beside a ring is out of reach, and not divided.
+/// Length of a ring beside its hole, as a share of the reach of a patch. The shaft beside the ring is out of reach.
 constexpr double kBesideRing = 1.25;
-/// Of the same: pieces at both sides of the end of a ring are as long, and need not be divided.
-constexpr double kAtEndOfRing = 0.9;
+/// Length of the pieces on both sides of an end of a ring, as a share of the reach of a patch: short enough not to be
+/// divided again.
+constexpr double kAtEndOfRing = 0.6;
 constexpr std::size_t kAngles = 72;
 constexpr std::size_t kMostDivided = 200'000;
 

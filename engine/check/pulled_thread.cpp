@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "engine/base/quantity_text.h"
+#include "engine/check/crests.h"
 #include "engine/check/thread.h"
 
 namespace glissade::check {
@@ -42,6 +43,49 @@ std::optional<CommonThread> aroundEachOther(const RoundFace& own, const RoundFac
   const auto [low, high] = std::minmax({from + sense * other.low, from + sense * other.high});
   const CommonThread pair{own.point, own.axis, shaft - hole, shaft, own.low, own.high, low, high, own.isShaft};
   return isEngagedAfter(pair, 0.0) ? std::optional(pair) : std::nullopt;
+}
+
+/// The name of a screw and its crests agree: no mesh is thicker, and no screw is drawn thinner.
+bool isOfSize(const DrawnCrests& crests, const std::optional<double>& size) {
+  constexpr double kThinnest = 0.75;
+  constexpr double kThickest = 1.12;
+  if (!size) return false;
+  const double share = 2.0 * crests.radius / *size;
+  return share >= kThinnest && share <= kThickest;
+}
+
+/// Crests of the one that go into a round wall of the other one.
+class ModelledThreads {
+ public:
+  explicit ModelledThreads(const LeavingPair& pair) : pair_(pair) {}
+
+  std::vector<CommonThread> find() {
+    for (const RoundFace& wall : pair_.other.rounds) add(wall, pair_.moving, pair_.sizeOfMoving, true);
+    for (const RoundFace& wall : pair_.moving.rounds) add(wall, pair_.other, pair_.sizeOfOther, false);
+    return std::move(threads_);
+  }
+
+ private:
+  void add(const RoundFace& wall, const PlacedBody& crested, const std::optional<double>& size, bool movingHasCrests) {
+    const auto crests = crestsInto(wall, crested.mesh);
+    if (!crests || (crests->pitch == 0.0 && !isOfSize(*crests, size))) return;
+    const double shaft = std::max(crests->radius, wall.radius);
+    const double depth = std::abs(crests->radius - wall.radius);
+    if (pair_.overlap < 0.5 * depth) return;
+    const std::pair<double, double> ofCrests(crests->low, crests->high);
+    const std::pair<double, double> ofWall(wall.low, wall.high);
+    const auto& own = movingHasCrests ? ofCrests : ofWall;
+    const auto& other = movingHasCrests ? ofWall : ofCrests;
+    threads_.push_back({crests->point, wall.axis, depth, shaft, own.first, own.second, other.first, other.second,
+                        movingHasCrests != wall.isShaft, crests->pitch});
+  }
+
+  const LeavingPair& pair_;
+  std::vector<CommonThread> threads_;
+};
+
+std::vector<CommonThread> modelledThreads(const LeavingPair& pair) {
+  return pair.overlap > 0.0 ? ModelledThreads(pair).find() : std::vector<CommonThread>();
 }
 
 /// Follows the motion about the axis of a thread until it is free.
@@ -109,13 +153,15 @@ double roundOverlap(const PlacedBody& one, const PlacedBody& other) {
   return most;
 }
 
-/// Those that are too thick for their holes; where none is and the file calls the pair a thread, the closest one.
+/// Those that are modelled; else those that are too thick for their holes; where none is and the file calls the pair a
+/// thread, the closest one.
 std::vector<CommonThread> commonThreads(const LeavingPair& pair) {
   if (const ScrewInSolid* screw = pair.inSolid) {
     const bool isShaft = true;
     return {{screw->point, screw->axis, 0.0, screw->radius, screw->low, screw->high, screw->low, screw->high, isShaft}};
   }
-  std::vector<CommonThread> threads;
+  std::vector<CommonThread> threads = modelledThreads(pair);
+  if (!threads.empty()) return threads;
   std::optional<CommonThread> closest;
   for (const RoundFace& own : pair.moving.rounds) {
     for (const RoundFace& other : pair.other.rounds) {
@@ -153,7 +199,7 @@ std::vector<TurnedThread> turnedThreads(const std::vector<CommonThread>& threads
   for (const CommonThread& thread : threads) {
     TurnOut motion(thread);
     if (motion.pulled(path) > 0.0 || motion.pitch() == 0.0) continue;
-    turned.push_back({motion.pitch(), 2.0 * thread.radius});
+    turned.push_back({motion.pitch(), 2.0 * thread.radius, thread.pitch});
   }
   return turned;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,10 +16,13 @@ struct LeavingPair {
   double overlap = 0.0;                   ///< metres, as deep as the one is in the other
   bool isCalledThread = false;            ///< by the file: also where both cylinders are equally wide
   const ScrewInSolid* inSolid = nullptr;  ///< one is a screw that makes its hole in the other one; null: none is
+  /// Of the threads that the names of screws state (screwSizeIn()), metres; nothing where a name states none.
+  std::optional<double> sizeOfMoving{};
+  std::optional<double> sizeOfOther{};
 };
 
 /// Two cylinders that are around each other where the product is assembled: about one axis, or about two beside each
-/// other with all of the hole's wall in the shaft. World frame.
+/// other with all of the hole's wall in the shaft. The crests of a modelled thread stand for a cylinder. World frame.
 struct CommonThread {
   Vector3 point;
   Vector3 axis;
@@ -29,6 +33,7 @@ struct CommonThread {
   double lowOther;
   double highOther;
   bool movingIsShaft;
+  double pitch = 0.0;  ///< metres a turn, of a helix that is modelled; below 0: left-handed; 0: none is
 };
 
 /// Limits in radii of the shaft. A shaft that exceeds its hole by more than the first is neither pressed nor slid in.
@@ -38,8 +43,9 @@ inline constexpr double kLeastThreadDepth = 0.05;
 inline constexpr double kMostThreadDepth = 0.3;
 
 /// The threads that the pair has in common, which come apart by turning: a shaft of the one in a hole of the other,
-/// with all of the hole's wall in the shaft. The one definition of what may not be pulled: planners ask for it while
-/// they make a motion, and the judge when it judges one.
+/// with all of the hole's wall in the shaft; crests of a modelled helix that go into the wall of the other one; and
+/// crests that are rings, where a name says that the body is a screw of this size. The one definition of what may not
+/// be pulled: planners ask for it while they make a motion, and the judge when it judges one.
 std::vector<CommonThread> commonThreads(const LeavingPair& pair);
 
 /// Describes how much of the threads a motion pulls instead of turning the body off, for people; empty: nothing. While
@@ -55,6 +61,7 @@ bool isPressedIn(const PlacedBody& one, const PlacedBody& other);
 struct TurnedThread {
   double pitch = 0.0;     ///< metres a turn of the motion; below 0: left-handed
   double diameter = 0.0;  ///< of the shaft, metres
+  double modelled = 0.0;  ///< as CommonThread::pitch
 };
 std::vector<TurnedThread> turnedThreads(const std::vector<CommonThread>& threads, const std::vector<Pose>& path);
 

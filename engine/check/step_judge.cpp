@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "engine/base/parameters.h"
+#include "engine/base/quantity_text.h"
 #include "engine/check/pair_work.h"
 #include "engine/check/pulled_thread.h"
 #include "engine/check/standard_pitch.h"
@@ -13,6 +14,8 @@
 namespace glissade::check {
 namespace {
 
+/// What the pitch of a motion may be off that of a helix, as a share of it.
+constexpr double kModelledPitchShare = 0.05;
 /// Bodies farther from a sweep than this share of the moving body's radius are not looked at more closely.
 constexpr double kNearShare = 0.1;
 
@@ -197,6 +200,13 @@ class StepJudge {
       verdict.conditions.push_back(hasOtherPitch(moving, other, thread.pitch, *said));
       return;
     }
+    if (thread.modelled != 0.0) {
+      if (std::abs(thread.modelled - thread.pitch) <= kModelledPitchShare * std::abs(thread.modelled)) return;
+      verdict.refusals.push_back(pairInWords(moving, other) + ": the thread is modelled with a pitch of " +
+                                 inMillimetres(thread.modelled) + ", and the motion has " +
+                                 inMillimetres(thread.pitch));
+      return;
+    }
     if (!isStandardPitch(thread.diameter, thread.pitch)) {
       verdict.conditions.push_back(hasPitch(moving, other, std::abs(thread.pitch), thread.diameter));
     }
@@ -242,9 +252,9 @@ class StepJudge {
     if (!isCalled && !fit.isThinned()) return;
     double overlap = 0.0;
     for (const AppliedAllowance& each : fit.applied) overlap = std::max(overlap, each.evidence.overlap);
-    const std::vector<CommonThread> threads =
-        commonThreads({placed_.at({asked.moving, asked.moving.X_WB}), placed_.at({asked.other, asked.other.X_WB}),
-                       overlap, isCalled, fit.inSolid ? &*fit.inSolid : nullptr});
+    const std::vector<CommonThread> threads = commonThreads(
+        {placed_.at({asked.moving, asked.moving.X_WB}), placed_.at({asked.other, asked.other.X_WB}), overlap, isCalled,
+         fit.inSolid ? &*fit.inSolid : nullptr, screwSizeIn(asked.moving.name), screwSizeIn(asked.other.name)});
     for (const TurnedThread& each : turnedThreads(threads, asked.path)) judgePitch(asked, each, verdict);
     const std::string pulled = pulledThread(threads, asked.path);
     if (pulled.empty()) return;

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <utility>
 
+#include "engine/check/crests.h"
 #include "engine/check/evidence.h"
 #include "engine/check/thread_axis.h"
 #include "engine/check/turn.h"
@@ -14,16 +14,6 @@
 namespace glissade::check {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
-/// By which a vertex may be off the radius that it is of: metres, and as a share of the radius.
-constexpr double kOff = 1e-5;
-constexpr double kShareOff = 1e-3;
-/// Radians: vertices that are around an axis leave no wider gap.
-constexpr double kWidestGap = 0.28 * kTurn;
-/// The crests of a helix leave this share of a turn free of crests at least; a flat crest takes an eighth.
-constexpr double kLeastFree = 0.5;
-/// What the pitch may be off, as a share of it.
-constexpr double kPitchOff = 0.03;
 /// At either end a thread runs out: crests are compared so many pitches away from there.
 constexpr double kRunOut = 0.25;
 /// A sharp thread of 60 degrees (ISO 68-1: H = 0.866 P), and the share of the diameter that M1.6 has 0.13 of.
@@ -33,47 +23,10 @@ constexpr double kDeepest = 0.15;
 constexpr double kWidestWall = 1.25;
 constexpr double kSameHeight = 1e-9;
 
-/// About the axis.
-struct Around {
-  double radius;
-  double height;
-  double angle;
-};
-
-class Cylindrical {
- public:
-  Cylindrical(const Vector3& point, const Vector3& axis)
-      : point_(point), axis_(axis), u_(axis.unitOrthogonal()), v_(axis.cross(u_)) {}
-
-  Around operator()(const Vector3& p) const {
-    const Vector3 arm = p - point_;
-    const double x = arm.dot(u_);
-    const double y = arm.dot(v_);
-    return {std::hypot(x, y), arm.dot(axis_), std::atan2(y, x)};
-  }
-
- private:
-  Vector3 point_;
-  Vector3 axis_;
-  Vector3 u_;
-  Vector3 v_;
-};
-
 struct Span {
   double low;
   double high;
 };
-
-double offOf(double radius) { return std::max(kOff, kShareOff * radius); }
-
-/// The widest gap between angles, radians; a whole turn where there are none.
-double widestGap(std::vector<double> angles) {
-  if (angles.empty()) return kTurn;
-  std::sort(angles.begin(), angles.end());
-  double widest = angles.front() + kTurn - angles.back();
-  for (std::size_t i = 1; i < angles.size(); ++i) widest = std::max(widest, angles[i] - angles[i - 1]);
-  return widest;
-}
 
 /// Of the narrowest ring of vertices around the axis, by its radii; nothing where there is none.
 std::optional<Span> ringAround(std::vector<Around> vertices, const Span& radii) {
@@ -86,13 +39,11 @@ std::optional<Span> ringAround(std::vector<Around> vertices, const Span& radii) 
   while (first != vertices.end() && first->radius <= radii.high) {
     const double off = offOf(first->radius);
     const auto last = from(first->radius + 2.0 * off);
-    std::vector<double> angles;
     Span span{first->height, first->height};
     for (auto each = first; each != last; ++each) {
-      angles.push_back(each->angle);
       span = {std::min(span.low, each->height), std::max(span.high, each->height)};
     }
-    if (widestGap(std::move(angles)) <= kWidestGap) return span;
+    if (areAround({first, last})) return span;
     first = from(first->radius + off);
   }
   return std::nullopt;
@@ -147,46 +98,7 @@ std::vector<Around> crestsOf(const std::vector<Around>& shaft, const Span& threa
   return crests;
 }
 
-struct Mean {
-  double height = 0.0;
-  double phase = 0.0;  ///< radians
-};
-
-double phaseOf(const Around& crest, double pitch) { return crest.angle - kTurn * crest.height / pitch; }
-
-Mean meanOf(const Around* first, const Around* last, double pitch) {
-  Mean mean;
-  double x = 0.0;
-  double y = 0.0;
-  for (const Around* each = first; each != last; ++each) {
-    mean.height += each->height / static_cast<double>(last - first);
-    x += std::cos(phaseOf(*each, pitch));
-    y += std::sin(phaseOf(*each, pitch));
-  }
-  mean.phase = std::atan2(y, x);
-  return mean;
-}
-
-/// Turned back by the pitch, the crests are at one side of the axis, in the lower half of the thread as in the upper.
-bool areHelix(const std::vector<Around>& crests, double pitch) {
-  std::vector<double> phases;
-  for (const Around& crest : crests) phases.push_back(std::remainder(phaseOf(crest, pitch), kTurn));
-  if (widestGap(std::move(phases)) < kLeastFree * kTurn) return false;
-  if (crests.back().height - crests.front().height < std::abs(pitch)) return false;
-  const Around* middle = crests.data() + crests.size() / 2;
-  const Mean lower = meanOf(crests.data(), middle, pitch);
-  const Mean upper = meanOf(middle, crests.data() + crests.size(), pitch);
-  const double drift = std::abs(std::remainder(upper.phase - lower.phase, kTurn)) / kTurn * std::abs(pitch);
-  return drift <= kPitchOff * (upper.height - lower.height);
-}
-
 Diagnostic refused(const std::string& reason) { return {ErrorKind::NoPath, "", "", reason, "Plan again."}; }
-
-std::vector<Around> aroundOf(const TriangleMesh& mesh, const Cylindrical& around) {
-  std::vector<Around> vertices;
-  for (const Vector3& vertex : mesh.vertices) vertices.push_back(around(vertex));
-  return vertices;
-}
 
 }  // namespace
 
@@ -196,10 +108,10 @@ Result<ThreadCore> threadCoreOf(const PlacedBody& shaft, const PlacedBody& hole,
   rule.pitch = claim.pitch;
   rule.radiusMoving = claim.crest;
   if (const std::string wrong = wrongPitch(rule); !wrong.empty()) return refused(wrong);
-  const Cylindrical around(claim.point, claim.axis);
-  const auto wall = ringAround(aroundOf(hole.mesh, around), {0.5 * claim.crest, kWidestWall * claim.crest});
+  const auto wall =
+      ringAround(aroundOf(hole.mesh, claim.point, claim.axis), {0.5 * claim.crest, kWidestWall * claim.crest});
   if (!wall) return refused("the hole is not around the axis that the file states for the thread");
-  const std::vector<Around> vertices = aroundOf(shaft.mesh, around);
+  const std::vector<Around> vertices = aroundOf(shaft.mesh, claim.point, claim.axis);
   const auto claimed = threadSpan(vertices, *wall, claim.crest, claim);
   const double free = claimed ? freeRadius(hole, claim, *claimed) : 0.0;
   const auto thread = threadSpan(vertices, *wall, free, claim);
@@ -223,7 +135,7 @@ Result<ThreadCore> threadCoreOf(const PlacedBody& shaft, const PlacedBody& hole,
 }
 
 std::vector<bool> trianglesOfThread(const TriangleMesh& shaft, const ThreadCore& core) {
-  const std::vector<Around> vertices = aroundOf(shaft, Cylindrical(core.point, core.axis));
+  const std::vector<Around> vertices = aroundOf(shaft, core.point, core.axis);
   std::vector<bool> ofThread;
   for (const TriangleIndices& triangle : shaft.triangles) {
     ofThread.push_back(std::all_of(triangle.begin(), triangle.end(), [&](std::uint32_t i) {
@@ -236,7 +148,7 @@ std::vector<bool> trianglesOfThread(const TriangleMesh& shaft, const ThreadCore&
 
 TriangleMesh withoutThread(const TriangleMesh& mesh, const ThreadCore& core) {
   TriangleMesh shaft = welded(mesh);
-  const std::vector<Around> vertices = aroundOf(shaft, Cylindrical(core.point, core.axis));
+  const std::vector<Around> vertices = aroundOf(shaft, core.point, core.axis);
   std::vector<bool> stays;
   for (const Around& at : vertices) stays.push_back(at.radius > core.crest || at.radius <= core.radius);
   for (const TriangleIndices& triangle : shaft.triangles) {

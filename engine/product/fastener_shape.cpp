@@ -33,6 +33,8 @@ constexpr double kCompactShare = 0.4;
 constexpr std::size_t kMostDirections = 6;
 /// Bodies of more are no small fasteners, and finding their cylinders takes long.
 constexpr std::size_t kMostTriangles = 5000;
+/// Grooves are at most so wide, by the radius: threads for plastic have a pitch of 0.8 radii.
+constexpr double kWidestGroove = 0.9;
 /// Axes of cylinders that may be the main axis: sine of the angle, share of the radius.
 constexpr double kNearAxisSine = 0.1;
 constexpr double kNearAxisShare = 0.3;
@@ -349,6 +351,49 @@ std::optional<TurnedShape> classified(const TurnedShape& shape) {
   return rodOf(shape);
 }
 
+/// Outer surfaces in each direction, each the largest or the least of those that are as near along the axis.
+using Outline = std::vector<std::vector<double>>;
+
+Outline spread(const Outline& outline, const std::vector<AxialSlab>& slabs, double reach, bool isLargest) {
+  const auto middleOf = [&](std::size_t i) { return 0.5 * (slabs[i].low + slabs[i].high); };
+  Outline result = outline;
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < slabs.size(); ++i) {
+    while (middleOf(first) < middleOf(i) - reach) ++first;
+    for (std::size_t near = first; near < slabs.size() && middleOf(near) <= middleOf(i) + reach; ++near) {
+      for (std::size_t k = 0; k < outline[i].size(); ++k) {
+        result[i][k] = isLargest ? std::max(result[i][k], outline[near][k]) : std::min(result[i][k], outline[near][k]);
+      }
+    }
+  }
+  return result;
+}
+
+/// With grooves filled: the turns of a thread and rings are a cylinder. Steps stay where they are (morphological
+/// closing along the axis).
+TurnedShape withoutGrooves(TurnedShape shape) {
+  std::vector<RadiusLength> radii;
+  Outline outline;
+  for (const AxialSlab& slab : shape.slabs) {
+    radii.push_back({slab.outerMost(), slab.length()});
+    outline.push_back(slab.farthest);
+  }
+  const double reach = 0.5 * kWidestGroove * middleRadius(std::move(radii));
+  const Outline filled = spread(spread(outline, shape.slabs, reach, true), shape.slabs, reach, false);
+  for (std::size_t i = 0; i < filled.size(); ++i) shape.slabs[i].farthest = filled[i];
+  return shape;
+}
+
+/// What has a shaft once its grooves are filled.
+std::optional<TurnedShape> classifiedWithoutGrooves(const TurnedShape& shape) {
+  const TurnedShape filled = withoutGrooves(shape);
+  for (const double radius : shaftRadii(filled.slabs)) {
+    if (auto screw = screwOf(filled, radius)) return screw;
+    if (auto screw = screwOf(mirrored(filled), radius)) return screw;
+  }
+  return rodOf(filled);
+}
+
 TurnedShape lookedAt(const TriangleMesh& mesh, const AxialMesh& axial, const AxisLine& axis) {
   const Extent extent = extentAbout(mesh, axis);
   TurnedShape shape;
@@ -359,12 +404,13 @@ TurnedShape lookedAt(const TriangleMesh& mesh, const AxialMesh& axial, const Axi
   return shape;
 }
 
-std::optional<TurnedShape> shapeAlong(const TriangleMesh& mesh, const AxialMesh& axial, const AxisLine& rough) {
+/// The sections about an axis near this one; nothing where they are not round.
+std::optional<TurnedShape> roundAbout(const TriangleMesh& mesh, const AxialMesh& axial, const AxisLine& rough) {
   const TurnedShape first = lookedAt(mesh, axial, rough);
   if (!isRoundEnough(first.slabs)) return std::nullopt;
   double radius = 0.0;
   for (const AxialSlab& slab : first.slabs) radius = std::max(radius, slab.outerMost());
-  return classified(lookedAt(mesh, axial, exactAxis(mesh, rough, radius)));
+  return lookedAt(mesh, axial, exactAxis(mesh, rough, radius));
 }
 
 /// Directions of the cylinders of a mesh, the longest cylinder first.
@@ -403,12 +449,23 @@ std::optional<double> wrenchFlats(const TurnedShape& shape) {
 
 std::optional<TurnedShape> turnedShapeOf(const TriangleMesh& mesh, const AxialMesh& axial) {
   const MainAxes axes = mainAxesOf(axial.tree());
+  std::vector<TurnedShape> round;
+  const auto known = [&](const Vector3& direction) -> std::optional<TurnedShape> {
+    auto about = roundAbout(mesh, axial, {axes.centre, direction});
+    if (!about) return std::nullopt;
+    round.push_back(std::move(*about));
+    return classified(round.back());
+  };
   for (const Vector3& direction : axes.directions) {
-    if (auto known = shapeAlong(mesh, axial, {axes.centre, direction})) return known;
+    if (auto shape = known(direction)) return shape;
   }
-  if (axes.share < kCompactShare || mesh.triangles.size() > kMostTriangles) return std::nullopt;
-  for (const Vector3& direction : cylinderDirections(mesh)) {
-    if (auto known = shapeAlong(mesh, axial, {axes.centre, direction})) return known;
+  const bool isSmall = mesh.triangles.size() <= kMostTriangles;
+  const bool isCompact = axes.share >= kCompactShare;
+  for (const Vector3& direction : isCompact&& isSmall ? cylinderDirections(mesh) : std::vector<Vector3>()) {
+    if (auto shape = known(direction)) return shape;
+  }
+  for (const TurnedShape& shape : round) {
+    if (auto grooved = classifiedWithoutGrooves(shape)) return grooved;
   }
   return std::nullopt;
 }

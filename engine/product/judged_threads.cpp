@@ -38,8 +38,9 @@ std::vector<check::CommonThread> JudgedThreads::of(std::size_t body, std::size_t
   if ((overlap <= 0.0 && !isCalledThread) || mayBePulled(body, other, fits)) return {};
   const check::Body own = bodyAt(body);
   const check::Body obstacle = bodyAt(other);
-  return check::commonThreads(
-      {placed_.at({own, own.X_WB}), placed_.at({obstacle, obstacle.X_WB}), overlap, isCalledThread});
+  return check::commonThreads({placed_.at({own, own.X_WB}), placed_.at({obstacle, obstacle.X_WB}), overlap,
+                               isCalledThread, nullptr, check::screwSizeIn(own.name),
+                               check::screwSizeIn(obstacle.name)});
 }
 
 }  // namespace glissade

@@ -12,6 +12,8 @@ namespace {
 /// Relative tolerances of a stated diameter; a core is thinner.
 constexpr double kSameDiameter = 0.06;
 constexpr double kThinnestCore = 0.75;
+/// Crests that are modelled for plastic stand out: a screw "M2x10" has 2.2 mm.
+constexpr double kThickestCrest = 1.12;
 constexpr double kSameDriveSize = 0.1;
 /// Heads of ISO 4762: ratios of height and radius to the diameter of the thread.
 constexpr double kLeastSocketHead = 0.88;
@@ -46,12 +48,12 @@ void addThread(const Designation& said, Joint& joint) {
   JointThread& thread = *joint.thread;
   if (said.diameter <= 0.0) return;
   const double share = thread.diameter / said.diameter;
-  if (share < kThinnestCore || share > 1.0 + kSameDiameter) {
+  if (share < kThinnestCore || share > (thread.isPitchStated ? kThickestCrest : 1.0 + kSameDiameter)) {
     doubt(joint, "the name says a thread of " + inMillimetres(said.diameter) + ", the shape is " +
                      inMillimetres(thread.diameter));
     return;
   }
-  thread.diameter = said.diameter;
+  if (share <= 1.0 + kSameDiameter) thread.diameter = said.diameter;
   if (said.pitch < 0.0 && thread.isPitchStated && thread.pitch > 0.0) {
     doubt(joint, "the name says a left-hand thread, the shape is a right-hand one");
   }

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <numbers>
 
 #include "engine/base/depth_text.h"
 #include "engine/check/named_screw.h"
+#include "engine/product/designation.h"
 #include "engine/product/fit_refusals.h"
 #include "engine/product/fit_thread.h"
 #include "engine/product/fit_words.h"
@@ -115,17 +117,25 @@ class FitFinder {
     return *bounds;
   }
 
+  /// An insert by its name is thicker than its hole by as much as a thread, and is pressed or melted in.
+  bool isPressedInsert(std::size_t obstacle, const Contact& contact) const {
+    if (contact.kind != ContactKind::Thread || !contact.axis) return false;
+    const std::size_t shaft = contact.axis->shaftIsA ? obstacle : question_.object;
+    const auto said = designationIn(question_.product.nameInFile(shaft));
+    return said && said->part == StandardPart::Insert;
+  }
+
   void resolve(std::size_t obstacle, const FoundContact& found) {
     const FitEdit* edit = editAbout(obstacle);
     const check::PairBounds bounds = boundsWith(obstacle, wordAbout(obstacle));
     const Decision decision =
         decide(found.contact, edit, words_.accepts(wordAbout(obstacle), bounds.depth), bounds, question_.limits);
     Contact& contact = fits_.contacts.emplace_back(found.contact);
-    contact.kind = decision.kind;
+    contact.kind = edit == nullptr && isPressedInsert(obstacle, found.contact) ? ContactKind::Press : decision.kind;
     const bool hasDepth = decision.kind == ContactKind::Clash || decision.kind == ContactKind::Overlap;
     if (hasDepth && bounds.depth > 0.0) contact.overlap = bounds.depth;
     contact.isPlainOverlap = hasDepth && bounds.isPlainOverlap && !decision.refused;
-    Fit fit{obstacle, decision.kind, roleOf(contact), contact.overlap};
+    Fit fit{obstacle, contact.kind, roleOf(contact), contact.overlap};
     const bool marked = edit != nullptr && edit->kind == ContactKind::Thread;
     if (marked && found.contact.axis) fit.thread = threadOf(found, edit);
     if (decision.refused) {
@@ -139,6 +149,7 @@ class FitFinder {
         resolveCrossing(fit, found, bounds.depth);
       }
     } else if (decision.given || !isClearInThread(fit, found)) {
+      if (bounds.depth > 0.0 && takeWithoutThread(fit, found)) return;
       takeThinner(fit, bounds, found, decision.accepted);
     }
   }
@@ -204,14 +215,21 @@ class FitFinder {
              isNotClear ? "Name the one that is cut (--cut NAME), or mend the parts." : "Mend the parts.");
       return;
     }
+    if (fit.kind == ContactKind::Press && isPressedInsert(fit.obstacle, found.contact)) {
+      refuse(fit, "overlap by " + depthInMillimetres(overlap) + ", because the insert is pressed or melted in",
+             "It leaves with its host. To press it out, accept the clash (--accept-clashes " + depthAsOption(overlap) +
+                 ") and say so of the joint.");
+      return;
+    }
     refuse(fit, "overlap by " + depthInMillimetres(overlap) + ", which is a clash",
            "Accept it (--accept-clashes " + depthAsOption(overlap) + "), or mend the parts.");
   }
 
   /// One body alone gives way where that frees the pair. Of a shaft in a hole it has to free the way along the axis,
-  /// too: corners between faces that move and faces that stay move less, and a shaft that is taken thinner may be
-  /// thicker at its end. Else both give way. So do two bodies of which one is below a part of a face of the other one:
-  /// while they slide past each other, the part meets the rest of the face.
+  /// too, and the one goes first that also frees the turn about it: corners between faces that move and faces that stay
+  /// move less, and a shaft that is taken thinner may be thicker at its end. Else both give way. So do two bodies of
+  /// which one is below a part of a face of the other one: while they slide past each other, the part meets the rest of
+  /// the face.
   void takeThinner(const Fit& fit, const check::PairBounds& bounds, const FoundContact& found, bool accepted) {
     const RigidBody& other = body(fit.obstacle);
     const bool isInPatches = bounds.one.mesh || bounds.other.mesh;
@@ -221,21 +239,24 @@ class FitFinder {
       order = {fit.role == Fit::Role::Shaft, fit.role != Fit::Role::Shaft};
     }
     std::vector<Fit> alone;
-    bool isEnough = false;
+    Freedom freedom = Freedom::None;
     for (const bool yields : order) {
-      if (isEnough) break;
+      if (freedom == Freedom::All) break;
       std::vector<Fit> taken = takenAlone(fit, yields, bounds, found.at);
-      isEnough = !taken.empty() && (!hasShaft(found.contact) || slides(taken, fit.obstacle, found));
-      if (alone.empty() || isEnough) alone.swap(taken);
+      const Freedom own = freedomOf(taken, fit.obstacle, found);
+      if (alone.empty() || own > freedom) alone.swap(taken);
+      freedom = std::max(freedom, own);
       for (const Fit& unused : taken) forget(unused.thinned);
     }
     const bool needsBoth = isInPatches && !hasShaft(found.contact);
-    const std::vector<Fit> both = isEnough && !needsBoth ? std::vector<Fit>() : bothThinner(fit, bounds, found.at);
-    const bool takesBoth = !both.empty() && (alone.empty() || needsBoth || slides(both, fit.obstacle, found));
+    const bool isEnough = freedom != Freedom::None && !needsBoth;
+    const std::vector<Fit> both = isEnough ? std::vector<Fit>() : bothThinner(fit, bounds, found.at);
+    const bool takesBoth =
+        !both.empty() && (alone.empty() || needsBoth || freedomOf(both, fit.obstacle, found) != Freedom::None);
     const std::vector<Fit>& taken = takesBoth ? both : alone;
     for (const Fit& unused : takesBoth ? alone : both) forget(unused.thinned);
     fits_.allowed.insert(fits_.allowed.end(), taken.begin(), taken.end());
-    if (!taken.empty() || takeWithoutThread(fit, found) || (accepted && takeHollow(fit, found, bounds.depth))) return;
+    if (!taken.empty() || (accepted && takeHollow(fit, found, bounds.depth))) return;
     if (bounds.depth > 0.0 && cutOf(fit.obstacle, found) != check::Cut::NotWhole) {
       refuseClash(fit, found, bounds.depth);
       return;
@@ -359,6 +380,7 @@ class FitFinder {
     found.contact.axis = yields ? taken->axis : exchanged(taken->axis);
     fit.role = roleOf(found.contact);
     fit.thread = threadOf(found, edit);
+    if (*pitch != fit.thread->rule.pitch) fit.thread->size.clear();
     fit.thread->rule.pitch = *pitch;
     fit.thread->rule.mayTurn = edit == nullptr || edit->turned.empty() || edit->turned == object_.id;
     fits_.contacts.back() = found.contact;
@@ -418,12 +440,41 @@ class FitFinder {
 
   Box3 boxOf(std::size_t obstacle) const { return boundingBox(*body(obstacle).mesh, body(obstacle).X_WB); }
 
-  /// Taken so, the object moves along the axis of the pair, the one way or the other, until it is past the obstacle.
-  bool slides(const std::vector<Fit>& taken, std::size_t obstacle, const FoundContact& found) {
+  /// How the object may move along the axis of the pair, and about it: a screw has to turn.
+  enum class Freedom { None, Slides, All };
+
+  Freedom freedomOf(const std::vector<Fit>& taken, std::size_t obstacle, const FoundContact& found) {
+    if (taken.empty()) return Freedom::None;
+    if (!hasShaft(found.contact)) return Freedom::All;
+    if (!slides(taken, obstacle, found)) return Freedom::None;
+    return turns(taken, obstacle, found) ? Freedom::All : Freedom::Slides;
+  }
+
+  CollisionWorldPtr pairTaken(const std::vector<Fit>& taken, std::size_t obstacle) const {
     MeshPtr object = object_.mesh;
     MeshPtr other = body(obstacle).mesh;
     for (const Fit& fit : taken) (fit.yields ? other : object) = fit.thinned;
-    const auto query = pairOf(object, obstacle, other)->makeQuery();
+    return pairOf(object, obstacle, other);
+  }
+
+  /// Taken so, the object is free at any of some angles about the axis of the pair.
+  bool turns(const std::vector<Fit>& taken, std::size_t obstacle, const FoundContact& found) const {
+    constexpr int kAngles = 13;  // a prime number: no polygon has so many sides
+    const auto query = pairTaken(taken, obstacle)->makeQuery();
+    const Vector3 axis = found.contact.axis->direction.normalized();
+    const Vector3& point = found.contact.axis->point;
+    for (int i = 1; i < kAngles; ++i) {
+      const Quaternion turn(Eigen::AngleAxisd(2.0 * std::numbers::pi * i / kAngles, axis));
+      const Vector3 arm = found.measuredAt.position - point;
+      const Pose at{point + turn * arm, (turn * found.measuredAt.orientation).normalized()};
+      if (!query->clearAbove(at, kPathShare * gap_)) return false;
+    }
+    return true;
+  }
+
+  /// Taken so, the object moves along the axis of the pair, the one way or the other, until it is past the obstacle.
+  bool slides(const std::vector<Fit>& taken, std::size_t obstacle, const FoundContact& found) {
+    const auto query = pairTaken(taken, obstacle)->makeQuery();
     const Pose& from = found.measuredAt;
     const Vector3 axis = found.contact.axis->direction.normalized();
     const double way = (boundingBox(*object_.mesh, from).sizes() + boxOf(obstacle).sizes()).norm();

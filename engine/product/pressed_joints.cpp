@@ -6,6 +6,7 @@
 
 #include "engine/base/quantity_text.h"
 #include "engine/product/nut_on_shaft.h"
+#include "engine/product/shaft_helix.h"
 #include "engine/product/thread_pitch.h"
 
 namespace glissade {
@@ -245,7 +246,8 @@ class PressedJointFinder {
       const auto deepest = std::max_element(pressed.begin(), pressed.end(),
                                             [](const auto& a, const auto& b) { return a.over < b.over; });
       const bool isPinByName = isInsertByName_[body] || says(said_, body, {StandardPart::Pin});
-      if (!isPinByName && hasDepthOfCoarseThread(shape.shaft, deepest->excess)) return;  // it is screwed in
+      const bool isScrewedIn = !isPinByName && hasDepthOfCoarseThread(shape.shaft, deepest->excess);
+      if (isScrewedIn || modelledPitch(shapes_.axial(body), shape)) return;
       Joint joint = jointOf(JointKind::Insert, body, {*deepest}, axis);
       joint.evidence = {"a pin in a hole", fitWords(*deepest)};
       if (hasDepthOfCoarseThread(shape.shaft, deepest->excess)) {

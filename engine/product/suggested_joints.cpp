@@ -20,25 +20,42 @@ struct HintWord {
 };
 
 /// The last word of an English or German name, or its end, says what a thing is.
-constexpr std::array kLastWords{
-    HintWord{"belt", JointKind::Flexible},       HintWord{"cable", JointKind::Flexible},
-    HintWord{"hose", JointKind::Flexible},       HintWord{"wire", JointKind::Flexible},
-    HintWord{"wires", JointKind::Flexible},      HintWord{"wiring", JointKind::Flexible},
-    HintWord{"harness", JointKind::Flexible},    HintWord{"spring", JointKind::Flexible},
-    HintWord{"seal", JointKind::Flexible},       HintWord{"gasket", JointKind::Flexible},
-    HintWord{"oring", JointKind::Flexible},      HintWord{"label", JointKind::Flexible},
-    HintWord{"sticker", JointKind::Flexible},    HintWord{"strap", JointKind::Flexible},
-    HintWord{"cord", JointKind::Flexible},       HintWord{"riemen", JointKind::Flexible},
-    HintWord{"kabel", JointKind::Flexible},      HintWord{"schlauch", JointKind::Flexible},
-    HintWord{"feder", JointKind::Flexible},      HintWord{"dichtung", JointKind::Flexible},
-    HintWord{"dichtring", JointKind::Flexible},  HintWord{"etikett", JointKind::Flexible},
-    HintWord{"torique", JointKind::Flexible},    HintWord{"clip", JointKind::Snap},
-    HintWord{"circlip", JointKind::Snap},        HintWord{"seegerring", JointKind::Snap},
-    HintWord{"sicherungsring", JointKind::Snap}, HintWord{"schnapphaken", JointKind::Snap},
-    HintWord{"snap", JointKind::Snap},           HintWord{"latch", JointKind::Snap},
-    HintWord{"weld", JointKind::Permanent},      HintWord{"solder", JointKind::Permanent},
-    HintWord{"glue", JointKind::Permanent},      HintWord{"adhesive", JointKind::Permanent},
-    HintWord{"epoxy", JointKind::Permanent},     HintWord{"schweissnaht", JointKind::Permanent}};
+constexpr std::array kLastWords{HintWord{"belt", JointKind::Flexible},
+                                HintWord{"cable", JointKind::Flexible},
+                                HintWord{"hose", JointKind::Flexible},
+                                HintWord{"wire", JointKind::Flexible},
+                                HintWord{"wires", JointKind::Flexible},
+                                HintWord{"wiring", JointKind::Flexible},
+                                HintWord{"harness", JointKind::Flexible},
+                                HintWord{"spring", JointKind::Flexible},
+                                HintWord{"seal", JointKind::Flexible},
+                                HintWord{"gasket", JointKind::Flexible},
+                                HintWord{"oring", JointKind::Flexible},
+                                HintWord{"label", JointKind::Flexible},
+                                HintWord{"sticker", JointKind::Flexible},
+                                HintWord{"strap", JointKind::Flexible},
+                                HintWord{"cord", JointKind::Flexible},
+                                HintWord{"riemen", JointKind::Flexible},
+                                HintWord{"kabel", JointKind::Flexible},
+                                HintWord{"schlauch", JointKind::Flexible},
+                                HintWord{"feder", JointKind::Flexible},
+                                HintWord{"dichtung", JointKind::Flexible},
+                                HintWord{"dichtring", JointKind::Flexible},
+                                HintWord{"etikett", JointKind::Flexible},
+                                HintWord{"torique", JointKind::Flexible},
+                                HintWord{"clip", JointKind::Snap},
+                                HintWord{"schnapphaken", JointKind::Snap},
+                                HintWord{"snap", JointKind::Snap},
+                                HintWord{"latch", JointKind::Snap},
+                                HintWord{"weld", JointKind::Permanent},
+                                HintWord{"solder", JointKind::Permanent},
+                                HintWord{"glue", JointKind::Permanent},
+                                HintWord{"adhesive", JointKind::Permanent},
+                                HintWord{"epoxy", JointKind::Permanent},
+                                HintWord{"schweissnaht", JointKind::Permanent}};
+
+/// Last words of rings that are opened.
+constexpr std::array<std::string_view, 3> kRingWords{"circlip", "seegerring", "sicherungsring"};
 
 /// The first word of a French name does.
 constexpr std::array kFirstWords{HintWord{"courroie", JointKind::Flexible}, HintWord{"c\u00e2ble", JointKind::Flexible},
@@ -67,8 +84,11 @@ bool isLastWord(const std::string& word, std::string_view hint) {
   return word == hint || (hint.size() >= 5 && endsWith(word, hint));
 }
 
-/// A retaining ring or a snap ring. It is opened to come out of its groove: that is its bend.
+/// A retaining ring or a snap ring. It is opened to come out of its groove, by more than hooks bend.
 bool isRetainingRing(const std::vector<std::string>& words) {
+  if (words.empty()) return false;
+  const auto isLast = [&](std::string_view ring) { return isLastWord(words.back(), ring); };
+  if (std::any_of(kRingWords.begin(), kRingWords.end(), isLast)) return true;
   if (words.size() < 2 || words.back() != "ring") return false;
   const std::string& before = words[words.size() - 2];
   return before == "retaining" || before == "snap" || before == "locking";
@@ -203,8 +223,16 @@ class SuggestedJointFinder {
     } else if (joint.others.empty()) {
       return;
     }
-    if (*kind == JointKind::Snap) addBend(joint);
+    if (*kind == JointKind::Snap) {
+      addBend(joint);
+      const bool isRing = isRetainingRing(wordsOfName(shapes_.product().nameInFile(body)));
+      if (!(joint.bend > 0.0) && !isRing && !isSnapByClass(body)) return;
+    }
     joints.push_back(std::move(joint));
+  }
+
+  bool isSnapByClass(std::size_t body) const {
+    return body < classes_.size() && hintOfClass(classes_[body]) == JointKind::Snap;
   }
 
   /// Belts side by side touch. Neither goes around the other one.
@@ -228,7 +256,7 @@ class SuggestedJointFinder {
   }
 
   /// Along an axis of the world: the way on which the hooks bend least. Where they would bend by more than hooks do on
-  /// each, away from what it is on, and no bend is suggested.
+  /// each, away from what it is on, and no bend is suggested: then nothing but the name speaks for a snap.
   void addBend(Joint& joint) const {
     const std::vector<SnapWay> ways = snapWays(shapes_.product(), joint.body, joint.others, stop_);
     const auto least =

@@ -107,9 +107,31 @@ class ThreadedJointFinder {
     return stack;
   }
 
+  /// Teeth about the shaft, as of a knurl or a spline: it is pressed in. A thread has a crest or a few in each section.
+  static bool hasTeeth(const TurnedShape& shape) {
+    constexpr int kFewestTeeth = 5;
+    constexpr double kLeastDepth = 0.02;  // of the radius
+    constexpr double kLeastShare = 0.3;   // of the length of the shaft
+    double toothed = 0.0;
+    for (const AxialSlab& slab : shape.slabs) {
+      if (slab.high > shape.headLow) break;
+      const double most = slab.outerMost();
+      const double middle = 0.5 * (most + slab.outerLeast());
+      if (most - middle < 0.5 * kLeastDepth * most) continue;
+      int teeth = 0;
+      for (std::size_t i = 0; i < slab.farthest.size(); ++i) {
+        const double next = slab.farthest[(i + 1) % slab.farthest.size()];
+        teeth += slab.farthest[i] < middle && next >= middle ? 1 : 0;
+      }
+      toothed += teeth >= kFewestTeeth ? slab.length() : 0.0;
+    }
+    return toothed >= kLeastShare * (shape.headLow - shape.low);
+  }
+
   /// Holes that are narrower by a thread. A body without a hole says nothing of a shaft that is no screw.
   void takeTight(const std::vector<AroundShaft>& all, std::size_t body, const TurnedShape& shape,
                  ScrewStack& stack) const {
+    if (hasTeeth(shape) && !isScrew(body)) return;
     for (const AroundShaft& around : all) {
       if (around.tight < kLeastEngaged * shape.shaft || (around.hasNoHole() && !isScrew(body))) continue;
       if (isTilted(around.body, shapes_.axisOf(body), shape)) continue;
@@ -223,6 +245,7 @@ class ThreadedJointFinder {
     joint.evidence.push_back("a shaft of " + inMillimetres(2.0 * shape.shaft) +
                              (shape.kind == TurnedKind::Screw ? " with a head" : " with a recess"));
     joint.evidence.push_back(stack.reason);
+    if (joint.thread->isPitchStated) joint.evidence.emplace_back(kModelledHelix);
     joint.makesHole =
         std::any_of(stack.hosts.begin(), stack.hosts.end(), [](const AroundShaft& host) { return host.hasNoHole(); });
     if (joint.makesHole) joint.evidence.emplace_back("the file has no hole there, so the screw makes it");

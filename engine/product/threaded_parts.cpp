@@ -6,7 +6,9 @@
 #include <set>
 
 #include "engine/base/quantity_text.h"
+#include "engine/check/crests.h"
 #include "engine/product/contact_report.h"
+#include "engine/product/shaft_helix.h"
 #include "engine/product/thread_pitch.h"
 
 namespace glissade {
@@ -46,6 +48,7 @@ struct DrawnThread {
   double hole = 0.0;
   Span ofShaft;
   Span ofHole;
+  double pitch = 0.0;  ///< metres a turn, of a modelled helix; 0: none is
 
   Span engaged() const { return {std::max(ofShaft.low, ofHole.low), std::min(ofShaft.high, ofHole.high)}; }
   double depth() const { return shaft - hole; }
@@ -70,7 +73,8 @@ class ThreadJointMaker {
     joint.direction = isUp == turnsShaft ? thread.axis.direction : Vector3(-thread.axis.direction);
     JointThread& turned = joint.thread.emplace();
     turned.diameter = 2.0 * thread.shaft;
-    turned.pitch = isoCoarsePitch(thread.shaft).pitch;
+    turned.isPitchStated = thread.pitch != 0.0;
+    turned.pitch = turned.isPitchStated ? thread.pitch : isoCoarsePitch(thread.shaft).pitch;
     turned.engaged = thread.engaged().length();
     turned.travel = isUp ? thread.ofHole.high - thread.ofShaft.low : thread.ofShaft.high - thread.ofHole.low;
     if (const auto flats = turnsShaft ? shaftFlats : holeFlats) {
@@ -80,6 +84,7 @@ class ThreadJointMaker {
     joint.evidence = {"a shaft of " + inMillimetres(2.0 * thread.shaft) + " is " + inMillimetres(thread.depth()) +
                           " thicker than the hole around it, as a thread is",
                       "neither body is a screw or a nut by its shape"};
+    if (turned.isPitchStated) joint.evidence.emplace_back(kModelledHelix);
     return joint;
   }
 
@@ -154,6 +159,8 @@ class ThreadedPartFinder {
         std::optional<DrawnThread> best;
         takeLonger(a, b, best);
         takeLonger(b, a, best);
+        if (!best) best = modelledThread(a, b);
+        if (!best) best = modelledThread(b, a);
         if (best) joints.push_back(ThreadJointMaker(shapes_).jointOf(*best));
       }
     }
@@ -194,6 +201,31 @@ class ThreadedPartFinder {
     return thread;
   }
 
+  /// Crests of a helix of the one that go into a round wall of the other one. Rings may be barbs.
+  std::optional<DrawnThread> modelledThread(std::size_t crested, std::size_t other) {
+    Box3 near = shapes_.box(crested);
+    TriangleMesh inWorld;
+    for (const CylinderRegion& wall : cylindersOf(other)) {
+      const Vector3 low = wall.point + wall.low * wall.direction;
+      const Vector3 high = wall.point + wall.high * wall.direction;
+      if (!near.intersects(Box3(low.cwiseMin(high), low.cwiseMax(high)))) continue;
+      if (inWorld.vertices.empty()) {
+        inWorld = transformed(*shapes_.body(crested).mesh, shapes_.body(crested).X_WB);
+      }
+      const check::RoundFace face{wall.point, wall.direction, wall.radius, wall.shaft, wall.low, wall.high};
+      const auto crests = check::crestsInto(face, inWorld);
+      if (!crests || crests->pitch == 0.0) continue;
+      const Span ofCrests{crests->low, crests->high};
+      const Span ofWall{wall.low, wall.high};
+      DrawnThread thread{wall.shaft ? other : crested,          wall.shaft ? crested : other,
+                         {crests->point, wall.direction},       std::max(wall.radius, crests->radius),
+                         std::min(wall.radius, crests->radius), wall.shaft ? ofWall : ofCrests,
+                         wall.shaft ? ofCrests : ofWall,        crests->pitch};
+      if (thread.engaged().length() >= kLeastThreadLength * thread.shaft) return thread;
+    }
+    return std::nullopt;
+  }
+
   /// Between hole and shaft. A tube in a tube that is inside out is no thread.
   bool isFilledBy(std::size_t body, const DrawnThread& thread) const {
     const double middle = 0.5 * (thread.engaged().low + thread.engaged().high);
@@ -225,7 +257,8 @@ Joint jointOfThread(const ProductShapes& shapes, const std::pair<std::size_t, st
                             each.radius,
                             each.radius - each.depth,
                             each.movingIsShaft ? own : others,
-                            each.movingIsShaft ? others : own};
+                            each.movingIsShaft ? others : own,
+                            each.pitch};
     if (!longest || drawn.engaged().length() > longest->engaged().length()) longest = drawn;
   }
   return ThreadJointMaker(shapes).jointOf(*longest);

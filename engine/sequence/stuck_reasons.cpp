@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/base/depth_text.h"
+#include "engine/geometry/separate_solids.h"
 
 namespace glissade {
 
@@ -15,6 +16,30 @@ BodyGroup unitOf(std::size_t body, const OrderRules& rules) {
 
 std::string StuckReasons::of(std::size_t body, const std::vector<std::size_t>& holding,
                              const std::set<std::size_t>& blocking) const {
+  const std::string reason = withoutAdvice(body, holding, blocking);
+  std::set<std::size_t> involved = blocking;
+  involved.insert(body);
+  for (const std::size_t each : involved) {
+    const std::string solids = aboutSolids(each);
+    if (!solids.empty()) return reason + "; " + solids;
+  }
+  return reason;
+}
+
+/// A part of a CAD file whose solids hang together nowhere may be several parts; empty where it is none.
+std::string StuckReasons::aboutSolids(std::size_t body) const {
+  constexpr double kTouchingSolids = 5e-5;  // metres: what tessellation is off
+  const TriangleMesh& mesh = *question_.product.bodies[body].mesh;
+  const std::size_t count = mesh.faces.empty() ? 1 : separateSolids(mesh, kTouchingSolids);
+  if (count < 2) return {};
+  const std::string name = question_.product.bodies[body].shown();
+  return "'" + name + "' is one part of " + std::to_string(count) +
+         " solids that do not touch each other: take these as parts (--open \"" + name +
+         "\", or \"Groups and solids are parts\" in the list of parts)";
+}
+
+std::string StuckReasons::withoutAdvice(std::size_t body, const std::vector<std::size_t>& holding,
+                                        const std::set<std::size_t>& blocking) const {
   const BodyGroup unit = unitOf(body, question_.rules);
   if (std::string joints = ofJoints(unit); !joints.empty()) return joints;
   if (std::string clashes = ofClashes(unit); !clashes.empty()) return clashes;

@@ -31,6 +31,9 @@ class StuckReasons {
 
  private:
   std::string name(std::size_t body) const { return "'" + question_.product.bodies[body].shown() + "'"; }
+  std::string withoutAdvice(std::size_t body, const std::vector<std::size_t>& holding,
+                            const std::set<std::size_t>& blocking) const;
+  std::string aboutSolids(std::size_t body) const;
   std::string ofJoints(const BodyGroup& unit) const;
   std::string ofTurns(const BodyGroup& unit) const;
   std::string ofClashes(const BodyGroup& unit) const;

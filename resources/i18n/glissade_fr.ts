@@ -5319,6 +5319,18 @@
         <translation>elle et %1 se bloquent mutuellement&#xa0;: aucun mouvement n&apos;a été trouvé, ni pour l&apos;une seule, ni pour les deux ensemble&#xa0;; les mouvements simultanés de plusieurs corps ne sont pas cherchés</translation>
     </message>
     <message>
+        <source>&apos;%1&apos; is one part of %2 solids that do not touch each other: take these as parts (--open &quot;%3&quot;, or &quot;Groups and solids are parts&quot; in the list of parts)</source>
+        <translation>«&#xa0;%1&#xa0;» est une pièce de %2 solides qui ne se touchent pas&#xa0;: prenez-les comme des pièces (--open &quot;%3&quot;, ou «&#xa0;Groupes et solides sont des pièces&#xa0;» dans la liste des pièces)</translation>
+    </message>
+    <message>
+        <source>overlap by %1, because the insert is pressed or melted in</source>
+        <translation>se recouvrent de %1, car l&apos;insert est pressé ou fondu dans la pièce</translation>
+    </message>
+    <message>
+        <source>It leaves with its host. To press it out, accept the clash (--accept-clashes %1) and say so of the joint.</source>
+        <translation>Il sort avec sa pièce. Pour l&apos;en extraire, acceptez la collision (--accept-clashes %1) et dites-le de la liaison.</translation>
+    </message>
+    <message>
         <source>the motion that a person gave it is not free</source>
         <translation>le mouvement donné à la main n&apos;est pas libre</translation>
     </message>
@@ -7121,6 +7133,10 @@
     <message>
         <source>neither body is a screw or a nut by its shape</source>
         <translation>aucun des deux corps n&apos;a la forme d&apos;une vis ou d&apos;un écrou</translation>
+    </message>
+    <message>
+        <source>a helix is modelled on it</source>
+        <translation>une hélice y est modélisée</translation>
     </message>
 </context>
 <context>

@@ -32,6 +32,7 @@ inline constexpr const char* kJointSentences[] = {
     QT_TRANSLATE_NOOP("Diagnostics", "it is %1 thicker than its hole"),
     QT_TRANSLATE_NOOP("Diagnostics", "a shaft of %1 is %2 thicker than the hole around it, as a thread is"),
     QT_TRANSLATE_NOOP("Diagnostics", "neither body is a screw or a nut by its shape"),
+    QT_TRANSLATE_NOOP("Diagnostics", "a helix is modelled on it"),
     QT_TRANSLATE_NOOP("Diagnostics", "it is as wide as its hole"),
     QT_TRANSLATE_NOOP("Diagnostics", "a thread is in it"),
     QT_TRANSLATE_NOOP("Diagnostics", "a pin in a hole"),

@@ -160,7 +160,14 @@ inline constexpr const char* kPlanningSentences[] = {
     QT_TRANSLATE_NOOP("Diagnostics",
                       "it is held by %1 in %2, and no free turn out of it was found: free the way, or dissolve the "
                       "joint"),
+    QT_TRANSLATE_NOOP("Diagnostics", "overlap by %1, because the insert is pressed or melted in"),
+    QT_TRANSLATE_NOOP("Diagnostics",
+                      "It leaves with its host. To press it out, accept the clash (--accept-clashes %1) and say so of "
+                      "the joint."),
     QT_TRANSLATE_NOOP("Diagnostics", "it is between parts that are pressed together: press one of them out"),
+    QT_TRANSLATE_NOOP("Diagnostics",
+                      "'%1' is one part of %2 solids that do not touch each other: take these as parts (--open \"%3\", "
+                      "or \"Groups and solids are parts\" in the list of parts)"),
     QT_TRANSLATE_NOOP("Diagnostics", "held by %1: remove these first"),
     QT_TRANSLATE_NOOP("Diagnostics", "held by %1: remove these first; '%2' is captive: '%3' is in its way"),
     QT_TRANSLATE_NOOP("Diagnostics", "a demand names '%1', which is not a body of the product"),

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/base/random_stream.h"
+#include "engine/check/crests.h"
 #include "tests/engine/check/check_bodies.h"
+#include "tests/engine/product/grooved_shafts.h"
 
 namespace glissade::check {
 namespace {
@@ -121,6 +124,89 @@ TEST(PulledThread, AxesBesideEachOtherAreAThreadWhileTheWallIsInTheShaft) {
   }
   parts.bolt = Parts::placed(transformed(test::prism(40, 0.005, 0.03), Pose::translation({0.0009, 0.0, 0.0})));
   EXPECT_EQ(parts.boltLeaves(turned(0.0)), "");
+}
+
+/// A shaft of 10 mm in a hole that is drawn narrower than its crests, and pulled.
+struct Relieved {
+  const char* what;
+  test::Relief relief;
+  bool isThread;                     ///< it has to be turned
+  std::optional<double> size{};      ///< as a name states it
+  Vector3 beside = Vector3::Zero();  ///< where its axis is
+};
+
+/// None that is threaded is pulled; what has no thread may be pulled.
+TEST(PulledThread, ModelledThreadsAreNotPulledAndOtherReliefsAre) {
+  using namespace glissade::test;
+  const double crest = 0.005;
+  const double root = 0.004;
+  const PlacedBody boss = Parts::placed(blockMesh(0.0044, 0.03, 0.03, -0.04, -0.002));
+  for (const Relieved& each :
+       {Relieved{"a helix", helix(crest, root, 0.0015), true},
+        Relieved{"left-handed", helix(crest, root, -0.0015), true},
+        Relieved{"coarse, for plastic", helix(crest, 0.003, 0.0039), true},
+        Relieved{"beside its hole", helix(crest, root, 0.0015), true, {}, {2e-4, 1e-4, 0.0}},
+        Relieved{"fine", helix(crest, 0.0046, 0.00075), true},
+        Relieved{"rings of a screw", rings(crest, root, 0.0015), true, 0.01},
+        Relieved{"rings", rings(crest, root, 0.0015), false}, Relieved{"barbs", barbs(crest, root, 0.003), false},
+        Relieved{"a knurl along it", straightKnurl(crest, root, 24), false},
+        Relieved{"a knurl of a screw", straightKnurl(crest, root, 24), false, 0.01},
+        Relieved{"a diamond knurl", diamondKnurl(crest, root, 0.008, 18), false},
+        Relieved{"hammered in", helix(crest, root, 0.025, 6), false},
+        Relieved{"a smooth dowel", smooth(0.00444), false},
+        Relieved{"a groove for a ring", ringGroove(0.00444, root, -0.01, 0.002), false}}) {
+    const TriangleMesh mesh = groovedShaft(each.relief, 0.02, crest, ShaftHead::Round, 240);
+    const PlacedBody shaft = Parts::placed(transformed(mesh, Pose::translation(each.beside)));
+    const std::vector<CommonThread> out = commonThreads({shaft, boss, 0.0006, false, nullptr, each.size});
+    const std::vector<CommonThread> off = commonThreads({boss, shaft, 0.0006, false, nullptr, {}, each.size});
+    EXPECT_EQ(!pulledThread(out, turned(0.0)).empty(), each.isThread) << each.what;
+    EXPECT_EQ(!pulledThread(off, turned(0.0)).empty(), each.isThread) << each.what;
+  }
+}
+
+/// The pitch is that of the model; rings state none.
+TEST(PulledThread, AHelixStatesItsPitchAndItsHand) {
+  using namespace glissade::test;
+  const PlacedBody boss = Parts::placed(blockMesh(0.0044, 0.03, 0.03, -0.04, -0.002));
+  for (const double pitch : {0.0015, -0.0015, 0.0009, 0.0037}) {
+    const PlacedBody shaft = Parts::placed(groovedShaft(helix(0.005, 0.004, pitch), 0.02, 0.005, ShaftHead::None, 240));
+    const std::vector<CommonThread> threads = commonThreads({shaft, boss, 0.0006});
+    ASSERT_EQ(threads.size(), 1U) << pitch;
+    EXPECT_NEAR(threads[0].pitch, pitch, 0.01 * std::abs(pitch));
+    EXPECT_NEAR(threads[0].radius, 0.005, 1e-9);
+    EXPECT_EQ(pulledThread(threads, turned(0.025 / std::abs(pitch), std::abs(pitch), 16)), "");
+  }
+}
+
+/// A ring of vertices of a head that is sunk into its hole: some pitch suits a few of them by chance.
+TEST(PulledThread, AFewVerticesAreNoHelix) {
+  using namespace glissade::test;
+  RandomStream random(11, "crests");
+  for (int round = 0; round < 200; ++round) {
+    const RoundFace wall{Vector3::Zero(), Vector3::UnitZ(), 0.0044, false, -0.02, 0.0};
+    TriangleMesh mesh;
+    const int count = 8 + round % 12;
+    for (int i = 0; i < count; ++i) {
+      const double angle = 2.0 * kHalfTurn * (i + random.uniform(0.0, 0.9)) / count;
+      mesh.vertices.emplace_back(0.005 * std::cos(angle), 0.005 * std::sin(angle), random.uniform(-0.01, -0.002));
+    }
+    EXPECT_FALSE(crestsInto(wall, mesh)) << round;
+  }
+}
+
+/// A plain neck in a cap with a modelled thread.
+TEST(PulledThread, AHelixInTheHoleIsAThread) {
+  using namespace glissade::test;
+  const Relief inside = helix(0.0042, 0.0052, 0.0015);
+  std::vector<Station> stations{{-0.02, circle(0.008)}, {-0.004, circle(0.008)}};
+  for (int i = 0; i <= 160; ++i) {
+    const double z = -0.004 - 0.0001 * i;
+    stations.push_back({z, [inside, z](double angle) { return inside(z, angle); }});
+  }
+  const PlacedBody cap = Parts::placed(turnedMesh(stations, true));
+  const PlacedBody neck = Parts::placed(rodMesh(0.0048, -0.03, 0.0));
+  EXPECT_NE(pulledThread(commonThreads({cap, neck, 0.0006}), turned(0.0)), "");
+  EXPECT_NE(pulledThread(commonThreads({neck, cap, 0.0006}), turned(0.0)), "");
 }
 
 TEST(PulledThread, EachOfTwoHolesCountsForItself) {

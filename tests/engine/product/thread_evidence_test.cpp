@@ -1,12 +1,13 @@
-// Plates, axles, dowels, rods, tubes, washers, nuts and wrong pairs: which of them are threads is known by
-// construction.
+// Plates, axles, dowels, rods, tubes, washers, nuts, wrong pairs and modelled threads: which of them are threads is
+// known by construction.
 #include <gtest/gtest.h>
 
 #include <set>
 
 #include "engine/geometry/thread_standards.h"
 #include "engine/product/joint_finder.h"
-#include "tests/engine/product/turned_parts.h"
+#include "tests/engine/product/grooved_shafts.h"
+#include "tests/engine/product/threaded_screw.h"
 #include "tests/engine/support/random_pose.h"
 
 namespace glissade {
@@ -77,6 +78,14 @@ class CaseMaker {
     cases.push_back(wrongNut());
     cases.push_back(threadedRod());
     cases.push_back(pinNamedScrew());
+    return cases;
+  }
+
+  /// Shafts with a relief that is modelled.
+  std::vector<Case> reliefs() {
+    std::vector<Case> cases;
+    addThreads(cases);
+    addOtherReliefs(cases);
     return cases;
   }
 
@@ -194,6 +203,94 @@ class CaseMaker {
     return {"a shaft with a drive", made.product(), isNamed_ ? kContradicts : kScrew};
   }
 
+  /// Threads that are modelled as a helix, or as rings on what is a screw by its name.
+  void addThreads(std::vector<Case>& cases) {
+    const double plastic = 0.39 * d_;
+    const double fine = 0.2 * d_;
+    const std::string screw = "self tapping screw " + size_ + "x10";
+    cases.push_back(
+        inBoss("a coarse helix in plastic", screw, helix(r_, 0.58 * r_, plastic), ShaftHead::Round, kScrew));
+    cases.push_back(inBoss("a fine helix", screw, helix(r_, 0.84 * r_, fine), ShaftHead::Hexagon, kScrew));
+    cases.push_back(inBoss("a left-handed helix", screw, helix(r_, 0.6 * r_, -plastic), ShaftHead::Round, kScrew));
+    cases.push_back(
+        inBoss("a helix without a head", "insert stud", helix(r_, 0.6 * r_, plastic), ShaftHead::None, kParts));
+    cases.push_back(inBoss("rings under a hexagon", screw, rings(r_, 0.7 * r_, 0.3 * d_), ShaftHead::Hexagon, kScrew));
+    cases.push_back(cap());
+    cases.push_back(clampedByHelix());
+    cases.push_back(nutOnHelix());
+  }
+
+  void addOtherReliefs(std::vector<Case>& cases) {
+    const double deep = 0.8 * r_;
+    const auto none = ShaftHead::None;
+    const auto round = ShaftHead::Round;
+    cases.push_back(inBoss("barbs", "barbed pin", barbs(r_, deep, 0.3 * d_), none, kNoThread));
+    cases.push_back(inBoss("rings", "ribbed pin", rings(r_, deep, 0.3 * d_), none, kNoThread));
+    cases.push_back(inBoss("a knurl along the pin", "knurled pin", straightKnurl(r_, deep, 18), none, kNoThread));
+    cases.push_back(inBoss("a knurl under a head", "press stud", straightKnurl(r_, deep, 18), round, kNoThread));
+    cases.push_back(inBoss("a diamond knurl", "knurled pin", diamondKnurl(r_, deep, d_, 14), none, kNoThread));
+    cases.push_back(inBoss("a pin that is hammered in", "rivet", helix(r_, deep, 2.5 * d_, 6), round, kNoThread));
+    cases.push_back(dowelWithGroove());
+    cases.push_back(knurledInsert());
+  }
+
+  /// A boss of plastic with a pilot hole that is narrower than the crests by half of a thread.
+  Case inBoss(const std::string& what, const std::string& said, const Relief& relief, ShaftHead head,
+              const Answer& answer) {
+    auto made = parts();
+    made.add(name("boss"), blockMesh(0.86 * r_, 2.6 * d_, 4.0 * d_, -4.0 * d_, -0.3 * d_))
+        .add(name(said), groovedShaft(relief, 2.2 * d_, r_, head));
+    return {what, made.product(), answer};
+  }
+
+  /// The thread is on the neck, and the cap is plain.
+  Case cap() {
+    auto made = parts();
+    TriangleMesh neck = groovedShaft(helix(r_, 0.88 * r_, 0.2 * d_), d_, r_);
+    made.add(name("neck"), neck).add(name("cap"), tubeMesh(circle(0.93 * r_), circle(1.3 * r_), -0.8 * d_, -0.1 * d_));
+    return {"a cap on a neck with a helix", made.product(), kParts};
+  }
+
+  Case clampedByHelix() {
+    auto made = parts();
+    made.add(name("plate"), plate(1.1 * r_, square(), -0.5 * d_, 0.0))
+        .add(name("boss"), blockMesh(0.86 * r_, 2.6 * d_, 4.0 * d_, -4.0 * d_, -0.5 * d_))
+        .add(name("screw"), groovedShaft(helix(r_, 0.6 * r_, 0.36 * d_), 2.2 * d_, r_, ShaftHead::Round));
+    return {"a plate under a screw with a helix", made.product(), kScrew};
+  }
+
+  Case nutOnHelix() {
+    auto made = parts();
+    made.add(name("plate"), plate(1.1 * r_, square(), -d_, 0.0))
+        .add(name(size_ + "x20 screw"),
+             ThreadedScrew{r_, core_ - 0.02 * r_, nearestThreadSize(ThreadFamily::Metric, d_).pitch, 3.0 * d_}.mesh())
+        .add(name("ISO 4032 " + size_), tubeMesh(circle(core_), prism(width_, 6), -1.8 * d_, -d_));
+    return {"a nut on a helix", made.product(), kNut};
+  }
+
+  Case dowelWithGroove() {
+    auto made = parts();
+    made.add(name("plate"), plate(0.997 * r_, square(), -1.6 * d_, -0.4 * d_))
+        .add(name("dowel"), groovedShaft(ringGroove(r_, 0.9 * r_, -d_, 0.2 * d_), 2.0 * d_, r_));
+    return {"a dowel with a groove for a ring", made.product(), kNoThread};
+  }
+
+  /// The screw is in the insert; the insert is pressed in, whatever its knurl.
+  Case knurledInsert() {
+    auto made = parts();
+    const auto knurl = [this](double z) {
+      return [this, z](double angle) { return diamondKnurl(1.7 * r_, 1.55 * r_, d_, 14)(z, angle); };
+    };
+    std::vector<Station> stations{{-1.5 * d_, circle(core_)}};
+    for (int i = 0; i <= 24; ++i) stations.push_back({d_ * (-1.5 + i / 24.0), knurl(d_ * (-1.5 + i / 24.0))});
+    stations.push_back({-0.5 * d_, circle(core_)});
+    made.add(name("boss"), blockMesh(1.5 * r_, 2.6 * d_, 5.0 * d_, -4.0 * d_, -0.5 * d_))
+        .add(name("threaded insert " + size_), turnedMesh(stations, true))
+        .add(name("plate"), plate(1.1 * r_, square(), -0.5 * d_, 0.0))
+        .add(name("ISO 4762 " + size_ + "x30"), capScrew(d_, 1.4 * d_));
+    return {"a screw in a knurled insert", made.product(), kScrew};
+  }
+
   double d_;
   double r_;
   bool isNamed_;
@@ -231,21 +328,23 @@ std::string inWords(const Joints& joints) {
 TEST(ThreadEvidence, IsFoundWhereThereIsAThreadAndNowhereElse) {
   RandomStream random(7, "threads");
   std::size_t all = 0;
-  std::size_t right = 0;
   for (const double size : {0.003, 0.005, 0.008, 0.012}) {
     for (const bool isNamed : {true, false}) {
-      for (const Case& one : CaseMaker(size, isNamed, randomPose(random, 0.2), random).all()) {
+      CaseMaker maker(size, isNamed, randomPose(random, 0.2), random);
+      std::vector<Case> cases = maker.all();
+      // Of the larger meshes one half: named small ones, and large ones without names.
+      if (isNamed == (size == 0.003) && (isNamed || size == 0.008)) {
+        for (Case& each : maker.reliefs()) cases.push_back(std::move(each));
+      }
+      for (const Case& one : cases) {
         const Joints joints = findJoints(one.product);
-        const bool isGood = isRight(joints, one.answer);
         ++all;
-        right += isGood ? 1U : 0U;
-        EXPECT_TRUE(isGood) << one.what << ", " << 1e3 * size << " mm" << (isNamed ? ", named" : "") << ": "
-                            << inWords(joints);
+        EXPECT_TRUE(isRight(joints, one.answer))
+            << one.what << ", " << 1e3 * size << " mm" << (isNamed ? ", named" : "") << ": " << inWords(joints);
       }
     }
   }
-  EXPECT_GE(all, 60U);
-  EXPECT_EQ(right, all);
+  EXPECT_GE(all, 160U);
 }
 
 /// Four squares that are nuts by their width, and one by its name only.

@@ -35,6 +35,27 @@ TEST(StuckReasons, AClashIsNamedWithTheOtherBodyAndItsDepth) {
   EXPECT_THAT(plan.stuck[0].reason, HasSubstr("it and 'base' clash where they are assembled (5 mm)"));
 }
 
+/// A part of a CAD file with a second solid that is apart.
+TEST(StuckReasons, APartOfSolidsThatDoNotTouchMayBeOpened) {
+  for (const bool isOfCadFile : {true, false}) {
+    AssembledProduct product = overlapping(0.005);
+    TriangleMesh two = *product.bodies[1].mesh;
+    append(two, transformed(two, Pose::translation({0.0, 0.0, 0.2})));
+    if (isOfCadFile) {
+      two.faces = {SurfaceFace{}};
+      two.faceOf.assign(two.triangles.size(), 0);
+    }
+    product.bodies[1].mesh = std::make_shared<const TriangleMesh>(two);
+    const AssemblyPlan plan = plainPlanOf(product);
+    ASSERT_EQ(plan.stuck.size(), 1U);
+    const auto isSaid = HasSubstr(
+        "; 'sunk' is one part of 2 solids that do not touch each other: take these as parts "
+        "(--open \"sunk\", ");
+    const bool isNamed = testing::Value(plan.stuck[0].reason, isSaid);
+    EXPECT_EQ(isNamed, isOfCadFile) << plan.stuck[0].reason;  // a mesh cannot be opened
+  }
+}
+
 TEST(StuckReasons, BodiesThatTouchDoNotClash) { EXPECT_TRUE(plainPlanOf(overlapping(0.0)).stuck.empty()); }
 
 }  // namespace

@@ -77,6 +77,42 @@ TEST(ThreadCoreFits, TheScrewIsItsCoreInTheNutWhicheverOfThemMoves) {
   }
 }
 
+/// A screw for plastic: its core is half as thick as its crests, and its hole is wide and deep.
+AssembledProduct screwInBoss() {
+  const test::ThreadedScrew screw{0.0011, 0.00064, 0.00085, 0.006};
+  return test::productOf({threadedBody("M2x6 self tapping screw", screw.mesh()),
+                          threadedBody("boss", test::blockMesh(0.00095, 0.008, 0.006, -0.012, -0.001))},
+                         true);
+}
+
+TEST(SelfTappingScrew, IsTurnedOutAndTheJudgeRefusesThePull) {
+  const AssembledProduct product = screwInBoss();
+  test::QuietHost host;
+  auto plan = planSequence(product, test::fitsOf(product), SequenceRequest{BodySet{false, true}}, host);
+  ASSERT_TRUE(plan.ok());
+  ASSERT_EQ(plan->steps.size(), 1U);
+  EXPECT_EQ(plan->steps[0].method, kTurned);
+  ASSERT_EQ(plan->steps[0].allowances.size(), 1U);
+  EXPECT_TRUE(plan->steps[0].allowances[0].core);
+  EXPECT_NEAR(plan->steps[0].allowances[0].pitch, 0.00085, 0.01 * 0.00085);
+  EXPECT_TRUE(isConfirmed(*plan, product));
+  // The same claim of another hand, and a straight pull.
+  AssemblyPlan leftHanded = *plan;
+  leftHanded.steps[0].allowances[0].core->pitch *= -1.0;
+  leftHanded.steps[0].allowances[0].pitch *= -1.0;
+  EXPECT_FALSE(isConfirmed(leftHanded, product));
+  const Quaternion before = plan->steps[0].path.front().q.orientation;
+  for (PathPoint& point : plan->steps[0].path) point.q.orientation = before;
+  EXPECT_FALSE(isConfirmed(*plan, product));
+  // The hole that is taken wider instead lets no thread be pulled either.
+  StepAllowance& wider = plan->steps[0].allowances[0];
+  wider.core.reset();
+  wider.yields = true;
+  wider.kind = ContactKind::Overlap;
+  wider.allowance = 0.00016;
+  EXPECT_FALSE(isConfirmed(*plan, product));
+}
+
 /// A pin that is too thick for its ring has no helix.
 TEST(ThreadCoreFits, WithoutAHelixNoThreadIsTakenAway) {
   const FitTable table = fitsOf(test::productOf({threadedBody("pin", test::rodMesh(0.0025, -0.008, 0.0)),
