@@ -1,43 +1,19 @@
 #pragma once
 
-#include <QObject>
-#include <QSize>
-
 #include <functional>
 #include <memory>
 
 #include "app/window/panel_docks.h"
+#include "app/window/window_room.h"
 #include "app/window/workbench.h"
 
 namespace glissade {
 
 class FileController;
 class NamedViewsController;
-class PanelDocks;
 class PreferencesController;
 class RecordingController;
 class WindowMemory;
-
-/// Keeps the window in the room that its screen has: its panels are arranged for it, and where the window grows beyond
-/// it, because a panel that is shown first needs much room until its texts are wrapped, the window goes back. A size
-/// that a person has given the window stays.
-class WindowRoom final : public QObject {
- public:
-  WindowRoom(QMainWindow& window, PanelDocks& docks);
-
-  /// The window is at most so large; empty: it may have any size.
-  void fit(const QSize& room);
-  /// Of the last fit(); empty: there was none.
-  const QSize& room() const { return room_; }
-
- protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
-
- private:
-  QMainWindow& window_;
-  PanelDocks& docks_;
-  QSize room_;
-};
 
 /// The workbench: the 3D view in the middle, panels around it, one document and one session behind it. It makes the
 /// parts and brings them together; what they do is theirs.
