@@ -1,12 +1,8 @@
 #include "app/window/main_window.h"
 
 #include <QCloseEvent>
-#include <QEvent>
-#include <QLayout>
-#include <QMainWindow>
 #include <QSignalBlocker>
 #include <QStatusBar>
-#include <QTimer>
 
 #include "app/window/arrange_controller.h"
 #include "app/window/assembly_controller.h"
@@ -50,29 +46,6 @@
 #include "app/window/workspace_notice.h"
 
 namespace glissade {
-
-WindowRoom::WindowRoom(QMainWindow& window, PanelDocks& docks) : window_(window), docks_(docks) {
-  window.installEventFilter(this);
-}
-
-void WindowRoom::fit(const QSize& room) {
-  room_ = room;
-  if (room.isEmpty()) return;
-  docks_.setRoom(room);
-  window_.layout()->activate();  // otherwise the minimum size is still that of the earlier contents
-  window_.resize(window_.size().boundedTo(room));
-}
-
-bool WindowRoom::eventFilter(QObject* watched, QEvent* event) {
-  if (room_.isEmpty()) return false;
-  if (event->type() == QEvent::FontChange) {
-    docks_.setRoom(room_);  // larger texts need more room
-  } else if (event->type() == QEvent::Resize && !event->spontaneous() &&
-             window_.size() != window_.size().boundedTo(room_)) {
-    QTimer::singleShot(0, this, [this] { fit(room_); });
-  }
-  return QObject::eventFilter(watched, event);
-}
 
 MainWindow::MainWindow(const SceneWidgetFactory& makeScene, SessionClock clock)
     : scene_(makeScene(this)),

@@ -1,43 +1,19 @@
 #pragma once
 
-#include <QObject>
-#include <QSize>
-
 #include <functional>
 #include <memory>
 
 #include "app/window/panel_docks.h"
+#include "app/window/window_room.h"
 #include "app/window/workbench.h"
 
 namespace glissade {
 
 class FileController;
 class NamedViewsController;
-class PanelDocks;
 class PreferencesController;
 class RecordingController;
 class WindowMemory;
-
-/// Keeps the window within the room of its screen. The panels are arranged for that room. A panel that is shown first
-/// needs much room until its texts are wrapped; if the window grows beyond the room then, it shrinks again. A size that
-/// a person gives the window stays.
-class WindowRoom final : public QObject {
- public:
-  WindowRoom(QMainWindow& window, PanelDocks& docks);
-
-  /// Limits the size of the window; empty: any size.
-  void fit(const QSize& room);
-  /// The room of the last fit(); empty if there was none.
-  const QSize& room() const { return room_; }
-
- protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
-
- private:
-  QMainWindow& window_;
-  PanelDocks& docks_;
-  QSize room_;
-};
 
 /// The window: the 3D view in the middle, panels around it, one document and one session. It makes the controllers and
 /// connects them; they contain the functions.

@@ -328,7 +328,7 @@ class EngineSentences : public testing::Test {
     for (const char* text : kNotForTheWindow) otherwise_.insert(text);
     for (const char* file : {"engine/study/study_french.cpp", "engine/study/instruction/instruction_french.cpp"}) {
       const std::string studies = contentOf(fs::path(test::sourceDirectory()) / file);
-      for (const std::string& text : test::textsMadeIn(studies)) otherwise_.insert(alone(text));
+      for (const std::string& text : textsMadeIn(studies)) otherwise_.insert(alone(text));
     }
   }
   ~EngineSentences() override { QApplication::removeTranslator(&french_); }
@@ -352,7 +352,7 @@ TEST_F(EngineSentences, AreAllInFrench) {
                                                 [&](const char* other) { return name.rfind(other, 0) == 0; })) {
       continue;
     }
-    for (const std::string& made : test::textsMadeIn(contentOf(entry.path()))) {
+    for (const std::string& made : textsMadeIn(contentOf(entry.path()))) {
       const std::string text = alone(made);
       if (!isSentence(text)) continue;
       ++found;
@@ -375,9 +375,9 @@ TEST_F(EngineSentences, AreTranslatedWithWhatTheyAreJoinedOf) {
 
 TEST(SourceSentences, AreReadFromExpressions) {
   using Strings = std::vector<std::string>;
-  EXPECT_EQ(test::textsMadeIn(R"(fail("is '" + name + "' of " + std::to_string(n + 1), "Give " "one.");)"),
+  EXPECT_EQ(textsMadeIn(R"(fail("is '" + name + "' of " + std::to_string(n + 1), "Give " "one.");)"),
             (Strings{"is '%1' of %2", "Give one."}));
-  EXPECT_EQ(test::textsMadeIn(R"(text << "a " << x->y << " m"; // "not this"
+  EXPECT_EQ(textsMadeIn(R"(text << "a " << x->y << " m"; // "not this"
     return std::string("b ") + (big ? "more" : "less");)"),
             (Strings{"a %1 m", "more", "less", "b %1"}));
 }

@@ -42,6 +42,10 @@ extern "C" const char* __asan_default_options() { return "hard_rss_limit_mb=2048
 
 namespace {
 
+namespace fs = std::filesystem;
+using glissade::RandomStream;
+using glissade::fuzz::Target;
+
 /// Makes malformed inputs out of sound ones: bytes and numbers changed, pieces removed, repeated, moved and taken from
 /// another input, words of the format inserted. The n-th input depends on the seed and n alone.
 class Mutator {
@@ -126,9 +130,6 @@ void Mutator::mutateOnce(RandomStream& random, std::string& text) const {
   }
 }
 
-namespace fs = std::filesystem;
-using glissade::fuzz::Mutator;
-using glissade::fuzz::Target;
 using Clock = std::chrono::steady_clock;
 
 constexpr unsigned kPatienceSeconds = 10;

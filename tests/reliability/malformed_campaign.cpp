@@ -37,14 +37,6 @@ struct GoodFile {
   bool mesh = false;  ///< whether its triangles are counted
 };
 
-/// Writes the files that the good files refer to (scenarios) into the folder. `cli` makes the paths and the run record;
-/// STEP files come from the folder `stepFiles` (empty: none).
-std::vector<GoodFile> makeGoodFiles(const std::string& folder, const std::string& cli, const std::string& stepFiles);
-
-/// The number of triangles that a reader would count that accepts a truncated mesh file: facets begun in text, facets
-/// claimed in binary.
-std::size_t trianglesBegun(const GoodFile& file, const std::string& content);
-
 namespace fs = std::filesystem;
 
 using oracle::MeshFormat;
@@ -181,6 +173,8 @@ std::size_t countOf(const std::string& text, const std::string& word) {
   return count;
 }
 
+/// Writes what the files refer to (scenarios) into the folder. `cli` makes the paths and the run record, STEP
+/// files come from the folder `stepFiles` (empty: none).
 std::vector<GoodFile> makeGoodFiles(const std::string& folder, const std::string& cli, const std::string& stepFiles) {
   const auto in = [&](const std::string& name) { return folder + "/" + name; };
   const oracle::Triangles part = oracle::lShape(0.6, 0.2, 0.2);
@@ -245,6 +239,8 @@ std::vector<GoodFile> makeGoodFiles(const std::string& folder, const std::string
   return files;
 }
 
+/// How many triangles a reader would count that takes a cut-off mesh file for what is there: facets begun in
+/// text, facets claimed in binary.
 std::size_t trianglesBegun(const GoodFile& file, const std::string& content) {
   if (file.format == "stl-text") return (countOf(content, "vertex") + 2) / 3;
   if (file.format == "obj") return countOf(content, "\nf ");
@@ -329,7 +325,6 @@ class Mutator {
 /// engine gives the same variants everywhere.
 std::string mutated(const std::string& good, std::mt19937_64& engine) { return Mutator(good, engine).run(); }
 
-namespace fs = std::filesystem;
 using oracle::ChildEnd;
 using oracle::ChildLimits;
 using oracle::runChild;

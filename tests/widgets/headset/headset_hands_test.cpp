@@ -17,7 +17,7 @@ class ScriptedHand {
  public:
   ScriptedHand(std::size_t hand, const RoomPlacement& room, const Pose& X_WG) : hand_(hand), room_(room) {
     moment_.X_RG = inRoom(X_WG);
-    setController(hand_, moment_);
+    test::setController(hand_, moment_);
   }
 
   const Pose& X_WG() const { return X_WG_; }
@@ -42,7 +42,7 @@ class ScriptedHand {
   }
   ScriptedHand& wait(double seconds) { return add(seconds); }
   void play() {
-    playController(hand_, moments_);
+    test::playController(hand_, moments_);
     moments_.clear();
   }
   bool hasPlayed() const { return test::hasPlayed(hand_); }
@@ -62,8 +62,8 @@ class ScriptedHand {
   std::size_t hand_;
   RoomPlacement room_;
   Pose X_WG_;  ///< pose at the end of the motions
-  ControllerMoment moment_;
-  std::vector<ControllerMoment> moments_;
+  test::ControllerMoment moment_;
+  std::vector<test::ControllerMoment> moments_;
 };
 
 constexpr std::size_t kRight = 1;
@@ -87,9 +87,9 @@ class HeadsetHandsTest : public test::WindowWithHeadset {
   double radius() { return problem().world->objectRadius(); }
   RoomPlacement room() { return placeRoom(bench().scene.view().extent(), ProductSize::OnTable); }
   /// The hand at the object's reference point.
-  test::ScriptedHand handAtTheObject() { return {kRight, room(), device().q_device}; }
+  ScriptedHand handAtTheObject() { return {kRight, room(), device().q_device}; }
   const std::vector<Pose>& wayPoints() { return bench().document.scenario()->scenario.wayPoints; }
-  bool hasPlayed(const test::ScriptedHand& hand) {
+  bool hasPlayed(const ScriptedHand& hand) {
     return until([&] { return hand.hasPlayed(); });
   }
   /// The pose of the object once the window has seen it at rest: the window's data are older than the controller's
@@ -106,7 +106,7 @@ class HeadsetHandsTest : public test::WindowWithHeadset {
     return last;
   }
   /// Least distance to the nearest obstacle while the hand carries out its motions.
-  double leastDistance(const test::ScriptedHand& hand) {
+  double leastDistance(const ScriptedHand& hand) {
     double least = device().nearest.distance;
     EXPECT_TRUE(until([&] {
       least = std::min(least, device().nearest.distance);
@@ -124,7 +124,7 @@ Pose pushedInto(const NearestObstacle& nearest, const Pose& q, double beyond) {
 TEST_F(HeadsetHandsTest, TakenMovedWithContactLetGoAndPlannedToTheGoal) {
   const double set = snapshot()->parameters[ParameterId::Alpha];
   const Pose start = problem().start;
-  test::ScriptedHand hand = handAtTheObject();
+  ScriptedHand hand = handAtTheObject();
   hand.press(kMenu).play();
   ASSERT_TRUE(until([this] { return glissade::isRunning(*snapshot()); }));
 
@@ -181,7 +181,7 @@ class HeadsetHandsAtThePump : public HeadsetHandsTest {
 };
 
 TEST_F(HeadsetHandsAtThePump, ItIsLiftedOffItsSeatAndPlannedToTheGoal) {
-  test::ScriptedHand hand = handAtTheObject();
+  ScriptedHand hand = handAtTheObject();
   hand.press(kMenu).squeeze(1.0).play();
   ASSERT_TRUE(until([this] { return holds(); }));
   const Pose X_OG = inverse(device().q_device) * hand.X_WG();
@@ -220,11 +220,11 @@ class HeadsetHandsAtAStep : public HeadsetHandsTest {
 
 /// A key has a bar that lies across the slot of the cover. It turns by a quarter, and leaves upwards.
 TEST_F(HeadsetHandsAtAStep, ItIsMovedByHandAndItsPathBecomesTheMotionOfTheStep) {
-  test::ScriptedHand chooser = handAtTheObject();
+  ScriptedHand chooser = handAtTheObject();
   giveLowerButton("sequence.by-hand");
   chooser.press(kLower).play();
   ASSERT_TRUE(until([this] { return bench().actions["sequence.leave-hand"]->isEnabled(); }));
-  test::ScriptedHand hand = handAtTheObject();
+  ScriptedHand hand = handAtTheObject();
   hand.press(kMenu).squeeze(1.0).play();
   ASSERT_TRUE(until([this] { return holds(); }));
   const Pose X_OG = inverse(device().q_device) * hand.X_WG();
@@ -250,7 +250,7 @@ TEST_F(HeadsetHandsAtAStep, TheInstructionIsCarriedOutByHand) {
   const RoomPlacement placed = room();
   const std::vector<PathPoint> way = bench().document.plan()->steps.front().path;
   const Pose X_WG = way.back().q;
-  test::ScriptedHand hand(kRight, placed, X_WG);
+  ScriptedHand hand(kRight, placed, X_WG);
   ASSERT_TRUE(until([this] { return bench().session.hand()->rightController.place.reading().X_WG.has_value(); }));
   bench().actions["headset.instruction"]->trigger();
   EXPECT_TRUE(bench().scene.view().showsSequence());

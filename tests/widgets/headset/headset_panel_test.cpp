@@ -13,13 +13,14 @@
 namespace glissade {
 namespace {
 
+/// A person of the scripted controllers who carries the panel in the left hand and points at it with the right one.
 class PointingHands {
  public:
   /// The left hand is there from the beginning; the right one comes with its first motion.
   explicit PointingHands(const Pose& X_RG) {
-    ControllerMoment left;
+    test::ControllerMoment left;
     left.X_RG = X_RG;
-    setController(0, left);
+    test::setController(0, left);
     BothControllers hands;
     hands[0].X_RG = X_RG;
     PanelInRoom panel;
@@ -44,9 +45,9 @@ class PointingHands {
     return add();
   }
   void play() {
-    if (!isThere_) setController(1, moments_.front());
+    if (!isThere_) test::setController(1, moments_.front());
     isThere_ = true;
-    playController(1, moments_);
+    test::playController(1, moments_);
     moments_.clear();
   }
 
@@ -58,9 +59,9 @@ class PointingHands {
   }
 
   Pose X_RP_;
-  ControllerMoment right_;
+  test::ControllerMoment right_;
   bool isThere_ = false;
-  std::vector<ControllerMoment> moments_;
+  std::vector<test::ControllerMoment> moments_;
 };
 
 /// The head before the panel, as a person uses it.
@@ -115,7 +116,7 @@ class HeadsetPanelTest : public test::WindowWithHeadset {
     return QImage(shown.at(0).rgba.data(), shown[0].width, shown[0].height, QImage::Format_RGBX8888).copy();
   }
 
-  test::PointingHands hands_{kLeftHand};
+  PointingHands hands_{kLeftHand};
 };
 
 TEST_F(HeadsetPanelTest, ARunIsStartedAndStoppedAndAlphaIsDraggedByThePanelAlone) {
