@@ -1,4 +1,4 @@
-// glissade: the workbench on screen. Links no OSMesa; --offscreen starts the sibling that does.
+// glissade: the window on screen. It links no OSMesa; --offscreen starts glissade-offscreen, which does.
 #include <unistd.h>
 
 #include <cstring>

@@ -1,4 +1,4 @@
-// glissade-offscreen: the same window without a display, drawn by OSMesa, in lockstep time.
+// glissade-offscreen: the same window without a display. OSMesa draws it, in lockstep time.
 #include <QtGlobal>
 
 #include <iostream>

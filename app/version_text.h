@@ -4,9 +4,8 @@
 
 namespace glissade {
 
-/// The version and, where the sources are a Git repository, the commit that the program was built of: "0.1.0
-/// (1a2b3c4)".
-/// "-dirty" follows the commit where the sources had changes that are in no commit.
+/// The version and, if the sources are a Git repository, the commit of the build: "0.1.0 (1a2b3c4)". The suffix
+/// "-dirty" says that the sources had changes that no commit holds.
 std::string versionText();
 
 }  // namespace glissade

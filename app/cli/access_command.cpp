@@ -1,4 +1,4 @@
-#include "app/cli/access_command.h"
+#include "app/cli/commands.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,12 +24,12 @@ constexpr const char* kSampled =
     "hand, forearm and tool were sampled along each motion: this is no proof of what lies between the samples, and "
     "the rest of the body is not considered";
 
-/// Bodies are named by the index that answers have.
+/// A body is named by its index in `bodies`, because the answers hold that index.
 Json toJson(const MotionAccess& motion, const std::vector<RigidBody>& bodies) {
   const auto name = [&bodies](const std::optional<std::size_t>& body) {
     return body ? Json(bodies[*body].id) : Json(nullptr);
   };
-  Json json{{"hand", handAccessName(motion.hand.access)}, {"tool", toolName(motion.tool)}};
+  Json json{{"hand", kHandAccessNames.of(motion.hand.access)}, {"tool", toolName(motion.tool)}};
   if (motion.hand.access == HandAccess::Free || motion.hand.access == HandAccess::Blocked) {
     json["hand_pose"] = poseJson(motion.hand.hold.X_WH);
     json["blocked_at_share"] = motion.hand.access == HandAccess::Free ? Json(nullptr) : Json(motion.hand.share);
@@ -70,7 +70,7 @@ std::string accessInWords(const MotionAccess& motion, const std::vector<RigidBod
 }
 
 Json header(const AccessOptions& options) {
-  return {{"file", options.file}, {"hand", handSizeName(options.hand)}, {"sampled", true}};
+  return {{"file", options.file}, {"hand", kHandSizeNames.of(options.hand)}, {"sampled", true}};
 }
 
 Person personOf(const AccessOptions& options) {
@@ -96,8 +96,8 @@ int accessOfPath(const AccessOptions& options, const StopToken& stop) {
     json["path"] = options.path;
     json["place"] = access->beginsAtEnd ? "end" : "start";
     json.update(toJson(access->motion, bodies));
-    json["hand"] = handSizeName(options.hand);
-    json["access"] = handAccessName(access->motion.hand.access);
+    json["hand"] = kHandSizeNames.of(options.hand);
+    json["access"] = kHandAccessNames.of(access->motion.hand.access);
     printJson(json);
   } else {
     std::cout << accessInWords(access->motion, bodies) << "\n" << kSampled << "\n";
@@ -105,7 +105,8 @@ int accessOfPath(const AccessOptions& options, const StopToken& stop) {
   return accessExitCode(access->motion.isReachedAndSeen());
 }
 
-/// Those of a group are numbered after the step that brings it, as in the work instruction.
+/// Prints the steps of a line and of its groups. The steps of a group are numbered after the step that adds the group,
+/// as in the work instruction.
 void printLine(const LineAccess& access, const std::vector<AssemblyStep>& steps,
                const std::vector<SubassemblyLine>& lines, const std::string& group, const AssembledProduct& product) {
   for (std::size_t i = 0; i < steps.size(); ++i) {
@@ -121,7 +122,7 @@ void printLine(const LineAccess& access, const std::vector<AssemblyStep>& steps,
 void printPlanAccess(const PlanAccess& access, const AssemblyPlan& plan, const AssembledProduct& product) {
   printLine(access, plan.steps, plan.lines, {}, product);
   std::cout << access.reached() << " of " << access.count() << " steps are reached and seen by the hand "
-            << handSizeName(access.person.size) << "\n"
+            << kHandSizeNames.of(access.person.size) << "\n"
             << kSampled << "\n";
 }
 

@@ -1,4 +1,4 @@
-#include "app/cli/check_command.h"
+#include "app/cli/commands.h"
 
 #include <unistd.h>
 
@@ -17,7 +17,7 @@
 namespace glissade::cli {
 namespace {
 
-/// The share of the work that is done, on the terminal of whoever waits.
+/// Shows on the terminal which share of the work is done.
 class CheckProgress {
  public:
   explicit CheckProgress(bool shown) : shown_(shown && isatty(STDERR_FILENO) != 0) {}
@@ -50,16 +50,15 @@ int exitCodeOf(bool valid, bool refused, const MissingShapes& missing, const Int
   return exitCode(ErrorKind::NoPath);
 }
 
-/// A reader that was stopped by the limit says that it was interrupted.
+/// Reports the error. A reader that the time limit stopped reports Interrupted; this becomes LimitReached.
 int reportStopped(Diagnostic error, const Interrupt& interrupt, Format format) {
   if (error.kind == ErrorKind::Interrupted && !interrupt.requested()) error.kind = ErrorKind::LimitReached;
   return reportError(error, format);
 }
 
-/// Forbidden places are found as planners find them, so that none is passed over that the file does not state. Regions
-/// that it states count as well.
+/// Adds the forbidden places of the scenario as planners find them, and the regions that its file states.
 Outcome addForbiddenPlaces(const std::string& file, const StopToken& stop, check::Question& question) {
-  if (!question.forbidsPlaces) return Done{};
+  if (!question.product.forbidsPlaces) return Done{};
   const auto loaded = loadScenario(file, stop);
   if (!loaded) return loaded.error();
   const auto places = forbiddenPlacesOf(*loaded, loaded->scenario, stop);
@@ -68,7 +67,7 @@ Outcome addForbiddenPlaces(const std::string& file, const StopToken& stop, check
     reportWarnings({*warning});
     for (const ForbiddenPlace& place : *places) question.forbidden.push_back({place.name, place.boxes});
   }
-  question.forbidsPlaces = !question.forbidden.empty();
+  question.product.forbidsPlaces = !question.forbidden.empty();
   return Done{};
 }
 
@@ -122,6 +121,7 @@ int checkPlan(const CheckOptions& options, const Interrupt& interrupt, const Sto
     return reportError(left.error(), options.format);
   }
   reportWarnings(product->warnings);
+  if (product->forbidsPlaces) reportWarnings({placesHoldForPathsOnly(options.scenario)});
   check::PlanVerdict verdict;
   {
     CheckProgress progress(options.format == Format::Text);

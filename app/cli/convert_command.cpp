@@ -1,4 +1,4 @@
-#include "app/cli/convert_command.h"
+#include "app/cli/commands.h"
 
 #include <filesystem>
 #include <iostream>
@@ -14,7 +14,7 @@
 namespace glissade::cli {
 namespace {
 
-/// Whether a file says of itself that it is a scenario.
+/// Whether a file states that it is a scenario.
 bool saysScenario(const std::string& file) {
   constexpr std::size_t kMostBytes = 16U << 20;
   const auto text = readFile(file, kMostBytes);

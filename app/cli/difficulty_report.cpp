@@ -5,7 +5,8 @@
 #include <sstream>
 
 #include "app/cli/report.h"
-#include "engine/import/json_reader.h"
+#include "engine/base/json_reader.h"
+#include "engine/geometry/pose_json.h"
 #include "engine/session/grown_roadmap.h"
 
 namespace glissade::cli {

@@ -10,7 +10,7 @@ namespace glissade::cli {
 /// Octree, places and borders, for people and for programs.
 void printEnvironment(const SceneKnowledge& knowledge, const SemanticModel& semantics);
 nlohmann::ordered_json toJson(const SceneKnowledge& knowledge, const SemanticModel& semantics);
-/// To stderr, which edits of places and milestones count nowhere, or not as they are meant.
+/// Prints to stderr which edits of places and milestones have no effect or not the intended one.
 void warnOfEdits(const LoadedScenario& scenario, const SceneKnowledge& knowledge);
 
 }  // namespace glissade::cli

@@ -1,10 +1,11 @@
-#include "app/cli/fits_command.h"
+#include "app/cli/commands.h"
 
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <sstream>
 
 #include "app/cli/interrupt.h"
@@ -12,8 +13,10 @@
 #include "engine/base/quantity_text.h"
 #include "engine/check/plain_overlaps.h"
 #include "engine/import/missing_shapes_json.h"
+#include "engine/import/step_import.h"
 #include "engine/product/alternatives.h"
 #include "engine/product/fit_table.h"
+#include "engine/scenario/part_files.h"
 #include "engine/scenario/product_file.h"
 
 namespace glissade::cli {
@@ -23,7 +26,7 @@ using Json = nlohmann::ordered_json;
 
 Json coordinates(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
 
-/// What is taken thinner while one of the bodies moves past the other.
+/// The allowances with which one body of the pair moves past the other.
 Json toJson(const PairWay& way, const std::string& moving, const std::string& other) {
   Json json{{"moving", moving}, {"thinner", Json::array()}};
   for (const Fit& fit : way.taken) {
@@ -63,12 +66,44 @@ std::size_t plainOverlapsIn(const std::vector<PairFit>& rows) {
       std::count_if(rows.begin(), rows.end(), [](const PairFit& row) { return row.contact.isPlainOverlap; }));
 }
 
-void printPairs(const std::vector<PairFit>& rows, const MissingShapes& missing) {
+/// Whether the overlap of the pair is an error of modelling, or may be one.
+bool isOverlap(const PairFit& row) { return row.contact.isPlainOverlap || row.status() == FitStatus::Clash; }
+
+/// Cubic metres that the solids of the file have in common, for each row that isOverlap(); nothing for other rows, and
+/// if the file has no solids.
+using Volumes = std::vector<std::optional<double>>;
+
+Volumes commonVolumesOf(const std::vector<PairFit>& rows, const std::string& file, const StopToken& stop) {
+  Volumes volumes(rows.size());
+  const std::string path = usualPart(file).path;
+  if (!isCadFile(path)) return volumes;
+  std::vector<std::pair<std::string, std::string>> pairs;
+  for (const PairFit& row : rows) {
+    if (isOverlap(row)) pairs.emplace_back(row.a, row.b);
+  }
+  const auto found = commonVolumes(path, pairs, stop);
+  if (!found) {
+    Diagnostic why = found.error();
+    why.reason = "the volumes that solids have in common are not known: " + why.reason;
+    reportWarnings({why});
+    return volumes;
+  }
+  auto next = found->begin();
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (isOverlap(rows[i])) volumes[i] = *next++;
+  }
+  return volumes;
+}
+
+void printPairs(const std::vector<PairFit>& rows, const Volumes& volumes, const MissingShapes& missing) {
   Json json{{"pairs", Json::array()}, {"counts", Json::object()}, {"missing_shapes", missingShapesJson(missing)}};
-  for (const PairFit& row : rows) json["pairs"].push_back(toJson(row));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    json["pairs"].push_back(toJson(rows[i]));
+    if (volumes[i]) json["pairs"].back()["common_volume_m3"] = *volumes[i];
+  }
   for (const auto& [kind, count] : countsByKind(rows)) json["counts"][kind] = count;
   json["plain_overlaps"] = plainOverlapsIn(rows);
-  // Names come from files.
+  // Names come from files and can hold invalid UTF-8.
   std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
 }
 
@@ -84,7 +119,7 @@ std::string joined(const std::vector<std::string>& names) {
   return all;
 }
 
-/// Bodies by the names that the file has, with those of the assemblies that they are in.
+/// Prints bodies by their names in the file, and the names of the assemblies that hold them.
 void printCsv(const std::vector<PairFit>& rows, const Product& tree) {
   const std::vector<std::string> paths = tree.shownPaths();
   const auto nameOf = [&](const std::string& id) {
@@ -118,7 +153,31 @@ std::string thinnerInWords(const PairFit& row) {
   return text.str();
 }
 
-void printTable(const std::vector<PairFit>& rows, std::size_t bodies) {
+/// "12.997 mm3"
+std::string inCubicMillimetres(double volume) {
+  constexpr double kCubicMillimetre = 1e-9;
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(3) << volume / kCubicMillimetre << " mm3";
+  return text.str();
+}
+
+/// Prints the common volumes, the deepest overlap first.
+void printVolumes(const std::vector<PairFit>& rows, const Volumes& volumes) {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (volumes[i]) order.push_back(i);
+  }
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t one, std::size_t other) {
+    return rows[one].contact.overlap > rows[other].contact.overlap;
+  });
+  if (!order.empty()) std::cout << "common volumes of the solids in the file:\n";
+  for (const std::size_t i : order) {
+    std::cout << "  '" << rows[i].shown[0] << "' and '" << rows[i].shown[1] << "': " << inCubicMillimetres(*volumes[i])
+              << ", " << inMillimetres(rows[i].contact.overlap) << " deep\n";
+  }
+}
+
+void printTable(const std::vector<PairFit>& rows, const Volumes& volumes, std::size_t bodies) {
   std::size_t width = 1;
   for (const PairFit& row : rows) width = std::max(width, row.shown[0].size());
   std::cout << std::left << std::setw(42) << "kind        gap or overlap" << std::setw(19) << "taken thinner"
@@ -147,6 +206,7 @@ void printTable(const std::vector<PairFit>& rows, std::size_t bodies) {
   std::cout << "\n";
   if (const std::size_t plain = plainOverlapsIn(rows); plain > 0)
     std::cout << check::plainOverlapsInWords(plain) << "\n";
+  printVolumes(rows, volumes);
 }
 
 Outcome checkLimits(const ContactLimits& limits) {
@@ -180,12 +240,13 @@ int runFits(const FitsOptions& options) {
   const std::vector<PairFit>& rows = table->pairs();
   reportWarnings(warningsOfPlainOverlaps(rows));
   reportWarnings(warningsOf(findAlternatives(product.bodies, interrupt.token()), product.bodies));
+  const Volumes volumes = options.csv ? Volumes(rows.size()) : commonVolumesOf(rows, options.file, interrupt.token());
   if (options.format == Format::Json) {
-    printPairs(rows, loaded->missing);
+    printPairs(rows, volumes, loaded->missing);
   } else if (options.csv) {
     printCsv(rows, product.tree);
   } else {
-    printTable(rows, product.bodies.size());
+    printTable(rows, volumes, product.bodies.size());
   }
   return 0;
 }

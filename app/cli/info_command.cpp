@@ -1,4 +1,4 @@
-#include "app/cli/info_command.h"
+#include "app/cli/commands.h"
 
 #include <algorithm>
 #include <array>
@@ -30,7 +30,7 @@ using Json = nlohmann::ordered_json;
 
 Json boxJson(const Box3& box) { return {{"min", vectorJson(box.min())}, {"max", vectorJson(box.max())}}; }
 
-/// How far the mesh of a body may be off, metres; 0 where it is what was given.
+/// How far the mesh of a body may deviate, metres; 0 if the mesh is exact.
 struct Uncertainty {
   double deflection = 0.0;
   double coordinateSpacing = 0.0;
@@ -44,7 +44,7 @@ Uncertainty uncertaintyOf(const RigidBody& body, const LoadedScenario& loaded) {
   return {valueOf(loaded.deflections), valueOf(loaded.coordinateSpacings)};
 }
 
-/// Of the meshes of a scenario, each once.
+/// Audits each mesh of a scenario once.
 class MeshAudits {
  public:
   const MeshAudit& of(const MeshPtr& mesh) {
@@ -56,7 +56,7 @@ class MeshAudits {
   std::map<MeshPtr, MeshAudit> audits_;
 };
 
-/// The number of meshes, each once.
+/// The number of different meshes.
 std::size_t differentMeshes(const std::vector<RigidBody>& bodies) {
   std::set<MeshPtr> meshes;
   for (const RigidBody& body : bodies) meshes.insert(body.mesh);
@@ -73,7 +73,7 @@ Json toJson(const RigidBody& body, const Uncertainty& uncertainty, MeshAudits& a
   const MeshAudit& result = audits.of(body.mesh);
   return {{"id", body.id},
           {"name", body.name},
-          {"mobility", body.mobility == Mobility::Static ? "static" : "mobile"},
+          {"mobility", kMobilityNames.of(body.mobility)},
           {"triangles", result.triangles},
           {"closed", result.closed()},
           {"open_edges", result.openEdges},
@@ -93,7 +93,7 @@ Json toJson(const Asset& asset) {
           {"up_axis", asset.up == UpAxis::Y ? "y" : "z"}};
 }
 
-/// Of the column of names.
+/// The width of the column of names.
 int nameWidth(const std::vector<RigidBody>& bodies) {
   std::size_t width = 23;
   for (const RigidBody& body : bodies) width = std::max(width, body.shown().size());
@@ -115,7 +115,7 @@ void printBody(const RigidBody& body, const Uncertainty& uncertainty, const char
   std::cout << "\n";
 }
 
-/// The number of bodies that are there, of those below each node.
+/// The number of present bodies below each node.
 std::vector<std::size_t> bodyCounts(const Product& tree, const std::vector<RigidBody>& bodies) {
   std::vector<std::size_t> counts(tree.nodes().size(), 0);
   for (const RigidBody& body : bodies) {
@@ -130,7 +130,7 @@ std::string attributesText(const Attributes& attributes) {
   return text;
 }
 
-/// The assemblies, each below the one that it is in; nothing where there are none.
+/// Prints each assembly below its parent; prints nothing if there are no assemblies.
 void printTree(const Product& tree, const std::vector<RigidBody>& bodies) {
   const std::vector<std::size_t> counts = bodyCounts(tree, bodies);
   const std::vector<std::string> names = tree.shownNames();
@@ -177,7 +177,7 @@ void printText(const LoadedScenario& loaded) {
   MeshAudits audits;
   const int width = nameWidth(rigidBodiesOf(loaded));
   for (const RigidBody& body : loaded.obstacles) {
-    const char* role = body.mobility == Mobility::Static ? "static" : "mobile";
+    const char* role = kMobilityNames.of(body.mobility);
     printBody(body, uncertaintyOf(body, loaded), role, width, audits);
   }
   for (const RigidBody& body : loaded.objectBodies) {
@@ -195,7 +195,7 @@ void printText(const LoadedScenario& loaded) {
   }
 }
 
-/// Of the unit that most bodies state their lengths in; nothing where none states one.
+/// Text for the length unit of most bodies; empty if no body states a unit.
 std::string unitText(const Product& tree) {
   static constexpr std::array<std::pair<double, const char*>, 5> kNames{
       {{0.001, "millimetres"}, {0.01, "centimetres"}, {1.0, "metres"}, {kInch, "inches"}, {kFoot, "feet"}}};
@@ -211,7 +211,7 @@ void printMissing(const MissingShapes& missing) {
   if (!missing.empty()) std::cout << "\nshapes that are no bodies  " << listOf(missing) << "\n";
 }
 
-/// The bodies of a part file, which has neither an object nor a problem.
+/// Prints the bodies of a part file, which has neither an object nor a problem.
 void printProduct(const std::string& file, const AssembledProduct& product) {
   std::cout << file << "\n"
             << product.bodies.size() << " bodies, " << differentMeshes(product.bodies) << " different meshes, "
@@ -259,7 +259,7 @@ int runProductInfo(const InfoOptions& options) {
   return 0;
 }
 
-/// The file keeps all else that it says.
+/// Writes the forbidden regions into the scenario file and keeps the rest of the file.
 Outcome saveRegions(const std::string& file, LoadedScenario& loaded) {
   auto places = forbiddenPlacesOf(loaded, loaded.scenario);
   if (!places) return places.error();

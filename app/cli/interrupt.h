@@ -9,8 +9,8 @@
 
 namespace glissade::cli {
 
-/// Turns SIGINT and SIGTERM into a request to stop. Create it on the main thread before any other
-/// thread; a thread of its own waits for the signals, so no handler touches our data.
+/// Turns SIGINT and SIGTERM into a request to stop. It must be created on the main thread before any other thread. Its
+/// own thread waits for the signals, so no signal handler touches data of the program.
 class Interrupt {
  public:
   Interrupt();
@@ -31,7 +31,7 @@ class Interrupt {
   std::thread waiter_;
 };
 
-/// The token with a deadline in so many seconds; 0 sets none.
+/// The token with a deadline in `seconds`; 0 sets none.
 StopToken withTimeLimit(const StopToken& stop, double seconds);
 
 }  // namespace glissade::cli

@@ -1,4 +1,4 @@
-#include "app/cli/joints_command.h"
+#include "app/cli/commands.h"
 
 #include <algorithm>
 #include <array>
@@ -68,12 +68,12 @@ std::map<std::string, int> countsOf(const Joints& joints) {
   return counts;
 }
 
-/// Screws in bodies that the file has without a hole.
+/// The number of screws in bodies that have no hole for them in the file.
 auto screwHoles(const Joints& joints) {
   return std::count_if(joints.begin(), joints.end(), [](const Joint& joint) { return joint.makesHole; });
 }
 
-/// Letters, not bytes, of UTF-8.
+/// The number of UTF-8 characters, not of bytes.
 std::size_t widthOf(const std::string& text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
@@ -118,7 +118,7 @@ void printJoints(const Joints& joints, const AssembledProduct& product) {
   printJson(json);
 }
 
-/// Found, and as the scenario says of them.
+/// The joints that were found, changed as the scenario says.
 Result<Joints> jointsOf(const ProductFile& loaded, bool confirmsSuggested, const StopToken& stop) {
   Joints found = findJoints(loaded.product, stop, loaded.classes);
   if (stop.stopRequested()) return Diagnostic{ErrorKind::Interrupted, "", "", "was interrupted", ""};

@@ -1,4 +1,4 @@
-// glissade-cli: everything that needs no window. Links no Qt.
+// glissade-cli: the commands that need no window. It links no Qt.
 #include <signal.h>
 
 #include <CLI/CLI.hpp>
@@ -10,32 +10,33 @@
 #include <optional>
 #include <string>
 
-#include "app/cli/access_command.h"
-#include "app/cli/check_command.h"
-#include "app/cli/convert_command.h"
-#include "app/cli/fits_command.h"
-#include "app/cli/info_command.h"
-#include "app/cli/joints_command.h"
-#include "app/cli/length_option.h"
-#include "app/cli/new_command.h"
-#include "app/cli/plan_command.h"
+#include "app/cli/commands.h"
 #include "app/cli/printable_output.h"
-#include "app/cli/replay_command.h"
-#include "app/cli/sequence_command.h"
-#include "app/cli/smooth_command.h"
-#include "app/cli/study_command.h"
-#include "app/cli/sweep_command.h"
-#include "app/cli/times_command.h"
 #include "app/version_text.h"
 #include "engine/base/guarded.h"
 #include "engine/base/limits.h"
 #include "engine/base/number_text.h"
+#include "engine/base/quantity_text.h"
 #include "engine/scenario/path_exporter.h"
 
 namespace {
 
 using namespace glissade;
 using namespace glissade::cli;
+
+/// Converts a length as people write it to metres: 0.0005, 0.5mm, 5 cm, 1in. Units: m, cm, mm, in, inch, ft; none:
+/// metres. Throws CLI::ValidationError with the reason.
+double metres(const std::string& text) {
+  const auto length = toMetres(text, 1.0);
+  if (!length) {
+    throw CLI::ValidationError("'" + text +
+                               "' is not a length: give metres, or a unit as in 0.5mm (m, cm, mm, in, ft)");
+  }
+  if (!limits::isCoordinate(*length)) {
+    throw CLI::ValidationError("'" + text + "' is beyond 1e9 m: check the unit");
+  }
+  return *length;
+}
 
 void addFormat(CLI::App& command, Format& format) {
   command.add_flag_callback(
@@ -55,7 +56,7 @@ void addLength(CLI::App& command, const std::string& option, const std::function
       option, [take](const std::string& text) { take(metres(text)); }, help);
 }
 
-/// One option for every row of the parameter table. Ranges are checked when the object's size is known.
+/// Adds one option for each row of the parameter table. Ranges are checked when the object's size is known.
 void addParameters(CLI::App& command, std::map<ParameterId, double>& values) {
   for (const ParameterSpec& spec : parameterTable()) {
     const std::string help = std::string(spec.help) + (spec.unit.empty() ? "" : " [" + std::string(spec.unit) + "]");
@@ -125,13 +126,13 @@ CLI::App* addPlan(CLI::App& app, PlanOptions& options) {
   return plan;
 }
 
-/// Commands that take products have this option.
+/// Adds the option that all commands about products have.
 void addWithout(CLI::App& command, std::vector<std::string>& without) {
   command.add_option("--without", without,
                      "Leave a body or an assembly of the product out: its name (can be repeated)");
 }
 
-/// Commands that take product files have this option.
+/// Adds the option that all commands about product files have.
 void addOpen(CLI::App& command, std::vector<std::string>& open) {
   command.add_option("--open", open, "Take a part of several solids as these: its name (can be repeated)");
 }
@@ -197,7 +198,7 @@ CLI::App* addInfo(CLI::App& app, InfoOptions& options) {
   return info;
 }
 
-/// Of commands that take part files; a scenario states the deflection of its assets itself.
+/// Adds the option for commands that take part files; a scenario states the deflection of its assets itself.
 void addPartDeflection(CLI::App& command, double& deflection) {
   addLength(
       command, "--deflection",
@@ -316,7 +317,7 @@ CLI::App* addAccess(CLI::App& app, AccessOptions& options) {
   access->add_option("--path", options.path, "Path of the object: " + readablePathFormats());
   access->add_option("--plan", options.plan, "Assembly plan, as 'sequence --out' writes it");
   std::map<std::string, HandSize> sizes;
-  for (const HandSize size : kHandSizes) sizes[handSizeName(size)] = size;
+  for (const HandSize size : kHandSizes) sizes[kHandSizeNames.of(size)] = size;
   access
       ->add_option_function<std::string>(
           "--hand", [&options, sizes](const std::string& size) { options.hand = sizes.at(size); },
@@ -491,7 +492,7 @@ int run(int argc, char** argv) {
   return runConvert(convert);
 }
 
-/// Nothing, or why standard output could not be written. A pipe whose reader has ended, such as head, is no error.
+/// Why standard output could not be written, or nothing. A closed pipe, as of head, is no error.
 std::optional<Diagnostic> unwritten(PrintableOutput& output) {
   const int error = output.flush();
   if (error == 0 || error == EPIPE) return std::nullopt;

@@ -1,4 +1,4 @@
-#include "app/cli/new_command.h"
+#include "app/cli/commands.h"
 
 #include <iostream>
 
@@ -37,7 +37,7 @@ std::vector<PartFile> partsOf(const NewOptions& options) {
   return parts;
 }
 
-/// Millimetres that the start has gone.
+/// Moves the start clear of other bodies and returns by how many millimetres.
 Result<double> clearStart(const LoadedScenario& loaded, Scenario& scenario) {
   const Pose& start = loaded.problem.start;
   const auto clear = moveToClearance(wholeWorld(loaded), start, loaded.parameters[ParameterId::RequiredClearance]);
@@ -46,7 +46,8 @@ Result<double> clearStart(const LoadedScenario& loaded, Scenario& scenario) {
   return 1000.0 * (clear->position - start.position).norm();
 }
 
-/// The scenario keeps them, as left out, and a warning says which; the part that moves stays.
+/// Leaves the named bodies out and warns of each. The scenario keeps them as left out. The part that moves cannot be
+/// left out.
 Outcome leaveOut(const std::vector<std::string>& names, Scenario& scenario) {
   if (names.empty()) return Done{};
   std::vector<std::string> ids;

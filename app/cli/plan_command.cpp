@@ -1,24 +1,133 @@
-#include "app/cli/plan_command.h"
+#include "app/cli/commands.h"
 
 #include <algorithm>
+#include <cctype>
 #include <iostream>
 
 #include "app/cli/environment_report.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/run_output.h"
-#include "app/cli/run_setup.h"
+#include "engine/operator/device_registry.h"
+#include "engine/operator/task_operator.h"
 #include "engine/planning/fine/coarse_preview.h"
 #include "engine/scenario/forbidden_places_of.h"
 #include "engine/scenario/path_exporter.h"
+#include "engine/scenario/path_reader.h"
+#include "engine/scenario/run_record.h"
 #include "engine/scenario/scenario_io.h"
+#include "engine/session/replay_session.h"
+#include "engine/session/session.h"
 
 namespace glissade::cli {
 namespace {
 
-/// Planner steps between two looks at the clock of the outside world.
+constexpr const char* kReplay = "replay:";
+
+/// The way-points of a simulated operator: those of the path file if one is given, else the scenario's way-points and
+/// its goal if it is a configuration.
+Result<std::vector<Pose>> routeOf(const PlanOptions& options, const LoadedScenario& scenario) {
+  if (!options.way.empty()) {
+    const auto points = readPath(options.way);
+    if (!points) return points.error();
+    std::vector<Pose> path;
+    for (const PathPoint& point : *points) path.push_back(point.q);
+    return taskRoute(path, scenario.problem.metric());
+  }
+  std::vector<Pose> route = scenario.scenario.wayPoints;
+  if (const Pose* goal = std::get_if<Pose>(&scenario.problem.goal)) route.push_back(*goal);
+  return route;
+}
+
+Outcome setAll(const std::map<ParameterId, double>& values, ParameterValues& parameters) {
+  for (const auto& [id, value] : values) {
+    const Outcome outcome = parameters.set(id, value);
+    if (!outcome) return outcome;
+  }
+  return Done{};
+}
+
+/// Lets the strategy be written in capital letters, as "GTS" in the window.
+std::string lowerCase(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
+Outcome checkPlanner(const std::string& id) {
+  if (makePlannerRegistry().find(id) != nullptr) return Done{};
+  return Diagnostic{ErrorKind::Usage, "", "--strategy", "there is no planner '" + id + "'",
+                    "See 'glissade-cli plan --help' for the planners."};
+}
+
+/// Sets up the recorded run, with the changes that the options make.
+Result<std::unique_ptr<LockstepSession>> setUpReplay(const PlanOptions& options, const LoadedScenario& scenario,
+                                                     const std::string& file, const StopToken& stop) {
+  const auto record = readRunRecord(file);
+  if (!record) return record.error();
+  auto log = replayLog(*record, scenario, file);
+  if (!log) return log.error();
+  ParameterValues trial = log->start.parameters;
+  const Outcome parameters = setAll(options.parameters, trial);
+  if (!parameters) return parameters.error();
+  for (const auto& [id, value] : options.parameters) overrideParameter(id, value, *log);
+  if (options.seed) log->start.seed = *options.seed;
+  if (options.strategy) log->start.planner = *options.strategy;
+  const Outcome planner = checkPlanner(log->start.planner);
+  if (!planner) return planner.error();
+  const auto problem = withRecordedKnowledge(scenario.problem, *log, stop);
+  if (!problem) return problem.error();
+  const bool another = !options.parameters.empty() || options.seed || options.strategy;
+  return std::unique_ptr<LockstepSession>(makeReplaySession(*problem, std::make_shared<const RunLog>(std::move(*log)),
+                                                            another ? ReplayEnd::GoOn : ReplayEnd::WithTheLog));
+}
+
+DeviceRegistry simulatedOperators() {
+  DeviceRegistry registry = makeDeviceRegistry();
+  addTaskOperators(registry);
+  return registry;
+}
+
+Diagnostic unknownOperator(const std::string& name) {
+  std::string known = "none";
+  const DeviceRegistry registry = simulatedOperators();
+  for (const DeviceEntry& entry : registry.entries()) {
+    if (entry.simulated) known += ", " + entry.id;
+  }
+  return {ErrorKind::Usage, "", "--operator", "there is no operator '" + name + "'",
+          "Choose one of " + known + " or replay:FILE."};
+}
+
+/// Sets up the session of a run from the scenario, the options and (for replay) a run record. The options override the
+/// record, and the record overrides the scenario.
+Result<std::unique_ptr<LockstepSession>> setUpRun(const PlanOptions& options, const LoadedScenario& scenario,
+                                                  const StopToken& stop) {
+  const std::string& name = options.operatorName;
+  const std::string replay = kReplay;
+  if (name.rfind(replay, 0) == 0) return setUpReplay(options, scenario, name.substr(replay.size()), stop);
+
+  SessionConfig config{scenario.problem, scenario.parameters, scenario.scenario.planner, scenario.scenario.seed,
+                       nullptr};
+  const Outcome parameters = setAll(options.parameters, config.parameters);
+  if (!parameters) return parameters.error();
+  if (options.seed) config.seed = *options.seed;
+  if (options.strategy) config.plannerId = lowerCase(*options.strategy);
+  const Outcome planner = checkPlanner(config.plannerId);
+  if (!planner) return planner.error();
+  if (name == "none") return makeLockstepSession(std::move(config));
+
+  const DeviceRegistry registry = simulatedOperators();
+  const DeviceEntry* entry = registry.find(name);
+  if (entry == nullptr || !entry->simulated) return unknownOperator(name);
+  auto route = routeOf(options, scenario);
+  if (!route) return route.error();
+  config.device =
+      entry->make({std::move(*route), scenario.problem.metric(), config.seed, nullptr, scenario.problem.world});
+  return makeLockstepSession(std::move(config));
+}
+
+/// Planner steps between two checks for an interruption.
 constexpr std::uint64_t kSlice = 200;
 
-/// Plans until the run ends or somebody interrupts it.
+/// Plans until the run ends or a person interrupts it.
 SnapshotPtr planInLockstep(LockstepSession& session, const Interrupt& interrupt) {
   session.post(command::Start{});
   session.advance(0);
@@ -30,18 +139,19 @@ SnapshotPtr planInLockstep(LockstepSession& session, const Interrupt& interrupt)
   return session.snapshot();
 }
 
-/// The planner makes an environment model of its own, or none: its counts must not depend on what is asked here.
+/// Warns of edits without effect. It builds its own environment model, because the planner's counts must not depend on
+/// these checks.
 void checkEdits(const LoadedScenario& loaded, const StopToken& stop) {
   if (loaded.scenario.places.empty() && loaded.scenario.milestones.empty()) return;
   const auto knowledge = buildSceneKnowledge(loaded.problem, loaded.parameters[ParameterId::RequiredClearance], stop);
   if (!knowledge) return;
   warnOfEdits(loaded, **knowledge);
   const auto places = forbiddenPlacesOf((*knowledge)->environment->map, semanticEditsOf(loaded.scenario));
-  if (!places) return;  // the run says why
+  if (!places) return;  // the run reports the reason
   if (const auto warning = regionsWarning(loaded.scenario, *places, loaded.file)) reportWarnings({*warning});
 }
 
-/// Only strategies that plan coarsely look at milestones and preferences.
+/// Warns of milestones and preferences that the strategy does not use: only strategies that plan coarsely use them.
 void warnOfUnused(const PlanOptions& options, const LoadedScenario& loaded) {
   const std::string strategy = options.strategy.value_or(loaded.scenario.planner);
   if (isMultiLayer(strategy)) return;
@@ -57,7 +167,7 @@ void warnOfUnused(const PlanOptions& options, const LoadedScenario& loaded) {
   reportWarnings(unused);
 }
 
-/// Asked first, not after the whole search.
+/// Checks the output format before the search starts.
 Outcome knowsOutput(const PlanOptions& options) {
   if (options.out.empty()) return Done{};
   const auto exporter = pathExporterFor(options.out);

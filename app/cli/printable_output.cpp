@@ -20,7 +20,7 @@ PrintableOutput::int_type PrintableOutput::overflow(int_type character) {
   return xsputn(&c, 1) == 1 ? character : traits_type::eof();
 }
 
-/// A line at a time, so that no character is cut in two.
+/// Converts whole lines, so that no character is cut in two.
 std::streamsize PrintableOutput::xsputn(const char* text, std::streamsize size) {
   constexpr std::size_t kMostPending = 1U << 16;
   pending_.append(text, static_cast<std::size_t>(size));

@@ -6,8 +6,9 @@
 
 namespace glissade::cli {
 
-/// While it lives, everything that is written to a stream becomes printable text first (printableText()): names out of
-/// files cannot send control characters to the terminal, and what is read from a pipe is valid UTF-8.
+/// While an object of this class lives, everything that is written to the stream becomes printable text first
+/// (printableText()). Names from files then cannot send control characters to the terminal, and a pipe receives valid
+/// UTF-8.
 class PrintableOutput final : private std::streambuf {
  public:
   explicit PrintableOutput(std::ostream& stream);
@@ -26,8 +27,8 @@ class PrintableOutput final : private std::streambuf {
 
   std::ostream& stream_;
   std::streambuf* target_;
-  std::string pending_;  ///< written to this one and not yet to the target
-  int error_ = 0;        ///< of the first write that failed
+  std::string pending_;  ///< written to this buffer and not yet to the target
+  int error_ = 0;        ///< errno of the first write that failed
 };
 
 }  // namespace glissade::cli

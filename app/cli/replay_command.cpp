@@ -1,4 +1,4 @@
-#include "app/cli/replay_command.h"
+#include "app/cli/commands.h"
 
 #include <glissade/version.h>
 
@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Session steps between two looks at the clock of the outside world.
+/// Session steps between two checks for an interruption.
 constexpr std::uint64_t kReplaySlice = 1000;
 
 struct Replayed {
@@ -95,7 +95,7 @@ int runReplay(const ReplayOptions& options) {
   const auto replayed = replay(options, interrupt);
   if (!replayed) return reportError(replayed.error(), options.format);
   if (const auto loss = lossWarning(replayed->record, options.record)) reportWarnings({*loss});
-  // A run that failed before its first step left nothing to compare but that.
+  // A run that failed before its first step has an empty log.
   const RunLog again = replayed->end->log.empty() ? RunLog() : joined(replayed->end->log);
   const auto difference = firstDifference(replayed->recorded, again);
   if (options.format == Format::Json) {

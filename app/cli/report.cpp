@@ -27,6 +27,12 @@ int reportError(const Diagnostic& error, Format format) {
   return exitCode(error.kind);
 }
 
+Diagnostic placesHoldForPathsOnly(const std::string& file) {
+  return {ErrorKind::MalformedInput, file, "",
+          "forbids places to the path of its object; the steps of an assembly plan may cross them",
+          "Forbid directions of parts instead (--forbid)."};
+}
+
 void reportWarnings(const Warnings& warnings) {
   for (const Diagnostic& warning : warnings) std::cerr << "glissade-cli: warning: " << toString(warning) << "\n";
 }

@@ -10,10 +10,10 @@
 
 namespace glissade::cli {
 
-/// How a command speaks: for people, or one JSON object on stdout and nothing else.
+/// Output format of a command: text for people, or one JSON object on stdout and nothing else.
 enum class Format { Text, Json };
 
-/// Exit code of a plan that is complete or valid, and whose flexible bodies leave without a proof.
+/// Exit code of a plan that is complete or valid except for flexible bodies that leave without a proof.
 inline constexpr int kExitWithoutProof = 6;
 /// Exit code of a plan that is valid only under conditions that it states itself.
 inline constexpr int kExitUnderConditions = 7;
@@ -21,9 +21,11 @@ inline constexpr int kExitUnderConditions = 7;
 /// Prints one JSON document to stdout.
 void printJson(const nlohmann::ordered_json& json);
 
-/// Prints the error to stderr (and as JSON to stdout) and returns the exit code that goes with it.
+/// Prints the error to stderr (and as JSON to stdout) and returns its exit code.
 int reportError(const Diagnostic& error, Format format);
 void reportWarnings(const Warnings& warnings);
+/// A warning that the forbidden places of a scenario hold only for the path of its object, not for a plan.
+Diagnostic placesHoldForPathsOnly(const std::string& file);
 
 /// Number of a JSON report; null where it is not finite.
 nlohmann::ordered_json number(double value);
@@ -31,20 +33,19 @@ nlohmann::ordered_json number(double value);
 nlohmann::ordered_json vectorJson(const Vector3& v);
 nlohmann::ordered_json poseJson(const Pose& pose);
 nlohmann::ordered_json toJson(const MotionCertificate& certificate, const CollisionWorld& world, bool edges = false);
-/// A line for every edge, to stdout.
+/// Prints a line for every edge to stdout.
 void printEdges(const MotionCertificate& certificate, const CollisionWorld& world);
-/// Of an obstacle; empty where the index is -1.
+/// Name of an obstacle; empty if the index is -1.
 std::string bodyName(const CollisionWorld& world, int body);
 nlohmann::ordered_json toJson(const Diagnostic& error);
 
-/// How much nearer than certified bodies may be, because of tessellation and of the files' numbers. For JSON, and as
-/// lines of text; none where triangles are exactly what there is. With what fits allow, and the turns of the path in
-/// threads.
+/// Adds to the certificate what limits its accuracy: the tessellation, the number format of the files, the allowances
+/// of fits, the turns of the path in threads, and shapes that are no bodies.
 void addUncertainties(const LoadedScenario& scenario, const std::vector<PathPoint>& path,
                       nlohmann::ordered_json& certificate);
 std::string deviationInWords(const LoadedScenario& scenario, const std::vector<PathPoint>& path);
 
-/// "certified, 1.5 mm to wall_L1" and the like.
+/// The certificate in words, such as "certified: clearance 1.5 mm to 'wall_L1'".
 std::string inWords(const MotionCertificate& certificate, const CollisionWorld& world);
 
 }  // namespace glissade::cli

@@ -68,12 +68,12 @@ template <class T>
 Json byAuthor(const PerAuthor<T>& values) {
   Json json;
   for (const Author author : {Author::Computer, Author::Operator, Author::Contact}) {
-    json[authorName(author)] = values[static_cast<std::size_t>(author)];
+    json[kAuthorNames.of(author)] = values[static_cast<std::size_t>(author)];
   }
   return json;
 }
 
-/// Of the path's metric length.
+/// The share of each author in the path's metric length.
 PerAuthor<double> pathShares(const Path& path, const CollisionWorld& world) {
   PerAuthor<double> shares = path.lengthByAuthor(Se3Metric(world.objectRadius()));
   const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
@@ -83,7 +83,7 @@ PerAuthor<double> pathShares(const Path& path, const CollisionWorld& world) {
 
 std::string percent(double share) { return std::to_string(std::lround(100.0 * share)) + " %"; }
 
-/// What sets itself, and nothing else.
+/// The settings that a tuner adjusts.
 Json toJson(const InteractionSettings& settings, int tuned) {
   Json json;
   for (const ParameterSpec& spec : parameterTable()) {
@@ -98,7 +98,7 @@ Json toJson(const HandReport& hand, bool found) {
   return json;
 }
 
-/// What came of what the hand has shown.
+/// Prints how the configurations that the hand showed were used.
 void printHand(const HandReport& hand, bool found) {
   std::cout << "your hand showed " << hand.shown << " configurations; " << hand.collided << " were in collision, "
             << hand.movedToContact << " of these were moved to contact\n";
@@ -194,13 +194,13 @@ int exitCodeOf(const SessionSnapshot& end) {
   return exitCode(end.problem ? end.problem->kind : ErrorKind::Internal);
 }
 
-/// The search ended without a path, and not for want of a start.
+/// The search ended without a path; a start in collision does not count.
 bool foundNone(const SessionSnapshot& end) {
   return end.problem && (end.problem->kind == ErrorKind::NoPath || end.problem->kind == ErrorKind::LimitReached);
 }
 
-/// The bodies that have to leave first: those that keep the object in its threads; where it is in none, those that stop
-/// it on its way straight out. After a limit the ways out of threads are not searched for again.
+/// The bodies that have to leave first. If the object is engaged in threads, these are the bodies that keep it there;
+/// else they block it on its straight way out. After a limit, ways out of threads are not searched.
 std::vector<const RigidBody*> blockingBodies(const LoadedScenario& scenario, const SessionSnapshot& end,
                                              const StopToken& stop) {
   const Problem& problem = scenario.problem;
@@ -239,7 +239,7 @@ SaveResult writeRecord(const PlanOptions& options, const LoadedScenario& scenari
   return writeRunRecord(*record, options.record);
 }
 
-/// Writes the files that were asked for, up to the first that cannot be written.
+/// Writes the requested files until one cannot be written.
 std::optional<Diagnostic> writeFiles(const PlanOptions& options, const LoadedScenario& scenario,
                                      const SessionSnapshot& end) {
   if (end.path && !options.out.empty()) {

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "app/cli/plan_command.h"
+#include "app/cli/commands.h"
 
 namespace glissade::cli {
 
-/// Writes path and record as asked for, reports the run, and returns the process's exit code. The
-/// difficulty report looks at the token.
+/// Writes path and record as requested, reports the run, and returns the exit code. `stop` can end the difficulty
+/// report.
 int deliver(const PlanOptions& options, const LoadedScenario& scenario, const SessionSnapshot& end,
             const StopToken& stop);
 

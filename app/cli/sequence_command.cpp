@@ -1,4 +1,4 @@
-#include "app/cli/sequence_command.h"
+#include "app/cli/commands.h"
 
 #include <algorithm>
 #include <chrono>
@@ -32,7 +32,30 @@ using Clock = std::chrono::steady_clock;
 
 double secondsSince(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
-/// A line on standard error for each wave, and for each search.
+/// Begins a line on standard error about the progress of a run that began at this time.
+std::ostream& progressLine(Clock::time_point begin) {
+  return std::cerr << "glissade-cli: " << std::fixed << std::setprecision(1) << secondsSince(begin)
+                   << " s: " << std::defaultfloat;
+}
+
+/// Writes every few seconds the share of the compared pairs of bodies.
+class FitProgress {
+ public:
+  explicit FitProgress(Clock::time_point begin) : begin_(begin), shown_(Clock::now()) {}
+
+  void show(double share) {
+    constexpr double kEvery = 5.0;
+    if (secondsSince(shown_) < kEvery) return;
+    shown_ = Clock::now();
+    progressLine(begin_) << "comparing pairs of bodies, " << std::lround(100.0 * share) << " %\n";
+  }
+
+ private:
+  Clock::time_point begin_;
+  Clock::time_point shown_;
+};
+
+/// Prints a line on standard error for each step that is found and for each search.
 class ProgressHost final : public SequenceHost {
  public:
   ProgressHost(StopToken stop, ThreadTeam& team, const AssembledProduct& product, Clock::time_point begin)
@@ -41,7 +64,7 @@ class ProgressHost final : public SequenceHost {
   const StopToken& stopToken() const override { return stop_; }
   ThreadTeam& team() override { return team_; }
 
-  /// From now on what is found is written every few seconds. `deflection`: as AssemblyPlan::deflection.
+  /// From now on the plan is written every few seconds. `deflection`: as AssemblyPlan::deflection.
   void keepIn(const SequenceOptions& options, double deflection) {
     file_ = options.out;
     every_ = options.saveEvery;
@@ -52,14 +75,14 @@ class ProgressHost final : public SequenceHost {
 
   void asking(std::size_t bodies, int effort) override {
     keep();
-    if (effort > 0) line() << "searching motions of " << bodies << " parts, effort " << effort << "\n";
+    if (effort > 0) progressLine(begin_) << "searching motions of " << bodies << " parts, effort " << effort << "\n";
   }
 
   void stepFound(const AssemblyPlan& plan) override {
     for (; reported_ < plan.steps.size(); ++reported_) {
       const AssemblyStep& step = plan.steps[reported_];
-      line() << plan.removed() << " of " << plan.parts() << " parts: " << namesOf(step)
-             << (step.with.empty() ? " leaves (" : " leave as one (") << step.method << ")\n";
+      progressLine(begin_) << plan.removed() << " of " << plan.parts() << " parts: " << namesOf(step)
+                           << (step.with.empty() ? " leaves (" : " leave as one (") << step.method << ")\n";
     }
     if (file_.empty()) return;
     unkept_ = plan;
@@ -75,9 +98,9 @@ class ProgressHost final : public SequenceHost {
   void skip(std::size_t steps) { reported_ = steps; }
 
  private:
-  /// What was found since the last time, where that is long enough ago.
+  /// Writes the steps found since the last writing if enough time has passed.
   void keep() {
-    constexpr double kWriting = 20.0;  // so many times longer than writing takes
+    constexpr double kWriting = 20.0;  // the pause is at least this many times the duration of a writing
     if (!unkept_ || secondsSince(kept_) < std::max(every_, kWriting * writing_)) return;
     unkept_->deflection = deflection_;
     kept_ = Clock::now();
@@ -86,26 +109,21 @@ class ProgressHost final : public SequenceHost {
     unkept_.reset();
   }
 
-  std::ostream& line() {
-    return std::cerr << "glissade-cli: " << std::fixed << std::setprecision(1) << secondsSince(begin_)
-                     << " s: " << std::defaultfloat;
-  }
-
   StopToken stop_;
   ThreadTeam& team_;
   const AssembledProduct& product_;
   Clock::time_point begin_;
   std::size_t reported_ = 0;
-  std::string file_;  ///< empty: nothing is written meanwhile
+  std::string file_;  ///< empty: no plan is written during the search
   std::string productName_;
   double deflection_ = 0.0;
   std::optional<AssemblyPlan> unkept_;
   Clock::time_point kept_ = Clock::now();
   double every_ = 0.0;    ///< seconds
-  double writing_ = 0.0;  ///< seconds that it took
+  double writing_ = 0.0;  ///< seconds that the last writing took
 };
 
-/// The parts between commas.
+/// The texts between commas.
 std::vector<std::string> listed(const std::string& text) {
   std::vector<std::string> parts;
   std::istringstream in(text);
@@ -113,7 +131,7 @@ std::vector<std::string> listed(const std::string& text) {
   return parts;
 }
 
-/// "-z", or three numbers; nothing where it is neither.
+/// Reads "-z" or three numbers; nothing if the words are neither.
 std::optional<Vector3> directionIn(const std::vector<std::string>& words) {
   if (words.size() == 1) return axisNamed(words[0]);
   if (words.size() != 3) return std::nullopt;
@@ -149,7 +167,7 @@ Outcome addStepDemands(const SequenceOptions& options, SequenceDemands& demands)
   return Done{};
 }
 
-/// Those of the scenario and of the options.
+/// Adds the demands of the options to those of the scenario.
 Result<SequenceDemands> demandsOf(const SequenceOptions& options, SequenceDemands demands) {
   for (const std::string& text : options.together) demands.together.push_back(listed(text));
   for (const std::string& text : options.before) {
@@ -187,7 +205,7 @@ Diagnostic fitsAreOff(const std::string& file) {
           "Run again with --fits on, or switch them on in the scenario."};
 }
 
-/// Those of the options and those that the product's attributes name.
+/// Names of the staying bodies, from the options and from the product's attributes.
 std::vector<std::string> stayingNames(const SequenceOptions& options, const SequenceDemands& demands) {
   std::vector<std::string> names = options.staying;
   names.insert(names.end(), demands.stay.begin(), demands.stay.end());
@@ -215,7 +233,7 @@ Result<AssemblyPlan> resumedPlan(const SequenceOptions& options) {
   return plan;
 }
 
-/// A wrong cost that was given on the command line.
+/// Changes the error of a wrong cost so that it names the option, if the option gave the cost.
 Diagnostic ofOptions(Diagnostic why, const SequenceOptions& options) {
   if (options.cost.empty() || why.location != "/sequence/cost") return why;
   why.kind = ErrorKind::Usage;
@@ -223,7 +241,7 @@ Diagnostic ofOptions(Diagnostic why, const SequenceOptions& options) {
   return why;
 }
 
-/// ", every motion certified", but for flexible bodies; empty where nothing leaves.
+/// ", every motion certified", with the number of flexible parts without a proof; empty if no part leaves.
 std::string certifiedText(const AssemblyPlan& plan) {
   if (plan.removed() == 0) return "";
   const std::size_t open = plan.removedWithoutProof();
@@ -231,7 +249,8 @@ std::string certifiedText(const AssemblyPlan& plan) {
   return ", every motion certified but those of " + std::to_string(open) + " flexible parts";
 }
 
-/// Numbers are those of the order of assembly, as in documents; `group`: number of the step that brings the steps.
+/// Prints the steps with the numbers of the order of assembly, as in documents. `group`: number of the step that adds
+/// the group of these steps.
 void printSteps(const std::vector<AssemblyStep>& steps, const std::string& group, const std::string& before,
                 const ProgressHost& host) {
   const PlanWords words(Language::English, inMillimetres);
@@ -274,7 +293,7 @@ void printStuck(const std::vector<StuckBody>& all, const std::string& before, co
   }
 }
 
-/// "      " for the first ones, more for groups of groups.
+/// Prints the lines of groups. `before` indents them: "      " at first, more for groups in groups.
 void printLines(const std::vector<SubassemblyLine>& lines, std::size_t steps, const std::string& group,
                 const std::string& before, const ProgressHost& host) {
   for (const SubassemblyLine& line : lines) {
@@ -288,7 +307,7 @@ void printLines(const std::vector<SubassemblyLine>& lines, std::size_t steps, co
   }
 }
 
-/// Screws in bodies that the file has without a hole.
+/// The number of screws in bodies that have no hole for them in the file.
 std::size_t screwHoles(const std::vector<AssemblyStep>& steps, const std::vector<SubassemblyLine>& lines) {
   std::size_t holes = 0;
   for (const AssemblyStep& step : steps) {
@@ -342,7 +361,7 @@ Outcome checkOptions(const SequenceOptions& options) {
   return Done{};
 }
 
-/// None where the demands use none, or after a stop: a word may be about a joint that was not found any more.
+/// The joints that the demands use; none after a stop, because a person's word may be about a joint that was not found.
 Result<Joints> jointsOf(const ProductFile& loaded, const SequenceDemands& demands, const StopToken& stop) {
   if (demands.jointUse == JointUse::Off) return Joints();
   const Joints found = findJoints(loaded.product, stop, loaded.classes);
@@ -350,7 +369,7 @@ Result<Joints> jointsOf(const ProductFile& loaded, const SequenceDemands& demand
   return applied(found, demands.joints, loaded.product);
 }
 
-/// Where the limit of time ends the search of fits: what there was, so that it can be resumed.
+/// The plan to write if the time limit ends the search of fits. It can be resumed.
 AssemblyPlan planWithout(const AssembledProduct& product, const SequenceRequest& request) {
   AssemblyPlan plan = request.resumed != nullptr ? *request.resumed : AssemblyPlan{};
   plan.strategy = request.strategy;
@@ -365,7 +384,7 @@ AssemblyPlan planWithout(const AssembledProduct& product, const SequenceRequest&
   return plan;
 }
 
-/// Writes and prints the plan; the exit code.
+/// Writes and prints the plan, and returns the exit code.
 int deliver(const AssemblyPlan& plan, const ProductFile& loaded, const SequenceOptions& options,
             const ProgressHost& host, double seconds, std::size_t plainOverlaps) {
   if (!loaded.product.fits.on && !plan.stuck.empty()) reportWarnings({fitsAreOff(options.file)});
@@ -431,10 +450,12 @@ int runSequence(const SequenceOptions& options) {
   const auto joints = jointsOf(*loaded, *demands, stop);
   if (!joints) return reportError(joints.error(), options.format);
   product.snaps = bendsOf(countingJoints(*joints, demands->jointUse), product);
-  const auto fits = ProductFits::find(product, team, stop);
+  FitProgress progress(begin);
+  const auto fits = ProductFits::find(product, team, {stop, [&](double share) { progress.show(share); }});
   const bool outOfTime = !fits && fits.error().kind == ErrorKind::Interrupted && !interrupt.requested();
   if (!fits && !outOfTime) return reportError(fits.error(), options.format);
   reportWarnings(loaded->warnings);
+  if (loaded->forbidsPlaces) reportWarnings({placesHoldForPathsOnly(options.file)});
   ProgressHost host(stop, team, product, begin);
   if (earlier) host.skip(earlier->steps.size());
   const std::string usual = options.strategy.empty() ? kUsualStrategy : options.strategy;

@@ -1,4 +1,4 @@
-#include "app/cli/smooth_command.h"
+#include "app/cli/commands.h"
 
 #include <iostream>
 #include <nlohmann/json.hpp>

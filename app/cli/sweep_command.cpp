@@ -1,4 +1,4 @@
-#include "app/cli/sweep_command.h"
+#include "app/cli/commands.h"
 
 #include <cmath>
 #include <iostream>

@@ -1,4 +1,4 @@
-#include "app/cli/times_command.h"
+#include "app/cli/commands.h"
 
 #include <iomanip>
 #include <iostream>

@@ -1,5 +1,5 @@
 // glissade-import: reads one mesh from standard input and writes plain arrays to standard output.
-// Runs with little memory and time and cannot open a file, so that a malformed mesh can do no harm.
+// It runs with little memory and time and cannot open a file, so a malformed mesh can do no harm.
 // usage: glissade-import ENDING < FILE
 //        glissade-import several < FILES (import_protocol.h)
 #include <unistd.h>
@@ -13,6 +13,6 @@ int main(int argc, char** argv) {
     std::cerr << "usage: glissade-import ENDING < FILE\n";
     return 2;
   }
-  // Not by return: nothing may run after the process has given up its rights.
+  // No return from main(): nothing may run after the process has given up its rights.
   ::_exit(glissade::confinedImport(argv[1]));
 }

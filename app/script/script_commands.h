@@ -11,20 +11,21 @@
 
 namespace glissade {
 
-/// The commands that a script can give, by name. Controllers add theirs when they are made (README.md lists them all).
+/// The commands that a script can give, by name. Controllers add their commands in their constructors (README.md lists
+/// all commands).
 class ScriptCommands {
  public:
   using Words = std::vector<std::string>;
   /// Carries a command out. Errors name no file and line.
   using Handler = std::function<Outcome(const Words&)>;
 
-  /// `words`: how many follow the name.
+  /// `words`: the number of words after the name.
   void add(const std::string& name, std::size_t words, Handler handler);
-  /// Nothing where there is no such command.
+  /// Nothing if there is no such command.
   std::optional<std::size_t> wordCount(const std::string& name) const;
   /// "action, attribute, ..."
   std::string names() const;
-  /// Precondition: the command exists and `words` are as many as it takes.
+  /// Precondition: the command exists and takes this number of words.
   Outcome carryOut(const std::string& name, const Words& words) const { return commands_.at(name).handler(words); }
 
  private:
@@ -40,7 +41,7 @@ inline Diagnostic wrongCommand(const std::string& reason, const std::string& adv
   return {ErrorKind::MalformedInput, "", "", reason, advice};
 }
 
-/// The script is right, but what it expects is not so.
+/// The script is right, but the window's state differs from what it expects.
 inline Diagnostic unmetExpectation(const std::string& reason) { return {ErrorKind::NoPath, "", "", reason, ""}; }
 
 inline Outcome outcomeOf(const std::optional<Diagnostic>& why) { return why ? Outcome(*why) : Outcome(Done{}); }

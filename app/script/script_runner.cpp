@@ -21,7 +21,7 @@ std::optional<Diagnostic> runScript(const std::vector<ScriptLine>& lines, const 
     const Outcome outcome = commands.carryOut(line.name, line.words);
     if (!outcome) return atLine(outcome.error(), file, line);
     QCoreApplication::processEvents();
-    // Only the application's own loop would delete these, and a script runs inside of it.
+    // Only the application's own event loop would delete these objects, and a script runs inside it.
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     if (const auto why = takeFailure()) return atLine(*why, file, line);
   }

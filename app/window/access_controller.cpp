@@ -58,7 +58,7 @@ void AccessController::addSizes() {
   }
 }
 
-/// What was asked is asked again.
+/// Repeats the check that is shown, with the new size.
 void AccessController::setSize(HandSize size) {
   if (size == person_.size) return;
   person_.size = size;
@@ -142,7 +142,7 @@ bool AccessController::showsSteps() const {
   return sequence_.shown().access && (bench_.scene.view().showsSequence() || !checkedPath_);
 }
 
-/// From the step that is shown on, in the order of the table.
+/// Searches in the order of the table, after the step that is shown.
 void AccessController::showNextUnreached() {
   SequencePanel& panel = *sequence_.panel();
   if (!showsSteps()) {
@@ -211,7 +211,7 @@ Outcome AccessController::expectAccess(const ScriptCommands::Words& words) const
   if (sequence_.shown().access) {
     found = std::to_string(sequence_.shown().access->reached());
   } else if (checkedPath_) {
-    found = handAccessName(pathAccess_.motion.hand.access);
+    found = kHandAccessNames.of(pathAccess_.motion.hand.access);
   }
   if (found == words[0]) return Done{};
   return unmetExpectation("the access is " + found + ", not " + words[0]);

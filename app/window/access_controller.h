@@ -14,8 +14,8 @@ namespace glissade {
 class PathPanel;
 class SequenceController;
 
-/// Whether a person's hand gets to the steps of the sequence, or to the path: asked in the background, drawn at what
-/// moves, and marked in the table of the sequence.
+/// Checks whether a person's hand reaches the parts of the sequence's steps, or the object along the path. It checks in
+/// the background, draws the hand at the moving bodies, and marks the steps in the table of the sequence.
 class AccessController final : public QObject {
   Q_OBJECT
 
@@ -29,13 +29,13 @@ class AccessController final : public QObject {
   void checkSequence();
   void checkPath();
   void takePath(const std::shared_ptr<const Path>& path, const PathAccess& access);
-  /// Of the run, or of the replay that is shown; may be null.
+  /// Path of the run or of the replay that is shown; may be null.
   std::shared_ptr<const Path> path() const;
   void followPath();
-  /// The sequence is what is shown.
+  /// Whether the steps of the sequence are shown, not the path.
   bool showsSteps() const;
   void showNextUnreached();
-  /// Draws the hand where what moves is drawn.
+  /// Draws the hand at the moving bodies.
   void updateHand();
   ReachPicture pictureOfStep() const;
   ReachPicture pictureOnPath() const;
@@ -47,8 +47,8 @@ class AccessController final : public QObject {
   PathPanel& pathPanel_;
   Person person_;
   std::shared_ptr<const Path> checkedPath_;  ///< null: no path was checked
-  PathAccess pathAccess_;                    ///< of that path
-  bool isDrawn_ = false;                     ///< a hand was drawn last
+  PathAccess pathAccess_;                    ///< access to checkedPath_
+  bool isDrawn_ = false;                     ///< whether the last update drew a hand
 };
 
 }  // namespace glissade

@@ -28,7 +28,7 @@ QString kindText(const MeasureFeature& feature) {
   return AlignTool::tr("free surface");
 }
 
-/// How the two lie to each other afterwards; alignment() has the table.
+/// How the two features lie to each other after the alignment; alignment() has the table.
 QString relationText(const MeasureFeature& a, const MeasureFeature& b) {
   const auto either = [&](FeatureKind kind) { return a.kind == kind || b.kind == kind; };
   const auto isPoint = [](const MeasureFeature& feature) {
@@ -113,7 +113,7 @@ bool AlignTool::eventFilter(QObject* watched, QEvent* event) {
   return QObject::eventFilter(watched, event);
 }
 
-/// True: nothing else is to be done with the event.
+/// Returns true if the event needs no other treatment.
 bool AlignTool::followMouse(const QMouseEvent& event) {
   if (event.type() == QEvent::MouseMove) {
     pointer_ = event.localPos();
@@ -127,10 +127,10 @@ bool AlignTool::followMouse(const QMouseEvent& event) {
   }
   if (event.button() != Qt::LeftButton) return false;
   if (const auto clicked = clicks_.follow(event)) click(*clicked);
-  return event.type() == QEvent::MouseButtonRelease;  // a click selects nothing meanwhile
+  return event.type() == QEvent::MouseButtonRelease;  // a click selects nothing while the tool is on
 }
 
-/// What can be arranged; the object counts where its start and its goal are.
+/// The first item that can be arranged at a point of the view; the object is hit at its start and its goal.
 std::optional<AlignTool::Target> AlignTool::targetAt(const QPointF& position) const {
   const LoadedScenario& scenario = *bench_.document.scenario();
   const SceneView& view = bench_.scene.view();
@@ -177,7 +177,7 @@ bool AlignTool::fits(const Pointed& onto) const {
   return first_ && onto.item != first_->item && canAlign(first_->feature, onto.feature);
 }
 
-/// A click that does not fit leaves what was clicked first.
+/// A click that does not fit keeps the first clicked feature.
 void AlignTool::takePointed(const Pointed& pointed) {
   if (fits(pointed)) {
     const Pointed moving = *first_;
@@ -202,7 +202,7 @@ void AlignTool::mark(const std::optional<Pointed>& hovered) {
   bench_.scene.refresh();
 }
 
-/// Draws what moves where it would come to lie, or back where it is.
+/// Draws the moving item where the alignment puts it, or puts it back.
 void AlignTool::preview(const std::optional<Pointed>& onto) {
   if (!onto && !previewed_) return;
   const LoadedScenario& scenario = *bench_.document.scenario();

@@ -10,9 +10,9 @@
 
 namespace glissade {
 
-/// While it is on, a person clicks a vertex, an edge, a plane or a cylinder of what moves, and then one of another body
-/// that it goes onto. What is under the pointer is marked; at the second click the body is drawn where it would come to
-/// lie. Esc ends it.
+/// While the tool is on, a person clicks a vertex, an edge, a plane or a cylinder of the moving item, and then a
+/// feature of another item that it is aligned with. The feature under the pointer is marked. Before the second click
+/// the moving item is drawn where it would lie. Esc ends the tool.
 class AlignTool final : public QObject {
   Q_OBJECT
 
@@ -20,28 +20,28 @@ class AlignTool final : public QObject {
   AlignTool(const Workbench& bench, FeatureStore& features);
 
   void setOn(bool on);
-  /// The first click means what is selected also behind other bodies.
+  /// The first click prefers the selected item, also behind other bodies.
   void setSelected(const std::optional<AssemblyItem>& item) { selected_ = item; }
-  /// What is written over the scene.
+  /// The text over the scene.
   QString hint() const { return hint_->text(); }
 
  signals:
-  /// The first of the two was clicked: this is what moves.
+  /// The first feature was clicked; its item is the one that moves.
   void movingPicked(const glissade::AssemblyItem& item);
-  /// Both were clicked, which canAlign(); in the world.
+  /// Both features were clicked and canAlign() accepts them. Their coordinates are in the world.
   void picked(const glissade::AssemblyItem& item, const glissade::MeasureFeature& moving,
               const glissade::MeasureFeature& fixed);
-  /// Esc, before both were clicked.
+  /// Esc was pressed.
   void left();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  /// What a point of the scene means.
+  /// The hit of a point of the scene.
   struct Target {
     AssemblyItem item;
-    RigidBody body;  ///< where it is drawn
+    RigidBody body;  ///< the body at the pose at which it is drawn
     std::size_t triangle;
     Vector3 p_W;
     double snap;  ///< metres
@@ -73,7 +73,7 @@ class AlignTool final : public QObject {
   bool previewed_ = false;
   LeftClick clicks_;
   QPointF pointer_;
-  QTimer hovering_;  ///< the pointer moves faster than bodies are hit
+  QTimer hovering_;  ///< limits the hit tests, because the pointer moves faster than bodies are hit
 };
 
 }  // namespace glissade

@@ -102,7 +102,7 @@ std::optional<int> parseThumbnailPixels(const QCommandLineParser& parser) {
   return ok && pixels >= 16 && pixels <= 2048 ? std::optional<int>(pixels) : std::nullopt;
 }
 
-/// Parameters and seed of the command line, over the scenario's.
+/// Sets the parameters and the seed of the command line instead of the scenario's.
 std::optional<Diagnostic> applyParameters(const QCommandLineParser& parser, MainWindow& window) {
   for (const ParameterSpec& spec : parameterTable()) {
     if (!parser.isSet(optionName(spec))) continue;
@@ -146,7 +146,7 @@ std::optional<Diagnostic> applyStereo(const QCommandLineParser& parser, const Ac
   return std::nullopt;
 }
 
-/// Nobody sits before the window.
+/// Whether the program runs without a person.
 bool isBatch(const QCommandLineParser& parser) {
   return parser.isSet("script") || parser.isSet("screenshot") || parser.isSet("thumbnail") ||
          parser.isSet("offscreen") || parser.isSet("study-pictures") || parser.isSet("report-pdf") ||
@@ -158,7 +158,8 @@ bool areParts(const QStringList& files) {
          std::all_of(files.begin(), files.end(), [](const QString& file) { return isPartFile(file.toStdString()); });
 }
 
-/// One scenario is opened, or any number of part files where a person says how they are taken.
+/// The command line opens one scenario. On screen it also takes several part files, because a person says how they are
+/// taken.
 std::optional<Diagnostic> tooManyFiles(const QCommandLineParser& parser) {
   const QStringList files = parser.positionalArguments();
   if (files.size() < 2 || (!isBatch(parser) && areParts(files))) return std::nullopt;
@@ -188,7 +189,8 @@ int runWindow(const QCommandLineParser& parser, MainWindow& window) {
   const QSize asked = window.size().boundedTo(window.room());
   window.show();
   QApplication::processEvents();
-  // Texts that wrap need less room once they are laid out: small screens have no more.
+  // Wrapped texts need less room after the layout. The window gets the requested size again, because small screens have
+  // no more room.
   if (!window.isMaximized() && !window.isFullScreen()) window.resize(asked);
   QApplication::processEvents();
   if (!batch) {
@@ -261,7 +263,7 @@ int runApplication(int argc, char** argv, const SceneWidgetFactory& makeScene, S
   if (asksForText(argc, argv)) return tell(argc, argv);
   QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
   QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
-  // A desktop at 150 % is drawn at 150 %, not at 200.
+  // PassThrough draws a desktop at 150 % at 150 %, not at 200 %.
   QApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
   GuardedApplication application(argc, argv);
   std::setlocale(LC_NUMERIC, "C");  // files hold decimal points, whatever the desktop's language
@@ -295,18 +297,18 @@ int runApplication(int argc, char** argv, const SceneWidgetFactory& makeScene, S
     QApplication::installTranslator(&translator);
   }
 
-  // Without a display no window has to fit a screen.
+  // A window without a display has no screen to fit.
   if (clock != SessionClock::Lockstep) application.installEventFilter(new ScreenFit(&application));
   MainWindow window(makeScene, clock);
   window.setTheme(themeNamed(theme));
-  // Without a display the window is the screen.
+  // Without a display the window has the size of the screen.
   window.resize(*size);
   window.fitInto(clock == SessionClock::Lockstep ? *size : roomOn(window));
   WorkController& work = window.workbench().work;
   application.setFailureHandler([&work](const Diagnostic& why) { work.reportFailure(why); });
   const int status = runWindow(parser, window);
   application.setFailureHandler({});
-  // On screen the user has read it.
+  // On screen the user has read the failure.
   const auto why = work.takeFailure();
   const bool batch = clock == SessionClock::Lockstep || parser.isSet("script");
   return status == 0 && why && batch ? fail(*why) : status;

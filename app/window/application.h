@@ -6,11 +6,11 @@
 namespace glissade {
 
 /// The whole of `glissade` and `glissade-offscreen`: reads the command line, opens the window, runs a
-/// script or the event loop, and returns the exit code of DESIGN section 6.
+/// script or the event loop, and returns the exit code (exitCode()).
 int runApplication(int argc, char** argv, const SceneWidgetFactory& makeScene, SessionClock clock);
 
-/// What both programs do before anything else: signals that would kill them, plugins of the current
-/// folder that must not be loaded.
+/// Prepares the process of both programs: ignores signals that would kill it, and prevents plugins of the current
+/// folder from being loaded.
 void prepareProcess();
 
 }  // namespace glissade

@@ -8,8 +8,8 @@
 
 namespace glissade {
 
-/// The mode in which things are arranged in the view: its bar, its tool, snapping, and alignments. Esc, another
-/// scenario, a run or measuring end it.
+/// The mode in which items are arranged in the view, with its bar, its tool, snapping and alignments. Esc, another
+/// scenario, a run or measuring end the mode.
 class ArrangeController final : public QObject {
   Q_OBJECT
 
@@ -19,7 +19,7 @@ class ArrangeController final : public QObject {
   ArrangeTool& tool() { return tool_; }
   AlignTool& align() { return align_; }
   ArrangeBar& bar() { return *bar_; }
-  /// Gives the bar's steps to the tool.
+  /// Sets the tool's steps to the bar's steps.
   void takeSteps();
 
  private:
@@ -33,11 +33,11 @@ class ArrangeController final : public QObject {
   void takeAlignment(const AssemblyItem& item, const MeasureFeature& moving, const MeasureFeature& fixed);
   void flip();
   void placeAligned();
-  /// An alignment was made or left. Arranging goes on where it was interrupted.
+  /// Resumes the arranging that an alignment interrupted. The alignment was made or left.
   void resume();
   void enableActions();
 
-  /// What was aligned last, as long as it stays there.
+  /// The last alignment, as long as the item stays there.
   struct Aligned {
     AssemblyItem item;
     Pose before;

@@ -12,7 +12,7 @@ void addOutline(const SnapFeature& feature, const MeasurableMesh& mesh, const Po
   for (const Vector3& p : mesh.outlineAt(feature.triangle)) picture.segments.push_back(X_WB * p);
 }
 
-/// An axis as long as both of its parts.
+/// Adds the axis of two features, as long as both together.
 void addAxis(const SnapFeature& moving, const SnapFeature& fixed, MeasurePicture& picture) {
   const Box3 both = moving.box.merged(fixed.box);
   const double half = 0.5 * both.diagonal().norm();

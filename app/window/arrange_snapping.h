@@ -8,8 +8,8 @@
 
 namespace glissade {
 
-/// Lets what is dragged snap to planes and axes of the other bodies that are drawn. Bodies whose features are not found
-/// yet are left out.
+/// Lets the dragged item snap to planes and axes of the other bodies that are drawn. Bodies whose features are not
+/// found yet are left out.
 class ArrangeSnapping {
  public:
   ArrangeSnapping(const WorkbenchDocument& document, const SceneView& view, FeatureStore& features)
@@ -20,18 +20,18 @@ class ArrangeSnapping {
   /// Finds the features of the scenario in the background.
   void prepare() { features_.prepareAll(); }
 
-  /// A drag begins: the item is where the scenario has it.
+  /// Begins a drag. The item is where the scenario has it.
   void begin(const AssemblyItem& item);
   void end() { snapper_.reset(); }
-  /// As FeatureSnapper::snap(); the shift itself where nothing is to snap.
+  /// Snaps as FeatureSnapper::snap(); returns the shift itself if there is nothing to snap to.
   FeatureSnap snap(const Vector3& shift, const std::vector<Vector3>& freedom, double reach) const;
-  /// The features that meet, where the item is shifted.
+  /// The features that meet, drawn at the shifted item.
   MeasurePicture pictureOf(const FeatureSnap& snap) const;
-  /// What meets, as people read it.
+  /// The features that meet, as text for people.
   QString textOf(const FeatureSnap& snap) const;
 
  private:
-  /// Whose feature it is.
+  /// The body of a feature.
   struct Owner {
     QString name;
     MeshFeaturesPtr features;

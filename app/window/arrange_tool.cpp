@@ -16,12 +16,12 @@
 namespace glissade {
 namespace {
 
-/// What is dragged snaps to features that are so near.
+/// The item snaps to features within this distance.
 constexpr double kSnapPixels = 6.0;
 
 QString withSign(double value, const QString& text) { return value > 0.0 ? QLatin1Char('+') + text : text; }
 
-/// What a key of the arrows moves along: 0, 1, 2: to the right, upwards, towards the viewer.
+/// The view's axis along which a key moves the item: 0 to the right, 1 upwards, 2 towards the viewer.
 struct NudgeKey {
   int key;
   int viewAxis;
@@ -35,7 +35,7 @@ constexpr std::array<NudgeKey, 6> kNudgeKeys{{{Qt::Key_Left, 0, -1.0},
                                               {Qt::Key_PageUp, 2, -1.0},
                                               {Qt::Key_PageDown, 2, 1.0}}};
 
-/// The gizmo's axes, with their signs, that are nearest to the view's: each is one of them.
+/// For each axis of the view, the nearest axis of the gizmo and its sign. No axis of the gizmo is used twice.
 struct NearestAxes {
   std::array<int, 3> axis{};
   std::array<double, 3> sign{};
@@ -161,7 +161,7 @@ void ArrangeTool::moveTo(const QPointF& position) {
   }
 }
 
-/// Ctrl is held: a body turns, and a handle snaps only where it does not otherwise.
+/// Turns a body while Ctrl is held. A handle snaps to steps under Ctrl only if all snapping is off.
 void ArrangeTool::turn(const QPointF& position, const QPointF& by) {
   if (auto* drag = std::get_if<PoseDrag>(&inHand_->drag)) {
     drag->turn(by.x(), by.y());
@@ -269,8 +269,8 @@ bool ArrangeTool::pressKey(const QKeyEvent& event) {
   return false;
 }
 
-/// Along the axis that is nearest to the direction of the key, or about the one that is across: to the right turns
-/// about what points upwards, upwards about what points to the left.
+/// Moves the item along the axis nearest to the direction of the key, or turns it about the axis across: the key to the
+/// right turns about the upward axis, the upward key about the axis to the left.
 void ArrangeTool::nudge(int viewAxis, double sign, bool turning) {
   const auto X_WG = gizmoPose();
   if (!X_WG) return;
@@ -325,7 +325,7 @@ void ArrangeTool::showGizmo(const std::optional<GizmoPicture::Held>& held) {
     gizmo_->setPicture(std::nullopt);
     return;
   }
-  // While a ring is turned, it stays where its axis was.
+  // While a ring is turned, it keeps its axis.
   if (held) X_WG->orientation = held->from.orientation;
   gizmo_->setPicture(GizmoPicture{*X_WG, std::nullopt, held});
 }

@@ -12,17 +12,17 @@
 
 namespace glissade {
 
-/// What is arranged, and where its gizmo is.
+/// The arranged item and the pose of its gizmo.
 struct ArrangedItem {
   AssemblyItem item;
-  Pose X_BG;             ///< in the frame that its pose is of
+  Pose X_BG;             ///< in the same frame as the item's pose
   bool ownAxes = false;  ///< the gizmo has the axes of X_BG; else those of the world
 };
 
-/// While it is on, a person moves bodies, and the object's ghosts at its start and its goal. A gizmo at what is
-/// selected moves it along its axes and turns it about them, by the pointer or by keys. A body that is taken itself
-/// moves in the plane of the view, and turns about its axes. Bodies and ghosts are only drawn elsewhere until they are
-/// dropped.
+/// While the tool is on, a person moves bodies and the object's ghosts at its start and its goal. A gizmo at the
+/// selected item moves it along the gizmo's axes and turns it about them, by the pointer or by keys. A body that is
+/// gripped itself moves in the plane of the view, and turns about the view's axes. Bodies and ghosts keep their poses
+/// in the scenario until they are dropped.
 class ArrangeTool final : public DragTool {
   Q_OBJECT
 
@@ -30,21 +30,22 @@ class ArrangeTool final : public DragTool {
   ArrangeTool(const WorkbenchDocument& document, SceneWidget& scene, ArrangeSnapping& features, QObject* parent);
 
   void setOn(bool on);
-  /// What is selected has the gizmo, and is gripped also behind other bodies.
+  /// The selected item has the gizmo, and can be gripped also behind other bodies.
   void setSelected(const std::optional<ArrangedItem>& selected);
-  /// Amounts are rounded to the steps. Ctrl suspends that, and the snapping to features; where both are off, it rounds.
+  /// Amounts are rounded to the steps. Ctrl suspends rounding and the snapping to features; if both are off, Ctrl
+  /// rounds.
   void setSnapping(bool snapping, const GizmoSteps& steps);
 
   const GizmoOverlay& gizmo() const { return *gizmo_; }
 
  signals:
-  /// What is dragged meets this now; empty: nothing.
+  /// The feature that the dragged item meets now; empty: none.
   void snapped(const QString& what);
   void gripped(const glissade::AssemblyItem& item);
   void dropped(const glissade::AssemblyItem& item, const glissade::Pose& X_WB);
-  /// A key has put it there.
+  /// A key moved the item.
   void nudged(const glissade::AssemblyItem& item, const glissade::Pose& X_WB);
-  /// Esc, while nothing is held.
+  /// Esc was pressed while nothing was held.
   void left();
 
  private:
@@ -61,7 +62,7 @@ class ArrangeTool final : public DragTool {
   /// The amount that the handle's drag is rounded to, by features of other bodies or by steps.
   GizmoAmount snappedAmount(const GizmoDrag& drag, bool suspended);
   void showSnap(const FeatureSnap& snap);
-  /// Puts back what is held.
+  /// Puts back the held item.
   void letGo();
   bool pressKey(const QKeyEvent& event);
   void nudge(int viewAxis, double sign, bool turning);
@@ -69,13 +70,13 @@ class ArrangeTool final : public DragTool {
   void followDocument(Changes what);
   void draw(const Pose& X_WB);
   void showGizmo(const std::optional<GizmoPicture::Held>& held = std::nullopt);
-  /// Where an item is drawn.
+  /// The pose at which an item is drawn.
   std::optional<Pose> shownPose(const AssemblyItem& item) const;
-  /// X_WG of what is selected.
+  /// X_WG of the selected item.
   std::optional<Pose> gizmoPose() const;
   QString amountText(const GizmoDrag& drag, const GizmoAmount& amount) const;
 
-  /// Where something was put by an edit that is under way.
+  /// The pose that a running edit gives an item.
   struct Put {
     AssemblyItem item;
     Pose X_WB;

@@ -8,22 +8,22 @@
 
 namespace glissade {
 
-/// What a ray meets first of what can be arranged.
+/// The first item that can be arranged on a ray.
 struct ItemHit {
   AssemblyItem item;
-  RigidBody body;  ///< where it is drawn; of an end of the motion the object there
+  RigidBody body;  ///< the body as it is drawn; for an end of the motion the object there
   BodyHit hit;     ///< BodyHit::body has no meaning
   Vector3 p_W;
 };
 
-/// Of the bodies that are drawn, and of the start and the goal where their ghosts are. `only`: nothing else counts.
+/// Hits the bodies that are drawn, and the ghosts at the start and the goal. `only`: hits no other item.
 std::optional<ItemHit> itemAt(const LoadedScenario& scenario, const SceneView& view, const Ray& ray,
                               const std::optional<AssemblyItem>& only = std::nullopt);
 
-/// Draws an item at X_WB that the scenario has elsewhere.
+/// Draws an item at X_WB without changing the scenario.
 void drawItemAt(const AssemblyItem& item, const Pose& X_WB, const LoadedScenario& scenario, SceneView& view);
 
-/// As people call it.
+/// The item's name for people.
 QString nameOf(const AssemblyItem& item);
 
 }  // namespace glissade

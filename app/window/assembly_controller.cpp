@@ -3,15 +3,125 @@
 #include <QLineEdit>
 #include <QLocale>
 #include <QVBoxLayout>
+
 #include <algorithm>
+#include <sstream>
 
 #include "app/window/arranged_item.h"
-#include "app/window/assembly_script.h"
 #include "app/window/end_clearance.h"
+#include "app/window/workbench.h"
+#include "engine/base/number_text.h"
 #include "engine/scenario/scenario_bodies.h"
 #include "widgets/commands/length_text.h"
 
 namespace glissade {
+namespace {
+
+constexpr double kMillimetres = 1000.0;
+
+constexpr double kDegrees = 180.0 / 3.14159265358979323846;
+
+/// The smallest difference that the placement panel shows.
+constexpr double kSame = 0.01;
+
+using Words = ScriptCommands::Words;
+
+Diagnostic noScenario() { return wrongCommand("no scenario is open", "Open one first."); }
+
+AssemblyItem itemOf(const std::string& what) {
+  if (what == "start") return {AssemblyItem::Kind::Start, {}};
+  if (what == "goal") return {AssemblyItem::Kind::Goal, {}};
+  return {AssemblyItem::Kind::Body, what};
+}
+
+/// "1,2.5,-3"
+Result<Vector3> numbersOf(const std::string& text) {
+  std::istringstream words(text);
+  Vector3 numbers = Vector3::Zero();
+  std::string word;
+  int count = 0;
+  for (; std::getline(words, word, ','); ++count) {
+    const auto number = toNumber(word);
+    if (!number || count == 3) break;
+    numbers[count] = *number;
+  }
+  if (count == 3 && words.eof()) return numbers;
+  return wrongCommand("'" + text + "' is not three numbers", "Give them with commas and no blanks.");
+}
+
+/// `words`: file, unit, up.
+Outcome takePart(PartImport& parts, PartsDialog::Purpose purpose, PartRole role, const Words& words) {
+  const auto unit = toNumber(words[1]);
+  if (!unit) return wrongCommand("'" + words[1] + "' is not a unit", "Give metres.");
+  Outcome outcome = Done{};
+  const auto refused =
+      QObject::connect(&parts, &PartImport::importFailed, [&outcome](const Diagnostic& why) { outcome = why; });
+  PartFile part = usualPart(words[0]);
+  part.role = role;
+  part.unit = *unit;
+  part.up = words[2] == "Y" ? UpAxis::Y : UpAxis::Z;
+  parts.take(purpose, {part});
+  QObject::disconnect(refused);
+  return outcome;
+}
+
+Outcome setRule(WorkbenchDocument& document, const std::string& which, const std::string& expression) {
+  if (!document.scenario()) return noScenario();
+  StrategyRules rules = document.scenario()->scenario.rules.value_or(presetRules("gts"));
+  (which == "node" ? rules.node : rules.edge) = expression;
+  const auto& table = document.semantics().table();
+  const auto parsed = parseRules(rules, table, idsOf(makeLocalPlannerRegistry()));
+  if (!parsed) return parsed.error();
+  return document.edit(QStringLiteral("rule"), [rules](Scenario& scenario) {
+    scenario.rules = rules;
+    return Outcome(Done{});
+  });
+}
+
+Outcome place(WorkbenchDocument& document, const std::string& what, const std::string& position,
+              const std::string& turn) {
+  if (!document.scenario()) return noScenario();
+  const auto millimetres = numbersOf(position);
+  if (!millimetres) return millimetres.error();
+  const auto degrees = numbersOf(turn);
+  if (!degrees) return degrees.error();
+  const Vector3 angles = *degrees / kDegrees;
+  const Pose X_WB{*millimetres / kMillimetres, fromRollPitchYaw(angles.x(), angles.y(), angles.z())};
+  return document.place(itemOf(what), X_WB);
+}
+
+Outcome expectPlace(WorkbenchDocument& document, const std::string& what, const std::string& position) {
+  if (!document.scenario()) return noScenario();
+  const Diagnostic elsewhere = unmetExpectation("'" + what + "' is not at " + position);
+  const auto pose = poseOf(document.scenario()->scenario, itemOf(what));
+  if (position == "nowhere" || !pose) {
+    const bool met = position == "nowhere" && !pose;
+    return met ? Outcome(Done{}) : elsewhere;
+  }
+  const auto millimetres = numbersOf(position);
+  if (!millimetres) return millimetres.error();
+  const double off = (kMillimetres * pose->position - *millimetres).cwiseAbs().maxCoeff();
+  return off <= kSame ? Outcome(Done{}) : elsewhere;
+}
+
+/// Adds the script commands about parts, about the poses of parts and of the ends of the motion, and about rules.
+void addAssemblyCommands(const Workbench& bench, PartImport& parts) {
+  ScriptCommands& scripts = bench.scripts;
+  WorkbenchDocument& document = bench.document;
+  scripts.add("new-scenario", 3, [&parts](const Words& words) {
+    return takePart(parts, PartsDialog::Purpose::NewScenario, PartRole::Moves, words);
+  });
+  scripts.add("add-part", 4, [&parts, &document](const Words& words) -> Outcome {
+    if (!document.scenario()) return noScenario();
+    const PartRole role = words[1] == "mobile" ? PartRole::Mobile : PartRole::Static;
+    return takePart(parts, PartsDialog::Purpose::AddParts, role, {words[0], words[2], words[3]});
+  });
+  scripts.add("rule", 2, [&document](const Words& words) { return setRule(document, words[0], words[1]); });
+  scripts.add("place", 3, [&document](const Words& words) { return place(document, words[0], words[1], words[2]); });
+  scripts.add("expect-place", 2, [&document](const Words& words) { return expectPlace(document, words[0], words[1]); });
+}
+
+}  // namespace
 
 AssemblyController::AssemblyController(const Workbench& bench, PartImport& parts)
     : QObject(&bench.window),
@@ -127,14 +237,14 @@ void AssemblyController::editScenario(const QString& text, const std::function<O
   showFailure(document_.edit(text, change));
 }
 
-/// Ids of the scenario's bodies, those of the object among them.
+/// Ids of the selected bodies of the scenario, including those of the object.
 std::set<std::string> AssemblyController::selectedOfAll() const {
   std::set<std::string> ids;
   for (const QString& id : document_.semantics().selectedBodies()) ids.insert(bodyIdOf(id.toStdString()));
   return ids;
 }
 
-/// The same without those of the object.
+/// Ids of the selected bodies, without those of the object.
 std::set<std::string> AssemblyController::selectedBodies() const {
   std::set<std::string> ids = selectedOfAll();
   if (!document_.scenario()) return ids;
@@ -169,7 +279,7 @@ void AssemblyController::putBackSelected() {
   editScenario(tr("Put back"), [&ids](Scenario& scenario) { return editEach(ids, putBack, scenario); });
 }
 
-/// What is selected of the object goes on to move: so a group grows.
+/// Marks the selected bodies as moving. Selected bodies of the object keep moving, so a group can grow.
 void AssemblyController::markSelected() {
   const std::vector<std::string> ids = selectedToMove();
   const QString first = QString::fromStdString(ids.front());
@@ -178,7 +288,7 @@ void AssemblyController::markSelected() {
   editScenario(text, [&](Scenario& scenario) { return markMoving(ids, *document_.scenario(), scenario); });
 }
 
-/// In the background; an edit of the arrangement cancels it.
+/// Moves the ends clear in the background; an edit of the arrangement cancels it.
 void AssemblyController::moveEndsClear() {
   const double required = document_.settings().parameters[ParameterId::RequiredClearance];
   bench_.work.run(
@@ -225,7 +335,7 @@ void AssemblyController::choose(const std::optional<AssemblyItem>& item) {
   takeSelection();
 }
 
-/// One body that is selected is what is placed; the object is placed at its start.
+/// Shows the placement of the selected body, or of the object's start if the object is selected.
 void AssemblyController::takeSelection() {
   if (!document_.scenario()) return;
   const std::set<std::string> ids = selectedBodies();
@@ -248,7 +358,7 @@ void AssemblyController::takeSelection() {
 
 void AssemblyController::showPlacement() {
   if (!document_.scenario()) return;
-  if (placed_ == chosen_ && document_.isArranging()) return;  // what the user types is not there yet
+  if (placed_ == chosen_ && document_.isArranging()) return;  // the user's input is not arranged yet
   placed_ = chosen_;
   const QString name = chosen_ ? nameOf(*chosen_) : QString();
   const auto pose = chosen_ ? poseOf(document_.scenario()->scenario, *chosen_) : std::nullopt;

@@ -12,8 +12,8 @@
 
 namespace glissade {
 
-/// Arranges the product: parts come and go, one of them moves, bodies and the ends of the motion are put
-/// somewhere with the mouse or by numbers, in the scene panel and in the view.
+/// Arranges the product: adds and removes parts, chooses the moving part, and places bodies and the ends of the motion
+/// with the mouse or by numbers, in the scene panel and in the view.
 class AssemblyController final : public QObject {
   Q_OBJECT
 
@@ -21,25 +21,27 @@ class AssemblyController final : public QObject {
   AssemblyController(const Workbench& bench, PartImport& parts);
 
   ScenePanel* scenePanel() const { return scenePanel_; }
-  /// The scene panel with the placement of what is selected in it.
+  /// The scene panel, which contains the placement of the selected item.
   QWidget* panel() const { return panel_; }
   bool isEditable() const { return editable_; }
-  /// Selects what is arranged.
+  /// Selects the item to arrange.
   void choose(const std::optional<AssemblyItem>& item);
-  /// Puts it somewhere, as one undoable edit, and says why where that fails. As WorkbenchDocument::place().
+  /// Places an item as one undoable edit, and shows the reason if that fails. `mergeKey`: as
+  /// WorkbenchDocument::place().
   void place(const AssemblyItem& item, const Pose& X_WB, const QString& mergeKey = {});
-  /// The body, or where it is the object an end of its motion, is placed by this frame of its mesh.
+  /// Places a body by this frame of its mesh. For a body of the object it places an end of the motion.
   void placeByFrame(const RigidBody& body, const Pose& X_MF);
 
  signals:
-  /// What can be placed now, with its points: it was selected, moved, or the numbers are about another point.
+  /// The placement panel shows this item with its points: it was selected or moved, or the numbers are about another
+  /// point.
   void placementShown(const std::optional<glissade::AssemblyItem>& item, const glissade::PlacementPoints& points);
   void editableChanged(bool editable);
 
  private:
   void connectActions();
   void followDocument(Changes what);
-  /// There are no edits of the arrangement while a run goes on or a replay is shown.
+  /// The arrangement cannot be edited during a run or while a replay is shown.
   void followRun(const SnapshotPtr& snapshot);
   void showFailure(const Outcome& outcome);
   void editScenario(const QString& text, const std::function<Outcome(Scenario&)>& change);
@@ -54,7 +56,7 @@ class AssemblyController final : public QObject {
   void enableActions();
   std::set<std::string> selectedOfAll() const;
   std::set<std::string> selectedBodies() const;
-  /// Those of the object among them, which come first.
+  /// Ids of the selected bodies, first those of the object.
   std::vector<std::string> selectedToMove() const;
 
   const Workbench& bench_;
@@ -62,10 +64,10 @@ class AssemblyController final : public QObject {
   QWidget* panel_;
   ScenePanel* scenePanel_;
   PlacementPanel* placement_;
-  std::optional<AssemblyItem> chosen_;  ///< what the placement panel shows
-  std::optional<AssemblyItem> placed_;  ///< what it showed last
+  std::optional<AssemblyItem> chosen_;  ///< the item that the placement panel shows
+  std::optional<AssemblyItem> placed_;  ///< the item that the panel showed last
   bool editable_ = false;
-  std::map<std::string, Pose> picked_;  ///< X_BF by body; "" of the object
+  std::map<std::string, Pose> picked_;  ///< X_BF by the body's id; "": the object's
 };
 
 }  // namespace glissade

@@ -4,16 +4,17 @@
 #include "engine/operator/device_registry.h"
 #include "engine/session/grown_roadmap.h"
 #include "widgets/commands/length_text.h"
+#include "widgets/devices/frame_name.h"
 #include "widgets/panels/strategy_use.h"
 #include "widgets/scene3d/camera_controller.h"
 
 namespace glissade {
 namespace {
 
-/// Seconds of planning until help is asked for by itself; the next times after twice as long.
+/// Seconds of planning before the first offer of help; each later offer waits twice as long.
 constexpr double kFirstOffer = 5.0;
 
-/// The share of the work that looks for a whole way; the rest looks at gaps.
+/// The share of the work that searches a whole path; the rest searches gaps.
 constexpr double kWholeWay = 0.6;
 
 bool isPerson(const std::string& deviceId) {
@@ -28,12 +29,50 @@ bool followsHand(const std::string& strategy) {
   return entry != nullptr && entry->usesOperator;
 }
 
-/// The search goes on or has ended, without a path.
+/// The search goes on without a path, or ended without one.
 bool isStuck(const SessionSnapshot& snapshot) {
   return snapshot.run > 0 && !snapshot.path && (isRunning(snapshot) || searchFailed(snapshot));
 }
 
 }  // namespace
+
+HandHint::HandHint(const Workbench& bench) : bench_(bench), hint_(new SceneHint(bench.scene.widget())) {
+  bench.actions["layer.keys"]->setChecked(true);
+  connect(&bench.run, &ShownRun::changed, this, &HandHint::write);
+  connect(bench.actions["layer.keys"], &QAction::toggled, this, &HandHint::write);
+  connect(bench.actions["operator.camera"], &QAction::toggled, this, &HandHint::write);
+  connect(bench.actions["operator.frame"], &QAction::changed, this, &HandHint::write);
+}
+
+void HandHint::ask(const QString& text) {
+  asked_ = text;
+  write();
+}
+
+/// Writes the lines only if they changed; most snapshots change nothing.
+void HandHint::write() {
+  QStringList lines;
+  if (!asked_.isEmpty()) lines << asked_;
+  if (const QString line = keys(); !line.isEmpty()) lines << line;
+  const QString text = lines.join(QLatin1Char('\n'));
+  if (text == shown_) return;
+  shown_ = text;
+  hint_->write(text);
+}
+
+QString HandHint::keys() const {
+  const SnapshotPtr& snapshot = bench_.run.snapshot();
+  const std::string& device = bench_.session.deviceId();
+  const bool byKeys = device == "hand" || device == "keyboard";
+  if (!snapshot || !bench_.run.isLive() || !isRunning(*snapshot) || !byKeys) return {};
+  if (!bench_.actions["layer.keys"]->isChecked()) return {};
+  const auto key = [this](const char* id) {
+    return bench_.actions[QLatin1String(id)]->shortcut().toString(QKeySequence::NativeText);
+  };
+  const MotionFrame frame = bench_.session.hand()->keyboard.shaping.get().frame;
+  const QString keys = tr("A D W S Q E: move · J L I K U O: turn · Shift: slow · F: %1 · %2: camera · %3: help");
+  return keys.arg(frameName(frame), key("operator.camera"), key("assist.go"));
+}
 
 AssistController::AssistController(const Workbench& bench) : QObject(&bench.window), bench_(bench), hint_(bench) {
   bench.onAction("assist.go", this, [this] { go(); });
@@ -110,7 +149,8 @@ BackgroundTask::Work AssistController::search(Then then) {
 
 void AssistController::find(Then then) { bench_.work.run(tr("Looking for places to help"), search(then)); }
 
-/// The chosen place, or after it the next one; after the last one they are looked for again.
+/// Takes the hand to the chosen place, or to the next one if the hand was there already. After the last one it searches
+/// places again.
 void AssistController::go() {
   if (!places_ || (taken_ && chosen_ + 1 == places_->size())) {
     find(Then::Go);
@@ -125,7 +165,7 @@ void AssistController::go() {
   }
 }
 
-/// A new run puts the object at the start, so the hand is taken to the place after that.
+/// Starts a run by hand. A new run puts the object at the start, so the hand is taken to the place after that.
 void AssistController::startByHand() {
   bench_.document.whenArranged([this] {
     const HelpPlacesPtr places = places_;
@@ -133,7 +173,7 @@ void AssistController::startByHand() {
     bench_.session.post(command::Stop{});
     if (!isPerson(bench_.session.deviceId())) bench_.session.setDevice("hand");
     if (!followsHand(bench_.document.settings().strategy)) bench_.session.post(command::SetPlanner{"interactive"});
-    places_ = places;  // forgotten with the session of the device before
+    places_ = places;  // changing the device ended the session, which cleared places_
     chosen_ = chosen;
     starting_ = true;
     bench_.session.post(command::Start{});

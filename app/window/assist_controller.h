@@ -1,27 +1,48 @@
 #pragma once
 
-#include "app/window/hand_hint.h"
+#include "app/window/scene_hint.h"
 #include "app/window/workbench.h"
 #include "widgets/panels/difficulty_panel.h"
 
 namespace glissade {
 
-/// Offers the places where a search does not get on, and takes the hand and the view there: in a run that the hand
-/// takes part in, or in a new one where the last run found no path or nobody held the object. On screen, a run by hand
-/// that does not end offers them by itself.
+/// The text over the scene for a person who steers: what the search needs from the hand, and the keys during a run by
+/// hand.
+class HandHint final : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit HandHint(const Workbench& bench);
+
+  /// Shows a request to the person; empty: none.
+  void ask(const QString& text);
+
+ private:
+  void write();
+  QString keys() const;
+
+  const Workbench& bench_;
+  SceneHint* hint_;
+  QString asked_;
+  QString shown_;
+};
+
+/// Offers the places where a search is stuck, and takes the hand and the view there. It does so in a run that uses the
+/// hand, or in a new run if the last one found no path or had no hand. On screen, a run by hand that does not end shows
+/// the offers unasked.
 class AssistController final : public QObject {
   Q_OBJECT
 
  public:
   explicit AssistController(const Workbench& bench);
 
-  /// Shows the places of the run that is shown; null or empty: none.
+  /// Shows the places of this run; null or empty: none.
   void show(const HelpPlacesPtr& places);
-  /// assist.go takes the hand to this one next.
+  /// Chooses the place to which assist.go takes the hand next.
   void choose(std::size_t place);
 
  signals:
-  /// The view looks elsewhere.
+  /// The camera was moved.
   void cameraMoved();
 
  private:
@@ -43,10 +64,10 @@ class AssistController final : public QObject {
   HandHint hint_;
   BackgroundTask offers_;
   HelpPlacesPtr places_;    ///< null: none is shown
-  std::size_t chosen_ = 0;  ///< of them
-  bool taken_ = false;      ///< the hand was taken to the chosen one
-  bool starting_ = false;   ///< a run by hand: the hand is taken to the chosen place once it has begun
-  std::uint64_t run_ = 0;   ///< that is followed
+  std::size_t chosen_ = 0;  ///< index in places_
+  bool taken_ = false;      ///< the hand was taken to the chosen place
+  bool starting_ = false;   ///< a run by hand starts; the hand is taken to the chosen place once it runs
+  std::uint64_t run_ = 0;   ///< the run that is followed
   double nextOffer_ = 0.0;  ///< seconds of planning
 };
 

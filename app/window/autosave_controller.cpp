@@ -11,7 +11,7 @@ namespace glissade {
 namespace {
 
 constexpr int kMillisecondsPerSecond = 1000;
-/// Seconds without writing for each second that it took: it takes a tenth of a core at most.
+/// Seconds of pause for each second that writing took: writing uses at most a tenth of a core.
 constexpr double kPausePerSecond = 9.0;
 
 }  // namespace

@@ -8,20 +8,19 @@
 
 namespace glissade {
 
-/// Which obstacles are drawn: the check boxes of the scene panel, and actions on what is selected. Planning
-/// knows nothing of it, and the scenario does not keep it.
+/// Decides which obstacles are drawn, by the check boxes of the scene panel and by actions on the selection. Planning
+/// ignores it, and the scenario does not keep it.
 class BodyVisibility final : public QObject {
   Q_OBJECT
 
  public:
   BodyVisibility(const Workbench& bench, ScenePanel& panel);
 
-  /// False: there is no such body.
+  /// False if there is no such body.
   bool setVisible(const std::string& bodyId, bool visible);
 
  private:
-  /// In another scenario everything is shown. In another arrangement bodies may have come or gone: what is hidden
-  /// stays hidden.
+  /// Shows all bodies of a new scenario. After an edit of the arrangement, hidden bodies stay hidden.
   void followDocument(Changes what);
   void hideSelected();
   void isolateSelected();

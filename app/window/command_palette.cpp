@@ -18,14 +18,14 @@ enum PaletteColumn { kFoundCommand, kFoundMenu, kFoundKeys, kFoundColumns };
 constexpr int kIconSize = 16;
 constexpr int kRowHeight = 24;
 
-/// So that all names begin at one place.
+/// A transparent icon, so that all names begin in one column.
 QIcon noIcon() {
   QPixmap pixmap(kIconSize, kIconSize);
   pixmap.fill(Qt::transparent);
   return QIcon(pixmap);
 }
 
-/// 0 is the best; -1: it does not match.
+/// Rank of a match: 0 is the best; -1: no match.
 int rankOf(const QAction& action, const QString& text) {
   const QString name = commandName(action.text());
   const QString all = name + QLatin1Char(' ') + action.statusTip() + QLatin1Char(' ') + action.objectName();

@@ -8,12 +8,12 @@
 
 namespace glissade {
 
-/// The actions whose name, description or id has every word of the text, the best first: those whose name begins with
-/// it, then those whose name has it, then the others.
+/// The actions whose name, description or id contains every word of the text, in order of rank: the name begins with
+/// the text, the name contains it, others.
 std::vector<QAction*> matchingActions(const ActionCatalogue& actions, const QString& text);
 
-/// Finds an action by a part of its name and triggers it. Up and Down choose while one types, Enter triggers, Esc
-/// leaves. A row says in which menu the action is and what its shortcut is. What cannot be done now is grey.
+/// Finds an action by a part of its name and triggers it. Up and Down choose a row during typing, Enter triggers it,
+/// Esc closes the dialog. A row shows the menu and the shortcut of the action. Disabled actions are grey.
 class CommandPalette final : public QDialog {
   Q_OBJECT
 
@@ -34,7 +34,7 @@ class CommandPalette final : public QDialog {
   const ActionCatalogue& actions_;
   QLineEdit* field_;
   QTreeWidget* list_;
-  std::vector<QAction*> shown_;  ///< by row
+  std::vector<QAction*> shown_;  ///< action of each row
 };
 
 }  // namespace glissade

@@ -12,10 +12,10 @@
 namespace glissade {
 namespace {
 
-/// A press and a release nearer than this are a click.
+/// A press and a release within this distance are a click.
 constexpr double kMenuClickPixels = 4.0;
 
-using ActionIds = std::vector<const char*>;  ///< an empty one is a separator
+using ActionIds = std::vector<const char*>;  ///< an empty id is a separator
 
 const ActionIds kObjectMenu{"run.start",         "object.to-start", "", "assembly.start-here", "assembly.goal-here",
                             "assembly.goal-out", "assembly.swap",   "", "assembly.free-ends",  "assembly.arrange",
@@ -90,7 +90,7 @@ bool ContextMenus::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::MouseButtonRelease: return handleMouse(*static_cast<QMouseEvent*>(event));
     case QEvent::ContextMenu: {
       const auto& menu = *static_cast<QContextMenuEvent*>(event);
-      // That of the mouse comes with the press already.
+      // The press of the mouse button opened the menu already.
       if (menu.reason() != QContextMenuEvent::Mouse) open(false, bench_.scene.widget()->rect().center());
       return true;
     }
@@ -98,7 +98,7 @@ bool ContextMenus::eventFilter(QObject* watched, QEvent* event) {
   }
 }
 
-/// Never takes an event: the camera gets them all.
+/// Never consumes an event, because the camera needs all of them.
 bool ContextMenus::handleMouse(const QMouseEvent& event) {
   if (event.type() == QEvent::MouseButtonPress) {
     pressed_ = event.button() == Qt::RightButton && event.buttons() == Qt::RightButton

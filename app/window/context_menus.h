@@ -9,14 +9,14 @@
 
 namespace glissade {
 
-/// The context menus of the scene and of tables, made of actions of the catalogue. In the scene, the right button opens
-/// the menu of what is under the pointer where it is pressed and released at one place: a drag moves the camera in some
-/// navigation styles. The menu key and Shift+F10 open the menu of what is selected.
+/// The context menus of the scene and of tables, made of actions of the catalogue. In the scene, a click of the right
+/// button opens the menu of the item under the pointer; a drag of the right button moves the camera in some navigation
+/// styles. The menu key and Shift+F10 open the menu of the selection.
 class ContextMenus final : public QObject {
   Q_OBJECT
 
  public:
-  /// To be made when the panels are there.
+  /// Precondition: the panels exist.
   explicit ContextMenus(const Workbench& bench);
 
  protected:
@@ -24,16 +24,16 @@ class ContextMenus final : public QObject {
 
  private:
   void addTableMenus();
-  /// As the menu key does, in the widget that has the focus.
+  /// Opens the menu of the widget that has the focus, as the menu key does.
   void openByKeyboard();
   bool handleMouse(const QMouseEvent& event);
-  /// The target becomes what is selected, where it is not selected yet.
+  /// Selects the target unless it is selected already.
   void select(const SceneTarget& target);
   void open(bool isObject, const QPoint& position);
   void addCommands();
 
   const Workbench& bench_;
-  std::optional<QPointF> pressed_;  ///< where the right button is held without a drag
+  std::optional<QPointF> pressed_;  ///< position at which the right button was pressed, until a drag
   QPointer<QMenu> menu_;
 };
 

@@ -17,7 +17,7 @@ namespace glissade {
 namespace {
 
 constexpr int kCameraTick = 16;        ///< ms
-constexpr double kLongestTick = 0.05;  ///< s, however late the timer is
+constexpr double kLongestTick = 0.05;  ///< s, upper bound for a late timer
 constexpr int kLongestShownName = 24;
 
 QString shortened(const std::string& name) {
@@ -66,7 +66,7 @@ DeviceController::~DeviceController() {
   for (HandInput* input : hand_->withButtons()) input->mailbox.setListener({});
 }
 
-/// Devices change on their readers' threads; the window looks at all changes of a moment at once.
+/// Devices change on their readers' threads; the window handles simultaneous changes together.
 void DeviceController::listen() {
   const auto listener = queuedOnce(this, [this] { look(); });
   for (HandInput* input : hand_->withButtons()) input->mailbox.setListener(listener);
@@ -121,7 +121,7 @@ void DeviceController::lookAt(std::size_t which) {
   }
   for (std::size_t button = 0; button < kInputButtons; ++button) {
     while (seen.presses[button] != now.presses[button]) {
-      ++seen.presses[button];  // before the action, which may look again
+      ++seen.presses[button];  // before the action, which may call lookAt() again
       press(input, button);
     }
   }
@@ -130,7 +130,7 @@ void DeviceController::lookAt(std::size_t which) {
 void DeviceController::press(const HandInput& input, std::size_t button) {
   if (calibration_ != nullptr && calibration_->isVisible()) calibration_->showButton(input, button);
   QAction* action = actions_.find(settings_.action(input, button));
-  // A person with a headset does not see which window has the focus.
+  // A person with a headset does not see which window has the focus, so controllers always trigger.
   const bool isWorn = input.kind == InputKind::LeftController || input.kind == InputKind::RightController;
   if (action != nullptr && (hand_->focused || isWorn)) action->trigger();
 }
@@ -176,7 +176,7 @@ void DeviceController::setLeftHanded(bool left) {
   hand_->mainHand = left ? ControllerSide::Left : ControllerSide::Right;
 }
 
-/// All devices move in the same axes from then on; they are kept for those that are there.
+/// Changes the axes in which all present devices move, and keeps them for these devices.
 void DeviceController::chooseNextFrame() {
   constexpr int kFrames = 3;
   const int now = static_cast<int>(hand_->keyboard.shaping.get().frame);
@@ -189,12 +189,12 @@ void DeviceController::chooseNextFrame() {
   showFrame();
 }
 
-/// The axes of the keys: those of another device may differ where its calibration says so.
+/// Shows the axes of the keyboard. Another device may have others by its calibration.
 void DeviceController::showFrame() {
   if (frame_ == nullptr) return;
   const QString name = frameName(hand_->keyboard.shaping.get().frame);
   frame_->setText(name);
-  actions_["operator.frame"]->setData(name);  // changed(): other texts follow
+  actions_["operator.frame"]->setData(name);  // emits changed(), which updates other texts
 }
 
 void DeviceController::showCalibration() {
@@ -211,7 +211,7 @@ void DeviceController::advance(std::uint64_t steps) {
   for (std::uint64_t step = 0; step < steps && hand_->target == SteeringTarget::Camera; ++step) steer(dt);
 }
 
-/// One moment of camera mode. The timer rests while all devices do.
+/// Steers the camera for one tick. The timer rests while all devices rest.
 void DeviceController::steer(double dt) {
   const bool maySteer = hand_->target == SteeringTarget::Camera && hand_->focused;
   bool atRest = true;

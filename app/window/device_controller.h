@@ -24,8 +24,8 @@ namespace glissade {
 
 class CalibrationDialog;
 
-/// The person's devices in the window: reads them in real time, shows what they move and whether they
-/// are there, lets their buttons trigger actions, and steers the camera while it is their target.
+/// The person's devices in the window: reads them in real time, shows their target and whether they are connected, lets
+/// their buttons trigger actions, and steers the camera while it is their target.
 class DeviceController final : public QObject {
   Q_OBJECT
 
@@ -33,18 +33,18 @@ class DeviceController final : public QObject {
   DeviceController(SessionBridge& bridge, ActionCatalogue& actions, SceneWidget& scene, QWidget* window);
   ~DeviceController() override;
 
-  /// Adds what moves, and the state of the devices.
+  /// Adds the steering target and the state of the devices.
   void addIndicators(QStatusBar& bar);
-  /// Lockstep only: lets the camera be steered for so many planner steps' time.
+  /// Lockstep only: steers the camera for the time of `steps` planner steps.
   void advance(std::uint64_t steps);
 
  signals:
-  /// By a device.
+  /// A device moved the camera.
   void cameraMoved();
 
  private:
   void listen();
-  /// Something has changed in a mailbox.
+  /// Handles the changes of the mailboxes.
   void look();
   void lookAt(std::size_t which);
   void press(const HandInput& input, std::size_t button);
@@ -59,7 +59,7 @@ class DeviceController final : public QObject {
   void showCalibration();
   void steer(double dt);
 
-  /// What was last seen of a device.
+  /// The last reading of a device.
   struct Seen {
     bool connected = false;
     bool failed = false;

@@ -1,8 +1,7 @@
 #include "app/window/device_script.h"
 
-#include <array>
-
 #include "app/window/device_controller.h"
+#include "engine/base/enum_names.h"
 #include "engine/base/number_text.h"
 #include "engine/operator/hand_inputs.h"
 
@@ -63,8 +62,8 @@ Outcome expectSteering(const HandInputs& hand, const std::string& target) {
 }
 
 Outcome expectFrame(const HandInputs& hand, const std::string& frame) {
-  constexpr std::array kNames{"view", "world", "object"};
-  const std::string now = kNames[static_cast<std::size_t>(hand.keyboard.shaping.get().frame)];
+  constexpr EnumNames<MotionFrame, 3> kNames{{"view", "world", "object"}};
+  const std::string now = kNames.of(hand.keyboard.shaping.get().frame);
   if (frame == now) return Done{};
   return unmetExpectation("the keys move along the axes of " + now);
 }

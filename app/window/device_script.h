@@ -6,8 +6,8 @@ namespace glissade {
 
 class DeviceController;
 
-/// The script commands about devices: a script holds a mouse, a gamepad or the keys as a person would. Among them is
-/// `steps`, which lets devices and session go on.
+/// Adds the script commands about devices: a script uses a mouse, a gamepad or keys as a person would. The command
+/// `steps` advances devices and session.
 void addDeviceCommands(const Workbench& bench, DeviceController& devices);
 
 }  // namespace glissade

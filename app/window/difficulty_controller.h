@@ -14,11 +14,11 @@ class DifficultyController final : public QObject {
   explicit DifficultyController(const Workbench& bench);
 
   DifficultyPanel* panel() const { return panel_; }
-  /// What is shown; null: nothing.
+  /// The difficulty that is shown; null: none.
   const DifficultyPtr& difficulty() const { return difficulty_; }
 
  signals:
-  /// By assist.go.
+  /// The action assist.go moved the camera.
   void cameraMoved();
 
  private:
@@ -27,7 +27,7 @@ class DifficultyController final : public QObject {
   void show(const DifficultyPtr& difficulty, const HelpPlacesPtr& help);
 
   const Workbench& bench_;
-  AssistController* assist_;  ///< shows the places to help that are found besides
+  AssistController* assist_;  ///< shows the places to help, which the same work finds
   DifficultyPanel* panel_;
   DifficultyPtr difficulty_;
   HelpPlacesPtr help_;

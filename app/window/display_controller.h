@@ -6,8 +6,8 @@
 
 namespace glissade {
 
-/// How obstacles are drawn: the display mode of the view, and display modes of single bodies. The scenario does not
-/// keep them.
+/// Sets how obstacles are drawn: the display mode of the view, and display modes of single bodies. The scenario does
+/// not keep them.
 class DisplayController final : public QObject {
   Q_OBJECT
 
@@ -16,7 +16,7 @@ class DisplayController final : public QObject {
 
  private:
   void setMode(DisplayMode mode);
-  /// Nothing: the mode of the view.
+  /// Without a value the bodies have the mode of the view.
   void setModeOfSelected(std::optional<DisplayMode> mode);
   void checkAction();
   void enableActions();

@@ -4,7 +4,7 @@
 
 namespace glissade {
 
-/// Undo and redo, and what the document does in the background, as the window shows it.
+/// Shows undo and redo, and the background work of the document.
 class DocumentController final : public QObject {
   Q_OBJECT
 

@@ -4,10 +4,10 @@
 
 namespace glissade {
 
-/// What was typed into the line or box that has the focus counts as if Enter had been pressed; the focus stays.
+/// Commits the text of the line or box that has the focus, as Enter does; the focus stays.
 void commitEditorInUse();
 
-/// That before every action; to be called before anything else is connected to them.
+/// Calls commitEditorInUse() before every action. It must be called before anything else is connected to the actions.
 void commitBefore(const ActionCatalogue& actions);
 
 }  // namespace glissade

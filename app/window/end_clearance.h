@@ -10,12 +10,12 @@ namespace glissade {
 struct MovedEnd {
   AssemblyItem item;
   Pose X_WB;
-  double distance = 0.0;  ///< metres from where it was
+  double distance = 0.0;  ///< metres from its earlier position
 };
 
-/// The ends that have to move so that the object keeps `required` (metres) from all bodies there; empty: none has to.
-/// Errors: InCollision, no clear position was found near an end, which the location names; Interrupted. Takes up to
-/// seconds; any thread.
+/// The ends that have to move so that the object keeps `required` (metres) from all bodies there; empty if none has to.
+/// Errors: InCollision if no clear position was found near an end (the location names the end); Interrupted. It takes
+/// up to seconds and can run on any thread.
 Result<std::vector<MovedEnd>> endsMovedClear(const LoadedScenario& scenario, double required,
                                              const StopToken& stop = {});
 

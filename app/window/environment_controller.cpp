@@ -1,12 +1,16 @@
 #include "app/window/environment_controller.h"
 
+#include <QApplication>
 #include <QMouseEvent>
+#include <QTreeWidget>
 
 #include <algorithm>
 
-#include "app/window/environment_script.h"
 #include "app/window/scene_target.h"
+#include "engine/base/number_text.h"
+#include "engine/environment/place_identifier.h"
 #include "engine/planning/fine/coarse_preview.h"
+#include "engine/scenario/scenario_bodies.h"
 #include "widgets/commands/diagnostic_text.h"
 #include "widgets/document/complexity_colour.h"
 #include "widgets/scene3d/environment_layers.h"
@@ -14,9 +18,161 @@
 namespace glissade {
 namespace {
 
-/// A press and a release nearer than this are a click, not a drag.
+/// "yes", "no", a number, or any text.
+AttributeValue valueOf(const std::string& text) {
+  if (text == "yes" || text == "no") return text == "yes";
+  if (const auto number = toNumber(text)) return *number;
+  return text;
+}
+
+/// Clicks a row with the mouse, because a highlighted row can be chosen again.
+Outcome clickStep(const EnvironmentController& environment, const std::string& name) {
+  auto* steps = environment.planPanel()->findChild<QTreeWidget*>(QStringLiteral("steps"));
+  const auto number = toNumber(name);
+  QTreeWidgetItem* item = number ? steps->topLevelItem(static_cast<int>(*number) - 1) : nullptr;
+  if (item == nullptr) return wrongCommand("there is no step '" + name + "'");
+  steps->scrollToItem(item);
+  for (const QEvent::Type type : {QEvent::MouseButtonPress, QEvent::MouseButtonRelease}) {
+    QMouseEvent event(type, steps->visualItemRect(item).center(), Qt::LeftButton, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(steps->viewport(), &event);
+  }
+  return Done{};
+}
+
+bool hasBody(const LoadedScenario& scenario, const std::string& id) {
+  const auto& obstacles = scenario.obstacles;
+  return isInObject(scenario, id) ||
+         std::any_of(obstacles.begin(), obstacles.end(), [&id](const RigidBody& body) { return body.id == id; });
+}
+
+Outcome select(WorkbenchDocument& workbench, const EnvironmentController& environment, const std::string& kind,
+               const std::string& name) {
+  SemanticDocument& document = workbench.semantics();
+  SemanticSelection selection;
+  if (kind == "body" && workbench.scenario() && hasBody(*workbench.scenario(), name)) {
+    selection.bodies.insert(QString::fromStdString(name));
+  } else if (kind == "bodies" && workbench.scenario()) {  // "nut+bolt"
+    for (const QString& id : QString::fromStdString(name).split(QLatin1Char('+'))) {
+      if (hasBody(*workbench.scenario(), id.toStdString())) selection.bodies.insert(id);
+    }
+  } else if (kind == "step") {
+    return clickStep(environment, name);
+  } else if (kind == "place" && document.semantics() != nullptr) {
+    for (std::size_t place = 0; place < document.semantics()->placeCount(); ++place) {
+      if (document.semantics()->placeName(place) == name) selection.places.insert(static_cast<int>(place));
+    }
+  }
+  if (selection == SemanticSelection{}) {
+    return wrongCommand("there is no " + kind + " '" + name + "'",
+                        kind == "place" ? "Find the places first." : "Give its id.");
+  }
+  document.select(selection);
+  return Done{};
+}
+
+Outcome setAttribute(SemanticDocument& document, const std::string& name, const std::string& value) {
+  if (document.selection() == SemanticSelection{})
+    return wrongCommand("nothing is selected", "Select a place or a body first.");
+  document.endGesture();
+  return document.setAttribute(document.selection().shown(), name,
+                               value == "-" ? std::nullopt : std::optional<AttributeValue>(valueOf(value)));
+}
+
+/// Types the text key by key and does not commit it.
+Outcome type(const EnvironmentController& environment, const std::string& name, const std::string& text) {
+  const QString id = QString::fromStdString("attribute-" + name);
+  auto* editor = environment.semanticsPanel()->findChild<QWidget*>(id);
+  if (editor == nullptr) return wrongCommand("there is no editor of '" + name + "'", "Select a place or a body first.");
+  editor->setFocus(Qt::TabFocusReason);
+  for (const QChar key : QString::fromStdString(text)) {
+    QKeyEvent event(QEvent::KeyPress, 0, Qt::NoModifier, key);
+    QApplication::sendEvent(editor, &event);
+  }
+  return Done{};
+}
+
+Outcome define(SemanticDocument& document, const std::string& name, const std::string& type, const std::string& owner) {
+  AttributeDefinition definition;
+  const auto known = kAttributeTypeNames.find(type);
+  if (!known) return wrongCommand("there is no type '" + type + "'");
+  definition.name = definition.label = name;
+  definition.type = *known;
+  definition.owner = kAttributeOwnerNames.find(owner).value_or(AttributeOwner::Place);
+  definition.initial = initialValue(definition);
+  return document.addDefinition(definition);
+}
+
+Outcome expectAttribute(const SemanticDocument& document, const std::string& name, const std::string& value) {
+  const auto check = [&](const ProvenValue& found) -> Outcome {
+    if (toText(found.value) == value) return Done{};
+    return unmetExpectation("'" + name + "' is " + toText(found.value) + ", not " + value);
+  };
+  const SemanticSelection shown = document.selection().shown();
+  const AttributeOwner owner = shown.owner();
+  if (document.table().find(owner, name) == nullptr) return wrongCommand("there is no attribute '" + name + "'");
+  for (const int place : shown.places) {
+    const Outcome met = check(document.semantics()->ofPlace(static_cast<std::size_t>(place), name));
+    if (!met) return met;
+  }
+  for (const QString& body : shown.bodies) {
+    const Outcome met = check(document.bodyValue(body, name));
+    if (!met) return met;
+  }
+  return Done{};
+}
+
+Outcome expectWay(const EnvironmentController& environment, const std::string& names) {
+  std::string way;
+  if (const CoarsePlanPtr& plan = environment.shownPlan()) {
+    for (const TopologicalStep& step : plan->steps) way += (way.empty() ? "" : ",") + step.placeName;
+  }
+  if (way == names) return Done{};
+  return unmetExpectation("the coarse path leads through " + (way.empty() ? "nothing" : way) + ", not " + names);
+}
+
+Outcome expectStep(const EnvironmentController& environment, const std::string& name) {
+  const auto step = environment.planPanel()->currentStep();
+  const std::string found = step ? environment.shownPlan()->steps[*step].placeName : "-";
+  return found == name ? Outcome(Done{})
+                       : unmetExpectation("the step that is highlighted is " + found + ", not " + name);
+}
+
+Outcome expectPlan(const EnvironmentController& environment, const std::string& what) {
+  const CoarsePlanPtr& plan = environment.shownPlan();
+  const std::string found = !plan ? "none" : plan->attempt == 0 ? "preview" : "tried";
+  return found == what ? Outcome(Done{})
+                       : unmetExpectation("the coarse plan that is shown is " + found + ", not " + what);
+}
+
+Outcome identify(EnvironmentController& environment, const std::string& identifier) {
+  const PlaceIdentifierRegistry registry = makePlaceIdentifierRegistry();
+  if (registry.find(identifier) == nullptr) return wrongCommand("places cannot be found by '" + identifier + "'");
+  environment.identifyPlaces(identifier);
+  return Done{};
+}
+
+/// Adds the script commands about places, attributes and the coarse plan.
+void addEnvironmentCommands(const Workbench& bench, EnvironmentController& environment) {
+  using Words = ScriptCommands::Words;
+  ScriptCommands& scripts = bench.scripts;
+  SemanticDocument& document = bench.document.semantics();
+  scripts.add("select", 2, [&bench, &environment](const Words& words) {
+    return select(bench.document, environment, words[0], words[1]);
+  });
+  scripts.add("attribute", 2, [&document](const Words& words) { return setAttribute(document, words[0], words[1]); });
+  scripts.add("type", 2, [&environment](const Words& words) { return type(environment, words[0], words[1]); });
+  scripts.add("define", 3, [&document](const Words& words) { return define(document, words[0], words[1], words[2]); });
+  scripts.add("expect-attribute", 2,
+              [&document](const Words& words) { return expectAttribute(document, words[0], words[1]); });
+  scripts.add("expect-way", 1, [&environment](const Words& words) { return expectWay(environment, words[0]); });
+  scripts.add("expect-step", 1, [&environment](const Words& words) { return expectStep(environment, words[0]); });
+  scripts.add("expect-plan", 1, [&environment](const Words& words) { return expectPlan(environment, words[0]); });
+  scripts.add("identify", 1, [&environment](const Words& words) { return identify(environment, words[0]); });
+}
+
+/// A press and a release within this distance are a click, not a drag.
 constexpr double kClickPixels = 4.0;
-/// How much shorter ways through a preferred place count.
+/// Factor by which paths through a preferred place count as shorter.
 constexpr double kPreferred = 4.0;
 
 std::map<std::string, AttributeValue> mobilityOf(const SemanticEdits& edits) {
@@ -96,14 +252,14 @@ void EnvironmentController::followDocument(Changes what) {
   }
 }
 
-/// A scenario about places gets its environment model at once, and their panels come to the front.
+/// Builds the environment model of a scenario about places, and raises the panels about places.
 void EnvironmentController::startScenario() {
   builder_.cancel();
   semantics_->setBusy(false);
   const Scenario& scenario = bench_.document.scenario()->scenario;
   if (!isMultiLayer(scenario.planner) && scenario.places.empty()) return;
   for (const char* panel : {"panel.semantics", "panel.plan"}) bench_.actions[QLatin1String(panel)]->trigger();
-  bench_.scene.widget()->setFocus();  // keys steer the object
+  bench_.scene.widget()->setFocus();  // the focus lets keys steer the object
   build(nullptr);
 }
 
@@ -120,7 +276,7 @@ bool EnvironmentController::isModelled(const LoadedScenario& scenario) const {
          modelled_.workspace.min() == workspace.min() && modelled_.workspace.max() == workspace.max();
 }
 
-/// After an edit: rules, start and goal do not matter to the model; bodies, the workspace and mobility do.
+/// Updates the model after an edit. It depends on bodies, workspace and mobility, not on rules, start and goal.
 void EnvironmentController::updateModel(Changes what) {
   const SceneKnowledgePtr known = bench_.document.knowledge();
   if (!known && !builder_.isBusy()) return;
@@ -129,7 +285,7 @@ void EnvironmentController::updateModel(Changes what) {
   } else if (builder_.isBusy() || !isModelled(*bench_.document.scenario())) {
     build(known);
   } else if (what & Change::Arrangement) {
-    bench_.document.setKnowledge(known);  // it holds, and the new session has none
+    bench_.document.setKnowledge(known);  // the model is still valid, but the new session has none
   }
 }
 
@@ -177,8 +333,8 @@ void EnvironmentController::followRun(const SnapshotPtr& snapshot) {
   if (newPlan) showPlan();
 }
 
-/// The plan of the run while it goes on, and as long as planning again would begin with it; else a preview, which is
-/// made in the background.
+/// Shows the plan of the run during the run, and afterwards as long as a new run would begin with that plan; else shows
+/// a preview, which is made in the background.
 void EnvironmentController::showPlan() {
   if (!snapshot_) return;
   const PreviewQuestion question{bench_.document.scenario()->problem, snapshot_->plannerId, document_.knowledge(),
@@ -215,7 +371,7 @@ void EnvironmentController::drawPlan() {
   bench_.scene.refresh();
 }
 
-/// A step that is looked at has its place selected, so that what is done to places is done to that one.
+/// Selects the place of the step that is looked at, so that edits of places apply to it.
 void EnvironmentController::showStep() {
   const auto step = plan_->currentStep();
   bench_.scene.view().setShownStep(step);
@@ -229,7 +385,7 @@ void EnvironmentController::showStep() {
   enableActions();
 }
 
-/// Where something else was selected the step is not looked at any more.
+/// Leaves the step if the selection no longer holds its place.
 void EnvironmentController::leaveStep() {
   const auto step = plan_->currentStep();
   const int place = step ? shownPlan_->steps[*step].place : TopologicalStep::kWholeWorkspace;

@@ -20,21 +20,22 @@ class EnvironmentController final : public QObject {
 
   SemanticsPanel* semanticsPanel() const { return semantics_; }
   PlanPanel* planPanel() const { return plan_; }
-  /// Builds the model anew with another way to find places; an id of the place identifier registry.
+  /// Builds the model again with another method that finds places; `identifier`: id in the registry of place
+  /// identifiers.
   void identifyPlaces(const std::string& identifier);
-  /// The plan that is shown; null where there is none.
+  /// The coarse plan that is shown; null if there is none.
   const CoarsePlanPtr& shownPlan() const { return shownPlan_; }
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  /// What an environment model was last built from.
+  /// The input of the last environment model.
   struct ModelledScene {
     std::vector<RigidBody> obstacles;
     RigidBody object;
     Box3 workspace;
-    std::map<std::string, AttributeValue> mobility;  ///< as the user has set it, by rigid body
+    std::map<std::string, AttributeValue> mobility;  ///< by rigid body, as the user has set it
   };
 
   void connectActions();
@@ -42,10 +43,10 @@ class EnvironmentController final : public QObject {
   void followRun(const SnapshotPtr& snapshot);
   void startScenario();
   void updateModel(Changes what);
-  /// Builds the environment model; what stays of `before` (may be null) is not built again.
+  /// Builds the environment model and reuses the unchanged parts of `before`, which may be null.
   void build(const SceneKnowledgePtr& before);
   bool isModelled(const LoadedScenario& scenario) const;
-  /// Selects what lies under a point of the scene widget; `add`: besides what is selected.
+  /// Selects the item at a point of the scene widget; `add`: adds it to the selection.
   void pick(const QPointF& position, bool add);
   void showEnvironment();
   void showPlan();
@@ -55,7 +56,7 @@ class EnvironmentController final : public QObject {
   void leaveStep();
   void toggleForbidden();
   void togglePreferred();
-  /// Sets the attribute on the selected places, or resets it where all of them have it.
+  /// Sets the attribute on the selected places, or resets it if all of them have it.
   void toggle(const std::string& attribute, const AttributeValue& value, bool (*isSet)(const AttributeValue&));
   void setMilestone(bool here);
   void changeCellLevel(int by);
@@ -70,10 +71,10 @@ class EnvironmentController final : public QObject {
   PlanPanel* plan_;
   ModelledScene modelled_;
   int finestCellLevel_ = 6;
-  SnapshotPtr snapshot_;  ///< shown last
+  SnapshotPtr snapshot_;  ///< the snapshot shown last
   CoarsePlanPtr shownPlan_;
   QPointF pressed_;
-  BackgroundTask preview_;  ///< the last member: it waits for its threads before the others end
+  BackgroundTask preview_;  ///< last member, because it waits for its threads before the others are destroyed
 };
 
 }  // namespace glissade

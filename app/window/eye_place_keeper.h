@@ -11,13 +11,13 @@
 
 namespace glissade {
 
-/// Keeps the camera of the scene where the eyes of the person are: for two eyes, for a tracked head, or both. As long
-/// as there is neither, the camera is the usual one.
+/// Keeps the camera of the scene at the person's eyes: for two eyes, for a tracked head, or both. With neither, the
+/// camera is the usual one.
 class EyePlaceKeeper final : public QObject {
   Q_OBJECT
 
  public:
-  /// The point of the scene that lies in the plane of the screen; nothing: the focus.
+  /// The point of the scene that lies in the plane of the screen; nothing: the camera's focus.
   using PlanePoint = std::function<std::optional<Vector3>()>;
 
   /// `screenPixels`: the width of the whole screen, in the pixels of widgets.
@@ -27,12 +27,12 @@ class EyePlaceKeeper final : public QObject {
   const ScreenGeometry& screen() const { return screen_; }
   void setStereo(bool stereo);
   void setPlanePoint(PlanePoint planePoint);
-  /// Nothing: the head is not tracked.
+  /// Sets the pose of the head; nothing: the head is not tracked.
   void setHead(const std::optional<HeadPose>& head);
 
-  /// The places of the left and of the right eye, as they are now.
+  /// The present places of the left and the right eye.
   std::array<EyePlace, 2> eyes() const;
-  /// What the scene measures on the screen, metres.
+  /// The size of the scene on the screen, metres.
   QSizeF pictureSize() const;
 
  protected:

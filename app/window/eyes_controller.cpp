@@ -11,7 +11,7 @@
 namespace glissade {
 
 EyesController::EyesController(const Workbench& bench) : QObject(&bench.window), bench_(bench) {
-  // Without a display the window is the screen.
+  // Without a display the window has the size of the screen.
   const auto screenPixels = [&bench] {
     const bool isSeen = bench.session.clock() == SessionClock::RealTime;
     return isSeen ? bench.window.screen()->size().width() : bench.window.width();

@@ -11,8 +11,8 @@ class SequenceController;
 class StereoController;
 class WindowMemory;
 
-/// What is about the eyes of the person: where they are before the screen, stereo, the head that is tracked,
-/// and the headset; and whether their hand gets to what moves.
+/// Makes the controllers about the person's eyes and hand: the eyes before the screen, stereo, head tracking, the
+/// headset, and the access of a hand.
 class EyesController final : public QObject {
   Q_OBJECT
 
@@ -20,8 +20,8 @@ class EyesController final : public QObject {
   explicit EyesController(const Workbench& bench);
 
   void remember(WindowMemory& memory);
-  /// What a person with a headset works with, and the access of a hand; once, after the parts of the window that they
-  /// are about.
+  /// Adds the tools of a person with a headset and the access of a hand. It is called once, after the parts of the
+  /// window that the tools use exist.
   void addTools(const RefusalController& refusal, SequenceController& sequence, const MeasuringTools& measuring,
                 PathPanel& path);
 

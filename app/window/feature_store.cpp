@@ -10,10 +10,10 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Found = std::vector<std::pair<MeshPtr, MeshFeaturesPtr>>;
 
-/// What was found is delivered that often, so that bodies snap before all meshes are done.
+/// Interval at which found features are delivered, so that bodies snap before all meshes are done.
 constexpr std::chrono::milliseconds kDeliveryInterval{300};
 
-/// Of as many meshes as are done at `end`, at least of one.
+/// Finds features of the meshes until `end`, but of at least one mesh.
 Found findFeatures(const std::vector<MeshPtr>& meshes, const StopToken& stop, Clock::time_point end) {
   Found found;
   for (const MeshPtr& mesh : meshes) {
@@ -36,7 +36,7 @@ FeatureStore::FeatureStore(const Workbench& bench) : QObject(&bench.window), ben
       known_.clear();
       all_ = false;
     } else if (all_ && (what & Change::Arrangement)) {
-      prepareAll();  // parts may have been added
+      prepareAll();  // an edit may have added parts
     }
   });
 }
@@ -65,7 +65,7 @@ std::vector<MeshPtr> FeatureStore::unknownMeshes() const {
   const LoadedScenario& scenario = *bench_.document.scenario();
   for (const RigidBody& body : scenario.obstacles) add(body.mesh);
   add(scenario.object.mesh);
-  // Small ones first: most bodies snap soon.
+  // Small meshes come first, so that most bodies snap soon.
   std::stable_sort(unknown.begin(), unknown.end(),
                    [](const MeshPtr& a, const MeshPtr& b) { return a->triangles.size() < b->triangles.size(); });
   return unknown;

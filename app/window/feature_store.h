@@ -11,7 +11,7 @@
 
 namespace glissade {
 
-/// What people point at on a mesh, and what bodies snap to.
+/// The features of a mesh that people measure and that bodies snap to.
 struct MeshFeatures {
   explicit MeshFeatures(const MeshPtr& mesh) : measurable(mesh), snap(findSnapFeatures(measurable)) {}
 
@@ -20,22 +20,22 @@ struct MeshFeatures {
 };
 using MeshFeaturesPtr = std::shared_ptr<const MeshFeatures>;
 
-/// The pointer means vertices and edges within this.
+/// The pointer selects vertices and edges within this distance.
 inline constexpr double kFeaturePixels = 9.0;
 
-/// The features of the meshes of the open scenario, found once each, in the background. GUI thread.
+/// Finds the features of each mesh of the open scenario once, in the background. It is used on the GUI thread.
 class FeatureStore final : public QObject {
   Q_OBJECT
 
  public:
   explicit FeatureStore(const Workbench& bench);
 
-  /// Null: they are not known yet.
+  /// The features of a mesh; null until they are found.
   MeshFeaturesPtr find(const MeshPtr& mesh) const;
-  /// Finds those of one mesh and calls `then`, unless another request comes, or cancel().
+  /// Finds the features of one mesh and calls `then`, unless another request or cancel() comes before.
   void prepare(const MeshPtr& mesh, const std::function<void()>& then);
   void cancel() { request_.cancel(); }
-  /// Finds those of all bodies, one mesh after the other.
+  /// Finds the features of all bodies, one mesh after the other.
   void prepareAll();
 
  private:
@@ -43,7 +43,7 @@ class FeatureStore final : public QObject {
 
   const Workbench& bench_;
   std::map<MeshPtr, MeshFeaturesPtr> known_;
-  bool all_ = false;  ///< those of all bodies are asked for
+  bool all_ = false;  ///< the features of all bodies are requested
   BackgroundTask request_;
   BackgroundTask round_;
 };

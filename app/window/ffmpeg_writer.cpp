@@ -10,7 +10,7 @@
 namespace glissade {
 namespace {
 
-/// Pictures that may wait for ffmpeg.
+/// Number of pictures that may wait for ffmpeg.
 constexpr qint64 kMostWaiting = 4;
 
 struct Format {
@@ -34,10 +34,10 @@ const Format* formatOf(const QString& ending) {
   return nullptr;
 }
 
-/// Codecs take even numbers of pixels.
+/// The largest size with even numbers of pixels, as codecs need it.
 QSize evenSize(const QSize& size) { return {size.width() / 2 * 2, size.height() / 2 * 2}; }
 
-/// Rows of blue, green, red and an unused byte.
+/// The pixels in rows of blue, green, red and an unused byte.
 QByteArray bytesOf(const QImage& picture) {
   const QImage rows = picture.convertToFormat(QImage::Format_RGB32);
   const int width = 4 * rows.width();
@@ -90,7 +90,7 @@ void FfmpegWriter::start(const QSize& size) {
                         "-pix_fmt",     "bgr0",      "-s",    pixels, "-r", QString::number(kFilmRate),
                         "-i",           "pipe:0",    "-an"};
   arguments += formatOf(QFileInfo(file_).suffix().toLower())->codec;
-  // A name that begins with a hyphen or has a colon is a file all the same.
+  // The prefix "file:" makes ffmpeg take a name with a leading hyphen or a colon as a file.
   arguments << QStringLiteral("file:") + unfinished_;
   process_.start(program_, arguments);
 }

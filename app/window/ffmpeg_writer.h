@@ -9,15 +9,16 @@
 
 namespace glissade {
 
-/// Whether ffmpeg is asked for films of this ending ("mp4").
+/// Whether ffmpeg writes films with this ending ("mp4").
 bool isFfmpegFilm(const QString& ending);
 
-/// Gives the pictures to ffmpeg through a pipe. The film is written beside its file and renamed at the end.
+/// Sends the pictures to ffmpeg through a pipe. ffmpeg writes the film beside its final name; the file is renamed at
+/// the end.
 class FfmpegWriter final : public FilmWriter {
   Q_OBJECT
 
  public:
-  /// `program`: of ffmpeg. The process starts with the first picture, which gives the size.
+  /// `program`: file name of ffmpeg. The process starts with the first picture, which determines the size.
   FfmpegWriter(QString program, const QString& file);
   ~FfmpegWriter() override;
 
@@ -34,7 +35,7 @@ class FfmpegWriter final : public FilmWriter {
 
   QString program_;
   QString file_;
-  QString unfinished_;  ///< what ffmpeg writes
+  QString unfinished_;  ///< the file that ffmpeg writes
   QProcess process_;
   std::optional<QSize> size_;
   bool ended_ = false;

@@ -76,7 +76,7 @@ void FileController::openInBackground(const QString& file) {
   bench_.work.run(tr("Opening the scenario"), [this, file](const WorkWatch& watch) -> BackgroundTask::Delivery {
     const auto opened = std::make_shared<const Result<ScenarioFile>>(
         openScenarioFile(file.toStdString(), watch.stop, FindFits::LaterIfLarge));
-    // Asked now, because there may have been edits meanwhile.
+    // The question comes at the delivery, because edits may have been made during the reading.
     return [this, opened, file] {
       if (!*opened || mayDiscard()) (void)take(*opened, file, false);
     };
@@ -138,7 +138,7 @@ SaveResult FileController::write(const QString& file) {
   return saved;
 }
 
-/// The scene of a temporary scenario is not the file's.
+/// Announces that the picture is due, except for a temporary scenario, whose scene is not the file's.
 void FileController::announcePicture(const QString& file) {
   if (!file.isEmpty() && !bench_.document.isTemporary()) emit pictureDue(file);
 }
@@ -218,7 +218,7 @@ bool FileController::mayDiscard() {
   return true;
 }
 
-/// A film is about the scenario that is open.
+/// Asks whether running work, such as a film, may be lost. The work needs the scenario that is open.
 bool FileController::asksToEndWork() {
   const QString work = bench_.work.endangered();
   if (bench_.messages.isQuiet() || work.isEmpty()) return true;
@@ -246,7 +246,7 @@ bool FileController::asksToDiscard() {
   return answer == QMessageBox::Discard || !bench_.document.isModified();
 }
 
-/// Files that are not there stay in the list: a drive may only be away for a while.
+/// Fills the menu of recent files. Missing files stay in the list, because a drive may be away for a while.
 void FileController::fillRecentMenu() {
   recent_->clear();
   const QStringList files = recentFiles();
@@ -269,7 +269,7 @@ void FileController::drop(const QMimeData& data) {
   QStringList files;
   for (const QUrl& url : data.urls()) files << url.toLocalFile();
   const bool more = bench_.document.scenario() != nullptr;
-  // A dialog would hold up the program that the files were dragged from.
+  // The dialog opens later, because it would block the program that the files were dragged from.
   QTimer::singleShot(0, this, [this, files, more] {
     openAny(files, more ? PartsDialog::Purpose::AddParts : PartsDialog::Purpose::NewScenario);
   });
@@ -289,7 +289,7 @@ void FileController::openAny(const QStringList& files, PartsDialog::Purpose ofPa
   }
 }
 
-/// The file, and the product's name where it says more.
+/// Shows the file name, and the product's name if it differs.
 void FileController::showTitle() {
   const LoadedScenario& scenario = *bench_.document.scenario();
   const QFileInfo file(QString::fromStdString(scenario.file));

@@ -11,42 +11,44 @@
 
 namespace glissade {
 
-/// Opens and saves the document: dialogs, the files opened last, files that are dropped, the question about unsaved
-/// edits, the window's title.
+/// Opens and saves the document: dialogs, recent files, dropped files, the question about unsaved edits, the window's
+/// title.
 class FileController final : public QObject {
   Q_OBJECT
 
  public:
   FileController(const Workbench& bench, PartImport& parts, PathController& path);
 
-  /// The menu of the files opened last.
+  /// The menu of recent files.
   QMenu* recentMenu() const { return recent_; }
   /// Guards saves, keeps earlier versions and unsaved edits.
   SaveController& saves() { return *saves_; }
-  /// From now on files are remembered there.
+  /// Sets the memory for recent files.
   void setMemory(WindowMemory* memory);
   bool remembers() const { return memory_ != nullptr; }
-  /// The files opened last, the latest first; they may be gone. None where nothing is remembered.
+  /// The recent files, the latest first, also deleted ones; none without a memory.
   QStringList recentFiles() const { return memory_ != nullptr ? memory_->recentFiles() : QStringList(); }
 
   /// Opens a scenario; errors are shown in a dialog unless `quiet`, and returned.
   std::optional<Diagnostic> openScenario(const QString& file, bool quiet, FindFits fits = FindFits::Now);
-  /// The same without waiting for it: reading STEP files takes its time. Cancelled as all background work.
+  /// Opens a scenario in the background, because reading STEP files takes long. It is cancelled as all background work.
   void openInBackground(const QString& file);
-  /// Opens, imports or examines what was dropped on the window. Parts are added to the scenario that is open.
+  /// Opens, imports or examines the dropped files. Parts are added to the open scenario.
   void drop(const QMimeData& data);
-  /// Part files are offered in the dialog of parts; a path file is examined, a scenario is opened. Not empty.
+  /// Opens files of any kind: part files in the dialog of parts, a path file in the path panel, or a scenario.
+  /// Precondition: `files` is not empty.
   void openAny(const QStringList& files, PartsDialog::Purpose ofParts);
-  /// Of the scenario that is open, or of its parts where it was never saved; empty where nothing is open.
+  /// The folder of the open scenario, or of its parts if the scenario was never saved; empty without a scenario.
   QString folder() const;
-  /// Saves the document into the file, which is the document's from then on. Nothing on success.
+  /// Saves the document into the file, which becomes the document's file. Returns nothing on success.
   std::optional<Diagnostic> saveAs(const QString& file);
-  /// Asks what to do with edits that are not saved. False: the user wants to keep working on them.
+  /// Asks what to do with unsaved edits and running work. False if the user wants to keep them.
   bool mayDiscard();
 
  signals:
   void recentFilesChanged();
-  /// The scenario of the file was saved, or another one may take its place: the scene still shows it.
+  /// The picture of the file's scenario has to be taken now: the scenario was saved, or another one may replace it in
+  /// the scene.
   void pictureDue(const QString& file);
 
  private:
@@ -63,7 +65,7 @@ class FileController final : public QObject {
   void save();
   SaveController* makeSaves();
   SaveResult write(const QString& file);
-  /// Saves, and asks where somebody else has changed the file.
+  /// Saves, and asks the user if another program has changed the file.
   void trySave(const QString& file);
   void showTitle();
 
@@ -72,7 +74,7 @@ class FileController final : public QObject {
   PathController& path_;
   QMenu* recent_;
   SaveController* saves_;
-  WindowMemory* memory_ = nullptr;  ///< null: nothing is remembered
+  WindowMemory* memory_ = nullptr;  ///< null: files are not remembered
 };
 
 }  // namespace glissade

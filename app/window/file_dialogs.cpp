@@ -11,7 +11,7 @@
 namespace glissade {
 namespace {
 
-/// As settings have it.
+/// The key of a purpose in the settings.
 QString keyOf(FilePurpose purpose) {
   switch (purpose) {
     case FilePurpose::Scenario: return QStringLiteral("scenario");
@@ -42,7 +42,7 @@ QString FileDialogs::open(FilePurpose purpose, const QString& title, const QStri
 
 QString FileDialogs::openFolder(FilePurpose purpose, const QString& title) {
   const QString folder = QFileDialog::getExistingDirectory(&window_, title, folderOf(purpose));
-  // Its neighbours are what is opened next.
+  // Remembers the parent of the chosen folder, because its neighbours are often opened next.
   noteFile(purpose, folder);
   return folder;
 }
@@ -56,7 +56,7 @@ QString FileDialogs::save(FilePurpose purpose, const QString& title, const QStri
   return file;
 }
 
-/// A folder that is away is not shown: a dialog would begin anywhere.
+/// The last folder of the purpose if it still exists; else the usual one.
 QString FileDialogs::folderOf(FilePurpose purpose) const {
   const auto known = folders_.find(purpose);
   const QString last = known != folders_.end() ? known->second

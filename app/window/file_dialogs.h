@@ -9,28 +9,28 @@ namespace glissade {
 
 class WindowMemory;
 
-/// What a file is chosen for. Each has a folder of its own.
+/// The purpose of a file that is chosen. Each purpose has its own last folder.
 enum class FilePurpose { Scenario, Parts, Path, Export, Report, Film, Recording, Sequence, Times, Study };
 
-/// The dialogs that ask for files. Each begins in the folder that was used for its purpose last, also in an earlier
-/// session where the window has a memory; before that, in the folder of the scenario.
+/// The dialogs that ask for files. Each begins in the last folder of its purpose, which the window's memory keeps
+/// between sessions; without one, in the folder of the scenario.
 class FileDialogs final {
  public:
-  /// `usualFolder` is asked where nothing is remembered of a purpose; it may be empty.
+  /// `usualFolder` returns the folder for purposes without a remembered one; it may return an empty name.
   FileDialogs(QWidget& window, std::function<QString()> usualFolder);
 
-  /// Null: folders are remembered until the window closes.
+  /// Sets the memory of folders. Null: folders are remembered until the window closes.
   void setMemory(WindowMemory* memory) { memory_ = memory; }
 
-  /// Empty where the person cancels, as of the others.
+  /// Asks for a file to open. All functions that ask return an empty name if the person cancels.
   QString open(FilePurpose purpose, const QString& title, const QString& filter, QWidget* parent = nullptr);
   QString openFolder(FilePurpose purpose, const QString& title);
-  /// `name` is proposed; where it has a folder, this one is shown.
+  /// Asks for a file to save. It proposes `name`, in that name's folder if it has one.
   QString save(FilePurpose purpose, const QString& title, const QString& name, const QString& filter,
                QWidget* parent = nullptr);
 
   QString folderOf(FilePurpose purpose) const;
-  /// Of a file that was chosen without this class.
+  /// Remembers the folder of a file that was chosen without this class.
   void noteFile(FilePurpose purpose, const QString& file);
 
  private:
@@ -39,7 +39,7 @@ class FileDialogs final {
   QWidget& window_;
   std::function<QString()> usualFolder_;
   WindowMemory* memory_ = nullptr;
-  std::map<FilePurpose, QString> folders_;  ///< of this session
+  std::map<FilePurpose, QString> folders_;  ///< last folders of this session
 };
 
 }  // namespace glissade

@@ -4,8 +4,9 @@
 
 namespace glissade {
 
-/// Asks where a film is saved; `what` is its name without the product's and without an ending. Where ffmpeg is not
-/// installed, that is said before, and a series of pictures is proposed. Empty: the person cancels.
+/// Asks where to save a film. `what`: the file's proposed name without the product's name and without an ending.
+/// Without ffmpeg, a message says so first, and a series of pictures is proposed. Returns an empty name if the person
+/// cancels.
 QString chooseFilmFile(const Workbench& bench, const QString& title, const QString& what);
 
 }  // namespace glissade

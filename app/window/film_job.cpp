@@ -9,7 +9,7 @@
 namespace glissade {
 namespace {
 
-/// Seconds for which the first and the last picture stand.
+/// Seconds for which the first and the last picture are repeated.
 constexpr double kStanding = 0.6;
 
 }  // namespace
@@ -38,12 +38,12 @@ void FilmJob::cancel() {
   end(notSaved({ErrorKind::Interrupted, file_.toStdString(), "", "the film was cancelled", "Start it again."}));
 }
 
-/// One picture now, the others at later turns of the event loop.
+/// Takes one picture now, and the next ones at later turns of the event loop.
 void FilmJob::takePictures() {
   do {
     if (!writer_) return;
     if (writer_->isBusy()) {
-      if (!work_.isAtOnce()) return;  // until it is ready
+      if (!work_.isAtOnce()) return;  // the writer's ready() calls this again
       writer_->wait();
     } else if (taken_ < pictures_) {
       takePicture();
@@ -64,7 +64,7 @@ void FilmJob::takePicture() {
     const CameraController ofTheWindow = std::exchange(camera_, *filming_);
     subject_.show(share);
     picture_ = takenOf_();
-    filming_ = std::exchange(camera_, ofTheWindow);  // it may follow what moves
+    filming_ = std::exchange(camera_, ofTheWindow);  // the motion may have moved a camera that follows the object
     subject_.restore();
     pictureShare_ = share;
   }
@@ -75,7 +75,7 @@ void FilmJob::takePicture() {
 
 void FilmJob::end(const SaveResult& result) {
   if (!writer_) return;
-  // The writer may be what calls.
+  // The writer may be calling this function, so it is deleted later.
   writer_->disconnect(this);
   writer_.release()->deleteLater();
   work_.endOther(*this);

@@ -16,32 +16,32 @@
 
 namespace glissade {
 
-/// Pixels of a film.
+/// Size of a film's pictures in pixels.
 inline constexpr QSize kFilmPicture(1280, 720);
 
-/// What a film shows.
+/// The motion that a film shows.
 struct FilmSubject {
-  double seconds = 0.0;              ///< at the speed that is chosen for playing
-  std::function<void(double)> show;  ///< the scene at a share of the time, in [0, 1]; panels stay as they are
-  std::function<void()> restore;     ///< the scene as the window has it, after each picture
+  double seconds = 0.0;              ///< duration at the chosen playing speed
+  std::function<void(double)> show;  ///< shows the scene at a share of the time, in [0, 1]; panels do not change
+  std::function<void()> restore;     ///< shows the window's scene again, after each picture
 };
 
-/// Films the 3D view from where the camera was at the beginning: a picture at each turn of the event loop, with its
-/// share in the status bar, where it is cancelled, too. A person goes on working meanwhile, at another place of the way
-/// and from another eye. What is hidden, cut or selected is so in the film, too. In scripts all of it is done at once.
-/// GUI thread.
+/// Films the 3D view from the camera that the window had at the start of the film. It takes one picture at each turn of
+/// the event loop, and shows its progress in the status bar, where it can be cancelled. The person can go on working,
+/// at another place of the motion and with another camera. Hidden, cut and selected bodies are so in the film too. In
+/// scripts the film is made at once. It is used on the GUI thread.
 class FilmJob final : public QObject {
   Q_OBJECT
 
  public:
-  /// `picture`: of the scene as it is. `camera`: that it is seen with.
+  /// `picture`: takes a picture of the scene. `camera`: the camera of that picture.
   FilmJob(WorkController& work, std::function<QImage()> picture, CameraController& camera)
       : work_(work), takenOf_(std::move(picture)), camera_(camera) {}
 
   using Finished = std::function<void(const SaveResult&)>;
-  /// A film that is under way is cancelled. Errors: those of makeFilmWriter() and of writing, and Interrupted.
+  /// Starts a film and cancels a running one. Errors: those of makeFilmWriter() and of writing, and Interrupted.
   void start(FilmSubject subject, const QString& file, Finished finished);
-  /// The film has no file then.
+  /// Cancels the film, which leaves no file.
   void cancel();
   bool isFilming() const { return writer_ != nullptr; }
 
@@ -54,8 +54,8 @@ class FilmJob final : public QObject {
   std::function<QImage()> takenOf_;
   CameraController& camera_;
   std::optional<CameraController> filming_;  ///< the camera of the film
-  QImage picture_;                           ///< the one taken last
-  std::optional<double> pictureShare_;       ///< what it shows; nothing: none was taken
+  QImage picture_;                           ///< the last picture
+  std::optional<double> pictureShare_;       ///< share of the motion in picture_; nothing: no picture was taken
   FilmSubject subject_;
   Finished finished_;
   std::unique_ptr<FilmWriter> writer_;

@@ -12,7 +12,7 @@ namespace {
 
 QString endingOf(const QString& file) { return QFileInfo(file).suffix().toLower(); }
 
-/// film.png: film-0001.png and so on.
+/// Writes a series of numbered pictures: film.png becomes film-0001.png and so on.
 class PictureSeries final : public FilmWriter {
  public:
   explicit PictureSeries(const QString& file) : file_(file) {}

@@ -13,35 +13,36 @@ namespace glissade {
 /// Pictures of a film in one second.
 inline constexpr int kFilmRate = 25;
 
-/// Takes the pictures of a film one after the other. GUI thread; an object that is destroyed early leaves no film.
+/// Takes the pictures of a film one after the other. It is used on the GUI thread. An object that is destroyed early
+/// leaves no film.
 class FilmWriter : public QObject {
   Q_OBJECT
 
  public:
-  /// Pictures wait in memory that were not taken over yet: ready() says when the next one may come.
+  /// Whether pictures still wait in memory; ready() announces that the next one may come.
   virtual bool isBusy() const = 0;
-  /// Of the size of the first one; others are scaled.
+  /// Adds a picture. All pictures are scaled to the size of the first one.
   virtual void add(const QImage& picture) = 0;
-  /// No picture comes any more: ended() follows.
+  /// Ends the film; ended() follows.
   virtual void close() = 0;
-  /// Returns after the next ready() or ended(). For scripts, which have no event loop.
+  /// Returns after the next ready() or ended(). Scripts use it because they have no event loop.
   virtual void wait() = 0;
 
  signals:
   void ready();
-  /// Also before close(), where no more pictures can be taken.
+  /// The film has ended. It can end before close() if no more pictures can be written.
   void ended(const glissade::SaveResult& result);
 };
 
-/// Whether films are written in the format of the file's ending: .mp4, .webm, or .png (a numbered picture each).
+/// Whether films are written in the format of the file's ending: .mp4, .webm, or .png (a series of numbered pictures).
 bool isFilm(const QString& file);
-/// The filter of a file dialog. Without ffmpeg: of series of pictures alone.
+/// The filter of a file dialog. Without ffmpeg it offers only series of pictures.
 QString filmFilter(bool withFfmpeg = true);
-/// Nothing where ffmpeg is installed. What it says is about no file yet.
+/// Why ffmpeg cannot be used, or nothing if it is installed. The message names no file yet.
 std::optional<Diagnostic> whyNoFfmpeg();
 
-/// MP4 (H.264) and WebM (VP9) are made by ffmpeg in a process of its own. The file is there as a whole or not at all.
-/// Errors: Usage for another ending, and where ffmpeg is not installed.
+/// Makes the writer for the file's ending. ffmpeg makes MP4 (H.264) and WebM (VP9) in its own process, and the file
+/// appears only when it is complete. Errors: Usage for another ending, and if ffmpeg is needed and not installed.
 Result<std::unique_ptr<FilmWriter>> makeFilmWriter(const QString& file);
 
 }  // namespace glissade

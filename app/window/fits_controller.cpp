@@ -42,7 +42,7 @@ FitsController::FitsController(const Workbench& bench)
   addCommands();
 }
 
-/// What was found holds for one arrangement; where it was shown, it is found again.
+/// Removes the shown fits after an edit of the arrangement, for which they do not hold, and finds them again.
 void FitsController::followDocument(Changes what) {
   if (!(what & (Change::Scenario | Change::Arrangement))) return;
   const bool wasShown = panel_->fits() != nullptr;
@@ -69,7 +69,7 @@ void FitsController::find() {
   });
 }
 
-/// Both bodies are selected, so that the view marks them.
+/// Selects both bodies, so that the view marks them.
 void FitsController::showChosen() {
   enableActions();
   const PairFit* fit = panel_->chosen();

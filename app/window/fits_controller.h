@@ -5,8 +5,8 @@
 
 namespace glissade {
 
-/// The fits of the product that is open: found on demand in the background, shown in a panel, and edited by what a
-/// person says about a pair. Edits are undoable and kept by the scenario.
+/// The fits of the open product: found on demand in the background, shown in a panel, and edited by a person, pair by
+/// pair. Edits are undoable and kept in the scenario.
 class FitsController final : public QObject {
   Q_OBJECT
 
@@ -20,7 +20,7 @@ class FitsController final : public QObject {
   void find();
   void showChosen();
   void isolateChosen();
-  /// What a person says about the chosen pair, in place of what they said before.
+  /// Changes the person's edit of the chosen pair.
   void editChosen(const QString& text, const std::function<void(FitEdit&)>& change);
   void enableActions();
   void addCommands();

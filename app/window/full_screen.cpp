@@ -39,7 +39,7 @@ void FullScreen::enter(const QString& display) {
   panels_ = window_.saveState();
   geometry_ = window_.geometry();
   maximized_ = window_.isMaximized();
-  // The keys of a command work where a menu that is seen has it, or the window itself.
+  // The shortcuts of a command work only if a visible menu or the window itself has the command.
   for (const ActionSpec& spec : actionSpecs()) window_.addAction(actions_[QLatin1String(spec.id)]);
   for (QWidget* widget : around()) {
     if (widget->isHidden()) continue;
@@ -70,7 +70,7 @@ void FullScreen::leave() {
   emit left();
 }
 
-/// A window that closes is remembered as it was before.
+/// Leaves full screen before the window closes, so that its layout before is remembered.
 bool FullScreen::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::Close) leave();
   return QObject::eventFilter(watched, event);

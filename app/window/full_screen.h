@@ -7,14 +7,14 @@
 
 namespace glissade {
 
-/// Shows the scene alone on a whole screen: the window without its menus, bars and panels. Commands keep their keys.
+/// Shows only the scene on a whole screen: the window without menus, bars and panels. Shortcuts keep working.
 class FullScreen final : public QObject {
   Q_OBJECT
 
  public:
   FullScreen(QMainWindow& window, const ActionCatalogue& actions);
 
-  /// On the display of this name, or on that of the window where there is none.
+  /// Enters full screen on the display of this name, or on the window's display if there is none.
   void enter(const QString& display);
   void leave();
   bool isOn() const { return on_; }

@@ -10,7 +10,7 @@
 namespace glissade {
 namespace {
 
-/// α changes in steps of one of so many, so that the log of a run does not fill with the trembling of a hand.
+/// α changes in steps of 1 / kSteps, so that the log of a run does not fill with the tremor of a hand.
 constexpr double kSteps = 20.0;
 
 }  // namespace
@@ -30,7 +30,7 @@ GripController::~GripController() {
   for (ControllerInput* controller : hand_->controllers()) controller->place.setListener({});
 }
 
-/// Controllers change on the thread of the headset.
+/// Follows the controllers, which change on the headset's thread.
 void GripController::listen() {
   const auto listener = queuedOnce(this, [this] { follow(); });
   for (ControllerInput* controller : hand_->controllers()) controller->place.setListener(listener);
@@ -49,7 +49,7 @@ void GripController::follow() {
   }
 }
 
-/// What the tuner has set is the tuner's.
+/// The grip does not set α while the tuner does.
 std::optional<double> GripController::squeeze() const {
   const bool tuned = (bridge_.snapshot()->parameters.integer(ParameterId::Tuning) & kTunedAlpha) != 0;
   if (!wanted_->isChecked() || tuned) return std::nullopt;

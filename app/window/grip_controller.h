@@ -10,8 +10,8 @@
 
 namespace glissade {
 
-/// The computer's share follows the grip of the controller that holds the object, where the person wants it so: the
-/// firmer the grip, the less the computer decides. Let go, the share is as it was before.
+/// Lets the grip of the controller that holds the object set α, if the person has chosen so: a firmer grip gives the
+/// computer a smaller share. When the object is let go, α gets its earlier value again.
 class GripController final : public QObject {
   Q_OBJECT
 
@@ -22,14 +22,14 @@ class GripController final : public QObject {
  private:
   void listen();
   void follow();
-  /// Of the hand that holds the object; nothing: none does, or α is not the grip's.
+  /// Grip of the hand that holds the object; nothing if none holds it or the grip does not set α.
   std::optional<double> squeeze() const;
   void post(double alpha);
 
   SessionBridge& bridge_;
   const QAction* wanted_;
   HandInputsPtr hand_;
-  std::optional<double> before_;  ///< α as it was set, while the grip decides it
+  std::optional<double> before_;  ///< α before the grip set it; nothing while the grip does not set it
   double posted_ = 0.0;
 };
 

@@ -9,16 +9,16 @@
 
 namespace glissade {
 
-/// The application whose event handlers may throw: this is the one place of the GUI thread where an exception becomes
-/// a diagnostic. Qt itself would end the program.
+/// The application. Its event handlers may throw: here the GUI thread turns exceptions into diagnostics. Qt would end
+/// the program.
 class GuardedApplication final : public QApplication {
  public:
   using FailureHandler = std::function<void(const Diagnostic&)>;
 
   using QApplication::QApplication;
 
-  /// Receives exceptions that leave an event handler. While it is at work (a dialog handles events, too) further
-  /// ones go to standard error. None: exceptions leave notify().
+  /// Sets the handler of exceptions that leave an event handler. While it runs (a dialog handles events too), further
+  /// exceptions go to standard error. Without a handler, exceptions leave notify().
   void setFailureHandler(FailureHandler handler) { handler_ = std::move(handler); }
 
   bool notify(QObject* receiver, QEvent* event) override;

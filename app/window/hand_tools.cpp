@@ -20,7 +20,7 @@ HandTools::HandTools(const Workbench& bench, const MeasuringTools& tools)
   bench.onAction(kMeasure, this, [this] { measurePoint(); });
 }
 
-/// Once, where no button is held: a key, or a button that was released already.
+/// Cuts, and follows the hand while a button is held. Without a held button it cuts once.
 void HandTools::cut() {
   timer_.start();
   const ControllerReading now = reading(kSection);

@@ -10,16 +10,16 @@ namespace glissade {
 class MeasureController;
 class SectionController;
 
-/// What the tools are of the window.
+/// The controllers of the window that the tools use.
 struct MeasuringTools {
   SectionController& sections;
   MeasureController& measure;
 };
 
-/// What a controller of the headset does besides moving the object. A section follows the hand as long as its button is
-/// held: it lies across the aim, and what is between the person and the hand is cut away. Two points where the ray
-/// meets bodies are measured. It is the hand whose button has the action, or the other hand where the action comes from
-/// elsewhere.
+/// The tools of the headset's controllers besides moving the object. A section follows the hand as long as its button
+/// is held: it lies across the direction of aim, and cuts away the bodies between the person and the hand. Two points
+/// where the ray meets bodies are measured. The tool belongs to the hand whose button has the action; if the action
+/// comes from elsewhere, to the hand that is not the main hand.
 class HandTools final : public QObject {
   Q_OBJECT
 
@@ -30,7 +30,7 @@ class HandTools final : public QObject {
   void cut();
   void follow();
   void measurePoint();
-  /// Whose button with this action is held; nothing: none is.
+  /// The side whose button with this action is held; nothing if none is held.
   std::optional<ControllerSide> holding(const char* action) const;
   ControllerReading reading(const char* action) const;
 
@@ -38,7 +38,7 @@ class HandTools final : public QObject {
   MeasuringTools tools_;
   HandInputsPtr hands_;
   DeviceSettings settings_;
-  QTimer timer_;  ///< while the button is held
+  QTimer timer_;  ///< runs while the button is held
 };
 
 }  // namespace glissade

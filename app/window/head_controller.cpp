@@ -8,16 +8,16 @@ namespace glissade {
 namespace {
 
 constexpr int kBackTick = 16;       ///< ms
-constexpr int kSilenceMargin = 20;  ///< ms that a timer may be early
+constexpr int kSilenceMargin = 20;  ///< a timer may be early by so many ms
 constexpr double kMilliseconds = 1000.0;
 constexpr int kSignMargin = 10;
-/// A tracker of scripts sends so often, and holds what it sends for so long.
+/// A script's tracker sends at this rate, and repeats each reading for kScriptHold seconds.
 constexpr double kScriptRate = 60.0;
 constexpr double kScriptHold = 3.0;
 
 using Words = ScriptCommands::Words;
 
-/// Centimetres and degrees, as trackers send them.
+/// Reads centimetres and degrees, as trackers send them.
 Result<HeadReading> readingOf(const Words& words) {
   HeadReading reading{};
   for (std::size_t i = 0; i < reading.size(); ++i) {
@@ -136,7 +136,7 @@ void HeadController::take(const HeadReading& reading) {
 }
 
 void HeadController::noticeSilence() {
-  if (receiver_.hasMore()) {  // it is the window that was late
+  if (receiver_.hasMore()) {  // the window was late, not the tracker
     silence_.start();
     return;
   }

@@ -11,8 +11,8 @@
 
 namespace glissade {
 
-/// Lets the view follow a head that is tracked. As long as it is off there is no socket and no timer runs. Without a
-/// display no tracker is listened to: scripts say what one sends.
+/// Lets the view follow a tracked head. While it is off, there is no socket and no timer runs. Without a display it
+/// listens to no tracker, and script commands give the readings.
 class HeadController final : public QObject {
   Q_OBJECT
 
@@ -28,7 +28,7 @@ class HeadController final : public QObject {
   bool listen();
   void change(const HeadPreferences& preferences);
   void take(const HeadReading& reading);
-  /// Nothing has come for a while.
+  /// Shows that no reading came for a while.
   void noticeSilence();
   void goBack();
   void show();
@@ -43,7 +43,7 @@ class HeadController final : public QObject {
   HeadTracking tracking_;
   HeadReceiver receiver_;
   QElapsedTimer clock_;
-  double scriptTime_ = 0.0;  ///< of scripts, seconds
+  double scriptTime_ = 0.0;  ///< time of scripts, seconds
   QTimer silence_;
   QTimer back_;
   QLabel* sign_;

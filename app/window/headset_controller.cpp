@@ -7,7 +7,7 @@
 namespace glissade {
 namespace {
 
-/// Below the sign of the head tracker.
+/// Position of the sign, below the sign of the head tracker.
 constexpr QPoint kSignPlace(10, 48);
 
 }  // namespace
@@ -73,7 +73,7 @@ HeadsetController::HeadsetController(const Workbench& bench)
   bench.onAction("headset.on-table", this, [this] { place(); });
   bench.onAction("headset.figures", this, [this] { showFigures(); });
   connect(&bench.document, &WorkbenchDocument::changed, this, [this](Changes what) {
-    if (what & Change::Scenario) place();  // an edit does not move the person
+    if (what & Change::Scenario) place();  // only another scenario moves the person, not an edit
   });
   const auto showTheme = [this] { setBackground(); };
   connect(bench.actions["view.dark"], &QAction::toggled, this, showTheme, Qt::QueuedConnection);

@@ -6,17 +6,17 @@
 
 namespace glissade {
 
-/// Shows the scene in a headset: starts and stops it, says in words what it does, and keeps where the person stands. As
-/// long as it is off there is no thread.
+/// Shows the scene in a headset: starts and stops it, describes its state in words, and keeps the place where the
+/// person stands. While it is off, no thread runs.
 class HeadsetController final : public QObject {
   Q_OBJECT
 
  public:
   explicit HeadsetController(const Workbench& bench);
 
-  /// What a person reads about the headset; empty while it shows pictures and while it is off.
+  /// Text about the state of the headset; empty while it shows pictures and while it is off.
   static QString textOf(const HeadsetStatus& status);
-  /// What a picture costs.
+  /// Text about the cost of a picture.
   static QString textOf(const HeadsetFigures& figures);
 
  private:
@@ -31,7 +31,7 @@ class HeadsetController final : public QObject {
   const Workbench& bench_;
   QLabel* sign_;
   HeadsetStatus shown_;
-  Headset* headset_;  ///< of the scene; null: there can be none
+  Headset* headset_;  ///< the scene's headset; null: the scene can have none
 };
 
 }  // namespace glissade

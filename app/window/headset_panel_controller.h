@@ -1,10 +1,14 @@
 #pragma once
 
+#include <QDialog>
+#include <QPointer>
+
+#include <functional>
 #include <memory>
+#include <vector>
 
 #include "app/window/hand_tools.h"
 #include "app/window/headset_panel_view.h"
-#include "app/window/headset_questions.h"
 #include "app/window/headset_texts.h"
 #include "app/window/instruction_walk.h"
 #include "app/window/workbench.h"
@@ -15,9 +19,29 @@ namespace glissade {
 class RefusalController;
 class SequenceController;
 
-/// What a person with a headset works with: the panel in the scene, texts, tools in the hands, the instruction. What
-/// the panel says follows the run, the sequence and what was refused, and what is pressed there is done as in the
-/// window. There is none before the headset is first asked for.
+/// Shows errors and questions of the window on the page, because a person with a headset does not see the window. The
+/// answers go to the dialog in the window. For dialogs that are more than a message, the page shows only the title and
+/// can close them.
+class HeadsetQuestions final : public QObject {
+ public:
+  /// The page must outlive this object.
+  explicit HeadsetQuestions(HeadsetPage& page);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void show();
+  void answer(int chosen) const;
+
+  HeadsetPage& page_;
+  std::function<void()> showSoon_;
+  std::vector<QPointer<QDialog>> open_;  ///< the page asks the last one
+};
+
+/// The tools of a person with a headset: the panel in the scene, texts, tools in the hands, the instruction. The panel
+/// shows the run, the sequence and refusals, and its buttons act as those of the window. They are made when the headset
+/// is first started.
 class HeadsetPanelController final : public QObject {
   Q_OBJECT
 
@@ -25,9 +49,9 @@ class HeadsetPanelController final : public QObject {
   HeadsetPanelController(const Workbench& bench, const RefusalController& refusal, SequenceController& sequence,
                          const MeasuringTools& measuring);
 
-  /// Null before the headset was asked for.
+  /// Null until the headset was first started.
   HeadsetPage* page() const { return page_.get(); }
-  /// So often it was painted.
+  /// The number of times that the page was painted.
   int paintings() const { return view_ ? view_->paintings() : 0; }
 
  private:

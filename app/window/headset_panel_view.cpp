@@ -12,7 +12,7 @@ namespace glissade {
 HeadsetPanelView::HeadsetPanelView(QWidget& page, HeadsetToolsPtr tools)
     : page_(page), tools_(std::move(tools)), paintSoon_(queuedOnce(this, [this] { paint(); })) {
   page_.setAttribute(Qt::WA_DontShowOnScreen);
-  page_.setAttribute(Qt::WA_QuitOnClose, false);  // it does not keep the program alive
+  page_.setAttribute(Qt::WA_QuitOnClose, false);  // the page does not keep the program alive
   page_.installEventFilter(this);
   page_.show();
   tools_->pointer.setListener(queuedOnce(this, [this] { follow(); }));
@@ -24,7 +24,7 @@ HeadsetPanelView::~HeadsetPanelView() {
   tools_->panel.set(nullptr);
 }
 
-/// Any change of a widget in a window asks the window for an update.
+/// Paints after each change: a changed widget asks its window for an update.
 bool HeadsetPanelView::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::UpdateRequest || event->type() == QEvent::LayoutRequest) paintSoon_();
   return QObject::eventFilter(watched, event);
@@ -42,7 +42,7 @@ void HeadsetPanelView::follow() {
   for (const PointerMailbox::Moment& moment : tools_->pointer.take()) point(moment);
 }
 
-/// What was pressed keeps the hand until it is released.
+/// Sends the hand's motion and presses as mouse events. A pressed widget receives them until the release.
 void HeadsetPanelView::point(const PointerMailbox::Moment& moment) {
   const bool presses = moment && moment->pressed;
   if (moment) at_ = QPointF(moment->at.x() * page_.width(), moment->at.y() * page_.height());

@@ -11,17 +11,17 @@
 
 namespace glissade {
 
-/// A widget that no screen shows: its picture stands in the scene of a headset, and a hand that points there is its
-/// mouse. It is painted again when something of it has changed.
+/// Shows a widget in the scene of a headset instead of on a screen; a hand that points at it acts as the mouse. The
+/// widget is painted again when it has changed.
 class HeadsetPanelView final : public QObject {
   Q_OBJECT
 
  public:
-  /// The widget outlives this.
+  /// The page must outlive this object.
   HeadsetPanelView(QWidget& page, HeadsetToolsPtr tools);
   ~HeadsetPanelView() override;
 
-  /// So often it was painted.
+  /// The number of times that the page was painted.
   int paintings() const { return paintings_; }
 
  protected:
@@ -37,9 +37,9 @@ class HeadsetPanelView final : public QObject {
   QWidget& page_;
   HeadsetToolsPtr tools_;
   std::function<void()> paintSoon_;
-  QPointer<QWidget> under_;  ///< what the hand points at
+  QPointer<QWidget> under_;  ///< the widget that the hand points at
   bool pressed_ = false;
-  QPointF at_;  ///< of the page, in pixels
+  QPointF at_;  ///< position on the page, in pixels
   int paintings_ = 0;
 };
 

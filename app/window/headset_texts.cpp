@@ -10,14 +10,15 @@ namespace glissade {
 namespace {
 
 constexpr int kLabelTick = 100;  ///< ms
-/// More texts hide the scene.
+/// Maximum number of labels; more would hide the scene.
 constexpr std::size_t kMostLabels = 40;
 
 bool isSame(const SceneLabel& a, const SceneLabel& b) {
   return a.p_W == b.p_W && a.strong == b.strong && labelText(a) == labelText(b);
 }
 
-/// Small ones have room in a window only. Strong ones come first.
+/// The labels that are shown: strong labels come first; small ones are left out, because only a window has room for
+/// them.
 std::vector<SceneLabel> shownOf(std::vector<SceneLabel> labels) {
   std::erase_if(labels, [](const SceneLabel& label) { return label.small; });
   std::stable_partition(labels.begin(), labels.end(), [](const SceneLabel& label) { return label.strong; });
@@ -59,7 +60,7 @@ void HeadsetTexts::showLabels() {
   tools_->labels.set(pictures);
 }
 
-/// As the figures of the run say it.
+/// Shows the distance to the nearest obstacle in the format of the run's figures.
 void HeadsetTexts::showNote() {
   QString note = hint_;
   const SnapshotPtr& snapshot = bench_.run.snapshot();

@@ -4,13 +4,12 @@
 
 namespace glissade {
 
-/// The commands of the menu Help that need nothing but the window: keys, shortcuts, "What's this?", the command
-/// palette.
+/// The commands of the menu Help that use only the window: keys, shortcuts, "What's this?", the command palette.
 class HelpController final : public QObject {
   Q_OBJECT
 
  public:
-  /// To be made when the panels are there.
+  /// Precondition: the panels exist.
   explicit HelpController(const Workbench& bench);
 
  private:

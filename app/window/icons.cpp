@@ -13,7 +13,7 @@
 namespace glissade {
 namespace {
 
-/// Icons are drawn on a 16 x 16 grid.
+/// Draws an icon on a 16 x 16 grid.
 using Drawing = std::function<void(QPainter&)>;
 
 QIcon draw(const Drawing& drawing, const QColor& colour) {
@@ -57,7 +57,7 @@ void arrow(QPainter& painter, QPointF from, QPointF to) {
   painter.drawLine(to, to - along - across);
 }
 
-/// A cube seen from a corner, with one face filled.
+/// Draws a cube seen from a corner, with one face filled.
 void cube(QPainter& painter, const QPolygonF& face) {
   fill(painter, face);
   painter.drawPolygon(QPolygonF({{8, 1.5}, {14, 4.5}, {14, 11.5}, {8, 14.5}, {2, 11.5}, {2, 4.5}}));
@@ -65,7 +65,7 @@ void cube(QPainter& painter, const QPolygonF& face) {
   painter.drawLine(QPointF(8, 7.5), QPointF(8, 14.5));
 }
 
-/// The same seen from inside: for the faces that are hidden otherwise.
+/// Draws a cube seen from inside, with one of its far faces filled.
 void openCube(QPainter& painter, const QPolygonF& face) {
   fill(painter, face);
   painter.drawPolygon(QPolygonF({{8, 1.5}, {14, 4.5}, {14, 11.5}, {8, 14.5}, {2, 11.5}, {2, 4.5}}));
@@ -73,7 +73,7 @@ void openCube(QPainter& painter, const QPolygonF& face) {
   painter.drawLine(QPointF(8, 1.5), QPointF(8, 8.5));
 }
 
-/// A disc in the colour of the pen.
+/// Draws a disc in the colour of the pen.
 void ball(QPainter& painter, double opacity) {
   QPainterPath disc;
   disc.addEllipse(QRectF(2, 2, 12, 12));

@@ -6,7 +6,7 @@
 
 namespace glissade {
 
-/// Gives the actions of the toolbar their icons, drawn in the text's colour so that they fit the theme.
+/// Gives the actions of the toolbar their icons, in the text's colour so that they fit the theme.
 void applyIcons(const ActionCatalogue& actions, const QColor& colour);
 
 }  // namespace glissade

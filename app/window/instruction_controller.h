@@ -6,29 +6,31 @@ namespace glissade {
 
 class WindowMemory;
 
-/// The documents that are made of a plan: the work instruction, and the report for engineers. The template of a company
-/// and the paper hold for every product, so the settings of the window keep them, and no scenario does.
+/// Writes the documents about a plan: the work instruction, and the report for engineers. The window's settings keep
+/// the company's template and the paper, because they hold for every product.
 class InstructionController final : public QObject {
   Q_OBJECT
 
  public:
   InstructionController(const Workbench& bench, SequenceController& sequence);
 
-  /// Errors: as of InstructionJob::start(); Usage where there is no plan, or the report has another ending.
+  /// Writes a document. Errors: those of InstructionJob::start(); Usage if there is no plan, or for a wrong ending of a
+  /// report.
   void write(PlanDocument document, const QString& file, const InstructionJob::Finished& finished);
   const InstructionTemplate& look() const { return look_; }
-  /// Of the template where it says one, else as chosen.
+  /// The template's paper, or the chosen one if the template states none.
   Paper paper() const;
-  /// The template of this file from now on; without a name: none. Errors: those of readInstructionTemplate(); then it
-  /// stays as it was.
+  /// Loads the template of this file; an empty name removes it. Errors: those of readInstructionTemplate(), which keep
+  /// the earlier template.
   Outcome setTemplate(const QString& file);
-  /// The template that is remembered is used, where it can be read. Each later choice is remembered.
+  /// Uses the remembered template if it can be read, and remembers each later choice.
   void remember(WindowMemory& memory);
   void enableActions();
 
  private:
   void addCommands();
-  /// Asks for the file and writes the document. `proposed`: what follows the product's name, with the usual ending.
+  /// Asks for the file and writes the document. `proposed`: the end of the proposed file name, after the product's
+  /// name.
   void choose(PlanDocument document, const QString& title, const QString& proposed);
   void chooseTemplate();
 
@@ -36,8 +38,8 @@ class InstructionController final : public QObject {
   SequenceController& sequence_;
   InstructionJob* job_;
   InstructionTemplate look_;
-  QString file_;                    ///< of the template, absolute; empty: none
-  WindowMemory* memory_ = nullptr;  ///< null: nothing is remembered
+  QString file_;                    ///< absolute name of the template; empty: none
+  WindowMemory* memory_ = nullptr;  ///< null: choices are not remembered
 };
 
 }  // namespace glissade

@@ -26,14 +26,14 @@ namespace glissade {
 namespace {
 
 constexpr double kGraphScale = 1.5;
-/// Of the work: the rest is drawing.
+/// Share of the work that chooses views; the rest draws.
 constexpr double kChoosingViews = 0.3;
 
 SaveResult cancelled(const QString& file) {
   return notSaved({ErrorKind::Interrupted, file.toStdString(), "", "the document was cancelled", ""});
 }
 
-/// The check that the pages state: the known one, or a new one where a step was not judged yet.
+/// The check that the pages state: the known one, or a new one if some step was not judged yet.
 PlanCheck checkFor(const AssemblyPlan& plan, const AssembledProduct& product, const PlanCheck& known,
                    const SequenceDemands& said, const StopToken& stop) {
   const auto& steps = known.steps;

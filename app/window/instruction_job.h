@@ -16,15 +16,14 @@ namespace glissade {
 
 class SequenceController;
 
-/// Which document is made of a plan.
+/// The kinds of documents about a plan.
 enum class PlanDocument {
-  Instruction,  ///< for the line: what is done, with what, and how it looks
+  Instruction,  ///< for the line: actions, tools and pictures of the steps
   Report        ///< for engineers: motions, clearances, allowances, checks, times
 };
 
-/// Makes a document of the plan that is shown, as HTML or PDF, in the background. Its pictures are drawn from the
-/// product: the camera, sections and hidden bodies of the window have no part in them. In scripts all of it is done at
-/// once.
+/// Makes a document of the shown plan, as HTML or PDF, in the background. Its pictures are drawn from the product and
+/// do not depend on the window's camera, sections and hidden bodies. In scripts the document is made at once.
 class InstructionJob final : public QObject {
   Q_OBJECT
 
@@ -32,18 +31,18 @@ class InstructionJob final : public QObject {
   InstructionJob(const Workbench& bench, SequenceController& sequence);
 
   using Finished = std::function<void(const SaveResult&)>;
-  /// A job that is under way ends without its file. Errors: those of writing and of the logo; Interrupted where it was
-  /// cancelled. A warning says where an instruction as HTML has no 3D view.
+  /// Starts a job and cancels a running one. Errors: those of writing and of the logo; Interrupted if it was cancelled.
+  /// A warning says why an instruction as HTML has no 3D view.
   void start(PlanDocument document, const QString& file, Finished finished);
 
  private:
-  /// What the document is made of; read by the worker.
+  /// The input of the document, read by the worker.
   struct Content {
     PlanPtr plan;
     ProductPtr product;
     PlanCheck check;
     SequenceDemands said;
-    LineTexts access;  ///< without steps: not asked
+    LineTexts access;  ///< no steps: access was not checked
     std::string title;
     double deviation = 0.0;
     MissingShapes missing{};

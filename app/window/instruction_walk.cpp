@@ -11,7 +11,7 @@ namespace glissade {
 namespace {
 
 constexpr int kWalkTick = 16;  ///< ms
-/// Of a step: as far as a part can be away and still be on its way, for a slider of the sequence with many steps.
+/// Largest share of a step's motion on the slider: a share of 1 would be the next step.
 constexpr double kFarthestOfStep = 0.99;
 constexpr const char* kWalkAction = "headset.instruction";
 
@@ -31,7 +31,7 @@ InstructionWalk::InstructionWalk(const Workbench& bench, SequenceController& seq
 
 InstructionWalk::~InstructionWalk() { hands_->controllersMoveObject = true; }
 
-/// Another plan is another instruction.
+/// Ends the walk, because another plan is another instruction.
 void InstructionWalk::followPlan() {
   const ShownPlan& shown = sequence_.shown();
   const bool hasSteps = shown.plan && shown.product && !shown.growing && !shown.plan->steps.empty();
@@ -52,7 +52,7 @@ void InstructionWalk::setOn(bool on) {
   bench_.actions["sequence.play"]->setChecked(false);
   bench_.actions["sequence.assembly-order"]->setChecked(true);
   sequence_.panel()->showExploded(0.0);
-  closed_ = true;  // a hand that is closed already takes nothing
+  closed_ = true;  // a hand that is already closed grips nothing
   timer_.start();
   goTo(sequence_.shown().plan->steps.size() - 1);
 }
@@ -66,10 +66,10 @@ void InstructionWalk::goTo(std::size_t step) {
   X_GB_.reset();
   sequence_.panel()->showTime(static_cast<double>(step) + kFarthestOfStep * part_->share());
   say(tr("Take %1").arg(sequence_.panel()->partsText(step)));
-  if (part_->isAssembled()) finishStep();  // its motion has no length
+  if (part_->isAssembled()) finishStep();  // a motion without length ends at once
 }
 
-/// The part follows the hand that holds it; one that is let go stays where it is.
+/// Moves the part with the hand that grips it; a part that is let go stays.
 void InstructionWalk::tick() {
   const ControllerReading now = hand().place.reading();
   const bool isClosed = now.X_WG && now.squeeze >= (closed_ ? GraspingHand::kLetsGo : GraspingHand::kTakes);
@@ -110,7 +110,8 @@ std::vector<RigidBody> InstructionWalk::partsOfStep() const {
   return parts;
 }
 
-/// In the hand: within the box of a part. At a distance: where the hand points at it, also through other bodies.
+/// Whether the hand can grip the part: it is near the box of the part, or points at the part, also through other
+/// bodies.
 bool InstructionWalk::reaches(const ControllerReading& now) const {
   const Vector3 reach = Vector3::Constant(GraspingHand::kReach / now.scale);
   for (const RigidBody& part : partsOfStep()) {
@@ -131,7 +132,7 @@ void InstructionWalk::say(const QString& hint) {
   emit hintChanged();
 }
 
-/// The hand that holds the part is drawn as one that holds the object.
+/// Draws the hand that grips the part like a hand that holds the object.
 void InstructionWalk::tell(const ControllerReading& now) {
   hand().place.setFeedback({X_GB_.has_value(), 0.0, X_GB_ ? std::nullopt : aimedDistance(now)});
 }

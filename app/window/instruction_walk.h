@@ -11,9 +11,9 @@ namespace glissade {
 
 class SequenceController;
 
-/// Walks a person with a headset through the instruction: the product is assembled step by step. The part of the step
-/// is marked where its motion begins; the main hand takes it and leads it along this motion, until it snaps where it
-/// belongs. Then the next part is to be taken. The panel's next and previous step go elsewhere.
+/// Leads a person with a headset through the instruction, step by step. The part of the step is marked at the start of
+/// its motion. The main hand grips the part and leads it along the motion until it snaps to its assembled pose. Then
+/// the next part is marked. The panel's buttons for the next and the previous step go to other steps.
 class InstructionWalk final : public QObject {
   Q_OBJECT
 
@@ -21,7 +21,7 @@ class InstructionWalk final : public QObject {
   InstructionWalk(const Workbench& bench, SequenceController& sequence);
   ~InstructionWalk() override;
 
-  /// What is to be done now; empty while nobody walks through it.
+  /// The action that the person has to do now; empty while the instruction is off.
   const QString& hint() const { return hint_; }
 
  signals:
@@ -30,7 +30,7 @@ class InstructionWalk final : public QObject {
  private:
   void setOn(bool on);
   void followPlan();
-  /// Of the plan.
+  /// Goes to a step of the plan.
   void goTo(std::size_t step);
   void tick();
   void follow(const ControllerReading& now);
@@ -45,11 +45,11 @@ class InstructionWalk final : public QObject {
   const Workbench& bench_;
   SequenceController& sequence_;
   HandInputsPtr hands_;
-  QTimer timer_;  ///< while a person walks through it
+  QTimer timer_;  ///< runs while a person walks through the instruction
   std::size_t step_ = 0;
-  std::optional<LedPart> part_;  ///< nothing: all is assembled
-  std::optional<Pose> X_GB_;     ///< of the part in the hand, while it is held
-  bool closed_ = false;          ///< the hand
+  std::optional<LedPart> part_;  ///< nothing: the product is assembled
+  std::optional<Pose> X_GB_;     ///< pose of the gripped part in the hand; nothing while none is gripped
+  bool closed_ = false;          ///< the hand was closed at the last tick
   QString hint_;
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "app/window/joints_script.h"
 #include "engine/product/joint_finder.h"
 #include "engine/scenario/product_file.h"
 #include "engine/scenario/scenario_fits.h"
@@ -12,6 +11,67 @@
 
 namespace glissade {
 namespace {
+
+using Words = ScriptCommands::Words;
+
+Result<JointKind> kindIn(const std::string& word) {
+  const auto kind = jointByName(word);
+  if (kind) return *kind;
+  return wrongCommand("'" + word + "' is no kind of joint",
+                      "Say screw, nut, thread, insert, pin, snap, flexible, permanent or unit.");
+}
+
+/// The number of joints of this kind in the panel that count.
+std::size_t countOf(const JointsPanel& panel, JointKind kind) {
+  if (!panel.table()) return 0;
+  const std::vector<JointRow>& rows = panel.table()->rows();
+  return static_cast<std::size_t>(std::count_if(
+      rows.begin(), rows.end(), [kind](const JointRow& row) { return row.counts() && row.key.kind == kind; }));
+}
+
+/// The state of the joint of a body; "none" if there is no such row.
+std::string stateOf(const JointsPanel& panel, JointKind kind, const std::string& body) {
+  if (!panel.table()) return "none";
+  for (const JointRow& row : panel.table()->rows()) {
+    if (row.key.kind == kind && row.key.body == body) return jointRowStateName(row.state);
+  }
+  return "none";
+}
+
+/// Adds the script commands about joints. `joints` outlives the commands.
+void addJointCommands(const Workbench& bench, JointsController& joints) {
+  ScriptCommands& scripts = bench.scripts;
+  JointsPanel& panel = *joints.panel();
+  scripts.add("select-joint", 2, [&panel](const Words& words) -> Outcome {
+    const auto kind = kindIn(words[0]);
+    if (!kind) return kind.error();
+    if (panel.choose(*kind, words[1])) return Done{};
+    return wrongCommand("there is no " + words[0] + " of '" + words[1] + "'", "Find the joints first.");
+  });
+  scripts.add("make-joint", 1, [&joints](const Words& words) -> Outcome {
+    const auto kind = kindIn(words[0]);
+    if (!kind) return kind.error();
+    const std::vector<std::size_t> bodies = joints.selectedBodies();
+    if (bodies.empty()) return wrongCommand("no body is selected", "Find the joints, then select bodies.");
+    Joint draft = draftJoint(joints.panel()->table()->product(), bodies);
+    draft.kind = *kind;
+    return joints.make(draft);
+  });
+  scripts.add("expect-joints", 2, [&panel](const Words& words) -> Outcome {
+    const auto kind = kindIn(words[0]);
+    if (!kind) return kind.error();
+    const std::string number = std::to_string(countOf(panel, *kind));
+    if (number == words[1]) return Done{};
+    return unmetExpectation("there are " + number + " joints of the kind " + words[0] + ", not " + words[1]);
+  });
+  scripts.add("expect-joint", 3, [&panel](const Words& words) -> Outcome {
+    const auto kind = kindIn(words[0]);
+    if (!kind) return kind.error();
+    const std::string state = stateOf(panel, *kind, words[1]);
+    if (state == words[2]) return Done{};
+    return unmetExpectation("the " + words[0] + " of '" + words[1] + "' is " + state + ", not " + words[2]);
+  });
+}
 
 bool canBeConfirmed(const JointRow& row) {
   return row.isFound && row.state != JointRowState::Confirmed && row.state != JointRowState::Refused;
@@ -27,7 +87,7 @@ bool counts(const JointRow& row) { return row.counts(); }
 
 bool isSaid(const JointRow& row) { return row.isSaid(); }
 
-/// The chosen rows as values: the table changes with the edit.
+/// The chosen rows as copies, because the table changes with the edit.
 std::vector<JointRow> chosenIn(const JointsPanel& panel, bool (*fits)(const JointRow&)) {
   std::vector<JointRow> rows;
   for (const JointRow* row : panel.chosen()) {
@@ -38,13 +98,13 @@ std::vector<JointRow> chosenIn(const JointsPanel& panel, bool (*fits)(const Join
 
 bool isAnyChosen(const JointsPanel& panel, bool (*fits)(const JointRow&)) { return !chosenIn(panel, fits).empty(); }
 
-/// Joints do not depend on what a person says of fits.
+/// Whether the bodies are the same. Edits of fits do not matter, because joints do not depend on them.
 bool haveSameBodies(AssembledProduct one, const AssembledProduct& other) {
   one.fits = other.fits;
   return isSameProduct(one, other);
 }
 
-/// Why a word cannot be that was possible, or not there, before; nothing: all of them can.
+/// The reason why one more edit is refused after the change; nothing if none is.
 std::optional<Diagnostic> newRefusal(const JointTable& before, const JointTable& after) {
   if (after.count(JointRowState::Refused) <= before.count(JointRowState::Refused)) return std::nullopt;
   return after.rows().back().refusal;
@@ -86,7 +146,7 @@ void JointsController::connectActions() {
   bench_.onAction("joints.change", this, [this] { askForChosen(); });
 }
 
-/// What was found holds for the bodies and their classes; where these are others it is found again.
+/// Removes the found joints after another scenario. Finds them again if bodies or classes have changed.
 void JointsController::followDocument(Changes what) {
   if (what & Change::Scenario) {
     task_.cancel();
@@ -123,7 +183,7 @@ void JointsController::find() {
   task_.start("looking for joints", work, bench_.work.isAtOnce());
 }
 
-/// Bodies may have moved meanwhile.
+/// Takes the found joints, unless bodies have moved during the search.
 void JointsController::take(const Found& found) {
   found_ = found;
   if (isOfFound(Change::Arrangement)) {
@@ -140,7 +200,7 @@ void JointsController::showFound() {
   panel_->setTable(std::make_shared<const JointTable>(found_->product, found_->joints, said));
 }
 
-/// All bodies of the joints are selected, so that the view and the tree mark them.
+/// Selects all bodies of the chosen joints, so that the view and the tree mark them.
 void JointsController::showChosen() {
   enableActions();
   SemanticSelection selection;
@@ -225,7 +285,7 @@ void JointsController::askForNew() {
   dialog.exec();
 }
 
-/// Where the kind or the bodies change it is another joint, and the earlier one is dissolved.
+/// Asks for changes of the chosen joint. If its kind or its bodies change, the earlier joint is dissolved.
 void JointsController::askForChosen() {
   const std::vector<JointRow> rows = chosenIn(*panel_, counts);
   if (rows.size() != 1) return;
@@ -241,7 +301,7 @@ void JointsController::askForChosen() {
   dialog.exec();
 }
 
-/// Refused before anything changes where what a person would say cannot be.
+/// Applies a change of the edits. If it makes an edit invalid, nothing changes and the error says why.
 Outcome JointsController::apply(const QString& text, const JointChange& change) {
   const JointTablePtr table = panel_->table();
   if (!table) return Done{};

@@ -5,8 +5,8 @@
 
 namespace glissade {
 
-/// The joints of the product that is open: found on demand in the background, shown in a panel, and edited by what a
-/// person says of them. Edits are undoable and kept by the scenario; the assembly plan follows them.
+/// The joints of the open product: found on demand in the background, shown in a panel, and edited by a person. Edits
+/// are undoable and kept in the scenario; the assembly plan follows them.
 class JointsController final : public QObject {
   Q_OBJECT
 
@@ -14,22 +14,22 @@ class JointsController final : public QObject {
   explicit JointsController(const Workbench& bench);
 
   JointsPanel* panel() const { return panel_; }
-  /// Ids of the bodies that are selected, in the order of the product.
+  /// Indices of the selected bodies, in the order of the product.
   std::vector<std::size_t> selectedBodies() const;
-  /// Makes this joint, in place of what a person said of the same one. Refused, before anything changes, where it
-  /// cannot be.
+  /// Makes this joint and replaces the person's earlier edit of it. If the joint is impossible, nothing changes and the
+  /// error says why.
   Outcome make(const Joint& joint);
 
  private:
-  /// What was found holds for these bodies and classes.
+  /// The joints that were found, with the bodies and classes for which they hold.
   struct Found {
-    AssembledProduct arranged;  ///< as bodiesOf() has it, to see whether it changes
+    AssembledProduct arranged;  ///< from bodiesOf(); compared to detect changes
     ProductPtr product;
     std::vector<std::string> classes;
     std::shared_ptr<const Joints> joints;
   };
 
-  /// What becomes of a person's words.
+  /// A change of the person's edits.
   using JointChange = std::function<std::vector<JointEdit>(std::vector<JointEdit>)>;
 
   void connectActions();
@@ -40,9 +40,9 @@ class JointsController final : public QObject {
   void showFound();
   void showChosen();
   void isolateChosen();
-  /// Puts a word in place of what a person said of those of the chosen joints that it fits.
+  /// Replaces the person's edit of each chosen joint for which `fits` is true.
   void sayOfChosen(const QString& text, JointEdit::Word word, bool (*fits)(const JointRow&));
-  /// As they are.
+  /// Confirms joints as they are.
   void confirm(const QString& text, const std::vector<JointRow>& rows);
   void dissolveChosen();
   void takeChosenAsFound();
@@ -56,7 +56,8 @@ class JointsController final : public QObject {
   const Workbench& bench_;
   JointsPanel* panel_;
   std::optional<Found> found_;
-  BackgroundTask task_;  ///< of its own: fits are looked for at the same time where bodies have moved
+  BackgroundTask
+      task_;  ///< separate from the window's task, because fits may be searched at the same time after bodies moved
 };
 
 }  // namespace glissade

@@ -10,7 +10,7 @@
 namespace glissade {
 namespace {
 
-/// Places at which the clearance of a path is measured for the curves that are compared.
+/// Number of samples of a path's clearance for the compared curves.
 constexpr std::size_t kComparedSamples = 200;
 
 const char* stateWord(KeptPathState state) {
@@ -46,7 +46,7 @@ KeptPathsController::KeptPathsController(const Workbench& bench)
         showRows();
         showFailure(renamed);
       },
-      Qt::QueuedConnection);  // the table is in the middle of its own change
+      Qt::QueuedConnection);  // queued, because the table is changing
   connect(panel_, &KeptPathsPanel::activated, this, [this](const std::string& name) { showFailure(openPath(name)); });
   connectActions();
   enableActions();
@@ -77,7 +77,7 @@ void KeptPathsController::followDocument(Changes what) {
     shown_.clear();
     opening_ = true;
   }
-  // Places may have been forbidden, or allowed again.
+  // An edit may have forbidden places or allowed them again.
   const std::vector<PlaceEdit> places = bench_.document.semantics().edits().places;
   const bool otherPlaces = std::exchange(places_, places) != places;
   const bool otherProblem = otherPlaces || (what & (Change::Scenario | Change::Arrangement));
@@ -102,15 +102,15 @@ KeptPathProof KeptPathsController::proofOf(const KeptPath& path) {
   return found == proofs_.end() ? KeptPathProof() : found->second;
 }
 
-/// The path that was found just now has its certificate already.
+/// Starts the next proof. A path that a run just found has its certificate already.
 void KeptPathsController::proveNext() {
-  if (bench_.document.scenario()->fitsPending) return;  // they are proved once the arrangement has its fits
+  if (bench_.document.scenario()->fitsPending) return;  // without fits, no proof is possible yet
   const KeptPaths& paths = bench_.document.paths().paths();
   while (!proving_.isBusy()) {
     const auto next = std::find_if(paths.begin(), paths.end(),
                                    [this](const KeptPathPtr& path) { return findProof(*path) == proofs_.end(); });
     if (next == paths.end()) return openHeldPath();
-    proofs_.emplace_back(*next, KeptPathProof());  // examined once only, whatever comes of it
+    proofs_.emplace_back(*next, KeptPathProof());  // each path is examined only once
     const std::shared_ptr<const Path>& found = bench_.document.results().path;
     if (found && hasPoints(**next, found->points)) {
       takeProof(**next, {KeptPathState::Holds, found, {}});
@@ -211,7 +211,7 @@ Outcome KeptPathsController::openPath(const std::string& name) {
   return Done{};
 }
 
-/// Those that are selected; all where fewer than two are.
+/// Compares the selected paths, or all if fewer than two are selected.
 void KeptPathsController::compareSelected() {
   std::vector<KeptPathRow> rows;
   std::vector<std::string> names = panel_->selected();
@@ -234,7 +234,8 @@ void KeptPathsController::compareSelected() {
       auto* dialog = new ComparePathsDialog(compared, *scenario, &bench_.window);
       dialog->setAttribute(Qt::WA_DeleteOnClose);
       connect(&bench_.document, &WorkbenchDocument::changed, dialog, [dialog](Changes what) {
-        if (what & (Change::Scenario | Change::Arrangement)) dialog->close();  // it is about what was there
+        if (what & (Change::Scenario | Change::Arrangement))
+          dialog->close();  // its scenario or arrangement has changed
       });
       dialog->show();
     };
@@ -246,7 +247,7 @@ void KeptPathsController::showFailure(const Outcome& outcome) {
   if (!outcome) bench_.messages.showError(tr("This cannot be done with the path"), outcome.error());
 }
 
-/// Of scripts: a name, or @1 for the first of the list.
+/// The path that a script names: by its name, or by @1 for the first of the list.
 Result<KeptPathPtr> KeptPathsController::named(const std::string& word) const {
   const KeptPaths& paths = bench_.document.paths().paths();
   if (!word.empty() && word.front() == '@') {

@@ -9,8 +9,8 @@
 
 namespace glissade {
 
-/// The paths that are kept in the scenario: kept, renamed, pinned, removed, shown together, compared, and proved again
-/// in the background whenever the scenario is opened or arranged.
+/// The paths that the scenario keeps: keeps, renames, pins, removes, shows and compares them, and proves them again in
+/// the background when the scenario is opened or arranged.
 class KeptPathsController final : public QObject {
   Q_OBJECT
 
@@ -26,15 +26,15 @@ class KeptPathsController final : public QObject {
   void enableActions();
   using Proofs = std::vector<std::pair<KeptPathPtr, KeptPathProof>>;
   Proofs::iterator findProof(const KeptPath& path);
-  /// What is known of a path; Unknown where it was not examined yet.
+  /// The known proof of a path; Unknown if the path was not examined yet.
   KeptPathProof proofOf(const KeptPath& path);
   /// Proves the paths that were not examined yet, one after the other.
   void proveNext();
   void startProof(const KeptPathPtr& path);
   void takeProof(const KeptPath& path, const KeptPathProof& proof);
-  /// After a scenario was opened: the pinned or newest path that holds becomes the current one.
+  /// Makes the pinned or newest path that holds the current one, after a scenario was opened.
   void openHeldPath();
-  /// It becomes the current path, which the session proves.
+  /// Makes the path the current one; the session proves it.
   void give(const KeptPath& path);
   KeptPathRow rowOf(const KeptPathPtr& path);
   Result<KeptPathPtr> named(const std::string& word) const;
@@ -46,10 +46,10 @@ class KeptPathsController final : public QObject {
   const Workbench& bench_;
   KeptPathsPanel* panel_;
   BackgroundTask proving_;
-  Proofs proofs_;                  ///< in the scenario as it is
-  std::vector<PlaceEdit> places_;  ///< what the proofs are about, too
+  Proofs proofs_;                  ///< for the present scenario
+  std::vector<PlaceEdit> places_;  ///< edits of places for which the proofs hold
   std::set<std::string> shown_;    ///< names of the paths that are drawn
-  bool opening_ = false;           ///< the paths of a scenario that was opened are not all proved yet
+  bool opening_ = false;           ///< paths of a newly opened scenario are still being proved
 };
 
 }  // namespace glissade

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kSlow = 0.25;
 
-/// What a key deflects: axis 0-2 translation x y z, 3-5 rotation x y z, of the view.
+/// The axis of the view that a key deflects: 0-2 translation x y z, 3-5 rotation x y z.
 struct KeyAxis {
   int key;
   std::size_t axis;

@@ -8,8 +8,8 @@
 
 namespace glissade {
 
-/// Turns keys pressed over the 3D view into deflections of the six axes, in the view's frame. Letting
-/// go, or losing the focus, is rest.
+/// Turns keys pressed over the 3D view into deflections of the six axes, in the view's frame. Released keys and a lost
+/// focus deflect nothing.
 ///
 ///   A D  left, right     W S  up, down        Q E  away, nearer
 ///   J L  yaw             I K  pitch           U O  roll          Shift  a quarter of the speed
@@ -18,10 +18,10 @@ class KeyboardSteering final : public QObject {
   Q_OBJECT
 
  public:
-  /// F triggers `otherAxes`; null: it does nothing.
+  /// The key F triggers `otherAxes`; null: F does nothing.
   KeyboardSteering(InputMailbox& keys, QAction* otherAxes, QObject* parent);
 
-  /// The same table as HTML rows, for the help page.
+  /// The table of keys as HTML rows, for the help page.
   static QString keyTable();
 
  protected:

@@ -7,10 +7,10 @@
 
 namespace glissade {
 
-/// Tells clicks of the left button from drags.
+/// Distinguishes clicks of the left button from drags.
 class LeftClick {
  public:
-  /// Follows a press or a release. Returns the place of the click that a release ends; nothing for a press and a drag.
+  /// Follows a press or a release. Returns the position of a click at its release; nothing for a press and for a drag.
   std::optional<QPointF> follow(const QMouseEvent& event) {
     if (event.type() == QEvent::MouseButtonPress) {
       pressed_ = event.localPos();

@@ -36,7 +36,7 @@ QString scenarioLines(const WorkbenchDocument& document) {
   return text;
 }
 
-/// With %1 for what is wrong there.
+/// Text for a location, with %1 in place of the reason.
 QString placeText(const std::string& location) {
   if (location.empty()) return QStringLiteral("%1");
   if (location == "start") return LogController::tr("Start: %1");
@@ -69,7 +69,7 @@ LogController::LogController(const Workbench& bench)
   addCommands();
 }
 
-/// The beginning and the end of a run, and what went wrong.
+/// Logs the beginning and the end of a run, and its failure.
 void LogController::followRun(const SnapshotPtr& snapshot) {
   if (!bench_.run.isLive()) return;
   MessageLog& log = bench_.messages.log();

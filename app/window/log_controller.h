@@ -5,7 +5,7 @@
 
 namespace glissade {
 
-/// Writes what happens into the log (scenarios, runs, failures), shows it, and copies it for a bug report.
+/// Writes events into the log (scenarios, runs, failures), shows the log, and copies it for a bug report.
 class LogController final : public QObject {
   Q_OBJECT
 
@@ -13,7 +13,7 @@ class LogController final : public QObject {
   explicit LogController(const Workbench& bench);
 
   LogPanel* panel() const { return panel_; }
-  /// Versions, machine, scenario, settings and the log, as plain text in English but for the messages.
+  /// Versions, machine, scenario, settings and the log, as plain text. It is in English, except the messages.
   QString bugReport() const;
 
  private:

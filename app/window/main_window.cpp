@@ -27,7 +27,6 @@
 #include "app/window/measure_controller.h"
 #include "app/window/menus.h"
 #include "app/window/named_views_controller.h"
-#include "app/window/navigation_controller.h"
 #include "app/window/preferences_controller.h"
 #include "app/window/recording_controller.h"
 #include "app/window/refusal_controller.h"
@@ -77,18 +76,17 @@ MainWindow::MainWindow(const SceneWidgetFactory& makeScene, SessionClock clock)
 }
 
 MainWindow::~MainWindow() {
-  // The scene widget is a child of the window and owned by scene_: take it out before either ends.
+  // The scene widget is a child of the window and owned by scene_, so it is taken out before either is destroyed.
   scene_->widget()->setParent(nullptr);
 }
 
-/// A new panel is one line among the docks.
+/// Makes the controllers. Each panel adds one line to the docks.
 void MainWindow::addParts() {
   new DocumentController(bench_);
   auto* view = new ViewController(bench_);
   new DisplayController(bench_);
   views_ = new NamedViewsController(bench_);
   connect(views_, &NamedViewsController::cameraMoved, view, &ViewController::publishOperatorFrame);
-  new NavigationController(bench_);
   auto* eyes = new EyesController(bench_);
   auto* fits = new FitsController(bench_);
   auto* joints = new JointsController(bench_);
@@ -152,7 +150,7 @@ void MainWindow::addParts() {
   docks_.add({tr("Difficulty"), "difficulty", difficulty->panel(), DockPlace::LowerRight, "panel.difficulty",
               Scrolling::Own, [difficulty] { return difficulty->difficulty() != nullptr; }});
   docks_.orderTabStops();
-  resize(1280, 720);  // the docks share the width that the window has now
+  resize(1280, 720);  // the docks share the width that the window has at this moment
   docks_.arrange();
   makeMenus(*this, actions_, {files_->recentMenu(), files_->saves().versionsMenu(), views_->menu()});
   new ContextMenus(bench_);

@@ -15,8 +15,8 @@ class PreferencesController;
 class RecordingController;
 class WindowMemory;
 
-/// The workbench: the 3D view in the middle, panels around it, one document and one session behind it. It makes the
-/// parts and brings them together; what they do is theirs.
+/// The window: the 3D view in the middle, panels around it, one document and one session. It makes the controllers and
+/// connects them; they contain the functions.
 class MainWindow final : public QMainWindow {
   Q_OBJECT
 
@@ -24,24 +24,24 @@ class MainWindow final : public QMainWindow {
   MainWindow(const SceneWidgetFactory& makeScene, SessionClock clock);
   ~MainWindow() override;
 
-  /// What scripts and the command line work with.
+  /// The objects that scripts and the command line use.
   const Workbench& workbench() const { return bench_; }
   /// Opens a scenario; errors are shown in a dialog unless `quiet`, and returned.
   std::optional<Diagnostic> openScenario(const QString& file, bool quiet = false);
-  /// Asks how part files are to be taken, in a dialog that it waits for.
+  /// Asks in a modal dialog how to import part files.
   void importParts(const QStringList& files);
   void setTheme(Theme theme);
-  /// The window is at most so large, and its panels are arranged so that they have room in it.
+  /// Limits the size of the window and arranges its panels in this room.
   void fitInto(const QSize& room) { room_.fit(room); }
-  /// What fitInto() was called with.
+  /// The argument of the last fitInto().
   const QSize& room() const { return room_.room(); }
-  /// Nobody is there to answer questions: scripts, screenshots.
+  /// No person answers questions: scripts, screenshots.
   void setBatch(bool batch);
-  /// From now on recent files and the layout are remembered; the layout comes back as it was left.
+  /// Remembers recent files and the layout from now on, and restores the remembered layout.
   void remember(std::unique_ptr<WindowMemory> memory, bool sizeToo);
-  /// Writes unsaved edits into the folder from now on, and offers what killed programs have left there.
+  /// Writes unsaved edits into the folder from now on, and offers to restore those of killed programs.
   void keepUnsavedEdits(const QString& folder);
-  /// Journals runs in the folder, and offers to save what killed programs have left there.
+  /// Journals runs in the folder, and offers to save the runs of killed programs.
   void keepJournals(const QString& folder);
 
  protected:
@@ -67,9 +67,9 @@ class MainWindow final : public QMainWindow {
   NamedViewsController* views_ = nullptr;
   RecordingController* recordings_ = nullptr;
   PreferencesController* preferences_ = nullptr;
-  std::function<void()> remember_;  ///< lets parts take what memory_ has, before the layout comes back
+  std::function<void()> remember_;  ///< gives the controllers the contents of memory_ before the layout is restored
   QWidget* replayBar_ = nullptr;
-  std::unique_ptr<WindowMemory> memory_;  ///< null: nothing is remembered
+  std::unique_ptr<WindowMemory> memory_;  ///< null: the window remembers nothing
 };
 
 }  // namespace glissade

@@ -15,7 +15,7 @@ namespace {
 
 QString nativeKeys(const QAction* action) { return action->shortcut().toString(QKeySequence::NativeText); }
 
-/// Beside the programs of the build, or where they are installed.
+/// The folder of the manual, beside the programs of the build or in the installation.
 QString manualFolder() {
   const QDir programs(QCoreApplication::applicationDirPath());
   const QString built = programs.absoluteFilePath(QStringLiteral("../manual"));

@@ -8,10 +8,11 @@
 
 namespace glissade {
 
-/// What the manual takes from the window: actions with their menus and keys, and panels, in its language.
+/// The facts that the manual takes from the window: actions with their menus and keys, and panels, in the window's
+/// language.
 ManualFacts manualFacts(const QMainWindow& window, const ActionCatalogue& actions);
 
-/// Help > Manual, and the section of the panel that has the focus.
+/// Opens the manual, also at the section of the panel that has the focus.
 class ManualController final : public QObject {
   Q_OBJECT
 
@@ -19,7 +20,7 @@ class ManualController final : public QObject {
   explicit ManualController(const Workbench& bench);
 
  private:
-  /// Empty: where it was, or its first page.
+  /// Opens a page. An empty name opens the page that was shown last, or the first page.
   void open(const QString& page, const QString& anchor);
   void openForPanel();
   void addCommands();

@@ -32,7 +32,7 @@ QString degreesText(double radians) {
   return QLocale().toString(radians * 180.0 / std::numbers::pi, 'f', 2) + QStringLiteral("°");
 }
 
-/// What there is to say of a round face.
+/// The text about a round face.
 QString radiusText(const MeasureFeature& feature) {
   const QString radius = lengthText(feature.radius);
   if (feature.kind == MeasureFeature::Kind::Torus) {
@@ -44,7 +44,7 @@ QString radiusText(const MeasureFeature& feature) {
   return text + MeasureController::tr(" there; half angle of the cone %1").arg(degreesText(feature.halfAngle));
 }
 
-/// Of the vertex, the edge or the face that was clicked.
+/// Adds the marks of a clicked vertex, edge or face.
 void addTo(MeasurePicture& picture, const MeasureFeature& feature) {
   picture.points.push_back(feature.picked);
   if (feature.kind == MeasureFeature::Kind::Edge) {
@@ -82,7 +82,7 @@ MeasureController::MeasureController(const Workbench& bench)
     if (what & Change::Scenario) setKind(Kind::None);
     if (what & (Change::Scenario | Change::Arrangement)) clear();
     for (const auto& [id, kind] : kKinds) {
-      if (kind != Kind::Section) bench_.enable(id, true);  // sections are limited in number
+      if (kind != Kind::Section) bench_.enable(id, true);  // the number of sections is limited
     }
   });
   connectActions();
@@ -146,7 +146,7 @@ bool MeasureController::eventFilter(QObject* watched, QEvent* event) {
   const auto& mouse = static_cast<const QMouseEvent&>(*event);
   if (mouse.button() != Qt::LeftButton) return QObject::eventFilter(watched, event);
   if (const auto clicked = clicks_.follow(mouse)) click(*clicked);
-  // A click selects nothing meanwhile.
+  // A click selects nothing while measuring is on.
   return event->type() == QEvent::MouseButtonRelease || QObject::eventFilter(watched, event);
 }
 
@@ -313,7 +313,7 @@ void MeasureController::show(const QString& text, MeasurePicture picture) {
   showHint();
 }
 
-/// What was measured, or what is to be clicked next.
+/// Shows the result, or the next item to click.
 void MeasureController::showHint() {
   QString text = result_;
   if (!text.isEmpty()) {

@@ -9,9 +9,9 @@
 
 namespace glissade {
 
-/// Measures what is clicked in the scene: distances and angles between vertices, edges and faces, radii, clearances of
-/// bodies. The result stays in the scene until the next one. Esc, or the action again, ends measuring. Also picks the
-/// plane or the cylinder that a body is placed by, and the face of a section.
+/// Measures items clicked in the scene: distances and angles between vertices, edges and faces, radii, clearances of
+/// bodies. The result stays in the scene until the next one. Esc or the action end measuring. It also picks the plane
+/// or the cylinder by which a body is placed, and the face of a section.
 class MeasureController final : public QObject {
   Q_OBJECT
 
@@ -21,13 +21,14 @@ class MeasureController final : public QObject {
   explicit MeasureController(const Workbench& bench);
 
   FeatureStore& features() { return store_; }
-  /// The point where the ray of a hand first meets a body; the second one measures how far it is from the first one.
+  /// Measures the distance between the two points where two rays of a hand first meet a body. The first call takes the
+  /// first point.
   void measureAlong(const Ray& ray);
 
  signals:
-  /// The face that a section lies along, world frame.
+  /// A face for a section was picked; its coordinates are in the world.
   void facePicked(const glissade::MeasureFeature& face);
-  /// A frame of a body, in the frame of its mesh (MeasurableMesh::frameAt()).
+  /// A frame of a body was picked, in the frame of its mesh (MeasurableMesh::frameAt()).
   void framePicked(const glissade::RigidBody& body, const glissade::Pose& X_BF);
 
  protected:
@@ -35,7 +36,7 @@ class MeasureController final : public QObject {
 
  private:
   struct Picked {
-    RigidBody body;  ///< where it is drawn
+    RigidBody body;  ///< as it is drawn
     BodyHit hit;
     Vector3 p_W;
     double snap;  ///< metres
@@ -46,7 +47,7 @@ class MeasureController final : public QObject {
   void clear();
   std::optional<Picked> pick(const Ray& ray) const;
   void click(const QPointF& position);
-  /// Finds planes, cylinders and edges of the body first, in the background, where they are not known yet.
+  /// Picks a feature. Unknown planes, cylinders and edges of the body are found first, in the background.
   void takeFeature(const Picked& picked);
   void takeFrame(const Picked& picked, const MeasurableMesh& mesh);
   void addFeature(const MeasureFeature& feature);
@@ -63,8 +64,8 @@ class MeasureController final : public QObject {
   FeatureStore store_;
   SceneHint* hint_;
   QString result_;
-  std::vector<MeasureFeature> features_;  ///< that were clicked, world frame
-  std::vector<RigidBody> bodies_;         ///< likewise
+  std::vector<MeasureFeature> features_;  ///< clicked features in the world
+  std::vector<RigidBody> bodies_;         ///< clicked bodies
   BackgroundTask measuring_;
   LeftClick clicks_;
 };

@@ -17,7 +17,7 @@ QChar mnemonicOf(const QString& text) {
   return {};
 }
 
-/// Letters beyond ASCII are not on every keyboard.
+/// Uses only ASCII letters, because not every keyboard has others.
 void addMnemonics(const QMenu& menu) {
   QString taken;
   for (const QAction* entry : menu.actions()) taken += mnemonicOf(entry->text());

@@ -4,10 +4,10 @@
 
 namespace glissade {
 
-/// The letter after the '&' of a text, in lower case; null where there is none.
+/// The letter after the '&' of a text, in lower case; null if there is none.
 QChar mnemonicOf(const QString& text);
 
-/// Gives the entries without a mnemonic the first letter of theirs that no other entry of the menu has.
+/// Adds a mnemonic to each entry without one: its first letter that no other entry of the menu uses.
 void addMnemonics(const QMenu& menu);
 
 }  // namespace glissade

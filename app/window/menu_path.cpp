@@ -18,7 +18,7 @@ bool isInMenuBar(const QAction& action) {
 
 }  // namespace
 
-/// Context menus and menus of buttons do not end in a menu bar.
+/// Ignores context menus and menus of buttons, which belong to no menu bar.
 QString menuPath(const QAction& action) {
   for (const QWidget* widget : action.associatedWidgets()) {
     const auto* menu = qobject_cast<const QMenu*>(widget);

@@ -5,8 +5,8 @@
 
 namespace glissade {
 
-/// The menus that lead from the menu bar to the action, in the language of the window: "View > Layers". Empty where the
-/// menu bar does not have it.
+/// The menus from the menu bar to the action, in the language of the window: "View > Layers". Empty if the menu bar
+/// does not contain the action.
 QString menuPath(const QAction& action);
 
 }  // namespace glissade

@@ -16,7 +16,7 @@ namespace {
 constexpr const char* kDisplayModes[] = {"display.shaded-edges", "display.shaded", "display.see-through",
                                          "display.wireframe", "display.depth-shading"};
 
-/// A tool bar whose buttons lose their words where the window is too narrow for them.
+/// A tool bar that hides the words of its buttons if it is too narrow for them.
 class ToolBar : public QToolBar {
  public:
   using QToolBar::QToolBar;
@@ -91,7 +91,7 @@ class Menus {
   }
 
  private:
-  /// One button for the display modes: it shows the present one, and its menu has all.
+  /// Adds one button for the display modes: it shows the present mode, and its menu lists all modes.
   void addDisplayButton(QToolBar& bar) {
     auto* button = new QToolButton(&bar);
     button->setToolButtonStyle(Qt::ToolButtonIconOnly);
@@ -127,7 +127,7 @@ class Menus {
     }
   }
 
-  /// A check mark for each panel, above what the table has.
+  /// Inserts a check mark for each panel above the entries of the table.
   void addPanels(QMenu& menu) {
     QAction* below = menu.insertSeparator(menu.actions().value(0));
     for (const QDockWidget* dock : docksInOrder(window_)) {

@@ -7,18 +7,18 @@
 
 namespace glissade {
 
-/// Tells the user what happened: errors in a dialog, the rest in the status bar, and all of it in the log.
+/// Shows events to the user: errors in a dialog, others in the status bar. The log receives all of them.
 class Messages final {
  public:
   explicit Messages(QMainWindow& window) : window_(window) {}
 
-  /// Nobody is there to read or answer a dialog (scripts, pictures): none is opened.
+  /// Opens no dialogs, because no person can answer them (scripts, pictures).
   void setQuiet(bool quiet) { quiet_ = quiet; }
   bool isQuiet() const { return quiet_; }
 
   void showError(const QString& title, const Diagnostic& why);
-  /// Asks which of two demands that exclude each other is to stay; whether it is the new one. Where nobody is there to
-  /// answer it is an error, and nothing changes.
+  /// Asks which of two contradictory demands stays, and returns whether it is the new one. In quiet mode it reports an
+  /// error, and nothing changes.
   bool isNewDemandPreferred(const QString& title, const Diagnostic& conflict);
   void showStatus(const QString& text);
   MessageLog& log() { return log_; }

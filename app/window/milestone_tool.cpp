@@ -5,7 +5,7 @@
 namespace glissade {
 namespace {
 
-/// Where the milestone of a border may be: in the border and the two places that it joins.
+/// The region for the milestone of a border: the border and the two places that it joins.
 SamplingRegion regionOf(const TopologicalMap& map, const Border& border) {
   const auto cellsOf = [&](int place) { return map.places[static_cast<std::size_t>(place)].cells; };
   return {map.grid, unionOf(border.cells, unionOf(cellsOf(border.placeA), cellsOf(border.placeB)))};

@@ -6,21 +6,21 @@
 
 namespace glissade {
 
-/// Lets a person take a shown milestone with the mouse: drag moves it inside its border, Ctrl+drag
-/// turns it. One drag is one undoable edit, made when the button goes up.
+/// Lets a person move a milestone with the mouse: a drag moves it inside its border, Ctrl+drag turns it. Each drag is
+/// one undoable edit, made at the release.
 class MilestoneTool final : public DragTool {
   Q_OBJECT
 
  public:
   MilestoneTool(WorkbenchDocument& document, SceneWidget& scene, QObject* parent);
 
-  /// The plan whose milestones can be taken; null: none.
+  /// Sets the plan whose milestones can be moved; null: none.
   void setPlan(const CoarsePlanPtr& plan);
-  /// The plan to draw: with the milestone in hand where the pointer is.
+  /// The plan to draw; the milestone in hand is at the pointer.
   CoarsePlanPtr shownPlan() const;
 
  signals:
-  /// The milestone in hand was moved, or was dropped.
+  /// The milestone in hand was moved or dropped.
   void moved();
   void refused(const glissade::Diagnostic& why);
 
@@ -33,7 +33,7 @@ class MilestoneTool final : public DragTool {
 
   WorkbenchDocument& document_;
   CoarsePlanPtr plan_;
-  CoarsePlanPtr gripped_;  ///< the plan that the milestone was taken from
+  CoarsePlanPtr gripped_;  ///< the plan of the gripped milestone
   std::optional<MilestoneDrag> drag_;
 };
 

@@ -8,16 +8,16 @@
 
 namespace glissade {
 
-/// A camera that a user came back to by its name.
+/// A camera pose that a user has given a name.
 struct NamedView {
   QString name;
   CameraPose pose;
 };
 
-/// Names differ; in the order in which they were saved.
+/// Views with different names, in the order in which they were saved.
 using NamedViews = std::vector<NamedView>;
 
-/// The view of this name takes the pose, or a new one is added.
+/// Replaces the pose of the view of this name, or adds a new view.
 inline void putView(NamedViews& views, const NamedView& view) {
   for (NamedView& known : views) {
     if (known.name != view.name) continue;

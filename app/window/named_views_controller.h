@@ -9,8 +9,8 @@ namespace glissade {
 
 class WindowMemory;
 
-/// The named views of the scenario that is open: its menu, its actions, its script commands. They belong to the user,
-/// not to the scenario file, because how a product is looked at is no part of it; the window remembers them by file.
+/// The named views of the open scenario: its menu, its actions, its script commands. The window remembers them by the
+/// scenario's file name. The file does not contain them, because a product does not include how people look at it.
 class NamedViewsController final : public QObject {
   Q_OBJECT
 
@@ -18,7 +18,7 @@ class NamedViewsController final : public QObject {
   explicit NamedViewsController(const Workbench& bench);
 
   QMenu* menu() const { return menu_; }
-  /// Where views are kept from one start to the next; null: nowhere.
+  /// Sets the memory that keeps views between sessions; null: none.
   void setMemory(WindowMemory* memory);
 
  signals:
@@ -39,8 +39,8 @@ class NamedViewsController final : public QObject {
   QMenu* menu_;
   WindowMemory* memory_ = nullptr;
   NamedViews views_;
-  std::string file_;         ///< that the views are kept for; empty: none
-  QList<QAction*> entries_;  ///< one for each view
+  std::string file_;         ///< the scenario file of the views; empty: none
+  QList<QAction*> entries_;  ///< one entry for each view
 };
 
 }  // namespace glissade

@@ -54,7 +54,7 @@ void NamedViewsDialog::goToCurrent() {
   if (list_->currentRow() >= 0) emit chosen(views_[static_cast<std::size_t>(list_->currentRow())]);
 }
 
-/// A name that is empty or another view's is not taken.
+/// Takes a new name, unless it is empty or another view has it.
 void NamedViewsDialog::takeName(const QListWidgetItem& item) {
   const QString name = item.text().trimmed();
   const bool taken =

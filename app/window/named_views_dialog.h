@@ -10,7 +10,7 @@
 
 namespace glissade {
 
-/// The named views of a scenario: go to one, rename it (F2), remove it (Del).
+/// Lists the named views of a scenario: opens, renames (F2) and removes (Del) them.
 class NamedViewsDialog final : public QDialog {
   Q_OBJECT
 
@@ -19,7 +19,7 @@ class NamedViewsDialog final : public QDialog {
 
  signals:
   void chosen(const glissade::NamedView& view);
-  /// After a view was renamed or removed.
+  /// A view was renamed or removed.
   void edited(const glissade::NamedViews& views);
 
  private:
@@ -30,7 +30,7 @@ class NamedViewsDialog final : public QDialog {
 
   NamedViews views_;
   QListWidget* list_;
-  std::vector<QPushButton*> ofOneView_;  ///< they need one
+  std::vector<QPushButton*> ofOneView_;  ///< buttons that need a selected view
 };
 
 }  // namespace glissade

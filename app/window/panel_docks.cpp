@@ -15,20 +15,22 @@
 namespace glissade {
 namespace {
 
-/// A screen of 1920 pixels at 200 % has room for two columns of this width beside the scene.
+/// Largest minimum width of a panel: a screen of 1920 pixels at 200 % has room for two columns of this width beside the
+/// scene.
 constexpr int kWidestLeast = 300;
 constexpr int kLeftWidth = 325;
 constexpr int kLeastSceneWidth = 280;
-constexpr int kLeastStackedHeight = 600;   ///< of a window with two panels above each other
-constexpr double kUsualTextHeight = 15.0;  ///< pixels, of 9 points
-/// A header and a row: such a screen has room for two panels above each other.
+constexpr int kLeastStackedHeight = 600;   ///< minimum height of a window with two panels above each other
+constexpr double kUsualTextHeight = 15.0;  ///< pixels, for 9 points
+/// Minimum height of a list: a header and a row, so that a small screen has room for two panels above each other.
 constexpr int kLeastListHeight = 36;
 
 Qt::DockWidgetArea areaOf(DockPlace place) {
   return place == DockPlace::Left ? Qt::LeftDockWidgetArea : Qt::RightDockWidgetArea;
 }
 
-/// As wide as its panel with a scroll bar, also where the size of texts changes; wider panels are scrolled.
+/// Scrolls a panel. It is as wide as the panel and a scroll bar, but at most kWidestLeast; its width follows the size
+/// of texts.
 class PanelScroll final : public QScrollArea {
  public:
   PanelScroll(const glissade::Panel& panel, QWidget* parent) : QScrollArea(parent) {
@@ -51,7 +53,7 @@ class PanelScroll final : public QScrollArea {
   }
 };
 
-/// Keeps the names on tabs whole: where there is no room for all tabs, they are scrolled.
+/// Lets tab bars scroll if they have no room for all tabs, so that the names on tabs are not cut.
 class WholeTabNames final : public QObject {
  public:
   using QObject::QObject;
@@ -121,7 +123,7 @@ void PanelDocks::add(const Panel& panel) {
 
 void PanelDocks::makeRoomForTable(QDockWidget& dock) {
   constexpr int kWidth = 455;
-  constexpr double kHeight = 0.57;  // of the window
+  constexpr double kHeight = 0.57;  // share of the window's height
   constexpr const char* kHasRoom = "has-room";
   if (inOneColumn_ || dock.isFloating() || dock.property(kHasRoom).toBool()) return;
   dock.setProperty(kHasRoom, true);
@@ -146,7 +148,7 @@ QDockWidget* PanelDocks::firstOf(DockPlace place) const {
   return first->widget;
 }
 
-/// The tabs of the lower panels have room for their names, which are longer in French.
+/// The width at which the tabs of the lower panels show their names, which are longer in French.
 int PanelDocks::usualRightWidth() const {
   constexpr int kAroundName = 26;
   const QFontMetrics metrics(window_.font());
@@ -174,7 +176,7 @@ void PanelDocks::setRoom(const QSize& room) {
   if (isSmall() != inOneColumn_ || least.width() > room.width() || least.height() > room.height()) arrange();
 }
 
-/// In one column, tabs say what the titles would say.
+/// Hides the titles of docks in one column, where the tabs show the same names.
 void PanelDocks::showTitles() {
   for (const Dock& dock : docks_) {
     QWidget* before = dock.widget->titleBarWidget();
@@ -184,7 +186,7 @@ void PanelDocks::showTitles() {
   }
 }
 
-/// Panels share a place as tabs: small screens have no room for all of them at once.
+/// Makes the panels of a place tabs, because small screens have no room for all of them at once.
 void PanelDocks::tabify(QDockWidget* first, DockPlace place) {
   QDockWidget* before = first;
   for (const Dock& dock : docks_) {

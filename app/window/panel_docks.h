@@ -8,29 +8,29 @@
 
 namespace glissade {
 
-/// Property of a panel's dock: the id of the action that brings it to the front; empty: none.
+/// Property of a panel's dock: the id of the action that raises it; empty: none.
 inline constexpr const char* kPanelAction = "action";
-/// Another one: which of the panels it is, in the order in which they were added.
+/// Property of a panel's dock: its number in the order in which the panels were added.
 inline constexpr const char* kPanelNumber = "number";
 
 /// The docks in the order in which they were added.
 QList<QDockWidget*> docksInOrder(const QMainWindow& window);
 
-/// Where a panel is at first. Panels of one place share it as tabs, in the order in which they were added.
+/// The first place of a panel. Panels of one place share it as tabs, in the order in which they were added.
 enum class DockPlace { Left, UpperRight, LowerRight };
 
-/// Panels of fixed rows are scrolled as a whole; those with lists scroll these. A table of many columns gets room when
-/// it comes to the front.
+/// How a panel scrolls: a panel of fixed rows as a whole, a panel with lists in its lists. A table of many columns also
+/// gets room when it is raised.
 enum class Scrolling { Whole, Own, Table };
 
 struct Panel {
   QString title;
-  const char* id;  ///< object name of the dock, by which its layout is remembered
+  const char* id;  ///< object name of the dock; its layout is remembered by this name
   QWidget* content;
   DockPlace place;
-  const char* action = "";  ///< brings it to the front, and the focus to its list
+  const char* action = "";  ///< id of the action that raises the panel and gives the focus to its list
   Scrolling scrolling = Scrolling::Whole;
-  std::function<bool()> hasContent = {};  ///< where it says no, the panel is hidden at first; empty: always shown
+  std::function<bool()> hasContent = {};  ///< if false, the panel is hidden at first; empty: the panel is always shown
 };
 
 /// The docks of the window's panels, and their first layout.
@@ -41,10 +41,10 @@ class PanelDocks final {
   void add(const Panel& panel);
   /// Lets Tab go through the panels in the order in which they were added.
   void orderTabStops();
-  /// Puts all docks and tool bars where they are at first: beside the scene on both sides, or, where the window may not
-  /// be as large as that, all as tabs of one column.
+  /// Puts all docks and tool bars to their first places: beside the scene on both sides, or all as tabs of one column
+  /// if the window is too small for that.
   void arrange();
-  /// The window may be so large, pixels. Arranges the docks anew where they do not fit.
+  /// Sets the maximum size of the window, pixels. Arranges the docks again if they do not fit.
   void setRoom(const QSize& room);
 
  private:
@@ -56,11 +56,11 @@ class PanelDocks final {
   int usualRightWidth() const;
   void tabify(QDockWidget* first, DockPlace place);
   bool isSmall() const;
-  /// Makes a dock that comes to the front large enough for a table of some rows with buttons, unless it floats. Once
-  /// for each dock: afterwards its size is the person's.
+  /// Makes a raised dock large enough for a table of some rows with buttons, unless it floats. It does so once for each
+  /// dock; afterwards the person sets the size.
   void makeRoomForTable(QDockWidget& dock);
   void showTitles();
-  /// Sizes of texts beside the usual one.
+  /// Ratio of the present size of texts to the usual one, at least 1.
   double textScale() const;
 
   QMainWindow& window_;

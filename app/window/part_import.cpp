@@ -37,7 +37,7 @@ void PartImport::take(PartsDialog::Purpose purpose, const std::vector<PartFile>&
                   });
 }
 
-/// On the worker's thread.
+/// Reads the parts on the worker's thread.
 BackgroundTask::Delivery PartImport::makeScenario(const std::vector<PartFile>& parts, GeometryCache read,
                                                   const StopToken& stop) {
   auto scenario = scenarioOfParts(parts, &read, stop);
@@ -48,7 +48,7 @@ BackgroundTask::Delivery PartImport::makeScenario(const std::vector<PartFile>& p
   return [this, made] { emit scenarioMade(made); };
 }
 
-/// To the scenario as it is now: it may have been edited while the files were read.
+/// Adds parts to the present scenario, which may have been edited while the files were read.
 void PartImport::add(const std::vector<PartFile>& parts, const GeometryCache& read) {
   bench_.document.addGeometry(read);
   const auto addParts = [this, parts, known = read](Scenario& scenario) mutable -> Outcome {

@@ -7,21 +7,20 @@
 
 namespace glissade {
 
-/// Brings part files in: as a scenario of their own, or into the one that is open. They are read in the
-/// background.
+/// Imports part files as a new scenario or into the open one. They are read in the background.
 class PartImport final : public QObject {
   Q_OBJECT
 
  public:
   explicit PartImport(const Workbench& bench);
 
-  /// Asks how these files, and others, are to be taken.
+  /// Asks how to import these files; the person can add other files.
   void ask(PartsDialog::Purpose purpose, const QStringList& files = {});
-  /// What is in `read` is not read again.
+  /// Imports parts. Files whose geometry is in `read` are not read again.
   void take(PartsDialog::Purpose purpose, const std::vector<PartFile>& parts, const GeometryCache& read = {});
 
  signals:
-  /// A scenario that is saved nowhere yet.
+  /// A scenario was made that is not saved yet.
   void scenarioMade(const glissade::ScenarioPtr& scenario);
   void importFailed(const glissade::Diagnostic& why);
 

@@ -1,22 +1,83 @@
 #include "app/window/path_controller.h"
 
+#include <cmath>
 #include <utility>
 
+#include "app/script/script_commands.h"
 #include "app/window/export_dialog.h"
 #include "app/window/film_dialog.h"
-#include "app/window/path_script.h"
 #include "app/window/proposed_file.h"
+#include "app/window/report_file.h"
 #include "app/window/window_memory.h"
+#include "engine/base/number_text.h"
+#include "engine/base/quantity_text.h"
 #include "engine/planning/clearance_profile.h"
 #include "engine/planning/smoothing/shortcuts.h"
 #include "engine/scenario/path_exporter.h"
 #include "engine/scenario/path_reader.h"
+#include "engine/study/path_report.h"
+#include "widgets/commands/length_text.h"
+#include "widgets/commands/window_language.h"
+#include "widgets/panels/sequence_panel.h"
 #include "widgets/scene3d/camera_controller.h"
 
 namespace glissade {
 namespace {
 
-/// Places of the path at which its clearance is measured for the curve.
+/// Half side of the box that the picture of the tightest place shows, in radii of the object.
+constexpr double kTightestSurroundings = 1.2;
+
+/// Share of the width of a page.
+constexpr double kPictureShare = 0.75;
+
+std::string lengthWords(double metres) { return lengthText(metres).toStdString(); }
+
+/// Sets the ghosts from "none", a number, or a length with its unit.
+Outcome setGhosts(PathController& path, const std::string& word) {
+  PathSpacing spacing = path.panel()->ghosts().spacing();
+  const auto number = toNumber(word);
+  const auto distance = toMetres(word, 1e-3);
+  if (word == "none") {
+    spacing.by = PathSpacing::By::None;
+  } else if (number && *number >= 1 && *number <= kMostPathPoses && *number == std::floor(*number)) {
+    spacing.by = PathSpacing::By::Number;
+    spacing.number = static_cast<int>(*number);
+  } else if (!number && distance && *distance > 0.0) {
+    spacing.by = PathSpacing::By::Distance;
+    spacing.distance = *distance;
+  } else {
+    return wrongCommand("these are no ghosts", "Say none, a number, or a length such as 25mm.");
+  }
+  path.panel()->ghosts().setSpacing(spacing);
+  return Done{};
+}
+
+/// Adds the script commands about the path that was found or given.
+void addPathCommands(ScriptCommands& scripts, PathController& path) {
+  using Words = ScriptCommands::Words;
+  scripts.add("export", 1,
+              [&path](const Words& words) { return outcomeOf(path.exportTo(QString::fromStdString(words[0]))); });
+  scripts.add("report-path", 1, [&path](const Words& words) -> Outcome {
+    SaveResult result;
+    path.reportTo(QString::fromStdString(words[0]), [&result](const SaveResult& saved) { result = saved; });
+    return outcomeOf(result);
+  });
+  scripts.add("film-path", 1, [&path](const Words& words) -> Outcome {
+    SaveResult result;
+    path.filmTo(QString::fromStdString(words[0]), [&result](const SaveResult& saved) { result = saved; });
+    return outcomeOf(result);
+  });
+  scripts.add("open-path", 1,
+              [&path](const Words& words) { return outcomeOf(path.open(QString::fromStdString(words[0]))); });
+  scripts.add("expect-path", 1, [&path](const Words& words) -> Outcome {
+    const std::string found = path.verdict();
+    if (found == words[0]) return Done{};
+    return unmetExpectation("the path is '" + found + "', not '" + words[0] + "'");
+  });
+  scripts.add("ghosts", 1, [&path](const Words& words) { return setGhosts(path, words[0]); });
+}
+
+/// Number of samples of the path's clearance for the curve.
 constexpr std::size_t kProfileSamples = 400;
 
 /// "*.csv *.json"
@@ -30,6 +91,50 @@ QString readablePatterns() {
 }
 
 }  // namespace
+
+void PathReportJob::start(const RunResults& results, const std::shared_ptr<const ClearanceProfile>& profile,
+                          const std::optional<Pose>& shownPose, const QString& file, const Finished& finished) {
+  shownPose_ = shownPose;
+  if (!file.endsWith(QLatin1String(".html"), Qt::CaseInsensitive) &&
+      !file.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive)) {
+    finished(notSaved({ErrorKind::Usage, file.toStdString(), "", "the report of a path is written as .html or .pdf",
+                       "Give a file name with one of these endings."}));
+    return;
+  }
+  const auto folder = std::make_shared<QTemporaryDir>();
+  const StudyWords words(windowLanguage());
+  ReportPicture overview{folder->filePath(QStringLiteral("path.png")).toStdString(), words("The path"), kPictureShare};
+  if (!saveScenePicture(bench_.scene, QString::fromStdString(overview.file))) overview = {};
+  ReportPicture tightest{folder->filePath(QStringLiteral("tightest.png")).toStdString(),
+                         words("The place with the smallest clearance"), kPictureShare};
+  const auto place = profile ? profile->tightest() : std::nullopt;
+  if (!place || !takeTightest(profile->samples[*place], tightest.file)) tightest = {};
+  const ScenarioPtr scenario = bench_.document.scenario();
+  bench_.work.run(tr("Writing the report"),
+                  [results, profile, scenario, folder, overview, tightest, words, file,
+                   finished](const WorkWatch&) -> BackgroundTask::Delivery {
+                    const StudyReport report =
+                        pathReport({*results.path, *scenario, results.provenance, profile.get(), overview, tightest},
+                                   words, lengthWords);
+                    const SaveResult written = saveReport(report, file);
+                    return [finished, written] { finished(written); };
+                  });
+}
+
+/// Takes the picture of the tightest place, and restores the camera and the object's pose.
+SaveResult PathReportJob::takeTightest(const ClearanceSample& sample, const std::string& file) const {
+  SceneView& view = bench_.scene.view();
+  const CameraController before = view.camera();
+  const double radius = kTightestSurroundings * bench_.document.scenario()->problem.world->objectRadius();
+  view.setPlaybackPose(sample.q);
+  view.camera().zoomTo(
+      Box3(sample.q.position - Vector3::Constant(radius), sample.q.position + Vector3::Constant(radius)));
+  const SaveResult taken = saveScenePicture(bench_.scene, QString::fromStdString(file));
+  view.setPlaybackPose(shownPose_);
+  view.camera() = before;
+  bench_.scene.refresh();
+  return taken;
+}
 
 PathController::PathController(const Workbench& bench)
     : QObject(&bench.window),

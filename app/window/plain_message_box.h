@@ -6,8 +6,8 @@
 
 namespace glissade {
 
-/// A message box that shows its texts as they are. Names and reasons come from files, and Qt takes a text that looks
-/// like HTML for HTML, pictures included. Its buttons have no icons: Qt has them for its standard buttons only.
+/// A message box that shows its texts as plain text. Names and reasons come from files, and Qt interprets a text that
+/// looks like HTML, with its pictures. The buttons have no icons, because Qt has icons only for its standard buttons.
 class PlainMessageBox final : public QMessageBox {
  public:
   PlainMessageBox(Icon icon, const QString& title, const QString& text, const QString& details, QWidget* parent)
@@ -16,7 +16,7 @@ class PlainMessageBox final : public QMessageBox {
     setText(text);
     if (details.isEmpty()) return;
     setInformativeText(details);
-    // setTextFormat() does not count for this label.
+    // setTextFormat() has no effect on this label.
     if (auto* label = findChild<QLabel*>(QStringLiteral("qt_msgbox_informativelabel"))) {
       label->setTextFormat(Qt::PlainText);
     }

@@ -7,15 +7,15 @@
 
 namespace glissade {
 
-/// Light, dark, or whichever of the two the desktop had when the program started.
+/// Light, dark, or the desktop's theme at the start of the program.
 enum class ThemeChoice { Desktop, Light, Dark };
 
 /// A user's choices for all scenarios. WindowMemory keeps them.
 struct Preferences {
-  QString language;         ///< "en", "fr"; empty: that of the desktop
-  double fontPoints = 9.0;  ///< of all texts of the window; small enough for three docks at 1280 x 720
-  LengthUnit lengthUnit = LengthUnit::Fitting;  ///< Fitting: that of the product's file
-  int autosaveSeconds = 3;                      ///< between two writings of what is not saved
+  QString language;         ///< "en", "fr"; empty: the desktop's
+  double fontPoints = 9.0;  ///< size of all texts of the window; small enough for three docks at 1280 x 720
+  LengthUnit lengthUnit = LengthUnit::Fitting;  ///< Fitting: the unit of the product's file
+  int autosaveSeconds = 3;                      ///< seconds between two writings of unsaved edits
   SceneColours colours = {};
   ThemeChoice theme = ThemeChoice::Desktop;
 };
@@ -25,8 +25,8 @@ inline constexpr double kMostFontPoints = 18.0;
 inline constexpr int kLeastAutosaveSeconds = 1;
 inline constexpr int kMostAutosaveSeconds = 60;
 
-/// "en" or "fr": the language that is asked for, that of the preferences, or that of the desktop where the window has
-/// it; English else.
+/// "en" or "fr": the requested language, else that of the preferences, else the desktop's if the window has it, else
+/// English.
 QString languageOf(const QString& asked, const Preferences& preferences, const QString& desktop);
 
 }  // namespace glissade

@@ -31,7 +31,7 @@ void PreferencesController::remember(WindowMemory& memory) {
 
 void PreferencesController::change() {
   present_.fontPoints = QApplication::font().pointSizeF();
-  // A script or the command line may have chosen the theme.
+  // A script or the command line may have changed the theme.
   const bool dark = bench_.actions["view.dark"]->isChecked();
   if ((themeOf(present_.theme) == Theme::Dark) != dark) present_.theme = dark ? ThemeChoice::Dark : ThemeChoice::Light;
   auto* dialog = new PreferencesDialog(bench_.actions, present_, &bench_.window);
@@ -50,7 +50,7 @@ Theme PreferencesController::themeOf(ThemeChoice choice) const {
   return choice == ThemeChoice::Dark ? Theme::Dark : Theme::Light;
 }
 
-/// The action chooses light or dark for good; the desktop's is chosen in the dialog.
+/// Remembers the light or dark theme that the action chose. The desktop's theme is chosen in the dialog.
 void PreferencesController::takeTheme(bool dark) {
   if ((themeOf(present_.theme) == Theme::Dark) == dark) return;
   present_.theme = dark ? ThemeChoice::Dark : ThemeChoice::Light;
@@ -69,7 +69,7 @@ void PreferencesController::apply(const Preferences& preferences) {
 
 namespace {
 
-/// The unit in which lengths are shown, for a file that states them in a unit of so many metres.
+/// The unit in which lengths are shown, for a file with this unit in metres.
 LengthUnit unitOfFile(double metres) {
   if (metres == kInch || metres == kFoot) return LengthUnit::Inches;
   if (metres == 0.001) return LengthUnit::Millimetres;
@@ -78,7 +78,7 @@ LengthUnit unitOfFile(double metres) {
 
 }  // namespace
 
-/// Lengths of a product are shown in the unit of its file if nobody has chosen a unit.
+/// Shows lengths in the unit of the product's file if no unit was chosen.
 void PreferencesController::showLengthUnit() {
   const ScenarioPtr scenario = bench_.document.scenario();
   const double ofFile = scenario ? scenario->product.lengthUnit() : 0.0;

@@ -12,7 +12,7 @@ namespace glissade {
 
 class WindowMemory;
 
-/// Asks for the preferences, and lets the window follow them at once.
+/// Shows the dialog of preferences, and applies them at once.
 class PreferencesController final : public QObject {
   Q_OBJECT
 
@@ -22,8 +22,8 @@ class PreferencesController final : public QObject {
 
   PreferencesController(const Workbench& bench, SetAutosave setAutosave);
 
-  /// Takes what is remembered; from now on it is kept there. Scripts have no memory: what they choose holds until the
-  /// window closes.
+  /// Restores the remembered preferences, and remembers later choices. Scripts have no memory: their choices last until
+  /// the window closes.
   void remember(WindowMemory& memory);
 
  private:
@@ -35,7 +35,7 @@ class PreferencesController final : public QObject {
 
   const Workbench& bench_;
   SetAutosave setAutosave_;
-  Theme desktopTheme_;  ///< before the window gave the program its own
+  Theme desktopTheme_;  ///< the desktop's theme, read before the window set its own
   Preferences present_;
   WindowMemory* memory_ = nullptr;
 };

@@ -1,5 +1,6 @@
 #include "app/window/preferences_dialog.h"
 
+#include <QColorDialog>
 #include <QDialogButtonBox>
 #include <QLabel>
 #include <QPushButton>
@@ -7,9 +8,40 @@
 
 #include <algorithm>
 
+#include "widgets/commands/colour_swatch.h"
 #include "widgets/scene3d/navigation_style.h"
 
 namespace glissade {
+namespace {
+
+QColor toQt(const Colour& colour) { return QColor::fromRgbF(colour[0], colour[1], colour[2]); }
+
+}  // namespace
+
+ColourButton::ColourButton(const QString& name, const std::optional<Colour>& colour, QWidget* parent)
+    : QToolButton(parent), name_(name) {
+  setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  setFocusPolicy(Qt::StrongFocus);
+  setColour(colour);
+  connect(this, &QToolButton::clicked, this, [this] { ask(); });
+}
+
+void ColourButton::setColour(const std::optional<Colour>& colour) {
+  colour_ = colour;
+  setIcon(colour ? colourSwatch(toQt(*colour)) : QIcon());
+  setText(colour ? toQt(*colour).name() : tr("As the theme"));
+  setAccessibleName(name_ + QStringLiteral(": ") + text());
+}
+
+void ColourButton::ask() {
+  auto* dialog = new QColorDialog(colour_ ? toQt(*colour_) : QColor(Qt::gray), this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(name_);
+  connect(dialog, &QColorDialog::colorSelected, this, [this](const QColor& chosen) {
+    setColour(Colour{chosen.redF(), chosen.greenF(), chosen.blueF()});
+  });
+  dialog->open();
+}
 
 QString languageOf(const QString& asked, const Preferences& preferences, const QString& desktop) {
   for (const QString& language : {asked, preferences.language, desktop}) {
@@ -52,7 +84,7 @@ PreferencesDialog::PreferencesDialog(const ActionCatalogue& actions, const Prefe
 
 void PreferencesDialog::fill(const Preferences& present) {
   language_->addItem(tr("As the desktop"), QString());
-  // Each in its own language, so that whoever cannot read this one finds the other.
+  // Each name is in its own language, so that a person who cannot read the present language finds the other.
   language_->addItem(QStringLiteral("English"), QStringLiteral("en"));
   language_->addItem(QStringLiteral("Français"), QStringLiteral("fr"));
   language_->setCurrentIndex(std::max(0, language_->findData(present.language)));

@@ -4,14 +4,35 @@
 #include <QDialog>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
+#include <QToolButton>
 
-#include "app/window/colour_button.h"
+#include <optional>
+
 #include "app/window/preferences.h"
+#include "engine/environment/rigid_body.h"
 #include "widgets/commands/action_catalogue.h"
 
 namespace glissade {
 
-/// What a user chooses for all scenarios. Navigation is an action: the dialog sets it when it is accepted.
+/// A button that shows the chosen colour, or that none is chosen, and asks for another one.
+class ColourButton final : public QToolButton {
+  Q_OBJECT
+
+ public:
+  ColourButton(const QString& name, const std::optional<Colour>& colour, QWidget* parent);
+
+  /// Without a value the theme's colour is used.
+  const std::optional<Colour>& colour() const { return colour_; }
+  void setColour(const std::optional<Colour>& colour);
+
+ private:
+  void ask();
+
+  QString name_;
+  std::optional<Colour> colour_;
+};
+
+/// A user's choices for all scenarios. Navigation is an action, which the dialog sets when it is accepted.
 class PreferencesDialog final : public QDialog {
   Q_OBJECT
 

@@ -6,8 +6,8 @@
 
 namespace glissade {
 
-/// The name that a dialog proposes for a file about the product of the scenario, without a folder: "pump-path.mp4" of
-/// "path.mp4"; "pump.json" of ".json".
+/// The name, without a folder, that a dialog proposes for a file about the scenario's product. `what` "path.mp4" gives
+/// "pump-path.mp4"; ".json" gives "pump.json".
 QString proposedFile(const LoadedScenario& scenario, const QString& what);
 
 }  // namespace glissade

@@ -61,7 +61,7 @@ void RecordingController::chooseSaveFile() {
   }
 }
 
-/// Errors and warnings.
+/// Shows errors and warnings of a save.
 void RecordingController::showOutcome(const SaveResult& saved) {
   if (!saved) bench_.messages.showError(tr("The recording cannot be saved"), saved.why);
   if (saved.warnings.empty()) return;
@@ -93,7 +93,7 @@ QString RecordingController::offerJournal(const QString& file) {
                              tr("Recordings (*.json)"));
 }
 
-/// A journal whose saving is cancelled stays, and is offered again at the next start.
+/// Saves journals as recordings. If this is cancelled, the journal stays and is offered again at the next start.
 void RecordingController::saveJournals(const std::vector<JournalSave>& saves) {
   bench_.work.runToEnd(tr("Saving the recording"), [this, saves](const WorkWatch& watch) -> BackgroundTask::Delivery {
     std::vector<SaveResult> results;

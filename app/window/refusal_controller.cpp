@@ -11,9 +11,9 @@
 namespace glissade {
 namespace {
 
-/// Bodies that are named one by one.
+/// Maximum number of bodies that are named one by one.
 constexpr std::size_t kMostNamed = 4;
-/// What is looked at is this much larger than where the surfaces meet.
+/// Ratio of the viewed region to the region where the surfaces meet.
 constexpr double kSurroundings = 3.0;
 
 bool touches(const EndConflict& conflict) { return conflict.overlap || conflict.distance == 0.0; }
@@ -26,7 +26,7 @@ QString factOf(const EndConflict& conflict, const LoadedScenario& scenario, doub
       .arg(name, lengthText(conflict.distance), lengthText(required));
 }
 
-/// One that overlaps a body by a fit's allowance is no refusal: this pair is to be one, too.
+/// Marks the pair as an accepted fit. An overlap within a fit's allowance is no refusal.
 void accept(FitSettings& fits, const std::string& object, const std::string& body) {
   const auto isPair = [&](const FitEdit& edit) {
     return (edit.a == object && edit.b == body) || (edit.a == body && edit.b == object);
@@ -63,7 +63,7 @@ void RefusalController::connectActions() {
   });
 }
 
-/// The message can be closed while it is there.
+/// Enables the action that closes the message while the message is shown.
 bool RefusalController::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::ShowToParent || event->type() == QEvent::HideToParent) {
     bench_.enable("refusal.close", !bar_->isHidden());
@@ -112,7 +112,7 @@ void RefusalController::showProblem(const SessionSnapshot& snapshot) {
     case ErrorKind::InCollision: notice.actions = {"refusal.show", "refusal.allow", "assembly.free-ends"}; break;
     case ErrorKind::MalformedInput: notice.actions = {"assembly.fit-workspace"}; break;
     case ErrorKind::NoPath:
-      if (atEnds) break;  // a forbidden place
+      if (atEnds) break;  // the end is in a forbidden place
       [[fallthrough]];
     case ErrorKind::LimitReached: notice.actions = {"assist.go", "difficulty.find", "run.restart-new-seed"}; break;
     default: break;
@@ -190,7 +190,7 @@ void RefusalController::mark(std::shared_ptr<const EndConflicts> conflicts) {
   enableActions();
 }
 
-/// The region where the surfaces meet, with its surroundings; else the object.
+/// Shows the region where the surfaces meet, with its surroundings, or the object if there is no such region.
 void RefusalController::zoomToConflicts() {
   const LoadedScenario& scenario = *bench_.document.scenario();
   const Box3 object = boundingBox(*scenario.object.mesh, conflicts_->q);

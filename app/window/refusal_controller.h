@@ -7,8 +7,8 @@
 
 namespace glissade {
 
-/// Says over the scene why a run was refused or ended without a path, or why a path does not hold: the reason, the
-/// bodies (marked in the scene) with their overlap, and what can be done.
+/// Shows over the scene why a run was refused or ended without a path, or why a path does not hold: the reason, the
+/// bodies (marked in the scene) with their overlap, and possible actions.
 class RefusalController final : public QObject {
   Q_OBJECT
 
@@ -16,7 +16,7 @@ class RefusalController final : public QObject {
   explicit RefusalController(const Workbench& bench);
 
   const NoticeBar& bar() const { return *bar_; }
-  /// What is marked in the scene; null: nothing.
+  /// The conflicts marked in the scene; null: none.
   const std::shared_ptr<const EndConflicts>& conflicts() const { return conflicts_; }
 
  protected:
@@ -26,7 +26,7 @@ class RefusalController final : public QObject {
   void connectActions();
   void followRun(const SnapshotPtr& snapshot);
   void followDocument(Changes what);
-  /// Looks for all bodies that the object meets at its ends, in the background.
+  /// Finds all bodies that the object meets at its ends, in the background.
   void examineEnds();
   void takeConflicts(const std::optional<EndConflicts>& found);
   void showProblem(const SessionSnapshot& snapshot);
@@ -43,7 +43,7 @@ class RefusalController final : public QObject {
   NoticeBar* bar_;
   std::shared_ptr<const EndConflicts> conflicts_;
   BackgroundTask examination_;
-  QString noticed_;  ///< what the snapshot said that was noticed last: it is not said again
+  QString noticed_;  ///< text of the snapshot's last problem, so that it is shown only once
 };
 
 }  // namespace glissade

@@ -5,7 +5,8 @@
 
 #include <algorithm>
 
-#include "app/window/replay_script.h"
+#include "app/script/script_commands.h"
+#include "engine/base/number_text.h"
 #include "engine/scenario/run_record.h"
 #include "engine/session/run_comparison.h"
 #include "widgets/commands/diagnostic_text.h"
@@ -13,16 +14,39 @@
 namespace glissade {
 namespace {
 
+Outcome seek(ReplayController& replay, const std::string& word) {
+  const auto step = toNumber(word);
+  if (!step || *step < 0) return wrongCommand("'" + word + "' is not a step");
+  if (!replay.isActive()) return wrongCommand("no replay is open");
+  replay.seek(static_cast<std::uint64_t>(*step));
+  return Done{};
+}
+
+Outcome expectReplay(const ReplayController& replay, const std::string& verdict) {
+  const std::string found = replay.isActive() ? replay.verdict() : "closed";
+  if (found == verdict) return Done{};
+  return unmetExpectation("the replay is " + (found.empty() ? "still running" : found) + ", not " + verdict);
+}
+
+/// Adds the script commands about recordings and replays.
+void addReplayCommands(ScriptCommands& scripts, ReplayController& replay) {
+  using Words = ScriptCommands::Words;
+  scripts.add("save-recording", 1,
+              [&replay](const Words& words) { return outcomeOf(replay.save(QString::fromStdString(words[0]))); });
+  scripts.add("seek", 1, [&replay](const Words& words) { return seek(replay, words[0]); });
+  scripts.add("expect-replay", 1, [&replay](const Words& words) { return expectReplay(replay, words[0]); });
+}
+
 constexpr int kTickMilliseconds = 16;
-/// At full speed a whole run passes in this many ticks (two seconds).
+/// Number of ticks of a whole run at full speed (two seconds).
 constexpr std::uint64_t kTicksOfAWholeRun = 120;
-/// A replay with other parameters ends at the latest after so many times the steps of the run.
+/// A replay with other parameters ends at the latest after this multiple of the run's steps.
 constexpr std::uint64_t kPatience = 10;
 constexpr std::uint64_t kLeastSteps = 1000;
 
 QString count(std::uint64_t value) { return QLocale().toString(static_cast<qulonglong>(value)); }
 
-/// Records of version 1 know their scenario by its file alone.
+/// Whether the record belongs to the scenario. Records of version 1 identify their scenario only by its file.
 bool isOf(const RunRecord& record, const ScenarioPtr& scenario) {
   if (!scenario) return false;
   if (record.version > 1) return record.problemSha256 == problemSha256(scenario->scenario);
@@ -109,7 +133,7 @@ std::optional<Diagnostic> ReplayController::open(
   const ScenarioPtr before = bench_.document.scenario();
   if (!isOf(record, before) || before->fitsPending) {
     if (auto why = openOther(QString::fromStdString(record.scenario))) return why;
-    if (bench_.document.scenario() == before) return std::nullopt;  // the user keeps the scenario that is open
+    if (bench_.document.scenario() == before) return std::nullopt;  // the user keeps the open scenario
   }
   auto log = replayLog(record, *bench_.document.scenario(), file.toStdString());
   if (!log) return log.error();

@@ -13,8 +13,8 @@
 
 namespace glissade {
 
-/// Recordings: every run is recorded, a recording is saved, opened and replayed. A replay runs to its
-/// end in the background while any step of it is shown.
+/// Recordings: records every run; saves, opens and replays recordings. A replay runs to its end in the background, and
+/// any replayed step can be shown.
 class ReplayController final : public QObject {
   Q_OBJECT
 
@@ -23,30 +23,30 @@ class ReplayController final : public QObject {
 
   RunRecorder& recorder() { return recorder_; }
   ReplayBar* bar() const { return bar_; }
-  /// What is shown is a replay.
+  /// Whether a replay is shown.
   bool isActive() const { return log_ != nullptr; }
 
-  /// Opens a recording that was read from a file; `openOther` opens its scenario where another is open.
+  /// Opens a recording read from a file; `openOther` opens its scenario if another is open.
   std::optional<Diagnostic> open(const RunRecord& record, const QString& file,
                                  const std::function<std::optional<Diagnostic>(const QString&)>& openOther);
   SaveResult save(const QString& file);
   void close();
 
-  /// Shows another step, as far as it is replayed.
+  /// Shows another step, at most the last replayed one.
   void seek(std::uint64_t step);
   std::uint64_t step() const { return step_; }
-  /// "same", "different" or "another" once the replay has ended; empty before.
+  /// "same", "different" or "another" after the end of the replay; empty before.
   const std::string& verdict() const { return verdict_; }
 
  private:
-  /// After a change the next run is of the document's scenario; of the same one with its bodies elsewhere, the
-  /// recording of the last run can still be saved.
+  /// Follows changes of the document. After a change the next run is one of the document's scenario. If only bodies
+  /// were moved, the recording of the last run can still be saved.
   void followDocument(Changes what);
   void followRun(const SessionSnapshot& snapshot);
   void showError(const Diagnostic& why);
   void connectActions();
   void enableActions();
-  /// The last run or the recording that is open.
+  /// The log of the last run, or of the opened recording.
   Result<RunLog> lastLog();
   void start(RunLog log, ReplayEnd end);
   void replayLast();
@@ -63,18 +63,18 @@ class ReplayController final : public QObject {
   RunRecorder recorder_;
   ReplayRunner runner_;
   ReplayBar* bar_;
-  std::optional<RunLog> opened_;       ///< of the recording opened last
-  std::shared_ptr<const RunLog> log_;  ///< of the replay shown; null: none
+  std::optional<RunLog> opened_;       ///< log of the recording opened last
+  std::shared_ptr<const RunLog> log_;  ///< log of the shown replay; null: none
   ReplayEnd end_ = ReplayEnd::WithTheLog;
   ReplayProgress progress_;
   std::unique_ptr<ReplayView> view_;
-  std::uint64_t number_ = 0;  ///< of the replay
+  std::uint64_t number_ = 0;  ///< number of the replay
   std::uint64_t step_ = 0;
   std::string verdict_;
   QString statusText_;
   QTimer timer_;
   QElapsedTimer sinceTick_;
-  double seconds_ = 0.0;  ///< of the run, where playback is
+  double seconds_ = 0.0;  ///< time of the run that the playback has reached
 };
 
 }  // namespace glissade

@@ -9,13 +9,13 @@
 
 namespace glissade {
 
-/// Writes a report as PDF where the file's name ends so, else as HTML.
+/// Writes a report as PDF if the file's name ends with .pdf, else as HTML.
 SaveResult saveReport(const StudyReport& report, const QString& file);
 
-/// Pixels of a picture on a page of a report.
+/// Size of a picture on a page of a report, pixels.
 inline constexpr QSize kPagePicture(960, 600);
 
-/// The scene as it is seen, as a PNG of that size.
+/// Writes the scene with the present camera as a PNG of the size kPagePicture.
 SaveResult saveScenePicture(SceneWidget& scene, const QString& file);
 
 }  // namespace glissade

@@ -1,13 +1,117 @@
 #include "app/window/run_controller.h"
 
+#include <QApplication>
+#include <QElapsedTimer>
 #include <QStatusBar>
+#include <QThread>
 
-#include "app/window/run_script.h"
+#include <algorithm>
+
 #include "app/window/status_text.h"
+#include "engine/base/enum_names.h"
+#include "engine/base/number_text.h"
+#include "engine/operator/device_registry.h"
 #include "widgets/editors/rules_dialog.h"
 #include "widgets/panels/strategy_use.h"
 
 namespace glissade {
+namespace {
+
+/// Planner steps between two checks of the state while waiting offscreen.
+constexpr std::uint64_t kWaitSlice = 50;
+
+constexpr EnumNames<SessionState, 6> kStateNames{{"idle", "planning", "paused", "solved", "stopped", "failed"}};
+
+bool isIn(const SnapshotPtr& snapshot, const std::string& state) {
+  if (!snapshot) return state == "empty";
+  if (state == "ended") {
+    return snapshot->state == SessionState::Solved || snapshot->state == SessionState::Failed ||
+           snapshot->state == SessionState::Stopped;
+  }
+  return kStateNames.find(state) == snapshot->state;
+}
+
+struct NamedValue {
+  ParameterId id;
+  double value;
+};
+
+/// Reads a parameter's key and a value.
+Result<NamedValue> parameterOf(const ScriptCommands::Words& words) {
+  const auto id = parameterByKey(words[0]);
+  const auto value = toNumber(words[1]);
+  if (!id) return wrongCommand("there is no parameter '" + words[0] + "'");
+  if (!value) return wrongCommand("'" + words[1] + "' is not a number");
+  return NamedValue{*id, *value};
+}
+
+Outcome setParameter(SessionBridge& session, const ScriptCommands::Words& words) {
+  const auto parameter = parameterOf(words);
+  if (!parameter) return parameter.error();
+  session.post(command::SetParameter{parameter->id, parameter->value});
+  return Done{};
+}
+
+Outcome expectValue(const SessionBridge& session, const ScriptCommands::Words& words) {
+  const auto parameter = parameterOf(words);
+  if (!parameter) return parameter.error();
+  if (!session.snapshot()) return wrongCommand("no scenario is open");
+  const double value = valueInForce(*session.snapshot(), parameter->id);
+  if (value == parameter->value) return Done{};
+  return unmetExpectation(words[0] + " is " + toText(value));
+}
+
+Outcome selectOperator(SessionBridge& session, const std::string& id) {
+  if (makeDeviceRegistry().find(id) == nullptr) return wrongCommand("there is no operator '" + id + "'");
+  session.setDevice(id);
+  return Done{};
+}
+
+Outcome selectStrategy(SessionBridge& session, const std::string& id) {
+  if (makePlannerRegistry().find(id) == nullptr) return wrongCommand("there is no strategy '" + id + "'");
+  session.post(command::SetPlanner{id});
+  return Done{};
+}
+
+Outcome wait(SessionBridge& session, const std::string& state, const std::string& until) {
+  const auto limit = toNumber(until);
+  if (!limit) return wrongCommand("'" + until + "' is not a limit");
+  const auto reached = [&] { return isIn(session.snapshot(), state) && !session.isStarting(); };
+  if (session.clock() == SessionClock::Lockstep) {
+    for (auto left = static_cast<std::uint64_t>(*limit); left > 0 && !reached();) {
+      const std::uint64_t slice = std::min(kWaitSlice, left);
+      session.advance(slice);
+      left -= slice;
+    }
+  } else {
+    QElapsedTimer timer;
+    timer.start();
+    while (!reached() && static_cast<double>(timer.elapsed()) < *limit * 1000.0) {
+      QApplication::processEvents(QEventLoop::AllEvents, 10);
+      QThread::msleep(2);
+    }
+  }
+  if (reached()) return Done{};
+  return unmetExpectation("the session did not reach the state '" + state + "'");
+}
+
+/// Adds the script commands about parameters, strategy, operator and the state of the run.
+void addRunCommands(const Workbench& bench) {
+  using Words = ScriptCommands::Words;
+  ScriptCommands& scripts = bench.scripts;
+  SessionBridge& session = bench.session;
+  scripts.add("set", 2, [&session](const Words& words) { return setParameter(session, words); });
+  scripts.add("expect-value", 2, [&session](const Words& words) { return expectValue(session, words); });
+  scripts.add("select-operator", 1, [&session](const Words& words) { return selectOperator(session, words[0]); });
+  scripts.add("select-strategy", 1, [&session](const Words& words) { return selectStrategy(session, words[0]); });
+  scripts.add("wait", 2, [&session](const Words& words) { return wait(session, words[0], words[1]); });
+  scripts.add("expect", 1, [&session](const Words& words) -> Outcome {
+    if (isIn(session.snapshot(), words[0])) return Done{};
+    return unmetExpectation("the session is not in the state '" + words[0] + "'");
+  });
+}
+
+}  // namespace
 
 RunController::RunController(const Workbench& bench)
     : QObject(&bench.window),
@@ -25,7 +129,7 @@ RunController::RunController(const Workbench& bench)
   connect(&bench.document, &WorkbenchDocument::changed, this, [this](Changes what) {
     if (!(what & (Change::Scenario | Change::Arrangement))) return;
     interaction_->setScenario(*bench_.document.scenario());
-    showRun(bench_.run.snapshot());  // of the new session
+    showRun(bench_.run.snapshot());  // the snapshot is one of the new session
   });
   connect(&bench.session, &SessionBridge::snapshotChanged, this,
           [this](const SnapshotPtr& snapshot) { takeSnapshot(*snapshot); });
@@ -42,7 +146,7 @@ RunController::RunController(const Workbench& bench)
 void RunController::connectActions() {
   bench_.onAction("run.start", this, [this] {
     bench_.document.whenArranged([this] {
-      bench_.session.post(command::Stop{});  // smoothing that may still go on
+      bench_.session.post(command::Stop{});  // a smoothing may still be running
       bench_.session.post(command::Start{});
     });
   });
@@ -103,7 +207,8 @@ void RunController::enableActions(const SessionSnapshot* snapshot) {
   bench_.actions["run.pause"]->setChecked(live && snapshot->state == SessionState::Paused);
 }
 
-/// Whoever takes the object in his hand means to take part in the search.
+/// Chooses the device, and a strategy that uses it: a person who takes the object in hand wants to take part in the
+/// search.
 void RunController::chooseDevice(const std::string& id) {
   bench_.session.setDevice(id);
   const std::string& strategy = bench_.document.settings().strategy;

@@ -8,8 +8,8 @@
 
 namespace glissade {
 
-/// Keeps the session in step with the document, and steers and shows the run: actions, the interaction panel, the
-/// figures, the status line.
+/// Keeps session and document in step, and steers and shows the run: actions, the interaction panel, the figures, the
+/// status line.
 class RunController final : public QObject {
   Q_OBJECT
 
@@ -21,15 +21,15 @@ class RunController final : public QObject {
 
  private:
   void connectActions();
-  /// Gives the session what the document has.
+  /// Updates the session from the document.
   void updateSession(Changes what);
-  /// Gives the document what the session has.
+  /// Updates the document from the session.
   void takeSnapshot(const SessionSnapshot& snapshot);
   void showRun(const SnapshotPtr& snapshot);
   void enableActions(const SessionSnapshot* snapshot);
   void chooseDevice(const std::string& id);
   void restart(std::uint64_t seed);
-  /// Shows the rules of the strategy; changed, they become the scenario's own.
+  /// Shows the rules of the strategy. Changed rules become the scenario's own.
   void editRules();
 
   const Workbench& bench_;

@@ -6,9 +6,9 @@
 namespace glissade {
 namespace {
 
-/// As packaging/install puts them, seen from the programs.
+/// Folder of the installed samples (packaging/install), relative to the programs.
 const QLatin1String kInstalledSamples("../../share/glissade/samples");
-/// The program is in build/PRESET/bin of the source tree.
+/// Levels to search upwards: the program is in build/PRESET/bin of the source tree.
 constexpr int kMostLevelsUp = 5;
 
 bool hasSamples(const QString& folder) { return QFileInfo::exists(folder + QStringLiteral("/teaching/scenario.json")); }

@@ -9,19 +9,19 @@ namespace glissade {
 
 /// A scenario that comes with the program.
 struct SampleScenario {
-  const char* file;     ///< below the folder of the samples
+  const char* file;     ///< path in the folder of the samples
   const char* name;     ///< English, as in the file; translated in the context "Samples"
-  const char* summary;  ///< English, how the file's description begins; translated there, too
+  const char* summary;  ///< English, beginning of the file's description; translated in the context "Samples"
 };
 
-/// Those that the welcome page offers, in its order.
+/// The samples of the welcome page, in its order.
 const std::vector<SampleScenario>& sampleScenarios();
 
-/// The folder of the samples, from the folder of the program: installed, or above it in the tree of the sources. Empty
-/// where there is none.
+/// The folder of the samples, searched from the folder of the program: the installed one, or the one in the source tree
+/// above. Empty if there is none.
 QString samplesFolder(const QString& programFolder);
 
-/// Of the resources, made by packaging/sample-pictures.sh. Null where the program has none.
+/// The sample's picture from the resources, made by packaging/sample-pictures.sh. Null if the program has none.
 QImage samplePicture(const SampleScenario& sample, bool dark);
 
 }  // namespace glissade

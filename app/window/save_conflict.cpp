@@ -9,7 +9,7 @@
 namespace glissade {
 namespace {
 
-/// The context of the translations.
+/// Context of the translations.
 struct SaveConflict {
   Q_DECLARE_TR_FUNCTIONS(SaveConflict)
 };

@@ -6,10 +6,10 @@
 
 namespace glissade {
 
-/// What the user wants where a file does not hold any more what was opened.
+/// The user's answer if the file's content differs from the opened one.
 enum class ConflictAnswer { KeepMine, TakeTheirs, SaveAs, Cancel };
 
-/// Asks in a dialog. `refused` is ChangedByOthers or RemovedByOthers; a removed file has no version to take.
+/// Asks in a dialog. `refused`: ChangedByOthers or RemovedByOthers. A removed file has no other version to take.
 ConflictAnswer askAboutConflict(const SaveResult& refused, QWidget* parent);
 
 }  // namespace glissade

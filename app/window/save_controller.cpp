@@ -1,10 +1,14 @@
 #include "app/window/save_controller.h"
 
+#include <QDateTime>
+#include <QLocale>
+
 #include <filesystem>
 #include <utility>
 
 #include "app/window/unsaved_edits_dialog.h"
 #include "engine/base/file.h"
+#include "engine/base/file_versions.h"
 #include "engine/base/limits.h"
 #include "engine/scenario/scenario_file.h"
 
@@ -17,6 +21,25 @@ std::string absolute(const std::string& file) {
 }
 
 }  // namespace
+
+EarlierVersionsMenu::EarlierVersionsMenu(std::function<QString()> openFile, QWidget* parent)
+    : QMenu(tr("Earlier &versions"), parent), openFile_(std::move(openFile)) {
+  setObjectName(QStringLiteral("menu.versions"));
+  connect(this, &QMenu::aboutToShow, this, &EarlierVersionsMenu::fill);
+}
+
+void EarlierVersionsMenu::fill() {
+  clear();
+  const QString file = openFile_();
+  const auto versions = file.isEmpty() ? std::vector<FileVersion>() : earlierVersions(file.toStdString());
+  for (const FileVersion& version : versions) {
+    const QString time = QLocale().toString(QDateTime::fromSecsSinceEpoch(version.time), QLocale::ShortFormat);
+    QAction* action = addAction(tr("Version %1, saved %2").arg(version.number).arg(time));
+    connect(action, &QAction::triggered, this,
+            [this, path = QString::fromStdString(version.path)] { emit chosen(path); });
+  }
+  if (versions.empty()) addAction(tr("No earlier version yet"))->setEnabled(false);
+}
 
 SaveController::SaveController(SaveHost host, QWidget* window)
     : QObject(window),
@@ -65,7 +88,7 @@ std::optional<UnsavedEdits> SaveController::unsavedEdits() const {
 bool SaveController::openEdits(const UnsavedEdits& edits) {
   if (!openAs(edits.scenario, edits.file)) return false;
   noteContent(edits.file, edits.sha256);
-  autosave_->writeChanges(true);  // before those that were left are removed
+  autosave_->writeChanges(true);  // before the offered edits are removed
   return true;
 }
 
@@ -77,7 +100,7 @@ void SaveController::openVersion(const QString& versionFile) {
     host_.showError(tr("The earlier version cannot be opened"), scenario.error());
     return;
   }
-  (void)openAs(std::move(*scenario), host_.scenario()->file);  // its assets are named as seen from the file
+  (void)openAs(std::move(*scenario), host_.scenario()->file);  // the paths of its assets are relative to the file
 }
 
 bool SaveController::openAs(Scenario scenario, const std::string& file) {

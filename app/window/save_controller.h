@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QMenu>
 #include <QObject>
 
 #include <functional>
@@ -7,24 +8,41 @@
 #include <string>
 
 #include "app/window/autosave_controller.h"
-#include "app/window/earlier_versions_menu.h"
 #include "engine/base/file_save.h"
 #include "widgets/bridge/session_bridge.h"
 
 namespace glissade {
 
-/// What the window does for its saves.
+/// The menu of the earlier versions of the open file (engine/base/file_versions.h), the latest first.
+class EarlierVersionsMenu final : public QMenu {
+  Q_OBJECT
+
+ public:
+  /// `openFile` returns an empty name if no file is open.
+  EarlierVersionsMenu(std::function<QString()> openFile, QWidget* parent);
+
+ signals:
+  /// The user wants to open this earlier version.
+  void chosen(const QString& versionFile);
+
+ private:
+  void fill();
+
+  std::function<QString()> openFile_;
+};
+
+/// Functions of the window that its saves need.
 struct SaveHost {
-  std::function<ScenarioPtr()> scenario;                        ///< the open one; null: none
-  std::function<bool()> isModified;                             ///< it has edits that are not saved
-  std::function<Scenario(const std::string& file)> contentFor;  ///< what a save writes into that file
-  std::function<void(const ScenarioPtr&)> openModified;         ///< opens it in place of what is open, as not saved
+  std::function<ScenarioPtr()> scenario;                        ///< the open scenario; null: none
+  std::function<bool()> isModified;                             ///< whether it has unsaved edits
+  std::function<Scenario(const std::string& file)> contentFor;  ///< the content that a save writes into this file
+  std::function<void(const ScenarioPtr&)> openModified;         ///< opens a scenario as an unsaved one
   std::function<bool()> mayDiscard;                             ///< asks about unsaved edits
   std::function<void(const QString& title, const Diagnostic&)> showError;
 };
 
-/// Saves of the scenario: notices that somebody else has changed the file, opens earlier versions, keeps unsaved
-/// edits for the case of a crash. Part of the main window.
+/// Saves the scenario: notices that another program has changed the file, opens earlier versions, keeps unsaved edits
+/// for the case of a crash. It is a part of the main window.
 class SaveController final : public QObject {
   Q_OBJECT
 
@@ -32,13 +50,14 @@ class SaveController final : public QObject {
   SaveController(SaveHost host, QWidget* window);
 
   EarlierVersionsMenu* versionsMenu() const { return versions_; }
-  /// The user has seen this content of the file (its SHA-256; empty: none): only that is replaced without asking.
+  /// Notes the content that the user has seen (its SHA-256; empty: none). Only this content is replaced without a
+  /// question.
   void noteContent(const std::string& file, const std::string& sha256);
-  /// Replaces the file only where it holds what the user has seen, or was never seen.
+  /// Saves, and replaces the file only if it holds the content that the user has seen, or if no content was noted.
   SaveResult save(const Scenario& scenario, const std::string& file);
-  /// The next save of the file replaces any content; the other version is kept.
+  /// Lets the next save replace any content; the other version is kept.
   void allowReplacing() { seen_.reset(); }
-  /// Offers what killed programs have left in the folder, and writes unsaved edits there from now on.
+  /// Offers unsaved edits that killed programs have left in the folder, and writes unsaved edits there from now on.
   void keepUnsavedEdits(const QString& folder);
   /// Seconds between two writings of unsaved edits.
   void setAutosaveSeconds(int seconds) { autosave_->setInterval(seconds); }

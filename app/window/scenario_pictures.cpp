@@ -9,7 +9,7 @@
 namespace glissade {
 namespace {
 
-/// Some 30 kB each.
+/// A picture takes about 30 kB.
 constexpr int kMostPictures = 40;
 
 QFileInfoList picturesIn(const QString& folder) {
@@ -19,7 +19,8 @@ QFileInfoList picturesIn(const QString& folder) {
 }  // namespace
 
 QImage smallScenePicture(SceneWidget& scene, const QSize& size) {
-  // As it is seen, without what lies over it: a picture in full detail of a large product takes seconds.
+  // Takes the picture from the widget, without its overlays: a new picture of a large product in full detail takes
+  // seconds.
   QImage whole(scene.widget()->size().expandedTo(QSize(1, 1)), QImage::Format_RGB32);
   scene.widget()->render(&whole, QPoint(), QRegion(), QWidget::RenderFlags());
   const QSize part = size.scaled(whole.size(), Qt::KeepAspectRatio);

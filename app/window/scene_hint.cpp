@@ -29,13 +29,13 @@ void SceneHint::write(const QString& text) {
   if (wasThere || !isHidden()) makeRoom();
 }
 
-/// The scale of the scene stays above the line.
+/// Keeps the scale of the scene above the text.
 void SceneHint::makeRoom() {
   auto* scale = parentWidget()->findChild<ScaleBar*>();
   if (scale != nullptr) scale->setRoomBelow(isHidden() ? 0 : height() + kSceneHintMargin);
 }
 
-/// Where the text is wider than the scene, it has more lines.
+/// Places the text and wraps it if it is wider than the scene.
 void SceneHint::place() {
   const QSize scene = parentWidget()->size();
   setWordWrap(false);

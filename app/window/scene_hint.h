@@ -4,14 +4,14 @@
 
 namespace glissade {
 
-/// One line over the scene, in the middle of its lower border: what to do next, or what was found.
+/// A text over the scene, in the middle of its lower border: the next action, or a result.
 class SceneHint final : public QLabel {
   Q_OBJECT
 
  public:
   explicit SceneHint(QWidget* scene);
 
-  /// Empty: it is hidden.
+  /// Shows the text; an empty text hides the label.
   void write(const QString& text);
 
  protected:

@@ -6,7 +6,7 @@
 namespace glissade {
 namespace {
 
-/// Metres: nothing is farther away.
+/// Length of a ray in metres; no body is farther away.
 constexpr double kEndOfRay = 1e9;
 
 }  // namespace

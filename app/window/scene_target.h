@@ -9,11 +9,11 @@
 
 namespace glissade {
 
-/// What lies under a point of the scene widget.
+/// The item at a point of the scene widget.
 struct SceneTarget {
-  int place = kNoPlace;         ///< where places are shown
-  std::optional<QString> body;  ///< id of an obstacle, where places are not shown
-  bool isObject = false;        ///< the object lies before all of that
+  int place = kNoPlace;         ///< the place, if places are shown
+  std::optional<QString> body;  ///< id of the obstacle, if places are not shown
+  bool isObject = false;        ///< the object is in front of obstacles at this point
 };
 
 /// Precondition: a scenario is open.

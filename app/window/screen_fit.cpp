@@ -16,14 +16,14 @@
 namespace glissade {
 namespace {
 
-/// Of a window's frame: title and borders. They are not known before the window is shown.
+/// Size of a window's frame: title and borders. It is not known before the window is shown.
 constexpr QSize kFrame{8, 32};
 
 bool fits(const QSize& size, const QSize& room) {
   return size.width() <= room.width() && size.height() <= room.height();
 }
 
-/// QMessageBox is never wider on its screen, and cuts its buttons then.
+/// Maximum width of a QMessageBox on its screen. A QMessageBox whose buttons need more width cuts them.
 int widestMessage(const QWidget& message) {
   constexpr int kSmallScreen = 1024;
   const int screen = message.screen()->availableGeometry().width();
@@ -39,7 +39,7 @@ void stackButtons(QMessageBox& message, const QSize& room) {
   buttons->setOrientation(Qt::Vertical);
 }
 
-/// The row of buttons that ends a column; null where it does not end with one.
+/// The row of buttons at the end of a column; null if the column does not end with one.
 QDialogButtonBox* buttonsBelow(QLayout& layout) {
   if (layout.count() == 0) return nullptr;
   return qobject_cast<QDialogButtonBox*>(layout.itemAt(layout.count() - 1)->widget());
@@ -73,8 +73,8 @@ int heightAt(int width, QLayout& layout) {
   return layout.hasHeightForWidth() ? layout.totalHeightForWidth(width) : layout.totalSizeHint().height();
 }
 
-/// The texts of a message that is higher than the room are scrolled. QMessageBox takes the least size that its layout
-/// allows, and makes texts about as narrow as this.
+/// Scrolls the texts of a message that is higher than the room. QMessageBox takes the minimum size of its layout, and
+/// makes its texts about as narrow as kNarrow.
 void scrollTexts(QMessageBox& message, const QSize& room) {
   constexpr int kNarrow = 500;
   if (auto* text = message.findChild<QLabel*>(QStringLiteral("qt_msgbox_label"))) text->setWordWrap(true);
@@ -83,8 +83,8 @@ void scrollTexts(QMessageBox& message, const QSize& room) {
   QLayout& texts = *message.layout();
   if (heightAt(narrow, texts) <= room.height()) return;
   QScrollArea& scroll = *scrollContent(message);
-  scroll.setFocusPolicy(Qt::StrongFocus);  // what is below is reached by keys
-  scroll.widget()->setMinimumWidth(1);     // QMessageBox wants its labels as wide as they like
+  scroll.setFocusPolicy(Qt::StrongFocus);  // keys scroll the texts
+  scroll.widget()->setMinimumWidth(1);     // otherwise QMessageBox makes its labels as wide as their texts
   const int beside = message.style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, &scroll);
   const int rest = message.layout()->totalMinimumSize().height() - scroll.minimumSizeHint().height();
   scroll.setMinimumSize(width, std::min(heightAt(width - beside, texts), room.height() - rest));

@@ -18,7 +18,7 @@ namespace {
 using Words = ScriptCommands::Words;
 
 constexpr std::array<const char*, 3> kAddActions{"section.add-x", "section.add-y", "section.add-z"};
-/// Where a new section is put: the first share of the extent at which there is none across the same axis yet.
+/// Shares of the extent for a new section. The first one without a section across this axis is taken.
 constexpr std::array<double, 7> kNewPlaces{0.5, 0.25, 0.75, 0.375, 0.625, 0.125, 0.875};
 /// Share of the extent within which two sections are at the same place.
 constexpr double kSamePlace = 0.02;
@@ -87,7 +87,7 @@ void SectionController::addAcross(int axis) {
   bench_.actions["panel.section"]->trigger();
 }
 
-/// Along a plane, or through an axis, across the line of sight.
+/// Adds a section along a plane, or through the axis of a round face, facing the viewer.
 void SectionController::addAlong(const MeasureFeature& face) {
   Vector3 direction = face.direction;
   Vector3 through = face.picked;
@@ -123,7 +123,7 @@ void SectionController::cutByHand(const Vector3& normal, const Vector3& through)
     panel_->add(*byHand_);
   } else {
     panel_->set(static_cast<std::size_t>(known - sections.begin()), *byHand_);
-    panel_->setExtent(panel_->extent());  // its slider has another way
+    panel_->setExtent(panel_->extent());  // the range of its slider changed
   }
   show();
 }
@@ -144,7 +144,7 @@ void SectionController::show() {
   bench_.scene.refresh();
 }
 
-/// One after the other: a drag would begin one with each of its moves.
+/// Makes caps, one computation at a time, because each move of a drag would start one.
 void SectionController::makeCaps() {
   if (caps_.isBusy()) {
     moreCaps_ = true;
@@ -182,7 +182,7 @@ void SectionController::addCommands() {
   });
 }
 
-/// section x|y|z SHARE|off: the first section across this axis.
+/// Carries out "section x|y|z SHARE|off" for the first section across this axis.
 Outcome SectionController::setByScript(const Words& words) {
   const std::size_t axis = std::string("xyz").find(words[0]);
   if (words[0].size() != 1 || axis == std::string::npos) return wrongCommand("say x, y or z");
@@ -209,7 +209,7 @@ Outcome SectionController::setByScript(const Words& words) {
   return Done{};
 }
 
-/// drag-section N X Y: its number from 1, pixels to the right, pixels down.
+/// Carries out "drag-section N X Y": number of the section from 1, pixels to the right, pixels down.
 Outcome SectionController::dragByScript(const Words& words) {
   const auto index = toNumber(words[0]);
   const auto right = toNumber(words[1]);

@@ -8,18 +8,18 @@
 
 namespace glissade {
 
-/// The sections of the view: their panel, and their handles in the scene. They are a property of the view, which has
-/// no undo; a scenario is opened without any.
+/// The sections of the view: their panel, and their handles in the scene. They belong to the view, which has no undo.
+/// Opening a scenario removes them.
 class SectionController final : public QObject {
   Q_OBJECT
 
  public:
-  /// To be made after all other tools of the scene: the handles of sections come first.
+  /// It must be made after all other tools of the scene, so that the handles of sections come first.
   SectionController(const Workbench& bench, const MeasureController& measure);
 
   SectionPanel* panel() const { return panel_; }
-  /// The section of a hand: through this point; what lies along the normal is cut away. It is moved when this is called
-  /// again, and added where it is not there any more.
+  /// Cuts the scene through this point and removes the side along the normal. Later calls move this section, or add it
+  /// again if it was removed.
   void cutByHand(const Vector3& normal, const Vector3& through);
 
  private:
@@ -27,7 +27,8 @@ class SectionController final : public QObject {
   void follow(Changes what);
   void addAcross(int axis);
   void addAlong(const MeasureFeature& face);
-  /// At a place along its direction; what is nearer to the viewer is cut away, so that the cut faces are seen.
+  /// Adds a section at a place along its direction. It removes the side that is nearer to the viewer, so that the cut
+  /// faces are visible.
   void add(const Vector3& direction, double place);
   void show();
   void makeCaps();
@@ -40,8 +41,8 @@ class SectionController final : public QObject {
   SectionPanel* panel_;
   SectionTool tool_;
   BackgroundTask caps_;
-  std::optional<SectionPlane> byHand_;  ///< as the hand left it
-  bool moreCaps_ = false;               ///< sections have moved since the caps were begun
+  std::optional<SectionPlane> byHand_;  ///< the section of the hand, at its last pose
+  bool moreCaps_ = false;               ///< sections moved while caps were being made
 };
 
 }  // namespace glissade

@@ -7,19 +7,19 @@
 
 namespace glissade {
 
-/// Lets a person drag sections by their handles in the scene. Esc puts one back that is held.
+/// Lets a person drag sections by their handles in the scene. Esc puts back a gripped section.
 class SectionTool final : public DragTool {
   Q_OBJECT
 
  public:
   SectionTool(SceneWidget& scene, QObject* parent);
 
-  /// `box` is that of what is drawn. Those that are off have no handle.
+  /// Sets the sections with handles; sections that are off have none. `box`: the box of the drawn bodies.
   void setSections(const std::vector<SectionPlane>& sections, const Box3& box);
   const SectionOverlay& overlay() const { return *overlay_; }
 
  signals:
-  /// The pointer has put a section there, metres along its direction.
+  /// The pointer moved a section to this place, metres along its direction.
   void dragged(std::size_t section, double place);
 
  private:
@@ -43,7 +43,7 @@ class SectionTool final : public DragTool {
   std::vector<SectionPlane> sections_;
   Box3 box_;
   std::optional<InHand> inHand_;
-  QCursor cursorBefore_;  ///< of the scene, before a handle was under the pointer
+  QCursor cursorBefore_;  ///< cursor of the scene while no handle was under the pointer
 };
 
 }  // namespace glissade

@@ -36,14 +36,15 @@ std::vector<Vector3> wayOf(const AssemblyStep& step, const RigidBody& body) {
   return way;
 }
 
-/// The plan with the ids of the product's bodies: itself where it has them. Null where it is about another product.
+/// The plan with the ids of the product's bodies; the same object if the ids are equal. Null if it belongs to another
+/// product.
 PlanPtr planOf(const AssembledProduct& product, const PlanPtr& plan) {
   const auto ours = planAbout(product, *plan);
   if (!ours) return nullptr;
   return ours->bodies == plan->bodies ? plan : std::make_shared<const AssemblyPlan>(*ours);
 }
 
-/// What is there before a step is found.
+/// The plan before the first step is found.
 AssemblyPlan emptyPlan(const AssembledProduct& product, const BodySet& staying) {
   AssemblyPlan plan;
   plan.end = PlanEnd::Interrupted;
@@ -231,9 +232,9 @@ void SequenceController::followDocument(Changes what) {
   }
 }
 
-/// A plan holds for one arrangement: where bodies have moved it is judged again, where they are others it is gone. That
-/// of a scenario that is opened is judged, too. Where the product is the same and a person says other things of its
-/// joints, it is planned anew.
+/// Follows a changed arrangement. If bodies have moved, the plan is judged again; if they are other bodies, it is
+/// removed. The plan of an opened scenario is judged too. If only the edits of joints changed, the sequence is planned
+/// again.
 void SequenceController::followArrangement(bool another) {
   planner_.drop();
   panel_->setCost(bench_.document.demands().cost);
@@ -278,7 +279,7 @@ void SequenceController::followDemands() {
   }
 }
 
-/// What the classes and attributes of bodies say is a demand, too: whether it is other than when this was asked last.
+/// Whether the demands have changed since the last call. They include those from classes and attributes of bodies.
 bool SequenceController::knowsOtherDemands() {
   const ScenarioPtr& scenario = bench_.document.scenario();
   if (!scenario || !shown().product) return false;
@@ -355,7 +356,7 @@ std::optional<Diagnostic> SequenceController::open(const QString& file) {
   }
   planner_.drop();
   bringToFront();
-  // The words that a person has said are read before the plan of the file replaces them.
+  // The demands of the document are read before the file's demands replace them.
   const SequenceDemands said = saidOf(*product);
   keepPlan({product, ours, false, {}, {}});
   adoptDemands(*ours);
@@ -380,7 +381,7 @@ SequencePicture SequenceController::pictureAt(double time, double exploded) {
     const bool aside = bench_.actions["sequence.aside"]->isChecked();
     const LoadedScenario& scenario = *bench_.document.scenario();
     for (std::size_t i = 0; i < played.size(); ++i) {
-      // A body that is apart does not go back for its step.
+      // In the exploded view, a body of a later step stays at its exploded pose.
       const Pose& moved = played[i].left || exploded == 0.0 ? played[i].moved : apart[i];
       const Pose X_WB = moved * rigidBodyAt(i, scenario).X_WB;
       picture.bodies.push_back({X_WB, aside || !played[i].left, played[i].moves});

@@ -19,10 +19,10 @@ class InstructionController;
 class PlanGraphView;
 class WindowMemory;
 
-/// The assembly plan of the product that is open: planned on a worker, shown and played in the scene, read from files
-/// and written into them, and kept by the document. It holds for one arrangement; in another one its steps are judged
-/// again. Which bodies stay is an attribute of bodies ("stays"), which is undoable and saved with the scenario; where
-/// nobody says so, the largest stays.
+/// The assembly plan of the open product: plans it on a worker, shows and plays it in the scene, reads and writes it;
+/// the document keeps it. It holds for one arrangement; in another one its steps are judged again. The attribute
+/// "stays" of bodies determines which bodies stay; it is undoable and saved with the scenario. Without it the largest
+/// body stays.
 class SequenceController final : public QObject {
   Q_OBJECT
 
@@ -31,73 +31,73 @@ class SequenceController final : public QObject {
 
   SequencePanel* panel() const { return panel_; }
   const ShownPlan& shown() const { return panel_->shown(); }
-  /// Of every plan.
+  /// Work times for all plans.
   WorkTimesStore& workTimes() { return workTimes_; }
-  /// Plans anew, or goes on. `mostSteps`: stops there.
+  /// Plans from the start, or resumes. `mostSteps`: the number of steps after which planning stops.
   void plan(bool resume, std::optional<std::size_t> mostSteps = std::nullopt);
-  /// A person may change the steps that are shown.
+  /// Whether a person may change the shown steps.
   bool isEditable() const;
-  /// The plan of the scenario and the demands as they are, where it is known.
+  /// Shows the plan of the present scenario and demands if it is known.
   void showRemembered() { followArrangement(false); }
-  /// Keeps the result of the independent check of this plan, and the access of a hand to its steps.
+  /// Keeps the result of the independent check of this plan, and of the access check.
   void note(const PlanPtr& plan, const PlanCheck& check, const PlanAccessPtr& access);
-  /// By a person of the product, in the document.
+  /// The demands that the document holds about the product.
   SequenceDemands saidOf(const AssembledProduct& product) const;
-  /// The row of this body becomes the current one when the next plan is there.
+  /// Chooses the row of this body when the next plan is shown.
   void chooseLater(const std::string& body) { chosenLater_ = body; }
-  /// Reads a plan of the product that is open and judges it; nothing on success.
+  /// Reads a plan of the open product and judges it; returns nothing on success.
   std::optional<Diagnostic> open(const QString& file);
-  /// The table of times and the template of work instructions become those that are remembered, and are remembered.
+  /// Restores the remembered table of times and template of work instructions, and remembers later changes.
   void remember(WindowMemory& memory);
-  /// The documents that are made of plans.
+  /// The documents about plans.
   InstructionController& instructions() { return *instructions_; }
-  /// Plans as JSON, as the command line writes them; steps as CSV, an animation as GLB, a work instruction as HTML or
-  /// PDF, a film as MP4, WebM or a series of pictures, by the ending of the file.
-  /// `finished` is called when it is done: at once, or later for a work instruction and a film.
+  /// Exports the plan in the format of the file's ending: JSON as the command line writes it, steps as CSV, an
+  /// animation as GLB, a work instruction as HTML or PDF, a film as MP4, WebM or a series of pictures. `finished` is
+  /// called at once, or later for a work instruction and a film.
   void exportTo(const QString& file, const InstructionJob::Finished& finished);
-  /// The same; a message says what came of it.
+  /// Exports as exportTo(), and a message shows the result.
   void exportAndTell(const QString& file);
-  /// Says what has come of a file of the plan.
+  /// Shows the result of writing a file of the plan.
   void tell(const QString& file, const SaveResult& saved);
-  /// For scripts: what a file that `write` writes comes to, at once; on screen a message says so later.
+  /// For scripts: calls `write` and returns the result if it is known at once; on screen a message shows it later.
   Outcome written(const std::string& file, const std::function<void(const InstructionJob::Finished&)>& write);
-  /// The panel, with a dock that is large enough for the table.
+  /// Raises the panel and makes its dock large enough for the table.
   void bringToFront();
-  /// The scene as the panel's sliders have it.
+  /// Shows the scene at the positions of the panel's sliders.
   void showPanelsScene();
 
  signals:
-  /// Another plan, or none.
+  /// Another plan, or none, is shown.
   void planShown();
 
  private:
   void connectActions();
   void followDocument(Changes what);
   void followArrangement(bool another);
-  /// After a change of the demands: a plan that is known already, or a new one.
+  /// Shows the known plan for changed demands, or plans again.
   void followDemands();
   bool knowsOtherDemands();
-  /// The demands of a plan that is opened become the document's.
+  /// Makes the demands of an opened plan the document's.
   void adoptDemands(const AssemblyPlan& plan);
-  /// The product of the scenario; the same object as before where it is the same product.
+  /// The product of the scenario; the known object if the product has not changed.
   ProductPtr presentProduct() const;
-  /// A plan of this product and these demands; nothing where there was none.
+  /// The last plan for this product and these demands; nothing if there is none.
   std::optional<ShownPlan> rememberedPlan(const ProductPtr& product) const;
   void remember();
-  /// As plan(), wherever the panel is.
+  /// Plans as plan(), but does not raise the panel.
   void startPlanning(bool resume, std::optional<std::size_t> mostSteps);
   void takeGrown(const GrownPlan& grown, bool growing);
   void setPlan(const ShownPlan& shown);
-  /// Shows the plan, and the document has it: it is saved with the scenario.
+  /// Shows the plan and gives it to the document, which saves it with the scenario.
   void keepPlan(const ShownPlan& shown);
   void showGraph();
-  /// The graph follows the plan while it is open.
+  /// Updates the graph if it is open.
   void updateGraph();
   void toggleStays();
   void chooseFile();
   void chooseExport();
   void chooseFilm();
-  /// The scene at so many steps of removal, parts moved apart by a share of the exploded view.
+  /// The scene at a time of the removal in steps. `exploded`: share by which parts are moved apart.
   SequencePicture pictureAt(double time, double exploded);
   void film(const QString& file, const FilmJob::Finished& finished);
   void enableActions();
@@ -106,16 +106,17 @@ class SequenceController final : public QObject {
   SequencePanel* panel_;
   SequencePlanner planner_;
   WorkTimesStore workTimes_;
-  std::size_t knownSteps_ = 0;  ///< of the plan that planning has begun with
+  std::size_t knownSteps_ = 0;  ///< steps of the plan that was resumed
   PlanPlayback playback_;
-  std::optional<ExplodedView> exploded_;  ///< of the plan that is shown, once it was moved apart
+  std::optional<ExplodedView> exploded_;  ///< of the shown plan, after it was exploded first
   PlanGraphView* graph_ = nullptr;
   InstructionController* instructions_;
   FilmJob film_;
-  std::vector<ShownPlan> memory_;  ///< plans of this scenario, the last ones: for undo
-  std::string chosenLater_;        ///< id; empty: the row stays
+  std::vector<ShownPlan> memory_;  ///< the last plans of this scenario, for undo
+  std::string chosenLater_;        ///< id of a body; empty: the chosen row stays
   bool adopting_ = false;
-  std::optional<SequenceDemands> knownDemands_;  ///< with what classes and attributes say; nothing: they are wrong
+  std::optional<SequenceDemands>
+      knownDemands_;  ///< with those from classes and attributes; nothing: they are contradictory
   SequenceEdits* edits_;
   SequenceHand* hand_;
 };

@@ -16,7 +16,7 @@ namespace {
 
 using Words = ScriptCommands::Words;
 
-/// Number of a script's word, from 1; nothing where it is none.
+/// The step number of a script's word, from 1; nothing if the word is no step.
 std::optional<std::size_t> stepIn(const std::string& word, const SequencePanel& panel) {
   const auto number = toNumber(word);
   const std::size_t steps = panel.shown().plan ? panel.shown().plan->steps.size() : 0;
@@ -154,7 +154,7 @@ void SequenceEdits::moveBy(int rows) {
   const SequencePanel& panel = *sequence_.panel();
   const auto step = panel.chosenStep();
   if (!step) return;
-  const bool back = (panel.order() == PlanOrder::Assembly) != (rows < 0);  // earlier in the order of removal
+  const bool back = (panel.order() == PlanOrder::Assembly) != (rows < 0);  // towards the start of the removal
   if (back && *step > 0) move(*step, *step - 1);
   if (!back && *step + 1 < panel.shown().plan->steps.size()) move(*step, *step + 1);
 }
@@ -200,7 +200,7 @@ void SequenceEdits::freeSteps() {
       withoutDemandsOn(chosenBodies(), bench_.document.demands()));
 }
 
-/// Each demand takes itself back.
+/// Fills the menu of demands. Each entry removes its demand.
 void SequenceEdits::fillDemandsMenu() {
   QMenu& menu = sequence_.panel()->demandsMenu();
   menu.clear();

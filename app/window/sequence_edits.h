@@ -8,19 +8,19 @@ namespace glissade {
 
 class SequenceController;
 
-/// What people see of the names of these bodies, with commas.
+/// The shown names of these bodies, separated by commas.
 QString joinedNames(const std::vector<std::string>& bodies, const AssembledProduct& product);
 
-/// What a person does to the steps of a plan: puts them elsewhere, locks them, forbids directions. Each is an undoable
-/// change of the document's demands, after which the sequence is planned anew.
+/// Edits of the steps of a plan: moves them, locks them, forbids directions. Each edit is an undoable change of the
+/// document's demands, and the sequence is planned again.
 class SequenceEdits final : public QObject {
   Q_OBJECT
 
  public:
   SequenceEdits(const Workbench& bench, SequenceController& sequence);
 
-  /// Cones of the directions that are forbidden to bodies of the selected steps, or to the stuck one. `bodies`: where
-  /// they are drawn; empty: where they are assembled.
+  /// Cones of the directions that are forbidden to bodies of the selected steps, or to the stuck body. `bodies`: their
+  /// drawn poses; empty: their assembled poses.
   std::vector<ForbiddenCone> forbiddenCones(const std::vector<SequenceBody>& bodies) const;
 
  private:
@@ -33,7 +33,7 @@ class SequenceEdits final : public QObject {
   void forbidWay();
   void keepOrder();
   void freeSteps();
-  /// Bodies of the selected steps, or the stuck one.
+  /// Bodies of the selected steps, or the stuck body.
   std::vector<std::string> chosenBodies() const;
   void fillDemandsMenu();
   void set(const QString& text, const SequenceDemands& demands);

@@ -59,12 +59,12 @@ bool SequenceHand::hasObject() const {
 
 void SequenceHand::noteBegun() {
   if (!run_ || run_->begun) return;
-  if (!hasObject()) {  // the edit has failed, and said so
+  if (!hasObject()) {  // the edit failed and was reported
     run_.reset();
   } else {
     run_->begun = true;
-    bench_.document.semantics().select({});  // the marks of what blocks the part would hide it in the hand
-    bench_.scene.widget()->setFocus();       // of the keys that move it
+    bench_.document.semantics().select({});  // the marks of blocking bodies would hide the part in the hand
+    bench_.scene.widget()->setFocus();       // for the keys that move the part
     sequence_.panel()->setNotice(
         tr("You move %1 by hand, among the parts that are present at its step. Start (F5) begins a run. Its certified "
            "path becomes the step.")
@@ -86,7 +86,7 @@ void SequenceHand::followDocument(Changes what) {
 
 void SequenceHand::followPath() {
   if (bench_.document.results().smoothed) {
-    // The session that announces the path ends when it is taken.
+    // Taking the path ends the session that announces it, so it is taken later.
     QMetaObject::invokeMethod(this, &SequenceHand::takePath, Qt::QueuedConnection);
   } else if (!run_->smoothing) {
     run_->smoothing = true;
@@ -94,7 +94,7 @@ void SequenceHand::followPath() {
   }
 }
 
-/// A person has undone the scenario of the run.
+/// Ends the run after a person has undone its scenario.
 void SequenceHand::followUndo() {
   if (!run_ || !run_->begun || goingBack_ || bench_.document.isTemporary()) return;
   run_.reset();
@@ -106,13 +106,13 @@ void SequenceHand::followUndo() {
 void SequenceHand::goBack(const std::function<void()>& then) {
   if (!run_ || !run_->begun || goingBack_) return;
   goingBack_ = true;
-  bench_.session.forgetPath();  // it is about other bodies
+  bench_.session.forgetPath();  // the path belongs to other bodies
   bench_.document.endTemporary();
   bench_.document.whenArranged([this, then] {
     goingBack_ = false;
     run_.reset();
     sequence_.panel()->setNotice({});
-    sequence_.bringToFront();  // the run has shown its path
+    sequence_.bringToFront();  // the run had raised the panel of its path
     if (then) then();
     enableActions();
   });

@@ -11,9 +11,9 @@ namespace glissade {
 
 class SequenceController;
 
-/// A step by hand: what leaves in a step, a part or a group, in the hand, among the parts that are there at that step,
-/// as a run like any other. The scenario of the run is a temporary one; its first certified path is smoothed, because a
-/// fitter makes no detours, and becomes the motion of the step, and the temporary scenario ends.
+/// Moves the bodies of a step by hand, among the parts present at that step, as an ordinary run. The scenario of the
+/// run is temporary. The first certified path is smoothed, because an assembler makes no detours. It then becomes the
+/// motion of the step, and the temporary scenario ends.
 class SequenceHand final : public QObject {
   Q_OBJECT
 
@@ -21,16 +21,16 @@ class SequenceHand final : public QObject {
   SequenceHand(const Workbench& bench, SequenceController& sequence);
 
   bool isActive() const { return run_.has_value(); }
-  /// The document has the scenario of the run, or is about to have it.
+  /// Whether the document has the scenario of the run, or will get it.
   bool isAway() const { return run_.has_value() && !goingBack_; }
 
  private:
   struct Run {
-    ShownPlan plan;                   ///< that the parts are moved in
+    ShownPlan plan;                   ///< the plan of the moved parts
     std::vector<std::string> bodies;  ///< ids; the first one names the step
-    std::optional<std::size_t> step;  ///< of the plan; nothing: the part was stuck
-    bool begun = false;               ///< the document has the run's scenario
-    bool smoothing = false;           ///< its path is smoothed
+    std::optional<std::size_t> step;  ///< index in the plan; nothing: the part was stuck
+    bool begun = false;               ///< the document has the scenario of the run
+    bool smoothing = false;           ///< the path is being smoothed
   };
 
   void begin();
@@ -39,15 +39,15 @@ class SequenceHand final : public QObject {
   void followPath();
   void followUndo();
   void takePath();
-  /// Ends the scenario of the run; then `then` is called.
+  /// Ends the scenario of the run and then calls `then`.
   void goBack(const std::function<void()>& then);
   void enableActions();
 
   const Workbench& bench_;
   SequenceController& sequence_;
-  /// What moves, for people.
+  /// Name of the moved bodies for people.
   QString nameOf(const Run& run) const;
-  /// The document has the bodies of the run as its object.
+  /// Whether the document's object consists of the bodies of the run.
   bool hasObject() const;
 
   std::optional<Run> run_;

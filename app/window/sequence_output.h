@@ -8,12 +8,12 @@
 
 namespace glissade {
 
-/// Writes a plan in the format of the file's ending: .json as the command line does, .csv, .glb. `product` is the file
-/// that the plan is about, or a name where there is none. Errors: Usage for another ending; those of writing.
+/// Writes a plan in the format of the file's ending: .json as the command line does, .csv, .glb. `product`: the plan's
+/// product file, or a name if there is none. Errors: Usage for another ending; those of writing.
 SaveResult writeSequence(const ShownPlan& shown, PlanOrder order, const std::string& product, const std::string& name,
                          const QString& file);
 
-/// The file is a document: .html or .pdf.
+/// Whether the file is a document: .html or .pdf.
 bool isDocument(const QString& file);
 
 }  // namespace glissade

@@ -29,7 +29,7 @@ std::string endOf(const ShownPlan& shown) {
   return "interrupted";
 }
 
-/// What can be counted of a plan; nothing where the word is unknown.
+/// The count that the word names; nothing if the word is unknown.
 std::optional<std::size_t> countOf(const ShownPlan& shown, const std::string& what) {
   const auto checked = [&shown](StepCheck check) {
     return static_cast<std::size_t>(std::count(shown.check.steps.begin(), shown.check.steps.end(), check));

@@ -6,7 +6,7 @@ namespace glissade {
 
 class SequenceController;
 
-/// The script commands about the assembly plan.
+/// Adds the script commands about the assembly plan.
 void addSequenceCommands(const Workbench& bench, SequenceController& sequence);
 
 }  // namespace glissade

@@ -14,7 +14,7 @@ enum ShortcutColumn { kCommand, kMenu, kShortcut, kColumns };
 
 constexpr int kRowSpace = 8;
 
-/// A letter, a digit or a sign alone is for steering and for texts.
+/// Whether the keys are a letter, a digit or a sign alone, which steers or writes text.
 bool isPlainKey(const QKeySequence& keys) {
   if (keys.isEmpty()) return false;
   const int modifiers = keys[0] & static_cast<int>(Qt::KeyboardModifierMask);

@@ -11,7 +11,7 @@
 
 namespace glissade {
 
-/// Changes the shortcuts of all commands. A shortcut that is taken by another command is taken from it; keys without
+/// Changes the shortcuts of all commands. A command loses a shortcut that is assigned to another one. Keys without
 /// Ctrl, Alt or Meta that steer the object or write text are refused. Nothing changes before the dialog is accepted.
 class ShortcutsDialog final : public QDialog {
   Q_OBJECT
@@ -19,7 +19,7 @@ class ShortcutsDialog final : public QDialog {
  public:
   ShortcutsDialog(const ActionCatalogue& actions, QWidget* parent);
 
-  /// By id of the action; all of them.
+  /// The shortcuts of all actions, by the action's id.
   const QHash<QString, QKeySequence>& shortcuts() const { return shortcuts_; }
 
  private:
@@ -27,11 +27,11 @@ class ShortcutsDialog final : public QDialog {
   void addRow(const ActionSpec& spec);
   void showKeys();
   void filter(const QString& text);
-  /// Of the row that is chosen; empty where none is.
+  /// Id of the chosen row; empty if no row is chosen.
   QString chosenId() const;
   void showChosen();
   void assign(const QKeySequence& keys);
-  /// What assigning these keys to the chosen command does, or why it cannot be done.
+  /// Shows the effect of assigning these keys to the chosen command, or why they are refused.
   void explain();
 
   const ActionCatalogue& actions_;

@@ -4,7 +4,8 @@ namespace glissade {
 
 ShownRun::ShownRun(const WorkbenchDocument& document, SessionBridge& session, QObject* parent)
     : QObject(parent), session_(session) {
-  // In the first phase: the new session publishes its first snapshot in the second.
+  // This happens in the first phase of a change, because the new session publishes its first snapshot in the second
+  // phase.
   connect(&document, &WorkbenchDocument::changedForView, this, [this](Changes what) {
     if (!(what & (Change::Scenario | Change::Arrangement))) return;
     snapshot_.reset();

@@ -5,9 +5,9 @@
 
 namespace glissade {
 
-/// The run that the window shows: the session's, or a replayed one while a replay is open. Panels observe it instead
-/// of the session where they show a run. Another scenario or arrangement ends what was shown: snapshots are always of
-/// the document's scenario.
+/// The run that the window shows: the session's, or the replayed one while a replay is open. Panels that show a run
+/// observe this object instead of the session. Another scenario or arrangement removes the shown run, so snapshots
+/// always belong to the document's scenario.
 class ShownRun final : public QObject {
   Q_OBJECT
 
@@ -18,13 +18,13 @@ class ShownRun final : public QObject {
   const SnapshotPtr& snapshot() const { return snapshot_; }
   /// False while a replay is open.
   bool isLive() const { return live_; }
-  /// What the status line says of the replay.
+  /// Text of the status line about the replay.
   const QString& replayText() const { return replayText_; }
 
-  /// From now on the session's snapshots are not shown.
+  /// Stops showing the session's snapshots.
   void beginReplay();
   void showReplay(const SnapshotPtr& snapshot, const QString& text);
-  /// The session's last snapshot is shown again.
+  /// Shows the session's last snapshot again.
   void endReplay();
 
  signals:

@@ -11,7 +11,7 @@ namespace {
 
 QString say(const char* text) { return QCoreApplication::translate("Status", text); }
 
-/// What a multi-layer planner is at.
+/// The present phase of a multi-layer planner.
 QString layersText(const CoarsePlanPtr& plan) {
   if (!plan) return say(QT_TRANSLATE_NOOP("Status", "Planning: finding the places"));
   for (std::size_t i = 0; i < plan->steps.size(); ++i) {

@@ -7,9 +7,9 @@
 
 namespace glissade {
 
-/// What happens, in words for the status line.
+/// The state of the run in words for the status line.
 QString statusText(const SessionSnapshot& snapshot);
-/// How long the run takes or took, and its limit where it has one: "3.2 s of 60 s".
+/// The duration of the run, with its limit if it has one: "3.2 s of 60 s".
 QString elapsedText(const SessionSnapshot& snapshot);
 
 }  // namespace glissade

@@ -12,8 +12,8 @@ namespace glissade {
 
 class SequenceController;
 
-/// Turns the camera to where the part of a step is seen, when a person chooses the step and the part is hidden. Where
-/// it is seen, the camera stays.
+/// Turns the camera to a view of a step's part when a person chooses the step and the part is hidden. If the part is
+/// visible, the camera stays.
 class StepCamera final : public QObject {
   Q_OBJECT
 
@@ -24,12 +24,12 @@ class StepCamera final : public QObject {
   void cameraMoved();
 
  private:
-  /// What all views of one product share: trees of its meshes.
+  /// Data that all views of one product share: trees of its meshes.
   struct Views {
     explicit Views(ProductPtr of) : product(std::move(of)), view(*product) {}
 
     const ProductPtr product;
-    std::mutex inUse;  ///< a step that was chosen before may still be looked at
+    std::mutex inUse;  ///< a view of an earlier step may still be computed
     StepView view;     ///< guarded by inUse
   };
 
@@ -37,7 +37,7 @@ class StepCamera final : public QObject {
 
   const Workbench& bench_;
   SequenceController& sequence_;
-  std::shared_ptr<Views> views_;  ///< of the product that was looked at last; null: none
+  std::shared_ptr<Views> views_;  ///< for the product of the last view; null: none
   BackgroundTask task_;
 };
 

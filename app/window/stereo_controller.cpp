@@ -14,7 +14,7 @@
 namespace glissade {
 namespace {
 
-/// Milliseconds after which the pointer rests.
+/// Milliseconds without motion after which the pointer rests.
 constexpr int kRest = 300;
 
 }  // namespace
@@ -81,7 +81,7 @@ void StereoController::change(const StereoSettings& settings) {
   apply();
 }
 
-/// Without a scenario there is nothing to see with two eyes.
+/// Applies the settings. Without a scenario there is no stereo.
 void StereoController::apply() {
   if (!bench_.actions[QLatin1String(entryOf(settings_.mode).action)]->isEnabled()) settings_.mode = StereoMode::Off;
   bench_.actions[QLatin1String(entryOf(settings_.mode).action)]->setChecked(true);

@@ -13,14 +13,14 @@ class StereoDialog;
 class StereoScreen;
 class WindowMemory;
 
-/// Stereo at the desk: the modes, the dialog about them and about the screen, and the full screen.
+/// Stereo at the desk: the modes, the dialog about the modes and the screen, and the full screen.
 class StereoController final : public QObject {
   Q_OBJECT
 
  public:
   StereoController(const Workbench& bench, EyePlaceKeeper& eyePlace);
 
-  /// Takes what is remembered; from now on it is kept there.
+  /// Restores the remembered settings, and remembers later changes.
   void remember(WindowMemory& memory);
   const StereoSettings& settings() const { return settings_; }
 
@@ -46,7 +46,7 @@ class StereoController final : public QObject {
   FullScreen* fullScreen_;
   StereoDialog* dialog_ = nullptr;
   WindowMemory* memory_ = nullptr;
-  std::optional<Vector3> pointed_;  ///< what the pointer rested on last
+  std::optional<Vector3> pointed_;  ///< point of the scene on which the pointer rested last
   QPointF pointer_;
   QTimer rest_;
 };

@@ -57,7 +57,7 @@ StereoDialog::StereoDialog(const ActionCatalogue& actions, const StereoSettings&
   connect(swapped_, &QCheckBox::toggled, this, &StereoDialog::announce);
 }
 
-/// Metres become millimetres.
+/// Makes a box for a length: metres inside, shown in millimetres.
 QDoubleSpinBox* StereoDialog::makeLength(double least, double most, double step, const QString& tip) {
   auto* box = new QDoubleSpinBox(this);
   box->setRange(least / kMillimetre, most / kMillimetre);

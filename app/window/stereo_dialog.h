@@ -13,7 +13,7 @@
 
 namespace glissade {
 
-/// How the scene is shown to two eyes, and what the screen measures. A change counts at once.
+/// Settings of stereo and of the screen's size. A change has effect at once.
 class StereoDialog final : public QDialog {
   Q_OBJECT
 
@@ -22,7 +22,7 @@ class StereoDialog final : public QDialog {
   StereoDialog(const ActionCatalogue& actions, const StereoSettings& present, QWidget* parent);
 
   void setSettings(const StereoSettings& present);
-  /// What the scene measures on the screen, metres, by which a person can check the width.
+  /// Shows the size of the scene on the screen, metres, by which a person can check the screen's width.
   void showPictureSize(const QSizeF& metres);
 
  signals:

@@ -8,23 +8,23 @@
 
 namespace glissade {
 
-/// What of the scene lies in the plane of the screen: neither before it nor behind it.
+/// The point of the scene that lies in the plane of the screen.
 enum class Convergence {
-  Focus,   ///< what the view turns about
-  Object,  ///< the object that moves
-  Pointer  ///< what the pointer rested on last
+  Focus,   ///< the point about which the view turns
+  Object,  ///< the object
+  Pointer  ///< the point on which the pointer rested last
 };
 
-/// Under these names, in the order of Convergence, settings keep them.
+/// Names of the settings' values, in the order of Convergence.
 inline constexpr std::array<const char*, 3> kConvergenceNames{"focus", "object", "pointer"};
 
-/// A user's choices about pictures for two eyes, and about the screen. WindowMemory keeps them.
+/// A user's settings of stereo and of the screen. WindowMemory keeps them.
 struct StereoSettings {
   StereoMode mode = StereoMode::Off;
-  bool swapped = false;  ///< the picture of the left eye is shown to the right one
+  bool swapped = false;  ///< the right eye sees the left picture
   Convergence convergence = Convergence::Focus;
   ScreenGeometry screen;
-  QString display;  ///< name of the one that a full screen is shown on; empty: that of the window
+  QString display;  ///< name of the display for full screen; empty: the window's display
 };
 
 }  // namespace glissade

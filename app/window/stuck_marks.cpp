@@ -20,7 +20,7 @@ void StuckMarks::show(const QString& bodyId) {
   semantics_.select(marked_);
 }
 
-/// What a person has selected since then stays.
+/// Clears the selection, unless a person has changed it.
 void StuckMarks::clear() {
   if (!marked_.bodies.isEmpty() && semantics_.selection() == marked_) semantics_.select({});
   marked_ = {};

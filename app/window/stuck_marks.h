@@ -5,8 +5,8 @@
 
 namespace glissade {
 
-/// While a stuck part is chosen in the panel, it is selected together with what blocks it, so that the view marks them.
-/// The selection ends when a step is chosen.
+/// Selects a stuck part that is chosen in the panel together with the bodies that block it, so that the view marks
+/// them. The selection ends when a step is chosen.
 class StuckMarks final : public QObject {
   Q_OBJECT
 
@@ -19,7 +19,7 @@ class StuckMarks final : public QObject {
 
   SemanticDocument& semantics_;
   SequencePanel& panel_;
-  SemanticSelection marked_;  ///< by this
+  SemanticSelection marked_;  ///< the selection that this object made
 };
 
 }  // namespace glissade

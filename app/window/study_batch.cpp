@@ -29,14 +29,14 @@ std::optional<double> numberOf(const RunOutcome& outcome, const char* column) {
   return std::nullopt;
 }
 
-/// With leading zeros, so that their order by name is that of the cells.
+/// File name with leading zeros, so that the names sort in the order of the cells.
 std::string pictureName(const StudyFolder& folder, std::size_t cell) {
   const std::string number = std::to_string(cell + 1);
   const std::string last = std::to_string(folder.plan().study.cells.size());
   return folder.file("pictures/cell" + std::string(last.size() - number.size(), '0') + number);
 }
 
-/// The solved run with the median of nodes; of an even number the smaller of the middle ones.
+/// The solved run with the median number of nodes; of an even number of runs the smaller middle one.
 std::optional<StudyRun> typicalRun(std::size_t cell, const StudyResults& results) {
   std::vector<std::pair<double, StudyRun>> solved;
   for (const auto& [run, outcome] : results) {

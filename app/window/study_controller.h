@@ -16,7 +16,7 @@ class StudyController final : public QObject {
  public:
   StudyController(const Workbench& bench, FileController& files);
 
-  /// What is wrong with the folder, or nothing.
+  /// Opens a folder. Returns the failure, or nothing.
   std::optional<Diagnostic> open(const QString& folder);
   /// A study's folder with its results.
   struct Content {
@@ -24,12 +24,12 @@ class StudyController final : public QObject {
     StudyResults results;
     Warnings warnings;
   };
-  /// Shows a run of the browser's study again; the browser says whether it ended the same.
+  /// Shows a run of the browser's study again; the browser says whether it ended in the same way.
   std::optional<Diagnostic> show(const StudyRun& run);
-  /// Opens the run's scenario and starts that very run. What stands in the way, or nothing.
+  /// Opens the run's scenario and starts the run with its settings. Returns the failure, or nothing.
   std::optional<Diagnostic> startRun(const StudyFolder& folder, const StudyRun& run);
-  /// Whether the run that was started has ended with the nodes that the study has; nothing while it runs,
-  /// or where there is nothing to compare with.
+  /// Whether the started run ended with the same number of nodes as in the study; nothing while it runs, or if the
+  /// numbers cannot be compared.
   std::optional<bool> isAsInStudy(const RunOutcome& known) const;
 
   /// Null until a study was opened.
@@ -41,7 +41,7 @@ class StudyController final : public QObject {
   void choose();
   void choosePdf();
   void choosePlotFile();
-  /// Says why a file was not saved, or what of it is not as expected.
+  /// Shows why a file was not saved, or its warning.
   void showSaved(const SaveResult& saved, const QString& failure);
   void enablePlotActions();
   void watch(const SnapshotPtr& snapshot);
@@ -49,7 +49,7 @@ class StudyController final : public QObject {
   const Workbench& bench_;
   FileController& files_;
   StudyBrowser* browser_ = nullptr;
-  std::optional<StudyRun> shown_;  ///< the browser's run that is being shown
+  std::optional<StudyRun> shown_;  ///< the browser's run that is shown
 };
 
 }  // namespace glissade

@@ -11,7 +11,8 @@
 namespace glissade {
 namespace {
 
-constexpr double kLargeExcess = 0.10;  ///< of the volume: the usual swept volume has less, where memory allows it
+constexpr double kLargeExcess =
+    0.10;  ///< share of the volume; the usual swept volume has less excess unless memory is too small
 
 }  // namespace
 

@@ -8,7 +8,7 @@
 
 namespace glissade {
 
-/// The swept volume of the path that is shown: computed in the background, drawn in the scene, written into files.
+/// The swept volume of the shown path: computes it in the background, draws it in the scene, writes it into files.
 class SweepController final : public QObject {
   Q_OBJECT
 
@@ -16,7 +16,7 @@ class SweepController final : public QObject {
   explicit SweepController(const Workbench& bench);
 
  private:
-  /// A swept volume, and what lies within it.
+  /// A swept volume, and the bodies within it.
   struct Shown {
     std::shared_ptr<const Path> path;
     std::shared_ptr<const SweptVolume> sweep;
@@ -24,11 +24,11 @@ class SweepController final : public QObject {
   };
 
   void addCommands();
-  /// Of the run, or of the replay that is shown; may be null.
+  /// Path of the run or of the replay that is shown; may be null.
   std::shared_ptr<const Path> path() const;
-  /// Another path has no swept volume yet.
+  /// Removes the swept volume when the path has changed.
   void followPath();
-  /// Computes the swept volume where there is none yet, then calls `then`.
+  /// Computes the swept volume if it is unknown, then calls `then`.
   void compute(const std::function<void()>& then);
   void show(bool shown);
   void tell();
@@ -37,7 +37,7 @@ class SweepController final : public QObject {
   void enableActions();
 
   const Workbench& bench_;
-  std::shared_ptr<const Path> followed_;  ///< the last one that was there
+  std::shared_ptr<const Path> followed_;  ///< the last path
   Shown shown_;
 };
 

@@ -12,7 +12,8 @@ FlatPicturePtr flatPicture(const QImage& image) {
   auto picture = std::make_shared<FlatPicture>();
   picture->width = image.width();
   picture->height = image.height();
-  picture->rgba.assign(image.constBits(), image.constBits() + image.sizeInBytes());  // rows of 4 bytes have no gaps
+  picture->rgba.assign(image.constBits(),
+                       image.constBits() + image.sizeInBytes());  // rows of 4-byte pixels have no padding
   return picture;
 }
 

@@ -8,10 +8,10 @@
 
 namespace glissade {
 
-/// For the scene of a headset. The image has the format RGBA8888_Premultiplied.
+/// The picture in the format of a headset's scene. The image has the format RGBA8888_Premultiplied.
 FlatPicturePtr flatPicture(const QImage& image);
 
-/// A text on a ground of its own, in the size of the panel's, as labels over the scene are.
+/// A text on a background, as labels over the scene have it, in the size of the headset's panel.
 FlatPicturePtr textPicture(const QString& text, const QPalette& palette, bool strong);
 
 }  // namespace glissade

@@ -15,7 +15,8 @@ struct Tones {
   QColor window, base, alternate, button, text, faint, highlight, link, alarm, border;
 };
 
-/// Every text has a contrast of 4.5 or more against each ground that it stands on (tests/app/accessibility_test.cpp).
+/// The colours of a theme. Every text has a contrast of at least 4.5 against each of its backgrounds
+/// (tests/app/accessibility_test.cpp).
 Tones tonesOf(Theme theme) {
   if (theme == Theme::Dark) {
     return {QColor("#24272c"), QColor("#1b1d21"), QColor("#212429"), QColor("#31353b"), QColor("#e3e6ea"),
@@ -36,7 +37,8 @@ QPalette paletteFrom(const Tones& tones) {
     palette.setColor(role, tones.text);
     palette.setColor(QPalette::Disabled, role, tones.faint);
   }
-  // Fusion writes what is disabled twice, first in this colour: a shadow that is brighter than the text in the dark.
+  // Fusion draws disabled text twice, first in this colour. In the dark theme this shadow would be brighter than the
+  // text.
   palette.setColor(QPalette::Disabled, QPalette::Light, Qt::transparent);
   palette.setColor(QPalette::PlaceholderText, tones.faint);
   palette.setColor(QPalette::Highlight, tones.highlight);
@@ -55,8 +57,9 @@ QString styleSheetFrom(const Tones& tones) {
              "QToolBar { border: none; border-bottom: 1px solid %2; padding: 3px 6px; spacing: 2px; }"
              "QToolButton { padding: 3px 6px; border: 1px solid transparent; border-radius: 4px; }"
              "QDockWidget QToolButton { border: 1px solid %2; background: %3; }"
-             "#qt_toolbar_ext_button { padding: 0px; min-width: 14px; }"  // what a narrow window has no room for
-             "QTabBar QToolButton { padding: 0px; border: 1px solid %2; background: %3; }"  // tabs without room
+             "#qt_toolbar_ext_button { padding: 0px; min-width: 14px; }"  // button of entries that have no room in a
+                                                                          // narrow window
+             "QTabBar QToolButton { padding: 0px; border: 1px solid %2; background: %3; }"  // buttons that scroll tabs
              "QToolButton:hover { background: %3; border: 1px solid %2; }"
              "QToolButton:checked { background: %4; color: white; }"
              "QToolButton:focus { border: 1px solid %4; }"
@@ -71,7 +74,8 @@ QString styleSheetFrom(const Tones& tones) {
              "QTreeWidget { border: none; }"
              "QTreeView::indicator:unchecked, #joint QListView::indicator:unchecked { width: 11px; height: 11px; "
              "border: 1px solid %5; border-radius: 2px; }"
-             "#attributes { background: %1; }"  // as behind other editors: on their own colour they have no edge
+             "#attributes { background: %1; }"  // other editors have this background; on their own colour they would
+                                                // have no edge
              "QLabel#authority { font-weight: 600; }"
              "#scene-hint { background: %1; border: 1px solid %2; border-radius: 4px; }"
              "#notice { background: %1; border: 1px solid %2; border-left: 4px solid #d55e00; border-radius: 4px; }"
@@ -94,7 +98,8 @@ QString styleSheetFrom(const Tones& tones) {
       .arg(tones.window.name(), tones.border.name(), tones.button.name(), tones.highlight.name(), tones.faint.name());
 }
 
-/// Fusion draws the outlines of menus and of their check boxes darker than the ground: in the dark they are not seen.
+/// Draws the outlines of menus and of their check boxes in the colour of disabled text. Fusion's outlines are darker
+/// than the background, so that they are invisible in the dark theme.
 class WorkbenchStyle final : public QProxyStyle {
  public:
   WorkbenchStyle() : QProxyStyle(QStringLiteral("Fusion")) {}

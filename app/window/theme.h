@@ -4,11 +4,11 @@
 
 namespace glissade {
 
-/// Gives the whole application the palette and style sheet of a theme (Fusion style). BrightText is the
-/// colour of texts about what is wrong.
+/// Gives the application the palette and style sheet of a theme (Fusion style). BrightText is the colour of texts about
+/// errors.
 void applyTheme(Theme theme);
 
-/// The size of all texts of the application.
+/// Sets the size of all texts of the application.
 void setFontPoints(double points);
 
 }  // namespace glissade

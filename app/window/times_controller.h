@@ -8,8 +8,8 @@ namespace glissade {
 class TimesView;
 class WindowMemory;
 
-/// How long the plan that is shown takes people, in a window of its own, by a table of times that is edited there. The
-/// window follows the plan and the table while it is open; the division over stations is found in the background.
+/// Shows how long the shown plan takes people, in its own window, by a table of times that can be edited there. The
+/// open window follows the plan and the table; the division over stations is computed in the background.
 class TimesController final : public QObject {
   Q_OBJECT
 
@@ -17,10 +17,10 @@ class TimesController final : public QObject {
   TimesController(const Workbench& bench, SequenceController& sequence);
 
   void show();
-  /// Made when it is asked for first.
+  /// The window, which the first call makes.
   TimesView& view();
   WorkTimesStore& table() { return sequence_.workTimes(); }
-  /// Takes the table from a file, or writes it; nothing on success.
+  /// Reads the table from a file, or writes it; both return nothing on success.
   std::optional<Diagnostic> openTable(const QString& file);
   std::optional<Diagnostic> saveTable(const QString& file);
 
@@ -36,7 +36,7 @@ class TimesController final : public QObject {
   SequenceController& sequence_;
   TimesView* view_ = nullptr;
   BackgroundTask task_;
-  bool isOutdated_ = false;  ///< something else was asked for while the task was busy
+  bool isOutdated_ = false;  ///< a later request came while the task was busy
 };
 
 }  // namespace glissade

@@ -39,7 +39,7 @@ QRect partOfAction(const QMainWindow& window, QAction* action) {
   return {};
 }
 
-/// The words of a command; "{report}" is that file.
+/// The words of a command, with `report` in place of "{report}".
 ScriptCommands::Words wordsOf(const char* line, const QString& report) {
   std::istringstream stream(line);
   ScriptCommands::Words words;
@@ -73,7 +73,7 @@ TourController::TourController(const Workbench& bench)
     if (const Outcome done = doStep(); !done) bench_.messages.showError(tr("This cannot be done"), done.error());
   });
   connect(escape_, &QShortcut::activated, this, [this] { go(std::nullopt); });
-  // What is being done in the background is ended first.
+  // Esc cancels background work first.
   connect(bench.actions["work.cancel"], &QAction::changed, this,
           [this] { escape_->setEnabled(current_ && !bench_.actions["work.cancel"]->isEnabled()); });
   escape_->setEnabled(false);
@@ -137,7 +137,7 @@ Outcome TourController::doStep() {
     std::string name = words.front();
     words.erase(words.begin());
     if (name == "open-sample" && isOfTour(bench_)) {
-      name = "open";  // without a question
+      name = "open";  // "open" asks no question
       words[0] = samples_.filePath(QString::fromStdString(words[0])).toStdString();
     }
     if (const Outcome done = bench_.scripts.carryOut(name, words); !done) return done;

@@ -11,8 +11,8 @@
 
 namespace glissade {
 
-/// Leads through the steps of the tour: shows what to do, marks where, and goes on when a step was done, whoever did
-/// it.
+/// Leads through the steps of the tour: shows the action of a step, marks its place, and goes on when the step is done,
+/// by the person or by the tour.
 class TourController final : public QObject {
   Q_OBJECT
 
@@ -28,7 +28,7 @@ class TourController final : public QObject {
   void go(std::optional<std::size_t> to);
   void next();
   void noteAction(const QString& id);
-  /// Goes on where the step has become done.
+  /// Goes on if the step is done.
   void check();
   Outcome doStep();
   void markTarget();
@@ -38,14 +38,14 @@ class TourController final : public QObject {
   TourPanel* panel_;
   TourFrame* frame_;
   QShortcut* escape_;
-  std::optional<std::size_t> current_;  ///< none: no tour
-  bool isDone_ = false;                 ///< the current step
+  std::optional<std::size_t> current_;  ///< nothing: no tour
+  bool isDone_ = false;                 ///< whether the current step is done
   QDir samples_;
-  QTemporaryDir folder_;  ///< of what the tour writes
+  QTemporaryDir folder_;  ///< for files that the tour writes
 };
 
-/// The part of the window that stands for an action (its button, or the menu that holds it) or that a widget of this
-/// object name covers; empty where it is not to be seen.
+/// The part of the window for an action (its button, or the menu that holds it) or for the widget with this object
+/// name; empty if it is not visible.
 QRect partOf(const QMainWindow& window, const ActionCatalogue& actions, const QString& target);
 
 }  // namespace glissade

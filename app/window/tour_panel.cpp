@@ -28,7 +28,7 @@ TourPanel::TourPanel(QWidget* scene)
       end_(addButton(tr("End"), &TourPanel::end)) {
   setObjectName(QStringLiteral("tour"));
   setAutoFillBackground(true);
-  // A click beside the buttons is none on the scene.
+  // A click beside the buttons does not reach the scene.
   setAttribute(Qt::WA_NoMousePropagation);
   QFont font = title_->font();
   font.setBold(true);
@@ -76,7 +76,8 @@ void TourPanel::setDone(bool done) {
   doIt_->setText(done ? tr("✓ Done") : tr("Do it for me"));
 }
 
-/// In the lower right corner of the scene, as high as its text needs: the axes and the first sample are at the left.
+/// Places the panel in the lower right corner of the scene, as high as its text. The axes and the first sample are at
+/// the left.
 void TourPanel::place() {
   const QWidget& scene = *parentWidget();
   const int width = std::min(kWidestTour, scene.width() - 2 * kTourMargin);

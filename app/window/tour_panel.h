@@ -6,16 +6,16 @@
 
 namespace glissade {
 
-/// The bubble of the tour in a corner of the scene: which step it is, what to do and why.
+/// The panel of the tour in a corner of the scene: the number of the step, the action and its reason.
 class TourPanel final : public QFrame {
   Q_OBJECT
 
  public:
   explicit TourPanel(QWidget* scene);
 
-  /// `number` from 1.
+  /// Shows a step; `number` counts from 1.
   void showStep(int number, int count, const QString& title, const QString& text);
-  /// The step is done: only the next one is left to do.
+  /// Marks the step as done, so that only the button for the next step remains.
   void setDone(bool done);
 
  signals:
@@ -40,14 +40,14 @@ class TourPanel final : public QFrame {
   QToolButton* end_;
 };
 
-/// A frame around what the tour is about. It lets the mouse through.
+/// A frame around the target of a step. It lets mouse events through.
 class TourFrame final : public QWidget {
   Q_OBJECT
 
  public:
   explicit TourFrame(QWidget* window);
 
-  /// A part of the window, in its coordinates; empty: nothing is marked.
+  /// Marks a part of the window, in the window's coordinates; an empty one removes the mark.
   void mark(const QRect& part);
 
  protected:

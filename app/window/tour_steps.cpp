@@ -10,7 +10,7 @@ bool isOpen(const Workbench& bench, const char* sample) {
   return scenario && QString::fromStdString(scenario->file).endsWith(QLatin1String(sample));
 }
 
-/// A run of this strategy has ended.
+/// Whether a run of this strategy has ended.
 bool hasRun(const Workbench& bench, const char* strategy) {
   const SnapshotPtr& snapshot = bench.run.snapshot();
   return snapshot && snapshot->plannerId == strategy && snapshot->run > 0 && !isRunning(*snapshot) &&

@@ -18,18 +18,18 @@ namespace {
 
 enum class Answer { Open, Discard, Later };
 
-/// The context of the translations.
+/// Context of the translations.
 struct UnsavedEditsDialog {
   Q_DECLARE_TR_FUNCTIONS(UnsavedEditsDialog)
 };
 
-/// The scenario without what a save fills in.
+/// The text of a scenario without the fields that a save fills in.
 std::string comparable(Scenario scenario) {
   for (Asset& asset : scenario.assets) asset.sha256.clear();
   return scenarioText(scenario);
 }
 
-/// What the scenario's file holds now; nothing where it cannot be read.
+/// The present content of the scenario's file; nothing if it cannot be read.
 std::optional<std::string> contentNow(const UnsavedEdits& edits) {
   const auto text =
       edits.file.empty() ? Result<std::string>(Diagnostic()) : readFile(edits.file, limits::kMostScenarioBytes);
@@ -88,7 +88,7 @@ void offerUnsavedEdits(const QString& folder, const OpenEdits& open, QWidget* pa
     if (answer == Answer::Discard) left.remove();
     if (answer != Answer::Open || !open(*edits)) continue;
     left.remove();
-    return;  // the others would replace what was just opened
+    return;  // opening others would replace the opened edits
   }
 }
 

@@ -33,7 +33,7 @@ VariantsController::VariantsController(const Workbench& bench)
   addCommands();
 }
 
-/// Bodies that only went elsewhere are not looked at again.
+/// Examines the bodies again, unless they have only moved.
 void VariantsController::followDocument(Changes what) {
   if (!(what & (Change::Scenario | Change::Arrangement))) return;
   const std::vector<std::string> ids = idsOf(*bench_.document.scenario());
@@ -100,7 +100,7 @@ QImage VariantsController::pictureOf(const std::string& rigidId, const Box3& box
   const std::set<std::string> hidden = view.hiddenBodies();
   const CameraPose pose = view.camera().pose();
   const SceneLayer shown = isInObject(*bench_.document.scenario(), rigidId) ? SceneLayer::Object : SceneLayer::Bodies;
-  std::vector<SceneLayer> layers;  // that are not to be in the picture
+  std::vector<SceneLayer> layers;  // layers that the picture must not show
   for (int i = 0; i < kSceneLayerCount; ++i) {
     const auto layer = static_cast<SceneLayer>(i);
     if (layer != shown && view.layerVisible(layer)) layers.push_back(layer);

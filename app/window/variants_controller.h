@@ -11,8 +11,8 @@
 
 namespace glissade {
 
-/// Finds bodies of the product that fill the same place, says so over the scene, and asks which of them are built. What
-/// is not is left out, as one undoable edit.
+/// Finds bodies of the product that fill the same place, shows them over the scene, and asks which of them are built.
+/// The others are left out by one undoable edit.
 class VariantsController final : public QObject {
   Q_OBJECT
 
@@ -20,7 +20,7 @@ class VariantsController final : public QObject {
   explicit VariantsController(const Workbench& bench);
 
  private:
-  /// Bodies by number in rigidBodiesOf() the scenario, of each place.
+  /// For each place, the indices of its bodies in rigidBodiesOf() the scenario.
   using Places = std::vector<std::vector<std::size_t>>;
 
   void followDocument(Changes what);
@@ -28,15 +28,15 @@ class VariantsController final : public QObject {
   void take(const Places& places);
   void ask();
   void leaveOthersOut(const std::set<std::string>& rigidIds);
-  /// The body alone, as large as it can be.
+  /// Picture of the body alone, as large as possible.
   QImage pictureOf(const std::string& rigidId, const Box3& box);
   void addCommands();
 
   const Workbench& bench_;
   NoticeBar* bar_;
   BackgroundTask task_;
-  std::vector<std::string> known_;  ///< ids of the bodies that were looked at
-  Places places_;                   ///< that were found
+  std::vector<std::string> known_;  ///< ids of the examined bodies
+  Places places_;                   ///< the places that were found
 };
 
 }  // namespace glissade

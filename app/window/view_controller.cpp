@@ -1,18 +1,20 @@
 #include "app/window/view_controller.h"
 
+#include <QActionGroup>
 #include <QEvent>
 
 #include "widgets/commands/length_text.h"
 #include "widgets/scene3d/camera_controller.h"
 #include "widgets/scene3d/label_overlay.h"
 #include "widgets/scene3d/legend_overlay.h"
+#include "widgets/scene3d/navigation_style.h"
 #include "widgets/scene3d/scale_bar.h"
 #include "widgets/scene3d/view_cube.h"
 
 namespace glissade {
 namespace {
 
-/// They need something to look at.
+/// Actions that need a scenario.
 constexpr const char* kCameraActions[] = {"view.fit",   "view.zoom-selection", "view.isometric", "view.front",
                                           "view.back",  "view.left",           "view.right",     "view.top",
                                           "view.bottom"};
@@ -22,11 +24,12 @@ constexpr const char* kCameraActions[] = {"view.fit",   "view.zoom-selection", "
 ViewController::ViewController(const Workbench& bench) : QObject(&bench.window), bench_(bench) {
   QWidget* widget = bench.scene.widget();
   addNavigationAids();
+  connectNavigationStyles();
   widget->installEventFilter(this);
   showGridUnit();
   bench.scene.onCameraMoved([this] { publishOperatorFrame(); });
   connect(&bench.document, &WorkbenchDocument::changedForView, this, &ViewController::updateView);
-  // A body that was dragged goes back.
+  // A failed edit puts a dragged body back.
   connect(&bench.document, &WorkbenchDocument::editFailed, this, [this] { updateView(Change::Arrangement); });
   connect(&bench.run, &ShownRun::changed, this, [this](const SnapshotPtr& snapshot) {
     bench_.scene.view().setSnapshot(snapshot);
@@ -36,7 +39,7 @@ ViewController::ViewController(const Workbench& bench) : QObject(&bench.window),
   for (const char* id : kCameraActions) bench.enable(id, false);
 }
 
-/// Shown once there is something to look at.
+/// Adds the navigation aids. View cube and scale bar are hidden until a scenario is open.
 void ViewController::addNavigationAids() {
   auto* cube = new ViewCube(bench_.scene.view(), bench_.scene.widget());
   auto* scale = new ScaleBar(bench_.scene.view(), bench_.scene.widget());
@@ -55,6 +58,17 @@ void ViewController::addNavigationAids() {
   });
 }
 
+void ViewController::connectNavigationStyles() {
+  auto* group = new QActionGroup(this);
+  for (const NavigationStyleEntry& entry : kNavigationStyles) {
+    QAction* action = group->addAction(bench_.actions[QLatin1String(entry.action)]);
+    connect(action, &QAction::toggled, this, [&scene = bench_.scene, style = entry.style](bool chosen) {
+      if (chosen) scene.setNavigationStyle(style);
+    });
+  }
+  bench_.actions[QLatin1String(kNavigationStyles.front().action)]->setChecked(true);
+}
+
 bool ViewController::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::LocaleChange) showGridUnit();
   return QObject::eventFilter(watched, event);
@@ -70,7 +84,7 @@ void ViewController::showCamera() {
   bench_.scene.refresh();
 }
 
-/// The bodies that are selected; everything where none is.
+/// Shows the selected bodies, or everything if none is selected.
 void ViewController::zoomToSelection() {
   std::set<std::string> ids;
   for (const QString& id : bench_.document.semantics().selectedBodies()) ids.insert(id.toStdString());

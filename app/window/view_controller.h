@@ -4,14 +4,14 @@
 
 namespace glissade {
 
-/// Keeps the 3D view in step with the document and the run that is shown; standard views, layers.
+/// Keeps the 3D view in step with the document and the shown run; has standard views, layers, styles of navigation.
 class ViewController final : public QObject {
   Q_OBJECT
 
  public:
   explicit ViewController(const Workbench& bench);
 
-  /// Tells the session how the view is turned: deflections are read in the view's frame.
+  /// Gives the session the orientation of the view, because deflections are in the view's frame.
   void publishOperatorFrame();
 
  protected:
@@ -21,10 +21,12 @@ class ViewController final : public QObject {
   void updateView(Changes what);
   void connectActions();
   void addNavigationAids();
-  /// After the camera was moved.
+  /// Lets actions choose which buttons and keys move the camera.
+  void connectNavigationStyles();
+  /// Updates the window after the camera has moved.
   void showCamera();
   void zoomToSelection();
-  /// Lengths may have another unit now.
+  /// Updates the unit of the grid after the unit of lengths has changed.
   void showGridUnit();
 
   const Workbench& bench_;

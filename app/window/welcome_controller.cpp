@@ -14,7 +14,7 @@
 namespace glissade {
 namespace {
 
-/// More are in the menu.
+/// Maximum number of cards of recent files; the menu lists more.
 constexpr int kMostCards = 5;
 
 QString pictureFolder() {
@@ -38,7 +38,7 @@ std::vector<WelcomeEntry> sampleEntries(const QString& folder) {
   return entries;
 }
 
-/// The workspace of a small product is much larger than its bodies.
+/// Moves the camera near to the bodies, because the workspace of a small product is much larger than its bodies.
 void bringBodiesNear(const Workbench& bench) {
   const ScenarioPtr& scenario = bench.document.scenario();
   std::set<std::string> ids;

@@ -8,8 +8,8 @@
 
 namespace glissade {
 
-/// The welcome page over the empty scene, and the pictures of the files opened last: they are taken when a scenario is
-/// saved or left. Scripts and pictures have samples only.
+/// The welcome page over the empty scene, and the pictures of recent files, which are taken when a scenario is saved or
+/// closed. In scripts and pictures it has only samples.
 class WelcomeController final : public QObject {
   Q_OBJECT
 
@@ -25,7 +25,7 @@ class WelcomeController final : public QObject {
   const Workbench& bench_;
   FileController& files_;
   WelcomePage* page_;
-  QString samples_;  ///< folder; empty: there is none
+  QString samples_;  ///< folder of the samples; empty: none
   ScenarioPictures pictures_;
 };
 

@@ -45,7 +45,7 @@ WelcomePage::WelcomePage(const ActionCatalogue& actions, QWidget* parent)
   middle->setContentsMargins(kPageMargin, kPageMargin, kPageMargin, kPageMargin);
   middle->addLayout(column);
   content_->setMaximumWidth(samples_.grid->widest() + 2 * kPageMargin);
-  // Never wider than the page: it has no horizontal scroll bar.
+  // The page has no horizontal scroll bar, so the content must not be wider than the page.
   content_->setMinimumWidth(1);
   setWidget(content_);
   setAlignment(Qt::AlignHCenter | Qt::AlignTop);

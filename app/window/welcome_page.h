@@ -11,14 +11,14 @@
 
 namespace glissade {
 
-/// What the window shows while no scenario is open: what can be done first, the files opened last, and the samples.
+/// The page that the window shows while no scenario is open: first actions, recent files, and samples.
 class WelcomePage final : public QScrollArea {
   Q_OBJECT
 
  public:
   WelcomePage(const ActionCatalogue& actions, QWidget* parent);
 
-  /// The section is hidden where there are none.
+  /// Sets the recent files; without any the section is hidden.
   void setRecent(const std::vector<WelcomeEntry>& entries);
   void setSamples(const std::vector<WelcomeEntry>& entries);
 
@@ -39,9 +39,9 @@ class WelcomePage final : public QScrollArea {
   Section makeSection(const QString& title, QLayout& column);
   void fill(const Section& section, const std::vector<WelcomeEntry>& entries);
 
-  /// One below the other where the page is too narrow for a row.
+  /// Arranges the buttons in a row, or below each other if the page is too narrow.
   void arrangeButtons();
-  /// As high as all of its cards at the page's width.
+  /// Makes each grid as high as all of its cards at the page's width.
   void arrangeGrids();
 
   QWidget* content_;

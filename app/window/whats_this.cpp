@@ -21,7 +21,7 @@ struct PartHelp {
 
 struct ColumnHelp {
   const char* table;
-  std::vector<const char*> texts;  ///< of its first columns
+  std::vector<const char*> texts;  ///< texts of the first columns
 };
 
 QString helpText(const char* text) { return QCoreApplication::translate("WhatsThis", text); }
@@ -158,7 +158,7 @@ bool isInteractive(const QWidget& widget) {
 void explainWindow(QMainWindow& window) {
   for (const PartHelp& help : panelHelp()) {
     for (QWidget* widget : window.findChildren<QWidget*>(QLatin1String(help.name))) {
-      // A table and its panel may have one name.
+      // A table and its panel may have the same name.
       if (qobject_cast<QTreeWidget*>(widget) == nullptr) widget->setWhatsThis(helpText(help.text));
     }
   }

@@ -12,7 +12,7 @@ namespace glissade {
 namespace {
 
 constexpr int kMostFiles = 10;
-/// Grows when panels are added or renamed: an older layout would hide them.
+/// Grows when panels are added or renamed, because an older layout would hide them.
 constexpr int kLayoutVersion = 2;
 
 const QLatin1String kFiles("recent-files");
@@ -33,10 +33,10 @@ const QLatin1String kStereo("stereo/");
 const QLatin1String kChoices("choices/");
 const QLatin1String kShortcuts("shortcuts/");
 
-/// In the order of LengthUnit.
+/// Names in the order of LengthUnit.
 constexpr std::array<const char*, 4> kUnitNames{"fitting", "mm", "in", "m"};
 
-/// In the order of ThemeChoice.
+/// Names in the order of ThemeChoice.
 constexpr std::array<const char*, 3> kThemeNames{"desktop", "light", "dark"};
 
 LengthUnit unitNamed(const QString& name) {
@@ -46,7 +46,7 @@ LengthUnit unitNamed(const QString& name) {
   return LengthUnit::Fitting;
 }
 
-/// The colours under the names that they are kept by.
+/// Visits each colour with its key in the settings.
 template <class Colours, class Visit>
 void forEachColour(Colours& colours, Visit visit) {
   visit("background", colours.background);
@@ -55,13 +55,13 @@ void forEachColour(Colours& colours, Visit visit) {
   visit("goal", colours.goal);
 }
 
-/// The lengths under the names that they are kept by, metres.
+/// Keys in the settings of lengths in metres.
 constexpr std::array<std::pair<const char*, double ScreenGeometry::*>, 3> kScreenLengths{
     {{"screen-width", &ScreenGeometry::width},
      {"distance", &ScreenGeometry::distance},
      {"eye-separation", &ScreenGeometry::eyeSeparation}}};
 
-/// Checkable actions that are a user's choice for all scenarios.
+/// Ids of the checkable actions that are choices for all scenarios.
 std::vector<QLatin1String> choiceIds() {
   std::vector<QLatin1String> ids;
   for (const ActionSpec& spec : actionSpecs()) {
@@ -77,10 +77,10 @@ std::vector<QLatin1String> choiceIds() {
   return ids;
 }
 
-/// Name, focus, quaternion x y z w, distance, orthographic.
+/// Number of fields of a view: name, focus, quaternion x y z w, distance, orthographic.
 constexpr int kViewFields = 10;
 
-/// A file name has characters that a key cannot have.
+/// The key for a file's views, with the path in base64, because a file name can have characters that a key cannot have.
 QString viewsKey(const QString& file) {
   const QByteArray path = QFileInfo(file).absoluteFilePath().toUtf8();
   return QStringLiteral("views/") + QString::fromLatin1(path.toBase64(QByteArray::Base64UrlEncoding));
@@ -201,7 +201,7 @@ ThemeChoice WindowMemory::theme() const {
   for (std::size_t i = 0; i < kThemeNames.size(); ++i) {
     if (name == QLatin1String(kThemeNames[i])) return static_cast<ThemeChoice>(i);
   }
-  // Before the desktop could be chosen, the theme was that of an action.
+  // Earlier versions kept the theme as the state of an action.
   const QVariant dark = settings_.value(kChoices + QLatin1String("view.dark"));
   if (dark.isNull()) return ThemeChoice::Desktop;
   return dark.toBool() ? ThemeChoice::Dark : ThemeChoice::Light;

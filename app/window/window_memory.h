@@ -13,47 +13,48 @@
 
 namespace glissade {
 
-/// What the window remembers from one start to the next: the files opened last, the folders of its dialogs, where its
-/// panels lie, and a user's choices: ghosts along paths, the table of work times, the template of work instructions,
-/// language, size of texts, unit of lengths, colours, theme, navigation, perspective, stereo, shortcuts. Kept as the
-/// platform keeps settings. Scripts and pictures have none.
+/// The data that the window keeps between sessions: recent files, folders of dialogs, places of panels, and a user's
+/// choices: ghosts along paths, the table of work times, the template of work instructions, language, size of texts,
+/// unit of lengths, colours, theme, navigation, perspective, stereo, shortcuts. They are kept in the platform's
+/// settings. Scripts and pictures have no memory.
 class WindowMemory {
  public:
-  /// The user's own.
+  /// Opens the user's settings.
   WindowMemory();
-  /// A file of one's own, for tests.
+  /// Opens settings in this file, for tests.
   explicit WindowMemory(const QString& file);
 
-  /// Absolute, the latest first, at most ten; they may be gone.
+  /// Absolute names, the latest first, at most ten; the files may be gone.
   QStringList recentFiles() const;
   void noteFile(const QString& file);
   void forgetFiles();
 
   void saveLayout(const QMainWindow& window);
-  /// Nothing happens where no layout of this version was saved. `sizeToo`: and place on the screen.
+  /// Restores the layout; does nothing if no layout of this version was saved. `sizeToo`: also restores size and place
+  /// on the screen.
   void restoreLayout(QMainWindow& window, bool sizeToo) const;
 
-  /// The folder that was used last for a purpose, by its word; empty: none.
+  /// The last folder of a purpose, by its key; empty: none.
   QString folder(const QString& purpose) const;
   void noteFolder(const QString& purpose, const QString& folder);
-  /// The views that have a name, of this scenario file.
+  /// The named views of this scenario file.
   NamedViews views(const QString& file) const;
   void saveViews(const QString& file, const NamedViews& views);
 
-  /// Where the object is drawn along paths.
+  /// Spacing of the object's ghosts along paths.
   PathSpacing ghosts() const;
   void saveGhosts(const PathSpacing& spacing);
 
-  /// A value that its row does not take is the default.
+  /// The table of work times. A value out of its row's range is replaced by the default.
   WorkTimes workTimes() const;
-  /// Only what differs from the defaults.
+  /// Saves the values that differ from the defaults.
   void saveWorkTimes(const WorkTimes& times);
 
   /// Absolute path of the template of work instructions; empty: none.
   QString instructionTemplate() const;
   void saveInstructionTemplate(const QString& file);
 
-  /// A value that is out of its range is the default.
+  /// The settings of stereo. A value out of its range is replaced by the default.
   StereoSettings stereo() const;
   void saveStereo(const StereoSettings& settings);
 
@@ -61,7 +62,7 @@ class WindowMemory {
   void savePreferences(const Preferences& preferences);
 
   void saveChoices(const ActionCatalogue& actions);
-  /// Choices that were never saved stay as they are.
+  /// Restores the saved choices; others do not change.
   void restoreChoices(ActionCatalogue& actions) const;
 
  private:

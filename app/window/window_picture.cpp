@@ -7,7 +7,7 @@
 namespace glissade {
 
 QImage pictureOf(QMainWindow& window) {
-  QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);  // panels as they are going to be
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);  // lays the panels out before the picture
   QPixmap whole = window.grab();
   QPainter painter(&whole);
   for (QDialog* dialog : window.findChildren<QDialog*>()) {

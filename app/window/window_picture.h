@@ -5,7 +5,7 @@
 
 namespace glissade {
 
-/// The whole window as a picture, with the dialogs that lie over it.
+/// Picture of the whole window, with the dialogs over it.
 QImage pictureOf(QMainWindow& window);
 
 }  // namespace glissade

@@ -9,16 +9,16 @@ namespace glissade {
 
 class PanelDocks;
 
-/// Keeps the window in the room that its screen has: its panels are arranged for it, and where the window grows beyond
-/// it, because a panel that is shown first needs much room until its texts are wrapped, the window goes back. A size
-/// that a person has given the window stays.
+/// Keeps the window within the room of its screen. The panels are arranged for that room. A panel that is shown first
+/// needs much room until its texts are wrapped; if the window grows beyond the room then, it shrinks again. A size that
+/// a person gives the window stays.
 class WindowRoom final : public QObject {
  public:
   WindowRoom(QMainWindow& window, PanelDocks& docks);
 
-  /// The window is at most so large; empty: it may have any size.
+  /// Limits the size of the window; empty: any size.
   void fit(const QSize& room);
-  /// Of the last fit(); empty: there was none.
+  /// The room of the last fit(); empty if there was none.
   const QSize& room() const { return room_; }
 
  protected:

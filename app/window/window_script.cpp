@@ -7,10 +7,13 @@
 #include <QMouseEvent>
 
 #include <ctime>
-#include <fstream>
+#include <filesystem>
+#include <sstream>
 
 #include "app/window/scene_target.h"
 #include "app/window/window_picture.h"
+#include "engine/base/file.h"
+#include "engine/base/file_save.h"
 #include "engine/base/memory_use.h"
 #include "engine/base/number_text.h"
 #include "widgets/plots/picture_file.h"
@@ -20,6 +23,8 @@ namespace glissade {
 namespace {
 
 using Words = ScriptCommands::Words;
+
+constexpr std::size_t kMostMeasured = 1U << 20;  ///< maximum bytes of a file to which measurements are appended
 
 Outcome trigger(const ActionCatalogue& actions, const std::string& id) {
   QAction* action = actions.find(QString::fromStdString(id));
@@ -44,7 +49,7 @@ Outcome pressKey(const Workbench& bench, const std::string& how, const std::stri
   return Done{};
 }
 
-/// A click where `pixels` are one point, a drag where they are two.
+/// Clicks if `pixels` are one point; drags if they are two.
 Outcome pressMouse(QWidget* scene, const Words& pixels) {
   std::vector<double> numbers;
   for (const std::string& word : pixels) {
@@ -65,7 +70,7 @@ Outcome pressMouse(QWidget* scene, const Words& pixels) {
   return Done{};
 }
 
-/// The left button on a pixel where the body is seen, the first of a grid over the view.
+/// Clicks with the left button on a pixel that shows the body, the first one on a grid over the view.
 Outcome clickBody(const Workbench& bench, const std::string& id) {
   constexpr int kGrid = 40;
   if (!bench.document.scenario()) return wrongCommand("no scenario is open");
@@ -79,18 +84,26 @@ Outcome clickBody(const Workbench& bench, const std::string& id) {
   return wrongCommand("the body '" + id + "' is not seen");
 }
 
-/// Appends a line: seconds since the start, megabytes in main memory, megabytes after free memory was given back.
+Outcome append(const std::string& line, const std::string& name) {
+  const auto before =
+      std::filesystem::exists(name) ? readFile(name, kMostMeasured) : Result<std::string>(std::string());
+  if (!before) return before.error();
+  Warnings warnings;
+  return saveFile(name, *before + line, warnings);
+}
+
+/// Appends a line with seconds since the start, megabytes in main memory, megabytes after free memory was given back,
+/// and allocated megabytes.
 Outcome appendMemory(const QElapsedTimer& since, const std::string& name) {
   const double seconds = static_cast<double>(since.elapsed()) / 1000.0;
   const double resident = residentMegabytes();
-  std::ofstream file(name, std::ios::app);
-  file << seconds << " " << resident << " " << residentMegabytesAfterTrim() << " " << allocatedMegabytes() << "\n";
-  file.close();
-  return file ? Outcome(Done{}) : wrongCommand("the file cannot be written", "Check the folder.");
+  std::ostringstream line;
+  line << seconds << " " << resident << " " << residentMegabytesAfterTrim() << " " << allocatedMegabytes() << "\n";
+  return append(line.str(), name);
 }
 
-/// Turns the camera once around in so many pictures; appends a line: seconds of the first picture, pictures a second
-/// while it turns, seconds of one more picture, seconds of processor time for each picture while it turns.
+/// Turns the camera around once in this number of pictures. Appends a line with seconds of the first picture, pictures
+/// a second during the turn, seconds of one more picture, and seconds of processor time for each picture of the turn.
 Outcome measureTurning(SceneWidget& scene, const std::string& pictures, const std::string& name) {
   const auto count = toNumber(pictures);
   if (!count || *count < 1.0) return wrongCommand("'" + pictures + "' is not a number of pictures", "Give 1 or more.");
@@ -105,14 +118,13 @@ Outcome measureTurning(SceneWidget& scene, const std::string& pictures, const st
   double turning = 0.0;
   const std::clock_t before = std::clock();
   for (int i = 0; i < static_cast<int>(*count); ++i) {
-    scene.view().camera().orbit(2.0 / *count, 0.0);  // the view's height turns by half a turn
+    scene.view().camera().orbit(2.0 / *count, 0.0);  // a drag over the view's height turns by half a turn
     turning += secondsOfPicture();
   }
   const double work = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
-  std::ofstream file(name, std::ios::app);
-  file << first << " " << *count / turning << " " << secondsOfPicture() << " " << work / *count << "\n";
-  file.close();
-  return file ? Outcome(Done{}) : wrongCommand("the file cannot be written", "Check the folder.");
+  std::ostringstream line;
+  line << first << " " << *count / turning << " " << secondsOfPicture() << " " << work / *count << "\n";
+  return append(line.str(), name);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 namespace glissade {
 
-/// The script commands for actions, keys and the mouse over the 3D view, and pictures of the window.
+/// Adds the script commands for actions, keys and the mouse over the 3D view, and for pictures of the window.
 void addWindowCommands(const Workbench& bench);
 
 }  // namespace glissade

@@ -8,11 +8,11 @@
 namespace glissade {
 namespace {
 
-/// Seconds: the end of what takes longer is told in the status bar.
+/// Work that took at least so many seconds announces its end in the status bar.
 constexpr double kTellFrom = 3.0;
 constexpr int kTellMilliseconds = 8000;
 
-/// "Reading the parts" as the middle of a sentence.
+/// The text in the middle of a sentence: "reading the parts".
 std::string inSentence(QString what) {
   if (!what.isEmpty()) what[0] = what[0].toLower();
   return what.toStdString();
@@ -155,7 +155,7 @@ void WorkController::cancelAll() {
   if (task_.isBusy()) {
     task_.cancel();
   } else if (!pathWork_ && !others_.empty()) {
-    const auto cancelOther = others_.back().cancel;  // it is forgotten on the way
+    const auto cancelOther = others_.back().cancel;  // cancelling removes the entry
     cancelOther();
   } else {
     bridge_.post(command::Stop{});

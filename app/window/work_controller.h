@@ -16,8 +16,8 @@
 
 namespace glissade {
 
-/// What takes its time: done in the background, one thing at a time, shown in the status bar and
-/// cancelled from there. In scripts and without a display it is done at once.
+/// Runs long work in the background, one at a time, shows it in the status bar, and cancels it from there. In scripts
+/// and without a display the work runs at once.
 class WorkController final : public QObject {
   Q_OBJECT
 
@@ -26,46 +26,44 @@ class WorkController final : public QObject {
 
   void setAtOnce(bool atOnce) { atOnce_ = atOnce; }
   bool isAtOnce() const { return atOnce_; }
-  /// Another work that is under way is cancelled, unless it is one to be finished: then this one waits,
-  /// in place of another that did.
+  /// Runs work and cancels the running one. If that was started by runToEnd(), the new one waits for its end, and
+  /// replaces another waiting one.
   void run(const QString& what, const BackgroundTask::Work& work) { run({what, work, false}); }
-  /// Only the user ends it early.
+  /// Runs work that only the user can cancel.
   void runToEnd(const QString& what, const BackgroundTask::Work& work) { run({what, work, true}); }
-  /// Shows another task in the status bar, too, while none of its own is under way.
-  /// `what` is asked when it begins.
+  /// Shows another task in the status bar while no work of this object runs. `what` is called when the task begins.
   void show(const BackgroundTask& task, const std::function<QString()>& what, const std::function<void()>& cancel);
-  /// Whether a person is asked before something else ends the work.
+  /// Whether a person is asked before another action ends the work.
   enum class Loss { Accepted, Asked };
-  /// Shows what the GUI thread does piece by piece, in the same way: its begin, its share (from 0 to 1), its end. Of
-  /// several the one that began last is shown, and is what the user cancels.
+  /// Shows work that the GUI thread does piece by piece: its begin, its share (from 0 to 1), its end. Of several works,
+  /// the one that began last is shown, and the user can cancel it.
   void beginOther(const QObject& owner, const QString& what, const std::function<void()>& cancel,
                   Loss loss = Loss::Accepted);
-  /// What is under way and would be lost, for the question about it; empty: nothing.
+  /// The running work whose loss needs a question; empty: none.
   QString endangered() const;
   void showShare(const QObject& owner, double share);
   void endOther(const QObject& owner);
-  /// Ends what need not be finished.
+  /// Cancels the running work, unless runToEnd() started it, and the waiting one.
   void cancel();
 
-  /// Tells the user of an exception: by failed(), and once only where the same comes again and again (an error in
-  /// drawing comes with every picture).
+  /// Announces an exception by failed(), but a repeated one only once (an error in drawing comes with every picture).
   void reportFailure(const Diagnostic& why);
-  /// What was reported since the last call; scripts end with it.
+  /// The last failure since the last call; a script ends with it.
   std::optional<Diagnostic> takeFailure() { return std::exchange(failure_, std::nullopt); }
 
  signals:
-  /// An exception has ended a work or an event handler.
+  /// An exception ended work or an event handler.
   void failed(const glissade::Diagnostic& why);
 
  private:
-  /// The session works on paths itself; that is shown and cancelled here, too.
+  /// Shows the work of the session on paths, which can be cancelled here too.
   void followRun(const SessionSnapshot& snapshot);
   struct Job {
     QString what;
     BackgroundTask::Work work;
     bool toTheEnd;
   };
-  /// What is under way beside the own task.
+  /// Work beside the own task.
   struct Other {
     const QObject* owner;
     QString what;
@@ -78,26 +76,26 @@ class WorkController final : public QObject {
   void begin(const Job& job);
   void cancelAll();
   void enable();
-  /// The bar is about this from now on.
+  /// Shows this work in the bar from now on.
   void beginBar(const QString& what, const QElapsedTimer& since = startedNow());
   static QElapsedTimer startedNow();
-  /// Says what has ended after how long, and whether the user ended it. What is under way beside it is shown again.
+  /// Shows which work ended after how long, and whether the user cancelled it. Then it shows the work beside it again.
   void endBar();
 
   SessionBridge& bridge_;
   QAction* cancel_;
   BusyBar* busy_;
   QStatusBar* bar_;
-  QString shown_;           ///< what the bar is about
-  bool cancelled_ = false;  ///< by the user
+  QString shown_;           ///< text of the work in the bar
+  bool cancelled_ = false;  ///< whether the user cancelled it
   BackgroundTask task_;
   bool atOnce_;
   bool pathWork_ = false;
-  bool toTheEnd_ = false;  ///< what is under way
+  bool toTheEnd_ = false;  ///< whether runToEnd() started the running work
   std::optional<Job> waiting_;
-  std::vector<Other> others_;          ///< in the order of their begin
-  std::optional<Diagnostic> failure_;  ///< the last one that nobody has taken
-  std::string reportedFailure_;        ///< the last one
+  std::vector<Other> others_;          ///< in the order in which they began
+  std::optional<Diagnostic> failure_;  ///< the last failure that takeFailure() has not taken
+  std::string reportedFailure_;        ///< text of the last failure
 };
 
 }  // namespace glissade

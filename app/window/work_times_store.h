@@ -9,17 +9,17 @@ namespace glissade {
 
 class WindowMemory;
 
-/// The table of work times, as a person has edited it. It holds for every product, so the settings of the window keep
-/// it, and no scenario does. Its edits have an undo stack of their own.
+/// The table of work times, as a person has edited it. The window's settings keep it, because it holds for every
+/// product. Its edits have their own undo stack.
 class WorkTimesStore final : public QObject {
   Q_OBJECT
 
  public:
   const WorkTimes& times() const { return times_; }
-  /// Can be undone; nothing happens where the table is this one already.
+  /// Changes the table by an undoable edit; does nothing if the table is equal.
   void edit(const WorkTimes& times);
   QUndoStack& undoStack() { return undo_; }
-  /// The table becomes the one that is remembered. Every edit is remembered from now on.
+  /// Restores the remembered table, and remembers every later edit.
   void remember(WindowMemory& memory);
 
  signals:

@@ -12,7 +12,7 @@
 
 namespace glissade {
 
-/// What the controllers of the window share. The window owns all of it; it outlives the controllers.
+/// Objects that the controllers of the window share. The window owns them; they outlive the controllers.
 struct Workbench {
   WorkbenchDocument& document;
   SessionBridge& session;

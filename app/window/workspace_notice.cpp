@@ -17,7 +17,7 @@ WorkspaceNotice::WorkspaceNotice(const Workbench& bench)
   addCommands();
 }
 
-/// Bodies of which nothing lies in the workspace, and ends of the motion whose reference point does not.
+/// Finds bodies that lie wholly outside of the workspace, and ends of the motion whose reference point is outside.
 std::vector<WorkspaceNotice::Outside> WorkspaceNotice::findOutside(const LoadedScenario& scenario) {
   const Box3& workspace = scenario.problem.bounds;
   std::vector<Outside> outside;
@@ -25,7 +25,7 @@ std::vector<WorkspaceNotice::Outside> WorkspaceNotice::findOutside(const LoadedS
     const auto X_WB = poseOf(scenario.scenario, item);
     if (X_WB && !inside) outside.push_back({item, *X_WB});
   };
-  std::map<std::string, bool> inside;  // of a body of several parts, any of them
+  std::map<std::string, bool> inside;  // by body; a body of several parts is inside if one part is
   for (const RigidBody& body : scenario.obstacles) {
     inside[bodyIdOf(body.id)] |= workspace.intersects(boundingBox(*body.mesh, body.X_WB));
   }

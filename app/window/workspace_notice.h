@@ -8,8 +8,8 @@
 
 namespace glissade {
 
-/// Says over the scene that a body, the start or the goal was put outside of the workspace, and offers to fit the
-/// workspace. The message goes when nothing is outside any more.
+/// Shows over the scene that a body, the start or the goal was moved out of the workspace, and offers to fit the
+/// workspace. The message disappears when its item is inside again.
 class WorkspaceNotice final : public QObject {
   Q_OBJECT
 
@@ -17,7 +17,7 @@ class WorkspaceNotice final : public QObject {
   explicit WorkspaceNotice(const Workbench& bench);
 
  private:
-  /// Something that is outside, and where.
+  /// An item outside of the workspace, and its pose.
   struct Outside {
     AssemblyItem item;
     Pose X_WB;
@@ -30,8 +30,8 @@ class WorkspaceNotice final : public QObject {
 
   const Workbench& bench_;
   NoticeBar* bar_;
-  std::vector<Outside> known_;  ///< it was told, or the file has it there
-  AssemblyItem told_;           ///< what the bar says
+  std::vector<Outside> known_;  ///< items that were reported, or that were outside in the file
+  AssemblyItem told_;           ///< the item of the message
 };
 
 }  // namespace glissade

@@ -11,22 +11,22 @@
 
 namespace glissade {
 
-/// Metres that a hand is open more than what it pinches is thick.
+/// Excess of the hand's opening over the thickness that it pinches, metres.
 inline constexpr double kPadGap = 0.001;
 
-/// Of the hand's breadth: so far behind a place the middle of the pads may be, which then touch it with their tips.
+/// Largest distance of the middle of the pads behind a place that their tips touch, in breadths of the hand.
 inline constexpr double kPadBack = 0.08;
 
-/// A hand that holds something where its motion begins, and the tool in it.
+/// A hand that holds a body or a tool at the beginning of a motion.
 struct HandHold {
   MeshPtr hand;  ///< in the hand's frame
   Pose X_WH;
-  MeshPtr tool = nullptr;  ///< null: none
+  MeshPtr tool = nullptr;  ///< tool in the hand; null: none
   Pose X_WT{};
-  std::size_t firstBend = 0;  ///< of wristBends(): tried first
+  std::size_t firstBend = 0;  ///< index in wristBends() that is tried first
 };
 
-/// Meshes of one person's hand, each made once. Not for several threads.
+/// Meshes of one person's hand, each made once. Used by one thread.
 class HandShapes {
  public:
   explicit HandShapes(HandSize size);
@@ -34,15 +34,15 @@ class HandShapes {
   struct Shape {
     MeshPtr mesh;
     Pose X_HG;
-    double room = 0.0;  ///< as HandPosture::room
+    double room = 0.0;  ///< see HandPosture::room
   };
-  /// Nothing where the hand does not open so far. The opening is rounded up by at most two millimetres.
+  /// Nothing if the hand does not open that far. The opening is rounded up by at most two millimetres.
   const std::optional<Shape>& pinch(const Pinch& pinch);
   const Shape& fist(double diameter);
   const Shape& pointing();
   const MeshPtr& forearm() const { return forearm_; }
   const HandMeasures& measures() const { return measures_; }
-  /// Metres that the hand opens at most.
+  /// Largest opening of the hand, metres.
   double largestOpening() const { return largestOpening_; }
 
  private:

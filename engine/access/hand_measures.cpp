@@ -12,7 +12,6 @@ constexpr std::array<HandMeasures, 3> kMeasures{{
     {0.1865, 0.112, 0.083, 0.1995, 0.165, 0.2865, 0.459},
     {0.210, 0.127, 0.096, 0.230, 0.191, 0.348, 0.520},
 }};
-constexpr std::array<const char*, 3> kNames{"p5f", "p50", "p95m"};
 
 }  // namespace
 
@@ -21,14 +20,5 @@ double HandMeasures::handThickness() const {
 }
 
 const HandMeasures& measuresOf(HandSize size) { return kMeasures[static_cast<std::size_t>(size)]; }
-
-const char* handSizeName(HandSize size) { return kNames[static_cast<std::size_t>(size)]; }
-
-std::optional<HandSize> handSizeByName(const std::string& name) {
-  for (const HandSize size : kHandSizes) {
-    if (name == handSizeName(size)) return size;
-  }
-  return std::nullopt;
-}
 
 }  // namespace glissade

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <optional>
-#include <string>
+#include "engine/base/enum_names.h"
 
 namespace glissade {
 
@@ -24,7 +23,8 @@ struct HandMeasures {
   double forearmHandLength = 0.0;     ///< elbow to the tip of the middle finger
 
   double forearmLength() const { return forearmHandLength - handLength; }
-  /// Of a cross-section of two lines and two half circles with this breadth and circumference.
+  /// Thickness of a hand with this breadth and circumference whose cross-section consists of two lines and two half
+  /// circles.
   double handThickness() const;
 };
 
@@ -32,7 +32,6 @@ struct HandMeasures {
 const HandMeasures& measuresOf(HandSize size);
 
 /// "p5f", "p50", "p95m".
-const char* handSizeName(HandSize size);
-std::optional<HandSize> handSizeByName(const std::string& name);
+inline constexpr EnumNames<HandSize, 3> kHandSizeNames{{"p5f", "p50", "p95m"}};
 
 }  // namespace glissade

@@ -8,12 +8,12 @@ namespace glissade {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kStretched = 0.98;  ///< of its length that a digit reaches at most
+constexpr double kStretched = 0.98;  ///< share of its length to which a digit may be stretched
 
 /// Bends of a finger that is closed into the palm.
 constexpr std::array<double, 3> kClosed{85.0 * kDegree, 100.0 * kDegree, 60.0 * kDegree};
 
-/// Where fingers begin and how long they are: shares of the palm's length and breadth, and of the middle finger.
+/// Base and length of a finger, as shares of the palm's breadth and length, and of the middle finger.
 struct FingerShape {
   double across;
   double along;
@@ -21,9 +21,9 @@ struct FingerShape {
 };
 constexpr std::array<FingerShape, 4> kFingers{
     {{0.375, 0.87, 0.92}, {0.125, 0.88, 1.0}, {-0.125, 0.85, 0.93}, {-0.375, 0.80, 0.75}}};
-/// Of a finger's length: its three phalanges.
+/// Lengths of the three phalanges, as shares of a finger.
 constexpr std::array<double, 3> kPhalanges{0.47, 0.29, 0.24};
-constexpr double kMiddleKnuckle = 0.88;  ///< of the palm's length
+constexpr double kMiddleKnuckle = 0.88;  ///< share of the palm's length
 
 /// Lengths of one hand, from its measures.
 struct HandParts {
@@ -36,7 +36,7 @@ struct HandParts {
     return {0.0, shape.across * hand.handBreadth, shape.along * hand.palmLength};
   }
   double phalanx(const FingerShape& shape, std::size_t i) const { return kPhalanges[i] * shape.length * finger; }
-  /// From the last joint to the middle of the ball at the tip.
+  /// Distance from the last joint to the centre of the ball at the tip.
   double lastPhalanx(const FingerShape& shape) const { return phalanx(shape, 2) - tipRadius(); }
   double knuckleRadius() const { return 0.115 * hand.handBreadth; }
   double jointRadius() const { return 0.105 * hand.handBreadth; }
@@ -52,7 +52,8 @@ struct HandParts {
   double finger;
 };
 
-/// The joint between two links of these lengths, towards the pole. The target is taken as near as they reach.
+/// The joint between two links of these lengths, towards the pole. A target out of reach is replaced by the nearest
+/// reachable one.
 Vector3 elbow(const Vector3& base, const Vector3& target, double first, double second, const Vector3& pole) {
   const Vector3 way = (target - base).normalized();
   const double distance = std::clamp((target - base).norm(), std::abs(first - second) + 1e-6, first + second - 1e-6);
@@ -61,7 +62,7 @@ Vector3 elbow(const Vector3& base, const Vector3& target, double first, double s
   return base + along * way + std::sqrt(std::max(0.0, first * first - along * along)) * aside;
 }
 
-/// A finger whose tip is there, bent away from what it touches.
+/// A finger with its tip at this point, bent away from the surface that it touches.
 Digit reachingFinger(const HandParts& parts, const FingerShape& shape, const Vector3& tip, const Vector3& outwards) {
   const Vector3 knuckle = parts.knuckle(shape);
   const double middle = parts.phalanx(shape, 1);
@@ -115,7 +116,7 @@ double fingerLength(const HandParts& parts, const FingerShape& shape) {
   return parts.phalanx(shape, 0) + parts.phalanx(shape, 1) + parts.lastPhalanx(shape);
 }
 
-/// Tips of one pinch, whose grip is so far from the palm.
+/// The tips of one pinch, for a distance of the grip from the palm.
 struct PinchTips {
   Vector3 finger(const FingerShape& shape, double reach) const {
     Vector3 tip = palm + reach * frame.into - (0.5 * pinch.opening + parts.tipRadius()) * frame.toThumb;
@@ -136,12 +137,12 @@ struct PinchTips {
   const HandParts& parts;
   const Pinch& pinch;
   PinchFrame frame;
-  Vector3 palm;  ///< under the pads that lead
+  Vector3 palm;  ///< point under the leading pads
 };
 
 constexpr double kReachStep = 0.001;
 
-/// The farthest that thumb, index and middle finger reach together, or thumb and index finger; nothing where it is too
+/// The farthest reach of thumb, index and middle finger together, or of thumb and index finger; nothing if it is too
 /// near to the palm.
 std::optional<double> farthestReach(const PinchTips& tips) {
   const double least = 0.22 * tips.parts.hand.handLength;
@@ -184,7 +185,7 @@ std::optional<HandPosture> pinchPosture(const HandMeasures& hand, const Pinch& p
 
 HandPosture fistPosture(const HandMeasures& hand, double diameter) {
   const HandParts parts(hand);
-  constexpr double kOpen = 0.06;  ///< metres about which a fist is half open
+  constexpr double kOpen = 0.06;  ///< diameter at which a fist is half open, metres
   const double open = std::clamp(diameter / kOpen, 0.0, 1.0);
   HandPosture posture;
   for (std::size_t i = 0; i < kFingers.size(); ++i) {
@@ -220,7 +221,7 @@ HandPosture pointingPosture(const HandMeasures& hand) {
 const std::vector<Pose>& wristBends() {
   static const std::vector<Pose> bends = [] {
     std::vector<Pose> all;
-    // Back and to the thumb, degrees.
+    // Bends to the back and to the thumb, degrees.
     for (const auto& [back, aside] :
          {std::pair{25.0, 0.0}, {50.0, 0.0}, {0.0, 0.0}, {-35.0, 0.0}, {25.0, 15.0}, {25.0, -25.0}}) {
       Pose bend;

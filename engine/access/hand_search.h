@@ -6,11 +6,43 @@
 #include <vector>
 
 #include "engine/access/hand_hold.h"
-#include "engine/access/hand_way.h"
 #include "engine/base/stop_token.h"
 #include "engine/collision/prepared_bodies.h"
+#include "engine/geometry/pose.h"
 
 namespace glissade {
+
+/// A configuration of a motion at which a hand is looked at.
+struct HandSample {
+  Pose moved;          ///< the hand stands at moved * X_WH
+  double share = 0.0;  ///< of the way
+};
+
+/// How a hand goes with what it moves.
+class HandFollow {
+ public:
+  /// The hand moves rigidly with the body.
+  static HandFollow rigidly() { return HandFollow(); }
+  /// The hand follows this point of the body but not its turns, as fingers that grip again and again.
+  static HandFollow point(const Vector3& p_W);
+  /// The hand does not move: it turns a bolt that stays.
+  static HandFollow still();
+
+  /// The motion of the hand when the body has moved by `moved`.
+  Pose movedWith(const Pose& moved) const;
+
+ private:
+  enum class Kind { Rigidly, Point, Still };
+  Kind kind_ = Kind::Rigidly;
+  Vector3 p_W_ = Vector3::Zero();
+};
+
+/// A body that turns by more than half a turn on its way is gripped again and again, about `middle_W`.
+HandFollow followOf(const std::vector<Pose>& moved, const Vector3& middle_W);
+
+/// Samples of a straight motion from pose to pose, `moved`, such that no point within 0.3 m of `middle_W` moves more
+/// than a centimetre between two of them, or 400 of a longer way. `moved` has one entry or more.
+std::vector<HandSample> samplesOf(const std::vector<Pose>& moved, const HandFollow& follow, const Vector3& middle_W);
 
 /// Whether a hand gets there.
 enum class HandAccess {
@@ -20,10 +52,9 @@ enum class HandAccess {
   NoGrip    ///< no place of the body fits into one hand
 };
 
-/// "not_asked", "free", "blocked", "no_grip".
-const char* handAccessName(HandAccess access);
+inline constexpr EnumNames<HandAccess, 4> kHandAccessNames{{"not_asked", "free", "blocked", "no_grip"}};
 
-/// What is asked of the hand: bodies by their index in the prepared ones.
+/// A question about the hand. Bodies are given by their index in the prepared ones.
 struct HandQuestion {
   std::vector<HandHold> holds;         ///< tried in this order
   std::vector<HandSample> samples;     ///< one or more

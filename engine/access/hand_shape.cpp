@@ -20,7 +20,7 @@ struct Ellipse {
 
 Ellipse wristOf(const HandMeasures& hand) { return {hand.wristCircumference, 0.7}; }
 
-/// Across z: x is the thickness, y the breadth.
+/// An ellipse across z: x is the thickness, y the breadth.
 LoftRing ringAt(double z, double thick, double wide) { return {{0.0, 0.0, z}, {thick, 0.0, 0.0}, {0.0, wide, 0.0}}; }
 
 TriangleMesh palmShape(const HandMeasures& hand) {
@@ -52,7 +52,7 @@ TriangleMesh forearmShape(const HandMeasures& hand) {
   const Ellipse wrist = wristOf(hand);
   const Ellipse most(hand.forearmCircumference, 0.85);
   const double L = hand.forearmLength();
-  // Shares of the length from the wrist, and of the way from the wrist's section to the widest one.
+  // Shares of the length from the wrist, and of the change from the wrist's section to the widest one.
   const auto ring = [&](double along, double share) {
     return ringAt(-along * L, wrist.thick + share * (most.thick - wrist.thick),
                   wrist.wide + share * (most.wide - wrist.wide));

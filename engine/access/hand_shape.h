@@ -8,7 +8,7 @@ namespace glissade {
 /// Palm, fingers and thumb in the hand's frame: closed surfaces that overlap.
 TriangleMesh handShape(const HandMeasures& hand, const HandPosture& posture);
 
-/// From the wrist to the elbow, in the forearm's frame: the wrist is at the origin and the elbow along -z.
+/// The forearm from the wrist to the elbow, in its frame: the wrist is at the origin and the elbow along -z.
 TriangleMesh forearmShape(const HandMeasures& hand);
 
 }  // namespace glissade

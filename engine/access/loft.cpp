@@ -10,7 +10,7 @@ namespace glissade {
 namespace {
 
 constexpr std::uint32_t kRingSides = 14;
-constexpr int kCapRings = 3;  ///< of each round end
+constexpr int kCapRings = 3;  ///< number of rings of each round end
 
 /// Two unit vectors across the direction; their product is the direction.
 std::pair<Vector3, Vector3> across(const Vector3& direction) {
@@ -18,7 +18,7 @@ std::pair<Vector3, Vector3> across(const Vector3& direction) {
   return {a, direction.cross(a)};
 }
 
-/// A fan about the middle of an end.
+/// Closes an end by a fan about its middle.
 void close(TriangleMesh& mesh, const Vector3& middle, std::uint32_t first, bool atEnd) {
   const auto centre = static_cast<std::uint32_t>(mesh.vertices.size());
   mesh.vertices.push_back(middle);
@@ -60,7 +60,7 @@ TriangleMesh taperedLimb(const Vector3& from, double fromRadius, const Vector3& 
   // The hull touches the balls where its side is at right angles to their radius.
   const double tilt = std::asin(std::clamp((fromRadius - toRadius) / length, -1.0, 1.0));
   const double quarter = 0.5 * std::numbers::pi;
-  constexpr double kTip = 0.15;  // radians from the pole at which an end is flat
+  constexpr double kTip = 0.15;  // angle from the pole within which an end is flat, radians
   std::vector<LoftRing> rings;
   const auto add = [&](const Vector3& middle, double radius, double latitude) {
     const double r = radius * std::cos(latitude);

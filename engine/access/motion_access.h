@@ -11,44 +11,46 @@
 
 namespace glissade {
 
-/// Whose hand is asked about, and from where they look.
+/// The person whose access is tested.
 struct Person {
   HandSize size = HandSize::Average;
   std::optional<Vector3> eye{};  ///< world, metres; nothing: positions about the place are tried (eyesAbout())
 };
 
-/// Bodies that move as one away from where they are assembled, by index.
+/// Bodies that move as one from their assembled poses, by index.
 struct ReachedMotion {
   std::vector<std::size_t> bodies;
-  std::vector<std::size_t> others;  ///< that are there meanwhile
-  std::vector<Pose> moved;          ///< each body stands at moved * X_WB; the first one is the identity
-  ToolKind tool = ToolKind::None;   ///< that turns the first body
-  /// What the tool turns while the first body is held: the bolt of a nut, which stays; none of the others.
+  std::vector<std::size_t> others;  ///< bodies that are there during the motion
+  std::vector<Pose> moved;          ///< displacements: each body is at moved * X_WB; the first one is the identity
+  ToolKind tool = ToolKind::None;   ///< tool that turns the first body
+  /// The bolt that the tool turns while the first body, its nut, is held; the bolt stays. Nothing: the tool turns the
+  /// body.
   std::optional<std::size_t> bolt{};
 };
 
-/// Whether a person gets to a motion with their hand, and sees where it begins. It is sampled: no proof.
+/// Result of a test whether a person's hand has access to a motion, and whether its beginning is visible. It is
+/// sampled, and no proof.
 struct MotionAccess {
   HandAnswer hand;
-  HandFollow follow;               ///< how the hand goes with the bodies
-  ToolKind tool = ToolKind::None;  ///< in the hand
+  HandFollow follow;               ///< how the hand follows the bodies
+  ToolKind tool = ToolKind::None;  ///< tool in the hand
   SightAnswer sight;
-  std::vector<HandSample> samples{};  ///< that were asked, in their order
+  std::vector<HandSample> samples{};  ///< tested samples, in their order
 
   bool isReached() const { return hand.access == HandAccess::Free; }
   bool isReachedAndSeen() const { return isReached() && sight.isSeen(); }
   bool hasHold() const { return hand.access == HandAccess::Free || hand.access == HandAccess::Blocked; }
 };
 
-/// Asks for the bodies of one product. Bodies stand where they are assembled. Not for several threads.
+/// Tests access to motions of the bodies of one product, which are at their assembled poses. Used by one thread.
 class AccessChecker {
  public:
   AccessChecker(const std::vector<RigidBody>& bodies, const Person& person);
 
-  /// Without a head where the tool fits, the bare hand is asked. After a stop the hand's answer is NotAsked.
+  /// If the tool's head is not found, the bare hand is tested. After a stop the hand's answer is NotAsked.
   MotionAccess of(const ReachedMotion& motion, const StopToken& stop);
   const Person& person() const { return person_; }
-  /// Of the forearm of this person, in its frame.
+  /// Mesh of this person's forearm, in its frame.
   const MeshPtr& forearm() { return search_.shapes().forearm(); }
 
  private:

@@ -13,8 +13,8 @@ namespace glissade {
 namespace {
 
 constexpr std::size_t kGripPoints = 80;
-constexpr int kSides = 8;         ///< from which a place is gripped
-constexpr double kFacing = 0.85;  ///< least cosine between a surface and the direction in which it is pressed
+constexpr int kSides = 8;         ///< number of sides from which a place is gripped
+constexpr double kFacing = 0.85;  ///< least cosine between a surface's normal and the direction of the pressure
 
 /// Two places of a surface that face away from each other.
 struct PinchedPlace {
@@ -45,7 +45,7 @@ Pose gripFrame(const Vector3& middle, const Vector3& toThumb, const Vector3& int
   return {middle, Quaternion(axes)};
 }
 
-/// How natural a hold is: the forearm lies where the body leaves to, and above; the hand is at the middle of the body.
+/// Rates how natural a hold is: the forearm is on the exit side, and above; the hand is at the middle of the body.
 class Liking {
  public:
   Liking(const Box3& box, Vector3 leaving)
@@ -62,7 +62,7 @@ class Liking {
   Vector3 leaving_;
 };
 
-/// The fingers that have room beside each other on the body: four, two or one.
+/// Number of fingers with room beside each other on the body: four, two or one.
 int fingersOn(const TriangleMesh& object_W, const Pose& X_WG, double handBreadth) {
   const Vector3 along = X_WG.orientation * Vector3::UnitY();
   double least = std::numeric_limits<double>::infinity();
@@ -78,7 +78,7 @@ int fingersOn(const TriangleMesh& object_W, const Pose& X_WG, double handBreadth
 
 using RatedHolds = std::vector<std::pair<double, HandHold>>;
 
-/// The best ones first.
+/// The holds, best ones first.
 std::vector<HandHold> inOrder(RatedHolds rated) {
   std::stable_sort(rated.begin(), rated.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<HandHold> holds;

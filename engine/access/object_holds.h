@@ -6,14 +6,14 @@
 
 namespace glissade {
 
-/// Ways to pinch a body between thumb and fingers, the most natural ones first: at points of its surface where another
-/// surface of it faces away, from eight sides each. `object_W` is the body where its motion begins; `leaving`: the
-/// direction in which it leaves, or zero: the forearm is preferred there, and above. Whether a hand goes through the
-/// body, or others, is not asked. None where no place of the body fits between the fingers.
+/// Ways to pinch a body between thumb and fingers, the most natural ones first: at points of its surface with an
+/// opposite surface facing away, from eight sides each. `object_W`: the body at the beginning of its motion; `leaving`:
+/// its exit direction, or zero; the forearm is preferred on that side, and above. Collisions of the hand are not
+/// tested. Empty if no place of the body fits between the fingers.
 std::vector<HandHold> objectHolds(const TriangleMesh& object_W, const Vector3& leaving, HandShapes& shapes);
 
-/// Ways to push a body with a stretched finger against the direction in which it leaves, from the middle outwards. None
-/// where it does not leave straight, or no surface of it looks there.
+/// Ways to push a body with a stretched finger against its exit direction, from the middle outwards. Empty if it does
+/// not leave straight, or if no surface of it faces that direction.
 std::vector<HandHold> pushHolds(const TriangleMesh& object_W, const Vector3& leaving, HandShapes& shapes);
 
 }  // namespace glissade

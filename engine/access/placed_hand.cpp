@@ -5,7 +5,7 @@
 namespace glissade {
 namespace {
 
-/// The first of those that are nearest.
+/// The first of the nearest samples.
 std::size_t nearestSample(const std::vector<HandSample>& samples, const Pose& moved, const Vector3& hand_W) {
   const auto distance = [&](const HandSample& sample) {
     return (sample.moved * hand_W - moved * hand_W).norm() +

@@ -8,14 +8,14 @@ namespace glissade {
 struct PlacedHand {
   MeshPtr hand;
   Pose X_WH;
-  Pose X_WF;     ///< of the forearm
+  Pose X_WF;     ///< pose of the forearm
   MeshPtr tool;  ///< null: none
   Pose X_WT;
-  bool isFree = false;  ///< the nearest sample is
+  bool isFree = false;  ///< the nearest sample is free
 };
 
-/// Where the hand is when the bodies stand at moved * X_WB. Beyond where the hold is free, as it is held there.
-/// Precondition: there is a hold.
+/// The hand when the bodies are at moved * X_WB, by the nearest sample. At a sample that is not free, the wrist has the
+/// hold's first bend. Precondition: there is a hold.
 PlacedHand placedHand(const MotionAccess& motion, const Pose& moved);
 
 }  // namespace glissade

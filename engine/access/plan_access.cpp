@@ -25,7 +25,7 @@ ReachedMotion motionOf(const AssemblyStep& step, const AssembledProduct& product
   return motion;
 }
 
-/// What the plan has found of the tool counts too: it has also brought the tool on.
+/// Takes over the plan's result for the tool, which also includes how the tool is brought on.
 void noteTool(const StepTool& tool, const AssembledProduct& product, HandAnswer& hand) {
   if (tool.access != ToolAccess::Blocked || hand.access != HandAccess::Free) return;
   hand.access = HandAccess::Blocked;
@@ -42,13 +42,13 @@ std::size_t stepsIn(const std::vector<AssemblyStep>& steps, const std::vector<Su
   return count;
 }
 
-/// Asks about the steps of a plan and of its groups, one after the other.
+/// Tests the steps of a plan and of its groups, one after the other.
 class PlanAsker {
  public:
   PlanAsker(const AssembledProduct& product, AccessChecker& checker, std::size_t count, const WorkWatch& watch)
       : product_(product), checker_(checker), count_(count), watch_(watch) {}
 
-  /// What was asked before a stop.
+  /// After a stop, the result contains the steps tested before it.
   LineAccess ask(const std::vector<AssemblyStep>& steps, const std::vector<SubassemblyLine>& lines, BodySet there) {
     LineAccess access;
     for (const AssemblyStep& step : steps) {

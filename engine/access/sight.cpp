@@ -10,13 +10,13 @@ namespace glissade {
 namespace {
 
 constexpr std::size_t kPlacePoints = 64;
-constexpr double kViewing = 0.5;  ///< metres from the eye to what is looked at
+constexpr double kViewing = 0.5;  ///< distance of the eye from the place, metres
 constexpr int kAzimuths = 8;
 constexpr double kElevations[] = {0.0, 0.25 * std::numbers::pi};
-/// Of the way from the eye to a point: beyond it a body is at the point, and not in front of it.
+/// Share of the way from the eye to a point beyond which a body is at the point, and not in front of it.
 constexpr double kBefore = 1.0 - 1e-4;
 
-/// The segment meets the box.
+/// True if the segment meets the box.
 bool meets(const Box3& box, const Vector3& from, const Vector3& way) {
   double enter = 0.0;
   double leave = 1.0;
@@ -24,7 +24,7 @@ bool meets(const Box3& box, const Vector3& from, const Vector3& way) {
     const double inverse = 1.0 / way[axis];
     double one = (box.min()[axis] - from[axis]) * inverse;
     double other = (box.max()[axis] - from[axis]) * inverse;
-    if (std::isnan(one) || std::isnan(other)) continue;  // along a side of the box
+    if (std::isnan(one) || std::isnan(other)) continue;  // the segment is along a side of the box
     if (one > other) std::swap(one, other);
     enter = std::max(enter, one);
     leave = std::min(leave, other);

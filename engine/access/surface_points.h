@@ -12,7 +12,8 @@ struct SurfacePoint {
   Vector3 normal;  ///< unit, outwards
 };
 
-/// So many points, spread evenly over the area of the mesh; the same ones each time. None where it has no area.
+/// `count` points, spread evenly over the area of the mesh; the same points at each call. Empty if the mesh has no
+/// area.
 std::vector<SurfacePoint> surfacePoints(const TriangleMesh& mesh, std::size_t count);
 
 }  // namespace glissade

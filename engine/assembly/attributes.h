@@ -6,7 +6,7 @@
 
 namespace glissade {
 
-/// A semantic attribute's value; integers are whole numbers, choices one of the texts allowed.
+/// Value of a semantic attribute; integers are whole numbers, choices are one of the permitted texts.
 using AttributeValue = std::variant<bool, double, std::string>;
 using Attributes = std::map<std::string, AttributeValue>;
 

@@ -8,11 +8,11 @@
 
 namespace glissade {
 
-/// Which of the bodies a person means by these names: a body whose id ends in one, or all bodies of an assembly whose
-/// path ends in one. Errors: Usage with `option` as place, where a name means no body or where nothing remains.
+/// For each body, whether a person means it by one of the names: its id ends in the name, or it is in an assembly whose
+/// path ends in it. Errors: Usage with `option` as place, for a name of no body, or if no body remains.
 Result<std::vector<bool>> bodiesMeant(const std::vector<std::string>& ids, const std::vector<std::string>& names,
                                       const std::string& option);
-/// The same; a name that means no body by its id means the bodies of the nodes of that name.
+/// A name that is no id of a body also means the bodies of the nodes with that name.
 Result<std::vector<bool>> bodiesMeant(const std::vector<std::string>& ids, const std::vector<std::string>& names,
                                       const std::string& option, const Product& product);
 

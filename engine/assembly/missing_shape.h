@@ -5,13 +5,13 @@
 
 namespace glissade {
 
-/// A shape that a file states and that is no body, a product for which it states none, or a part that a scenario
-/// neither names nor leaves out: proofs know nothing of it.
+/// A stated shape that is no body, a product without a stated shape, or a part that a scenario neither names nor leaves
+/// out. Proofs do not include it.
 struct MissingShape {
   std::string file;
-  std::string product;  ///< its name; empty: none
-  std::string entity;   ///< "#12"; empty: it is a part, of this name
-  std::string kind;     ///< as the file has it: "CSG_SOLID"
+  std::string product;  ///< name of the product; empty: none
+  std::string entity;   ///< "#12"; empty: it is the part `product`
+  std::string kind;     ///< kind in the file: "CSG_SOLID"
   std::string reason;   ///< "its kind is not read"
 
   bool operator==(const MissingShape&) const = default;
@@ -25,7 +25,7 @@ inline std::string nameOf(const MissingShape& shape) {
   return shape.product.empty() ? entity : entity + " ('" + shape.product + "')";
 }
 
-/// "CSG_SOLID #12 ('pump'), CSG_SOLID #14 ('pump')"; of many the first few and the number of all: "…, (12)".
+/// "CSG_SOLID #12 ('pump'), CSG_SOLID #14 ('pump')"; for many shapes the first few and the number of all: "…, (12)".
 inline std::string listOf(const MissingShapes& shapes) {
   constexpr std::size_t kMost = 5;
   std::string text;
@@ -33,7 +33,7 @@ inline std::string listOf(const MissingShapes& shapes) {
   return shapes.size() <= kMost ? text : text + ", … (" + std::to_string(shapes.size()) + ")";
 }
 
-/// A proof states this sentence. Precondition: there are some.
+/// The sentence that a proof states. Precondition: there are missing shapes.
 inline std::string statementOf(const MissingShapes& shapes) {
   return "the proof is about the product without these shapes, which the file states: " + listOf(shapes);
 }

@@ -9,7 +9,7 @@ namespace {
 
 bool isNumeral(char c) { return c >= '0' && c <= '9'; }
 
-/// The bytes of characters beyond ASCII count as letters, so that letters of any script are letters.
+/// Bytes of characters beyond ASCII count as letters, for letters of any script.
 bool isLetterOfAnyScript(char c) {
   const auto byte = static_cast<unsigned char>(c);
   return byte >= 0x80 || std::isalpha(byte) != 0;
@@ -27,7 +27,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
-/// Digits between marks, as exporters number their instances: "_1", ":2", "-3", ".4", " (5)", "<6>", "#7".
+/// True for digits between marks, as exporters number their instances: "_1", ":2", "-3", ".4", " (5)", "<6>", "#7".
 bool isNumber(std::string_view text) {
   constexpr std::string_view kMarks = " _:.-#()<>[]";
   const bool isPlain = std::all_of(text.begin(), text.end(),
@@ -35,7 +35,7 @@ bool isNumber(std::string_view text) {
   return isPlain && std::any_of(text.begin(), text.end(), isNumeral);
 }
 
-/// Eight, four, four, four and twelve hexadecimal digits.
+/// True for eight, four, four, four and twelve hexadecimal digits.
 bool isUuid(std::string_view text) {
   if (text.size() == 38 && text.front() == '{') text = text.substr(1, 36);
   if (text.size() != 36) return false;
@@ -46,7 +46,7 @@ bool isUuid(std::string_view text) {
   return true;
 }
 
-/// Keys that exporters write where nobody has given a name. In lower case.
+/// True for keys that exporters write in place of a missing name. `name`: in lower case.
 bool isKey(std::string_view name) {
   for (const std::string_view word : {"nauo", "next_assembly_usage_occurrence", "next assembly usage occurrence",
                                       "next assembly relationship", "next assembly usage"}) {

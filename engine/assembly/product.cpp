@@ -66,7 +66,7 @@ class ProductMaker {
     return place.names.empty() ? NodeNames{lastStepOf(place.path)} : place.names.back();
   }
 
-  /// The assembly that the last step of the place is in, below `top`.
+  /// The assembly below `top` that contains the last step of the place.
   Parent assemblyAbove(Parent top, const TreePlace& place) {
     const Steps steps = stepsOf(place.path);
     Parent parent = top;
@@ -103,7 +103,7 @@ class ProductMaker {
     return append(std::move(node), said);
   }
 
-  /// One that a description names.
+  /// The assembly that a description names.
   Parent assemblyWithId(const std::string& id) {
     if (id.empty()) return std::nullopt;
     const auto known = product_.byId_.find(id);
@@ -118,8 +118,8 @@ class ProductMaker {
   Product& product_;
   std::map<std::string, const NodeDescription*> said_;
   std::set<std::string> taken_;                                       ///< ids of bodies
-  std::map<std::pair<Parent, std::string>, std::size_t> assemblies_;  ///< by the one above and the step
-  std::set<std::string> making_;  ///< assemblies whose place was looked for: none is looked for twice
+  std::map<std::pair<Parent, std::string>, std::size_t> assemblies_;  ///< by the assembly above and the step
+  std::set<std::string> making_;  ///< assemblies whose place has been searched, to search each once
 };
 
 Product::Product(const std::vector<ProductBody>& bodies, const std::vector<NodeDescription>& said) {
@@ -174,7 +174,7 @@ std::vector<std::size_t> Product::assembliesAbove(std::size_t node) const {
 
 namespace {
 
-/// Nodes that have a text, and whose texts on the way from the root end in the name. Texts may hold a "/".
+/// Nodes that have a text, and whose texts on the path from the root end in the name. Texts may contain a "/".
 std::vector<std::size_t> endingIn(const std::string& name, const std::vector<Product::Node>& nodes,
                                   const std::vector<std::string>& texts) {
   std::vector<std::size_t> found;
@@ -186,7 +186,7 @@ std::vector<std::size_t> endingIn(const std::string& name, const std::vector<Pro
   return found;
 }
 
-/// "#2" is the second body.
+/// The body with the number in "#2", counted from 1.
 std::vector<std::size_t> numbered(const std::string& name, const std::vector<Product::Node>& nodes) {
   std::size_t number = 0;
   const auto [end, error] = std::from_chars(name.data() + 1, name.data() + name.size(), number);
@@ -237,7 +237,7 @@ std::vector<std::string> Product::shownPaths() const {
 
 std::vector<std::string> Product::labels(const std::vector<std::string>& ids) const {
   const std::vector<std::string> shown = shownNames();
-  std::vector<std::vector<std::string>> endsOf;  // of each node, the shortest first
+  std::vector<std::vector<std::string>> endsOf;  // ends of each node's path, the shortest first
   std::map<std::string, int> count;
   for (const std::string& id : ids) {
     std::vector<std::string>& ends = endsOf.emplace_back();

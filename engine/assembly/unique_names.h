@@ -6,7 +6,7 @@
 
 namespace glissade {
 
-/// Names that are each given once: the second "pin" is "pin#2".
+/// Makes names unique: the second "pin" is "pin#2".
 class UniqueNames {
  public:
   std::string take(const std::string& name) {
@@ -21,7 +21,7 @@ class UniqueNames {
 
  private:
   std::set<std::string> taken_;
-  std::map<std::string, int> numbers_;  ///< the last one of each name that was given several times
+  std::map<std::string, int> numbers_;  ///< last number of each name that was used several times
 };
 
 }  // namespace glissade

@@ -2,7 +2,7 @@
 
 namespace glissade {
 
-/// What the calling thread has had of the processor, in seconds.
+/// Processor time of the calling thread, seconds.
 double threadCpuSeconds();
 
 }  // namespace glissade

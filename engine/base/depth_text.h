@@ -4,10 +4,10 @@
 
 namespace glissade {
 
-/// "12.345 mm": in whole micrometres. The depth of an overlap, which a person accepts as it is stated.
+/// A depth in whole micrometres: "12.345 mm". For the depth of an overlap, which a person accepts as stated.
 std::string depthInMillimetres(double metres);
 
-/// "12.345mm": the same as options of the command line take it.
+/// The depth as an option of the command line: "12.345mm".
 std::string depthAsOption(double metres);
 
 }  // namespace glissade

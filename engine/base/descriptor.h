@@ -7,7 +7,7 @@
 
 namespace glissade {
 
-/// Owns a file descriptor and closes it at the end of its life.
+/// Owns a file descriptor and closes it in the destructor.
 class Descriptor {
  public:
   Descriptor() = default;
@@ -23,14 +23,14 @@ class Descriptor {
 
   int get() const { return fd_; }
   bool valid() const { return fd_ >= 0; }
-  /// False where the system reports that what was written may be lost; errno says why.
+  /// Closes the descriptor. False where the system reports that written data may be lost; errno has the reason.
   bool close() { return fd_ < 0 || ::close(std::exchange(fd_, -1)) == 0; }
 
  private:
   int fd_ = -1;
 };
 
-/// Writes a whole text. False where that fails; errno says why, and a part may have been written.
+/// Writes a whole text. False where that fails; errno has the reason, and a part may have been written.
 bool writeAll(int fd, const std::string& text);
 
 }  // namespace glissade

@@ -5,15 +5,15 @@
 
 namespace glissade {
 
-/// What went wrong, in the classes that the command line's exit codes distinguish.
+/// Classes of errors, which determine the command line's exit codes.
 enum class ErrorKind {
-  NoPath,          ///< the question was well posed and the answer is no (path invalid, none found)
+  NoPath,          ///< the problem is valid and the answer is no (path invalid, none found)
   Usage,           ///< wrong command-line usage or an argument out of range
-  MalformedInput,  ///< a file is missing, unreadable or says something impossible
+  MalformedInput,  ///< a file is missing, unreadable or has invalid content
   InCollision,     ///< start or goal penetrates a body
   LimitReached,    ///< time, step or sample limit reached
   Interrupted,     ///< stopped by the user
-  Unwritable,      ///< a file, a folder or a stream takes nothing: a full disk, a read-only folder, a pipe
+  Unwritable,      ///< a file, a folder or a stream cannot be written: a full disk, a read-only folder, a closed pipe
   Internal         ///< a defect of the program
 };
 
@@ -21,17 +21,17 @@ enum class ErrorKind {
 /// 4 in collision, 5 limit reached, 130 interrupted, 70 internal.
 int exitCode(ErrorKind kind);
 
-/// One error or warning about something the user gave us. Every part is a sentence fragment in
-/// plain English; `file` and `location` may be empty where there is none.
+/// One error or warning about the user's input. Every part is a sentence fragment in plain English; `file` and
+/// `location` may be empty.
 struct Diagnostic {
   ErrorKind kind = ErrorKind::Internal;
   std::string file;      ///< path as the user wrote it
   std::string location;  ///< line, JSON pointer, link name, ... inside the file
-  std::string reason;    ///< what is wrong
-  std::string advice;    ///< what to do about it
+  std::string reason;    ///< the fault
+  std::string advice;    ///< the remedy
 };
 
-/// "file: location: reason. advice" with the empty parts left out.
+/// The text "file: location: reason. advice" without the empty parts.
 std::string toString(const Diagnostic& diagnostic);
 
 /// Warnings gathered beside a successful result.

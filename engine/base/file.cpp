@@ -21,7 +21,7 @@ Diagnostic unreadable(const std::string& file, const std::string& reason, const 
   return {ErrorKind::MalformedInput, file, "", reason, advice};
 }
 
-/// `expected`: bytes; the file may hold more.
+/// `expected`: expected number of bytes; the file may hold more.
 Result<std::string> readAll(int fd, const std::string& file, std::size_t mostBytes, std::size_t expected) {
   std::string content;
   reserveFilled(content, std::min(expected, mostBytes));

@@ -38,7 +38,7 @@ SaveResult removed(const SaveTarget& target) {
           {}};
 }
 
-/// The access list is worth a warning where there is one; most files have none.
+/// Copies the access list. False where one exists and cannot be copied; most files have none.
 bool copyAccessList(const std::string& from, int to) {
   constexpr const char* kName = "system.posix_acl_access";
   std::string list(4096, '\0');
@@ -47,8 +47,8 @@ bool copyAccessList(const std::string& from, int to) {
   return ::fsetxattr(to, kName, list.data(), static_cast<std::size_t>(size), 0) == 0;
 }
 
-/// Gives the new file the owner, permissions and access list of the one that it replaces. Errors: its
-/// permissions; they may protect the content.
+/// Gives the new file the owner, permissions and access list of the replaced one. Error: the permissions cannot be set;
+/// they may protect the content.
 Outcome copyRights(const SaveTarget& target, int to, Warnings& warnings) {
   const struct stat& old = target.status;
   const auto user = static_cast<uid_t>(-1);
@@ -76,7 +76,7 @@ void warnOfHardLinks(const SaveTarget& target, Warnings& warnings) {
                              "Copy the file over them, or link them again."));
 }
 
-/// The content that is there, where it has to be known.
+/// The present content, if it is needed.
 Result<std::optional<std::string>> presentContent(const SaveTarget& target, const SaveOptions& options) {
   if (!target.exists || (!options.replaces && options.versions == 0)) return std::optional<std::string>();
   auto content = readFile(target.path, kMostBytes);
@@ -88,7 +88,7 @@ Result<std::optional<std::string>> presentContent(const SaveTarget& target, cons
   return why;
 }
 
-/// The file is still what it was before the new content was written, which takes time.
+/// True if the file was not changed while the new content was written, which takes time.
 bool isUntouched(const SaveTarget& target) {
   struct stat now {};
   if (::stat(target.path.c_str(), &now) != 0) return !target.exists;

@@ -8,43 +8,42 @@
 
 namespace glissade {
 
-/// What a save has come to.
+/// Result of a save.
 enum class SaveStatus {
-  Saved,            ///< the new content is there
-  ChangedByOthers,  ///< nothing was done: the file does not hold the content that may be replaced
-  RemovedByOthers,  ///< nothing was done: there is no file any more
-  Failed            ///< the old content is there
+  Saved,            ///< the file has the new content
+  ChangedByOthers,  ///< nothing was written: the file does not have the content that may be replaced
+  RemovedByOthers,  ///< nothing was written: the file does not exist any more
+  Failed            ///< the file has the old content
 };
 
 struct SaveOptions {
-  /// SHA-256 of the only content that may be replaced: what the user has seen last. Nothing: any content.
+  /// SHA-256 of the only content that may be replaced, which the user has seen last. Nothing: any content.
   std::optional<std::string> replaces;
-  /// How many earlier versions of the file are kept (file_versions.h).
+  /// Number of earlier versions of the file that are kept (file_versions.h).
   int versions = 0;
-  /// Do not save where the earlier version cannot be kept; else that is a warning.
+  /// True: nothing is saved if the earlier version cannot be kept. False: that is a warning.
   bool versionRequired = false;
 };
 
 struct SaveResult {
   SaveStatus status = SaveStatus::Failed;
-  Diagnostic why;      ///< of everything but Saved
-  Warnings warnings;   ///< of Saved: what is not as the user may expect it
-  std::string sha256;  ///< of Saved: of the content
+  Diagnostic why;      ///< reason, unless the status is Saved
+  Warnings warnings;   ///< for Saved: properties of the file that could not be kept
+  std::string sha256;  ///< for Saved: hash of the content
 
   bool ok() const { return status == SaveStatus::Saved; }
   explicit operator bool() const { return ok(); }
 };
 
-/// Nothing was saved: what was to be written could not be made.
+/// The result where the content could not be made.
 inline SaveResult notSaved(Diagnostic why) { return {SaveStatus::Failed, std::move(why), {}, {}}; }
 
-/// Replaces the content of a file. After any failure, kill or power cut either the old or the new content is
-/// there as a whole: a new file is written beside it, flushed, read back and compared, and renamed; then the
-/// folder is flushed. Symbolic links stay and lead to the new content. Permissions, owner and access list are
-/// kept; what cannot be kept is a warning. Refused: folders, pipes, devices and read-only files.
-/// Of any thread.
+/// Replaces the content of a file. After any failure, kill or power cut the file has either the complete old or the
+/// complete new content: a new file is written beside it, flushed, read back and compared, and renamed; then the folder
+/// is flushed. Symbolic links stay and lead to the new content. Permissions, owner and access list are kept; a loss of
+/// these is a warning. Refused: folders, pipes, devices and read-only files. On any thread.
 SaveResult saveFile(const std::string& file, const std::string& content, const SaveOptions& options = {});
-/// The same, whatever the file holds. The warnings are added to `warnings`. writeFileAtomically() drops them: it is
+/// saveFile() for any present content. The warnings are added to `warnings`. writeFileAtomically() drops them: it is
 /// for files that only this program writes.
 Outcome saveFile(const std::string& file, const std::string& content, Warnings& warnings);
 

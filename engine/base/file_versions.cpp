@@ -24,7 +24,7 @@ fs::path versionsFolder(const std::string& file) {
   return fs::path(folderOf(file)) / kFolder / fs::path(file).filename();
 }
 
-/// The number that a version's name begins with; 0 where it is none of ours.
+/// The number at the beginning of a version's name; 0 for other files.
 int numberOf(const std::string& name) {
   int number = 0;
   const auto parsed = std::from_chars(name.data(), name.data() + name.size(), number);
@@ -88,7 +88,7 @@ Outcome keepVersion(const std::string& file, const std::string& content, const s
   if (!moved) return moved.error();
   if (!*moved) return saveError(file, "its earlier version cannot be flushed to the disk", EIO);
   const std::array<timespec, 2> times{timespec{0, UTIME_OMIT}, status.st_mtim};
-  (void)::utimensat(AT_FDCWD, path.c_str(), times.data(), 0);  // the name says the time, too
+  (void)::utimensat(AT_FDCWD, path.c_str(), times.data(), 0);  // ignored: the name has the time, too
   return Done{};
 }
 

@@ -22,7 +22,7 @@ Diagnostic describe(const std::string& doing) {
     throw;
   } catch (const std::bad_alloc& error) {
     return outOfMemory(doing, error.what());
-  } catch (const std::exception& error) {  // also the exceptions of OMPL, JSON and CLI11
+  } catch (const std::exception& error) {  // includes the exceptions of OMPL, JSON and CLI11
     return internalError(doing, error.what());
   } catch (...) {
     return internalError(doing, "of an unknown kind");

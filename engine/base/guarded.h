@@ -12,11 +12,11 @@ namespace glissade {
 /// example "planning". Exhausted memory is LimitReached, everything else is Internal. Call it in a catch block only.
 Diagnostic currentExceptionAsDiagnostic(std::string_view doing) noexcept;
 
-/// What is said where no memory is left for more. Allocates nothing: texts of this length are stored within the string.
+/// The diagnostic for exhausted memory. Allocates nothing: texts of this length are stored within the string.
 Diagnostic withoutMemory() noexcept;
 
-/// Calls `work`. Returns nothing where it ends, and the diagnostic of the exception that leaves it otherwise.
-/// This is how each thread turns exceptions into diagnostics.
+/// Calls `work`. Returns nothing where it ends normally, else the diagnostic of the exception that leaves it. Each
+/// thread turns exceptions into diagnostics with this function.
 template <class Work>
 [[nodiscard]] std::optional<Diagnostic> guarded(std::string_view doing, Work&& work) noexcept {
   try {

@@ -8,7 +8,7 @@
 
 namespace glissade {
 
-/// Calls `take` for each number below `count`; in several threads, `atOnce` numbers a piece, where there is more than
+/// Calls `take` for each number below `count`. Pieces of `atOnce` numbers run in several threads, if there is more than
 /// one piece.
 template <class Take>
 void forEachInThreads(std::size_t count, std::size_t atOnce, const Take& take) {

@@ -6,8 +6,8 @@
 
 namespace glissade {
 
-/// A value between threads: the latest wins. All functions may be called on any thread and return at once; those whose
-/// names begin with `try` do not even wait for a thread that is reading or writing.
+/// A value that threads exchange. The latest one counts. All functions may be called on any thread and return at once;
+/// those whose names begin with `try` do not even wait for a thread that is reading or writing.
 template <class Value>
 class Mailbox {
  public:
@@ -18,7 +18,7 @@ class Mailbox {
     const std::lock_guard lock(mutex_);
     return value_;
   }
-  /// Leaves an empty value behind.
+  /// Takes the value and leaves an empty one.
   Value take() {
     const std::lock_guard lock(mutex_);
     return std::exchange(value_, Value{});
@@ -29,7 +29,7 @@ class Mailbox {
       return true;
     });
   }
-  /// `change` is given the value, and returns whether the listener is told.
+  /// Calls `change` with the value. It returns true if the listener is to be notified.
   template <class Change>
   void change(const Change& change) {
     {
@@ -40,20 +40,20 @@ class Mailbox {
     if (listener_) listener_();
   }
 
-  /// False: nothing was set, because another thread has the value. The listener is not told.
+  /// Sets the value without notifying the listener. False: another thread was using it, and it was not set.
   bool trySet(const Value& value) {
     const std::unique_lock lock(mutex_, std::try_to_lock);
     if (lock) value_ = value;
     return lock.owns_lock();
   }
-  /// Returns an empty value while another thread has the value.
+  /// Takes the value; an empty value while another thread is using it.
   Value tryTake() {
     const std::unique_lock lock(mutex_, std::try_to_lock);
     return lock ? std::exchange(value_, Value{}) : Value{};
   }
 
-  /// Called after a change, on the thread that made it; must return at once. It may read the value and must not change
-  /// it. After setListener({}) has returned no call is under way.
+  /// Sets a function that is called after a change, on the thread that made it. It must return at once. It may read the
+  /// value and must not change it. After setListener({}) has returned no call is under way.
   void setListener(std::function<void()> listener) {
     const std::lock_guard lock(listenerMutex_);
     listener_ = std::move(listener);

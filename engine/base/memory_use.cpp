@@ -22,7 +22,7 @@ double residentMegabytesAfterTrim() {
 
 void giveFreedMemoryBack() {
   constexpr int kPools = 4;
-  constexpr int kKept = 1 << 20;  // bytes, at the end of a pool
+  constexpr int kKept = 1 << 20;  // bytes that are kept at the end of a pool
   mallopt(M_ARENA_MAX, kPools);
   mallopt(M_TRIM_THRESHOLD, kKept);
   mallopt(M_MMAP_THRESHOLD, kKept);

@@ -6,10 +6,10 @@
 
 namespace glissade {
 
-/// The shortest decimal text that reads back as exactly this number, whatever the locale.
+/// The shortest decimal text that reads back as exactly this number, in any locale.
 std::string toText(double value);
 
-/// The number that the whole text is, whatever the locale; nothing where it is none or not finite.
+/// The number that the whole text states, in any locale; nothing where it is none or not finite.
 std::optional<double> toNumber(std::string_view text);
 
 }  // namespace glissade

@@ -12,8 +12,8 @@ namespace {
 using Id = ParameterId;
 using Scale = ParameterScale;
 
-// The defaults of alpha, N and d are the ones the first paper uses where it varies the others
-// (sections III.E and III.F); d = 0.1 r is its 0.15 m on the L.
+// The defaults of alpha, N and d are the ones that paper 1 uses when it varies the others (sections III.E and III.F); d
+// = 0.1 r is its 0.15 m on the L.
 constexpr std::array<ParameterSpec, kParameterCount> kTable{{
     {Id::Alpha, "alpha", "--alpha", "α", "Authority", "", 0.0, 1.0, 0.2, Scale::Absolute, false, true,
      "The computer's share of the iterations: 1 is the automatic planner alone, 0 the operator alone."},
@@ -83,8 +83,9 @@ Diagnostic outOfRange(const ParameterSpec& spec, double value, const ParameterRa
   return {ErrorKind::Usage, "", std::string(spec.key), reason.str(), advice.str()};
 }
 
-/// The largest of 1, 2 and 5 times a power of ten that is not above the value: as a person writes it. A value that is
-/// below such a number by rounding only is that number. Of 0 and what is not finite: the value itself.
+/// The largest of 1, 2 and 5 times a power of ten that is not above the value, as a person would write it. A value that
+/// is below such a number only by rounding counts as that number. For 0 and values that are not finite: the value
+/// itself.
 double roundNumberBelow(double value) {
   if (!(value > 0.0) || !std::isfinite(value)) return value;
   const double most = value * (1.0 + 1e-9);

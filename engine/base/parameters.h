@@ -10,7 +10,7 @@
 
 namespace glissade {
 
-/// The one list of things a user may tune. The order is that of `parameterTable()`.
+/// The list of all parameters that a user may set. The order is that of `parameterTable()`.
 enum class ParameterId : std::size_t {
   Alpha,
   ContactSamples,
@@ -40,18 +40,18 @@ enum class ParameterId : std::size_t {
 };
 inline constexpr std::size_t kParameterCount = static_cast<std::size_t>(ParameterId::Count);
 
-/// Lengths may be given relative to the object's radius r in the table, so that defaults and slider
-/// ranges fit a watch and a ship; the values themselves are always metres.
+/// Lengths may be given relative to the object's radius r in the table, so that defaults and slider ranges suit objects
+/// of any size. The values themselves are always metres.
 enum class ParameterScale { Absolute, ObjectRadius };
 
 /// One row of the table that drives sliders, scenario files, the command line and the help.
 struct ParameterSpec {
   ParameterId id;
-  std::string_view key;     ///< in scenario files, scripts and run records: "contact_distance"
-  std::string_view option;  ///< on the command line: "--contact-distance"
-  std::string_view symbol;  ///< as in the paper: "d"; may be empty
-  std::string_view label;   ///< in the window: "Contact distance"
-  std::string_view unit;    ///< "", "m", "s", "1/s"
+  std::string_view key;     ///< key in scenario files, scripts and run records: "contact_distance"
+  std::string_view option;  ///< option of the command line: "--contact-distance"
+  std::string_view symbol;  ///< symbol in the paper: "d"; may be empty
+  std::string_view label;   ///< name in the window: "Contact distance"
+  std::string_view unit;    ///< unit: "", "m", "s", "1/s"
   double minimum;           ///< inclusive, in units of `scale`
   double maximum;           ///< inclusive, in units of `scale`
   double defaultValue;      ///< in units of `scale`

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Short, because a name that is derived from the file's may become too long.
+/// Prefix of temporary names. It is short, because a name that is derived from the file's may become too long.
 constexpr const char* kPrefix = ".glissade-saving-";
 constexpr const char* kFormerInfix = ".saving-";
 constexpr std::size_t kRandomLetters = 6;
@@ -37,7 +37,8 @@ bool isTemporaryName(const std::string& name, const std::string& file) {
   return is(kPrefix) || is(fs::path(file).filename().string() + kFormerInfix);
 }
 
-/// Removes a temporary file whose writer is gone: nobody holds it locked. Where the file system has no locks, it stays.
+/// Removes a temporary file whose writer has ended, so that it is not locked. Where the file system has no locks, it
+/// stays.
 void removeAbandoned(const std::string& path) {
   const Descriptor descriptor(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC));
   struct stat status {};
@@ -46,7 +47,7 @@ void removeAbandoned(const std::string& path) {
   ::unlink(path.c_str());
 }
 
-/// Locks a new file. False where another save took it for abandoned before it was locked.
+/// Locks a new file. False if another save took it for abandoned before it was locked.
 bool lock(const Descriptor& file) {
   if (::flock(file.get(), LOCK_EX | LOCK_NB) != 0) return errno != EWOULDBLOCK;
   struct stat status {};
@@ -80,7 +81,8 @@ Outcome PendingFile::write(const std::string& content) {
   if (!writeAll(descriptor_.get(), content)) return saveError(file_, "writing failed", errno);
   if (::fsync(descriptor_.get()) != 0) return saveError(file_, "flushing to the disk failed", errno);
   lock_ =
-      Descriptor(::fcntl(descriptor_.get(), F_DUPFD_CLOEXEC, 0));  // the lock is of the open file, not of a descriptor
+      // The lock belongs to the open file, not to a descriptor.
+      Descriptor(::fcntl(descriptor_.get(), F_DUPFD_CLOEXEC, 0));
   if (!lock_.valid() || !descriptor_.close()) return saveError(file_, "closing failed", errno);
   const auto written = readFile(name_, content.size());
   if (!written || *written != content) return saveError(file_, "what was written reads back differently", EIO);
@@ -92,7 +94,7 @@ Result<bool> PendingFile::moveTo(const std::string& path) {
   name_.clear();
   const Descriptor folder(::open(folderOf(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (!folder.valid()) return false;
-  // Some file systems have nothing to flush in a folder and say so.
+  // Some file systems cannot flush a folder and return these errors.
   return ::fsync(folder.get()) == 0 || errno == EINVAL || errno == ENOTSUP;
 }
 

@@ -17,7 +17,7 @@ struct Unit {
   double size;
 };
 
-/// µ is a letter of its own or the Greek one.
+/// Units of length. µ exists as a letter of its own and as the Greek letter.
 constexpr std::array<Unit, 12> kLengths{{{"m", 1.0},
                                          {"cm", 1e-2},
                                          {"mm", 1e-3},
@@ -39,7 +39,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// `plain`: the size of a number without a unit.
+/// `plain`: unit of a number without one.
 template <std::size_t N>
 std::optional<double> quantityOf(std::string_view text, const std::array<Unit, N>& units, double plain) {
   text = trimmed(text);

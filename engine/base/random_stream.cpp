@@ -48,7 +48,7 @@ double RandomStream::uniform() { return static_cast<double>(bits() >> 11) * 0x1.
 double RandomStream::uniform(double low, double high) { return low + (high - low) * uniform(); }
 
 double RandomStream::normal() {
-  const double u = 1.0 - uniform();  // in (0, 1]: the logarithm is finite
+  const double u = 1.0 - uniform();  // in (0, 1], so that the logarithm is finite
   const double v = uniform();
   return std::sqrt(-2.0 * std::log(u)) * std::cos(2.0 * std::numbers::pi * v);
 }

@@ -6,22 +6,21 @@
 
 namespace glissade {
 
-/// A seeded stream of random numbers that is the same on every machine and library: xoshiro256**
-/// (Blackman and Vigna 2018) with our own conversions, because the standard distributions differ
-/// between implementations. Each use of randomness has a stream of its own, by name, so that
-/// drawing more for one use does not shift the numbers of another.
+/// A seeded stream of random numbers that is the same on every machine and library: xoshiro256** (Blackman and Vigna
+/// 2018) with our own conversions, because the standard distributions differ between implementations. Each use of
+/// randomness has its own named stream, so that more draws for one use do not change the numbers of another.
 class RandomStream {
  public:
   RandomStream(std::uint64_t seed, std::string_view name);
 
   std::uint64_t bits();
-  /// Uniform in [0, 1).
+  /// A number uniformly distributed in [0, 1).
   double uniform();
-  /// Uniform in [low, high).
+  /// A number uniformly distributed in [low, high).
   double uniform(double low, double high);
-  /// Standard normal (Box-Muller, one draw of a pair).
+  /// A standard normal number (Box-Muller, one of each pair).
   double normal();
-  /// Exponential with the given rate (> 0), in the inverse unit of the rate.
+  /// An exponentially distributed number with the given rate (> 0), in the inverse unit of the rate.
   double exponential(double rate);
 
  private:

@@ -8,8 +8,8 @@
 
 namespace glissade {
 
-/// Gives memory that is about to be written its pages at once, which takes a tenth of the time of one page after the
-/// other. What is too small to matter, or what the system does not permit, is left alone.
+/// Maps all pages of memory that is about to be written at once, which takes a tenth of the time of one page after the
+/// other. Does nothing for small memory, or where the system does not permit it.
 inline void fillPages(void* memory, std::size_t bytes) {
 #ifdef MADV_POPULATE_WRITE
   constexpr std::size_t kFewest = 1U << 20;
@@ -24,7 +24,7 @@ inline void fillPages(void* memory, std::size_t bytes) {
 #endif
 }
 
-/// reserve() for a container that will be filled up to that size.
+/// reserve() for a container that will be filled to that size.
 template <class Container>
 void reserveFilled(Container& container, std::size_t size) {
   const std::size_t before = container.capacity();

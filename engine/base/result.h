@@ -7,7 +7,7 @@
 
 namespace glissade {
 
-/// Either a value or the one diagnostic that says why there is none.
+/// Either a value or the diagnostic that states why there is none.
 template <class T>
 class [[nodiscard]] Result {
  public:
@@ -33,7 +33,7 @@ class [[nodiscard]] Result {
   std::variant<T, Diagnostic> content_;
 };
 
-/// The value of an operation that only succeeds or fails.
+/// The value of an operation without a result.
 struct Done {};
 using Outcome = Result<Done>;
 

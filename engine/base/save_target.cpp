@@ -43,7 +43,7 @@ Result<std::string> followLinks(const std::string& file) {
     std::array<char, PATH_MAX> text{};
     const ssize_t length = ::readlink(at.c_str(), text.data(), text.size());
     if (length < 0) {
-      if (errno == EINVAL || errno == ENOENT) return at.string();  // not a link, or not there yet
+      if (errno == EINVAL || errno == ENOENT) return at.string();  // no link, or the file does not exist yet
       return saveError(file, "it cannot be looked at", errno);
     }
     at = at.parent_path() / fs::path(std::string(text.data(), static_cast<std::size_t>(length)));
@@ -60,7 +60,8 @@ Outcome checkKind(const std::string& file, const struct stat& status) {
   return Done{};
 }
 
-/// Replacing a file needs a writable folder only; who made the file read-only expects that it stays as it is.
+/// Refuses read-only files. Replacing a file needs only a writable folder, but a person who made a file read-only
+/// expects it to stay unchanged.
 Outcome checkWritable(const SaveTarget& target) {
   constexpr mode_t kAnyWrite = S_IWUSR | S_IWGRP | S_IWOTH;
   const bool readOnly = (target.status.st_mode & kAnyWrite) == 0 || ::access(target.path.c_str(), W_OK) != 0;

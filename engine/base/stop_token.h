@@ -7,8 +7,8 @@
 
 namespace glissade {
 
-/// Read side of a request to stop, cheap to copy and safe to read from any thread.
-/// Long loops look at it in every step (DESIGN section 3: a stop answers within 50 ms).
+/// Read side of a request to stop, cheap to copy and safe to read from any thread. Long loops check it in every step
+/// (a stop answers within 50 ms).
 class StopToken {
  public:
   using Clock = std::chrono::steady_clock;
@@ -22,7 +22,7 @@ class StopToken {
     return deadline_ && Clock::now() >= *deadline_;
   }
 
-  /// The same request with an additional (earlier wins) deadline.
+  /// A token for this request with an additional deadline; the earlier deadline counts.
   StopToken withDeadline(Clock::time_point deadline) const {
     StopToken token = *this;
     if (!token.deadline_ || deadline < *token.deadline_) token.deadline_ = deadline;

@@ -15,7 +15,7 @@ ThreadTeam::ThreadTeam(std::size_t helpers) {
       self.thread = std::thread([this, &self] { help(self); });
     }
   } catch (const std::exception&) {  // no more threads, or no memory for one
-    helpers_.pop_back();             // the rest do all the work
+    helpers_.pop_back();             // the existing threads do all the work
   }
 }
 
@@ -50,7 +50,7 @@ void ThreadTeam::help(Helper& self) {
   }
 }
 
-/// Takes one job after the other; `self` is null on the calling thread.
+/// Works on jobs until there are none; `self` is null on the calling thread.
 void ThreadTeam::workOff(std::unique_lock<std::mutex>& lock, Helper* self) {
   while (next_ < count_) {
     const std::size_t mine = next_++;

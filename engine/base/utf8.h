@@ -5,8 +5,8 @@
 
 namespace glissade {
 
-/// Length of the UTF-8 character at a position; 0 where there is none: a byte that begins none, a character
-/// that is cut off, longer than it need be, a surrogate or beyond U+10FFFF.
+/// Length of the UTF-8 character at a position; 0 where the bytes are invalid: no first byte, a truncated or overlong
+/// character, a surrogate, or beyond U+10FFFF.
 inline std::size_t utf8LengthAt(std::string_view text, std::size_t at) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[at + i]); };
   const unsigned char lead = byte(0);

@@ -2,13 +2,13 @@
 
 namespace glissade {
 
-/// A unit of volume, and how many of them are a cubic metre.
+/// A unit of volume, and its number per cubic metre.
 struct VolumeUnit {
   const char* name;
   double perCubicMetre;
 };
 
-/// The unit in which a volume (cubic metres) has few digits before its point.
+/// The unit for a volume (cubic metres) that gives few digits before the decimal point.
 inline VolumeUnit volumeUnitFor(double cubicMetres) {
   if (cubicMetres < 1e-6) return {"mm³", 1e9};
   if (cubicMetres < 1e-3) return {"cm³", 1e6};

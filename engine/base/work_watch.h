@@ -7,9 +7,8 @@
 
 namespace glissade {
 
-/// What long work asks and tells while it goes on: whether to stop, and how far it has come. A stop
-/// token alone is one, too. `progressed` is called on the working thread, often, with shares in [0, 1]
-/// that are estimates of the work, not of the time.
+/// Control of long work: a request to stop, and reports of progress. A stop token converts to one. `progressed` is
+/// called on the working thread, often, with shares in [0, 1] that are estimates of the work, not of the time.
 struct WorkWatch {
   using Progressed = std::function<void(double share)>;
 
@@ -19,7 +18,7 @@ struct WorkWatch {
   void report(double share) const {
     if (progressed) progressed(share);
   }
-  /// The same work as the part between two shares of a larger one.
+  /// The watch for a part of the work, between two shares of the whole.
   WorkWatch part(double from, double to) const {
     if (!progressed) return *this;
     return {stop, [whole = progressed, from, to](double share) { whole(from + share * (to - from)); }};

@@ -6,14 +6,14 @@
 
 namespace glissade::check {
 
-/// A body of a product as the judge takes it.
+/// A body of a product, as the judge reads it.
 struct Body {
   std::string id;
-  std::string name;         ///< for people
-  MeshPtr mesh;             ///< in the body's frame B
-  Pose X_WB;                ///< where the product is assembled
-  double spacing = 0.0;     ///< metres that a coordinate of the mesh may be off its file
-  double deflection = 0.0;  ///< metres that curved triangles may be off the surface, where the mesh has no faces
+  std::string name;         ///< name for people
+  MeshPtr mesh;             ///< triangles in the body's frame B
+  Pose X_WB;                ///< pose where the product is assembled
+  double spacing = 0.0;     ///< largest deviation of a coordinate of the mesh from the file, metres
+  double deflection = 0.0;  ///< largest deviation of curved triangles, metres, for a mesh without faces
 };
 
 }  // namespace glissade::check

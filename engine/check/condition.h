@@ -4,15 +4,15 @@
 
 namespace glissade::check {
 
-/// A statement that a plan brings itself, that no scenario and no person confirms, and that a verdict rests on.
+/// A statement of a plan that no scenario and no person confirms, and on which a verdict depends.
 struct Condition {
-  std::string text;            ///< for people: what follows "valid only if"
-  double acceptedClash = 0.0;  ///< metres: clashes up to this overlap are accepted; 0: it is about something else
+  std::string text;            ///< text for people, to follow "valid only if"
+  double acceptedClash = 0.0;  ///< metres: clashes up to this overlap are accepted; 0: another condition
 
   bool operator==(const Condition&) const = default;
 };
 
-// All that a plan may state. Bodies are given by their names for people, lengths in metres.
+// All conditions that a plan may state. Bodies by their names for people, lengths in metres.
 
 Condition clashIsAccepted(double depth);
 Condition hookBends(const std::string& hook, const std::string& edge, double bend);
@@ -22,10 +22,10 @@ Condition comesApart(const std::string& body, const std::string& other);
 Condition areOneUnit(const std::string& bodies);
 Condition areTheBase(const std::string& bodies);
 Condition leavesBefore(const std::string& body, const std::string& other);
-/// `number`, `demanded`: in the order of removal, from 1.
+/// `number`, `demanded`: places in the order of removal, from 1.
 Condition leavesAs(const std::string& body, std::size_t number, std::size_t demanded);
 Condition hasPitch(const std::string& body, const std::string& other, double pitch, double diameter);
-/// `said`: by a person.
+/// `said`: the pitch that a person states.
 Condition hasOtherPitch(const std::string& body, const std::string& other, double pitch, double said);
 Condition isLeftHanded(const std::string& body, const std::string& other);
 Condition isRightHanded(const std::string& body, const std::string& other);

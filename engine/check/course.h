@@ -7,7 +7,7 @@
 
 namespace glissade::check {
 
-/// The straight motion, as a line and a rotation vector in the object's frame.
+/// A straight motion: a line, and a rotation vector in the object's frame.
 class Course {
  public:
   Course(const Pose& from, const Pose& to) : from_(from), way_(to.position - from.position) {
@@ -24,23 +24,23 @@ class Course {
     place.translation() = from_.position + t * way_;
     return place;
   }
-  /// No vertex moves faster, in metres per unit of t.
+  /// Upper bound on the speed of the vertices, in metres per unit of t.
   double speed(const TriangleMesh& object) const { return (way_.norm() + turn(object)) * (1.0 + kRounding); }
-  /// No vertex moves farther by the rotation, in metres.
+  /// Upper bound on the way of a vertex by the rotation, metres.
   double turn(const TriangleMesh& object) const {
     double arm = 0.0;
     for (const Vector3& vertex : object.vertices) arm = std::max(arm, (vertex - axis_ * axis_.dot(vertex)).norm());
     return angle_ * arm;
   }
   const Vector3& way() const { return way_; }
-  /// The axis of the rotation in the world, by radians per unit of t: the same at each time.
+  /// The rotation vector in the world, radians per unit of t; it is constant.
   Vector3 turning() const { return angle_ * (from_.orientation.toRotationMatrix() * axis_); }
   bool isHalfACircle() const { return angle_ > 3.14159265358979323846 - kHalfCircle; }
 
  private:
-  /// Share by which bounds are raised above their rounding.
+  /// Share by which bounds are raised to cover their rounding.
   static constexpr double kRounding = 1e-9;
-  /// Within this many radians of half a circle the sense of the turn is rounding.
+  /// Within this angle of half a circle, radians, rounding decides the sense of the turn.
   static constexpr double kHalfCircle = 1e-6;
 
   const Pose& from_;

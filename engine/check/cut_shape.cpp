@@ -13,20 +13,20 @@
 namespace glissade::check {
 namespace {
 
-constexpr double kSameLine = 1e-8;      ///< metres: edges of pieces that are nearer are one line
-constexpr double kConnected = 1e-7;     ///< metres: pieces that are nearer are of one part of the overlap
-constexpr double kLeastWeb = 1e-6;      ///< metres: less hangs nothing together
-constexpr double kClearlyAround = 1.9;  ///< as many times as the other one
-constexpr double kFlatWall = 0.99;      ///< of the area of a wall, the sum of its normals
+constexpr double kSameLine = 1e-8;      ///< metres: edges of pieces within this distance are one line
+constexpr double kConnected = 1e-7;     ///< metres: pieces within this distance belong to one part of the overlap
+constexpr double kLeastWeb = 1e-6;      ///< metres: thinner material does not connect a body
+constexpr double kClearlyAround = 1.9;  ///< least ratio of the two wall volumes that decides which body has the hole
+constexpr double kFlatWall = 0.99;      ///< a wall is flat if the sum of its normals has this share of its area
 constexpr std::size_t kMostParts = 400'000;
 
 /// A piece of the surface of the overlap.
 struct OverlapPiece {
   Polygon polygon;
-  bool isOfOne = false;              ///< of the surface of the one body
-  bool isShared = false;             ///< of both surfaces
-  Vector3 normal = Vector3::Zero();  ///< out of the overlap, as long as the area is large
-  bool isDeep = false;               ///< deeper in the other body than what the files may be off
+  bool isOfOne = false;              ///< it belongs to the surface of `one`
+  bool isShared = false;             ///< it belongs to both surfaces
+  Vector3 normal = Vector3::Zero();  ///< out of the overlap, length: the area
+  bool isDeep = false;               ///< deeper in the other body than the deviations of the files
 };
 
 class Groups {
@@ -43,7 +43,7 @@ class Groups {
   std::vector<std::uint32_t> parent_;
 };
 
-/// The middle of the line that two convex polygons have in common; nothing where they share no more than a point.
+/// The midpoint of the line that two convex polygons share; nothing if they share no more than a point.
 std::optional<Vector3> sharedLine(const Polygon& a, const Polygon& b) {
   for (std::size_t i = 0; i < a.size(); ++i) {
     const Vector3& from = a[i];
@@ -67,20 +67,20 @@ std::optional<Vector3> sharedLine(const Polygon& a, const Polygon& b) {
   return std::nullopt;
 }
 
-/// A connected part of the overlap, and the walls of the cuts in both bodies.
+/// A connected part of the overlap, with the walls of the cuts in both bodies.
 struct OverlapPart {
-  std::map<std::uint32_t, bool> wallsOfOne{};  ///< groups of deep pieces of the other body: walls of the cut in the one
+  std::map<std::uint32_t, bool> wallsOfOne{};  ///< groups of deep pieces of `other`: the walls of the cut in `one`
   std::map<std::uint32_t, bool> wallsOfOther{};
   std::vector<std::uint32_t> pieces{};
 
   bool isOverlap() const { return !wallsOfOne.empty() || !wallsOfOther.empty(); }
 };
 
-/// How the walls of one body are around the overlap.
+/// Shape of the walls of one body about the overlap.
 struct Around {
-  double volume = 0.0;  ///< of the walls about the middle of the overlap, three times as large
+  double volume = 0.0;  ///< three times the volume between the walls and the centre of the overlap
   double area = 0.0;
-  Vector3 sum = Vector3::Zero();  ///< of the normals, by area
+  Vector3 sum = Vector3::Zero();  ///< sum of the normals, weighted by area
 
   bool isFlat() const { return sum.norm() >= kFlatWall * area; }
 };
@@ -120,7 +120,7 @@ class OverlapShape {
     return a == CutShape::Hole::Either ? b : CutShape::Hole::Unclear;
   }
 
-  /// Pieces of the body's surface that are inside of the other body, and those that both surfaces share with the
+  /// Collects pieces of the body's surface inside of the other body, and pieces that both surfaces share with both
   /// bodies on the same side.
   bool takePieces(const PlacedBody& body, const PlacedBody& other, bool isOfOne) {
     const auto take = [&](const CutPiece& cut) {
@@ -140,7 +140,7 @@ class OverlapShape {
     return cutSurface(body, other, take, stop_) && pieces_.size() <= kMostParts;
   }
 
-  /// Pieces of one surface hang together deep enough in the other body.
+  /// True if the pieces belong to one surface and are connected deep enough in the other body.
   bool areOneWall(const OverlapPiece& a, const OverlapPiece& b) const {
     if (a.isOfOne != b.isOfOne || a.isShared || b.isShared) return false;
     const auto line = sharedLine(a.polygon, b.polygon);
@@ -182,7 +182,7 @@ class OverlapShape {
     return all;
   }
 
-  /// Which body has the hole, and whose walls are around more of the overlap.
+  /// The body with the hole, and the body whose walls enclose more of the overlap.
   std::pair<CutShape::Hole, CutShape::Hole> holeOf(const OverlapPart& part) const {
     using Hole = CutShape::Hole;
     Vector3 center = Vector3::Zero();
@@ -212,7 +212,7 @@ class OverlapShape {
   const PlacedBody& one_;
   const PlacedBody& other_;
   const StopToken& stop_;
-  double web_;  ///< metres: what is thinner may not be there
+  double web_;  ///< metres: thinner material may be missing
   std::vector<OverlapPiece> pieces_;
 };
 

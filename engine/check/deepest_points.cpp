@@ -11,8 +11,8 @@ namespace glissade::check {
 namespace {
 
 constexpr double kSameNormal = 1.0 - 1e-9;
-constexpr double kSameShare = 1e-4;  ///< of a segment: nearer points are one
-/// Of so many planes not each pair is looked at: points are taken at equal distances.
+constexpr double kSameShare = 1e-4;  ///< share of a segment: points that are closer count as one
+/// With more planes, points at equal distances are taken instead of the intersections of each pair.
 constexpr std::size_t kMostPlanes = 24;
 constexpr int kEqualParts = 8;
 
@@ -35,7 +35,7 @@ std::optional<Plane> planeOf(const Triangle& triangle) {
   return Plane{normal, normal.dot(triangle[0])};
 }
 
-/// The part of the triangle in the plane.
+/// The intersection of the triangle and the plane.
 std::optional<Segment> cut(const Triangle& triangle, const Plane& plane) {
   std::vector<Vector3> ends;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -80,7 +80,7 @@ class Points {
     if (!known) planes_.push_back(plane);
   }
 
-  /// Through the common edge of two neighbours, in the middle between their planes.
+  /// Finds the bisecting planes through the common edges of neighbours.
   void findBisectors(const std::vector<Triangle>& near) {
     std::map<std::pair<Coordinates, Coordinates>, Vector3> open;
     for (const Triangle& triangle : near) {
@@ -97,7 +97,7 @@ class Points {
     }
   }
 
-  /// Where two planes are equally far, and the middles between such points.
+  /// Adds points where two planes are equally far, and the midpoints between them.
   void along(const Segment& segment) {
     std::vector<double> shares{0.0, 1.0};
     const bool few = planes_.size() <= kMostPlanes;

@@ -9,11 +9,12 @@ namespace glissade::check {
 /// Points of a flat part of one surface at which its depth below another surface can be largest.
 ///
 /// The depth below a plane is linear on the part, and the depth below a surface is the distance from its nearest
-/// triangle. So it is largest at a corner of the part, on an edge of it, or on the bisector of two neighbouring
-/// triangles, where two planes are equally far; or all along a piece between such points, of which the middle is taken.
+/// triangle. The depth is therefore largest at a corner of the part, on an edge of it, or on the bisector of two
+/// neighbouring triangles, where two planes are equally far. If it is constant between such points, their midpoint is
+/// taken.
 ///
-/// `near`: the triangles of the other surface that can be the nearest. Points are of the part; not all of them are
-/// below the surface.
+/// `near`: the triangles of the other surface that can be the nearest. The points belong to the part; some may be above
+/// the surface.
 std::vector<Vector3> deepestPoints(const Triangle& part, const std::vector<Triangle>& near);
 
 }  // namespace glissade::check

@@ -8,24 +8,24 @@
 namespace glissade::check {
 namespace {
 
-/// By which bounds are lowered below their rounding, as a share.
+/// Share by which bounds are lowered to cover their rounding.
 constexpr double kProjectionRounding = 1e-9;
-/// An interval of time that was halved this often is as short as numbers allow.
+/// Limit of the halvings of an interval of time, given by the precision of numbers.
 constexpr int kShortestTime = 48;
 constexpr std::uint64_t kComparedBetweenStops = 1024;
-/// Triangles may meet where their distance is less than this share of the gap of a plane between them.
+/// Triangles can meet if their distance is less than this share of the gap of a plane between them.
 constexpr double kSeparatedShare = 0.5;
 
-/// How corners move from the middle of an interval to its ends.
+/// Motion of corners from the middle of an interval to its ends.
 struct CornerMoves {
-  Corners straight;              ///< along their velocities
-  std::array<double, 3> beside;  ///< no corner is farther from there
+  Corners straight;              ///< displacements along their velocities
+  std::array<double, 3> beside;  ///< bounds on the distance of the corners from those displacements
 };
 
 CornerMoves still() { return {{Vector3::Zero(), Vector3::Zero(), Vector3::Zero()}, {0.0, 0.0, 0.0}}; }
 
-/// How far the moving corners stay beyond the others along the direction, which is unit, on one side of them, in the
-/// whole interval; below 0: it is not shown.
+/// Lower bound on the gap between the moving corners and the others along the unit direction in the whole interval;
+/// negative if none is shown.
 double apartAlong(const Vector3& direction, const Corners& others, const Corners& moving, const CornerMoves& moves) {
   const double none = std::numeric_limits<double>::infinity();
   double low = none;
@@ -59,7 +59,7 @@ void EdgeProof::divide(std::uint32_t time) {
   times_[time].secondHalf = timeAt(middle, middle + half, halvings + 1);
 }
 
-/// No point of the piece is farther from where it is at the middle of the interval.
+/// Upper bound on the distance of a point of the piece from its place at the middle of the interval.
 double EdgeProof::motionOf(const PieceTree::Node& moving, const Time& time) const {
   const Vector3 arm = time.place * moving.middle - time.place.translation();
   const double turning = turning_.norm();
@@ -74,9 +74,9 @@ double EdgeProof::apartAsBalls(const PieceTree::Node& moving, const PieceTree::N
   return fixed.box.exteriorDistance(Vector3(time.place * moving.middle)) - moving.radius - motionOf(moving, time);
 }
 
-/// In the whole interval, or `enough`. A point on a circle is off its tangent by half of the square of the angle, times
-/// the radius. In the frame of the moving triangle the corners of the fixed one move the other way, on a line that
-/// turns there.
+/// Lower bound on the distance in the whole interval, at most `enough`. A point on a circle deviates from its tangent
+/// by half of the square of the angle, times the radius. In the frame of the moving triangle, the corners of the fixed
+/// one move in the opposite direction, on a line that turns in that frame.
 double EdgeProof::apart(const PieceTree::Triangle& moving, const PieceTree::Triangle& fixed, const Time& time,
                         double enough, MetOnEdge& met) const {
   const double angle = time.half * turning_.norm();

@@ -12,8 +12,8 @@
 namespace glissade::check {
 namespace {
 
-constexpr double kTouchingSurfaces = 3e-6;  ///< metres: what fitting and rounding leave
-constexpr double kClashShare = 0.2;         ///< of the local thickness
+constexpr double kTouchingSurfaces = 3e-6;  ///< metres: tolerance for fitting and rounding
+constexpr double kClashShare = 0.2;         ///< share of the local thickness
 
 MeasuredSide emptySide(const PlacedBody& body, Overlap overlap) {
   const std::size_t count = body.regions.count;
@@ -21,7 +21,7 @@ MeasuredSide emptySide(const PlacedBody& body, Overlap overlap) {
           std::vector<double>(count, 0.0)};
 }
 
-/// A touch of the region with these deflections says nothing that is not known of it.
+/// True if a touch of the region with these deflections adds nothing.
 bool isKnown(const MeasuredSide& side, std::uint32_t region, double own, double others) {
   return side.touches[region] && side.own[region] >= own && side.others[region] >= others;
 }
@@ -32,7 +32,7 @@ void touch(MeasuredSide& side, std::uint32_t region, double own, double others) 
   side.others[region] = std::max(side.others[region], others);
 }
 
-/// Metres: a face that the other surface is below faces it over so much.
+/// Metres: how far the other surface may be below the face and still face it.
 double depthBelow(const MeasuredSide& side, std::uint32_t region) {
   return std::min(kClashOverlap, std::max(0.0, side.overlap.depths[region]));
 }
@@ -60,13 +60,13 @@ void findTouching(const PlacedBody& one, const PlacedBody& other, MeasuredPair& 
   });
 }
 
-/// Metres: an overlap of no more than that is what the files may be off, which counts for the whole of the region.
+/// Limit, metres, of an overlap that deviations of the files explain: it counts for the whole region.
 double countsEverywhere(const PlacedBody& body, const MeasuredSide& side, std::uint32_t region) {
   const double sagitta = body.mesh.faces.empty() ? body.regions.sagitta[region] : 0.0;
   return side.localDepth + side.own[region] + side.others[region] + sagitta;
 }
 
-/// Facets that are next to each other on a curved surface without stated faces have the largest of their depths.
+/// Neighbouring facets of a curved surface without stated faces share the largest of their depths.
 std::vector<double> depthsOfPatches(const PlacedBody& body, const MeasuredSide& side) {
   std::vector<double> depths = side.overlap.depths;
   for (std::size_t r = 0; r < body.regions.next.size() && body.mesh.faces.empty(); ++r) {
@@ -78,7 +78,7 @@ std::vector<double> depthsOfPatches(const PlacedBody& body, const MeasuredSide& 
   return depths;
 }
 
-/// The depth of each patch, where a region has several of them.
+/// The depth of each patch, if a region has several.
 std::vector<double> measuredPatches(const PlacedBody& body, const PlacedBody& other, const MeasuredSide& side,
                                     const StopToken& stop) {
   PlacedBody fine(Body{"", "", side.mesh, Pose::identity()}, Pose::identity());
@@ -123,7 +123,7 @@ bool addsSagitta(const PairWord* word) {
   return word != nullptr && (word->kind == "thread" || word->kind == "cylindrical" || word->kind == "press");
 }
 
-/// The largest sagitta of the facets of a side that are in the fit; 0 where the file states its faces.
+/// The largest sagitta of the side's facets that are in the fit; 0 if the file states its faces.
 double sagittaInFit(const MeasuredBody& side) {
   if (!side.body.mesh.faces.empty()) return 0.0;
   double most = 0.0;
@@ -134,14 +134,15 @@ double sagittaInFit(const MeasuredBody& side) {
   return most;
 }
 
-/// The sagittas of the faces that a person calls cylinders: of bodies whose files state no faces.
+/// The sagittas of the region and of the other body, if a person calls the pair cylindrical and the files state no
+/// faces.
 double sagittaByPerson(const MeasuredBody& side, double ofOther, std::uint32_t region) {
   if (side.body.regions.sagitta[region] <= 0.0) return 0.0;
   return ofOther + (side.body.mesh.faces.empty() ? side.body.regions.sagitta[region] : 0.0);
 }
 
-/// A facet of a curved surface that is in the fit may be taken thinner by as much as the one next to it: they share an
-/// edge. Facets that are not in the fit stay whole: they may be under a lip.
+/// A facet of a curved surface that is in the fit may be thinned as much as its neighbour, because they share an edge.
+/// Facets that are not in the fit stay whole: they may be under a lip.
 std::vector<double> withNextFacets(const FaceRegions& regions, const std::vector<double>& sums) {
   std::vector<double> most = sums;
   for (std::size_t r = 0; r < regions.next.size(); ++r) {
@@ -151,13 +152,13 @@ std::vector<double> withNextFacets(const FaceRegions& regions, const std::vector
   return most;
 }
 
-/// The overlap that counts for the whole of a region: only one that needs no patch.
+/// The overlap that counts for the whole region: only one that needs no patch.
 double overlapOfRegion(const MeasuredBody& side, std::uint32_t region) {
   const double overlap = side.measured.overlap.depths[region];
   return overlap > countsEverywhere(side.body, side.measured, region) ? 0.0 : overlap;
 }
 
-/// Each triangle has what counts for its region, and that of a patch what counts for the patch.
+/// Each triangle gets the allowance of its region, and a triangle of a patch that of the patch.
 void setAtMost(const MeasuredSide& side, const FaceRegions& regions, const std::vector<double>& ofRegions,
                const std::vector<double>& ofPatches, AllowanceBound& bound) {
   if (!side.patches) {
@@ -165,7 +166,7 @@ void setAtMost(const MeasuredSide& side, const FaceRegions& regions, const std::
     return;
   }
   const std::vector<std::uint32_t>& parents = side.patches->parents;
-  if (!side.patches->midpoints.empty()) {
+  if (!side.patches->newVertices.empty()) {
     bound.mesh = side.mesh;
     bound.parents = parents;
   }
@@ -223,20 +224,20 @@ std::vector<double> leastOfTriangles(const AllowanceBound& bound) {
   return all;
 }
 
-/// Nothing is taken from a body whose faces the other one is too far below.
+/// Removes the allowance of a body whose faces the other body is too far below.
 void refuseClash(AllowanceBound& bound) {
   bound.isClash = true;
   bound.most = 0.0;
   std::fill(bound.atMost.begin(), bound.atMost.end(), 0.0);
 }
 
-/// Rounding of coordinates makes no micrometre more.
+/// Rounds up to whole micrometres; an excess by the rounding of coordinates adds none.
 double inMicrometresUp(double metres) {
   constexpr double kRounding = 1e-3;
   return std::max(0.0, std::ceil(metres * 1e6 - kRounding)) * 1e-6;
 }
 
-/// An overlap of this depth, where the pair has that thickness, is a clash that nobody accepted.
+/// True if an overlap of this depth in a pair of this thickness is a clash that nobody has accepted.
 bool isClash(double overlap, double thickness, const FitWords& fits, const PairWord* word) {
   if (overlap <= kClashOverlap && overlap <= kClashShare * thickness) return false;
   const bool said = word != nullptr && (word->allowance || (!word->kind.empty() && word->kind != "clash"));
@@ -292,13 +293,14 @@ std::vector<double> mostOfTriangles(const AllowanceBound& bound, std::size_t cou
 
 PairBounds boundsOf(const MeasuredBody& one, const MeasuredBody& other, const FitWords& fits, const PairWord* word) {
   const double spacing = one.body.spacing + other.body.spacing;
-  // A body that gives way has no reference point to turn about: its own size counts, or that of the one that moves.
+  // A body at rest has no reference point to turn about: its size counts, or the size of the moving body if that is
+  // larger.
   const double sizeOfOther = std::max(one.body.radius, other.body.halfDiagonal);
   PairBounds bounds{boundOf(one, other, spacing, assembledMargin(one.body.radius), word),
                     boundOf(other, one, spacing, assembledMargin(sizeOfOther), word)};
-  // Either body may give way by what the other one is below its own faces: a belt that is deep in a pulley is a clash
-  // for the pulley's faces, however little the pulley's surface is in the belt.
-  // Where only the one surface is inside the other body, that counts for both.
+  // Each body may be thinned by the depth of the other body below its faces: a belt deep in a pulley is a clash for the
+  // pulley's faces, however little the pulley's surface is in the belt. If only one surface is inside the other body,
+  // its depth counts for both.
   const double a = one.measured.overlap.deepest;
   const double b = other.measured.overlap.deepest;
   const double thickness = std::max(one.measured.overlap.thickness, other.measured.overlap.thickness);
@@ -323,7 +325,7 @@ std::string clashRefused(double depth) {
 AllowanceBound larger(const AllowanceBound& a, const AllowanceBound& b) {
   const AllowanceBound& less = a.most >= b.most ? b : a;
   AllowanceBound both = a.most >= b.most ? a : b;
-  // If the two have different meshes, the least on a triangle of the body counts for all of it.
+  // If the meshes differ, the least allowance on a triangle of the body counts for the whole triangle.
   const std::vector<double> least = leastOfTriangles(less);
   for (std::size_t t = 0; t < both.atMost.size(); ++t) {
     const double other = less.mesh == both.mesh ? less.atMost[t] : least[both.parents.empty() ? t : both.parents[t]];

@@ -13,19 +13,24 @@
 namespace glissade::check {
 namespace {
 
-constexpr double kFinestPatch = 1.0 / 32.0;  ///< of the diagonal of the box that both bodies have in common
-/// As long as pieces are so many depths, their corners move less than the pieces are long when they are taken thinner.
+constexpr double kFinestPatch = 1.0 / 32.0;  ///< share of the diagonal of the common box of both bodies
+/// Least length of pieces, in depths: corners of such pieces move less than the pieces are long when they are thinned.
 constexpr double kDepths = 4.0;
+/// Length of a ring beside its hole, as a share of the reach of a patch. The shaft beside the ring is out of reach.
+constexpr double kBesideRing = 1.25;
+/// Length of the pieces on both sides of an end of a ring, as a share of the reach of a patch: short enough not to be
+/// divided again.
+constexpr double kAtEndOfRing = 0.6;
 constexpr std::size_t kAngles = 72;
 constexpr std::size_t kMostDivided = 200'000;
 
 enum class Cover : std::uint8_t { None, Part, All };
 
-/// One end before the other, by number.
+/// The numbers of the ends of an edge, the lower one first.
 using EdgeEnds = std::pair<std::uint32_t, std::uint32_t>;
 
-/// A triangle that is cut by a few planes, each of which adds at most one corner. Corners that rounding would add
-/// beyond the room for them are left out: less of the polygon is there then.
+/// A triangle that is cut by a few planes, each of which adds at most one corner. If rounding adds more corners than
+/// there is room for, they are dropped and the polygon is smaller.
 class ConvexPolygon {
  public:
   explicit ConvexPolygon(const Triangle& triangle) { std::copy(triangle.begin(), triangle.end(), corners_.begin()); }
@@ -35,7 +40,7 @@ class ConvexPolygon {
   const Vector3* begin() const { return corners_.data(); }
   const Vector3* end() const { return corners_.data() + count_; }
 
-  /// The part below the plane: normal.dot(p) <= offset.
+  /// The part with normal.dot(p) <= offset.
   ConvexPolygon keptBelow(const Vector3& normal, double offset) const {
     ConvexPolygon kept;
     for (std::size_t i = 0; i < count_; ++i) {
@@ -63,22 +68,23 @@ class ConvexPolygon {
 class PatchFinder {
  public:
   PatchFinder(const PatchQuestion& question, const StopToken& stop)
-      : question_(question), body_(question.body), stop_(stop), vertices_(body_.mesh.vertices) {
+      : question_(question), body_(question.body), stop_(stop) {
     const Vector3 reach = Vector3::Constant(question.above);
     const Box3& box = question.other.tree.box();
     const double common = body_.tree.box().intersection(Box3(box.min() - reach, box.max() + reach)).diagonal().norm();
     const double deepest = *std::max_element(question.depths.begin(), question.depths.end());
     size_ = std::max(kFinestPatch * common, kDepths * deepest);
-    VertexWelder welder(vertices_.size());
-    for (const Vector3& vertex : vertices_) number_.push_back(welder.indexOf(vertex));
     findFamilies();
   }
 
   std::optional<FacePatches> find() {
-    for (std::uint32_t t = 0; t < body_.mesh.triangles.size(); ++t) {
-      add({body_.mesh.triangles[t], t, coverOf(body_.tree.triangles()[t], t)});
+    std::vector<Ring> rings = ringsInHoles(body_, question_.other, kBesideRing * size_);
+    std::erase_if(rings, [&](const Ring& ring) { return !hasDepth(ring.round); });
+    begin(dividedAtRings(body_, rings, kAtEndOfRing * size_));
+    for (const RoundFace& round : body_.rounds) {
+      if (!round.isShaft) coverAround({round, round.low, round.high});
     }
-    coverHoles();
+    for (const Ring& ring : rings) coverAround(ring);
     while (!stop_.stopRequested() && pieces_.size() < kMostDivided) {
       const std::set<EdgeEnds> edges = edgesToDivide();
       if (edges.empty()) return patches();
@@ -108,7 +114,7 @@ class PatchFinder {
     return (vertices_[piece.corners[i]] - vertices_[piece.corners[(i + 1) % 3]]).norm();
   }
 
-  /// The longest edge; of equal ones the first by its ends, which is the same on both of its sides.
+  /// The longest edge; of equal ones the first by its ends, so that both pieces at an edge choose the same.
   std::size_t longestOf(const Piece& piece) const {
     std::size_t longest = 0;
     for (const std::size_t i : {1, 2}) {
@@ -119,7 +125,7 @@ class PatchFinder {
     return longest;
   }
 
-  /// Regions that are smooth surfaces together have the same number.
+  /// Gives one number to all regions of a smooth surface.
   void findFamilies() {
     family_.resize(body_.regions.count);
     std::iota(family_.begin(), family_.end(), 0U);
@@ -133,9 +139,9 @@ class PatchFinder {
     for (std::uint32_t r = 0; r < family_.size(); ++r) family_[r] = rootOf(r);
   }
 
-  /// The other surface is below the triangle with this normal, or a little above it, or beside it by at most the size
-  /// of a piece. A surface beside the triangle counts only if it is in the body, because the surface of a hole around a
-  /// round body is below the planes of the facets of that body, too.
+  /// True if the other surface is below the triangle, a little above it, or beside it by at most the size of a piece. A
+  /// surface beside the triangle counts only if it is in the body, because the surface of a hole around a round body is
+  /// below the planes of that body's facets, too.
   bool isReached(const Triangle& t, const Vector3& normal, double depth) const {
     std::array<std::pair<Vector3, double>, 3> sides;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -166,7 +172,7 @@ class PatchFinder {
     return reached;
   }
 
-  /// One of the corners, or the middle, is in the body or a little above its surface.
+  /// True if a corner or the centre is in the body or a little above its surface.
   bool isInBody(const ConvexPolygon& polygon) const {
     const auto isIn = [this](const Vector3& p) {
       return body_.tree.nearest(p, question_.above).distance < question_.above || body_.contains(p);
@@ -197,40 +203,49 @@ class PatchFinder {
     pieces_.push_back(piece);
   }
 
-  /// A hole that is covered at every angle is covered along its whole length.
-  void coverHoles() {
-    for (const RoundFace& round : body_.rounds) {
-      if (round.isShaft) continue;
-      std::vector<std::uint32_t> ofHole;
-      std::array<bool, kAngles> covered{};
-      for (std::uint32_t t = 0; t < pieces_.size(); ++t) {
-        if (!isOfHole(round, t)) continue;
-        ofHole.push_back(t);
-        if (pieces_[t].cover == Cover::None) continue;
-        markAngles(round, t, covered);
-      }
-      if (!std::all_of(covered.begin(), covered.end(), [](bool each) { return each; })) continue;
-      for (const std::uint32_t t : ofHole) {
-        if (depthOf(t) > 0.0) pieces_[t].cover = Cover::All;
-      }
+  void begin(DividedTriangles divided) {
+    vertices_ = divided.vertices(body_.mesh.vertices);
+    newVertices_ = std::move(divided.newVertices);
+    VertexWelder welder(vertices_.size());
+    for (const Vector3& vertex : vertices_) number_.push_back(welder.indexOf(vertex));
+    for (std::size_t i = 0; i < divided.triangles.size(); ++i) {
+      Piece piece{divided.triangles[i], divided.parents[i], Cover::None};
+      piece.cover = coverOf(cornersOf(piece), piece.parent);
+      add(piece);
     }
   }
 
-  bool isOfHole(const RoundFace& round, std::uint32_t t) const {
-    const double off = std::max(kOnCylinder, kShareOfCylinderRadius * round.radius);
-    const auto isOn = [&](const Vector3& p) {
-      const Vector3 from = p - round.point;
-      const double along = from.dot(round.axis);
-      return std::abs((from - along * round.axis).norm() - round.radius) <= off && along >= round.low - off &&
-             along <= round.high + off;
-    };
-    const Triangle& triangle = body_.tree.triangles()[t];
-    const Vector3 from = (triangle[0] + triangle[1] + triangle[2]) / 3.0 - round.point;
-    const Vector3 across = from - from.dot(round.axis) * round.axis;
-    return std::all_of(triangle.begin(), triangle.end(), isOn) && body_.normals[t].dot(across) < 0.0;
+  /// A ring that is covered at every angle is covered along its whole length.
+  void coverAround(const Ring& ring) {
+    std::vector<std::uint32_t> ofRing;
+    std::array<bool, kAngles> covered{};
+    for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
+      const Piece& piece = pieces_[i];
+      if (!isOf(ring.round, body_, piece.parent) || !isBetween(ring, cornersOf(piece))) continue;
+      ofRing.push_back(i);
+      if (piece.cover != Cover::None) markAngles(ring.round, piece.parent, covered);
+    }
+    if (!std::all_of(covered.begin(), covered.end(), [](bool each) { return each; })) return;
+    for (const std::uint32_t i : ofRing) {
+      if (depthOf(pieces_[i].parent) > 0.0) pieces_[i].cover = Cover::All;
+    }
   }
 
-  /// The angles between the corners of a triangle that spans less than half a turn.
+  bool hasDepth(const RoundFace& round) const {
+    for (std::uint32_t t = 0; t < body_.mesh.triangles.size(); ++t) {
+      if (depthOf(t) > 0.0 && isOf(round, body_, t)) return true;
+    }
+    return false;
+  }
+
+  static bool isBetween(const Ring& ring, const Triangle& corners) {
+    return std::all_of(corners.begin(), corners.end(), [&](const Vector3& p) {
+      const double along = (p - ring.round.point).dot(ring.round.axis);
+      return along >= ring.low - kOnCylinder && along <= ring.high + kOnCylinder;
+    });
+  }
+
+  /// Marks the angles between the corners of a triangle that spans less than half a turn.
   void markAngles(const RoundFace& round, std::uint32_t t, std::array<bool, kAngles>& covered) const {
     const Vector3 u = round.axis.unitOrthogonal();
     const Vector3 v = round.axis.cross(u);
@@ -253,10 +268,10 @@ class PatchFinder {
     for (long i = from; i <= to; ++i) covered[static_cast<std::size_t>(((i % kTurn) + kTurn) % kTurn)] = true;
   }
 
-  /// Edges of coarse pieces that are covered in part, or that have a corner at the border of a patch. With a long edge
-  /// of a piece its longest one is divided, so that pieces stay plump and fit together.
+  /// Edges of coarse pieces that are covered in part or have a corner at the border of a patch. Together with an edge
+  /// of a piece, the piece's longest edge is divided, so that pieces stay compact and fit together.
   std::set<EdgeEnds> edgesToDivide() const {
-    std::map<EdgeEnds, std::pair<bool, bool>> corners;  // of a vertex in a family: pieces with and without cover
+    std::map<EdgeEnds, std::pair<bool, bool>> corners;  // with and without cover, by vertex and family
     const auto cornerOf = [&](const Piece& piece, std::size_t i) {
       return EdgeEnds{number_[piece.corners[i]], family_[body_.regions.of[piece.parent]]};
     };
@@ -297,7 +312,7 @@ class PatchFinder {
     const std::uint32_t b = piece.corners[(edge + 1) % 3];
     const auto [known, isNew] = middles_.try_emplace(edgeOf(piece, edge), static_cast<std::uint32_t>(vertices_.size()));
     if (isNew) {
-      midpoints_.emplace_back(a, b);
+      newVertices_.push_back({a, b, 0.5});
       number_.push_back(static_cast<std::uint32_t>(vertices_.size()) + kNewNumbers);
       const Vector3 middle = 0.5 * (vertices_[a] + vertices_[b]);
       vertices_.push_back(middle);
@@ -339,7 +354,7 @@ class PatchFinder {
     for (std::size_t k = 0; k < 3; ++k) std::erase(users_[edgeOf(pieces_[i], k)], i);
   }
 
-  /// `at`: the number of a piece that is no longer there; nothing: a new one.
+  /// `at`: the number of a piece that is replaced; nothing: adds a piece.
   void put(const Piece& piece, std::optional<std::uint32_t> at) {
     if (!at) return add(piece);
     for (std::size_t i = 0; i < 3; ++i) users_[edgeOf(piece, i)].push_back(*at);
@@ -348,7 +363,7 @@ class PatchFinder {
 
   FacePatches patches() const {
     FacePatches found;
-    found.midpoints = midpoints_;
+    found.newVertices = newVertices_;
     std::vector<std::uint32_t> parent(pieces_.size());
     std::iota(parent.begin(), parent.end(), 0U);
     const auto rootOf = [&](std::uint32_t i) {
@@ -356,7 +371,7 @@ class PatchFinder {
       return i;
     };
     const bool states = !body_.mesh.faces.empty();
-    std::map<EdgeEnds, std::uint32_t> at;  // a piece of a patch, at a vertex of a surface
+    std::map<EdgeEnds, std::uint32_t> at;  // one piece of a patch for each vertex of a surface
     for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
       if (pieces_[i].cover != Cover::All) continue;
       const std::uint32_t region = body_.regions.of[pieces_[i].parent];
@@ -384,24 +399,20 @@ class PatchFinder {
   const PatchQuestion& question_;
   const PlacedBody& body_;
   const StopToken& stop_;
-  double size_ = 0.0;  ///< metres: pieces at the border of a patch are no longer
+  double size_ = 0.0;  ///< metres: upper limit of pieces at the border of a patch
   std::vector<Vector3> vertices_;
-  std::vector<std::uint32_t> number_;  ///< of each vertex: the same where the positions are
-  std::vector<std::uint32_t> family_;  ///< of each region
+  std::vector<std::uint32_t> number_;  ///< for each vertex, a number that is equal for equal positions
+  std::vector<std::uint32_t> family_;  ///< family of each region
   std::vector<Piece> pieces_;
   std::map<EdgeEnds, std::vector<std::uint32_t>> users_;  ///< pieces at each edge
   std::map<EdgeEnds, std::uint32_t> middles_;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> midpoints_;
+  std::vector<NewVertex> newVertices_;
 };
 
 }  // namespace
 
 TriangleMesh FacePatches::divided(const TriangleMesh& whole) const {
-  TriangleMesh mesh{whole.vertices, triangles, whole.faces, {}};
-  for (const auto& [a, b] : midpoints) {
-    const Vector3 middle = 0.5 * (mesh.vertices[a] + mesh.vertices[b]);
-    mesh.vertices.push_back(middle);
-  }
+  TriangleMesh mesh{vertices(whole.vertices), triangles, whole.faces, {}};
   for (const std::uint32_t parent : parents) {
     if (!whole.faceOf.empty()) mesh.faceOf.push_back(whole.faceOf[parent]);
   }

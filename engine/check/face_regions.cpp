@@ -11,7 +11,8 @@
 namespace glissade::check {
 namespace {
 
-/// Radians: 36 degrees, a tenth of a degree (single precision bends flat faces by less), and what is flat.
+/// Angles, radians: 36 degrees (sharp); a tenth of a degree (one piece: single precision bends flat faces by less);
+/// flat.
 constexpr double kSharp = 0.6283185307179586;
 constexpr double kOnePiece = 1.7453292519943296e-3;
 constexpr double kFlatAngle = 1e-6;
@@ -30,7 +31,7 @@ std::uint32_t rootIn(std::vector<std::uint32_t>& parent, std::uint32_t at) {
 
 struct MeshEdges {
   std::map<Edge, std::vector<EdgeUse>> uses;
-  std::vector<Vector3> positions;  ///< of the ends
+  std::vector<Vector3> positions;  ///< positions of the ends
 };
 
 MeshEdges edgesOf(const TriangleMesh& mesh) {
@@ -49,7 +50,7 @@ MeshEdges edgesOf(const TriangleMesh& mesh) {
   return edges;
 }
 
-/// Of a chord that is a strip's width, where neighbouring strips are turned by the angle against each other.
+/// Sagitta of a chord across a strip of this width, if neighbouring strips are turned by the angle against each other.
 double sagittaOf(double width, double angle) { return 0.5 * width * std::tan(0.25 * angle); }
 
 void numberRegions(const TriangleMesh& mesh, std::vector<std::uint32_t>& parent, FaceRegions& regions) {
@@ -77,7 +78,7 @@ void findNext(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& smooth
 
 FaceRegions faceRegionsOf(const TriangleMesh& mesh) {
   const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
-  std::vector<Vector3> doubled;  // normals, twice as long as the area is large
+  std::vector<Vector3> doubled;  // normals with the length of twice the area
   std::vector<std::uint32_t> parent(count);
   std::iota(parent.begin(), parent.end(), 0U);
   for (const auto& [a, b, c] : mesh.triangles) {

@@ -12,29 +12,29 @@ namespace {
 constexpr double kCircle = 6.283185307179586;
 constexpr double kFullCircle = 1.01 * kCircle;
 constexpr double kNoEnd = std::numeric_limits<double>::infinity();
-/// Rotations of an edge, radians, from which its axis can be read.
+/// Range of the rotation of an edge, radians, from which its axis can be computed.
 constexpr double kSlightest = 1e-4;
 constexpr double kStrongest = 3.0;
-/// Axes and leads of the edges of a helix differ by less, as a share of the object's reach for lengths.
+/// Largest difference of the axes and leads of the edges of a helix; lengths as a share of the object's reach.
 constexpr double kDeviation = 1e-3;
-/// Half of the angle that a triangle may have, seen from the axis, for a profile.
+/// Half of the largest angle of a triangle, seen from the axis, for which a profile is computed.
 constexpr double kHalfAngle = 0.5;
 constexpr int kMostSplits = 12;
-/// Parts of triangles that are compared before the edges are left to be proved one by one.
+/// Limit of the compared parts of triangles; beyond it the edges are proved one by one.
 constexpr std::uint64_t kMostHelixParts = 2'000'000;
 constexpr double kCircleRounding = 1e-9;
 constexpr double kUpwards = 1.0 + 1e-9;
 
 struct Profile {
   TurnedTriangle box{};  ///< distances from the axis, and heights
-  bool known = false;    ///< the rest
+  bool known = false;    ///< the members below are set
   std::array<Eigen::Vector2d, 3> corners;
-  std::array<Eigen::Vector2d, 3> outwards;  ///< unit, of the sides; zero of a side without length
-  std::array<double, 3> border{};           ///< no corner is farther along them
-  double low = 0.0;                         ///< of the second number of the corners
+  std::array<Eigen::Vector2d, 3> outwards;  ///< unit normals of the sides; zero for a side without length
+  std::array<double, 3> border{};           ///< largest coordinate of the corners along each normal
+  double low = 0.0;                         ///< range of the second coordinate of the corners
   double high = 0.0;
   double error = 0.0;
-  double firstAngle = 0.0;  ///< radians about the axis, with the turns by which the second number is below the lead
+  double firstAngle = 0.0;  ///< radians about the axis, with the turns by which the second coordinate is below the lead
   double lastAngle = 0.0;
 };
 
@@ -42,8 +42,8 @@ struct Lathe {
   const Helix& helix;
   Vector3 u;
   Vector3 v;
-  double core = 0.0;     ///< nothing nearer to the axis has a profile
-  double stretch = 1.0;  ///< by which heights change faster than points move, at half of the core at most
+  double core = 0.0;     ///< radius within which no triangle has a profile
+  double stretch = 1.0;  ///< largest change of height by motion of points, outside of half of the core
 
   void setCore(double bore) {
     core = 0.5 * bore;
@@ -76,11 +76,12 @@ struct Lathe {
       nearest = std::min(nearest, along);
       farthest = std::max(farthest, along);
     }
-    // A point between corners has the mean of the tangents of their angles, weighted by these lengths, too.
+    // At a point between corners, the tangent of the angle is a mean of the corners' tangents, weighted by these
+    // lengths too.
     const double root = std::sqrt(farthest / nearest);
     const double angleOff = 2.0 * half * (root - 1.0) / (root + 1.0) + 2.0 * (std::tan(half) - half);
     const double radiusOff = *std::max_element(radii.begin(), radii.end()) * (1.0 - std::cos(half));
-    // A chord is on the inner side of its ends' circle: half of it to either side of the middle.
+    // A chord is inside the circle through its ends, so half of the deviation is taken to either side.
     profile.error = std::hypot(0.5 * radiusOff, angleOff * std::abs(period()) / kCircle) * kUpwards;
     profile.known = true;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -112,7 +113,7 @@ struct Lathe {
   }
 };
 
-/// How far the second is beyond a side of the first where it is moved by so much along the second number.
+/// Distance of `other` beyond a side of `one` when it is moved by `by` along the second coordinate.
 double beyond(const Profile& one, const Profile& other, double by) {
   double most = -kNoEnd;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -126,14 +127,14 @@ double beyond(const Profile& one, const Profile& other, double by) {
 
 class HelixPairs {
  public:
-  /// Nothing is said of distances above `mostFar`, which is at most the core.
+  /// Distances are bounded up to `mostFar`, which is at most the core.
   HelixPairs(const Lathe& lathe, double wanted, double mostFar)
       : lathe_(lathe),
         wanted_(wanted),
         mostFar_(mostFar),
         aside_(lathe.core > 0.0 ? 2.0 * std::asin(0.5 * mostFar / lathe.core) : 0.0) {}
 
-  /// At least `most`, where the pair's bound is.
+  /// Lower bound on the distance of the pair, at least `most` if the distance is larger.
   double bound(const Profile& moving, const Profile& fixed, double most) const {
     const double rise = lathe_.helix.advance;
     const double radial =
@@ -145,7 +146,7 @@ class HelixPairs {
     return std::max(boxes, inProfile(moving, fixed, most) - moving.error - fixed.error);
   }
 
-  /// The same, where the triangle whose profile is known less well is divided until `wanted` is shown.
+  /// A bound() that divides the triangle with the less precise profile until `wanted` is shown.
   double closeBound(const Corners& moving, const Profile& one, const Corners& fixed, const Profile& other,
                     int splits) const {
     const double whole = bound(one, other, kNoEnd);
@@ -162,8 +163,8 @@ class HelixPairs {
   }
 
  private:
-  /// When points come nearer to each other than `aside_` is wide, one has turned to the other's angle, after a number
-  /// of circles that the advance allows.
+  /// Two points nearer to each other than `mostFar_` differ in angle by at most `aside_`, up to a number of full turns
+  /// that the advance permits.
   double inProfile(const Profile& moving, const Profile& fixed, double most) const {
     const double period = lathe_.period();
     const double slack = moving.error + fixed.error;
@@ -190,11 +191,11 @@ class HelixPairs {
   const Lathe& lathe_;
   double wanted_;
   double mostFar_;
-  double aside_;                     ///< radians
-  mutable std::uint64_t parts_ = 0;  ///< that were divided
+  double aside_;                     ///< largest angle between points at the distance `mostFar_`, radians
+  mutable std::uint64_t parts_ = 0;  ///< number of divided parts
 };
 
-/// Triangles as they are turned about the axis, with the bounds of all of them.
+/// Triangles turned about the axis, with the bounds of all of them.
 struct TurnedAll {
   std::vector<TurnedTriangle> each;
   TurnedTriangle all{kNoEnd, 0.0, kNoEnd, -kNoEnd};
@@ -209,7 +210,7 @@ struct TurnedAll {
   }
 };
 
-/// Triangles that come nearer than `most` to the others, which rise by up to `rise` (below 0: they sink).
+/// Indices of triangles that come nearer than `most` to the others, which rise by up to `rise` (negative: they sink).
 std::vector<std::size_t> nearOnes(const TurnedAll& own, TurnedTriangle others, double rise, double most) {
   others.low += std::min(0.0, rise);
   others.high += std::max(0.0, rise);
@@ -220,14 +221,14 @@ std::vector<std::size_t> nearOnes(const TurnedAll& own, TurnedTriangle others, d
   return near;
 }
 
-/// A rotation vector in the world; zero where its sense is not sure.
+/// Rotation vector in the world; zero if its sense is not certain.
 Vector3 rotationOf(const Pose& from, const Pose& to) {
   const Eigen::AngleAxisd rotation(to.orientation.toRotationMatrix() * from.orientation.toRotationMatrix().transpose());
   const bool clear = rotation.angle() > kSlightest && rotation.angle() < kStrongest;
   return clear ? Vector3(rotation.angle() * rotation.axis()) : Vector3::Zero();
 }
 
-/// On the axis of the rotation that takes one place to the other, but for the advance: the plane's centre of rotation.
+/// A point of the axis of the rotation that takes one pose to the other: the centre of rotation in the plane across it.
 Vector3 centreOf(const Pose& from, const Pose& to, const Vector3& rotation) {
   const Vector3 axis = rotation.normalized();
   const Vector3 way = to.position - from.position;
@@ -235,14 +236,14 @@ Vector3 centreOf(const Pose& from, const Pose& to, const Vector3& rotation) {
   return 0.5 * (from.position + from.position + across) + 0.5 / std::tan(0.5 * rotation.norm()) * axis.cross(across);
 }
 
-/// Both configurations are the same, but for what is too little to have an axis.
+/// True if the configurations differ by too little to have an axis.
 bool isStill(const Pose& from, const Pose& to, double reach) {
   return angleBetween(from.orientation, to.orientation) < kSlightest &&
          (to.position - from.position).norm() < kSlightest * reach;
 }
 
-/// The helix that starts with the edge, as far as the next edges go on with it or stand still; 0 edges where it is
-/// none.
+/// The helix that starts with this edge and extends over the next edges that continue it or stand still; no edges if
+/// there is none.
 Helix helixFrom(const std::vector<Pose>& path, std::size_t first, double reach) {
   Helix helix;
   helix.first = helix.last = first;
@@ -276,7 +277,7 @@ Helix helixFrom(const std::vector<Pose>& path, std::size_t first, double reach) 
   return helix;
 }
 
-/// No vertex is off the exact motion by more, between the configurations too.
+/// Upper bound on the deviation of a vertex from the exact motion, including the edges between the configurations.
 double offHelix(const Helix& helix, const std::vector<Pose>& path, double reach) {
   const Pose& start = path[helix.first];
   double atEnds = 0.0;
@@ -295,7 +296,7 @@ double offHelix(const Helix& helix, const std::vector<Pose>& path, double reach)
     const double arm = (q.position - helix.point).cross(helix.axis).norm() + off;
     bow = std::max(bow, arm * (1.0 - std::cos(0.5 * angle)));
   }
-  // An edge turns evenly between its ends; what these are off in rotation is at most doubled.
+  // An edge turns uniformly between its ends; the deviations of the ends in rotation are at most doubled.
   return (2.0 * atEnds + bow) * kUpwards;
 }
 
@@ -322,7 +323,7 @@ double helixDistance(const std::vector<Corners>& moving, const std::vector<Corne
   const TurnedAll one(moving, helix);
   const TurnedAll other(fixed, helix);
   lathe.setCore(std::max(one.all.nearest, other.all.nearest));
-  // A line between points that are nearer to each other than the core stays beyond half of it.
+  // A line between points that are nearer to each other than the core stays outside of half of the core.
   double least = lathe.core > 0.0 ? std::min(enough, lathe.core) : enough;
   const HelixPairs pairs(lathe, wanted, least);
   std::vector<std::pair<std::size_t, Profile>> profiles;

@@ -8,22 +8,23 @@
 namespace glissade::check {
 namespace {
 
-/// Points of the grid along an edge of a triangle.
+/// Limits of the grid points along an edge of a triangle.
 constexpr int kFewestSteps = 2;
 constexpr int kMostSteps = 24;
-/// Metres, besides what files and coordinates are off: faces that the other body slides along are not in its way.
-/// Points are moved inwards by so much.
+/// Distance, metres, by which sample points are moved inwards, in addition to deviations of files and coordinates:
+/// faces along which the other body slides do not block it.
 constexpr double kSlides = 1e-5;
-/// Of half of the diagonal of the hook's body: the grid is as fine as this, or as half of the bend.
+/// Spacing of the grid, as a share of half of the diagonal of the hook's body; half of the bend if that is less.
 constexpr double kFineShare = 0.02;
-/// A face is of a hook where so much of it is in the way: the side of a body that has a hook is none.
+/// A face belongs to a hook if at least this share of it blocks the other body.
 constexpr double kHookFaceShare = 0.25;
-/// Cosine between the normal of a face and the way out: such a face catches, and the hook bends across the way.
+/// Cosine between the normal of a face and the exit direction above which the face catches. The hook bends across that
+/// direction.
 constexpr double kCatches = 0.9;
-/// A path that turns by more, radians, or leaves the direction by more (cosine) does not go along it.
+/// A path goes along the direction if it turns by at most kTurns, radians, and its cosine is at least kAlong.
 constexpr double kTurns = 1e-6;
 constexpr double kAlong = 1.0 - 1e-6;
-constexpr double kMiddle = 1.0 / 3.0;  ///< of a cell of the grid
+constexpr double kMiddle = 1.0 / 3.0;  ///< share of a cell of the grid
 
 double areaOf(const Triangle& t) { return 0.5 * (t[1] - t[0]).cross(t[2] - t[0]).norm(); }
 
@@ -40,7 +41,7 @@ class HookSearch {
                question.edge.largestDeflection),
         spacing_(std::min(0.5 * question.bend, kFineShare * question.hook.halfDiagonal)) {}
 
-  /// Square metres of the triangle, by its points.
+  /// Area of the triangle that blocks the other body, by sample points, square metres.
   double areaInTheWay(std::uint32_t number) const {
     const Triangle& triangle = question_.hook.tree.triangles()[number];
     if (question_.hook.normals[number].dot(question_.direction) > kCatches) return 0.0;
@@ -65,8 +66,8 @@ class HookSearch {
   }
 
   const HookQuestion& question_;
-  double below_;    ///< metres
-  double spacing_;  ///< metres, of the grid
+  double below_;    ///< depth of the sample points, metres
+  double spacing_;  ///< spacing of the grid, metres
 };
 
 }  // namespace
@@ -78,7 +79,7 @@ bool goesAlong(const Vector3& direction, const Body& body, const std::vector<Pos
     const bool turns = path[i].orientation.angularDistance(path[i + 1].orientation) > kTurns;
     Box3 swept = boundingBox(*body.mesh, path[i]).merged(boundingBox(*body.mesh, path[i + 1]));
     if (turns) {
-      // By up to half a circle: no point of the body is farther from where it begins or ends.
+      // For up to half a circle, no point of the body is farther than this from its first or last place.
       const Vector3 beside = Vector3::Constant(2.0 * radiusAboutOrigin(*body.mesh) + 0.5 * way.norm());
       swept = Box3(swept.min() - beside, swept.max() + beside);
     }

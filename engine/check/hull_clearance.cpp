@@ -6,7 +6,7 @@
 namespace glissade::check {
 namespace {
 
-/// Distances that converge shrink by a share each time.
+/// Limit of the iterations; distances that converge shrink by a constant factor in each.
 constexpr int kMostShareMoves = 500;
 
 std::vector<Vector3> placedVertices(const TriangleMesh& mesh, const Pose& X_WM) {
@@ -20,14 +20,14 @@ const Vector3& lowest(const std::vector<Vector3>& points, const Vector3& directi
                            [&](const Vector3& p, const Vector3& q) { return p.dot(direction) < q.dot(direction); });
 }
 
-/// A difference of two vertices and its share of the nearest difference that is known.
+/// A difference of two vertices, with its weight in the nearest difference found.
 struct Share {
   Vector3 difference;
   double share;
 };
 
-/// Share by share, from the difference that is farthest along `nearest` to the one that is least far (Mitchell,
-/// Demyanov and Malozemov 1974).
+/// Moves weight from the difference that is farthest along `nearest` to the one that is least far (Mitchell, Demyanov
+/// and Malozemov 1974).
 void moveShare(std::vector<Share>& shares, const Vector3& to, Vector3& nearest) {
   const auto from = std::max_element(shares.begin(), shares.end(), [&](const Share& p, const Share& q) {
     return p.difference.dot(nearest) < q.difference.dot(nearest);

@@ -4,8 +4,8 @@
 
 namespace glissade::check {
 
-/// The convex hulls of two placed meshes are farther apart than `distance`: a direction is found along which all
-/// vertices of one are so far beyond all of the other. False where none is found.
+/// True if the convex hulls of two placed meshes are shown to be farther apart than `distance`: along one direction,
+/// all vertices of one are beyond all vertices of the other by that much.
 bool hullsAreClear(const TriangleMesh& a, const Pose& X_WA, const TriangleMesh& b, const Pose& X_WB, double distance);
 
 }  // namespace glissade::check

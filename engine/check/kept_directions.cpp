@@ -10,9 +10,9 @@
 namespace glissade::check {
 namespace {
 
-/// Share of the body's size: by less it has not moved.
+/// Share of the body's size. A shorter displacement does not count as a motion.
 constexpr double kUnmoved = 2e-6;
-/// A direction is forbidden where the cosine is larger by more than this: rounding.
+/// Tolerance of the cosine for rounding: beyond it a direction is forbidden.
 constexpr double kRoundingOfCosine = 1e-9;
 
 double touchingDistance(const Body& body) { return tolerance::kTouching * radiusAboutOrigin(*body.mesh); }
@@ -35,7 +35,7 @@ bool areTouching(const Body& body, const Body& other, double distance) {
   return gap.min_distance <= distance * scale;
 }
 
-/// The configurations of the path, and between them so many that no piece turns far.
+/// The configurations of the path, with intermediate ones so that no piece turns far.
 std::vector<Pose> inPieces(const std::vector<Pose>& path) {
   std::vector<Pose> all{path.front()};
   for (std::size_t i = 1; i < path.size(); ++i) {
@@ -84,7 +84,7 @@ bool keepsOut(const ForbiddenMotion& forbidden, const std::vector<Pose>& path) {
     const Vector3 end = places[i] * middle;
     if (!isWrong(end - places[i - 1] * middle) && !isWrong(end - start)) continue;
     const auto before = places.begin() + static_cast<std::ptrdiff_t>(i);
-    // The start does not count: a part that touches nothing does not begin in a forbidden direction either.
+    // The start does not count: a part that touches nothing may not begin in a forbidden direction either.
     return std::any_of(std::next(places.begin()), before, [&](const Pose& X_WB) { return isClear(forbidden, X_WB); });
   }
   return true;

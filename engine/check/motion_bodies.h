@@ -13,18 +13,17 @@
 
 namespace glissade::check {
 
-/// What motions of one product are judged against, made once for all of them: bodies taken thinner, and obstacles.
-/// May be asked by several threads at a time.
+/// Thinned bodies and obstacles for the judgement of motions of one product, each made once. Thread-safe.
 class MotionBodies {
  public:
-  /// `bodies`: of the product, all that motions may be judged against. `keptTriangles`: of obstacles, about half a
-  /// kilobyte each; those that were not asked for longest are made again.
+  /// `bodies`: all bodies of the product that motions may be judged against. `keptTriangles`: limit of the obstacles'
+  /// triangles, about half a kilobyte each; beyond it the obstacles that were unused for longest are dropped.
   explicit MotionBodies(const std::vector<Body>& bodies, std::size_t keptTriangles = 400'000);
 
-  /// The scale of motions in which these meshes take part: of the product's, unless theirs is larger.
+  /// The scale for motions in which these meshes take part: the product's, unless the meshes are larger.
   double scaleFor(const std::vector<const TriangleMesh*>& meshes, const std::vector<Body>& placed) const;
-  /// The mesh taken thinner by the allowance of each triangle; itself where there is none. `share`: as of thinned().
-  /// `core`: that is left of its thread; null: all.
+  /// The mesh thinned by the allowance of each triangle; the mesh itself if there are none. `share`: see thinned().
+  /// `core`: the core that remains of its thread; null: the thread is kept.
   MeshPtr taken(const MeshPtr& mesh, const std::vector<double>& allowances, double share = kThicknessShare,
                 const ThreadCore* core = nullptr);
   MotionCheck::ObstaclePtr obstacle(const MeshPtr& mesh, const Pose& X_WB, double scale);
@@ -34,15 +33,15 @@ class MotionBodies {
     MotionCheck::ObstaclePtr obstacle;
     std::uint64_t askedAt = 0;
   };
-  using Place = std::pair<MeshPtr, std::vector<double>>;  ///< a mesh, and the numbers of its pose and scale
+  using Place = std::pair<MeshPtr, std::vector<double>>;  ///< mesh, and the numbers of its pose and scale
   void forgetOldest();
 
   double scale_;
   std::size_t keptTriangles_;
-  std::mutex mutex_;  ///< of what follows
+  std::mutex mutex_;  ///< protects the members below
   std::map<std::tuple<MeshPtr, std::vector<double>, double, std::optional<ThreadCore>>, MeshPtr> thinned_;
   std::map<Place, Prepared> obstacles_;
-  std::size_t triangles_ = 0;  ///< of the obstacles
+  std::size_t triangles_ = 0;  ///< number of the obstacles' triangles
   std::uint64_t asked_ = 0;
 };
 

@@ -12,11 +12,11 @@
 namespace glissade::check {
 namespace {
 
-/// Distances that are asked for on a screw motion of many turns.
+/// Number of distances that are measured on a screw motion of many turns.
 constexpr std::size_t kDistancesOfHelix = 32;
-/// A turn in a thread is divided so often until its parts are proved edge by edge.
+/// Limit of the parts into which a turn in a thread is divided before its edges are proved one by one.
 constexpr std::size_t kPartsOfTurn = 16;
-/// Clearances are proved down to this share of the smallest distance met.
+/// Share of the smallest distance met down to which clearances are proved.
 constexpr double kCloseShare = 0.5;
 
 TriangleMesh inWorld(const TriangleMesh& whole, const Pose& X_WB, double scale) {
@@ -36,7 +36,7 @@ std::vector<Pose> scaledPath(const std::vector<Pose>& path, double scale) {
 
 fcl::Transform3d placed(const Pose& q) { return Course(q, q).at(0.0); }
 
-/// From the scaled geometry's lengths to metres.
+/// Converts lengths of the scaled geometry to metres.
 MotionVerdict inMetres(MotionVerdict edge, double scale) {
   edge.demanded /= scale;
   edge.minClearance /= scale;
@@ -47,7 +47,7 @@ MotionVerdict inMetres(MotionVerdict edge, double scale) {
   return edge;
 }
 
-/// Takes the verdict on the next edge into that on its path.
+/// Adds the verdict on the next edge to the verdict on its path.
 void addEdge(MotionVerdict& path, const MotionVerdict& edge, const Demand& demand) {
   const bool first = path.edges.empty();
   const std::size_t number = path.edges.size();
@@ -69,9 +69,9 @@ void addEdge(MotionVerdict& path, const MotionVerdict& edge, const Demand& deman
 
 }  // namespace
 
-/// What is proved of an edge as a part of a turn in a thread, in the scaled geometry.
+/// The proof of an edge as a part of a turn in a thread, in the scaled geometry.
 struct MotionCheck::TurnProof {
-  std::vector<bool> open;  ///< groups that are to be proved as on other edges
+  std::vector<bool> open;  ///< groups that still have to be proved as on other edges
   double proved = std::numeric_limits<double>::infinity();
   double minClearance = std::numeric_limits<double>::infinity();  ///< at some configurations of the turn
   Nearest nearest{};
@@ -100,14 +100,14 @@ MotionCheck::MotionCheck(const std::vector<Against>& obstacles, const TriangleMe
   threads_ = std::make_unique<const ThreadMotion>(threads, object);
 }
 
-/// Obstacles of threads are groups of their own: turns in them are proved without regard to the others.
+/// Makes separate groups for obstacles with threads: turns in them are proved without the other obstacles.
 std::unique_ptr<const MotionCheck::Geometry> MotionCheck::geometryOf(const std::vector<Against>& obstacles,
                                                                      const TriangleMesh& object, double scale,
                                                                      const std::vector<bool>& inThread) {
   auto geometry = std::make_unique<Geometry>();
   geometry->scale = scale;
   geometry->object = scaled(object, Vector3::Constant(scale));
-  std::vector<std::pair<MeshPtr, bool>> kinds;  // of the groups
+  std::vector<std::pair<MeshPtr, bool>> kinds;  // mesh of the object and thread of each group
   for (std::size_t i = 0; i < obstacles.size(); ++i) {
     const std::pair<MeshPtr, bool> kind{obstacles[i].object, inThread[i]};
     const auto known = std::find(kinds.begin(), kinds.end(), kind);
@@ -124,9 +124,9 @@ std::unique_ptr<const MotionCheck::Geometry> MotionCheck::geometryOf(const std::
 
 MotionCheck::~MotionCheck() = default;
 
-/// Screw motions of more than a turn are judged as one: all of their edges have the clearance that is shown for the
-/// whole, and the smallest distance that was met at some of its configurations. Where that does not show what is
-/// demanded, the edges are judged one by one.
+/// Judges screw motions of more than a turn as one motion: all edges get the clearance that is proved for the whole
+/// motion, and the smallest distance at some of its configurations. If that proof fails, the edges are judged one by
+/// one.
 std::vector<std::optional<MotionVerdict>> MotionCheck::judgeHelices(const std::vector<Pose>& path,
                                                                     const std::vector<Demand>& demands,
                                                                     const StopToken& stop) const {
@@ -141,7 +141,7 @@ std::vector<std::optional<MotionVerdict>> MotionCheck::judgeHelices(const std::v
     for (std::size_t i = helix.first; i <= helix.last; ++i) {
       known[i] = inMetres(judged, geometry_->scale);
       known[i]->demanded = demands[i].clearance;
-      if (i > helix.first) known[i]->distances = 0;  // counted once
+      if (i > helix.first) known[i]->distances = 0;  // counted once for the motion
     }
   }
   return known;
@@ -177,7 +177,7 @@ MotionVerdict MotionCheck::judgeHelix(const Geometry& geometry, const std::vecto
   return result;
 }
 
-/// Proves the edges of a turn as one, and what is not proved so in parts.
+/// Proves the edges of a turn as one motion; if that fails, in two halves.
 void MotionCheck::proveTurns(const std::vector<Pose>& path, const std::vector<Demand>& demands, const Thread& thread,
                              const Run& run, Proofs& proofs, const StopToken& stop) const {
   if (stop.stopRequested()) return;
@@ -201,7 +201,7 @@ void MotionCheck::proveTurns(const std::vector<Pose>& path, const std::vector<De
   proveTurns(path, demands, thread, {middle + 1, run.last, run.least}, proofs, stop);
 }
 
-/// Edges that turn in one thread, one after the other, are one motion.
+/// Consecutive edges that turn in one thread are one motion.
 MotionCheck::Proofs MotionCheck::turnProofs(const std::vector<Pose>& path, const std::vector<Demand>& demands,
                                             const std::vector<const Thread*>& turned, const StopToken& stop) const {
   Proofs proofs(demands.size());
@@ -286,15 +286,16 @@ std::string MotionCheck::whyUndecided(const Pose& from, const Pose& to, double r
          " comparisons of triangles do not prove it; require less clearance, or divide the edge";
 }
 
-/// In the scaled geometry. A way that is straight, or nearly so, is proved by what the object sweeps; any other, and
-/// one whose sweep comes too near, triangle by triangle.
+/// Works in the scaled geometry. A motion that is straight, or nearly so, is proved by the volume that the object
+/// sweeps; other motions, and those whose sweep comes too near, triangle by triangle.
 MotionVerdict MotionCheck::checkEdge(const Geometry& geometry, const Pose& from, const Pose& to, double required,
                                      const TurnProof* turned, std::optional<Nearest>& atEnd, const StopToken& stop) {
   const Course course(from, to);
   MotionVerdict result;
   result.demanded = required;
   result.minClearance = result.provedClearance = std::numeric_limits<double>::infinity();
-  // What is apart all the way from one edge to the next is on the same side there.
+  // The object stays outside of bodies from one edge to the next, so containment is tested only where an edge has no
+  // predecessor.
   if (const int body = atEnd ? -1 : geometry.container(course.at(0.0)); body >= 0) {
     result.status = Status::Violated;
     result.minClearance = result.provedClearance = 0.0;
@@ -321,7 +322,8 @@ MotionVerdict MotionCheck::checkEdge(const Geometry& geometry, const Pose& from,
   return result;
 }
 
-/// Where an edge begins is where the one before it ends. `atEnd`: what was met there, if it is known; then of this one.
+/// Measures the distances at the ends. `atEnd`: the distance at the end of the previous edge, if known; afterwards that
+/// of this edge.
 void MotionCheck::meetEnds(const Geometry& geometry, const Course& course, const std::vector<bool>& asked,
                            std::optional<Nearest>& atEnd, MotionVerdict& result) {
   const auto meet = [&](double t) {
@@ -343,7 +345,7 @@ void MotionCheck::meetEnds(const Geometry& geometry, const Course& course, const
   meet(1.0);
 }
 
-/// An edge of no length.
+/// Proves an edge without motion.
 bool MotionCheck::proveStanding(const Geometry& geometry, const Course& course, MotionVerdict& result) {
   if (course.speed(geometry.object) > 0.0) return false;
   result.provedClearance = std::min(result.provedClearance, result.minClearance);
@@ -351,7 +353,7 @@ bool MotionCheck::proveStanding(const Geometry& geometry, const Course& course, 
   return true;
 }
 
-/// What is swept comes as near as the object does on its way, but for its turn, which has the same speed all the way.
+/// The sweep approaches obstacles as the object does, except for the object's turn, whose effect is subtracted.
 bool MotionCheck::proveBySweep(const Geometry& geometry, const Course& course, const std::vector<bool>& asked,
                                MotionVerdict& result) {
   const double turn = course.turn(geometry.object);
@@ -369,7 +371,7 @@ bool MotionCheck::proveBySweep(const Geometry& geometry, const Course& course, c
   return true;
 }
 
-/// The clearance is proved down to a share of the smallest distance met, which is that of triangles, too.
+/// Proves the clearance down to a share of the smallest distance met, which includes distances of triangles.
 void MotionCheck::proveByPieces(const Geometry& geometry, const Course& course, const std::vector<bool>& asked,
                                 const StopToken& stop, MotionVerdict& result) {
   EdgeProof proof(course, stop);

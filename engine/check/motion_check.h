@@ -16,52 +16,52 @@ class Course;
 class ThreadMotion;
 struct Helix;
 
-/// The judge of motions: certifies a path with nothing of what planners use but the meshes. It has a course of its own
-/// (rotation vectors), its own speed bound (every vertex), its own argument (halving intervals of time), FCL's
-/// distances of surfaces, and its own test of containment (counting what a ray crosses). Slow and simple.
+/// The judge of motions. It certifies a path independently of the planners, with which it shares only the meshes:
+/// rotation vectors as course, a speed bound over every vertex, halving of time intervals, FCL's distances of surfaces,
+/// and containment by counting ray crossings. Slow and simple.
 class MotionCheck {
  public:
   /// An obstacle, prepared for any number of checks in one scale. Immutable.
   struct Obstacle;
   using ObstaclePtr = std::shared_ptr<const Obstacle>;
   static ObstaclePtr prepare(const TriangleMesh& mesh, const Pose& X_WB, double scale);
-  /// The scale in which all of these can be checked.
+  /// The scale in which all of these meshes can be checked.
   static double scaleFor(const std::vector<const TriangleMesh*>& meshes, const std::vector<Body>& placed);
 
-  /// An obstacle, and what the object is taken to be against it, in the frame of the path.
+  /// An obstacle, and the shape of the object against it, in the frame of the path.
   struct Against {
     ObstaclePtr obstacle;
     MeshPtr object;
   };
-  /// A thread that the object has in common with an obstacle.
+  /// A thread that the object shares with an obstacle.
   struct Threaded {
     Thread thread;      ///< `other` is the number of the obstacle
-    MeshPtr mesh;       ///< the obstacle as it is
-    Pose X_WB;          ///< of the obstacle
-    ObstaclePtr whole;  ///< the same, prepared
+    MeshPtr mesh;       ///< mesh of the obstacle without changes
+    Pose X_WB;          ///< pose of the obstacle
+    ObstaclePtr whole;  ///< `mesh`, prepared
   };
-  /// `object`: whole, holds all that it is taken to be. Obstacles are numbered as they are listed. `threads`: an edge
-  /// on which one is engaged has to be a screw motion about its axis by its pitch; on the others the object and the
-  /// obstacles of threads are whole to each other.
+  /// `object`: the whole object, which contains all of its thinned shapes. Obstacles are numbered by their order.
+  /// `threads`: an edge on which a thread is engaged has to be a screw motion about its axis by its pitch. On other
+  /// edges the object and these obstacles are taken whole.
   MotionCheck(const std::vector<Against>& obstacles, const TriangleMesh& object, double scale,
               const std::vector<Threaded>& threads = {});
   ~MotionCheck();
 
-  /// Every edge against its demand, up to the first that does not keep it. Clearances are bounded closely, but of screw
-  /// motions that are judged as one: their edges have the clearance and the smallest distance of the whole motion. An
-  /// edge that turns by half a circle is undecided: its sense is a matter of rounding.
+  /// Judges each edge against its demand, up to the first one that fails. Clearances are bounded closely, except for
+  /// screw motions that are judged as one: their edges get the clearance and the smallest distance of the whole motion.
+  /// An edge that turns by half a circle is undecided, because rounding decides its sense.
   MotionVerdict check(const std::vector<Pose>& path, const std::vector<Demand>& demands,
                       const WorkWatch& watch = {}) const;
 
-  /// Why check() leaves this motion undecided where nobody has stopped it, as "the edge turns by half a circle".
+  /// The reason why check() leaves this motion undecided without a stop, as in "the edge turns by half a circle".
   std::string whyUndecided(const Pose& from, const Pose& to, double requiredClearance) const;
 
  private:
   struct Group;
   struct Geometry;
   struct TurnProof;
-  using Proofs = std::vector<std::optional<TurnProof>>;  ///< of each edge
-  /// Edges of a turn; they are not divided below `least` edges.
+  using Proofs = std::vector<std::optional<TurnProof>>;  ///< one entry for each edge
+  /// Edges of a turn; runs of `least` or fewer edges are not divided.
   struct Run {
     std::size_t first;
     std::size_t last;
@@ -89,7 +89,7 @@ class MotionCheck {
                     const std::vector<const Thread*>& turned, const StopToken& stop) const;
 
   std::unique_ptr<const Geometry> geometry_;
-  std::unique_ptr<const Geometry> whole_;  ///< against the obstacles of threads; null where there are none
+  std::unique_ptr<const Geometry> whole_;  ///< for obstacles with threads; null: there are none
   std::unique_ptr<const ThreadMotion> threads_;
 };
 

@@ -22,20 +22,20 @@
 #include "engine/check/turn.h"
 #include "engine/geometry/fcl_scale.h"
 
-/// Private data of MotionCheck: included by its implementation only.
+/// Private data of MotionCheck, included by its implementation only.
 namespace glissade::check {
 namespace distances {
 
 using Model = fcl::BVHModel<fcl::OBBRSSd>;
 
-/// FCL's distances between triangles are good to this share of them, and to this share of the largest
-/// coordinate that enters: some 16 roundings.
+/// Relative error of FCL's distances between triangles, and error as a share of the largest coordinate that enters:
+/// about 16 roundings.
 inline constexpr double kRelativeError = 1e-9;
 inline constexpr double kCoordinateError = 4e-15;
-/// Where that comes to more than this share of the clearance, it is undecided.
+/// If the error exceeds this share of the clearance, the motion is undecided.
 inline constexpr double kErrorShare = 0.05;
 
-/// Of two surfaces. The search ends where none is nearer than `enough`: then the result is that, without points.
+/// Distance of two surfaces. If none is nearer than `enough`, the result is `enough`, without points.
 inline fcl::DistanceResultd between(const Model& fixed, const Model& moving, const fcl::Transform3d& X_WB,
                                     double enough) {
   fcl::DistanceResultd gap(enough);
@@ -59,7 +59,7 @@ inline std::vector<Corners> cornersOf(const Model& model) {
   return corners;
 }
 
-/// A surface for FCL's distances and, made when it is asked for first, for proofs by pieces.
+/// A surface for FCL's distances, and for proofs by pieces, whose tree is built at first use.
 struct Surface {
   Model model;
 
@@ -90,17 +90,17 @@ struct MotionCheck::Obstacle {
       : solid(placed), surface(placed), box(boundingBox(placed)), farthest(largestCoordinate(placed)) {}
 };
 
-/// Obstacles that the object is taken equally thin against. All lengths are multiplied by `scale`, those of the poses
-/// that are asked for too.
+/// Obstacles against which the object has the same shape. All lengths are multiplied by `scale`, including those of
+/// poses in queries.
 struct MotionCheck::Group {
   TriangleMesh object;
   RaySolid objectSolid;
   distances::Surface objectSurface;
-  Vector3 middle;  ///< of the object
-  double radius;   ///< about it
+  Vector3 middle;  ///< centre of the object
+  double radius;   ///< radius about `middle`
   std::vector<ObstaclePtr> obstacles;
-  std::vector<int> numbers;  ///< of the obstacles
-  double coordinates;        ///< the largest of the obstacles and of the object in its own frame, together
+  std::vector<int> numbers;  ///< numbers of the obstacles
+  double coordinates;        ///< largest coordinate of the obstacles plus that of the object in its own frame
 
   Group(const TriangleMesh& mesh, double scale)
       : object(welded(scaled(mesh, Vector3::Constant(scale)))),
@@ -120,18 +120,18 @@ struct MotionCheck::Group {
 
   void finish() { coordinates += farthest_; }
 
-  /// Of distances where the object is placed here.
+  /// Error of distances when the object is at this position.
   double errorAt(const Vector3& position) const {
     return distances::kCoordinateError * (coordinates + position.cwiseAbs().maxCoeff());
   }
 
-  /// No point of the object is nearer to the obstacle; rounding is left to errorAt().
+  /// Lower bound on the distance of the object from the obstacle, without the rounding that errorAt() covers.
   double leastDistance(const Obstacle& obstacle, const fcl::Transform3d& X_WB) const {
     return obstacle.box.exteriorDistance(Vector3(X_WB * middle)) * (1.0 - distances::kRelativeError) -
            radius * (1.0 + distances::kRelativeError);
   }
 
-  /// Of those that are nearer than `enough`; infinity where there is none.
+  /// The nearest obstacle within `enough`; infinite distance if there is none.
   Nearest nearest(const fcl::Transform3d& X_WB, double enough) const {
     Nearest found;
     found.distance = std::numeric_limits<double>::infinity();
@@ -157,8 +157,8 @@ struct MotionCheck::Group {
     return found;
   }
 
-  /// Lower bound on the distance on a whole straight way from there, along which the object does not turn. What
-  /// touches no prism's boundary is inside the prism, or nowhere. What is farther than `enough` is not measured.
+  /// Lower bound on the distance on a straight motion without a turn. An obstacle that touches no prism's boundary is
+  /// inside of a prism or outside of all. Obstacles farther than `enough` are not measured exactly.
   double sweptDistance(const fcl::Transform3d& X_WB, const Vector3& way, double enough) const {
     TriangleMesh placed = object;
     for (Vector3& vertex : placed.vertices) vertex = X_WB * vertex;
@@ -186,7 +186,7 @@ struct MotionCheck::Group {
     return least;
   }
 
-  /// At most `enough`, about.
+  /// The bound is limited to about `enough`.
   static double sweptDistance(const Obstacle& obstacle, const distances::Model& swept, const TriangleMesh& placed,
                               const Vector3& way, double enough, double error) {
     const fcl::Transform3d fixed = fcl::Transform3d::Identity();
@@ -200,7 +200,7 @@ struct MotionCheck::Group {
     return std::max(0.0, distance * (1.0 - distances::kRelativeError) - error);
   }
 
-  /// Lower bound on the distance while the object turns about the axis from there by any angle and rises along it.
+  /// Lower bound on the distance while the object turns about the axis by any angle and rises along it.
   double turnedDistance(const fcl::Transform3d& X_WB, const Vector3& point, const Vector3& axis, const Rise& rise,
                         const StopToken& stop) const {
     std::vector<TurnedTriangle> moving;
@@ -218,7 +218,7 @@ struct MotionCheck::Group {
     return std::max(0.0, least * (1.0 - distances::kRelativeError) - error);
   }
 
-  /// Lower bound on the distance on all of a screw motion from there, whatever its turns; at most `enough`.
+  /// Lower bound on the distance on a screw motion, for any number of turns; at most `enough`.
   double helixDistance(const fcl::Transform3d& X_WB, const Helix& helix, double wanted, double enough,
                        const StopToken& stop) const {
     std::vector<Corners> moving;
@@ -230,7 +230,7 @@ struct MotionCheck::Group {
     return std::max(0.0, least * (1.0 - distances::kRelativeError) - error);
   }
 
-  /// The body that the object is inside of, or around; -1 where there is none.
+  /// Number of the body that contains the object or is contained in it; -1 if there is none.
   int container(const fcl::Transform3d& X_WB) const {
     const fcl::Transform3d X_BW = X_WB.inverse();
     for (std::size_t i = 0; i < obstacles.size(); ++i) {
@@ -252,7 +252,7 @@ struct MotionCheck::Group {
                         touch) > 0;
   }
 
-  /// The obstacles by leastDistance(), the nearest first.
+  /// The obstacles in the order of leastDistance(), the nearest first.
   std::vector<std::pair<double, std::size_t>> byLeastDistance(const fcl::Transform3d& X_WB) const {
     std::vector<std::pair<double, std::size_t>> sorted;
     for (std::size_t i = 0; i < obstacles.size(); ++i) sorted.emplace_back(leastDistance(*obstacles[i], X_WB), i);
@@ -272,10 +272,10 @@ struct MotionCheck::Group {
   double farthest_ = 0.0;
 };
 
-/// The groups, all in the same scale.
+/// The groups, all in one scale.
 struct MotionCheck::Geometry {
   double scale = 1.0;
-  TriangleMesh object;  ///< as it is: no vertex of a thinned one is faster
+  TriangleMesh object;  ///< whole object: no vertex of a thinned shape is faster
   std::vector<std::unique_ptr<Group>> groups;
 
   double errorAt(const Vector3& position) const {
@@ -283,12 +283,12 @@ struct MotionCheck::Geometry {
     for (const auto& group : groups) error = std::max(error, group->errorAt(position));
     return error;
   }
-  /// Whether distances along the straight motion are exact enough to be compared with this clearance.
+  /// True if distances along the straight motion are exact enough for a comparison with this clearance.
   bool resolves(const Pose& from, const Pose& to, double clearance) const {
     return std::max(errorAt(from.position), errorAt(to.position)) <= distances::kErrorShare * clearance;
   }
 
-  /// Of those of the groups that are asked, and that are nearer than `enough`; infinity where there is none.
+  /// The nearest obstacle within `enough` in the groups with `asked`; infinite distance if there is none.
   Nearest nearest(const fcl::Transform3d& X_WB, double enough, const std::vector<bool>& asked) const {
     Nearest nearest;
     nearest.distance = std::numeric_limits<double>::infinity();
@@ -309,8 +309,8 @@ struct MotionCheck::Geometry {
     return least;
   }
 
-  /// Proves what it can of a turn about the axis, whatever its angles are: those of the groups are no longer asked that
-  /// keep the clearance. Returns the least that was proved.
+  /// Proves the clearance of a turn about the axis for any angle, group by group; clears `asked` of the groups that
+  /// keep it. Returns the least proved distance.
   double proveTurn(const fcl::Transform3d& X_WB, const Vector3& point, const Vector3& axis, const Rise& rise,
                    double required, std::vector<bool>& asked, const StopToken& stop) const {
     double least = std::numeric_limits<double>::infinity();

@@ -6,21 +6,21 @@
 namespace glissade::check {
 namespace {
 
-/// That the allowances are of the triangles of.
+/// The mesh to whose triangles the allowances belong.
 const MeshPtr& meshOf(const Body& body, const MeshPtr& divided, const std::vector<double>& allowances) {
   return divided && !allowances.empty() ? divided : body.mesh;
 }
 
 }  // namespace
 JudgedMotion judgeMotion(const MotionQuestion& question, MotionBodies& prepared, const WorkWatch& watch) {
-  std::map<MeshPtr, MeshPtr> inPathFrame;  // the object as it is taken
+  std::map<MeshPtr, MeshPtr> inPathFrame;  // shapes of the object in the frame of the path
   const auto placed = [&](const MeshPtr& mesh) {
     MeshPtr& known = inPathFrame[mesh];
     if (!known) known = std::make_shared<const TriangleMesh>(transformed(*mesh, question.X_PB));
     return known;
   };
   const MeshPtr whole = placed(question.moving.mesh);
-  std::vector<MeshPtr> objects;  // for each pair
+  std::vector<MeshPtr> objects;  // the object's shape for each pair
   std::vector<MeshPtr> others;
   std::vector<const TriangleMesh*> meshes{whole.get()};
   std::vector<Body> bodies{question.moving};

@@ -8,15 +8,15 @@
 
 namespace glissade::check {
 
-/// One other body, as a motion is judged against it.
+/// Another body that a motion is judged against.
 struct MotionPair {
-  std::size_t body = 0;  ///< number of the other one, for the caller
+  std::size_t body = 0;  ///< number of the other body, for the caller
   const Body* other = nullptr;
   PairFit fit{};
 };
 
-/// Judges the motion of one body against others, each pair taken as its fit says. `X_PB`: the body in the frame of the
-/// path. The verdict names the others by MotionPair::body.
+/// Judges the motion of one body against others, each pair with the shapes of its fit. `X_PB`: pose of the body in the
+/// frame of the path. The verdict names other bodies by MotionPair::body.
 struct MotionQuestion {
   const Body& moving;
   Pose X_PB;
@@ -27,16 +27,16 @@ struct MotionQuestion {
 
 struct JudgedMotion {
   MotionVerdict verdict;
-  std::string why{};  ///< why it is undecided; else empty
+  std::string why{};  ///< reason of an undecided verdict; else empty
 };
 
 JudgedMotion judgeMotion(const MotionQuestion& question, MotionBodies& prepared, const WorkWatch& watch);
 
-/// Of points whose rotations are of unit length.
+/// The configurations of the points, with unit rotations.
 std::vector<Pose> configurationsOf(const std::vector<Point>& points);
 
-/// What each edge has to keep: the required clearance; half of the contact gap, if that is less, where the edge begins
-/// or ends at a contact configuration.
+/// The demand of each edge: the required clearance, or half of the contact gap if that is less and the edge begins or
+/// ends at a contact configuration.
 std::vector<Demand> demandsOf(const std::vector<Point>& points, double required, double contactGap);
 
 }  // namespace glissade::check

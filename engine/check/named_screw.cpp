@@ -10,12 +10,12 @@
 namespace glissade::check {
 namespace {
 
-/// The cylinder of a screw by the diameter that its name states: drawn by its core, or with what a mesh rounds.
+/// Limits of the ratio of a screw's cylinder to the diameter in its name: a drawn core, and rounding of a mesh.
 constexpr double kThinnest = 0.75;
 constexpr double kThickest = 1.06;
-/// A hole about the axis is one for the screw up to so many of its radii.
+/// Largest radius of a hole for the screw, in radii of the screw.
 constexpr double kHoleReach = 2.0;
-/// By which a point of the shaft may be farther from the axis than its cylinder, as a share.
+/// Relative excess by which a point of the shaft may be outside of its cylinder.
 constexpr double kBeyond = 2e-3;
 constexpr double kOnScrew = 1e-8;  ///< metres: nearer points are on the surface
 constexpr std::size_t kLongestName = 200;
@@ -38,12 +38,12 @@ bool hasWord(const std::string& name, const char* words) {
 
 bool isScrewName(const std::string& name) { return hasWord(name, "screw|bolt|schraube|vis |shcs|bhcs|fhcs"); }
 
-/// Other parts that have sizes of threads.
+/// True for names of other parts that have sizes of threads.
 bool isNoScrewName(const std::string& name) {
   return hasWord(name, "nut|washer|insert|bearing|spacer|standoff|mutter|scheibe|rondelle|ecrou");
 }
 
-/// "M4x10", "M 4 x 10"; of what is a screw by its words, "M4", too.
+/// "M4x10", "M 4 x 10", and "M4" for a part whose words say that it is a screw.
 std::optional<double> metric(const std::string& name, bool isScrew) {
   static const std::regex pattern(R"((?:^|[^A-Za-z0-9])M ?(\d{1,2}(?:[.,]\d{1,2})?)(\s*[xX*]\s*\d)?)");
   for (std::sregex_iterator each(name.begin(), name.end(), pattern), end; each != end; ++each) {
@@ -52,7 +52,7 @@ std::optional<double> metric(const std::string& name, bool isScrew) {
   return std::nullopt;
 }
 
-/// "ST4.2x35"; of what is a screw by its words, "4x30", too.
+/// "ST4.2x35", and "4x30" for a part whose words say that it is a screw.
 std::optional<double> cutting(const std::string& name, bool isScrew) {
   static const std::regex pattern(R"((?:^|[^A-Za-z0-9.,])(ST ?)?(\d{1,2}(?:[.,]\d{1,2})?)(\s*[xX*]\s*\d)?)");
   for (std::sregex_iterator each(name.begin(), name.end(), pattern), end; each != end; ++each) {
@@ -62,7 +62,7 @@ std::optional<double> cutting(const std::string& name, bool isScrew) {
   return std::nullopt;
 }
 
-/// "#10-32", "1/4-20", "1_4-20".
+/// "#10-32", "1/4-20" or "1_4-20".
 std::optional<double> unified(const std::string& name) {
   static const std::regex pattern(R"re((?:#(\d{1,2})|(?:^|[^0-9/_])(\d{1,2})[/_](\d{1,2})"?) ?-(\d{1,2}))re");
   std::smatch match;
@@ -71,7 +71,7 @@ std::optional<double> unified(const std::string& name) {
   return kInch * numberIn(match[2]) / std::max(1.0, numberIn(match[3]));
 }
 
-/// A hole of the host about the axis, where the shaft is.
+/// True if the host has a hole about the axis at the shaft.
 bool hasHole(const PlacedBody& host, const RoundFace& shaft) {
   return std::any_of(host.rounds.begin(), host.rounds.end(), [&](const RoundFace& hole) {
     if (hole.isShaft || hole.radius > kHoleReach * shaft.radius) return false;
@@ -83,8 +83,7 @@ bool hasHole(const PlacedBody& host, const RoundFace& shaft) {
   });
 }
 
-/// Where it is all within the cylinder, the part of the screw that is in the host: the lowest and the highest point
-/// along the axis.
+/// The range along the axis of the screw's part in the host, if that part is within the cylinder.
 class PartInHost {
  public:
   PartInHost(const RoundFace& shaft, const PlacedBody& host) : shaft_(shaft), host_(host) {}
@@ -95,7 +94,7 @@ class PartInHost {
     }
     for (const auto& [a, b, c] : hollow.triangles) {
       const Triangle piece{hollow.vertices[a], hollow.vertices[b], hollow.vertices[c]};
-      if (!isInside((piece[0] + piece[1] + piece[2]) / 3.0)) continue;  // of the host's own surface
+      if (!isInside((piece[0] + piece[1] + piece[2]) / 3.0)) continue;  // it belongs to the host's surface
       for (const Vector3& p : piece) {
         if (isBeyond(p)) return std::nullopt;
         const double along = (p - shaft_.point).dot(shaft_.axis);

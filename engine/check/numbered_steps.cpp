@@ -10,7 +10,7 @@ void takeAway(const Group& group, Present& present) {
   for (const std::size_t body : group) present[body] = false;
 }
 
-/// Numbers of the steps that are carried out before, in whatever order.
+/// Numbers of the steps that are carried out before step `number` in every order.
 std::set<std::size_t> predecessorsOf(std::size_t number, const std::vector<std::set<std::size_t>>& earlier,
                                      NumberedStep& numbered) {
   std::set<std::size_t> before;
@@ -26,7 +26,7 @@ std::set<std::size_t> predecessorsOf(std::size_t number, const std::vector<std::
   return before;
 }
 
-/// A flexible body leaves alone, and says that nothing is proved. Every other step is proved.
+/// Only a step of a flexible body, which leaves alone, may state that it is not certified.
 void checkProof(NumberedStep& numbered) {
   const Step& step = *numbered.step;
   if (step.certified == !step.flexible) return;

@@ -7,21 +7,21 @@
 
 namespace glissade::check {
 
-/// Steps that follow each other among the same bodies: of a plan, or of a group that has left and is taken apart.
+/// Consecutive steps among the same bodies: the steps of a plan, or of a group that has left and is taken apart.
 struct StepList {
   const std::vector<Step>& steps;
   const std::vector<std::string>& staying;  ///< ids
-  Present there;                            ///< when the first step begins
+  Present there;                            ///< bodies that are there when the first step begins
 };
 
-/// A step by numbers of bodies.
+/// A step with its bodies by number.
 struct NumberedStep {
   const Step* step = nullptr;
   Group group{};
-  Present there{};                   ///< in the order of the list
-  Present mayBeThere{};              ///< in any order that keeps what has to be carried out before
-  std::vector<std::string> wrong{};  ///< for people; empty: nothing is
-  std::size_t earlier = 0;           ///< steps of the list before it
+  Present there{};                   ///< bodies that are there in the order of the list
+  Present mayBeThere{};              ///< bodies that are there in some order that keeps all predecessors
+  std::vector<std::string> wrong{};  ///< errors for people; empty: none
+  std::size_t earlier = 0;           ///< number of earlier steps of the list
 };
 
 std::vector<NumberedStep> numberedSteps(const Product& product, const StepList& list);

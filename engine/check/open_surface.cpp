@@ -10,17 +10,17 @@
 namespace glissade::check {
 namespace {
 
-/// Allowances between an open edge and a face that moves, at least.
+/// Least distance between an open edge and a face that moves, in allowances.
 constexpr double kFar = 9.0;
-/// Share of all directions that meet the surface from within, where a point is inside: of a sheet it is a half.
+/// Least share of directions that meet the surface from within, at a point inside; half of them do at a sheet.
 constexpr double kFromWithin = 0.7;
 constexpr int kDirections = 128;
-/// Share of a way that is passed over: where it begins it is on its own face.
+/// Share of a displacement that is skipped at its beginning, which is on the moving face.
 constexpr double kBeginning = 1e-3;
 
 Vector3 middleOf(const Triangle& t) { return (t[0] + t[1] + t[2]) / 3.0; }
 
-/// Spread evenly over the sphere, along a spiral.
+/// Directions that are spread evenly over the sphere, along a spiral.
 std::vector<Vector3> directions() {
   std::vector<Vector3> all;
   const double golden = std::numbers::pi * (3.0 - std::sqrt(5.0));
@@ -32,8 +32,8 @@ std::vector<Vector3> directions() {
   return all;
 }
 
-/// 1 where a ray goes through the triangle towards the side that its corners turn left about, -1 where it comes from
-/// there, 0 where it does not meet it.
+/// 1 if the ray passes the triangle towards the side from which its corners turn left, -1 if it comes from that side, 0
+/// if it misses the triangle.
 int passage(const Vector3& from, const Vector3& direction, const Triangle& t) {
   const Vector3 a = t[0] - from;
   const Vector3 b = t[1] - from;
@@ -49,7 +49,7 @@ int passage(const Vector3& from, const Vector3& direction, const Triangle& t) {
   return height < 0.0 ? -1 : 0;
 }
 
-/// How often the surface is met from within less than from outside, in all directions together, as a share of these.
+/// Number of exits minus entries of rays in all directions, divided by the number of directions.
 double metFromWithin(const Vector3& from, const std::vector<Triangle>& faces) {
   int met = 0;
   for (const Vector3& direction : directions()) {
@@ -83,7 +83,7 @@ class Behind {
     return surface_.normals[f].dot(middleOf(surface_.before[f]) - middleOf(surface_.after[f]));
   }
 
-  /// Corners turn left about the outward normals. All of them do, or none.
+  /// True if corners turn left about the outward normals; this is equal for all triangles.
   bool turnsLeft() const {
     if (moved_.empty()) return true;
     const Triangle& t = surface_.before[moved_.front()];
@@ -94,7 +94,7 @@ class Behind {
     const Vector3 to = middleOf(surface_.after[f]);
     const Vector3 from = middleOf(surface_.before[f]) + kBeginning * (to - middleOf(surface_.before[f]));
     const double way = inwards(f);
-    if (way <= 1e-3 * (to - from).norm()) return true;  // along itself
+    if (way <= 1e-3 * (to - from).norm()) return true;  // the face moves along its plane
     const double near = 1e-6 * way;
     const Box3 box = Box3(from).extend(to);
     for (std::uint32_t other = 0; other < boxes_.size(); ++other) {
@@ -104,7 +104,7 @@ class Behind {
     return true;
   }
 
-  /// Of faces that have moved and hang together by corners: how far the farthest has moved, and which it is.
+  /// For each group of moved faces that are connected by corners: the largest displacement, and its face.
   std::map<std::uint32_t, std::pair<double, std::uint32_t>> farthestOfPieces() const {
     std::map<std::uint32_t, std::uint32_t> link;
     const auto rootOf = [&](std::uint32_t corner) {

@@ -8,27 +8,28 @@
 #include "engine/check/deepest_points.h"
 #include "engine/check/part_cells.h"
 #include "engine/geometry/triangle_crossing.h"
+#include "engine/geometry/vertex_welder.h"
 
 namespace glissade::check {
 namespace {
 
-constexpr double kLeastDepth = 1e-7;    ///< metres: what rounding of coordinates can be
-constexpr double kSameDistance = 1e-9;  ///< metres: distances that differ by less are equal
+constexpr double kLeastDepth = 1e-7;    ///< metres: rounding of coordinates
+constexpr double kSameDistance = 1e-9;  ///< metres: smaller differences of distances count as equal
 constexpr int kMostWidenings = 16;
-/// Near a part, more triangles than these are not all compared with it where it is a clash anyway. Else the part is cut
-/// into cells, down to this share of the largest depth met, unless it is in a thin wall.
+/// If more triangles than kManyTriangles are near a part, not all are compared: a clash is only deepened, and any other
+/// part is cut into cells, down to kFinestShare of the largest depth, unless it is in a thin wall.
 constexpr std::size_t kManyTriangles = 256;
 constexpr double kFinestShare = 0.01;
-/// The largest depth of such a clash is met to this factor.
+/// The largest depth of such a clash is found up to this factor.
 constexpr double kEnough = 1.01;
-/// Points between two questions whether to stop.
+/// Number of points between two checks of the stop token.
 constexpr std::size_t kPointsBetweenStops = 64;
-/// Metres: the other face of a wall is looked for so near first, then twice as far.
+/// Metres: first search distance for the other face of a wall; it is doubled until one is found.
 constexpr double kFirstReach = kClashOverlap / 32.0;
-/// Least cosine between the way from one face of a wall to the other and the inward normal of the one.
+/// Least cosine between the way from one face of a wall to the other and the inward normal of the first face.
 constexpr double kStraightThrough = 0.7;
 
-/// At the middle of the longest edge.
+/// Divides the triangle at the middle of its longest edge.
 void halve(const Triangle& triangle, std::vector<Triangle>& open) {
   std::size_t longest = 0;
   const auto lengthOf = [&](std::size_t edge) { return (triangle[(edge + 1) % 3] - triangle[edge]).squaredNorm(); };
@@ -62,8 +63,8 @@ class DepthSearch {
   }
 
  private:
-  /// Triangles of the body that can be nearest to a point of the part are no farther from it than it is deep. Of a
-  /// clash with a fine mesh not all points are looked at for the depths of faces: what is not met is not allowed.
+  /// Triangles of the body that can be nearest to a point of the part are within its depth. For a clash with a fine
+  /// mesh, not all points are measured for the depths of faces: a depth that is not measured is not allowed.
   void meetTriangle(std::uint32_t number, const StopToken& stop) {
     const Triangle& part = other_.tree.triangles()[number];
     const Vector3& normal = other_.normals[number];
@@ -82,8 +83,8 @@ class DepthSearch {
     }
   }
 
-  /// The largest depth of the part, to a hundredth, for no face. Over a piece of the part the depth grows by no more
-  /// than its points move, and the distance from one triangle of the surface is largest at a corner.
+  /// Finds the largest depth of the part to one per cent, without its face. Over a piece of the part the depth grows by
+  /// no more than the distance of its points, and the distance from one triangle of the surface is largest at a corner.
   void deepen(const Triangle& part, const StopToken& stop) {
     std::vector<Triangle> open{part};
     while (!open.empty() && !stop.stopRequested()) {
@@ -138,8 +139,8 @@ class DepthSearch {
     double reach;
   };
 
-  /// Of a fine mesh: the same to a share of the largest depth. Ends at a point that is deeper than the reach: another
-  /// triangle may be nearer there, and the bounds of the cells are worth nothing.
+  /// The largest depth for a fine mesh, up to a share of it. Ends at a point deeper than the reach: another triangle
+  /// may be nearer there, so the bounds of the cells do not hold.
   double deepestInCells(const Triangle& part, const Vector3& normal, const Near& near, const StopToken& stop) {
     double deepest = 0.0;
     PartCells cells(part, body_.tree.triangles(), body_.normals, near.triangles);
@@ -155,13 +156,13 @@ class DepthSearch {
     return deepest;
   }
 
-  /// One of the triangles is the other side of a thin wall.
+  /// True if one of the triangles is the other side of a thin wall.
   bool isInWall(const std::vector<std::uint32_t>& near, const Vector3& normal) const {
     return std::any_of(near.begin(), near.end(),
                        [&](std::uint32_t t) { return body_.normals[t].dot(normal) > -kFacing; });
   }
 
-  /// A point that is no deeper, and that these are the nearest of, tells nothing new.
+  /// True if a point of this depth, with these nearest triangles, cannot increase a depth.
   bool isKnown(const std::vector<std::uint32_t>& near, const Vector3& normal, double depth) const {
     if (depth > overlap_.deepest) return false;
     return std::all_of(near.begin(), near.end(), [&](std::uint32_t t) {
@@ -170,7 +171,7 @@ class DepthSearch {
     });
   }
 
-  /// The part does not pass through the surface, and its middle is not inside.
+  /// True if the part does not cross the surface, and its centre is not inside.
   bool isOutside(const Triangle& part, const Vector3& normal, const std::vector<std::uint32_t>& near) {
     const bool crosses = std::any_of(near.begin(), near.end(), [&](std::uint32_t t) {
       return trianglesCross(part, body_.tree.triangles()[t], kLeastDepth);
@@ -196,7 +197,7 @@ class DepthSearch {
     return near;
   }
 
-  /// The regions that points of the part can count for, ascending.
+  /// The regions for which points of the part can count, ascending.
   std::vector<std::uint32_t> facing(const std::vector<std::uint32_t>& near, const Vector3& normal) const {
     std::vector<std::uint32_t> regions;
     for (const std::uint32_t t : near) {
@@ -213,10 +214,10 @@ class DepthSearch {
     return met;
   }
 
-  /// Points that are no deeper tell nothing new.
+  /// Depth down to which points cannot increase a depth.
   double metBelow(const std::vector<std::uint32_t>& regions) const { return std::max(leastMet(regions), kLeastDepth); }
 
-  /// One of the triangles, ascending, that do not point along the normal is within the distance.
+  /// True if one of the triangles (ascending) that do not point along the normal is within the distance.
   bool isNearer(const Vector3& p, double distance, const std::vector<std::uint32_t>& triangles,
                 const Vector3& normal) const {
     bool within = false;
@@ -230,8 +231,8 @@ class DepthSearch {
     return within;
   }
 
-  /// Depth of a point of the other surface, 0 outside and on the surface. It counts for the faces that are nearest and
-  /// face it. The other side of a thin wall, which points the same way as the other surface, is passed over.
+  /// Depth of a point of the other surface, 0 outside and on the surface. It counts for the nearest faces that face the
+  /// point. The other side of a thin wall, which points the same way as the other surface, is ignored.
   double meet(const Vector3& p, const Vector3& normal) {
     if (!body_.tree.box().contains(p) || !body_.contains(p)) return 0.0;
     const TriangleTree::Nearest nearest = body_.tree.nearest(p, std::numeric_limits<double>::infinity());
@@ -245,8 +246,8 @@ class DepthSearch {
     return nearest.distance;
   }
 
-  /// Counts the depth for every face that faces the point and is as near as the nearest one: which of them that is,
-  /// rounding decides. Whether there is one.
+  /// Counts the depth for every face that faces the point and is as near as the nearest one, since rounding decides
+  /// between them. True if there is one.
   bool countForNearest(const Vector3& p, const Vector3& normal, const TriangleTree::Nearest& nearest) {
     bool found = false;
     const double reach = nearest.distance + kSameDistance;
@@ -266,15 +267,15 @@ class DepthSearch {
     depth = std::max(depth, met.distance);
   }
 
-  /// The triangle faces the other surface, which has this normal.
+  /// True if the triangle faces the other surface, which has this normal.
   bool isFacing(std::uint32_t triangle, const Vector3& normal) const {
     return body_.normals[triangle].dot(normal) < kFacing;
   }
 
-  /// The other face of a wall that the point is in, of which the nearest face is one: the nearest of those straight
-  /// behind it that do not point along the normal, no farther than the largest overlap that is no clash. A face beside
-  /// the point is none, such as that of a hole beside a face that the other body rests on. The nearest face where there
-  /// is none.
+  /// The other face of the wall that contains the point and to which the nearest face belongs: the nearest face
+  /// straight behind it that does not point along the normal, within the largest overlap that is no clash. A face
+  /// beside the point does not count, such as that of a hole beside a face that the other body rests on. The nearest
+  /// face if there is none.
   TriangleTree::Nearest acrossTheWall(const Vector3& p, const Vector3& normal,
                                       const TriangleTree::Nearest& nearest) const {
     const Vector3 inwards = -body_.normals[nearest.triangle];
@@ -315,13 +316,118 @@ class DepthSearch {
   std::uint32_t triangle_ = 0;
 };
 
+/// Range of the sine of the angle between the axes of a hole and of a tilted shaft in it.
+constexpr double kLeastTilt = 1e-3;
+constexpr double kLargestTilt = 0.2;
+
+/// A hole of a body, and a tilted round shaft of another body that passes through it.
+struct ShaftInHole {
+  const RoundFace& hole;
+  const RoundFace& shaft;
+
+  double alongHole(const Vector3& p) const { return (p - hole.point).dot(hole.axis); }
+  double fromAxisOfHole(const Vector3& p) const { return (p - hole.point).cross(hole.axis).norm(); }
+  Vector3 endOfShaft(double along) const { return shaft.point + along * shaft.axis; }
+
+  bool goesThrough() const {
+    if (hole.isShaft || !shaft.isShaft || shaft.radius > hole.radius + kClashOverlap) return false;
+    const double tilt = hole.axis.cross(shaft.axis).norm();
+    if (tilt < kLeastTilt || tilt > kLargestTilt) return false;
+    const auto [low, high] = std::minmax({alongHole(endOfShaft(shaft.low)), alongHole(endOfShaft(shaft.high))});
+    return low < hole.low && high > hole.high && fromAxisOfHole(shaftAt(hole.low)) < hole.radius &&
+           fromAxisOfHole(shaftAt(hole.high)) < hole.radius;
+  }
+
+  /// The point of the shaft's axis at this height along the hole.
+  Vector3 shaftAt(double along) const {
+    return shaft.point + (along - alongHole(shaft.point)) / shaft.axis.dot(hole.axis) * shaft.axis;
+  }
+
+  double fromAxisOfShaft(const Vector3& p) const { return (p - shaft.point).cross(shaft.axis).norm(); }
+  double offShaft() const { return std::max(kOnCylinder, kShareOfCylinderRadius * shaft.radius); }
+  bool isInShaft(const Vector3& p) const { return fromAxisOfShaft(p) <= shaft.radius + offShaft(); }
+
+  bool isOfHole(const Triangle& triangle) const {
+    const double off = std::max(kOnCylinder, kShareOfCylinderRadius * hole.radius);
+    return std::all_of(triangle.begin(), triangle.end(), [&](const Vector3& p) {
+      const double along = alongHole(p);
+      return along >= hole.low - off && along <= hole.high + off && std::abs(fromAxisOfHole(p) - hole.radius) <= off;
+    });
+  }
+
+  /// True if the body with the shaft is thicker than the shaft somewhere, as at a knob, and not much thicker than the
+  /// hole. A wider hole would let it pass.
+  bool hasKnob(const PlacedBody& body) const {
+    VertexWelder welder(body.mesh.vertices.size());
+    std::vector<std::uint32_t> number;
+    for (const Vector3& vertex : body.mesh.vertices) number.push_back(welder.indexOf(vertex));
+    std::vector<double> from;
+    for (const Vector3& vertex : welder.vertices()) from.push_back(fromAxisOfShaft(vertex));
+    std::vector<bool> isFarthest(from.size(), true);
+    for (const TriangleIndices& corners : body.mesh.triangles) {
+      for (const std::uint32_t a : corners) {
+        for (const std::uint32_t b : corners) {
+          if (from[number[b]] > from[number[a]]) isFarthest[number[a]] = false;
+        }
+      }
+    }
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      const bool isThicker = from[i] > shaft.radius + offShaft() && from[i] <= hole.radius + 2.0 * kClashOverlap;
+      if (isFarthest[i] && isThicker) return true;
+    }
+    return false;
+  }
+
+  /// Depth of the shaft in the wall of the hole, across the axis of the hole, metres.
+  double depth(const PlacedBody& body) const {
+    const double middle = 0.5 * (hole.low + hole.high);
+    const double half = 0.5 * (hole.high - hole.low);
+    double farthest = 0.0;
+    for (const Triangle& triangle : body.tree.triangles()) {
+      if (!std::all_of(triangle.begin(), triangle.end(), [&](const Vector3& p) { return isInShaft(p); })) continue;
+      // Within a triangle, the distance from an axis is largest at a corner of the part that is in the hole.
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Vector3& from = triangle[i];
+        const Vector3 way = triangle[(i + 1) % 3] - from;
+        const double along = alongHole(from) - middle;
+        const double step = way.dot(hole.axis);
+        if (std::abs(along) <= half) farthest = std::max(farthest, fromAxisOfHole(from));
+        for (const double end : {-half, half}) {
+          const double share = step != 0.0 ? (end - along) / step : -1.0;
+          if (share >= 0.0 && share <= 1.0) farthest = std::max(farthest, fromAxisOfHole(from + share * way));
+        }
+      }
+    }
+    return farthest - hole.radius;
+  }
+};
+
+/// Adds the depth of tilted shafts at the walls of their holes. A tilted shaft is deepest at the rims, where the face
+/// around the hole is nearer to its points than the wall. The wall counts across the axis of the hole.
+void deepenHoles(const PlacedBody& body, const PlacedBody& other, Overlap& overlap) {
+  for (const RoundFace& hole : body.rounds) {
+    for (const RoundFace& round : other.rounds) {
+      const ShaftInHole pair{hole, round};
+      if (!pair.goesThrough()) continue;
+      const double depth = std::min(kClashOverlap, pair.depth(other));
+      if (depth <= kLeastDepth || pair.hasKnob(other)) continue;
+      for (std::uint32_t t = 0; t < body.mesh.triangles.size(); ++t) {
+        double& ofRegion = overlap.depths[body.regions.of[t]];
+        if (ofRegion > 0.0 && ofRegion < depth && pair.isOfHole(body.tree.triangles()[t])) ofRegion = depth;
+      }
+    }
+  }
+}
+
 }  // namespace
 
 Overlap overlapIn(const PlacedBody& body, const PlacedBody& other, const StopToken& stop) {
   if (!body.interior || !body.tree.box().intersects(other.tree.box())) {
     return {std::vector<double>(body.regions.count, 0.0), 0.0, 0.0};
   }
-  return DepthSearch(body, other).search(stop);
+  Overlap overlap = DepthSearch(body, other).search(stop);
+  if (overlap.deepest > 0.0) deepenHoles(body, other, overlap);
+  return overlap;
 }
 
 }  // namespace glissade::check

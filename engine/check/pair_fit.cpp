@@ -12,7 +12,7 @@
 namespace glissade::check {
 namespace {
 
-/// Metres, as kEstimate.
+/// Absolute counterpart of kEstimate, metres.
 constexpr double kEstimateAtLeast = 2e-7;
 
 std::vector<double> limited(const std::vector<double>& atMost, double stated) {
@@ -21,7 +21,7 @@ std::vector<double> limited(const std::vector<double>& atMost, double stated) {
   return largest(allowances) > 0.0 ? allowances : std::vector<double>();
 }
 
-/// Taken so, no point of the one is nearer to the other than the gap.
+/// True if no two points of the meshes are nearer than the gap.
 bool areApart(const TriangleMesh& one, const TriangleMesh& other, double gap) {
   bool apart = true;
   const TriangleTree a(one);
@@ -63,7 +63,7 @@ void apply(const StatedAllowance& stated, PairWork& work) {
   work.fit.refusals.push_back(allowanceRefused(allowance, why));
 }
 
-/// Taken so, the pair is free where it is assembled.
+/// True if the pair with its allowances is free where it is assembled.
 bool isFree(const PairWork& work) {
   const auto taken = [&](const AllowanceBound& bound, const Body& body, const std::vector<double>& allowances) {
     return allowances.empty() ? *body.mesh : thinned(bound.mesh ? *bound.mesh : *body.mesh, allowances, work.fit.share);
@@ -76,9 +76,9 @@ bool isFree(const PairWork& work) {
                      [&](const Pose& end) { return areApart(transformed(own, end), others, gap); });
 }
 
-/// Takes thinner what the evidence bears. The moving body gives way if that is enough, else the other one, else both.
-/// Both give way at once if one is below a part of a face of the other one, because they slide past the rest of the
-/// face.
+/// Applies the allowances of the evidence: to the moving body if that is enough, else to the other body, else to both.
+/// If one body is below a part of a face of the other one, both are thinned at once, because they slide past the rest
+/// of the face.
 void applyOwn(PairWork& work) {
   if (const std::string refused = work.bounds.refused(); !refused.empty()) {
     AppliedAllowance& allowance = work.add(false, 0.0);

@@ -13,63 +13,63 @@
 
 namespace glissade::check {
 
-/// An allowance as it was applied in a judgement.
+/// An allowance as a judgement applied it.
 struct AppliedAllowance {
-  std::string moving;  ///< ids
+  std::string moving;  ///< id of the moving body
   std::string other;
-  std::string thinner;  ///< names, for people: of the body that is taken thinner
+  std::string thinner;  ///< name of the thinned body, for people
   std::string against;
-  bool yields = false;             ///< the other one is taken thinner
-  bool core = false;               ///< its thread is taken away
-  bool hollow = false;             ///< what the other one fills is taken away; `applied` is its depth
-  bool screwHole = false;          ///< the other one is a screw, for which the file has no hole
-  std::optional<double> stated{};  ///< metres, by the file
-  double applied = 0.0;            ///< metres, of the face that moves farthest
-  double most = 0.0;               ///< metres that the meshes and the person give
-  Evidence evidence{};             ///< for that
+  bool yields = false;             ///< the other body is taken thinner
+  bool core = false;               ///< the thread of the body is taken away
+  bool hollow = false;             ///< the volume that the other body fills is taken away; `applied` is its depth
+  bool screwHole = false;          ///< the other body is a screw for which the file has no hole
+  std::optional<double> stated{};  ///< metres, as the file states it
+  double applied = 0.0;            ///< metres, at the face that moves farthest
+  double most = 0.0;               ///< metres that the meshes and the person permit
+  Evidence evidence{};             ///< evidence for `most`
   std::optional<Thread> thread{};
-  double plainOverlap = 0.0;  ///< metres: depth of the pair, where PairBounds::isPlainOverlap
-  double bend = 0.0;  ///< metres, by which a person says that the hook of the thinner body bends; 0: it has none
+  double plainOverlap = 0.0;  ///< metres: depth of the pair if PairBounds::isPlainOverlap
+  double bend = 0.0;          ///< bend of the thinner body's hook that a person states, metres; 0: no hook
 };
 
-/// How the two bodies of a pair are taken while the one moves past the other.
+/// The shapes of the two bodies of a pair while one moves past the other.
 struct PairFit {
-  /// Allowance of each triangle of the moving one, as AllowanceBound::mesh has them; empty: it is whole.
+  /// Allowance of each triangle of the moving body, for AllowanceBound::mesh; empty: the body is whole.
   std::vector<double> moving{};
   std::vector<double> other{};
   MeshPtr meshOfMoving{};  ///< AllowanceBound::mesh
   MeshPtr meshOfOther{};
-  MeshPtr hollowMoving{};  ///< without what the other one fills; null: it is not hollow
+  MeshPtr hollowMoving{};  ///< mesh without the volume that the other body fills; null: the body is not hollow
   MeshPtr hollowOther{};
-  double depth = 0.0;                     ///< metres: PairBounds::depth
-  std::optional<ScrewInSolid> inSolid{};  ///< one is hollow because the other one is a screw that makes its hole
-  bool acceptedClash = false;             ///< one is hollow, and the pair would be refused if nobody accepted it
-  double share = kThicknessShare;         ///< as AllowanceBound::share, of either
-  std::optional<Thread> thread{};         ///< its `other` is left to the caller
-  /// Of the shaft of the thread, in its frame; nothing: no thread is taken away.
+  double depth = 0.0;                     ///< PairBounds::depth, metres
+  std::optional<ScrewInSolid> inSolid{};  ///< set if one body is a screw that makes its hole in the other
+  bool acceptedClash = false;             ///< one body is hollow, and the pair would be refused without acceptance
+  double share = kThicknessShare;         ///< see AllowanceBound::share; the larger one of the two
+  std::optional<Thread> thread{};         ///< `other` is left to the caller
+  /// Core of the shaft of the thread, in its frame; nothing: no thread is taken away.
   std::optional<ThreadCore> core{};
   std::vector<AppliedAllowance> applied{};
-  std::vector<std::string> refusals{};  ///< for people; empty: nothing is wrong
+  std::vector<std::string> refusals{};  ///< errors for people; empty: none
 
   bool isThinned() const { return !moving.empty() || !other.empty() || core || hollowMoving || hollowOther; }
-  /// Null: the body's thread is not taken away.
+  /// Null: the body's thread is kept.
   const ThreadCore* coreOfMoving() const { return core && thread->movingIsShaft ? &*core : nullptr; }
   const ThreadCore* coreOfOther() const { return core && !thread->movingIsShaft ? &*core : nullptr; }
 };
 
-/// What is asked about a pair.
+/// The input for the fit of a pair.
 struct PairQuestion {
   const Body& moving;
   const Body& other;
-  std::vector<Pose> assembled;                                ///< configurations of the moving one
-  const std::optional<std::vector<StatedAllowance>>& stated;  ///< of the path or the step
-  std::string first;                                          ///< id of who moves where an allowance names nobody
-  std::vector<Pose> path;                                     ///< of the moving body
+  std::vector<Pose> assembled;                                ///< configurations of the moving body
+  const std::optional<std::vector<StatedAllowance>>& stated;  ///< statements of the path or the step
+  std::string first;                                          ///< id of the moving body for allowances that name none
+  std::vector<Pose> path;                                     ///< configurations of the moving body
 };
 
-/// Takes the pair as the file says, as far as the meshes and the person's words bear it. Where the file states nothing
-/// because its format cannot, what these bear is applied: to the moving body where it has room for that, else to the
-/// other one, else to both.
+/// Takes the pair as the file states it, as far as the meshes and a person's statements permit. If the format of the
+/// file has no allowances, the permitted ones are applied: to the moving body if that is enough, else to the other
+/// body, else to both.
 PairFit fitOf(const PairQuestion& question, const FitWords& fits, PlacedBodies& bodies, const StopToken& stop);
 
 }  // namespace glissade::check

@@ -9,7 +9,7 @@
 namespace glissade::check {
 namespace {
 
-/// A hook bends on the way that the person says, and on no other one.
+/// True if the path follows the exit direction that a person states for the hook.
 bool bends(const PairWork& work) {
   const SnapWord* snap = work.fits.snapOf(work.question.moving.id, work.question.other.id);
   if (snap == nullptr) return false;
@@ -17,15 +17,15 @@ bool bends(const PairWork& work) {
   return goesAlong(way, work.question.moving, work.question.path, work.question.other);
 }
 
-/// Metres; 0: the body has no hook that bends.
+/// Bend of the body's hook, metres; 0: it has no hook that bends.
 double bendOf(const PairWork& work, bool yields) {
   const SnapWord* snap = work.fits.snapOf(work.question.moving.id, work.question.other.id);
   if (snap == nullptr || (yields ? work.bounds.other : work.bounds.one).share != kHookShare) return 0.0;
   return snap->bend;
 }
 
-/// As the path has it where it begins or ends in the thread; that of no turn is a tenth of the diameter, so that the
-/// path is refused for not turning.
+/// The pitch of the path where it begins or ends in the thread. For a path without a turn it is a tenth of the
+/// diameter, so that the path is refused.
 double pitchOfPath(std::vector<Pose> path, const Thread& thread) {
   const double far = (path.front().position - thread.assembled.position).norm();
   if ((path.back().position - thread.assembled.position).norm() < far) std::reverse(path.begin(), path.end());

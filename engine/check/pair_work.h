@@ -7,26 +7,27 @@
 
 namespace glissade::check {
 
-/// By which two careful estimates of the same bound may differ, as a share of it.
+/// Relative difference within which two careful estimates of a bound agree.
 inline constexpr double kEstimate = 0.02;
 
-/// 0 where there are none.
+/// 0 if there are no values.
 double largest(const std::vector<double>& values);
 
-/// A pair while a judgement takes it: what is asked, and what has been found so far.
+/// The judgement of a pair: its input and its intermediate results.
 struct PairWork {
-  /// Finds what the pair may be taken thinner, with this word about it; null: nobody said anything.
+  /// Finds the allowances of the pair with this statement about it; null: nobody has stated anything.
   void findBounds(const PairWord* about);
-  /// An allowance of the moving body or, where it yields, of the other one, with what `bounds` says of it.
+  /// Adds an allowance of the moving body or, if `yields`, of the other body, with the evidence of `bounds`.
   AppliedAllowance& add(bool yields, double applied);
-  /// The pitch is a person's, else the stated one, else that of the path. Which body may turn is a person's word.
+  /// Sets the pitch: a person's, else the stated one, else that of the path. Sets which body may turn by a person's
+  /// statement.
   void heedWord(Thread& thread, const std::optional<double>& stated);
 
   const PairQuestion& question;
   const FitWords& fits;
   PlacedBodies& bodies;
   const StopToken& stop;
-  const PairWord* word;  ///< a person's about the pair; null: none
+  const PairWord* word;  ///< a person's statement about the pair; null: none
   PairBounds bounds{};
   PairFit fit{};
 };

@@ -9,9 +9,9 @@
 namespace glissade::check {
 namespace {
 
-/// Cosine: triangles whose normals differ by less face about the same way.
+/// Least cosine between normals of triangles that face about the same way.
 constexpr double kSameWay = 0.94;
-/// Of so many triangles it is looked whether they are convex.
+/// Largest number of triangles that are tested for convexity.
 constexpr std::size_t kFewTriangles = 32;
 constexpr double kRounding = 1e-9;  ///< metres
 
@@ -37,7 +37,7 @@ PartCell PartCells::take() {
   return cell;
 }
 
-/// Across the longest edge.
+/// Divides the cell across its longest edge.
 void PartCells::halve(const PartCell& cell) {
   std::size_t longest = 0;
   const auto edge = [&](std::size_t i) { return (cell.corners[(i + 1) % 3] - cell.corners[i]).squaredNorm(); };
@@ -72,7 +72,7 @@ PartCell PartCells::cellOf(const Triangle& corners, const std::vector<std::uint3
   return cell;
 }
 
-/// No point of the cell is deeper, as far as the planes of the triangles say; infinity: they do not.
+/// Upper bound on the depth of points of the cell by the planes of the triangles; infinity if they give none.
 double PartCells::belowPlanes(const PartCell& cell) const {
   const Vector3& first = normals_[cell.near.front()];
   const bool sameWay =
@@ -90,7 +90,7 @@ double PartCells::belowPlanes(const PartCell& cell) const {
   return convex ? least : most;
 }
 
-/// None of a few triangles is above the plane of another one.
+/// True if none of a few triangles is above the plane of another one.
 bool PartCells::isConvex(const std::vector<std::uint32_t>& near) const {
   if (near.size() > kFewTriangles) return false;
   return std::all_of(near.begin(), near.end(), [&](std::uint32_t t) {

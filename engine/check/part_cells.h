@@ -13,29 +13,30 @@ struct PartCell {
   Triangle corners;
   std::vector<std::uint32_t> near;
   Vector3 middle;
-  double radius;          ///< of the cell about its middle, metres
-  double distance = 0.0;  ///< of the middle from the nearest of them, metres
-  double bound = 0.0;     ///< no point of the cell is farther from the surface, metres
+  double radius;          ///< radius of the cell about its middle, metres
+  double distance = 0.0;  ///< distance of the middle from the nearest of the triangles, metres
+  double bound = 0.0;     ///< upper bound on the distance of points of the cell from the surface, metres
 };
 
-/// Metres.
+/// Length in metres.
 double longestEdge(const Triangle& triangle);
 
-/// The cells of a part that may hold a point that is deep below the other surface: the most promising first.
+/// The cells of a part that may contain a point deep below the other surface; the one with the largest bound first.
 ///
-/// A depth is the distance from the other surface. So it changes by no more than the way between two points, and it is
-/// no more than the distance from one triangle, which is largest at a corner of the cell. Where all triangles that can
-/// be nearest face about the same way, it is no more than the cell is below one of their planes; where they are convex,
-/// no more than below each of them. So a cell at a common edge of triangles need not become as small as the depth.
+/// A depth is the distance from the other surface. It changes by no more than the distance of two points, and it is no
+/// more than the distance from one triangle, which is largest at a corner of the cell. If all triangles that can be
+/// nearest face about the same way, it is no more than the depth below one of their planes; if they are convex, no more
+/// than the depth below each of them. A cell at a common edge of triangles therefore need not become as small as the
+/// depth.
 class PartCells {
  public:
-  /// `triangles`, `normals`: of the other surface, unit, outwards. `near`: those of them that can be nearest to a point
-  /// of the part. Refers to `triangles` and `normals`.
+  /// `triangles`, `normals`: of the other surface; normals are unit and point outwards. `near`: indices of the
+  /// triangles that can be nearest to a point of the part. Refers to `triangles` and `normals`.
   PartCells(const Triangle& part, const std::vector<Triangle>& triangles, const std::vector<Vector3>& normals,
             const std::vector<std::uint32_t>& near);
 
   bool empty() const { return open_.empty(); }
-  /// The cell whose points may be the deepest. Not of none.
+  /// Takes the cell with the largest bound. Precondition: not empty().
   PartCell take();
   void halve(const PartCell& cell);
 

@@ -9,7 +9,7 @@
 
 namespace glissade::check {
 
-/// A thread as a file states it, world frame, where the product is assembled.
+/// A thread as a file states it, in the world frame where the product is assembled.
 struct StatedThread {
   Vector3 point = Vector3::Zero();
   Vector3 direction = Vector3::UnitZ();
@@ -21,19 +21,19 @@ struct StatedThread {
 /// An allowance as a file states it.
 struct StatedAllowance {
   std::string moving;      ///< id; empty: the object, or the first body of the step
-  std::string body;        ///< id of the other one
+  std::string body;        ///< id of the other body
   double allowance = 0.0;  ///< metres
-  bool yields = false;     ///< the other one is taken thinner, not the moving one
+  bool yields = false;     ///< the other body is taken thinner, not the moving one
   bool isThread = false;   ///< the file calls the pair a thread
   std::optional<double> pitch{};
   std::optional<StatedThread> thread{};
-  bool hollow = false;                 ///< what the other body of the pair fills is taken away
-  std::optional<StatedThread> core{};  ///< its thread, which is taken away: the pair comes apart by turning only
-  std::optional<double> overlap{};     ///< metres, as measured
-  std::optional<Evidence> evidence{};  ///< of the largest allowance of the pair
-  std::optional<double> turns{};       ///< that the moving body turns out of it
+  bool hollow = false;                 ///< the volume that the other body of the pair fills is taken away
+  std::optional<StatedThread> core{};  ///< thread that is taken away: the pair comes apart by turning only
+  std::optional<double> overlap{};     ///< measured overlap, metres
+  std::optional<Evidence> evidence{};  ///< evidence for the largest allowance of the pair
+  std::optional<double> turns{};       ///< turns of the moving body in the thread
 
-  /// About this pair, ids. `first`: the object, or the first body of the step.
+  /// True if it belongs to this pair of ids. `first`: the object, or the first body of the step.
   bool isAbout(const std::string& movingBody, const std::string& other, const std::string& first) const {
     return (moving.empty() ? first : moving) == movingBody && body == other;
   }

@@ -10,7 +10,7 @@ namespace glissade::check {
 namespace {
 
 constexpr double kRoundingOfRadius = 1e-6;  ///< share of the object's radius
-constexpr double kNearEnds = 1e-5;          ///< metres: what is farther has no allowance
+constexpr double kNearEnds = 1e-5;          ///< metres: bodies that are farther apart have no allowance
 
 Box3 obstaclesBox(const Question& question) {
   Box3 box;
@@ -34,7 +34,7 @@ void judgeEnds(const Question& question, const std::vector<Pose>& path, PathVerd
       box.isEmpty() || box.exteriorDistance(path.back().position) >= metric.radius() * (1.0 - kRoundingOfRadius);
 }
 
-/// Edges are straight, and so stay inside where both of their ends do.
+/// The first configuration outside of the workspace. Edges are straight, so they stay inside if both of their ends do.
 std::optional<std::size_t> firstOutside(const Question& question, const std::vector<Pose>& path) {
   Box3 bounds = question.workspace;
   bounds.extend(question.object().X_WB.position);
@@ -47,7 +47,8 @@ std::optional<std::size_t> firstOutside(const Question& question, const std::vec
   return std::nullopt;
 }
 
-/// No plane separates the segment from the closed box: none across an axis, none along the segment and an axis.
+/// Tests the axes that can separate the segment from the closed box: the coordinate axes, and their products with the
+/// segment.
 bool meetsBox(const Vector3& from, const Vector3& to, const Box3& box, double margin) {
   const Vector3 half = 0.5 * (box.max() - box.min()) + Vector3::Constant(margin);
   const Vector3 middle = 0.5 * (from + to) - 0.5 * (box.min() + box.max());
@@ -66,7 +67,7 @@ void judgeForbidden(const Question& question, const std::vector<Pose>& path, Pat
   if (!question.forbidden.empty()) {
     verdict.forbiddenMargin = tolerance::kForbiddenMargin * radiusAboutOrigin(*question.object().mesh);
     verdict.forbidden = firstForbidden(path, question.forbidden, verdict.forbiddenMargin);
-  } else if (question.forbidsPlaces) {
+  } else if (question.product.forbidsPlaces) {
     verdict.refusals.push_back("the scenario forbids places, and where they are is not known");
   }
 }
@@ -77,7 +78,7 @@ double largestOfOthers(const std::vector<Body>& bodies, double (*valueOf)(const 
   return largest;
 }
 
-/// An allowance for bodies that do not meet is about nothing.
+/// Refuses allowances whose bodies are not the object and another body.
 void checkNames(const Question& question, const std::vector<StatedAllowance>& stated, PathVerdict& verdict) {
   const auto& bodies = question.product.bodies;
   for (const StatedAllowance& each : stated) {

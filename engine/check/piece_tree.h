@@ -17,19 +17,19 @@ class PieceTree {
 
   struct Triangle {
     Corners corners;
-    Vector3 normal;  ///< unit; zero where it has no area
+    Vector3 normal;  ///< unit; zero for a triangle without area
   };
   struct Node {
     Box3 box;
     Vector3 middle;
-    double radius = 0.0;       ///< of a ball about the middle
-    std::uint32_t first = 0;   ///< triangle of a leaf, else node
-    std::uint32_t second = 0;  ///< node
-    bool isLeaf = false;       ///< it has one triangle
+    double radius = 0.0;       ///< radius of a ball about `middle`
+    std::uint32_t first = 0;   ///< triangle for a leaf, else first child
+    std::uint32_t second = 0;  ///< second child
+    bool isLeaf = false;       ///< the node has one triangle
   };
 
   bool empty() const { return nodes_.empty(); }
-  /// The first one is the root.
+  /// The first node is the root.
   const std::vector<Node>& nodes() const { return nodes_; }
   const std::vector<Triangle>& triangles() const { return triangles_; }
 
@@ -37,7 +37,7 @@ class PieceTree {
   void build(std::uint32_t node, std::uint32_t first, std::uint32_t last);
 
   std::vector<Triangle> triangles_;
-  std::vector<std::uint32_t> order_;  ///< while it is built
+  std::vector<std::uint32_t> order_;  ///< used while the tree is built
   std::vector<Node> nodes_;
 };
 

@@ -10,8 +10,8 @@ double rounded(double number) {
   return std::round(number / kStep) * kStep + 0.0;  // no -0
 }
 
-/// The same pose for all poses that differ by rounding errors only. So no result depends on which of congruent pairs is
-/// measured first.
+/// Maps poses that differ by rounding errors to one pose, so that no result depends on which of several congruent pairs
+/// is measured first.
 Pose rounded(const Pose& pose) {
   const auto& q = pose.orientation;
   const Quaternion same = q.w() < 0.0 ? Quaternion(-q.coeffs()) : q;
@@ -21,8 +21,8 @@ Pose rounded(const Pose& pose) {
   return {{rounded(p.x()), rounded(p.y()), rounded(p.z())}, Quaternion(coefficients).normalized()};
 }
 
-/// Of a pair, the first body stays in its own frame and is prepared once. The second body is prepared for each relative
-/// pose, so the larger mesh is the first.
+/// The first body of a pair stays in its own frame and is prepared once; the second one is prepared for each relative
+/// pose. The larger mesh is therefore the first.
 bool isFirst(const Body& one, const Body& other) {
   const std::size_t triangles = one.mesh->triangles.size();
   const std::size_t others = other.mesh->triangles.size();
@@ -79,8 +79,8 @@ PairBounds PlacedBodies::boundsOf(const Placement& one, const Placement& other, 
   return bounds;
 }
 
-/// In the frame of the body with the hook. A person says the direction where the product is assembled. Nothing is added
-/// for a bend that no hook of the body has.
+/// Works in the frame of the body with the hook; the direction is stated where the product is assembled. Adds nothing
+/// for a bend larger than any hook of the body permits.
 void PlacedBodies::addHook(const SnapWord& snap, const Placement& hook, const Placement& edge, AllowanceBound& bound,
                            const StopToken& stop) {
   if (snap.bend > mostBendOf(*hook.body.mesh)) return;

@@ -17,24 +17,24 @@
 
 namespace glissade::check {
 
-/// A body where it is compared with others; it may be assembled elsewhere.
+/// A body at the pose in which it is compared with others; it may be assembled elsewhere.
 struct Placement {
   const Body& body;
   Pose X_WB;
 };
 
-/// Bodies that are prepared once, and pairs that are measured once, for any number of threads. Pairs of the same two
-/// meshes that are at the same pose relative to each other, to 60 picometres, are one pair.
+/// Prepares bodies once and measures pairs once. Thread-safe. Pairs of the same two meshes at the same relative pose,
+/// to 60 picometres, are one pair.
 class PlacedBodies {
  public:
   const PlacedBody& at(const Placement& placement);
-  /// What the evidence gives for the two bodies, in this order. After a stop the pair is not remembered.
+  /// The allowances that the evidence gives for the two bodies, in this order. After a stop the pair is not stored.
   PairBounds boundsOf(const Placement& one, const Placement& other, const FitWords& fits, const PairWord* word,
                       const StopToken& stop);
 
-  /// The body without what the guest fills, in the body's frame; null where hollowed() has nothing.
+  /// The body without the volume that the guest fills, in the body's frame; null if hollowed() gives nothing.
   MeshPtr hollowOf(const Placement& body, const Placement& guest, const StopToken& stop);
-  /// Which of the two is cut where their clash is accepted.
+  /// The body that is cut if their clash is accepted.
   Cut cutOf(const Placement& one, const Placement& other, const FitWords& fits, const StopToken& stop);
 
  private:
@@ -44,7 +44,7 @@ class PlacedBodies {
   using HookKey = std::tuple<const PlacedBody*, const PlacedBody*, double, double, double, double>;
   PairBounds boundsInContact(const Placement& one, const Placement& other, const FitWords& fits, const PairWord* word,
                              const StopToken& stop);
-  /// A pair in the frame of its first body, which does not depend on the order in which the two are given.
+  /// A pair in the frame of its first body, whichever order the two were given in.
   struct Ordered {
     bool isInOrder;
     const PlacedBody& first;
@@ -52,7 +52,7 @@ class PlacedBodies {
     Pose second;
   };
   Ordered ordered(const Placement& one, const Placement& other);
-  /// `otherBody`: of the other one, which is placed in the frame of the one.
+  /// `otherBody`: the body of `other`, which is placed in the frame of `one`.
   MeasuredPtr measured(const PlacedBody& one, const PlacedBody& other, const Body& otherBody, const StopToken& stop);
   void addHook(const SnapWord& snap, const Placement& hook, const Placement& edge, AllowanceBound& bound,
                const StopToken& stop);

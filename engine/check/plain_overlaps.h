@@ -8,7 +8,7 @@
 
 namespace glissade::check {
 
-/// A pair that overlaps and is no fit, no thread and no press fit: somebody has drawn a part too large.
+/// A pair that overlaps and is no fit, no thread and no press fit: a part is drawn too large.
 struct PlainOverlap {
   std::string one;  ///< names, for people
   std::string other;

@@ -10,19 +10,19 @@
 
 namespace glissade::check {
 
-/// A rule that a step says it does not keep, and the bodies that it is about.
+/// A rule that a step says it breaks, and the bodies that the rule concerns.
 struct StatedViolation {
   std::string rule;
   std::vector<std::string> bodies;  ///< ids
 };
 
-/// A joint that a step says comes apart by it. Nothing: the plan does not state the number.
+/// A joint that a step says comes apart by it. An empty member: the plan does not state it.
 struct StatedJoint {
   std::string kind;
   std::string body;                 ///< id
   std::vector<std::string> others;  ///< ids
   std::string drive{};              ///< "hex", "hex_socket", ...; empty: none
-  bool isNamed = false;             ///< a designation says what it is
+  bool isNamed = false;             ///< it has a designation
   std::optional<double> diameter{};
   std::optional<double> pitch{};  ///< metres a turn; below 0: left-handed
   std::optional<double> turns{};
@@ -32,9 +32,9 @@ struct StatedJoint {
   bool isScrewed() const { return kind == "screw" || kind == "nut" || kind == "thread"; }
 };
 
-/// What a step says was proved of its motion.
+/// The proof that a step states for its motion.
 struct StatedProof {
-  std::size_t afterSteps = 0;  ///< against those that are there after so many steps
+  std::size_t afterSteps = 0;  ///< bodies: those that are there after this number of steps
   std::optional<double> required{};
   std::optional<double> provedClearance{};
   std::optional<double> minClearance{};
@@ -43,37 +43,37 @@ struct StatedProof {
 
 /// A step as a plan states it.
 struct Step {
-  std::vector<std::string> bodies;  ///< ids of those that leave
+  std::vector<std::string> bodies;  ///< ids of the bodies that leave
   std::vector<Point> path;
   std::vector<std::size_t> after;  ///< steps that have to be carried out before, from 1
   std::vector<StatedAllowance> allowances;
   std::vector<StatedViolation> violates;
-  bool certified = true;  ///< what the step says of itself
-  bool flexible = false;  ///< it says so of its one body, of whose motion nothing is proved
+  bool certified = true;  ///< the step says that it is certified
+  bool flexible = false;  ///< the step says that its one body is flexible, so that its motion is not proved
   std::vector<StatedJoint> joints{};
   std::optional<StatedProof> proof{};
-  bool unit = false;  ///< it says that its bodies are one unit
+  bool unit = false;  ///< the step says that its bodies are one unit
   std::optional<std::uint64_t> wave{};
   std::optional<std::uint64_t> task{};
 };
 
-/// A group that has left, taken apart in a frame of its own: nothing but its bodies is there.
+/// The disassembly of a group that has left, in a frame of the group: only its bodies are there.
 struct Line {
-  std::size_t step = 0;              ///< by which it has left, from 1, of the plan or of the line above it
+  std::size_t step = 0;  ///< number, from 1, of the step by which the group has left, in the plan or in the line above
   std::vector<std::string> bodies;   ///< ids
   std::vector<std::string> staying;  ///< ids
   std::vector<Step> steps;
-  std::vector<Line> lines;  ///< of its groups
+  std::vector<Line> lines;  ///< lines of groups that leave this group
 };
 
-/// An assembly plan as its file states it. Nothing is taken for true.
+/// An assembly plan as its file states it; no statement of it is trusted.
 struct Plan {
   std::vector<std::string> bodies;   ///< ids
   std::vector<std::string> staying;  ///< ids
   std::vector<Step> steps;
   std::string end;  ///< "complete", "stuck", "time_limit" or "interrupted"
   Demands demands{};
-  std::vector<SnapWord> snaps{};  ///< bends that it says a person has confirmed
+  std::vector<SnapWord> snaps{};  ///< bends of which the plan says that a person has confirmed them
   PartingWords partings{};
   JointWords joints{};
   double deflection = 0.0;  ///< metres; 0: not stated

@@ -7,7 +7,7 @@
 namespace glissade::check {
 namespace {
 
-/// The plan and the product have the same bodies, each once.
+/// Checks that the plan and the product have the same bodies, each once.
 void compareBodies(const Product& product, const Plan& plan, std::vector<std::string>& wrong) {
   std::set<std::string> ofProduct;
   for (const Body& body : product.bodies) ofProduct.insert(body.id);
@@ -33,7 +33,7 @@ void compareNumber(const char* what, const std::optional<std::uint64_t>& claimed
                   std::to_string(found));
 }
 
-/// A demand about nothing would not be checked.
+/// Finds demands on names that no body has: they would not be checked.
 void findNamesOfNothing(const Product& product, const Demands& demands, std::vector<std::string>& wrong) {
   std::vector<std::string> names;
   const auto add = [&](const std::vector<std::string>& some) { names.insert(names.end(), some.begin(), some.end()); };

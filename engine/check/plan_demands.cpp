@@ -21,7 +21,7 @@ Group bodiesOf(const std::vector<std::string>& names, const Product& product) {
   return all;
 }
 
-/// The body of the step that moves in a direction that is forbidden to it, for people; empty: none does.
+/// Names the body of the step that moves in a direction forbidden to it, for people; empty: none.
 std::string againstDirections(const Step& step, const Group& group, const Present& there, const Product& product,
                               const Demands& demands) {
   for (const auto& [name, direction] : demands.forbidden) {
@@ -49,7 +49,7 @@ bool says(const Step& step, const std::string& rule, const std::string& id) {
   });
 }
 
-/// Of the first body.
+/// The name of the first body.
 const std::string& nameOf(const Group& group, const Product& product) { return product.bodies[group.front()].name; }
 
 bool isSameMotion(const std::vector<Pose>& demanded, const std::vector<Point>& path) {

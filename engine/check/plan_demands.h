@@ -8,21 +8,21 @@
 
 namespace glissade::check {
 
-/// Which bodies of a product are there: one entry each.
+/// Bodies of a product that are there: one entry for each body.
 using Present = std::vector<bool>;
 /// Numbers of bodies, ascending.
 using Group = std::vector<std::size_t>;
 
-/// The bodies that a person means by the name, ascending: bodiesMeant().
+/// Numbers of the bodies with this name, ascending: see bodiesMeant().
 Group bodiesNamed(const Product& product, const std::string& name);
 
-/// The demands that a step does not keep, for people.
+/// The demands that a step breaks, for people.
 struct BrokenDemands {
-  std::string refused{};             ///< the first that the step does not say it does not keep; empty: there is none
-  std::vector<Condition> givenUp{};  ///< that the step says it does not keep
+  std::string refused{};             ///< the first broken demand that the step does not admit; empty: none
+  std::vector<Condition> givenUp{};  ///< broken demands that the step admits
 };
 
-/// Of the step of this number (from 1). `there`: the bodies when it begins, its own included.
+/// Judges the step with this number (from 1). `there`: the bodies that are there when it begins, its own included.
 BrokenDemands brokenDemands(const Step& step, const Group& group, const Present& there, std::size_t number,
                             const Product& product, const Demands& demands);
 

@@ -13,7 +13,7 @@ using Ids = std::set<std::string>;
 
 Ids idsOf(const std::vector<std::string>& ids) { return {ids.begin(), ids.end()}; }
 
-/// "'a', 'b', 'c'"; "'a', 'b', 'c', … (17)".
+/// "'a', 'b', 'c'" or, for many, "'a', 'b', 'c', … (17)".
 std::string namesInWords(const Ids& ids, const Product& product) {
   constexpr std::size_t kMostNames = 3;
   std::string words;
@@ -32,7 +32,7 @@ const Body* bodyOf(const std::string& id, const Product& product) {
   return nullptr;
 }
 
-/// A person says that both are of one unit, or one is pressed into the other.
+/// True if a person says that both belong to one unit, or if one is pressed into the other.
 bool areJoined(const std::string& one, const std::string& other, const Product& product, PlacedBodies& placed) {
   const auto isIn = [](const std::vector<std::string>& unit, const std::string& id) {
     return std::find(unit.begin(), unit.end(), id) != unit.end();
@@ -46,7 +46,7 @@ bool areJoined(const std::string& one, const std::string& other, const Product& 
   return a != nullptr && b != nullptr && isPressedIn(placed.at({*a, a->X_WB}), placed.at({*b, b->X_WB}));
 }
 
-/// Each is joined to another one of them, and all hang together.
+/// True if the bodies are connected by such joints.
 bool isUnit(const Ids& ids, const Product& product, PlacedBodies& placed) {
   Ids reached{*ids.begin()};
   std::vector<std::string> open{*ids.begin()};
@@ -92,7 +92,7 @@ class LeavingCount {
     addCluster(remaining, remaining == idsOf(line.staying));
   }
 
-  /// Bodies that are never taken off each other.
+  /// Counts a group of bodies that are never taken apart.
   void addCluster(const Ids& ids, bool isSaidToBeUnit) {
     if (ids.size() <= 1 || isSaidToBeUnit) leaving_.apart += ids.size();
     if (ids.size() <= 1) {

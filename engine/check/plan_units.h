@@ -9,20 +9,21 @@
 
 namespace glissade::check {
 
-/// How the bodies of a plan leave.
+/// Numbers of bodies by the way in which they leave a plan.
 struct Leaving {
-  std::size_t alone = 0;                ///< or taken off the group that they have left with
-  std::size_t asUnits = 0;              ///< with others that are handled as one
-  std::size_t inGroups = 0;             ///< with others, and not taken apart
-  std::size_t apart = 0;                ///< alone, or in what the plan says is a unit
-  std::vector<Condition> conditions{};  ///< units that the plan states itself
+  std::size_t alone = 0;     ///< bodies that leave alone, or are taken off the group with which they have left
+  std::size_t asUnits = 0;   ///< bodies that leave with others that are handled as one
+  std::size_t inGroups = 0;  ///< bodies that leave in a group that is not taken apart
+  std::size_t apart = 0;     ///< bodies that leave alone, or in a unit by a person's or the plan's statement
+  std::vector<Condition> conditions{};  ///< units that only the plan states
 };
 
-/// A unit is what a person says is one, what is pressed into each other, or what the plan says is one: that is a
-/// condition.
+/// A unit is a group that a person or the plan calls a unit, or parts that are pressed into each other. A unit by the
+/// plan's statement is a condition.
 Leaving leavingOf(const Plan& plan, const Product& product, PlacedBodies& placed);
 
-/// That the bodies of the plan's base stay, where it has several no person says that they stay, and they are no unit.
+/// The condition that the bodies of the plan's base stay, if there are several, no person says so, and they are no
+/// unit.
 std::vector<Condition> baseOf(const Plan& plan, const Product& product, PlacedBodies& placed);
 
 }  // namespace glissade::check

@@ -14,10 +14,10 @@
 namespace glissade::check {
 namespace {
 
-/// Deeper than groups of groups come.
+/// Limit of the nesting of groups.
 constexpr std::size_t kMostDepth = 32;
 
-/// The two largest, together.
+/// Sum of the two largest deflections.
 double largestTwo(const Product& product) {
   std::vector<double> values(2, 0.0);
   for (const Body& body : product.bodies) values.push_back(deflectionOf(body));
@@ -25,7 +25,7 @@ double largestTwo(const Product& product) {
   return values[0] + values[1];
 }
 
-/// A list of steps, and what is said of it.
+/// A list of steps with its verdict.
 struct JudgedList {
   std::vector<NumberedStep> steps;
   LineVerdict verdict;
@@ -39,7 +39,7 @@ Present presentOnly(const std::vector<std::string>& ids, const Product& product)
   return there;
 }
 
-/// What of a line's claims does not agree with the step by which its group has left.
+/// Claims of a line that contradict the step by which its group has left.
 std::vector<std::string> wrongLine(const Line& line, const std::vector<Step>& above) {
   if (line.step == 0 || line.step > above.size())
     return {"it states \"step\": " + std::to_string(line.step) + ", and there are " + std::to_string(above.size())};
@@ -57,7 +57,7 @@ std::vector<std::string> wrongLine(const Line& line, const std::vector<Step>& ab
   return wrong;
 }
 
-/// The lines of these steps, and those below them.
+/// Adds the lines of these steps, and those below them.
 void addLines(const std::vector<Line>& lines, const std::vector<Step>& above, const LineVerdict& parent,
               const Product& product, std::vector<JudgedList>& lists) {
   std::set<std::size_t> known;
@@ -73,8 +73,7 @@ void addLines(const std::vector<Line>& lines, const std::vector<Step>& above, co
   }
 }
 
-/// What a person says about the places and motions of steps, and about steps of several bodies, is about those of the
-/// plan.
+/// A person's demands on places, motions and groups of steps concern the steps of the plan, and not those of lines.
 Demands ofLines(Demands demands) {
   demands.places.clear();
   demands.motions.clear();
@@ -91,7 +90,7 @@ void judgeDemands(const NumberedStep& step, const Demands& demands, const Produc
   result.conditions.insert(result.conditions.end(), broken.givenUp.begin(), broken.givenUp.end());
 }
 
-/// With the bends that only the plan states.
+/// The product with the bends that only the plan states.
 Product withBends(Product product, const Plan& plan) {
   for (SnapWord word : plan.snaps) {
     word.byPlan = true;

@@ -12,15 +12,16 @@
 namespace glissade::check {
 namespace {
 
-/// Radians: an axis that is tilted by less is not tilted.
+/// Largest tilt of an axis that counts as none, radians.
 constexpr double kTilt = 1e-4;
 constexpr double kFullTurn = 2.0 * std::numbers::pi;
-/// Radians, from which on the pitch of a turn is taken.
+/// Turn from which the pitch is computed, radians.
 constexpr double kEnoughTurn = 0.01;
-/// In diameters of the shaft: what is steeper is a pull with a turn in it. Screws for wood have 0.45.
+/// Largest pitch of a turn, in diameters of the shaft: a steeper motion is a pull with a turn. Screws for wood have
+/// 0.45.
 constexpr double kSteepest = 0.5;
 
-/// Metres: radii that differ by less are equal.
+/// Difference below which radii are equal, metres.
 constexpr double kLeastPressed = 5e-7;
 
 bool isDeepAsThread(const CommonThread& pair, double overlap) {
@@ -92,7 +93,7 @@ class TurnOut {
  public:
   explicit TurnOut(const CommonThread& thread) : thread_(thread) {}
 
-  /// How much of the thread is pulled, metres; 0: it is turned out.
+  /// Length of the thread that is pulled, metres; 0: it is turned out.
   double pulled(const std::vector<Pose>& path) {
     const Pose start = inverse(path.front());
     double turnedUpTo = 0.0;
@@ -106,13 +107,13 @@ class TurnOut {
     return rest > std::max(isTooSteep() ? 0.0 : pitch_.value_or(0.0), kOnCylinder) ? rest : 0.0;
   }
 
-  /// Metres a turn, below 0: left-handed; 0: it does not turn.
+  /// Pitch in metres a turn, below 0: left-handed; 0: the motion does not turn.
   double pitch() const { return (isRight_ ? 1.0 : -1.0) * pitch_.value_or(0.0); }
 
  private:
   bool isTooSteep() const { return pitch_.value_or(0.0) > kSteepest * 2.0 * thread_.radius; }
 
-  /// The edge turns about the axis by the pitch.
+  /// True if the edge turns about the axis by the pitch.
   bool follow(const Pose& from, const Pose& to) {
     const Eigen::AngleAxisd rotation((to.orientation * from.orientation.conjugate()).normalized());
     const Vector3 vector = rotation.angle() * rotation.axis();
@@ -133,7 +134,7 @@ class TurnOut {
   }
 
   const CommonThread& thread_;
-  std::optional<double> pitch_;  ///< metres, of the motion; nothing: it has not turned yet
+  std::optional<double> pitch_;  ///< pitch of the motion, metres; nothing before the first turn
   bool isRight_ = true;
   double turn_ = 0.0;     ///< radians
   double advance_ = 0.0;  ///< metres

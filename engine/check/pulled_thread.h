@@ -9,7 +9,7 @@
 
 namespace glissade::check {
 
-/// A pair of bodies where the product is assembled, the one of which is to leave the other.
+/// An assembled pair of bodies, one of which leaves the other.
 struct LeavingPair {
   const PlacedBody& moving;
   const PlacedBody& other;
@@ -26,9 +26,9 @@ struct LeavingPair {
 struct CommonThread {
   Vector3 point;
   Vector3 axis;
-  double depth;   ///< by which the shaft is thicker than the hole, metres
-  double radius;  ///< of the shaft
-  double low;     ///< of the moving one's cylinder, along the axis from the point
+  double depth;   ///< excess of the shaft over the hole, metres
+  double radius;  ///< radius of the shaft
+  double low;     ///< range of the moving body's cylinder, along the axis from `point`
   double high;
   double lowOther;
   double highOther;
@@ -36,9 +36,9 @@ struct CommonThread {
   double pitch = 0.0;  ///< metres a turn, of a helix that is modelled; below 0: left-handed; 0: none is
 };
 
-/// A share of the shaft's radius: what is thicker than its hole by more is neither pressed nor slid in. Threads are
-/// deeper, those of ISO 261 by 0.06 radii or more, and none by 0.3. The bodies overlap by half of that depth or more:
-/// else the one cylinder is around the material of the other.
+/// Limits in radii of the shaft. A shaft that exceeds its hole by more than the first is neither pressed nor slid in.
+/// Threads are deeper: those of ISO 261 by 0.06 radii or more, and none by 0.3. The bodies overlap by at least half of
+/// that depth, or one cylinder is around the material of the other body.
 inline constexpr double kLeastThreadDepth = 0.05;
 inline constexpr double kMostThreadDepth = 0.3;
 
@@ -48,16 +48,16 @@ inline constexpr double kMostThreadDepth = 0.3;
 /// be pulled: planners ask for it while they make a motion, and the judge when it judges one.
 std::vector<CommonThread> commonThreads(const LeavingPair& pair);
 
-/// How much of the threads a motion pulls instead of turning the body off, for people; empty: nothing. While the two
-/// are around each other, the body turns about the axis and advances by the same pitch in each turn; the last pitch may
-/// be pulled, because a thread ends in its run-out. `path`: of the moving body, from where the product is assembled.
+/// Describes how much of the threads a motion pulls instead of turning the body off, for people; empty: nothing. While
+/// the two cylinders are engaged, the body turns about the axis and advances by the same pitch in each turn. The last
+/// pitch may be pulled, because a thread ends in its run-out. `path`: of the moving body, from its assembled pose.
 std::string pulledThread(const std::vector<CommonThread>& threads, const std::vector<Pose>& path);
 
-/// Where the product is assembled, a shaft of the one is thicker than the hole of the other that it is in, by no more
-/// than what can be pressed in.
+/// True if an assembled shaft of one body is thicker than the hole of the other that contains it, by an excess that can
+/// be pressed in.
 bool isPressedIn(const PlacedBody& one, const PlacedBody& other);
 
-/// A thread that a motion turns in.
+/// A thread in which a motion turns.
 struct TurnedThread {
   double pitch = 0.0;     ///< metres a turn of the motion; below 0: left-handed
   double diameter = 0.0;  ///< of the shaft, metres
@@ -65,8 +65,8 @@ struct TurnedThread {
 };
 std::vector<TurnedThread> turnedThreads(const std::vector<CommonThread>& threads, const std::vector<Pose>& path);
 
-/// By how much a shaft of the one is thicker than the hole of the other that it is in, metres, at most, where that may
-/// be a thread or a press fit; else 0.
+/// Largest excess, metres, of a shaft of one body over a hole of the other that contains it, if it can be a thread or a
+/// press fit; else 0.
 double roundOverlap(const PlacedBody& one, const PlacedBody& other);
 
 }  // namespace glissade::check

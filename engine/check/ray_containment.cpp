@@ -9,12 +9,12 @@
 namespace glissade::check {
 namespace {
 
-/// Rays tried before a point is given up: each new one grazes some edge with probability near zero.
+/// Limit of the rays for a point: each new one grazes an edge with probability near zero.
 constexpr int kMostRays = 64;
-/// Nearer than this to a triangle's border, in its barycentric coordinates, a ray grazes it.
+/// A ray grazes a triangle if it is within this distance of the border, in barycentric coordinates.
 constexpr double kGrazing = 1e-9;
 
-/// For each vertex the first one at the same place.
+/// For each vertex, the first vertex at the same position.
 std::vector<std::uint32_t> sameVertices(const TriangleMesh& mesh) {
   std::map<std::tuple<double, double, double>, std::uint32_t> first;
   std::vector<std::uint32_t> same;
@@ -31,7 +31,7 @@ std::uint32_t rootOf(std::vector<std::uint32_t>& parent, std::uint32_t at) {
   return at;
 }
 
-/// Directions spread evenly over the sphere.
+/// Directions that are spread evenly over the sphere.
 Vector3 direction(int index) {
   const double z = 1.0 - (2.0 * index + 1.0) / kMostRays;
   const double around = 2.399963229728653 * index + 0.7312;
@@ -46,7 +46,7 @@ RaySolid::RaySolid(TriangleMesh mesh) : mesh_(std::move(mesh)) {
   const std::vector<std::uint32_t> same = sameVertices(mesh_);
   std::vector<std::uint32_t> parent(same.size());
   std::iota(parent.begin(), parent.end(), 0U);
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<int, int>> edges;  // uses, and their sense
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<int, int>> edges;  // uses, and sum of their senses
   for (const TriangleIndices& corners : mesh_.triangles) {
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t a = same[corners[i]];
@@ -75,7 +75,7 @@ bool RaySolid::contains(const Vector3& point) const {
   for (int ray = 0; ray < kMostRays; ++ray) {
     if (const auto count = crossings(point, direction(ray))) return *count != 0;
   }
-  return true;  // no ray got through cleanly: the careful answer
+  return true;  // no ray without grazing: inside is the careful answer
 }
 
 std::optional<int> RaySolid::crossings(const Vector3& point, const Vector3& direction) const {
@@ -89,7 +89,7 @@ std::optional<int> RaySolid::crossings(const Vector3& point, const Vector3& dire
     if (area == 0.0) continue;
     const Vector3 w = point - mesh_.vertices[a];
     if (std::abs(slope) <= kGrazing * area) {
-      if (std::abs(w.dot(normal)) <= kGrazing * area * box_.diagonal().norm()) return std::nullopt;  // along its plane
+      if (std::abs(w.dot(normal)) <= kGrazing * area * box_.diagonal().norm()) return std::nullopt;  // in the plane
       continue;
     }
     const double second = u.cross(w).dot(direction) / slope;

@@ -32,7 +32,7 @@ std::vector<std::string> columnsOf(const std::string& line, const char* separato
   return columns;
 }
 
-/// Reads lines of numbers: a CSV by its header, else OMPL's columns.
+/// Reads lines of numbers: a CSV by its header, or the columns of OMPL.
 class ColumnReader {
  public:
   explicit ColumnReader(std::string file) : file_(std::move(file)) {}

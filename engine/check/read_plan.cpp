@@ -19,7 +19,7 @@ std::vector<std::string> textsOf(const JsonCursor& at) {
   return texts;
 }
 
-/// Metres, 0 or more.
+/// A length in metres, at least 0.
 double lengthAt(const JsonCursor& at) {
   const double value = at.coordinate();
   if (value < 0.0) at.fail("is below zero");
@@ -41,7 +41,7 @@ StatedJoint readJoint(const JsonCursor& at) {
   return joint;
 }
 
-/// Null stands for no body that is near.
+/// Null means that no body is near.
 std::optional<double> clearanceAt(const std::optional<JsonCursor>& at) {
   if (!at) return std::nullopt;
   return at->json().is_null() ? std::numeric_limits<double>::infinity() : lengthAt(*at);
@@ -108,7 +108,7 @@ std::vector<Step> readSteps(const JsonCursor& at) {
   return steps;
 }
 
-/// Files are not nested deeper than 32 values.
+/// The recursion ends because the JSON reader refuses nesting deeper than 32.
 std::vector<Line> linesIn(const JsonCursor& at) {
   std::vector<Line> lines;
   const auto list = at.find("lines");

@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 
 bool isUrdf(const std::string& file) { return endingOf(file) == "urdf"; }
 
-/// "product.step:pump" is an assembly in a STEP file, unless a file is called so.
+/// Splits "product.step:pump", an assembly in a STEP file, unless a file has that name.
 std::pair<std::string, std::string> splitPart(const std::string& text) {
   std::error_code none;
   for (std::size_t at = text.find(':'); at != std::string::npos; at = text.find(':', at + 1)) {
@@ -41,7 +41,7 @@ Diagnostic stopped(const std::string& file) {
   return {ErrorKind::Interrupted, file, "", "was not read to its end", "Start again."};
 }
 
-/// Names become those that people see.
+/// Replaces names by those that people see.
 void shorten(Product& product) {
   std::vector<std::string> ids;
   for (const Body& body : product.bodies) ids.push_back(body.id);
@@ -49,7 +49,7 @@ void shorten(Product& product) {
   for (std::size_t i = 0; i < product.bodies.size(); ++i) product.bodies[i].name = shown[i];
 }
 
-/// Being inside a body whose surface is open is not seen.
+/// Warns that the inside of a body with an open surface is not detected.
 void warnIfOpen(const Body& body, const std::string& file, std::map<MeshPtr, bool>& known, Warnings& warnings) {
   const auto [at, isNew] = known.try_emplace(body.mesh, false);
   if (isNew) at->second = edgeFactsOf(welded(*body.mesh)).open == 0;
@@ -137,7 +137,7 @@ void choose(const FitChoice& choice, FitWords& fits) {
   fits.cut.insert(fits.cut.end(), choice.cut.begin(), choice.cut.end());
 }
 
-/// Each about the middle of its box; meshes that were shared still are.
+/// Moves the frame of each body to the centre of its box; meshes stay shared.
 void centre(std::vector<Body>& bodies) {
   std::map<MeshPtr, std::pair<Vector3, MeshPtr>> known;
   for (Body& body : bodies) {
@@ -184,8 +184,7 @@ Result<ReadParts> partsOf(const Asset& asset, const std::string& part, const Par
   return read;
 }
 
-/// What a plan states may be finer than what is usual for a part, never coarser.
-/// False where that was coarser for a part.
+/// Takes the stated deflection of each part if it is finer than the usual one. False if it was coarser for a part.
 bool takeFiner(std::vector<Body>& usual, const std::vector<Body>& stated, double deflection) {
   bool all = true;
   for (std::size_t i = 0; i < usual.size() && usual.size() == stated.size(); ++i) {
@@ -228,12 +227,12 @@ Result<Product> productOfParts(const std::string& text, double deflection, const
 
 namespace {
 
-/// A scenario's file with the bodies that it speaks of.
+/// A scenario file with the bodies that it names.
 struct ReadScenario {
   StatedScenario stated;
-  std::vector<Body> others;        ///< that do not move
-  std::vector<Body> objectBodies;  ///< as bodies of the product
-  Body object;                     ///< as the one body that moves
+  std::vector<Body> others;        ///< bodies that do not move
+  std::vector<Body> objectBodies;  ///< bodies of the object as bodies of the product
+  Body object;                     ///< the object as one moving body
   glissade::Product tree;
   Warnings warnings{};
   MissingShapes missing{};
@@ -295,7 +294,7 @@ Result<ReadScenario> readScenario(const std::string& file, const StopToken& stop
   return read;
 }
 
-/// The product with these bodies for the object.
+/// The product of the scenario with these bodies as the object.
 Product productOf(const ReadScenario& read, const std::vector<Body>& object, const std::string& file) {
   Product product;
   product.bodies = read.others;
@@ -308,6 +307,7 @@ Product productOf(const ReadScenario& read, const std::vector<Body>& object, con
   shorten(product);
   product.demands = read.stated.demands;
   product.joints = read.stated.joints;
+  product.forbidsPlaces = read.stated.forbidsPlaces;
   return product;
 }
 
@@ -329,7 +329,6 @@ Result<Question> readQuestion(const std::string& file, const FitChoice& fits, co
   if (scenario.goal) question.goal = unitRotation(*scenario.goal);
   question.workspace = scenario.workspace;
   question.forbidden = scenario.forbidden;
-  question.forbidsPlaces = scenario.forbidsPlaces;
   if (const Outcome taken = takeParameters(scenario, file, question); !taken) return taken.error();
   return question;
 }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kFewestTriangles = 6;
 
-/// The first region of the smooth surface that each region is of.
+/// For each region, the first region of its smooth surface.
 std::vector<std::uint32_t> smoothSurfaces(const FaceRegions& regions) {
   std::vector<std::uint32_t> first(regions.count, regions.count);
   for (std::uint32_t r = 0; r < regions.count; ++r) {
@@ -60,7 +60,7 @@ std::optional<RoundFace> roundThrough(const std::vector<Vector3>& points, const 
   return round;
 }
 
-/// The direction that the normals of the triangles are across.
+/// The direction to which the normals of the triangles are perpendicular.
 Vector3 directionOf(const PlacedBody& body, const std::vector<std::uint32_t>& triangles) {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   for (const std::uint32_t t : triangles) sum += body.normals[t] * body.normals[t].transpose();
@@ -68,7 +68,7 @@ Vector3 directionOf(const PlacedBody& body, const std::vector<std::uint32_t>& tr
   return solver.eigenvectors().col(0);
 }
 
-/// Of the triangles of a region whose normals are across the direction.
+/// The cylinder through the triangles of a region whose normals are perpendicular to the direction.
 std::optional<RoundFace> roundFaceOf(const PlacedBody& body, const std::vector<std::uint32_t>& triangles,
                                      const Vector3& direction) {
   std::vector<Vector3> points;

@@ -7,11 +7,12 @@
 
 #include "engine/base/limits.h"
 #include "engine/check/stated_json.h"
+#include "engine/geometry/pose_json.h"
 
 namespace glissade::check {
 namespace {
 
-/// Metres a turn: what is above is no pitch of anything. Diameters limit it further (thread_axis.h).
+/// Limits of a stated pitch, metres a turn. Diameters limit it further (thread_axis.h).
 constexpr double kLeastStatedPitch = 1e-5;
 constexpr double kMostStatedPitch = 1.0;
 
@@ -46,8 +47,8 @@ Geometry readShape(const JsonCursor& at, const std::set<std::string>& assets) {
                         step->has("as_one") && step->at("as_one").boolean()};
   }
   if (const auto box = at.find("box")) {
-    if (!limits::isSize(box->vector().minCoeff())) box->fail("has a size that is not above zero, or below 1e-12 m");
-    return BoxGeometry{box->vector()};
+    if (!limits::isSize(readVector(*box).minCoeff())) box->fail("has a size that is not above zero, or below 1e-12 m");
+    return BoxGeometry{readVector(*box)};
   }
   if (const auto cylinder = at.find("cylinder")) {
     return CylinderGeometry{cylinder->at("radius").length(), cylinder->at("length").length()};
@@ -60,11 +61,11 @@ StatedScenario::StatedBody readStatedBody(const JsonCursor& at, const std::set<s
   body.id = at.at("id").nonEmptyText();
   body.name = at.has("name") ? at.at("name").text() : body.id;
   body.geometry = readShape(at.at("geometry"), assets);
-  if (const auto pose = at.find("pose")) body.pose = pose->pose();
+  if (const auto pose = at.find("pose")) body.pose = readPose(*pose);
   return body;
 }
 
-/// A person says of the body that it does not leave.
+/// True if a person says that the body does not leave.
 bool saysThatItStays(const JsonCursor& body) {
   const auto attributes = body.find("attributes");
   if (!attributes) return false;
@@ -202,13 +203,13 @@ StatedScenario readStatedScenario(const JsonCursor& root) {
   if (const auto leftOut = root.find("left_out")) addBodies(*leftOut, scenario.leftOut);
   if (const auto product = root.find("product")) scenario.nodes = readNodes(*product);
   if (const auto centre = object.find("centre_on_vertex_mean")) scenario.centreOnVertexMean = centre->boolean();
-  if (const auto point = object.find("reference_point")) scenario.referencePoint = point->vector();
-  scenario.start = root.at("start").pose();
+  if (const auto point = object.find("reference_point")) scenario.referencePoint = readVector(*point);
+  scenario.start = readPose(root.at("start"));
   const JsonCursor goal = root.at("goal");
-  if (!goal.isString()) scenario.goal = goal.pose();
+  if (!goal.isString()) scenario.goal = readPose(goal);
   if (goal.isString() && goal.text() != "out") goal.fail("is neither a configuration nor \"out\"");
   const JsonCursor workspace = root.at("workspace");
-  scenario.workspace = Box3(workspace.at("min").vector(), workspace.at("max").vector());
+  scenario.workspace = Box3(readVector(workspace.at("min")), readVector(workspace.at("max")));
   if (const auto parameters = root.find("parameters")) {
     for (const auto& item : parameters->json().items()) {
       const auto id = parameterByKey(item.key());

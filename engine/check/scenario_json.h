@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/json_reader.h"
 #include "engine/base/parameters.h"
 #include "engine/check/product.h"
 #include "engine/import/asset.h"
-#include "engine/import/json_reader.h"
 
 namespace glissade::check {
 
-/// What a scenario file says that a judge needs, before geometry is read.
+/// The part of a scenario file that a judge needs, before geometry is read.
 struct StatedScenario {
   struct StatedBody {
     std::string id;
@@ -24,11 +24,11 @@ struct StatedScenario {
   std::vector<StatedBody> bodies;
   std::vector<StatedBody>
       object;  ///< at least one; poses of the later ones are in the frame of the first one's geometry
-  std::vector<StatedBody> leftOut;     ///< bodies that are not there
-  std::vector<NodeDescription> nodes;  ///< of the tree of the product: names, and assemblies that they are in
-  Pose start;                          ///< of the object's reference point
+  std::vector<StatedBody> leftOut;     ///< bodies that are absent
+  std::vector<NodeDescription> nodes;  ///< nodes of the product's tree: names, and the assemblies that contain them
+  Pose start;                          ///< pose of the object's reference point
   bool centreOnVertexMean = false;
-  Vector3 referencePoint = Vector3::Zero();  ///< in the frame of the first one's geometry
+  Vector3 referencePoint = Vector3::Zero();  ///< in the frame of the first body's geometry
   std::optional<Pose> goal;
   Box3 workspace;
   std::map<ParameterId, double> parameters;
@@ -36,10 +36,10 @@ struct StatedScenario {
   Demands demands;
   JointWords joints;
   std::vector<ForbiddenRegion> forbidden;
-  bool forbidsPlaces = false;  ///< an edit of a place does
+  bool forbidsPlaces = false;  ///< an edit of a place forbids it
 };
 
-/// Throws JsonError.
+/// Errors are thrown as JsonError.
 StatedScenario readStatedScenario(const JsonCursor& root);
 
 }  // namespace glissade::check

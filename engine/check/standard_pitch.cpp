@@ -10,7 +10,7 @@
 namespace glissade::check {
 namespace {
 
-/// Millimetres; 0: no further pitch.
+/// Sizes in millimetres; 0: no further pitch.
 struct MetricThread {
   double diameter;
   std::array<double, 5> pitches;
@@ -56,10 +56,10 @@ constexpr std::array<MetricThread, 39> kMetric{{{1.0, {0.25, 0.2}},
                                                 {60.0, {5.5, 4.0, 3.0, 2.0, 1.5}},
                                                 {64.0, {6.0, 4.0, 3.0, 2.0, 1.5}}}};
 
-/// Threads that are wider than the table have these pitches.
+/// Pitches of threads that are wider than the table, millimetres.
 constexpr std::array<double, 5> kWidePitches{6.0, 4.0, 3.0, 2.0, 1.5};
 
-/// Millimetres.
+/// Sizes in millimetres.
 struct OtherThread {
   double diameter;
   double pitch;
@@ -92,13 +92,13 @@ constexpr std::array kOthers{
     OtherThread{2.2, 0.8}, OtherThread{2.9, 1.1}, OtherThread{3.5, 1.3}, OtherThread{3.9, 1.3}, OtherThread{4.2, 1.4},
     OtherThread{4.8, 1.6}, OtherThread{5.5, 1.8}, OtherThread{6.3, 1.8}, OtherThread{8.0, 2.1}};
 
-/// Share of a pitch that a stated one may be off it.
+/// Relative deviation of a stated pitch from a standard one.
 constexpr double kPitchShare = 0.02;
-/// A thread of 60 degrees is cut no deeper, in pitches, as a difference of diameters.
+/// Largest depth of a thread of 60 degrees, in pitches, as a difference of diameters.
 constexpr double kDepthInPitches = 1.3;
 constexpr double kOutside = 1.1;
 
-/// Millimetres.
+/// All lengths in millimetres.
 bool isThread(double nominal, double standardPitch, double diameter, double pitch) {
   return standardPitch > 0.0 && std::abs(pitch - standardPitch) <= kPitchShare * standardPitch &&
          diameter >= nominal - kDepthInPitches * standardPitch && diameter <= kOutside * nominal;
@@ -109,7 +109,7 @@ bool isOneOf(const std::array<double, 5>& pitches, double nominal, double diamet
                      [&](double standard) { return isThread(nominal, standard, diameter, pitch); });
 }
 
-/// Runs of letters and digits, in small letters.
+/// Runs of letters and digits, in lower case.
 std::vector<std::string> wordsOf(const std::string& name) {
   std::vector<std::string> words(1);
   for (const char c : name) {
@@ -122,7 +122,7 @@ std::vector<std::string> wordsOf(const std::string& name) {
   return words;
 }
 
-/// "m10x1", "screw": a bracket of the left hand has no thread.
+/// "m10x1" or "screw": the left hand of a part without a thread, such as a bracket, is ignored.
 bool isOfThread(const std::string& word) {
   constexpr std::array<std::string_view, 10> kWords{"screw",    "bolt",   "nut", "thread",       "threaded",
                                                     "schraube", "mutter", "vis", "linksgewinde", "stud"};

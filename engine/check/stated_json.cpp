@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/base/limits.h"
+#include "engine/geometry/pose_json.h"
 
 namespace glissade::check {
 namespace {
@@ -21,7 +22,7 @@ std::vector<std::string> readTexts(const JsonCursor& at) {
   return texts;
 }
 
-/// A bend that is said of each of the edges; empty where none is.
+/// One bend for each edge that a statement names; empty if it states no bend.
 std::vector<SnapWord> bendsIn(const JsonCursor& joint) {
   std::vector<SnapWord> snaps;
   const auto made = joint.find("made");
@@ -29,7 +30,7 @@ std::vector<SnapWord> bendsIn(const JsonCursor& joint) {
   const auto direction = made ? made->find("direction") : std::nullopt;
   const auto others = joint.find("others");
   if (!bend || !direction || !others || metres(*bend) == 0.0) return snaps;
-  const Vector3 way = direction->vector();
+  const Vector3 way = readVector(*direction);
   if (!(way.norm() > 0.0)) direction->fail("has no direction");
   for (const std::string& edge : readTexts(*others)) {
     snaps.push_back({joint.at("body").nonEmptyText(), edge, metres(*bend), way.normalized()});
@@ -45,7 +46,7 @@ Evidence readEvidence(const JsonCursor& at) {
   return evidence;
 }
 
-/// The body and the others of a joint.
+/// The body and the other bodies of a joint.
 std::vector<std::string> bodiesOfJoint(const JsonCursor& joint) {
   std::vector<std::string> bodies{joint.at("body").nonEmptyText()};
   const auto others = joint.find("others");
@@ -53,7 +54,7 @@ std::vector<std::string> bodiesOfJoint(const JsonCursor& joint) {
   return bodies;
 }
 
-/// Signed metres a turn that a word gives for the thread of a joint; 0: none.
+/// Signed pitch that a statement gives for the thread of a joint, metres a turn; 0: none.
 double pitchIn(const JsonCursor& joint) {
   const auto made = joint.find("made");
   const auto thread = made ? made->find("thread") : std::nullopt;
@@ -64,8 +65,8 @@ double pitchIn(const JsonCursor& joint) {
 
 StatedThread readThread(const JsonCursor& at) {
   StatedThread thread;
-  thread.point = at.at("point_m").vector();
-  thread.direction = at.at("direction").vector();
+  thread.point = readVector(at.at("point_m"));
+  thread.direction = readVector(at.at("direction"));
   if (!(thread.direction.norm() > 0.0)) at.at("direction").fail("has no direction");
   thread.pitch = at.at("pitch_m").coordinate();
   thread.radiusMoving = at.at("radius_moving_m").length();
@@ -106,7 +107,7 @@ std::vector<Point> readPoints(const JsonCursor& at) {
     if (author != "computer" && author != "operator" && author != "contact") {
       point.at("author").fail("is not computer, operator or contact");
     }
-    points.push_back({JsonCursor(pose, at.file(), point.pointer()).pose(), author == "contact"});
+    points.push_back({readPose(JsonCursor(pose, at.file(), point.pointer())), author == "contact"});
   }
   if (points.empty()) at.fail("is empty", "Give a path.");
   return points;
@@ -191,7 +192,7 @@ Demands readDemands(const JsonCursor& at) {
     demands.motions.push_back(std::move(demanded));
   });
   each("forbidden", [&](const JsonCursor& direction) {
-    const Vector3 way = direction.at("direction").vector();
+    const Vector3 way = readVector(direction.at("direction"));
     if (!(way.norm() > 0.0)) direction.at("direction").fail("has no direction");
     demands.forbidden.emplace_back(direction.at("body").nonEmptyText(), way);
   });

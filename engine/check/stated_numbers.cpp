@@ -14,13 +14,13 @@
 namespace glissade::check {
 namespace {
 
-/// Shares by which two computations of the same number may differ.
+/// Relative differences within which two computations of a number agree.
 constexpr double kClearanceShare = 0.01;
 constexpr double kTurnShare = 0.01;
 constexpr double kDiameterShare = 0.04;
 constexpr double kFlatsShare = 0.03;
 constexpr double kOverlapShare = 0.05;
-/// Metres, and turns.
+/// Absolute differences that are ignored: metres, and turns.
 constexpr double kLeastLength = 1e-8;
 constexpr double kLeastTurn = 1e-3;
 
@@ -35,10 +35,10 @@ std::string numberText(double value) {
   return text.str();
 }
 
-/// The angle by which a path turns, about any axis.
+/// The rotation of a path, about any axis.
 struct Turning {
   double turns = 0.0;
-  double pitch = 0.0;  ///< metres a turn of its first turn; 0: it does not turn
+  double pitch = 0.0;  ///< pitch of its first turn, metres; 0: it does not turn
 };
 
 Turning turningOf(const std::vector<Point>& path) {
@@ -139,7 +139,7 @@ class Numbers {
     if (joint.driveSize && *joint.driveSize > 0.0) compareDrive(joint, of);
   }
 
-  /// A thread is drawn anywhere from its core to its crests, on either body.
+  /// A thread may be drawn anywhere from its core to its crests, on either body.
   void compareDiameter(const StatedJoint& joint, const std::string& of) {
     std::vector<std::string> ids = joint.others;
     ids.push_back(joint.body);
@@ -175,7 +175,8 @@ class Numbers {
     }
   }
 
-  /// The width across flats of a hexagon is a distance between two faces; other drives are no larger than their bodies.
+  /// The width across flats of a hexagon is the distance between two faces; other drives are no larger than their
+  /// bodies.
   void compareDrive(const StatedJoint& joint, const std::string& of) {
     const Body* body = bodyOf(joint.body);
     if (body == nullptr) return;
@@ -212,7 +213,7 @@ class Numbers {
       const auto opposite = planes.find({-x, -y, -z});
       if (opposite == planes.end()) continue;
       for (const double offset : offsets) {
-        // Of a socket the two faces look at each other.
+        // The two faces of a socket face each other.
         const auto isAcross = [&](double other) {
           return isNear(std::abs(offset + other), across, kFlatsShare, kLeastLength);
         };
@@ -250,9 +251,9 @@ class Numbers {
   }
 
   static bool isOverlapOf(double stated, const AppliedAllowance& applied) {
-    // Triangles of a fit overlap by what they are off their surfaces.
+    // Triangles of a fit overlap by their deviations from their surfaces.
     constexpr double kLeastOverlap = 2e-6;  // metres
-    // A plan may claim less than there is.
+    // A plan may claim less than the true overlap.
     return stated < applied.evidence.overlap ||
            isNear(stated, applied.evidence.overlap, kOverlapShare, kLeastOverlap + applied.evidence.deflection);
   }

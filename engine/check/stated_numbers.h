@@ -10,18 +10,18 @@
 
 namespace glissade::check {
 
-/// What the numbers of a step are compared with.
+/// The values with which the numbers of a step are compared.
 struct NumbersQuestion {
   const NumberedStep& numbered;
-  const StepVerdict& verdict;  ///< of its motion and allowances
+  const StepVerdict& verdict;  ///< verdict on its motion and allowances
   const Product& product;
-  std::optional<double> required{};  ///< metres; nothing: the plan's need not be compared
-  double farthest = 0.0;             ///< metres: its bodies get at least so near to one that is there
+  std::optional<double> required{};  ///< metres; nothing: the plan's clearance is not compared
+  double farthest = 0.0;             ///< metres: upper bound on the distance of its bodies from a body that is there
   PlacedBodies& placed;
 };
 
-/// Numbers that the step states and that its motion, its allowances or the product do not have, for people: the number,
-/// its key in the file, and the right value.
+/// Numbers stated by the step that contradict its motion, its allowances or the product, for people: the number, its
+/// key in the file, and the right value.
 std::vector<std::string> wrongNumbers(const NumbersQuestion& question);
 
 }  // namespace glissade::check

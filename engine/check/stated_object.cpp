@@ -8,7 +8,7 @@
 namespace glissade::check {
 namespace {
 
-/// In the frame of the first one's geometry.
+/// The reference point in the frame of the first body's geometry.
 Vector3 referenceOf(const StatedScenario& scenario, const ObjectGeometry& geometry) {
   return scenario.centreOnVertexMean ? geometry.front()->vertexMean : scenario.referencePoint;
 }
@@ -17,10 +17,10 @@ Pose poseInObject(const StatedScenario& scenario, std::size_t body) {
   return body == 0 ? Pose::identity() : unitRotation(scenario.object[body].pose);
 }
 
-/// What a person says of the pairs of a group with one other body, as said of the group.
+/// The statements about the pairs of a group with one other body, merged into one.
 struct GroupWord {
   PairWord word;
-  std::size_t accepted = 0;  ///< of how many bodies of the group
+  std::size_t accepted = 0;  ///< number of bodies of the group for which a clash is accepted
 };
 
 }  // namespace
@@ -77,7 +77,7 @@ FitWords wordsOfGroup(const FitWords& fits, const std::vector<Body>& group, cons
   ofGroup.cut = fits.cut;
   const bool isCut = std::any_of(group.begin(), group.end(), [&](const Body& body) { return fits.isCut(body.id); });
   if (isCut) ofGroup.cut.push_back(groupId);
-  std::map<std::string, GroupWord> words;  // by the other body
+  std::map<std::string, GroupWord> words;  // keyed by the other body
   for (const PairWord& said : fits.pairs) {
     if (isInGroup(said.a) && isInGroup(said.b)) continue;
     if (!isInGroup(said.a) && !isInGroup(said.b)) {

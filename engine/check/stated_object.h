@@ -8,23 +8,23 @@
 
 namespace glissade::check {
 
-/// Of an object's bodies, in their order.
+/// Geometry of each of an object's bodies, in their order.
 using ObjectGeometry = std::vector<LoadedGeometryPtr>;
 
 Pose unitRotation(const Pose& pose);
 
-/// Adds each part of the geometry as a body where the scenario has it.
+/// Adds each part of the geometry as a body at its pose in the scenario.
 void addParts(const StatedScenario::StatedBody& stated, const LoadedGeometry& geometry, std::vector<Body>& bodies);
 
-/// The object's bodies as the one that moves, at the start.
+/// The object's bodies as one moving body, at the start.
 Body objectOf(const StatedScenario& scenario, const ObjectGeometry& geometry);
 
-/// The bodies of an object of several as bodies of the product, where they start.
+/// The bodies of an object of several bodies as bodies of the product, at the start.
 std::vector<Body> groupBodiesOf(const StatedScenario& scenario, const ObjectGeometry& geometry);
 
-/// What a person says of the bodies of a group, as said of the group: what asks for more, or is said of each of its
-/// bodies. So it is the least allowance, and a clash that is accepted for all. Of kinds and threads the first one
-/// counts. What is between two of its bodies is about nothing.
+/// Merges the statements about the bodies of a group: the stricter one counts, or the one that is stated for each of
+/// its bodies. This is the least allowance, and a clash that is accepted for all. Of kinds and threads the first one
+/// counts. Statements about two bodies of the group are dropped.
 FitWords wordsOfGroup(const FitWords& fits, const std::vector<Body>& group, const std::string& groupId);
 
 }  // namespace glissade::check

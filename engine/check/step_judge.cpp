@@ -21,7 +21,7 @@ constexpr double kNearShare = 0.1;
 
 double usual(const Body& body, ParameterId id) { return ParameterValues(radiusAboutOrigin(*body.mesh))[id]; }
 
-/// Holds all places of a frame's origin, and of points that are so near to it.
+/// A box of all places of a frame's origin, and of points within `reach` of it.
 Box3 sweepOf(const std::vector<Pose>& path, double reach) {
   Box3 box;
   for (const Pose& q : path) box.extend(q.position);
@@ -31,8 +31,8 @@ Box3 sweepOf(const std::vector<Pose>& path, double reach) {
 /// The motion of one body of a step.
 struct BodyMotion {
   JudgedMotion judged{};
-  double met = std::numeric_limits<double>::infinity();  ///< metres, as near as it gets to a body at least
-  bool isMetThere = false;                               ///< to one that is there in the order of the list
+  double met = std::numeric_limits<double>::infinity();  ///< metres: upper bound on the smallest distance to a body
+  bool isMetThere = false;                               ///< that body is there in the order of the list
 };
 
 class StepJudge {
@@ -97,7 +97,7 @@ class StepJudge {
     return id.empty() || std::find(ids.begin(), ids.end(), id) != ids.end();
   }
 
-  /// An allowance for bodies that do not meet is about nothing.
+  /// Refuses allowances whose bodies are not a body of the step and one of the product.
   void checkNames(StepVerdict& verdict) const {
     for (const StatedAllowance& each : numbered_.step->allowances) {
       const bool known = std::any_of(product_.bodies.begin(), product_.bodies.end(),
@@ -108,7 +108,7 @@ class StepJudge {
     }
   }
 
-  /// What the step states for a pair that is not compared.
+  /// Refuses the allowances that the step states for a pair that is not compared.
   void refuseStated(const Body& own, const Body& other, const char* why, StepVerdict& verdict) const {
     for (const StatedAllowance& each : numbered_.step->allowances) {
       if (!each.isAbout(own.id, other.id, numbered_.step->bodies.front()) || each.allowance <= 0.0) continue;
@@ -119,7 +119,7 @@ class StepJudge {
     }
   }
 
-  /// `farthest`: as NumbersQuestion::farthest.
+  /// `farthest`: see NumbersQuestion::farthest.
   void compareNumbers(double farthest, StepVerdict& verdict) const {
     const std::optional<double> required = isRequiredGiven_ ? std::nullopt : std::optional(required_);
     const auto wrong = wrongNumbers({numbered_, verdict, product_, required, farthest, placed_});
@@ -133,7 +133,7 @@ class StepJudge {
     verdict.conditions.push_back(isFlexible(product_.bodies[numbered_.group.front()].name));
   }
 
-  /// Rules that are nobody's demand: the judge does not know them.
+  /// Notes broken rules that no person demands: the judge does not know them.
   void noteRules(StepVerdict& verdict) const {
     for (const StatedViolation& each : numbered_.step->violates) {
       if (each.rule == "before" || each.rule == "place") continue;
@@ -150,7 +150,7 @@ class StepJudge {
     return id;
   }
 
-  /// Metres: the body is no farther from a body that is there, where both stand at the beginning.
+  /// Upper bound on the distance of the body, at the beginning, from the nearest body that is there, metres.
   double farthestFromThere(std::size_t body) const {
     const Body& own = product_.bodies[body];
     const Box3 box = boundingBox(*own.mesh, own.X_WB);
@@ -165,7 +165,7 @@ class StepJudge {
     return farthest;
   }
 
-  /// The pair as the step states it. Where only the acceptance of a clash is missing, that is a condition.
+  /// The pair as the step states it. If only the acceptance of a clash is missing, the verdict gets a condition.
   PairFit takenFit(const PairQuestion& asked, StepVerdict& verdict) const {
     PairFit fit = fitOf(asked, product_.fits, placed_, watch_.stop);
     if (fit.refusals.empty() || !product_.fits.on) return fit;
@@ -191,7 +191,7 @@ class StepJudge {
     verdict.conditions.push_back(hookBends(nameOf(snap->hook), nameOf(snap->edge), snap->bend));
   }
 
-  /// A pitch or a hand that is not usual for a thread of this diameter needs a person's word.
+  /// A pitch or a hand that is unusual for a thread of this diameter needs a person's statement.
   void judgePitch(const PairQuestion& asked, const TurnedThread& thread, StepVerdict& verdict) const {
     const std::string& moving = asked.moving.name;
     const std::string& other = asked.other.name;
@@ -224,7 +224,7 @@ class StepJudge {
     return std::nullopt;
   }
 
-  /// By an allowance or by a joint of the step.
+  /// True if an allowance or a joint of the step calls the pair a thread.
   bool isCalledThread(const PairQuestion& asked) const {
     const auto isThreadOfPair = [&](const StatedAllowance& each) {
       return each.isThread && each.isAbout(asked.moving.id, asked.other.id, asked.first);
@@ -239,7 +239,8 @@ class StepJudge {
            std::any_of(joints.begin(), joints.end(), isOfPair);
   }
 
-  /// A thread comes apart by turning. What a person marks as one, and what is taken away, is judged with the motion.
+  /// Checks that a thread comes apart by turning. Marked threads, and those that are taken away, are judged with the
+  /// motion.
   void judgeThread(const PairQuestion& asked, const PairFit& fit, StepVerdict& verdict) const {
     if (!product_.fits.on) return;
     if (fit.thread) {
@@ -266,7 +267,7 @@ class StepJudge {
     (may.empty() ? verdict.refusals : verdict.pulls).push_back(what + (may.empty() ? "" : "; " + may));
   }
 
-  /// What the plan says for which the pair may come apart without a turn, which is a condition; empty: nothing.
+  /// The plan's statement by which the pair may come apart without a turn, which is a condition; empty: none.
   std::string partingByPlan(const PairQuestion& asked, StepVerdict& verdict) const {
     FitWords ofPlan;
     ofPlan.partings = plan_.partings;

@@ -9,9 +9,9 @@
 
 namespace glissade::check {
 
-/// What the steps of a plan are judged with. Refers to all; shared by threads.
+/// Data for the judgement of a plan's steps. Refers to all members; shared by threads.
 struct StepTools {
-  const Product& product;  ///< with the words of a person, and bends that only the plan states
+  const Product& product;  ///< with a person's statements, and the bends that only the plan states
   const Plan& plan;
   std::optional<double> required;  ///< clearance, metres; nothing: the usual one for the size of each body
   PlacedBodies& placed;
@@ -19,8 +19,8 @@ struct StepTools {
   const WorkWatch& watch;
 };
 
-/// The verdict on one step: each of its bodies along the common motion, against all bodies that may be there. Nothing
-/// is judged of the motion of a flexible body.
+/// The verdict on one step: each of its bodies along the common motion, against all bodies that may be there. The
+/// motion of a flexible body is not judged.
 StepVerdict judgeStep(const NumberedStep& numbered, const StepTools& tools);
 
 }  // namespace glissade::check

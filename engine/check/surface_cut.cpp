@@ -5,8 +5,8 @@
 namespace glissade::check {
 namespace {
 
-constexpr double kOnPlane = 1e-9;    ///< metres: corners nearer to a plane are not parted by it
-constexpr double kOnSurface = 1e-8;  ///< metres: nearer points are not known to be inside or outside
+constexpr double kOnPlane = 1e-9;    ///< metres: corners within this distance are on the plane
+constexpr double kOnSurface = 1e-8;  ///< metres: points within this distance are on the surface
 constexpr std::size_t kMostPieces = 4'000'000;
 
 /// The box around a polygon or a triangle.
@@ -25,7 +25,7 @@ struct CuttingPlane {
 };
 
 struct Halves {
-  Polygon below;  ///< empty: nothing is below the plane
+  Polygon below;  ///< empty: no part is below the plane
   Polygon above;
 };
 
@@ -53,7 +53,7 @@ Halves halved(const Polygon& polygon, const CuttingPlane& plane) {
   return halves;
 }
 
-/// No piece crosses the surface, so that one point of it that is clearly off the surface decides for all.
+/// No piece crosses the surface, so that one point clearly off the surface decides for all of it.
 Side sideOf(const Polygon& piece, const PlacedBody& other) {
   const auto decide = [&](const Vector3& p) {
     if (other.tree.nearest(p, kOnSurface).distance < kOnSurface) return Side::On;
@@ -67,7 +67,7 @@ Side sideOf(const Polygon& piece, const PlacedBody& other) {
   return side;
 }
 
-/// Cuts the surface of one body where it meets that of another one.
+/// Cuts the surface of one body where it meets the surface of another one.
 class SurfaceCut {
  public:
   using Take = std::function<void(const CutPiece&)>;
@@ -101,7 +101,7 @@ class SurfaceCut {
 
   struct Piece {
     Polygon polygon;
-    std::size_t next;  ///< of the triangles that it has to be compared with
+    std::size_t next;  ///< index of the next triangle to compare it with
   };
 
   bool eachOf(const Polygon& whole, std::uint32_t number, const Take& take) {

@@ -9,13 +9,13 @@
 namespace glissade::check {
 namespace {
 
-/// Share of the sizes that enter: what is nearer to the plane that an edge sweeps is on neither side of it.
+/// Relative distance within which a corner is in the plane that an edge sweeps.
 constexpr double kInPlane = 1e-9;
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
-/// Sine of the angle between an edge and the way below which what the edge sweeps has no area: the edges beside it
-/// sweep that, too.
+/// Sine of the angle between an edge and the motion below which the edge sweeps no area; neighbouring edges sweep the
+/// same points.
 constexpr double kAlongTheWay = 1e-12;
 
 bool isAlong(const TriangleMesh& mesh, const Edge& edge, const Vector3& way) {
@@ -23,7 +23,7 @@ bool isAlong(const TriangleMesh& mesh, const Edge& edge, const Vector3& way) {
   return along.cross(way).norm() <= kAlongTheWay * along.norm() * way.norm();
 }
 
-/// On which side of the plane that the edge sweeps the corner is: 1, -1; 0: in it.
+/// Side of the plane swept by the edge on which the corner is: 1, -1, or 0 in the plane.
 int sideOf(const TriangleMesh& mesh, const Edge& edge, std::uint32_t corner, const Vector3& way) {
   const Vector3 along = mesh.vertices[edge.second] - mesh.vertices[edge.first];
   const Vector3 out = mesh.vertices[corner] - mesh.vertices[edge.first];
@@ -32,7 +32,7 @@ int sideOf(const TriangleMesh& mesh, const Edge& edge, std::uint32_t corner, con
   return volume > 0.0 ? 1 : -1;
 }
 
-/// Two triangles on either side of what their edge sweeps: their prisms hold it inside.
+/// True if the two triangles are on either side of the plane that their edge sweeps, so that their prisms enclose it.
 bool isInside(const TriangleMesh& mesh, const Edge& edge, const std::vector<std::uint32_t>& corners,
               const Vector3& way) {
   return corners.size() == 2 && sideOf(mesh, edge, corners[0], way) * sideOf(mesh, edge, corners[1], way) < 0;
@@ -44,7 +44,7 @@ TriangleMesh sweptBy(const TriangleMesh& mesh, const Vector3& way) {
   TriangleMesh swept = mesh;
   const auto count = static_cast<std::uint32_t>(mesh.vertices.size());
   for (const Vector3& vertex : mesh.vertices) swept.vertices.emplace_back(vertex + way);
-  std::map<Edge, std::vector<std::uint32_t>> edges;  // the corners that are across
+  std::map<Edge, std::vector<std::uint32_t>> edges;  // the opposite corners of each edge
   for (const TriangleIndices& triangle : mesh.triangles) {
     const auto& [a, b, c] = triangle;
     swept.triangles.push_back({a + count, b + count, c + count});

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kSameRadius = 1e-5;  ///< metres
 
-/// In the first configuration that shows it; it is told to the thread.
+/// Searches the assembled configurations for one that shows the core, and sets it in the thread.
 Result<ThreadCore> findCore(const PairWork& work, Thread& thread) {
   const bool own = thread.movingIsShaft;
   const ClaimedThread claim{thread.point, thread.axis, thread.pitch, own ? thread.radiusMoving : thread.radiusOther};
@@ -26,7 +26,7 @@ Result<ThreadCore> findCore(const PairWork& work, Thread& thread) {
   return core;
 }
 
-/// Faces of the shaft beside the thread have room for what they touch.
+/// Gives faces of the shaft beside the thread an allowance for their contacts.
 void takeTouching(const Thread& thread, const ThreadCore& core, PairWork& work) {
   PairWord accepted = work.word != nullptr ? *work.word : PairWord{work.question.moving.id, work.question.other.id};
   accepted.accepted = true;
@@ -35,7 +35,7 @@ void takeTouching(const Thread& thread, const ThreadCore& core, PairWork& work) 
   const PlacedBody& other = work.bodies.at({work.question.other, work.question.other.X_WB});
   const bool own = thread.movingIsShaft;
   const double touching = core.spacing + core.margin + moving.largestDeflection + other.largestDeflection;
-  // No more than `touching` is taken, which counts for whole faces.
+  // At most `touching` is taken, which counts for whole faces.
   const std::size_t count = (own ? moving : other).mesh.triangles.size();
   std::vector<double> allowances = mostOfTriangles(own ? work.bounds.one : work.bounds.other, count);
   (own ? work.fit.meshOfMoving : work.fit.meshOfOther) = nullptr;

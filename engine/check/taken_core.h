@@ -6,8 +6,8 @@
 
 namespace glissade::check {
 
-/// Takes away the thread of one of the bodies, where the file states that, and nothing else but what touches.
-/// `stated`: what the file states of the pair, at least one of a core.
+/// Takes away the thread of one body if the file states that; other faces get an allowance for their contacts only.
+/// `stated`: the statements of the file about the pair, at least one with a core.
 void takeCore(const std::vector<StatedAllowance>& stated, PairWork& work);
 
 }  // namespace glissade::check

@@ -7,7 +7,7 @@
 namespace glissade::check {
 namespace {
 
-/// Were nothing accepted, the evidence would refuse the pair.
+/// True if the evidence would refuse the pair without an accepted clash.
 bool isClash(const PairWork& work) {
   FitWords strict = work.fits;
   strict.acceptedClash = 0.0;
@@ -35,7 +35,7 @@ Overlapping deepestEnd(const PairWork& work) {
   return deepest;
 }
 
-/// Why the body that the file cuts is not the one that is cut; empty: it is.
+/// The reason why the body that the file cuts may not be cut; empty if it may.
 std::string wrongCut(Cut cut, bool yields, const PairWork& work) {
   switch (cut) {
     case Cut::NotClear: return "which of the two is cut is not clear, and no person names it";
@@ -46,7 +46,7 @@ std::string wrongCut(Cut cut, bool yields, const PairWork& work) {
   return "";
 }
 
-/// The body that fills the hollow one makes its hole there.
+/// The hole that the body in the hollow one makes as a screw; nothing if it makes none.
 std::optional<ScrewInSolid> screwOf(const PairWork& work, bool yields) {
   const Placement other{work.question.other, work.question.other.X_WB};
   for (const Pose& end : work.question.assembled) {
@@ -58,7 +58,7 @@ std::optional<ScrewInSolid> screwOf(const PairWork& work, bool yields) {
   return std::nullopt;
 }
 
-/// The body that fills the hollow one is taken thinner on all sides.
+/// Thins the body in the hollow one on all sides.
 void takeAllAround(const StatedAllowance& stated, PairWork& work) {
   const PlacedBody& moving = work.bodies.at({work.question.moving, work.question.moving.X_WB});
   const PlacedBody& other = work.bodies.at({work.question.other, work.question.other.X_WB});

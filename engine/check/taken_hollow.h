@@ -6,9 +6,9 @@
 
 namespace glissade::check {
 
-/// Takes away of a body what the other one of the pair fills of it, where the file states that and a person accepts the
-/// clash. The one that fills it is taken thinner all around. `stated`: what the file states of the pair, at least one
-/// of a hollow body.
+/// Removes from a body the volume that the other body of the pair fills, if the file states that and a person accepts
+/// the clash. The other body is thinned all around. `stated`: the statements of the file about the pair, at least one
+/// about a hollow body.
 void takeHollow(const std::vector<StatedAllowance>& stated, PairWork& work);
 
 }  // namespace glissade::check

@@ -24,16 +24,16 @@ constexpr double kLongestMove = 2.0;
 constexpr double kDamping = 1e-6;
 constexpr double kFlatShare = 2e-6;
 constexpr double kSameFace = 1e-9;
-/// Share of the allowance: a face without one that moves outwards by less stays where it is. A round face that stays is
-/// not met exactly by corners that slide along it.
+/// Share of the allowance: a face without an allowance that moves outwards by less stays. Corners that slide along a
+/// round face do not meet it exactly.
 constexpr double kStays = 0.01;
-/// Corners of triangles that cross the true surface go half as far in the first rounds, and stay in the others.
+/// Corners of triangles that cross the true surface move half as far in the first rounds, and stay in the others.
 constexpr int kHalvings = 8;
 constexpr int kRounds = 2 * kHalvings + 1;
 
 using Corners = Triangle;
 
-/// Where the segment from `from` to `to` crosses the triangle, as a share of it; infinity where it does not.
+/// Share of the segment at which it crosses the triangle; infinity if it does not.
 double crossing(const Vector3& from, const Vector3& to, const Corners& triangle) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
   const Vector3 way = to - from;
@@ -57,7 +57,7 @@ Box3 boxAround(const Corners& corners) {
   return box;
 }
 
-/// A body's triangles over vertices that are each there once, and what each face and vertex may move by.
+/// The triangles of a body with welded vertices, and the limits of the motion of each face and vertex.
 class ThinBody {
  public:
   ThinBody(const TriangleMesh& mesh, const std::vector<double>& allowances, double share)
@@ -85,7 +85,7 @@ class ThinBody {
     tree_.emplace(faces_);
   }
 
-  /// The body thinned; the body where it has no place for that, or is open too near.
+  /// The thinned body; the whole body if it cannot be thinned, or is open too near.
   TriangleMesh thinned() {
     const auto openEdges = openEdgesOf(points_, triangles_);
     isOpen_ = !openEdges.empty();
@@ -131,7 +131,7 @@ class ThinBody {
     }
   }
 
-  /// Of vertices of a face that has an allowance: others stay.
+  /// One entry for each vertex: true if it belongs to a face with an allowance. Other vertices stay.
   std::vector<bool> mayMove() const {
     std::vector<bool> may(points_.size(), false);
     for (std::size_t f = 0; f < triangles_.size(); ++f) {
@@ -141,8 +141,8 @@ class ThinBody {
     return may;
   }
 
-  /// A face looks inwards from four of its points, as far as could make a difference. Where no corner of it may move,
-  /// nothing asks for its room.
+  /// Measures the thickness inwards from four points of each face, as far as it matters. A face without a movable
+  /// corner needs no thickness.
   void findRooms() {
     const std::vector<bool> may = mayMove();
     const double reach = *std::max_element(allowances_.begin(), allowances_.end()) / share_;
@@ -185,8 +185,8 @@ class ThinBody {
     return moves;
   }
 
-  /// A chamfer ends where its thinned cylinder does. It stays where the cylinder beside it is not thinned: that is
-  /// taken thinner in a patch elsewhere.
+  /// Moves a chamfer's vertices so that it ends where its thinned cylinder does. A chamfer stays if the cylinder beside
+  /// it is not thinned there.
   void moveConesWithCylinders(std::vector<Vector3>& moves) const {
     std::vector<double> taken(stated_.size(), 0.0);
     for (std::size_t f = 0; f < faceOf_.size(); ++f) {
@@ -228,8 +228,8 @@ class ThinBody {
     return std::max(0.0, shareOf(plain, faces, allowance)) * plain;
   }
 
-  /// Against the faces that have an allowance only, so that each of them moves by what it has. The facets of a chamfer
-  /// beside them are not in one plane: a corner cannot slide along all of them.
+  /// The move against the faces with an allowance only, so that each moves by its allowance. The facets of a chamfer
+  /// beside them are not in one plane, so a corner cannot slide along all of them.
   Vector3 acrossAllowed(const Angles& faces, double allowance) const {
     Vector3 sum = Vector3::Zero();
     for (const auto& [f, angle] : faces) sum += (allowances_[f] > 0.0 ? angle : 0.0) * normals_[f];
@@ -246,7 +246,7 @@ class ThinBody {
     return way * inwards;
   }
 
-  /// Below zero where a face would move outwards.
+  /// Share of the move that the faces permit; negative if a face would move outwards.
   double shareOf(const Vector3& move, const Angles& faces, double allowance) const {
     double share = std::min(1.0, kLongestMove * allowance / std::max(move.norm(), 1e-300));
     for (const auto& [f, angle] : faces) {
@@ -257,7 +257,7 @@ class ThinBody {
     return share;
   }
 
-  /// Vertices that hang together have the same number.
+  /// Gives one number to all connected vertices.
   void findPieces() {
     piece_.resize(points_.size());
     std::iota(piece_.begin(), piece_.end(), 0U);
@@ -269,7 +269,7 @@ class ThinBody {
     for (std::uint32_t i = 0; i < piece_.size(); ++i) piece_[i] = pieceOf(i);
   }
 
-  /// Follows the links to the first vertex of the piece, shortening them on the way.
+  /// Follows the links to the first vertex of the piece, and shortens them.
   std::uint32_t pieceOf(std::uint32_t i) {
     while (piece_[i] != i) i = piece_[i] = piece_[piece_[i]];
     return i;
@@ -295,7 +295,7 @@ class ThinBody {
     return bad;
   }
 
-  /// Corners that the two have in common leave the face that they slide along; others may be far away from it.
+  /// Corners that two faces share leave the face along which they slide; other corners may be far away from it.
   static void addCornersToHoldBack(const TriangleIndices& moved, const TriangleIndices& face,
                                    std::set<std::uint32_t>& bad) {
     bool shared = false;
@@ -313,8 +313,8 @@ class ThinBody {
     });
   }
 
-  /// Of surfaces that do not cross: a point of each connected one decides. It is the middle of the face that has moved
-  /// farthest inwards, because other points may be on faces that stay.
+  /// For surfaces that do not cross, one point of each connected surface decides. It is the centre of the face that has
+  /// moved farthest inwards, because other points may be on faces that stay.
   bool isWithin(const TriangleMesh& thin) const {
     std::map<std::uint32_t, std::pair<double, Vector3>> deepest;
     for (std::size_t f = 0; f < triangles_.size(); ++f) {
@@ -337,19 +337,19 @@ class ThinBody {
     return isBehind({triangles_, faces_, after, normals_});
   }
 
-  double share_;  ///< of the thickness below it that a face may lose
+  double share_;  ///< share of the thickness below a face that the face may lose
   std::vector<Vector3> points_;
   std::vector<TriangleIndices> triangles_;
-  std::vector<double> allowances_;  ///< of each triangle
+  std::vector<double> allowances_;  ///< one entry for each triangle
   const std::vector<SurfaceFace>& stated_;
-  std::vector<std::uint32_t> faceOf_;  ///< of each triangle, where the file states faces
+  std::vector<std::uint32_t> faceOf_;  ///< stated face of each triangle, if the file states faces
   std::vector<Corners> faces_;
-  std::optional<TriangleTree> tree_;  ///< of the faces
+  std::optional<TriangleTree> tree_;  ///< tree of `faces_`
   Box3 box_;
-  std::vector<Vector3> normals_;  ///< outwards; zero of a face with next to no area
+  std::vector<Vector3> normals_;  ///< outwards; zero for a face with next to no area
   std::vector<double> rooms_;
   bool isOpen_ = false;               ///< the surface has open edges
-  std::vector<std::uint32_t> piece_;  ///< of each vertex: the vertices of a connected surface have the same
+  std::vector<std::uint32_t> piece_;  ///< for each vertex, a number that is equal within a connected surface
 };
 
 }  // namespace

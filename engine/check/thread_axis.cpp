@@ -10,10 +10,10 @@ namespace glissade::check {
 namespace {
 
 constexpr std::size_t kFewestVertices = 6;
-/// The radii of a shaft and its hole differ by no more than this share of the larger one.
+/// Largest relative difference of the radii of a shaft and its hole.
 constexpr double kMostDifference = 0.3;
 
-/// Along the axis, of vertices at this distance from it; nothing where there are few.
+/// Range along the axis of the vertices at this distance from it; nothing if there are few.
 std::optional<std::pair<double, double>> spanOf(const PlacedBody& body, const Vector3& point, const Vector3& axis,
                                                 double radius) {
   std::pair<double, double> span{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};

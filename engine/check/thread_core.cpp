@@ -49,7 +49,7 @@ std::optional<Span> ringAround(std::vector<Around> vertices, const Span& radii) 
   return std::nullopt;
 }
 
-/// Of the grooves from one beside the hole's wall on, as far as no gap of a pitch is between them.
+/// Range of the grooves that begin beside the hole's wall and continue without a gap of a pitch.
 std::optional<Span> threadSpan(const std::vector<Around>& shaft, const Span& wall, double hole,
                                const ClaimedThread& claim) {
   const double pitch = std::abs(claim.pitch);
@@ -67,7 +67,7 @@ std::optional<Span> threadSpan(const std::vector<Around>& shaft, const Span& wal
   return Span{*low, *high};
 }
 
-/// Least distance from the axis of what the body has within the span; triangles count whole.
+/// Least distance of the body from the axis within the span; triangles count as a whole.
 double freeRadius(const PlacedBody& hole, const ClaimedThread& claim, const Span& span) {
   double least = std::numeric_limits<double>::infinity();
   for (const auto& [a, b, c] : hole.tree.triangles()) {
@@ -77,7 +77,7 @@ double freeRadius(const PlacedBody& hole, const ClaimedThread& claim, const Span
   return least;
 }
 
-/// A thread that ends within a pitch of the shaft's end reaches to the end: the tip has a chamfer there.
+/// Extends a thread that ends within a pitch of the shaft's end to that end, where the tip has a chamfer.
 Span toTheEnds(Span thread, const std::vector<Around>& shaft, double pitch) {
   const auto [lowest, highest] = std::minmax_element(
       shaft.begin(), shaft.end(), [](const Around& a, const Around& b) { return a.height < b.height; });
@@ -86,7 +86,7 @@ Span toTheEnds(Span thread, const std::vector<Around>& shaft, double pitch) {
   return thread;
 }
 
-/// Vertices at the crest's radius that are not where the thread runs out.
+/// Vertices at the crest's radius, outside of the thread's run-out.
 std::vector<Around> crestsOf(const std::vector<Around>& shaft, const Span& thread, const ClaimedThread& claim) {
   const double runOut = kRunOut * std::abs(claim.pitch);
   std::vector<Around> crests;

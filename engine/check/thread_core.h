@@ -9,22 +9,22 @@
 
 namespace glissade::check {
 
-/// A thread that is modelled on a shaft, and the core that is left of it where it is taken away. World frame, or that
-/// of the shaft's mesh.
+/// A thread that is modelled on a shaft, and the core that remains after it is taken away. In the world frame, or in
+/// the frame of the shaft's mesh.
 struct ThreadCore {
   Vector3 point = Vector3::Zero();  ///< on the axis
   Vector3 axis = Vector3::UnitZ();  ///< unit
-  double low = 0.0;                 ///< of the thread, from the point along the axis, metres
+  double low = 0.0;                 ///< range of the thread along the axis from `point`, metres
   double high = 0.0;
-  double radius = 0.0;   ///< of the core, metres
+  double radius = 0.0;   ///< radius of the core, metres
   double crest = 0.0;    ///< radius of the thread, metres
-  double hole = 0.0;     ///< radius that the body with the hole leaves free about the axis, metres
-  double spacing = 0.0;  ///< of the coordinates of both bodies, metres
-  double margin = 0.0;   ///< that remains between the core and the hole, with the thread's play, metres
+  double hole = 0.0;     ///< radius about the axis that the body with the hole leaves free, metres
+  double spacing = 0.0;  ///< spacing of the coordinates of both bodies, metres
+  double margin = 0.0;   ///< margin between the core and the hole, with the thread's play, metres
 
-  /// Of the corner with the farthest way, metres.
+  /// Displacement of the corner that moves farthest, metres.
   double depth() const { return crest - radius; }
-  /// Any order, of cores that are compared number by number.
+  /// An arbitrary order for keys; compares the numbers of the cores.
   bool operator<(const ThreadCore& b) const {
     const auto numbers = [](const ThreadCore& t) {
       const Vector3& p = t.point;
@@ -42,24 +42,24 @@ struct ClaimedThread {
   double crest = 0.0;  ///< radius, metres
 };
 
-/// Where the product is assembled. Every claim is compared with the vertices of both bodies:
-/// - a ring of vertices of the hole is around the axis, and vertices of the shaft at the crest's radius are;
-/// - the shaft has grooves that are as narrow as what the hole leaves free; the thread reaches as far as there is no
-///   gap of a pitch between them;
+/// Computes the core where the product is assembled. Each claim is compared with the vertices of both bodies:
+/// - a ring of vertices of the hole is around the axis, and so are vertices of the shaft at the crest's radius;
+/// - the shaft has grooves as narrow as the free radius of the hole; the thread extends while no gap between them has a
+/// pitch;
 /// - the crests are a helix of one start about the axis with this pitch, to three percent;
 /// - the crest is beyond the core by no more than a sharp thread of this pitch is deep, and no more than 0.15 of the
 ///   diameter.
-/// Errors say which of them does not hold.
+/// Errors state which claim fails.
 Result<ThreadCore> threadCoreOf(const PlacedBody& shaft, const PlacedBody& hole, ClaimedThread claim);
 
-/// Of each triangle: whether it is of the thread. It is within the thread's length and nowhere beyond the crests.
+/// For each triangle, true if it belongs to the thread: it is within the thread's length and nowhere beyond the crests.
 std::vector<bool> trianglesOfThread(const TriangleMesh& shaft, const ThreadCore& core);
 
 /// The shaft without its thread: vertices between core and crest, within the thread's length, move across the axis onto
-/// the core. Vertices of a triangle that reaches beyond the thread's length stay, so that shank and head are whole.
+/// the core. Vertices of a triangle that extends beyond the thread's length stay, so that shank and head are whole.
 TriangleMesh withoutThread(const TriangleMesh& mesh, const ThreadCore& core);
 
-/// In a frame where the world's is at this pose.
+/// The core in a frame F, for a pose X_FW of the world.
 ThreadCore inFrame(const Pose& X_FW, ThreadCore core);
 
 }  // namespace glissade::check

@@ -9,13 +9,14 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 constexpr int kTernarySteps = 100;
 constexpr int kMostHalvedParts = 20'000;
-/// What the distance from the axis of a vertex of the thread can be off by, as a share of the radius or in metres.
+/// Tolerance of the distance of a thread's vertex from the axis: a share of the radius, or metres.
 constexpr double kShareOfRadius = 1e-3;
 constexpr double kMetres = 5e-6;
-/// Vertices of a hole belong to its thread up to so many radii of the shaft; those of a shaft all within its radius.
+/// Vertices of a hole belong to its thread within this multiple of the shaft's radius, those of a shaft within its
+/// radius.
 constexpr double kWidest = 1.25;
 
-/// The lowest and the highest point of a line next to which a mesh has vertices of its thread.
+/// The lowest and the highest point on the axis beside which the mesh has vertices of its thread.
 std::pair<Vector3, Vector3> threadEnds(const TriangleMesh& mesh, const Pose& X_WM, const Thread& rule, bool shaft) {
   const Eigen::ParametrizedLine<double, 3> line(rule.point, rule.axis);
   const auto [narrow, wide] = std::minmax(rule.radiusMoving, rule.radiusOther);
@@ -35,7 +36,8 @@ std::pair<Vector3, Vector3> threadEnds(const TriangleMesh& mesh, const Pose& X_W
   return {rule.point + low * rule.axis, rule.point + high * rule.axis};
 }
 
-/// Signed, in radians, of the rotation from one to the other where it is about the axis; the rest of it is in `tilt`.
+/// Signed angle about the axis of the rotation between the configurations, radians; the rest of the rotation is in
+/// `tilt`.
 double turnOf(const Pose& from, const Pose& to, const Vector3& axis, double& tilt) {
   const Eigen::AngleAxisd rotation(to.orientation.toRotationMatrix() * from.orientation.toRotationMatrix().transpose());
   const Vector3 vector = rotation.angle() * rotation.axis();
@@ -58,7 +60,7 @@ ThreadMotion::ThreadMotion(const std::vector<MotionCheck::Threaded>& threads, co
   }
 }
 
-/// At most the distance of the shaft's axis from the bore, and above 0 where they are apart. The larger of two convex
+/// Lower bound on the distance of the shaft's axis from the bore, above 0 if they are apart. The larger of two convex
 /// functions of the place on the shaft's axis has one minimum.
 double ThreadMotion::separation(const Extent& thread, const Pose& X_WB) {
   const bool moves = thread.thread.movingIsShaft;
@@ -90,7 +92,8 @@ double ThreadMotion::separation(const Extent& thread, const Pose& X_WB) {
   return std::min({outside(0.0), outside(1.0), outside(0.5 * (begin + end))});
 }
 
-/// A point of the object moves by no more than the way of its frame and the arm's turn.
+/// True if they stay apart: a point of the object moves by no more than its frame's displacement plus the turn of its
+/// arm.
 bool ThreadMotion::staysApart(const Extent& thread, const Pose& from, const Pose& to) {
   const double way =
       (to.position - from.position).norm() + thread.reach * angleBetween(from.orientation, to.orientation);
@@ -109,7 +112,7 @@ bool ThreadMotion::staysApart(const Extent& thread, const Pose& from, const Pose
   return true;
 }
 
-/// The thread's ends are where a turn about the axis, from the first engaged configuration on, has them.
+/// True if the thread's ends are where a turn about the axis from the first engaged configuration puts them.
 bool ThreadMotion::isTurn(const Extent& thread, const Pose& from, const Pose& to, Followed& followed) {
   const Thread& rule = thread.thread;
   const double play = kThreadPlay * std::abs(rule.pitch);

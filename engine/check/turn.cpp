@@ -19,7 +19,7 @@ double distanceFromOrigin(const Flat& a, const Flat& b) {
 
 double side(const Flat& a, const Flat& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// 0 where they overlap.
+/// Gap between two intervals; 0 if they overlap.
 double apart(double lowA, double highA, double lowB, double highB) {
   return std::max({0.0, lowB - highA, lowA - highB});
 }

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kRunRounding = 1.0 + 1e-9;
 
-/// Radians about the axis of the part of a rotation that turns about it.
+/// Angle, radians, of the part of the rotation about the axis.
 double twistOf(const Eigen::Matrix3d& rotation, const Vector3& axis) {
   const Quaternion q(rotation);
   return 2.0 * std::atan2(q.vec().dot(axis), q.w());
@@ -16,7 +16,7 @@ double twistOf(const Eigen::Matrix3d& rotation, const Vector3& axis) {
 
 }  // namespace
 
-/// A straight edge between two configurations is off the turn by what these are off, at most doubled, and by its bow.
+/// A straight edge between two configurations deviates from the turn by at most twice their deviation, plus its bow.
 Rise riseOf(const std::vector<Pose>& path, std::size_t first, std::size_t last, const Vector3& point,
             const Vector3& axis, double reach) {
   const Pose& start = path[first];

@@ -5,10 +5,10 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "engine/base/json_reader.h"
 #include "engine/base/quantity_text.h"
 #include "engine/check/plain_overlaps.h"
 #include "engine/check/verdict_words.h"
-#include "engine/import/json_reader.h"
 #include "engine/import/missing_shapes_json.h"
 
 namespace glissade::check {
@@ -67,7 +67,7 @@ std::string motionInWords(const MotionVerdict& verdict, const Product& product) 
   return text.str();
 }
 
-/// What a thread asks of a path that does not turn in it.
+/// The motion that a thread needs, for a path that does not turn in it.
 std::string threadInWords(const PathVerdict& verdict, const Question& question) {
   const Nearest& nearest = verdict.motion.verdict.nearest;
   if (!verdict.motion.verdict.againstThread || nearest.body < 0) return {};
@@ -145,7 +145,7 @@ void addEdges(const MotionVerdict& verdict, const Product& product, std::ostring
   }
 }
 
-/// The name that people see of the body with the id.
+/// The name for people of the body with the id.
 std::string shownName(const std::string& id, const Product& product) {
   for (const Body& body : product.bodies) {
     if (body.id == id) return body.name;
@@ -275,7 +275,7 @@ std::string whyInvalid(const StepVerdict& step, const Product& product) {
   return text.str();
 }
 
-/// `name`: of the step, as "step 3".
+/// `name`: name of the step, as "step 3".
 void addStep(const StepVerdict& step, const std::string& name, bool isTrusted, const Product& product,
              std::ostream& text) {
   const std::string body = step.bodies.empty() ? "" : shownName(step.bodies.front(), product);
@@ -292,7 +292,7 @@ void addStep(const StepVerdict& step, const std::string& name, bool isTrusted, c
   }
 }
 
-/// How the parts leave, and how many do not.
+/// How many parts leave, in which way, and how many have no step.
 std::string partsInWords(const PlanVerdict& verdict) {
   std::ostringstream text;
   text << verdict.remaining << " of " << verdict.parts << " parts have no step, " << verdict.alone << " leave alone, "
@@ -321,7 +321,7 @@ void addConditions(const PlanVerdict& verdict, std::ostream& text) {
   text << "Nobody but the plan says so. State the conditions in the scenario, or trust the plan (--trust-plan).\n";
 }
 
-/// Screws that leave holes which the file does not have.
+/// Number of screws that leave holes which the file does not have.
 std::size_t screwHoles(const PlanVerdict& verdict) {
   std::size_t holes = 0;
   const auto count = [&](const std::vector<StepVerdict>& steps) {

@@ -8,7 +8,7 @@
 
 namespace glissade::check {
 
-// What people and programs read of a verdict. `edges`: with every edge of the path.
+// Reports of a verdict for people and programs. `edges`: includes every edge of the path.
 
 std::string reportText(const PathVerdict& verdict, const Question& question, bool edges);
 nlohmann::ordered_json reportJson(const PathVerdict& verdict, const Question& question, bool edges);
@@ -16,7 +16,7 @@ nlohmann::ordered_json reportJson(const PathVerdict& verdict, const Question& qu
 std::string reportText(const PlanVerdict& verdict, const Product& product);
 nlohmann::ordered_json reportJson(const PlanVerdict& verdict, const Product& product);
 
-/// Why a step is not valid, in words; empty where it is.
+/// The reason why a step is not valid; empty if it is valid.
 std::string whyInvalid(const StepVerdict& step, const Product& product);
 
 }  // namespace glissade::check

@@ -9,14 +9,13 @@ namespace glissade::check {
 /// "'knob' and 'lip'".
 std::string pairInWords(const std::string& one, const std::string& other);
 
-/// What an allowance rests on: "overlap 0.8 mm, deflection 0 mm, spacing 0 mm, gap 0.001 mm"; or that a person allows
-/// it.
+/// "overlap 0.8 mm, deflection 0 mm, spacing 0 mm, gap 0.001 mm", or that a person allows it.
 std::string inWords(const Evidence& evidence);
 
-/// "'nut' is taken 0.021 mm thinner against 'bolt': overlap ..."; with the pitch of a thread.
+/// "'nut' is taken 0.021 mm thinner against 'bolt': overlap ...", with the pitch of a thread.
 std::string inWords(const AppliedAllowance& allowance);
 
-/// Why an allowance of a file is refused: the pair, both numbers, what is missing, and what a person can do. `reason`
+/// The reason why an allowance of a file is refused: the pair, both numbers, what is missing, and a remedy. `reason`
 /// may be empty.
 std::string allowanceRefused(const AppliedAllowance& allowance, const std::string& reason);
 

@@ -1,13 +1,18 @@
 #include <algorithm>
+#include <atomic>
+#include <functional>
 #include <limits>
 #include <map>
+#include <memory>
+#include <mutex>
+#include <utility>
 
 #include "engine/base/tolerances.h"
 #include "engine/collision/collision_query.h"
 #include "engine/collision/coordinate_rounding.h"
 #include "engine/collision/forbidding_query.h"
 #include "engine/collision/grouped_query.h"
-#include "engine/collision/later_geometry.h"
+#include "engine/collision/motion_bound.h"
 #include "engine/collision/motion_certificate.h"
 #include "engine/collision/prepared_bodies.h"
 #include "engine/collision/screw_profile.h"
@@ -16,28 +21,61 @@
 #include "engine/collision/world_geometry.h"
 
 namespace glissade {
+namespace {
+
+/// The data that queries of a world need.
+struct QueryGeometry {
+  WorldGeometry geometry;
+  std::shared_ptr<const MotionBound> motionBound;
+};
+
+/// QueryGeometry that is prepared when it is first requested. Any number of threads may request it: the first one
+/// prepares, the others wait.
+class LaterGeometry {
+ public:
+  explicit LaterGeometry(std::function<QueryGeometry()> prepare) : prepare_(std::move(prepare)) {}
+
+  /// After an exception (no memory) the next call prepares again.
+  const QueryGeometry& get() const {
+    std::call_once(once_, [this] {
+      prepared_ = prepare_();
+      prepare_ = nullptr;
+      isPrepared_ = true;
+    });
+    return prepared_;
+  }
+  bool isPrepared() const { return isPrepared_; }
+
+ private:
+  mutable std::once_flag once_;
+  mutable std::function<QueryGeometry()> prepare_;
+  mutable QueryGeometry prepared_;
+  mutable std::atomic<bool> isPrepared_{false};
+};
+
+}  // namespace
 
 struct CollisionWorld::Impl {
-  WorldGeometry geometry;  ///< where it is prepared later: backend, bodies and their box
+  WorldGeometry geometry;  ///< backend, bodies and their box, if the geometry is prepared later
   double objectRadius = 0.0;
   std::shared_ptr<const MotionBound> motionBound;
   std::shared_ptr<const LaterGeometry> later;  ///< null: all is prepared
 
   const WorldGeometry& prepared() const { return later ? later->get().geometry : geometry; }
   std::vector<ObjectVariant> variants;
-  std::vector<ObstacleGroup> groups;                ///< where there are variants: these answer, and not the geometry
-  CollisionWorldPtr whole;                          ///< that withVariants() was asked of
+  std::vector<ObstacleGroup> groups;  ///< groups that answer queries instead of `geometry`, if there are variants
+  CollisionWorldPtr whole;            ///< world from which withVariants() was called
   std::shared_ptr<const ThreadedWorld> threads;     ///< null: there are none
-  std::shared_ptr<const ForbiddenSpace> forbidden;  ///< null: nothing is
+  std::shared_ptr<const ForbiddenSpace> forbidden;  ///< null: nothing is forbidden
 };
 
 namespace {
 
-/// Of the clearance that a path usually keeps, and of what its chords are off a screw motion: so much of it is shown of
-/// a screw motion without effort.
+/// Lower bound that the proof of a screw motion aims at, as a multiple of the default clearance of a path plus the
+/// deviation of its chords from the screw motion.
 constexpr double kWantedClearances = 2.0;
 
-/// Surfaces by one of the backends, containment by our own test of solids.
+/// Queries of solids: surfaces by one of the backends, containment by our own test.
 class SolidQuery final : public CollisionQuery {
  public:
   SolidQuery(std::unique_ptr<SurfaceQuery> surfaces, const WorldGeometry& geometry,
@@ -87,13 +125,13 @@ class SolidQuery final : public CollisionQuery {
       const MotionCertificate certificate = certifyMotion(*this, from, to, required, stop);
       check = {certificate.status, certificate.certified, certificate.at, certificate.distanceQueries};
     } else if (check->certified > 0.0 && solids_->containment(from)) {
-      // What touches nothing is inside all the way, or nowhere.
+      // An object that touches nothing is inside an obstacle on the whole motion, or nowhere.
       check = {CertificateStatus::Violated, 0.0, 0.0, check->configurations};
     }
     return *check;
   }
 
-  /// What touches nothing is inside of nothing all the way if it is so at the beginning.
+  /// An object that touches nothing on the motion and is inside no obstacle at its beginning is inside none.
   double screwClearance(const Pose& from, const ScrewAxis& screw, double advance, double enough, double off) override {
     ++counts_.motion;
     if (solids_->containment(from)) return 0.0;
@@ -123,7 +161,7 @@ class SolidQuery final : public CollisionQuery {
     for (const auto& [a, b, c] : mesh.triangles) triangles.push_back({placed[a], placed[b], placed[c]});
   }
 
-  /// Around a cylinder about the axis that holds the triangles on all of the way.
+  /// Bounding box of a cylinder about the axis that contains the triangles on the whole motion.
   static Box3 boxOfScrew(const std::vector<Triangle>& moving, const ScrewAxis& screw, double advance) {
     Box3 axis;
     double radius = 0.0;
@@ -204,7 +242,7 @@ CollisionWorldPtr CollisionWorld::buildLater(std::vector<RigidBody> obstacles, c
   return CollisionWorldPtr(new CollisionWorld(std::move(impl)));
 }
 
-/// Obstacles that the object is taken alike against are one group.
+/// Obstacles against which the object has the same replacement form one group.
 CollisionWorldPtr CollisionWorld::compose(double scale, const PreparedObject& object,
                                           std::vector<ComposedObstacle> obstacles) {
   if (obstacles.empty()) return build({}, object.mesh);
@@ -274,7 +312,7 @@ CollisionWorldPtr CollisionWorld::withObjects(const std::function<MeshPtr(const 
   return finished(std::move(impl), change(object()));
 }
 
-/// The obstacles that no variant is for keep the whole object.
+/// Obstacles without a variant keep the whole object.
 CollisionWorldPtr CollisionWorld::withVariants(std::vector<ObjectVariant> variants) const {
   if (impl_->forbidden) {
     return withForbidden(nullptr)->withVariants(std::move(variants))->withForbidden(impl_->forbidden);
@@ -371,7 +409,7 @@ CollisionWorldPtr CollisionWorld::withBackend(CollisionBackend backend) const {
   return other->withThreaded(std::move(threads));
 }
 
-/// With what depends on the object alone.
+/// Completes a world with the data that depend on the object alone.
 CollisionWorldPtr CollisionWorld::finished(std::unique_ptr<Impl> impl, MeshPtr object) {
   impl->objectRadius = radiusAboutOrigin(*object);
   impl->motionBound = std::make_shared<const MotionBound>(*object);

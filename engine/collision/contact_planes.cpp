@@ -6,13 +6,14 @@
 namespace glissade {
 namespace {
 
-/// Contacts are one with a smaller angle than this between their planes (cosine), at points of the object
-/// nearer than this, times its radius. A face on a face has several: with one, it would tip over.
+/// Contacts are one contact if the angle between their planes is smaller than this (cosine), and their points on the
+/// object are nearer than this share of its radius. A face on a face has several contacts; with a single one the object
+/// would tilt.
 constexpr double kSamePlane = 0.995;
 constexpr double kSamePoint = 0.1;
 constexpr std::size_t kMostContacts = 8;
 constexpr int kSweeps = 20;
-/// Share of a missing gap that is given back in one step.
+/// Share of a missing gap that is restored in one step.
 constexpr double kRecovery = 0.2;
 
 }  // namespace

@@ -19,7 +19,7 @@ class FclGeometry {
 
   Model obstacles;
   Model object;
-  std::vector<int> bodyOf;  ///< per triangle of `obstacles`
+  std::vector<int> bodyOf;  ///< body of each triangle of `obstacles`
   double scale = 1.0;
 
   fcl::Transform3d place(const Pose& X_WB) const {
@@ -40,7 +40,7 @@ void addMesh(FclGeometry::Model& model, const TriangleMesh& mesh, double scale) 
   model.addSubModel(vertices, triangles);
 }
 
-/// FCL fills a static table of functions at its first use: do it before there are threads.
+/// Makes FCL fill its static table of functions, which it does at its first use, before there are threads.
 void warmUp(const FclGeometry& geometry) {
   FclSurfaceQuery query(std::shared_ptr<const FclGeometry>(&geometry, [](const FclGeometry*) {}));
   query.touches(Pose::identity());

@@ -6,9 +6,9 @@
 
 namespace glissade {
 
-/// The geometry of a world as FCL wants it: all obstacles in one hierarchy in the world frame, so
-/// that one call answers for all of them. Meshes only: FCL's primitives and its continuous
-/// collision are not to be trusted (their errors are listed in engine/README.md).
+/// The geometry of a world for FCL: all obstacles in one hierarchy in the world frame, so that one call answers for all
+/// of them. Meshes only: FCL's primitives and its continuous collision are not reliable (their errors are listed in
+/// engine/README.md).
 class FclGeometry;
 
 std::shared_ptr<const FclGeometry> makeFclGeometry(const std::vector<RigidBody>& obstacles, const TriangleMesh& object);
@@ -21,7 +21,7 @@ class FclSurfaceQuery final : public SurfaceQuery {
   std::optional<int> touchingBody(const Pose& X_WB) override;
   NearestObstacle nearest(const Pose& X_WB, double enough) override;
   bool isWithin(const Pose& X_WB, double bound) override;
-  /// Nothing: its continuous collision is wrong.
+  /// Returns nothing, because FCL's continuous collision is wrong.
   std::optional<MotionCheck> checkMotion(const Pose& from, const Pose& to, double required, SeekViolation seek,
                                          const StopToken& stop) override;
 

@@ -4,14 +4,14 @@
 
 namespace glissade {
 
-/// Motions that a person forbids to the object of a world, beside what is in its way. Immutable, shared by threads.
+/// Motions that a person forbids to the object of a world, in addition to the obstacles. Immutable, shared by threads.
 class ForbiddenMotions {
  public:
   virtual ~ForbiddenMotions() = default;
 
-  /// The object may be here.
+  /// True if the object may be at this pose.
   virtual bool mayBeAt(const Pose& X_WB) const = 0;
-  /// The object may go by this straight motion, in this direction. False where it may not be at `to`.
+  /// True if the object may make this straight motion in this direction. False where it may not be at `to`.
   virtual bool mayMove(const Pose& from, const Pose& to) const = 0;
 };
 

@@ -5,7 +5,7 @@
 namespace glissade {
 namespace {
 
-/// By which the margin is raised above rounding: who computes it otherwise, comes to the same answer.
+/// Relative increase of the margin above rounding, so that another computation of the margin gives the same answer.
 constexpr double kRaised = 1.0 / 64.0;
 
 Box3 grown(const Box3& box, double margin) {
@@ -21,7 +21,7 @@ std::vector<Box3> allBoxesOf(const ForbiddenPlaces& places, double margin) {
   return boxes;
 }
 
-/// Where on the segment it is in the closed box: from `begin` to `end`; nothing where it is nowhere.
+/// The part of the segment in the closed box, from `begin` to `end`; nothing where they do not meet.
 std::optional<ForbiddenStretch> stretchIn(const Box3& box, const Vector3& from, const Vector3& to) {
   ForbiddenStretch stretch{0.0, 1.0, 0};
   for (int axis = 0; axis < 3; ++axis) {

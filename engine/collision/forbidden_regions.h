@@ -14,16 +14,15 @@
 
 namespace glissade {
 
-/// A part [begin, end] of a straight motion on which the reference point is not farther than the margin from a
-/// forbidden box.
+/// A part [begin, end] of a straight motion on which the reference point is within the margin of a forbidden box.
 struct ForbiddenStretch {
   double begin = 0.0;
   double end = 0.0;
   std::size_t place = 0;  ///< index into ForbiddenRegions::places()
 };
 
-/// Where a person forbids the object's reference point to be: in the boxes of places, which are closed, and nearer to
-/// them than a margin along each axis. Immutable, shared by threads.
+/// The places where a person forbids the object's reference point: closed boxes, extended by a margin along each axis.
+/// Immutable, shared by threads.
 class ForbiddenRegions {
  public:
   /// `margin`: metres, tolerance::kForbiddenMargin times the object's radius.
@@ -31,37 +30,38 @@ class ForbiddenRegions {
 
   const ForbiddenPlaces& places() const { return places_; }
   double margin() const { return margin_; }
-  /// "P4, P7"
+  /// Names of the places, for example "P4, P7".
   std::string names() const;
-  /// The place that the point is in, or nearer to than the margin, as an index; nothing where there is none.
+  /// Index of the place that contains the point, or is nearer to it than the margin; nothing where there is none.
   std::optional<std::size_t> holding(const Vector3& p_W) const;
-  /// The point is in the open interior of a box of this place.
+  /// True if the point is in the open interior of a box of this place.
   bool isInside(std::size_t place, const Vector3& p_W) const;
   /// The first box that the straight motion meets. Rounding makes the margin a little larger, never smaller.
   std::optional<ForbiddenStretch> firstOn(const Vector3& from_W, const Vector3& to_W) const;
-  /// Some box is at most so far from the straight motion; may also be true where it is farther.
+  /// True if a box may be within `distance` of the straight motion. Conservative: may also be true where all are
+  /// farther.
   bool mayBeWithin(double distance, const Vector3& from_W, const Vector3& to_W) const;
 
  private:
   ForbiddenPlaces places_;
   double margin_;
-  BoxHierarchy boxes_;                ///< with the margin
-  std::vector<std::size_t> placeOf_;  ///< per box
+  BoxHierarchy boxes_;                ///< boxes with the margin
+  std::vector<std::size_t> placeOf_;  ///< place of each box
 };
 using ForbiddenRegionsPtr = std::shared_ptr<const ForbiddenRegions>;
 
-/// What is forbidden in a world at present. It changes where a person forbids a place or allows it again while a
+/// The forbidden regions of a world at present. They change where a person forbids a place or allows it again while a
 /// planner works; queries follow at once. All functions may be called from any thread.
 class ForbiddenSpace {
  public:
-  /// `motions`: forbidden always; null: none.
+  /// `motions`: motions that are always forbidden; null: none.
   explicit ForbiddenSpace(std::shared_ptr<const ForbiddenMotions> motions = nullptr) : motions_(std::move(motions)) {}
 
   const ForbiddenMotions* motions() const { return motions_.get(); }
-  /// Null: nothing is forbidden.
+  /// Replaces the regions; null: nothing is forbidden.
   void set(ForbiddenRegionsPtr regions);
   ForbiddenRegionsPtr regions() const;
-  /// Grows with every set().
+  /// Number that grows with every set().
   std::uint64_t revision() const { return revision_.load(std::memory_order_acquire); }
 
  private:

@@ -8,11 +8,12 @@
 namespace glissade {
 namespace {
 
-/// Radians of a screw motion that are looked at as one chord.
+/// Angle of a screw motion that is tested as one chord, radians.
 constexpr double kChordAngle = 0.02;
-/// A screw motion of more chords is taken to be forbidden: its edges are looked at one by one then.
+/// Most chords of a screw motion. A longer one counts as forbidden here, after which its edges are tested one by one.
 constexpr double kMostChords = 1e6;
-/// The first forbidden configuration is named at most this share of the object's radius beyond where it begins.
+/// Largest distance of the reported first forbidden configuration behind the beginning of the forbidden part, as a
+/// share of the object's radius.
 constexpr double kBeyond = 1e-3;
 
 }  // namespace
@@ -92,7 +93,8 @@ double ForbiddingQuery::forbiddenMargin() {
   return now == nullptr ? 0.0 : now->margin();
 }
 
-/// The reference point goes on a helix, which is near its chords.
+/// True if the screw motion may touch a forbidden place. The reference point moves on a helix, which is near its
+/// chords.
 bool ForbiddingQuery::mayTouch(const Pose& from, const ScrewAxis& screw, double advance, double off) {
   const ForbiddenRegions* now = regions();
   if (now == nullptr && space_->motions() == nullptr) return false;

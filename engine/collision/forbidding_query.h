@@ -8,9 +8,9 @@
 
 namespace glissade {
 
-/// Holds the rule of forbidden places and motions over the answers of another query: a configuration whose reference
-/// point is in one (ForbiddenRegions) counts as a collision with kForbiddenPlace, and so does a motion that meets one.
-/// Distances are those to the obstacles elsewhere: what is kept from places is their margin.
+/// Adds the rule of forbidden places and motions to another query. A configuration whose reference point is in a
+/// forbidden place (ForbiddenRegions) counts as a collision with kForbiddenPlace, and so does a motion that meets one.
+/// Distances are those to the obstacles; the places only keep their margin.
 class ForbiddingQuery final : public CollisionQuery {
  public:
   ForbiddingQuery(std::unique_ptr<CollisionQuery> bodies, std::shared_ptr<const ForbiddenSpace> space);

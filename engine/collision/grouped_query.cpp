@@ -36,7 +36,7 @@ bool GroupedQuery::mayReach(const Part& part, const Pose& from, const Pose& to, 
   return lessRounding(part, part.box.exteriorDistance(way), farthest) <= required;
 }
 
-/// Of the object, from a distance of its reference point.
+/// A lower bound of the object's distance, from a distance of its reference point.
 double GroupedQuery::lessRounding(const Part& part, double distance, const Vector3& position) const {
   const double coordinates = part.coordinates + position.cwiseAbs().maxCoeff();
   return distance * (1.0 - kRounding) - motionBound_->objectRadius() * (1.0 + kRounding) - kRoundings * coordinates;

@@ -6,7 +6,7 @@
 
 namespace glissade {
 
-/// How fast the points of the object move. Immutable, shared by threads.
+/// Upper bound of the speed of the object's points. Immutable, shared by threads.
 class MotionBound {
  public:
   explicit MotionBound(const TriangleMesh& object);
@@ -19,11 +19,12 @@ class MotionBound {
   double objectRadius() const { return clusters_.empty() ? 0.0 : clusters_.front().farthest; }
 
  private:
-  /// Vertices that lie together, farthest from the reference point first: few are looked into.
+  /// Neighbouring vertices. The clusters are sorted by falling distance from the reference point, so that few are
+  /// searched.
   struct Cluster {
     Vector3 centre;
     double radius;
-    double farthest;  ///< from the reference point
+    double farthest;  ///< largest distance from the reference point
     std::vector<Vector3> vertices;
   };
 
@@ -32,12 +33,12 @@ class MotionBound {
   std::vector<Cluster> clusters_;
 };
 
-/// The straight motion's velocity, per unit of t: constant in the world for the reference point, and in
-/// the object's own frame for the turn.
+/// The velocity of a straight motion, per unit of t. It is constant in the world for the reference point, and in the
+/// object's own frame for the turn.
 struct Velocity {
-  Vector3 translation_W = Vector3::Zero();  ///< metres
-  double rotation = 0.0;                    ///< radians, in [0, pi]
-  Vector3 axis_B = Vector3::UnitX();        ///< unit
+  Vector3 translation_W = Vector3::Zero();  ///< translation, metres
+  double rotation = 0.0;                    ///< angle in radians, in [0, pi]
+  Vector3 axis_B = Vector3::UnitX();        ///< unit axis of rotation
 
   Velocity(const Pose& from, const Pose& to);
 };

@@ -11,19 +11,18 @@
 namespace glissade {
 namespace {
 
-/// A clearance within this share of the requirement counts as below it: the steps would shrink
-/// towards nothing.
+/// Least margin as a share of the requirement. A smaller clearance counts as below the requirement, because the steps
+/// would become too short.
 constexpr double kSlimmestMargin = 1e-3;
-/// The clearance of an edge of a path, and of the whole path, is proved down to this share of the smallest
-/// distance met there.
+/// Share of the smallest distance met down to which the clearance of an edge, and of the whole path, is proved.
 constexpr double kEdgeShare = 0.5;
 constexpr double kPathShare = 0.9;
-/// By which the bound of what a path is off its screw motion is raised above its rounding.
+/// Relative increase of the bound of a path's deviation from its screw motion above its rounding.
 constexpr double kScrewRounding = 1e-9;
-/// More queries than this on one motion and it is given up as undecided: ten times what a slide of
-/// ten metres at a gap of a millimetre takes.
+/// Most queries for one motion, after which it is undecided: ten times the number for a slide of ten metres at a gap of
+/// a millimetre.
 constexpr std::uint64_t kMostQueries = 200'000;
-/// Samples of one edge; beyond it, counting them in a double loses some. The limits of lengths keep below it.
+/// Most samples of one edge, which a double counts exactly. The limits of lengths keep the number below it.
 constexpr double kMostSamples = 1e15;
 
 void refuseForbidden(double at, MotionCertificate& result) {
@@ -67,7 +66,7 @@ class Certifier {
       }
       const double reach = bound_ > 0.0 ? margin / bound_ : 1.0;
       if (probe - reach > proved) {
-        probe = proved;  // the leap was too bold: fill the gap first
+        probe = proved;  // the step was too long: fill the gap first
         continue;
       }
       const double end = std::min(1.0, probe + reach);
@@ -100,14 +99,14 @@ class Certifier {
   MotionCertificate result_;
 };
 
-/// A path of one configuration is an edge that ends where it begins.
+/// The end of an edge. A path of one configuration is an edge that ends where it begins.
 const Pose& endOfEdge(const std::vector<Pose>& path, std::size_t edge) {
   return path[std::min(edge + 1, path.size() - 1)];
 }
 
-/// Brackets the clearance of a path's edges, from the distances at its configurations and, where an edge
-/// comes nearer than half of them, at the configurations where it does. Motion checks do the proving: they do
-/// without the distances on the way.
+/// Brackets the clearance of a path's edges by the distances at its configurations and, where an edge comes nearer than
+/// half of them, at the nearest configurations found. The proofs are motion checks, which do not need the distances on
+/// the motion.
 class PathCertifier {
  public:
   PathCertifier(CollisionQuery& query, const std::vector<Pose>& path, const std::vector<EdgeDemand>& demands,
@@ -143,7 +142,7 @@ class PathCertifier {
  private:
   const Pose& endOf(std::size_t edge) const { return endOfEdge(path_, edge); }
 
-  /// Screw motions of many turns are proved as one. Their edges are not looked at again where that shows enough.
+  /// Proves a screw motion of many turns as one. Its edges are not proved again where the bound is large enough.
   void proveScrew(const ScrewRun& run) {
     const Pose& from = path_[run.first];
     const Pose& to = endOf(run.last);
@@ -163,7 +162,7 @@ class PathCertifier {
     return query_.checkMotion(path_[edge], endOf(edge), clearance, SeekViolation::Any, stop_);
   }
 
-  /// The first edges, each with its demand proved and the distances at its ends met.
+  /// Certificates of the first edges, with their demands proved and the distances at their ends.
   std::vector<MotionCertificate> metAtEnds(std::size_t count) {
     std::vector<MotionCertificate> edges;
     NearestObstacle atStart;
@@ -208,8 +207,8 @@ class PathCertifier {
     meet(refused.edge, refused.check.at, result);
   }
 
-  /// Raises what is proved of an edge that keeps its demand to near the smallest distance met. What the motion
-  /// check finds below that is met next, so that every turn halves what is left.
+  /// Raises the proved clearance of an edge that keeps its demand to near the smallest distance met. Where the motion
+  /// check finds a smaller distance, that is met next, so that every turn halves the rest.
   void raise(std::size_t edge, MotionCertificate& result) {
     if (screwed_[edge] > 0.0) return;
     for (double bound = worthProving(kEdgeShare * result.minClearance);
@@ -221,8 +220,8 @@ class PathCertifier {
     }
   }
 
-  /// The clearance of the whole path is what people read: it is bracketed more closely than each edge's, which
-  /// concerns the few edges that come nearest.
+  /// Brackets the clearance of the whole path, which is displayed, more closely than that of each edge. This concerns
+  /// only the few edges that come nearest.
   void narrow(std::vector<MotionCertificate>& edges) {
     double least = std::numeric_limits<double>::infinity();
     for (const MotionCertificate& edge : edges) least = std::min(least, edge.minClearance);
@@ -247,16 +246,16 @@ class PathCertifier {
   const std::vector<Pose>& path_;
   const std::vector<EdgeDemand>& demands_;
   const StopToken& stop_;
-  std::vector<double> screwed_;  ///< clearance of each edge that was proved as a part of a screw motion; 0: was not
+  std::vector<double> screwed_;  ///< clearance of each edge that was proved as a part of a screw motion; 0: it was not
 };
 
-/// The samples of a motion, 0 (known to be free) to `count`.
+/// The samples of a motion, from 0 (known to be free) to `count`.
 class FreeSamples {
  public:
   FreeSamples(CollisionQuery& query, const Pose& from, const Pose& to, double dt, const StopToken& stop)
       : query_(query), from_(from), to_(to), dt_(dt), bound_(query.motionBound()(from, to)), stop_(stop) {}
 
-  /// Of the samples before a forbidden place.
+  /// The share of the motion before a collision or a forbidden place.
   double fraction() {
     const auto stretch = query_.forbiddenOn(from_, to_);
     const double last = std::ceil((stretch ? stretch->begin : 1.0) / dt_);
@@ -266,8 +265,9 @@ class FreeSamples {
  private:
   double at(double sample) const { return std::min(1.0, sample * dt_); }
 
-  /// The last sample in [first, last] before one that collides; `first` is free. Halves the run until
-  /// it is proved free as one, or is short: of four samples hardly a run is, and down to two a tenth more is asked.
+  /// The last sample in [first, last] before one that collides; `first` is free. The range is halved until it is proved
+  /// free as a whole, or is short. A range of four samples is rarely proved, and halving down to two takes a tenth more
+  /// queries.
   double lastFree(double first, double last) {
     constexpr double kShort = 4.0;
     if (stop_.stopRequested()) return first;

@@ -6,10 +6,10 @@
 
 namespace glissade {
 
-/// What is known of a motion past nothing.
+/// Result for a motion without obstacles.
 inline MotionCheck certifiedMotion() { return {CertificateStatus::Certified, 1.0, 1.0, 0}; }
 
-/// Adds what was found about some of the obstacles to what is known of the others.
+/// Combines the results for two sets of obstacles.
 inline void unite(MotionCheck& united, const MotionCheck& check) {
   united.configurations += check.configurations;
   united.certified = std::min(united.certified, check.certified);

@@ -29,7 +29,7 @@ void PreparedBodies::forget(const MeshPtr& mesh) {
   objects_.erase(mesh);
 }
 
-/// Two threads that need the same one may both prepare it; the first is kept.
+/// The prepared obstacle of a mesh. Two threads that need the same one may both prepare it; the first is kept.
 PreparedBodies::ObstaclePtr PreparedBodies::obstacle(const MeshPtr& mesh) {
   {
     const std::lock_guard lock(mutex_);

@@ -9,13 +9,13 @@
 
 namespace glissade {
 
-/// A mesh, as the kernel wants an obstacle; all bodies with this mesh share it. Immutable.
+/// A mesh prepared as an obstacle for the kernel; all bodies with this mesh share it. Immutable.
 struct PreparedObstacle {
   std::shared_ptr<const BoxTree> tree;
   Solids::SolidPtr solid;
 };
 
-/// A mesh, as the kernel wants the object. Immutable.
+/// A mesh prepared as the object for the kernel. Immutable.
 struct PreparedObject {
   MeshPtr mesh;
   double radius = 0.0;
@@ -24,7 +24,7 @@ struct PreparedObject {
   Solids::SolidPtr solid;
 };
 
-/// An obstacle of a world, and the object as it is taken against it.
+/// An obstacle of a world, and the replacement of the object against it.
 struct ComposedObstacle {
   RigidBody body;
   Box3 box_W;
@@ -32,23 +32,24 @@ struct ComposedObstacle {
   std::shared_ptr<const PreparedObject> object;
 };
 
-/// Bodies of a product, for worlds of any choice of them: each mesh is prepared once, when it is first needed, as an
-/// obstacle, and once as an object. A world then costs microseconds a body. Worlds keep what they need. May be asked
-/// by several threads at a time.
+/// Prepared bodies of a product, from which worlds are composed. Each mesh is prepared at most once as an obstacle and
+/// once as an object, when it is first needed. A world then takes microseconds per body. Worlds keep the data that they
+/// need. Thread-safe.
 class PreparedBodies {
  public:
   explicit PreparedBodies(std::vector<RigidBody> bodies);
 
-  /// An obstacle of a world, by its index, and the mesh that the object is taken to be against it.
+  /// An obstacle of a world, by its index, and the mesh that replaces the object against it.
   struct Against {
     std::size_t body;
     MeshPtr object;
-    MeshPtr obstacle = nullptr;  ///< the mesh that the obstacle is taken to be, in its frame; null: its own
+    MeshPtr obstacle = nullptr;  ///< mesh that replaces the obstacle, in its frame; null: its own
   };
-  /// The world's obstacles are numbered as they are listed here. The meshes are in one frame, inside `object`.
+  /// The world of an object and obstacles, in the order of `obstacles`. The replacing meshes are in the frame of
+  /// `object`, inside it.
   CollisionWorldPtr world(const MeshPtr& object, const std::vector<Against>& obstacles);
 
-  /// A mesh that no later world needs: what was prepared of it lives as long as the worlds that have it.
+  /// Forgets a mesh that no later world needs. Its prepared data live as long as the worlds that use them.
   void forget(const MeshPtr& mesh);
 
   const std::vector<RigidBody>& bodies() const { return bodies_; }
@@ -63,7 +64,7 @@ class PreparedBodies {
   std::vector<RigidBody> bodies_;
   std::vector<Box3> boxes_;
   double scale_;
-  std::mutex mutex_;  ///< of what follows
+  std::mutex mutex_;  ///< guards the members below
   std::map<MeshPtr, ObstaclePtr> obstacles_;
   std::map<MeshPtr, ObjectPtr> objects_;
 };

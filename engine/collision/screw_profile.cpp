@@ -15,41 +15,41 @@ using Flat = Eigen::Vector2d;
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
-/// Pairs whose bound is above this share of the least one found are not looked at more closely.
+/// Pairs whose bound is above this share of the least bound found are not refined.
 constexpr double kNearLeast = 0.8;
-/// Triangles are divided until the error of their (r, s) is below this share of `enough`, or so often.
+/// Triangles are divided until the error of their (r, s) is below this share of `enough`, or this many times.
 constexpr double kErrorOfEnough = 0.05;
 constexpr int kMostDivisions = 5;
-/// Of `enough`: for more than this no triangle is divided.
+/// Share of `enough` that suffices: no triangle is divided to prove more.
 constexpr double kWantedShare = 0.75;
-/// Radians to both sides of a triangle's middle, above which nothing is said of its (r, s).
+/// Largest half angle of a triangle, radians; a wider one has no (r, s).
 constexpr double kWidest = 0.5;
-/// Points nearer to the axis than this share of the bore have no (r, s).
+/// Share of the bore. Points nearer to the axis have no (r, s).
 constexpr double kCore = 0.5;
-/// Lengths are rounded by less than this share of them, and of the coordinates.
+/// Relative rounding errors of lengths, and of coordinates.
 constexpr double kRoundingShare = 1e-9;
 constexpr double kCoordinateRounding = 1e-14;
 constexpr std::size_t kElementsOfLeaf = 4;
-/// Turns.
+/// Rounding error of a number of turns.
 constexpr double kTurnRounding = 1e-9;
 
 double sizeOf(const Range& range) { return range.high - range.low; }
 
 double gapOf(const Range& a, const Range& b) { return std::max({0.0, a.low - b.high, b.low - a.high}); }
 
-/// A triangle, or several. Its (r, s) lie within `error` of a convex polygon.
+/// A triangle, or several triangles. Its (r, s) lie within `error` of a convex polygon.
 struct ProfileShape {
-  std::vector<Flat> corners;  ///< counter-clockwise; empty: nothing is known of (r, s)
+  std::vector<Flat> corners;  ///< counter-clockwise; empty: (r, s) is not known
   double error = 0.0;
   Range radius;
   Range height;
-  Range shift;  ///< s of the corners
-  Range angle;  ///< radians about the axis, with the turns by which s is below the pitch
+  Range shift;  ///< range of s of the corners
+  Range angle;  ///< angle about the axis in radians, including the turns that bring s below the pitch
 };
 
 double cross(const Flat& a, const Flat& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// Andrew's monotone chain.
+/// Convex hull by Andrew's monotone chain.
 std::vector<Flat> convexHull(std::vector<Flat> points) {
   std::sort(points.begin(), points.end(),
             [](const Flat& a, const Flat& b) { return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y()); });
@@ -69,7 +69,8 @@ std::vector<Flat> convexHull(std::vector<Flat> points) {
   return hull;
 }
 
-/// Of the polygon's border along its edges' normals: how far the other one, moved by `by`, is beyond; below 0: not.
+/// Largest distance by which the other polygon, moved by `by`, lies beyond an edge of the polygon along the edge's
+/// normal; below 0: beyond none.
 double beyondEdges(const std::vector<Flat>& polygon, const std::vector<Flat>& other, const Flat& by) {
   double most = -kNever;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -84,18 +85,19 @@ double beyondEdges(const std::vector<Flat>& polygon, const std::vector<Flat>& ot
   return most;
 }
 
-/// The axis, and what makes (r, s) change by no more than points move: s is divided by `slope`.
+/// The axis, and the scaling of (r, s): s is divided by `slope`, so that (r, s) changes by no more than points move.
 struct ProfileFrame {
   ScrewAxis screw;
   Vector3 u;
   Vector3 v;
   double core;   ///< least r of points that have (r, s)
-  double slope;  ///< >= 1
-  double pitch;  ///< after which s is the same, divided by the slope; below 0: left-handed
+  double slope;  ///< scale of s, >= 1
+  double pitch;  ///< period of s, divided by the slope; below 0: left-handed
 
   ProfileFrame(const ScrewAxis& axis, double bore)
       : screw(axis), u(axis.axis_W.unitOrthogonal()), v(axis.axis_W.cross(u)), core(kCore * bore) {
-    // Points that are nearer to each other than the core is thick are joined by a line beyond half of it.
+    // Points whose distance is at most the core's radius are joined by a line that stays farther from the axis than
+    // half of it.
     slope = core > 0.0 ? std::hypot(1.0, screw.pitch / (kTwoPi * 0.5 * core)) : 1.0;
     pitch = screw.pitch / slope;
   }
@@ -117,7 +119,7 @@ double nearestOfSegment(const Flat& a, const Flat& b) {
 
 using PlacedTriangle = std::array<Vector3, 3>;
 
-/// Distances of its points from the z axis.
+/// Distances of the triangle's points from the z axis.
 Range radiusOf(const PlacedTriangle& corners) {
   const Flat a = flatOf(corners[0]);
   const Flat b = flatOf(corners[1]);
@@ -131,7 +133,7 @@ Range radiusOf(const PlacedTriangle& corners) {
   return radius;
 }
 
-/// With (r, s) where they are known.
+/// The shape of a triangle, with (r, s) where they are defined.
 ProfileShape shapeOf(const PlacedTriangle& corners, const ProfileFrame& frame) {
   ProfileShape shape;
   shape.radius = radiusOf(corners);
@@ -140,7 +142,7 @@ ProfileShape shapeOf(const PlacedTriangle& corners, const ProfileFrame& frame) {
   const Flat middle = flatOf(corners[0] + corners[1] + corners[2]).normalized();
   const double angle = std::atan2(middle.y(), middle.x());
   double widest = 0.0;
-  Range lever;  // r cos of the corners: weights by which a triangle's angles are off linear ones
+  Range lever;  // r cos(angle) of the corners, which bounds the deviation of the triangle's angles from linear ones
   std::vector<Flat> profile;
   Range turns;
   for (const Vector3& p : corners) {
@@ -154,7 +156,7 @@ ProfileShape shapeOf(const PlacedTriangle& corners, const ProfileFrame& frame) {
   if (widest > kWidest) return shape;
   const double ratio = std::sqrt(lever.high / lever.low);
   const double turnError = 2.0 * widest * (ratio - 1.0) / (ratio + 1.0) + 2.0 * (std::tan(widest) - widest);
-  // r is below the linear one by no more than its chord.
+  // r is below its linear interpolation by at most the sagitta.
   const double sagitta = shape.radius.high * (1.0 - std::cos(widest));
   shape.error = std::hypot(0.5 * sagitta, turnError * std::abs(frame.pitch) / kTwoPi);
   for (Flat& p : profile) p.x() -= 0.5 * sagitta;
@@ -169,7 +171,7 @@ ProfileShape shapeOf(const PlacedTriangle& corners, const ProfileFrame& frame) {
   return shape;
 }
 
-/// Those of one body, as a tree. Triangles are divided where that is asked for.
+/// The triangles of one body, as a tree. Triangles are divided on demand.
 class ScrewProfile {
  public:
   ScrewProfile(const std::vector<PlacedTriangle>& triangles, const ProfileFrame& frame) : frame_(frame) {
@@ -191,15 +193,15 @@ class ScrewProfile {
 
   struct Node {
     ProfileShape shape;
-    std::uint32_t first = 0;   ///< element of a leaf, else node
-    std::uint32_t second = 0;  ///< node
-    std::uint32_t count = 0;   ///< of a leaf's elements; 0: no leaf
+    std::uint32_t first = 0;   ///< element of a leaf, else index of a node
+    std::uint32_t second = 0;  ///< index of a node
+    std::uint32_t count = 0;   ///< number of a leaf's elements; 0: no leaf
   };
   const Node& node(std::uint32_t index) const { return nodes_[index]; }
-  /// Until the next call of partsOf().
+  /// Shape of an element; valid until the next call of partsOf().
   const ProfileShape& shape(std::uint32_t element) const { return elements_[element].shape; }
 
-  /// By how much the (r, s) of the element may be known better, were it divided; 0: it is not divided.
+  /// Improvement of the element's (r, s) by a division; 0: it is not divided.
   double coarseness(std::uint32_t element, double mostError) const {
     const Element& own = elements_[element];
     if (own.divisions == 0) return 0.0;
@@ -207,14 +209,14 @@ class ScrewProfile {
     return own.shape.error > mostError ? own.shape.error : 0.0;
   }
 
-  /// By how much its radii and heights may be known better, likewise.
+  /// Improvement of the element's radii and heights by a division; 0: it is not divided.
   double extent(std::uint32_t element, double mostError) const {
     const Element& own = elements_[element];
     const double size = std::max(sizeOf(own.shape.radius), sizeOf(own.shape.height));
     return own.divisions > 0 && size > mostError ? size : 0.0;
   }
 
-  /// The first of the four elements that the element is divided into.
+  /// Divides an element into four, and returns the first of them.
   std::uint32_t partsOf(std::uint32_t element) {
     if (elements_[element].parts == 0) {
       elements_[element].parts = static_cast<std::uint32_t>(elements_.size());
@@ -234,8 +236,8 @@ class ScrewProfile {
   struct Element {
     ProfileShape shape;
     PlacedTriangle triangle;
-    int divisions = 0;        ///< that are left
-    std::uint32_t parts = 0;  ///< the first of four; 0: it is not divided
+    int divisions = 0;        ///< divisions that are left
+    std::uint32_t parts = 0;  ///< index of the first of four parts; 0: it is not divided
   };
 
   void add(const PlacedTriangle& triangle, int divisions) {
@@ -310,7 +312,8 @@ class ProfileDistance {
         pitch_(frame.pitch),
         rise_{std::min(0.0, advance), std::max(0.0, advance)} {}
 
-  /// Triangles of which less than `target` is shown are divided. Precondition: `enough` is at most the core.
+  /// Lower bound on the distance. Triangles with a bound below `target` are divided. Precondition: `enough` is at most
+  /// the core.
   double least(double enough, double target) {
     found_ = shown_ = enough;
     target_ = target;
@@ -358,8 +361,8 @@ class ProfileDistance {
     }
   }
 
-  /// The one of which less is known is divided: of its (r, s) as long as these can be known better, else of its radii
-  /// and heights.
+  /// Compares two elements and divides the less accurate one: by its (r, s) as long as these can be improved, else by
+  /// its radii and heights.
   void compareElements(std::uint32_t i, std::uint32_t k) {
     const double bound = apart(moving_.shape(i), fixed_.shape(k));
     if (bound >= found_) return;
@@ -377,7 +380,7 @@ class ProfileDistance {
     }
   }
 
-  /// Lower bound of the distance of any two points of them on the way.
+  /// Lower bound on the distance of any two points of the shapes during the motion.
   double apart(const ProfileShape& a, const ProfileShape& b) const {
     const Range height{a.height.low + rise_.low, a.height.high + rise_.high};
     const double radial = gapOf(a.radius, b.radius);
@@ -386,8 +389,8 @@ class ProfileDistance {
     return std::max(boxes, apartInProfile(a, b, radial) - a.error - b.error);
   }
 
-  /// Points that are nearer to each other than the limit have nearly the same angle, after a number of turns. The
-  /// advance says which numbers there are on the way.
+  /// Lower bound by (r, s). Points that are nearer to each other than the limit have nearly the same angle, after a
+  /// number of turns. The advance bounds the numbers of turns in the motion.
   double apartInProfile(const ProfileShape& a, const ProfileShape& b, double radial) const {
     const double slack = found_ + a.error + b.error;
     const double ends[]{(b.shift.low - a.shift.high - slack) / pitch_, (b.shift.high - a.shift.low + slack) / pitch_};
@@ -412,14 +415,14 @@ class ProfileDistance {
   const ProfileFrame& frame_;
   double pitch_;
   double target_ = 0.0;
-  double mostError_ = 0.0;  ///< of (r, s), down to which triangles are divided
+  double mostError_ = 0.0;  ///< largest error of (r, s) of triangles that are not divided
   Range rise_;
-  Range turned_;        ///< radians that the first one turns, with those by which near points differ
-  double found_ = 0.0;  ///< the least bound of two triangles
-  double shown_ = 0.0;  ///< of all pairs that were left out or compared
+  Range turned_;        ///< angle by which the first body turns, radians, extended by the angle between near points
+  double found_ = 0.0;  ///< least bound of two triangles
+  double shown_ = 0.0;  ///< least bound of all pairs that were excluded or compared
 };
 
-/// Of all triangles, in the frame of the axis.
+/// All triangles of a body, in the frame of the axis.
 struct PlacedBody {
   std::vector<PlacedTriangle> triangles;
   Range radius;

@@ -9,19 +9,20 @@
 namespace glissade {
 namespace {
 
-/// A run turns farther: motions that turn less are as quickly proved one by one.
+/// Least turn of a run. Motions that turn less are proved as fast one by one.
 constexpr double kLeastTurn = 1.01 * 2.0 * std::numbers::pi;
-/// Radians of an edge: less says too little of its axis, more has no sense that is sure.
+/// Bounds of the angle of an edge, radians. Smaller angles do not determine the axis, and near half a turn the sense is
+/// not certain.
 constexpr double kLeastEdge = 1e-4;
 constexpr double kMostEdge = 3.0;
-/// Edges of a run have the same axis, and the same pitch, within these shares (of the object's radius for lengths).
+/// Largest relative difference of the axes and pitches of a run's edges (relative to the object's radius for lengths).
 constexpr double kAlike = 1e-3;
 
 /// One edge as a turn about an axis with an advance along it.
 struct EdgeScrew {
   Vector3 point;
   Vector3 axis;
-  double turn;  ///< radians, > 0
+  double turn;  ///< angle in radians, > 0
   double advance;
 };
 
@@ -45,7 +46,7 @@ bool alike(const EdgeScrew& a, const EdgeScrew& b, double radius) {
   return (b.point - a.point).cross(a.axis).norm() <= kAlike * radius;
 }
 
-/// What the edges come to together.
+/// The common screw motion of the edges; nothing where they have none.
 std::optional<ScrewRun> runOf(const std::vector<EdgeScrew>& edges, std::size_t first, const std::vector<Pose>& path,
                               double radius) {
   double turn = 0.0;
@@ -70,7 +71,7 @@ std::optional<ScrewRun> runOf(const std::vector<EdgeScrew>& edges, std::size_t f
     const Pose& q = path[first + i + 1];
     atEnds = std::max(atEnds,
                       (q.position - exact.position).norm() + radius * angleBetween(q.orientation, exact.orientation));
-    // A line is off a helix by an eighth of its radius times the square of its angle.
+    // A chord deviates from its helix by at most an eighth of the radius times the square of its angle.
     const double arm = (q.position - run.screw.point_W).cross(run.screw.axis_W).norm() + atEnds;
     chord = std::max(chord, arm * edges[i].turn * edges[i].turn / 8.0);
   }

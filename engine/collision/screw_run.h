@@ -7,16 +7,16 @@
 
 namespace glissade {
 
-/// Edges of a path, one after the other, that are one screw motion of more than a full turn.
+/// Consecutive edges of a path that are one screw motion of more than a full turn.
 struct ScrewRun {
-  std::size_t first = 0;  ///< edge
-  std::size_t last = 0;   ///< edge, the last of them
+  std::size_t first = 0;  ///< index of the first edge
+  std::size_t last = 0;   ///< index of the last edge
   ScrewAxis screw;
-  double advance = 0.0;  ///< metres along the axis, from the first configuration to the last
-  double off = 0.0;      ///< metres that any point of the object is off the screw motion, at most
+  double advance = 0.0;  ///< advance along the axis from the first configuration to the last, metres
+  double off = 0.0;      ///< largest distance of any point of the object from the screw motion, metres
 };
 
-/// All of them, of a path of an object with this radius (metres) about its reference point.
+/// All screw runs of a path. `objectRadius`: metres about the reference point.
 std::vector<ScrewRun> screwRunsOf(const std::vector<Pose>& path, double objectRadius);
 
 }  // namespace glissade

@@ -5,8 +5,8 @@
 namespace glissade {
 namespace {
 
-/// Smallest extents first: a box fits into another, however turned, only if its smallest extents do
-/// not exceed the other's diagonal; the plain diagonal test is enough to exclude nearly all pairs.
+/// True if the inner box may fit into the outer one, however it is turned: its extents must not exceed the other's
+/// diagonal. This excludes nearly all pairs.
 bool mayFit(const Box3& inner, const Box3& outer) { return inner.sizes().maxCoeff() <= outer.diagonal().norm(); }
 
 }  // namespace

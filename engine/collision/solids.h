@@ -10,27 +10,27 @@
 
 namespace glissade {
 
-/// Settles what surfaces alone cannot: whether one solid lies wholly inside another. Boxes exclude
-/// nearly every pair; only what fits inside is tested exactly. Immutable, shared by threads.
+/// Decides whether one solid lies wholly inside another, which the surfaces alone do not show. Boxes exclude nearly
+/// every pair; only bodies that fit inside are tested exactly. Immutable, shared by threads.
 class Solids {
  public:
-  /// What is known of a mesh, in the frame of its vertices. Occurrences of the mesh share it.
+  /// Prepared data of a mesh, in the frame of its vertices. Occurrences of the mesh share it.
   struct Solid;
   using SolidPtr = std::shared_ptr<const Solid>;
   static SolidPtr prepare(const TriangleMesh& mesh);
 
-  /// A solid in its place.
+  /// A placed solid.
   struct Placed {
     SolidPtr solid;
-    Pose X_WS;   ///< of the frame that it was prepared in
-    Box3 box_W;  ///< around it
+    Pose X_WS;   ///< pose of the frame in which it was prepared
+    Box3 box_W;  ///< bounding box
   };
-  /// Obstacles, and the object in B.
+  /// Solids of these obstacles and of the object in frame B.
   Solids(std::vector<Placed> obstacles, SolidPtr object);
   /// Another object among the same obstacles.
   Solids(const Solids& other, const TriangleMesh& object);
 
-  /// Each obstacle, in its place, and the object.
+  /// The placed obstacles, and the object.
   const std::vector<Placed>& obstacles() const { return *obstacles_; }
   const SolidPtr& object() const { return object_; }
 
@@ -40,33 +40,33 @@ class Solids {
 
  private:
   using PlacedPtr = std::shared_ptr<const std::vector<Placed>>;
-  /// A surface of the object that may lie in some solids.
+  /// A surface of the object that may lie inside some solids.
   struct Guest {
     Vector3 point;
-    std::vector<std::size_t> hosts;  ///< obstacles, the lowest first
+    std::vector<std::size_t> hosts;  ///< indices of obstacles, ascending
   };
-  /// A surface of an obstacle that may lie in the object.
+  /// A surface of an obstacle that may lie inside the object.
   struct Core {
     Vector3 point;
     std::size_t obstacle;
   };
 
   Solids(PlacedPtr obstacles, SolidPtr object);
-  /// The lowest obstacle, if it is below `limit`; else that.
+  /// Lowest index of an obstacle around (inside) the object, if it is below `limit`; else `limit`.
   std::size_t aroundObject(const Pose& X_WB, std::size_t limit) const;
   std::size_t insideObject(const Pose& X_WB, std::size_t limit) const;
 
   PlacedPtr obstacles_;
   SolidPtr object_;
-  double squaredReach_ = 0.0;  ///< of the object's box from its reference point
+  double squaredReach_ = 0.0;  ///< square of the largest distance of the object's box from its reference point
   std::vector<Guest> guests_;  ///< surfaces of the object
-  std::vector<Core> cores_;    ///< the lowest obstacle first
+  std::vector<Core> cores_;    ///< surfaces of obstacles, the lowest obstacle first
 };
 
 struct Solids::Solid {
-  Box3 box;                               ///< in the frame of the mesh
-  std::optional<SolidInterior> interior;  ///< of a closed mesh
-  /// If one touches nothing, its point decides for all of it.
+  Box3 box;                               ///< bounding box in the frame of the mesh
+  std::optional<SolidInterior> interior;  ///< interior of a closed mesh
+  /// If a surface touches nothing, one of its points decides for the whole surface.
   std::vector<ConnectedSurface> surfaces;
 };
 

@@ -7,24 +7,23 @@
 
 namespace glissade {
 
-/// What a collision library has to answer for a world: the surfaces alone, containment is not seen.
-/// One per thread.
+/// Queries of surfaces that a collision library answers for a world. Containment is not detected. One per thread.
 class SurfaceQuery {
  public:
   virtual ~SurfaceQuery() = default;
 
   virtual bool touches(const Pose& X_WB) = 0;
-  /// The lowest obstacle whose surface touches the object's.
+  /// Lowest index of an obstacle whose surface touches the object's.
   virtual std::optional<int> touchingBody(const Pose& X_WB) = 0;
   /// The nearest pair if it is nearer than `enough`, else that distance without a pair (body -1).
   /// Precondition: the surfaces do not touch.
   virtual NearestObstacle nearest(const Pose& X_WB, double enough) = 0;
-  /// The surfaces touch, or some pair is at `bound` or nearer.
+  /// True if the surfaces touch, or some pair is within `bound`.
   virtual bool isWithin(const Pose& X_WB, double bound) = 0;
-  /// As CollisionQuery::checkMotion, of the surfaces; nothing from a library that cannot.
+  /// Like CollisionQuery::checkMotion, for the surfaces; nothing from a library without this function.
   virtual std::optional<MotionCheck> checkMotion(const Pose& from, const Pose& to, double required, SeekViolation seek,
                                                  const StopToken& stop) = 0;
-  /// Looked at so far (QueryCounts::pairs).
+  /// Number of pairs tested so far (QueryCounts::pairs).
   virtual std::uint64_t pairs() const { return 0; }
 };
 

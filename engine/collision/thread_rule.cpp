@@ -11,29 +11,29 @@ namespace glissade {
 namespace {
 
 constexpr double kFullTurn = 2.0 * std::numbers::pi;
-/// Vertices within this share of the radius, or this many metres, are on the thread's cylinder.
+/// Share of the radius, and metres. Vertices within either of the thread's cylinder are on it.
 constexpr double kOnCylinder = 1e-3;
 constexpr double kOnCylinderAtLeast = 5e-6;
-/// A countersink is at most so many times as wide as the shaft.
+/// Largest width of a countersink, in widths of the shaft.
 constexpr double kCountersink = 1.25;
-/// Turns above this have no sense that is sure.
+/// Largest turn with a certain sense of rotation.
 constexpr double kMostTurn = std::numbers::pi - 1e-6;
-/// Metres and radians that a configuration of a thread that may not turn can be off: rounding.
+/// Rounding error of a configuration of a thread that may not turn, metres and radians.
 constexpr double kHeldRounding = 1e-9;
 
-/// About a unit axis, of the part of a rotation that turns about it, in (-pi, pi].
+/// Angle about a unit axis of the part of a rotation that turns about it, in (-pi, pi].
 double turnAbout(const Vector3& axis, const Quaternion& rotation) {
   const double half = std::atan2(rotation.vec().dot(axis), rotation.w());
   return std::remainder(2.0 * half, kFullTurn);
 }
 
-/// Distances from the axis at which a vertex belongs to a thread.
+/// Range of distances from the axis in which a vertex belongs to a thread.
 struct Rim {
   double least;
   double most;
 };
 
-/// A shaft's thread ends with the shaft's tip, that of a hole with its countersink.
+/// The rim of a thread. The thread of a shaft ends at the shaft's tip, that of a hole at its countersink.
 Rim rimOf(const ThreadRule& rule, bool shaft) {
   const double thick = std::max(rule.radiusOfObject, rule.radiusOfObstacle);
   const double thin = std::min(rule.radiusOfObject, rule.radiusOfObstacle);
@@ -41,7 +41,7 @@ Rim rimOf(const ThreadRule& rule, bool shaft) {
   return shaft ? Rim{0.0, thick + off} : Rim{thin - off, kCountersink * thick};
 }
 
-/// Lowest and highest place along the axis.
+/// Lowest and highest position along the axis.
 std::pair<double, double> extentOf(const TriangleMesh& mesh, const Pose& X_WM, const ThreadRule& rule, const Rim& rim) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   std::pair<double, double> extent{kInfinity, -kInfinity};
@@ -55,7 +55,7 @@ std::pair<double, double> extentOf(const TriangleMesh& mesh, const Pose& X_WM, c
   return extent;
 }
 
-/// Of the line, the part in the slab along z; false where there is none.
+/// Clips the line to the slab along z; false where they do not meet.
 bool clipped(Vector3& a, Vector3& b, double low, double high) {
   const auto cut = [](Vector3& end, const Vector3& other, double z) {
     end += (z - end.z()) / (other.z() - end.z()) * (other - end);
@@ -97,7 +97,7 @@ bool ThreadPair::engagedWithin(const Pose& X_WB, double distance) const {
   const bool objectIsBore = !rule_.objectIsShaft;
   const Span& shaft = objectIsBore ? obstacle_ : object_;
   const Span& bore = objectIsBore ? object_ : obstacle_;
-  // The bore's own frame, its axis along z.
+  // Transformation into the bore's own frame, whose axis is z.
   const Vector3 origin = objectIsBore ? Vector3(X_WB * point_B_) : rule_.point_W;
   const Vector3 axis = objectIsBore ? Vector3(X_WB.orientation * axis_B_) : rule_.axis_W;
   const Vector3 shaftOrigin = objectIsBore ? rule_.point_W : Vector3(X_WB * point_B_);
@@ -118,7 +118,7 @@ bool ThreadPair::engagedWithin(const Pose& X_WB, double distance) const {
 
 double ThreadPair::play() const { return rule_.mayTurn ? kThreadPlay * std::abs(rule_.pitch) : kHeldRounding; }
 
-/// Largest distance of a point of the object's thread from where another configuration has it.
+/// Largest distance of a point of the object's thread between two configurations.
 double ThreadPair::offBy(const Pose& X_WB, const Pose& exact) const {
   double off = 0.0;
   for (const double along : {object_.low, object_.high}) {
@@ -132,7 +132,7 @@ double ThreadPair::advanceBetween(const Pose& from, const Pose& to) const {
   return (to * point_B_ - from * point_B_).dot(rule_.axis_W);
 }
 
-/// Of the configurations that a screw motion leads to from an assembled one.
+/// The configuration on the screw motion from an assembled one that is nearest to X_WB.
 Pose ThreadPair::nearestOnScrew(const Pose& X_WB, const Pose& assembled) const {
   const double turn = turnAbout(rule_.axis_W, X_WB.orientation * assembled.orientation.conjugate()) / kFullTurn;
   const double advance = advanceBetween(assembled, X_WB);
@@ -144,8 +144,8 @@ bool ThreadPair::isOnScrewOf(const Pose& X_WB, const Pose& assembled) const {
   return isSame(X_WB, nearestOnScrew(X_WB, assembled));
 }
 
-/// Two screw motions from one configuration part by no more than the distance of their axes around the thread, and the
-/// difference of their pitches, allow.
+/// Two screw motions from one configuration differ by at most the distance of their axes around the thread plus the
+/// difference of their pitches.
 bool ThreadPair::permitsScrew(const Pose& from, const ScrewAxis& screw, double advance, double off) const {
   if (!rule_.mayTurn) return false;
   const double tilt = screw.axis_W.cross(rule_.axis_W).norm();

@@ -14,7 +14,7 @@ constexpr int kSmallestStep = 24;
 /// Shares of a screw motion's pitch, by which the proofs of the screwed and of the whole object overlap.
 constexpr double kOverlap = 1e-6;
 
-/// Of a motion on which no point of the object goes farther than `way`.
+/// Whether the pair is never engaged during a motion on which no point of the object moves farther than `way`.
 template <class PoseAt>
 bool isNeverEngaged(const ThreadPair& pair, double way, const PoseAt& poseAt) {
   struct Part {
@@ -102,7 +102,7 @@ bool ThreadedQuery::neverEngaged(const ThreadPair& pair, const Pose& from, const
   return isNeverEngaged(pair, way, [&](double t) { return interpolate(from, to, t); });
 }
 
-/// Where on a motion that leaves the screw an engaged configuration off it is.
+/// The first time of a motion away from the screw at which an engaged configuration is off the screw motion.
 double ThreadedQuery::firstForbidden(const Pose& from, const Pose& to) {
   for (int power = kSmallestStep; power > 0; --power) {
     const double t = std::ldexp(1.0, -power);

@@ -9,8 +9,8 @@
 
 namespace glissade {
 
-/// What a world with threads asks: the object as it is taken while it is screwed, the object that is whole against the
-/// threads' obstacles, and the pairs.
+/// The data of a world with threads that queries need: the pairs, and the world of the whole object with the obstacles
+/// of the threads.
 struct ThreadedWorld {
   std::vector<ThreadPair> pairs;
   CollisionWorldPtr whole;
@@ -36,7 +36,7 @@ class ThreadedQuery final : public CollisionQuery {
   QueryCounts counts() const override;
 
  private:
-  /// What the object is taken as in a configuration; or the obstacle of the thread that forbids it.
+  /// The query for the object in a configuration, or the obstacle of the thread that forbids the configuration.
   struct Taken {
     CollisionQuery* query = nullptr;
     int forbidding = -1;

@@ -8,7 +8,8 @@ namespace glissade {
 namespace {
 
 constexpr std::size_t kMostTrianglesInOneTree = 200'000;
-/// The scale of a large world is kept while the obstacles have this size times it, so that trees are kept too.
+/// Bounds of the obstacles' size multiplied by the known scale, between which a large world keeps that scale and its
+/// trees.
 constexpr double kSmallestScaledSize = 0x1p-10;
 constexpr double kLargestScaledSize = 0x1p10;
 
@@ -41,7 +42,7 @@ class ObstaclePreparation {
     return placed;
   }
 
-  /// An object whose mesh is an obstacle's shares the tree of that.
+  /// The occurrences and the object. An object with the mesh of an obstacle shares its tree.
   std::shared_ptr<const OccurrenceGeometry> occurrences(const MeshPtr& object, const Solids& solids,
                                                         const Box3& obstaclesBox) const {
     const double scale = scaleOfLarge(obstaclesBox);
@@ -68,7 +69,7 @@ class ObstaclePreparation {
   }
 
  private:
-  /// Bodies are mostly in the order of the other world; few come and go.
+  /// The known box of a body. Most bodies are in the order of the other world.
   const Box3* knownBox(const RigidBody& body, std::size_t& next) const {
     constexpr std::size_t kMostThatCameOrWent = 3;
     if (known_ == nullptr) return nullptr;
@@ -83,7 +84,7 @@ class ObstaclePreparation {
     return nullptr;
   }
 
-  /// Answers do not depend on the scale, which is a power of two.
+  /// The scale of a large world. Answers do not depend on it, because it is a power of two.
   double scaleOfLarge(const Box3& box) const {
     const double scale = known_ != nullptr && known_->occurrences ? known_->occurrences->scale : kernelScale(box);
     const double size = scale * box.diagonal().norm();
@@ -92,7 +93,7 @@ class ObstaclePreparation {
 
   const std::vector<RigidBody>& obstacles_;
   const WorldGeometry* known_;
-  std::map<const TriangleMesh*, std::size_t> knownByMesh_;  ///< the first obstacle that has the mesh
+  std::map<const TriangleMesh*, std::size_t> knownByMesh_;  ///< index of the first obstacle with the mesh
 };
 
 /// The first obstacle with this mesh; nothing where there is none.

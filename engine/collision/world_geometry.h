@@ -10,8 +10,8 @@
 
 namespace glissade {
 
-/// What is prepared of the obstacles and the object of a world, for one backend. One of the last three is there, or
-/// none where the world consists of groups.
+/// Prepared obstacles and object of a world, for one backend. One of the last three members is set, or none where the
+/// world consists of groups.
 struct WorldGeometry {
   CollisionBackend backend = CollisionBackend::Kernel;
   std::shared_ptr<const std::vector<RigidBody>> obstacles;
@@ -19,19 +19,19 @@ struct WorldGeometry {
   MeshPtr object;
   std::shared_ptr<const Solids> solids;
   std::shared_ptr<const KernelGeometry> kernel;           ///< all obstacles in one tree
-  std::shared_ptr<const OccurrenceGeometry> occurrences;  ///< a tree for each mesh
+  std::shared_ptr<const OccurrenceGeometry> occurrences;  ///< one tree for each mesh
   std::shared_ptr<const FclGeometry> fcl;
 };
 
-/// The obstacles have so many triangles that they are a tree for each mesh, and not one tree for all. Small worlds keep
-/// the one tree, because its order of triangles decides between equally near pairs.
+/// True if the obstacles have so many triangles that each mesh has its own tree. Small worlds have one tree for all,
+/// because its order of triangles decides between equally near pairs.
 bool isLarge(const std::vector<RigidBody>& obstacles);
 
-/// Same mesh, by pointer, and same pose.
+/// True for the same mesh, by pointer, and the same pose.
 bool isSamePlaced(const RigidBody& a, const RigidBody& b);
 
-/// Prepares each mesh once; what `known` has prepared of the same meshes is not prepared again. Answers are those of a
-/// geometry that is made without `known`, which may be null. `large`: a tree for each mesh.
+/// Prepares each mesh once; data of `known` for the same meshes are reused. Answers do not depend on `known`, which may
+/// be null. `large`: one tree for each mesh.
 WorldGeometry prepareGeometry(std::vector<RigidBody> obstacles, const MeshPtr& object, CollisionBackend backend,
                               bool large, const WorldGeometry* known);
 

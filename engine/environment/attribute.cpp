@@ -5,11 +5,10 @@
 #include <cmath>
 
 #include "engine/base/number_text.h"
+#include "engine/environment/rigid_body.h"
 
 namespace glissade {
 namespace {
-
-constexpr std::array<std::string_view, 5> kTypeNames{"bool", "integer", "number", "text", "choice"};
 
 Diagnostic refusal(const std::string& reason, const std::string& advice) {
   return {ErrorKind::MalformedInput, "", "", reason, advice};
@@ -28,7 +27,7 @@ AttributeDefinition builtIn(const char* name, const char* label, AttributeType t
   return definition;
 }
 
-/// What assembly plans know of a body. A user's attribute of the same name takes its place.
+/// True for attributes of bodies that assembly plans use. A user's attribute of the same name replaces it.
 bool isKnowledge(const AttributeDefinition& definition) {
   constexpr std::array<std::string_view, 8> kKnowledge{"class", "mass",      "fragile",     "base",
                                                        "stays", "goes_with", "goes_before", "needs_tool"};
@@ -49,14 +48,6 @@ std::string joined(const std::vector<std::string>& texts) {
 }
 
 }  // namespace
-
-std::string_view toText(AttributeType type) { return kTypeNames[static_cast<std::size_t>(type)]; }
-
-std::optional<AttributeType> attributeTypeByName(std::string_view name) {
-  const auto found = std::find(kTypeNames.begin(), kTypeNames.end(), name);
-  if (found == kTypeNames.end()) return std::nullopt;
-  return static_cast<AttributeType>(std::distance(kTypeNames.begin(), found));
-}
 
 std::string toText(const AttributeValue& value) {
   if (const bool* flag = std::get_if<bool>(&value)) return *flag ? "yes" : "no";
@@ -125,8 +116,8 @@ AttributeTable::AttributeTable() {
   };
   AttributeDefinition mobility =
       builtIn("mobility", "Mobility", Type::Choice, kBody, "Static bodies shape the places; mobile ones clutter them.");
-  mobility.choices = {"static", "mobile"};
-  mobility.initial = std::string("static");
+  mobility.choices.assign(kMobilityNames.names.begin(), kMobilityNames.names.end());
+  mobility.initial = std::string(kMobilityNames.of(Mobility::Static));
   AttributeDefinition tool = builtIn("needs_tool", "Needs tool", Type::Choice, kBody,
                                      "Which tool turns the body: by_shape, none, or one of the tools.");
   tool.choices = {"by_shape", "none", "hex_key", "socket", "screwdriver", "open_wrench"};

@@ -7,56 +7,58 @@
 #include <vector>
 
 #include "engine/assembly/attributes.h"
+#include "engine/base/enum_names.h"
 #include "engine/base/result.h"
 #include "engine/geometry/pose.h"
 
 namespace glissade {
 
 enum class AttributeType { Bool, Integer, Number, Text, Choice };
-/// What an attribute describes.
+/// Kind of thing that an attribute describes.
 enum class AttributeOwner { Place, Body };
 
-/// What an attribute is: its type decides how it is edited, checked and used in rules (paper 2,
-/// section 5.1.1: actual attributes are derived from a generic one).
+inline constexpr EnumNames<AttributeType, 5> kAttributeTypeNames{{"bool", "integer", "number", "text", "choice"}};
+inline constexpr EnumNames<AttributeOwner, 2> kAttributeOwnerNames{{"place", "body"}};
+
+/// Definition of an attribute. Its type decides how it is edited, checked and used in rules (paper 2, section 5.1.1:
+/// actual attributes are derived from a generic one).
 struct AttributeDefinition {
-  std::string name;  ///< in files and rules: lower case, digits, '_'
+  std::string name;  ///< name in files and rules: lower case, digits, '_'
   std::string label;
   AttributeType type = AttributeType::Text;
   AttributeOwner owner = AttributeOwner::Place;
-  std::string unit;  ///< "m"; for people
+  std::string unit;  ///< unit for people, for example "m"
   double minimum = -1e9;
   double maximum = 1e9;
   std::vector<std::string> choices;
   std::string description;
-  AttributeValue initial = std::string();  ///< where nothing was computed or edited
+  AttributeValue initial = std::string();  ///< value where nothing was computed or edited
   bool builtIn = false;                    ///< cannot be renamed or removed
 
   friend bool operator==(const AttributeDefinition&, const AttributeDefinition&) = default;
 };
 
-/// "bool", "integer", "number", "text", "choice".
-std::string_view toText(AttributeType type);
-std::optional<AttributeType> attributeTypeByName(std::string_view name);
-/// The value as a person writes it: yes, 3, 0.25, circle.
+/// The value as a person writes it, for example yes, 3, 0.25, circle.
 std::string toText(const AttributeValue& value);
-/// A first value of the right type.
+/// An initial value of the right type.
 AttributeValue initialValue(const AttributeDefinition& definition);
 
 /// Refuses (ErrorKind::MalformedInput, place empty) a value of the wrong type or out of range.
 Outcome checkValue(const AttributeDefinition& definition, const AttributeValue& value);
 
-/// All attributes there are: the built-in ones, then the user's.
+/// All attributes: the built-in ones, then the user's.
 class AttributeTable {
  public:
-  /// complexity, cluttered, narrowness, shape, compatibility, forbidden, preference on places;
-  /// mobility and shape on bodies; and what assembly plans know of bodies: class, mass, fragile, base, stays,
-  /// goes_with, goes_before, needs_tool.
+  /// Built-in attributes of places: complexity, cluttered, narrowness, shape, compatibility, forbidden, preference.
+  /// Built-in attributes of bodies: mobility and shape, and those for assembly plans: class, mass, fragile, base,
+  /// stays, goes_with, goes_before, needs_tool.
   AttributeTable();
 
-  /// A definition of a name that assembly plans know takes its place. Refuses a name that is taken otherwise for the
-  /// same owner, or is not a word of lower-case letters, digits and '_', and choices without any choice.
+  /// Adds a definition. It replaces an attribute for assembly plans of the same name. Refuses a name that another
+  /// attribute of the same owner has, or that is not a word of lower-case letters, digits and '_', and choices without
+  /// any choice.
   Outcome add(AttributeDefinition definition);
-  /// Null where there is none.
+  /// The definition of a name; null where there is none.
   const AttributeDefinition* find(AttributeOwner owner, std::string_view name) const;
   const std::vector<AttributeDefinition>& definitions() const { return definitions_; }
 
@@ -64,10 +66,10 @@ class AttributeTable {
   std::vector<AttributeDefinition> definitions_;
 };
 
-/// A user's edit of one place, bound to where the place is: identification may number it anew.
+/// A user's edit of one place. It is bound to a point, because identification may renumber places.
 struct PlaceEdit {
   Vector3 at = Vector3::Zero();  ///< a point inside the place, world
-  std::string name;              ///< a name of the user's; empty: the computed one
+  std::string name;              ///< name by the user; empty: the computed one
   Attributes attributes;
 
   friend bool operator==(const PlaceEdit&, const PlaceEdit&) = default;
@@ -81,11 +83,11 @@ struct MilestoneEdit {
   friend bool operator==(const MilestoneEdit&, const MilestoneEdit&) = default;
 };
 
-/// Everything that a user has said about the scene, over what was computed.
+/// All edits of the scene by a user, which override computed values.
 struct SemanticEdits {
   std::vector<AttributeDefinition> definitions;  ///< the user's own attributes
   std::vector<PlaceEdit> places;
-  std::map<std::string, Attributes> bodies;  ///< by id of a body, the object's, too, or of an assembly
+  std::map<std::string, Attributes> bodies;  ///< attributes by id of a body, including the object's, or of an assembly
   std::vector<MilestoneEdit> milestones;
 
   friend bool operator==(const SemanticEdits&, const SemanticEdits&) = default;

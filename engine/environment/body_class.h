@@ -7,12 +7,12 @@
 
 namespace glissade {
 
-/// A class of bodies. It has what its parent has, and what it says itself.
+/// A class of bodies. It has its parent's attributes, overridden by its own.
 struct BodyClass {
-  std::string name;        ///< in files: "socket_head_screw"
+  std::string name;        ///< name in files: "socket_head_screw"
   std::string of{};        ///< name of the parent; empty: none
-  std::string label{};     ///< for people
-  std::string fastener{};  ///< kind of fastener that its bodies are; empty: as the parent, or by shape
+  std::string label{};     ///< name for people
+  std::string fastener{};  ///< kind of fastener of its bodies; empty: that of the parent, or by shape
   Attributes attributes{};
 
   friend bool operator==(const BodyClass&, const BodyClass&) = default;
@@ -21,15 +21,15 @@ struct BodyClass {
 /// A tree of classes.
 class BodyClasses {
  public:
-  /// A class that comes later takes the place of one of the same name. Errors, MalformedInput with the class in the
+  /// Makes the tree. A class replaces an earlier one of the same name. Errors, MalformedInput with the class in the
   /// reason: an unknown parent, parents in a circle.
   static Result<BodyClasses> of(const std::vector<BodyClass>& classes);
 
-  /// Null where there is none.
+  /// The class with this name; null where there is none.
   const BodyClass* find(const std::string& name) const;
-  /// Its own, and those that it inherits. Precondition: the class is there.
+  /// Attributes of a class, including inherited ones. Precondition: the class exists.
   Attributes attributesOf(const std::string& name) const;
-  /// Its own kind of fastener, or the one that it inherits; empty: none. Precondition: the class is there.
+  /// Kind of fastener of a class, or the inherited one; empty: none. Precondition: the class exists.
   std::string fastenerOf(const std::string& name) const;
   const std::vector<BodyClass>& all() const { return classes_; }
 

@@ -10,12 +10,12 @@ namespace glissade {
 /// A cell of an octree: level 0 is the root cube, level k has 2^k cells along each axis.
 struct Cell {
   int level = 0;
-  std::array<std::uint32_t, 3> index{0, 0, 0};  ///< along x, y, z
+  std::array<std::uint32_t, 3> index{0, 0, 0};  ///< index along x, y, z
 
   friend bool operator==(const Cell&, const Cell&) = default;
 };
 
-/// The root cube of an octree and what follows from it: where cells lie, in world coordinates, metres.
+/// The root cube of an octree, which determines the positions of cells in world coordinates, metres.
 struct CellFrame {
   Vector3 origin = Vector3::Zero();  ///< least corner of the root cube
   double side = 1.0;                 ///< edge length of the root cube

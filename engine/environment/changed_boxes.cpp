@@ -13,7 +13,7 @@ struct FaceEdge {
   double value;
   std::uint32_t from;  ///< the lesser vertex
   std::uint32_t to;
-  int side;  ///< of the edge on which the face's triangle lies: -1 or 1
+  int side;  ///< side of the edge on which the face's triangle lies: -1 or 1
 
   auto key() const { return std::tie(axis, value, from, to); }
 };
@@ -29,7 +29,7 @@ class Motion {
     return box;
   }
 
-  /// Twice the area of a triangle before the motion, seen along an axis: its sign is the turn.
+  /// Twice the signed area of a triangle before the motion, seen along an axis.
   double turn(const std::array<std::uint32_t, 3>& triangle, int axis) const {
     const Vector3& a = before_.vertices[triangle[0]];
     return (before_.vertices[triangle[1]] - a).cross(before_.vertices[triangle[2]] - a)[axis];
@@ -40,7 +40,7 @@ class Motion {
   const TriangleMesh& after_;
 };
 
-/// The axis across which what the box holds lies in one plane.
+/// The axis across which the contents of the box lie in one plane.
 std::optional<int> axisAcross(const Box3& box) {
   for (int axis = 0; axis < 3; ++axis) {
     if (box.sizes()[axis] == 0.0) return axis;
@@ -61,8 +61,8 @@ void addEdges(const Motion& motion, const TriangleMesh& mesh_W, const TriangleIn
   }
 }
 
-/// Of a face, an edge with triangles on one side only is a piece of the rim. A piece that slides along
-/// itself changes the face at its ends only, where the rest of the rim goes.
+/// Adds boxes around the rim of a face, which consists of the edges with triangles on one side only. An edge that
+/// slides along itself changes the face only at its ends, which the rest of the rim covers.
 void addRims(const Motion& motion, std::vector<FaceEdge> edges, std::vector<Box3>& boxes) {
   std::sort(edges.begin(), edges.end(), [](const FaceEdge& a, const FaceEdge& b) { return a.key() < b.key(); });
   for (auto edge = edges.begin(); edge != edges.end();) {

@@ -11,16 +11,16 @@
 namespace glissade {
 namespace {
 
-/// Goes down the octree along a surface, in Z order.
+/// Traverses the octree along a surface, in Z order.
 class SurfaceWalk {
   using Change = UnchangedCells::Change;
-  /// Deeper than this a stop is not looked at: the cells are done in a moment.
+  /// Deepest level at which a stop is checked. Deeper cells take little time.
   static constexpr int kStopLevel = 6;
   static constexpr std::array<Change, 8> kUnknown{Change::Wholly, Change::Wholly, Change::Wholly, Change::Wholly,
                                                   Change::Wholly, Change::Wholly, Change::Wholly, Change::Wholly};
 
  public:
-  /// Only cells in the boxes are asked for.
+  /// Visits only cells in the boxes.
   SurfaceWalk(const TriangleMesh& mesh_W, bool closed, const CellFrame& frame, int depth,
               const std::vector<Box3>& boxes, const StopToken& stop = {})
       : frame_(frame), depth_(depth), stop_(stop) {
@@ -32,7 +32,7 @@ class SurfaceWalk {
     candidates_.resize(static_cast<std::size_t>(depth) + 1);
   }
 
-  /// Cells that `unchanged` knows are not looked at.
+  /// Cells that `unchanged` knows are not visited.
   CellRuns run(UnchangedCells* unchanged = nullptr) {
     unchanged_ = unchanged;
     auto& all = candidates_.front();
@@ -83,7 +83,7 @@ class SurfaceWalk {
     }
   }
 
-  /// Whether the surface crosses a finest cell.
+  /// True if the surface crosses a finest cell.
   bool crossed(const Cell& cell) const {
     const double half = frame_.cellSize(cell.level) / 2.0;
     const Vector3 centre = centreOf(cell, half);
@@ -92,7 +92,7 @@ class SurfaceWalk {
                        [&](std::uint32_t i) { return triangles_[i].enters(centre, half); });
   }
 
-  /// Whether a cell that the surface does not cross is in the solid.
+  /// True if a cell that the surface does not cross is inside the solid.
   bool inside(const Cell& cell) const {
     if (!columns_) return false;
     if (unchanged_) return columns_->inside(unchanged_->changedCellIn(cell));
@@ -109,8 +109,8 @@ class SurfaceWalk {
   StopToken stop_;
   std::vector<CubeIntersector> triangles_;
   std::optional<InsideColumns> columns_;
-  std::vector<std::vector<std::uint32_t>> candidates_;  ///< per level, of the cell being visited
-  UnchangedCells* unchanged_ = nullptr;                 ///< null where every cell is to be looked at
+  std::vector<std::vector<std::uint32_t>> candidates_;  ///< triangles in the visited cell, by level
+  UnchangedCells* unchanged_ = nullptr;                 ///< null: every cell is visited
   CellRuns occupied_;
 };
 

@@ -16,19 +16,19 @@ struct CellRun {
 
   friend bool operator==(const CellRun&, const CellRun&) = default;
 };
-/// Ascending, disjoint, not adjacent: equal sets of cells are equal lists.
+/// Ascending, disjoint and not adjacent runs, so that equal sets of cells are equal lists.
 using CellRuns = std::vector<CellRun>;
 
-/// Appends cells that come after all that are there.
+/// Appends cells that come after all existing ones.
 void addRun(CellRuns& runs, const CellRun& run);
 
-/// The finest cells (at `depth`) that a body occupies: those that its surface crosses, and where
-/// `closed` those inside its solid. A cell that the surface merely touches is not occupied.
-/// `mesh_W` is in world coordinates; parts outside the root cube are left out. Unfinished after a stop.
+/// The finest cells (at `depth`) that a body occupies: those that its surface crosses, and if `closed`, those inside
+/// its solid. A cell that the surface merely touches is not occupied. `mesh_W` is in world coordinates; parts outside
+/// the root cube are ignored. Unfinished after a stop.
 CellRuns coverageOf(const TriangleMesh& mesh_W, bool closed, const CellFrame& frame, int depth,
                     const StopToken& stop = {});
 
-/// The same after a motion: `before` outside the `changed` boxes (changedBoxes()), looked at afresh in them.
+/// coverageOf() after a motion: `before` outside the `changed` boxes (changedBoxes()), computed anew inside them.
 CellRuns coverageAfterMotion(const TriangleMesh& mesh_W, bool closed, const CellFrame& frame, int depth,
                              const CellRuns& before, const std::vector<Box3>& changed);
 

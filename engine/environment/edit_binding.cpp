@@ -20,7 +20,7 @@ Diagnostic warning(const char* list, std::size_t index, const std::string& reaso
   return {ErrorKind::MalformedInput, "", std::string("/") + list + "/" + std::to_string(index), reason, advice};
 }
 
-/// Edits of a place that has one already.
+/// Warns of edits of a place that has another edit already.
 void warnOfSecondEdits(const std::vector<int>& bound, Warnings& warnings) {
   std::map<int, std::size_t> firstOf;
   for (std::size_t i = 0; i < bound.size(); ++i) {
@@ -32,7 +32,7 @@ void warnOfSecondEdits(const std::vector<int>& bound, Warnings& warnings) {
   }
 }
 
-/// Names that another place has, too.
+/// Warns of names that another place has, too.
 void warnOfSharedNames(const TopologicalMap& map, const SemanticEdits& edits, const std::vector<int>& bound,
                        Warnings& warnings) {
   std::map<std::string, int> placeNamed;

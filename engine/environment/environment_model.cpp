@@ -34,7 +34,7 @@ FreeSpace freeSpaceOf(const EnvironmentModel& model) {
   return freeSpaceOf(*model.octree, std::min(model.options.topologyLevel, model.octree->depth()));
 }
 
-/// What mobile bodies decide of a model whose places are known.
+/// Completes a model with known places by the data that mobile bodies determine.
 void addMobileBodies(EnvironmentModel& model, const StopToken& stop) {
   model.clearance = distanceTransform(model.space, true, stop);
   model.cluttered.assign(model.map.places.size(), false);

@@ -8,12 +8,12 @@
 
 namespace glissade {
 
-/// How the environment is modelled; kept in the scenario.
+/// Options of the environment model; kept in the scenario.
 struct EnvironmentOptions {
-  double cellSize = 0.0;                      ///< metres, of the octree's finest cells; 0: by memory
+  double cellSize = 0.0;                      ///< size of the octree's finest cells, metres; 0: by memory
   double memory = 16.0;                       ///< MiB for the octree where cellSize is 0
-  int topologyLevel = 7;                      ///< level of the cells that places consist of, at most the octree's depth
-  std::string identifier = "region-growing";  ///< id in the place identifier registry
+  int topologyLevel = 7;                      ///< level of the cells of places, at most the octree's depth
+  std::string identifier = "region-growing";  ///< id of the place identifier in its registry
 
   friend bool operator==(const EnvironmentOptions&, const EnvironmentOptions&) = default;
 };
@@ -25,25 +25,26 @@ struct EnvironmentModel {
   std::shared_ptr<const Octree> octree;
   FreeSpace space;
   TopologicalMap map;
-  std::vector<bool> cluttered;    ///< per place: mobile bodies reach into it
-  std::vector<double> clearance;  ///< per cell: to the nearest cell with any body, metres
-  TriangleMesh statics_W;         ///< the static bodies, world
+  std::vector<bool> cluttered;    ///< one entry per place: mobile bodies reach into it
+  std::vector<double> clearance;  ///< distance of each cell to the nearest cell with any body, metres
+  TriangleMesh statics_W;         ///< the static bodies, world frame
 };
 using EnvironmentModelPtr = std::shared_ptr<const EnvironmentModel>;
 
-/// Unknown identifiers are ErrorKind::MalformedInput, as are options out of range. A stop is looked at
-/// inside the layers, too, and ends in ErrorKind::Interrupted.
+/// Builds the model. Errors: MalformedInput for an unknown identifier or an option out of range; Interrupted after a
+/// stop, which is also checked inside the layers.
 Result<EnvironmentModelPtr> buildEnvironment(const std::vector<RigidBody>& bodies, const Box3& workspace,
                                              const EnvironmentOptions& options, const StopToken& stop = {});
 
-/// The model with the bodies where they are now. Where only mobile ones have moved since `before` was built,
-/// places and borders stay, and of the octree only cells that a body leaves or enters are rebuilt (paper 2,
-/// section 5.1.2): the same model as one built afresh with cells of that size. Else as buildEnvironment.
+/// The model with the bodies at their present poses. Where only mobile bodies have moved since `before` was built,
+/// places and borders stay, and of the octree only the cells that a body leaves or enters are rebuilt (paper 2, section
+/// 5.1.2). The result is the same model as one built anew with cells of that size. In other cases the same as
+/// buildEnvironment.
 Result<EnvironmentModelPtr> updateEnvironment(const EnvironmentModel& before, const std::vector<RigidBody>& bodies,
                                               const Box3& workspace, const EnvironmentOptions& options,
                                               const StopToken& stop = {});
 
-/// What a stop of buildEnvironment, or of what is computed from its model, is reported as.
+/// Diagnostic for a stop of buildEnvironment, or of a computation on its model.
 Diagnostic environmentInterrupted();
 
 }  // namespace glissade

@@ -18,7 +18,7 @@ struct Block {
   Index most;
 };
 
-/// Calls visit(index) for each cell of a block until it returns false. Whether it never did.
+/// Calls visit(index) for each cell of a block until it returns false. Returns true if it never did.
 template <class Visit>
 bool forEach(const Block& block, const Visit& visit) {
   for (int x = block.least[0]; x <= block.most[0]; ++x) {
@@ -31,7 +31,7 @@ bool forEach(const Block& block, const Visit& visit) {
   return true;
 }
 
-/// Covers a set of cells with blocks. Every group of up to 2 x 2 x 2 neighbours in the set lies in one of them.
+/// Covers a set of cells with blocks. Every group of up to 2 x 2 x 2 neighbours in the set lies in a block.
 class BlockCover {
  public:
   BlockCover(const CellGrid& grid, const std::vector<std::size_t>& cells)
@@ -40,7 +40,7 @@ class BlockCover {
   }
 
   std::vector<Block> blocks(const std::vector<std::size_t>& cells) {
-    // The groups of many cells first: they need not be asked for again as parts.
+    // Groups of many cells come first, so that their parts need not be tested again.
     for (int size = 7; size >= 0; --size) {
       for (const std::size_t cell : cells) addFrom(cell, size);
     }
@@ -48,7 +48,7 @@ class BlockCover {
   }
 
  private:
-  /// Of `size`, bit `axis` says that the group has two cells along the axis.
+  /// The group at a cell. Bit `axis` of `size` states that the group has two cells along the axis.
   static Block groupAt(const Index& least, int size) {
     Block group{least, least};
     for (int axis = 0; axis < 3; ++axis) group.most[static_cast<std::size_t>(axis)] += size >> axis & 1;
@@ -76,7 +76,7 @@ class BlockCover {
     });
   }
 
-  /// By one layer at a time on each of the six sides in turn, as long as there is one.
+  /// Extends a block by one layer on each of the six sides in turn, as long as possible.
   Block grown(Block block) const {
     for (bool grows = true; grows;) {
       grows = false;
@@ -99,11 +99,11 @@ class BlockCover {
 
   const CellGrid& grid_;
   std::vector<bool> wanted_;
-  std::vector<std::uint8_t> covered_;  ///< per cell: the groups that it is the least corner of, by size
+  std::vector<std::uint8_t> covered_;  ///< groups whose least corner is the cell, as bits by size, for each cell
   std::vector<Block> blocks_;
 };
 
-/// Neighbours have the same number for the plane between them.
+/// The box of a block. Neighbours have exactly the same coordinate for the plane between them.
 Box3 boxOf(const CellGrid& grid, const Block& block) {
   Box3 box;
   for (int axis = 0; axis < 3; ++axis) {
@@ -114,7 +114,7 @@ Box3 boxOf(const CellGrid& grid, const Block& block) {
   return box;
 }
 
-/// What an edit says about its place; nothing where it says nothing.
+/// The edit's statement about its place; nothing where there is none.
 std::optional<bool> forbids(const PlaceEdit& edit) {
   const auto found = edit.attributes.find("forbidden");
   if (found == edit.attributes.end()) return std::nullopt;

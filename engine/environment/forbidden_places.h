@@ -18,16 +18,16 @@ using ForbiddenPlaces = std::vector<ForbiddenPlace>;
 
 bool operator==(const ForbiddenPlace& a, const ForbiddenPlace& b);
 
-/// An edit says that a place is forbidden.
+/// True if an edit forbids a place.
 bool forbidsPlaces(const SemanticEdits& edits);
 
-/// The places that are forbidden, in the order of the map, with the cells that belong to them (Place::cells). A cell
-/// belongs to one place; that borders overlap is a matter of milestones. The same map and edits give the same boxes.
-/// Errors, MalformedInput with a JSON pointer into a scenario: an edit forbids a place that is not there.
+/// The forbidden places, in the order of the map, with the cells that belong to them (Place::cells). A cell belongs to
+/// one place; overlaps of borders only matter for milestones. The same map and edits give the same boxes. Errors,
+/// MalformedInput with a JSON pointer into a scenario: an edit forbids a place that does not exist.
 Result<ForbiddenPlaces> forbiddenPlacesOf(const TopologicalMap& map, const SemanticEdits& edits);
 
-/// Few boxes that together cover these cells (ascending) and nothing else. Cells that share a face, an edge or a corner
-/// all round are inside of one box.
+/// A small number of boxes that cover exactly these cells (ascending). A face, an edge or a corner that only these
+/// cells surround is inside one box.
 std::vector<Box3> boxesOfCells(const CellGrid& grid, const std::vector<std::size_t>& cells);
 
 }  // namespace glissade

@@ -49,7 +49,7 @@ FreeSpace freeSpaceOf(const Octree& octree, int level) {
   space.kinds.assign(space.grid.size(), CellKind::Free);
   octree.forEachLeaf([&](const Octree::Leaf& leaf) {
     if (leaf.kind == CellKind::Free) return;
-    // The cells of the grid that the leaf covers, or the one that it lies in.
+    // The cells of the grid that the leaf covers, or the one that contains the leaf.
     std::array<int, 3> first{};
     std::array<int, 3> last{};
     for (std::size_t a = 0; a < 3; ++a) {
@@ -76,8 +76,8 @@ FreeSpace freeSpaceOf(const Octree& octree, int level) {
 
 namespace {
 
-/// One pass along a line: lower envelope of parabolas rooted at squared distances f (cell units).
-/// Both ends have a wall one cell outside.
+/// One pass along a line: lower envelope of parabolas rooted at squared distances f (cell units). There is a wall one
+/// cell beyond both ends.
 class LineTransform {
  public:
   explicit LineTransform(std::size_t longest) : f_(longest + 2), hull_(longest + 2), from_(longest + 3) {}
@@ -138,7 +138,7 @@ std::vector<double> distanceTransform(const FreeSpace& space, bool mobileToo, co
   for (int axis = 0; axis < 3; ++axis) {
     const std::size_t stride = grid.stride(axis);
     const auto count = grid.counts[static_cast<std::size_t>(axis)];
-    const std::size_t slab = stride * static_cast<std::size_t>(count);  // what the lines of one slab fill
+    const std::size_t slab = stride * static_cast<std::size_t>(count);  // cells that the lines of one slab fill
     for (std::size_t first = 0; first < grid.size(); first += slab) {
       if (stop.stopRequested()) return distance;
       for (std::size_t cell = first; cell < first + stride; ++cell) line.run(distance, cell, stride, count);

@@ -24,7 +24,8 @@ struct CellGrid {
                static_cast<std::size_t>(counts[2]) +
            static_cast<std::size_t>(z);
   }
-  /// Inline, and with two short divisions: asked for every cell several times while an environment model is built.
+  /// Inline and with two short divisions, because it is called for every cell several times while an environment model
+  /// is built.
   std::array<int, 3> coordinates(std::size_t cell) const {
     const auto index = static_cast<std::uint32_t>(cell);
     const auto ny = static_cast<std::uint32_t>(counts[1]);
@@ -54,7 +55,7 @@ struct CellGrid {
       if (c[a] + 1 < counts[a]) visit(cell + stride(axis));
     }
   }
-  /// Calls visit(neighbour) for the up to four of them in the same slice across an axis.
+  /// Calls visit(neighbour) for the up to four neighbours in the same slice perpendicular to an axis.
   template <class Visit>
   void forEachNeighbourAcross(int axis, std::size_t cell, Visit&& visit) const {
     const std::array<int, 3> c = coordinates(cell);
@@ -67,11 +68,11 @@ struct CellGrid {
   }
 };
 
-/// What the topological layer is made from: which cells of one level are free of static bodies
-/// (paper 2, section 3.2: mobile bodies do not shape the topology).
+/// Input of the topological layer: the kind of each cell of one level (paper 2, section 3.2: mobile bodies do not shape
+/// the topology).
 struct FreeSpace {
   CellGrid grid;
-  std::vector<CellKind> kinds;  ///< the worst kind of a finest cell within
+  std::vector<CellKind> kinds;  ///< the worst kind among the finest cells in each cell
 
   bool open(std::size_t cell) const { return kinds[cell] != CellKind::Static; }
 };

@@ -5,8 +5,8 @@
 
 namespace glissade {
 
-/// The edits as they count: what is said of an assembly is said of each body below it, unless the body, or an assembly
-/// between them, says otherwise. Nothing is said of assemblies any more.
+/// The edits with their effect on bodies: an attribute of an assembly holds for each body below it, unless the body, or
+/// an assembly between them, has its own value. The result has no attributes of assemblies.
 SemanticEdits heldEdits(SemanticEdits edits, const Product& product);
 
 }  // namespace glissade

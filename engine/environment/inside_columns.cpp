@@ -6,8 +6,8 @@
 namespace glissade {
 namespace {
 
-/// Where in a cell its ray goes: off the centre, so that it hardly ever meets an edge of a body
-/// that is aligned with the cells.
+/// The point of a cell through which its ray goes. It is off the centre, so that the ray hardly ever meets an edge of a
+/// body that is aligned with the cells.
 constexpr std::array<double, 3> kRay{0.5003173, 0.4991271, 0.5};
 
 /// The side of the line through a and b on which (x, y) lies: the same answer for both triangles

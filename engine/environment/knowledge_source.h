@@ -7,12 +7,12 @@
 
 namespace glissade {
 
-/// What a scene's knowledge was built from, besides the bodies: building again from the same gives the
-/// same, so a record of a run needs no more of it.
+/// Inputs of a scene's knowledge besides the bodies. The same inputs give the same knowledge, so that a record of a run
+/// stores only these.
 struct KnowledgeSource {
   EnvironmentOptions options;
-  std::shared_ptr<const SemanticEdits> edits;  ///< their mobility of bodies matters; null: none
-  double requiredClearance = 0.0;              ///< metres
+  std::shared_ptr<const SemanticEdits> edits;  ///< edits, of which the mobility of bodies matters; null: none
+  double requiredClearance = 0.0;              ///< required clearance, metres
 };
 
 }  // namespace glissade

@@ -26,7 +26,7 @@ Octree::Octree(const std::vector<RigidBody>& bodies, const Box3& workspace, cons
   if (resolution.cellSize > 0.0) {
     rebuild(std::clamp(static_cast<int>(std::ceil(std::log2(frame_.side / resolution.cellSize) - 1e-9)), 1, kDeepest));
   } else {
-    // One level more takes about four times the memory: surfaces are what is split.
+    // One more level takes about four times the memory, because cells are split along surfaces.
     rebuild(4);
     while (!stop.stopRequested() && depth_ < kDeepest && 4 * nodes_.size() * sizeof(Node) <= resolution.memory)
       rebuild(depth_ + 1);
@@ -82,8 +82,8 @@ void Octree::edit(std::size_t body, const CellRuns& cells, Edit edit) {
   if (run != cells.end()) editNode(0, 0, 0, run, cells.end());
 }
 
-/// Applies the edit to the part of a subtree that the runs cover; `run` goes on to the first run that
-/// reaches beyond the subtree.
+/// Applies the edit to the part of a subtree that the runs cover; `run` advances to the first run that reaches beyond
+/// the subtree.
 void Octree::editNode(std::size_t node, std::uint64_t begin, int level, CellRuns::const_iterator& run,
                       CellRuns::const_iterator end) {
   const std::uint64_t nodeEnd = begin + finestCellsIn(level, depth_);

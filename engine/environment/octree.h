@@ -28,34 +28,33 @@ struct Clutter {
   friend bool operator==(const Clutter&, const Clutter&) = default;
 };
 
-/// How fine an octree is made: by the size of its finest cells, or by the memory that it may take.
+/// Resolution of an octree: by the size of its finest cells, or by its largest memory.
 struct OctreeResolution {
-  double cellSize = 0.0;           ///< metres; the finest cells are at most this large. 0: by memory
-  std::size_t memory = 64U << 20;  ///< bytes; used where cellSize is 0
+  double cellSize = 0.0;           ///< largest edge of the finest cells, metres; 0: by memory
+  std::size_t memory = 64U << 20;  ///< memory in bytes; used where cellSize is 0
 };
 
-/// The geometrical layer of the free space: an unbalanced octree over the workspace (Chen and Huang
-/// 1988, as paper 2 adapts it). It is the smallest octree of its finest cells: eight leaves with the
-/// same clutter are one. So it does not depend on the order of changes, and moving a body gives the
-/// same tree as building afresh.
+/// The geometrical layer of the free space: an unbalanced octree over the workspace (Chen and Huang 1988, as paper 2
+/// adapts it). It is the smallest octree of its finest cells: eight leaves with the same clutter are one. It does not
+/// depend on the order of changes, so that moving a body gives the same tree as building anew.
 class Octree {
  public:
   static constexpr int kDeepest = 10;
 
-  /// Bodies outside the workspace are left out. Closed bodies occupy their inside. Unfinished after a stop.
+  /// Bodies outside the workspace are ignored. Closed bodies occupy their inside. Unfinished after a stop.
   Octree(const std::vector<RigidBody>& bodies, const Box3& workspace, const OctreeResolution& resolution,
          const StopToken& stop = {});
 
-  /// What a move has cost.
+  /// Number of cells that a move has changed.
   struct Change {
     std::uint64_t cellsLeft = 0;     ///< finest cells that the body does not clutter any more
     std::uint64_t cellsEntered = 0;  ///< finest cells that it clutters now
   };
-  /// Puts a body elsewhere: only the cells that it leaves or enters are rebuilt, by merging and
-  /// splitting (paper 2, section 5.1.2).
+  /// Moves a body: only the cells that it leaves or enters are rebuilt, by merging and splitting (paper 2, section
+  /// 5.1.2).
   Change moveBody(std::size_t body, const Pose& X_WB);
-  /// This octree with its mobile bodies where `bodies` has them, its cells as fine as they are; nothing where
-  /// more is different: other bodies, another mobility, a static body elsewhere.
+  /// This octree with its mobile bodies at the poses of `bodies`, with cells of the same size. Nothing where anything
+  /// else differs: other bodies, another mobility, another pose of a static body.
   std::optional<Octree> withMobileBodiesAt(const std::vector<RigidBody>& bodies) const;
 
   struct Leaf {
@@ -63,7 +62,7 @@ class Octree {
     CellKind kind;
     const Clutter& clutter;
   };
-  /// Every leaf, in Z order.
+  /// Calls `visit` for every leaf, in Z order.
   void forEachLeaf(const std::function<void(const Leaf&)>& visit) const;
   /// Clutter of the leaf that holds a finest cell.
   const Clutter& clutterAt(const std::array<std::uint32_t, 3>& finest) const;
@@ -75,7 +74,7 @@ class Octree {
   /// Leaves of each kind, indexed by CellKind.
   std::array<std::size_t, 3> leafCounts() const;
 
-  /// The same cells with the same clutter.
+  /// True if both have the same cells with the same clutter.
   friend bool operator==(const Octree& a, const Octree& b);
 
  private:
@@ -95,7 +94,7 @@ class Octree {
 
   void addAll(const StopToken& stop);
   CellRuns coverage(const Occupant& body, const StopToken& stop = {}) const;
-  /// Of a body that moves there; a face that slides in its own plane is not looked at but at its rim.
+  /// Coverage of a body that moves to a pose. A face that slides in its own plane is only evaluated at its rim.
   CellRuns coverageAt(const Occupant& body, const Pose& X_WB) const;
   void edit(std::size_t body, const CellRuns& cells, Edit edit);
   void editNode(std::size_t node, std::uint64_t begin, int level, CellRuns::const_iterator& run,
@@ -111,7 +110,7 @@ class Octree {
   int depth_ = 0;
   std::vector<Occupant> bodies_;
   std::vector<Node> nodes_;
-  std::vector<std::int32_t> spareChildren_;  ///< first nodes of groups of eight that were merged away
+  std::vector<std::int32_t> spareChildren_;  ///< first nodes of groups of eight that were merged
   std::vector<Clutter> clutters_;
   std::map<std::pair<std::vector<int>, std::vector<int>>, ClutterId> clutterIds_;
 

@@ -29,7 +29,7 @@ PlaceLabels labelsOfPassages(const IdentificationInput& input) {
 
 namespace {
 
-/// Free cells without a label take that of a labelled neighbour, layer by layer.
+/// Gives free cells without a label the label of a neighbour, layer by layer.
 void fillFromNeighbours(const FreeSpace& space, PlaceLabels& labels) {
   std::vector<std::size_t> front;
   for (std::size_t cell = 0; cell < labels.size(); ++cell) {
@@ -54,7 +54,7 @@ std::vector<std::size_t> sizesOf(const PlaceLabels& labels) {
   return sizes;
 }
 
-/// Faces shared by each pair of labels, lower label first.
+/// Number of faces shared by each pair of labels, lower label first.
 std::map<std::pair<int, int>, std::size_t> sharedFaces(const FreeSpace& space, const PlaceLabels& labels) {
   std::map<std::pair<int, int>, std::size_t> faces;
   for (std::size_t cell = 0; cell < labels.size(); ++cell) {
@@ -83,7 +83,7 @@ void tidyLabels(const FreeSpace& space, std::size_t leastCells, int keep, PlaceL
       const int own = static_cast<int>(label);
       if (pair.first != own && pair.second != own) continue;
       const int other = pair.first == own ? pair.second : pair.first;
-      // Only towards larger places, so that no two small ones swap; passages keep their shape.
+      // Only towards larger places, so that no two small ones exchange labels; passages keep their shape.
       const auto o = static_cast<std::size_t>(other);
       const bool larger = sizes[o] > sizes[label] || (sizes[o] == sizes[label] && other < own);
       if (other >= keep && larger && count > most) {

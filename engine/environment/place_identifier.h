@@ -10,16 +10,16 @@
 
 namespace glissade {
 
-/// Which place each cell of a grid belongs to; kNoPlace where static bodies are.
+/// Label of the place of each cell of a grid; kNoPlace for cells with static bodies.
 using PlaceLabels = std::vector<int>;
 inline constexpr int kNoPlace = -1;
 
-/// What an identification starts from.
+/// Input of an identification.
 struct IdentificationInput {
   const FreeSpace& space;
-  const std::vector<double>& clearance;  ///< distanceTransform(space)
-  const std::vector<Passage>& passages;  ///< findPassages(space): each is a place already
-  StopToken stop = {};                   ///< ends the identification; labels are unfinished then
+  const std::vector<double>& clearance;  ///< result of distanceTransform(space)
+  const std::vector<Passage>& passages;  ///< result of findPassages(space): each is a place already
+  StopToken stop = {};                   ///< ends the identification, which leaves the labels unfinished
 };
 
 /// A way to divide the free space into places (paper 2, section 5.1.2: "the modular architecture
@@ -27,7 +27,7 @@ struct IdentificationInput {
 /// go on without gaps. The same input gives the same labels.
 struct PlaceIdentifierEntry {
   std::string id;
-  std::string label;        ///< in the window
+  std::string label;        ///< name in the window
   std::string description;  ///< one sentence with the source
   std::function<PlaceLabels(const IdentificationInput&)> identify;
 };
@@ -35,7 +35,7 @@ struct PlaceIdentifierEntry {
 class PlaceIdentifierRegistry {
  public:
   void add(PlaceIdentifierEntry entry) { entries_.push_back(std::move(entry)); }
-  /// Null where the id is unknown.
+  /// The entry of an id; null where it is unknown.
   const PlaceIdentifierEntry* find(std::string_view id) const;
   const std::vector<PlaceIdentifierEntry>& entries() const { return entries_; }
 
@@ -45,22 +45,22 @@ class PlaceIdentifierRegistry {
 
 PlaceIdentifierRegistry makePlaceIdentifierRegistry();
 
-/// Region growing from the coarsest free cells down (paper 2, section 5.1.2 and figure 12).
-/// Deviations: doorways are places from the outset, because octree cells find a hole only where it
-/// happens to lie well in the grid; a place grows by two layers of cells a level instead of one, so
-/// that the skin along an oblique wall does not become a place.
+/// Region growing from the coarsest free cells to the finest (paper 2, section 5.1.2 and figure 12). Deviations:
+/// doorways are places from the beginning, because octree cells find a hole only where its position fits the grid; a
+/// place grows by two layers of cells at each level instead of one, so that the layer along an oblique wall does not
+/// become a place.
 PlaceLabels growRegions(const IdentificationInput& input);
 
-/// Watershed of the distance transform (Meyer 1994): places are the basins around the widest spots,
-/// joined where the way between them is nearly as wide. Linear in the cells but for one sort.
+/// Watershed of the distance transform (Meyer 1994): places are the basins around the widest points, joined where the
+/// connection between them is nearly as wide. Linear in the cells except for one sort.
 PlaceLabels watershed(const IdentificationInput& input);
 
-/// Labels with the passages set and everything else kNoPlace.
+/// Labels of the passages; all other cells are kNoPlace.
 PlaceLabels labelsOfPassages(const IdentificationInput& input);
 
-/// Gives labels smaller than `leastCells` to the neighbour they share most faces with, and free cells
-/// without a label to the label they touch; then renumbers so that there are no gaps. The first
-/// `keep` labels stay as they are.
+/// Gives the cells of labels smaller than `leastCells` to the neighbour with which they share most faces, and free
+/// cells without a label to an adjacent label; then renumbers the labels without gaps. The first `keep` labels are
+/// unchanged.
 void tidyLabels(const FreeSpace& space, std::size_t leastCells, int keep, PlaceLabels& labels);
 
 }  // namespace glissade

@@ -7,7 +7,7 @@ namespace {
 
 /// Layers of cells by which a place grows at each level.
 constexpr int kLayersPerLevel = 2;
-/// Places smaller than this many finest cells go to their neighbour.
+/// Least number of finest cells of a place. Smaller places are merged with a neighbour.
 constexpr std::size_t kLeastRegionCells = 64;
 
 /// The aligned blocks of one level: blocks of free cells that have no label yet.
@@ -87,8 +87,8 @@ class LevelBlocks {
   std::vector<char> free_;
 };
 
-/// Free cells connected to cells of upper levels go to the place that these form. `firstPlace` is
-/// the first label that is not a passage: places do not grow out of passages.
+/// Free cells connected to cells of upper levels join the place of those cells. `firstPlace` is the first label that is
+/// not a passage: places do not grow out of passages.
 void aggregate(LevelBlocks& blocks, int firstPlace, const StopToken& stop, PlaceLabels& labels) {
   for (int layer = 0; layer < kLayersPerLevel; ++layer) {
     std::vector<std::pair<std::size_t, int>> joining;
@@ -105,7 +105,7 @@ void aggregate(LevelBlocks& blocks, int firstPlace, const StopToken& stop, Place
   }
 }
 
-/// The remaining free cells initialise new places; connected cells a single one.
+/// The remaining free cells form new places; connected cells form one place.
 int initialise(LevelBlocks& blocks, int nextLabel, const StopToken& stop, PlaceLabels& labels) {
   for (std::size_t seed = 0; seed < blocks.size(); ++seed) {
     if (!blocks.free(seed)) continue;

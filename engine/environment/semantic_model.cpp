@@ -22,7 +22,7 @@ SemanticModel::SemanticModel(const EnvironmentModelPtr& environment, const std::
     names_.push_back(place.name);
   }
   for (const RigidBody& body : bodies) {
-    bodies_[body.id].computed["mobility"] = std::string(body.mobility == Mobility::Static ? "static" : "mobile");
+    bodies_[body.id].computed["mobility"] = std::string(kMobilityNames.of(body.mobility));
   }
   bodies_[objectId_].computed["mobility"] = std::string("mobile");
   for (const PlaceEdit& edit : edits.places) {
@@ -55,7 +55,7 @@ ProvenValue SemanticModel::ofBody(const std::string& bodyId, const std::string& 
     return known == bodies_.end() ? Values{} : known->second;
   };
   Values values = valuesOf(bodyId);
-  // A link of a URDF file has what its body has, unless it says otherwise itself.
+  // A link of a URDF file has the attributes of its body, unless it has its own.
   const std::string whole = bodyIdOf(bodyId);
   if (whole != bodyId) values.edited.merge(valuesOf(whole).edited);
   return valueOf(values, AttributeOwner::Body, attribute);
@@ -96,7 +96,7 @@ Outcome checkEdits(const SemanticEdits& edits, const std::vector<std::string>& i
   }
   const std::set<std::string> known(ids.begin(), ids.end());
   for (const auto& [id, attributes] : edits.bodies) {
-    // A part "stand/bar" of a body has attributes of its own.
+    // A part "stand/bar" of a body has its own attributes.
     if (known.count(id) == 0 && known.count(bodyIdOf(id)) == 0) {
       return Diagnostic{ErrorKind::MalformedInput, "", "/bodies/" + id, "is not a body of this scenario",
                         "Correct the id."};

@@ -5,7 +5,7 @@
 
 namespace glissade {
 
-/// Where a value comes from; inherited ones are said of an assembly that the body is in.
+/// Source of a value. An inherited one is set for an assembly that contains the body.
 enum class Provenance { Initial, Computed, Inherited, Edited };
 
 struct ProvenValue {
@@ -13,13 +13,12 @@ struct ProvenValue {
   Provenance provenance = Provenance::Initial;
 };
 
-/// The semantic layer: what is computed on the places and bodies, with the user's edits over it. An
-/// edit survives recomputation because it is bound to a point of its place.
+/// The semantic layer: the computed attributes of places and bodies, overridden by the user's edits. An edit survives
+/// recomputation because it is bound to a point of its place.
 class SemanticModel {
  public:
-  /// `compatibility` are the computed scores of the object, per place; empty: not computed.
-  /// Precondition: attributeTableOf(edits) succeeds. Edits of places that are nowhere count for
-  /// nothing (editWarnings() tells of them).
+  /// `compatibility` are the computed scores of the object, one per place; empty: not computed. Precondition:
+  /// attributeTableOf(edits) succeeds. Edits of places that do not exist have no effect (see editWarnings()).
   SemanticModel(const EnvironmentModelPtr& environment, const std::vector<RigidBody>& bodies, std::string objectId,
                 const SemanticEdits& edits, const std::vector<double>& compatibility = {});
 
@@ -27,7 +26,7 @@ class SemanticModel {
   std::size_t placeCount() const { return places_.size(); }
   const std::string& placeName(std::size_t place) const { return names_[place]; }
 
-  /// Precondition: the attribute exists for that owner.
+  /// The value of an attribute of a place. Precondition: the attribute exists for places.
   ProvenValue ofPlace(std::size_t place, const std::string& attribute) const;
   ProvenValue ofBody(const std::string& bodyId, const std::string& attribute) const;
   ProvenValue ofObject(const std::string& attribute) const { return ofBody(objectId_, attribute); }
@@ -46,8 +45,8 @@ class SemanticModel {
   std::map<std::string, Values> bodies_;
 };
 
-/// Refuses edits with values of the wrong type or out of range, unknown attributes, and unknown
-/// bodies; the diagnostic's place is a JSON pointer into a scenario. `ids`: of its bodies and assemblies.
+/// Checks edits. Refuses values of the wrong type or out of range, unknown attributes, and unknown bodies; the
+/// diagnostic's location is a JSON pointer into a scenario. `ids`: ids of its bodies and assemblies.
 Outcome checkEdits(const SemanticEdits& edits, const std::vector<std::string>& ids);
 
 }  // namespace glissade

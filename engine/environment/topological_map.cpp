@@ -6,10 +6,91 @@
 #include <map>
 #include <unordered_map>
 
-#include "engine/environment/point_clearance.h"
+#include "engine/geometry/triangle_mesh.h"
 
 namespace glissade {
 namespace {
+
+/// Distances from points to the surface of a mesh, for few points near each other.
+class PointClearance {
+ public:
+  /// Keeps the triangles that come within `reach` of `about`.
+  PointClearance(const TriangleMesh& mesh_W, const Vector3& about, double reach);
+
+  /// Distance to the triangles kept, at most `reach`.
+  double operator()(const Vector3& p_W) const;
+  /// Goes uphill from p in ever smaller steps, at most `reach` / 2 away and not out of `within`;
+  /// returns the widest spot found.
+  Vector3 widestNear(const Vector3& p_W, double step, const Box3& within) const;
+
+ private:
+  std::vector<std::array<Vector3, 3>> triangles_;
+  Vector3 about_;
+  double reach_;
+};
+
+/// The point of a triangle nearest to p (Ericson 2005, section 5.1.5).
+Vector3 nearestOnTriangle(const Vector3& p, const Vector3& a, const Vector3& b, const Vector3& c) {
+  const Vector3 ab = b - a;
+  const Vector3 ac = c - a;
+  const double d1 = ab.dot(p - a);
+  const double d2 = ac.dot(p - a);
+  if (d1 <= 0.0 && d2 <= 0.0) return a;
+  const double d3 = ab.dot(p - b);
+  const double d4 = ac.dot(p - b);
+  if (d3 >= 0.0 && d4 <= d3) return b;
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return a + d1 / (d1 - d3) * ab;
+  const double d5 = ab.dot(p - c);
+  const double d6 = ac.dot(p - c);
+  if (d6 >= 0.0 && d5 <= d6) return c;
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return a + d2 / (d2 - d6) * ac;
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0) return b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b);
+  const double scale = 1.0 / (va + vb + vc);
+  return a + vb * scale * ab + vc * scale * ac;
+}
+
+PointClearance::PointClearance(const TriangleMesh& mesh_W, const Vector3& about, double reach)
+    : about_(about), reach_(reach) {
+  for (const auto& [a, b, c] : mesh_W.triangles) {
+    const std::array<Vector3, 3> triangle{mesh_W.vertices[a], mesh_W.vertices[b], mesh_W.vertices[c]};
+    Box3 box;
+    for (const Vector3& corner : triangle) box.extend(corner);
+    if (box.exteriorDistance(about) <= 1.5 * reach) triangles_.push_back(triangle);
+  }
+}
+
+double PointClearance::operator()(const Vector3& p_W) const {
+  double least = reach_ * reach_;
+  for (const auto& [a, b, c] : triangles_) {
+    least = std::min(least, (nearestOnTriangle(p_W, a, b, c) - p_W).squaredNorm());
+  }
+  return std::sqrt(least);
+}
+
+Vector3 PointClearance::widestNear(const Vector3& p_W, double step, const Box3& within) const {
+  Vector3 best = p_W;
+  double widest = (*this)(best);
+  for (double s = step; s > step / 64.0;) {
+    bool better = false;
+    // Diagonals, too: between two walls at a right angle no axis alone leads uphill.
+    for (int direction = 0; direction < 27; ++direction) {
+      const Eigen::Vector3i cell(direction / 9 - 1, direction / 3 % 3 - 1, direction % 3 - 1);
+      const Vector3 way = cell.cast<double>();
+      const Vector3 next = best + s * way;
+      if ((next - about_).norm() > reach_ / 2.0 || !within.contains(next)) continue;
+      const double clearance = (*this)(next);
+      if (clearance <= widest * (1.0 + 1e-9)) continue;
+      widest = clearance;
+      best = next;
+      better = true;
+    }
+    if (!better) s /= 2.0;
+  }
+  return best;
+}
 
 std::vector<Place> gatherPlaces(const CellGrid& grid, const PlaceLabels& labels, const std::vector<double>& clearance,
                                 const std::vector<Passage>& passages) {
@@ -40,21 +121,22 @@ std::vector<Place> gatherPlaces(const CellGrid& grid, const PlaceLabels& labels,
   return places;
 }
 
-/// The clearance of cells is good to a cell; here the static surfaces themselves are asked.
+/// Measures the narrowness of a place on the static surfaces, because the clearance of cells has the error of a cell.
 void measureNarrowness(const TriangleMesh& statics_W, const CellGrid& grid, Place& place) {
   const double wall = (Box3(grid.box(0).min(), grid.box(grid.size() - 1).max())).exteriorDistance(place.anchor);
   const double reach = place.narrowness / 2.0 + 2.0 * grid.cellSize() + wall;
   const PointClearance clearanceAt(statics_W, place.anchor, reach);
   Box3 within = place.box;
-  // Uphill along its axis leads out of a passage: it is measured where it is narrow.
+  // The anchor of a passage does not move along its axis, where the clearance grows; the passage is measured at its
+  // narrow part.
   if (place.passage) within.min()[place.axis] = within.max()[place.axis] = place.anchor[place.axis];
   place.anchor = clearanceAt.widestNear(place.anchor, grid.cellSize() / 2.0, within);
-  // Passages are measured as they are; rooms end at the workspace, too, which cells know.
+  // Passages are measured on the surfaces alone. Rooms also end at the workspace, which the cells include.
   const double exact = 2.0 * clearanceAt(place.anchor);
   place.narrowness = std::min(exact, place.narrowness + 2.0 * grid.cellSize());
 }
 
-/// Complexity levels by the paper's halving of cells, from the size of the widest cell that fits.
+/// Assigns complexity levels by the paper's halving of cells, from the size of the widest cell that fits.
 void rateComplexity(double side, std::vector<Place>& places) {
   const auto level = [&](const Place& place) {
     return std::max(0, static_cast<int>(std::floor(std::log2(side / std::max(place.narrowness, 1e-9 * side)) + 1e-6)));
@@ -64,7 +146,7 @@ void rateComplexity(double side, std::vector<Place>& places) {
   for (Place& place : places) place.complexity = 1 + level(place) - coarsest;
 }
 
-/// Complexity first, then place by place along x, y, z (whole cells, so that rounding does not matter).
+/// The order of places: by complexity, then along x, y, z (in whole cells, so that rounding does not matter).
 std::vector<std::size_t> orderOf(const CellGrid& grid, const std::vector<Place>& places) {
   std::vector<std::size_t> order(places.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -86,7 +168,7 @@ std::vector<std::size_t> orderOf(const CellGrid& grid, const std::vector<Place>&
   return order;
 }
 
-/// A face that two places share: the cells on both sides, the one of the lower place first.
+/// A face between two places: the cells on both sides, that of the lower place first.
 struct SharedFace {
   std::size_t a;
   std::size_t b;
@@ -104,7 +186,7 @@ SharedFaces sharedFaces(const CellGrid& grid, const PlaceLabels& labels) {
   return faces;
 }
 
-/// Faces whose lower cells touch, also at edges and corners, are one border.
+/// Groups faces whose lower cells touch, also at edges and corners, into borders.
 std::vector<std::vector<SharedFace>> connectedFaces(const CellGrid& grid, const std::vector<SharedFace>& faces) {
   std::map<std::size_t, std::vector<std::size_t>> byCell;
   for (std::size_t i = 0; i < faces.size(); ++i) byCell[faces[i].a].push_back(i);
@@ -176,7 +258,7 @@ Border makeBorder(const TopologicalMap& map, std::pair<int, int> pair, std::size
   border.centre = sum / static_cast<double>(faces.size());
   if (normal.norm() > 1e-9) border.normal = normal.normalized();
   border.opening = std::pow(map.grid.cellSize(), 2) * static_cast<double>(faces.size());
-  // Places overlap by the size of the narrower one's cells, but not by more than half of the other.
+  // The overlap has the size of the narrower place's cells, but at most half of the other place.
   const Place& a = map.places[static_cast<std::size_t>(pair.first)];
   const Place& b = map.places[static_cast<std::size_t>(pair.second)];
   const double reach = std::min(std::min(a.narrowness, b.narrowness), std::max(a.narrowness, b.narrowness) / 2.0);

@@ -4,8 +4,8 @@
 
 namespace glissade {
 
-/// What is known of a body's cells after a motion before they are looked at: where nothing changed they
-/// are occupied as they were. Asked by a walk down the octree, in Z order. Refers to `before`.
+/// The cells of a body that a motion left unchanged: they are occupied as before and need not be examined. Queries must
+/// follow a walk down the octree in Z order. The object keeps a reference to `before`.
 class UnchangedCells {
  public:
   /// `changed`: boxes outside which the body covers the same as before (changedBoxes()).
@@ -18,8 +18,8 @@ class UnchangedCells {
     Partly,  ///< of its children some may be unchanged
     Wholly   ///< one box holds the cell
   };
-  /// Of a cell's children, in Z order. Precondition: the cell is the root, or its parent was asked for and the
-  /// cell is changed partly; it is not a finest one.
+  /// The changes of a cell's children, in Z order. Precondition: the cell is the root, or its parent was queried and
+  /// the cell is changed partly; it is not a finest cell.
   std::array<Change, 8> changesIn(const Cell& cell);
   /// One of a cell's finest cells that may have changed. Precondition: there is one, and as for changesIn().
   std::array<std::uint32_t, 3> changedCellIn(const Cell& cell) const;

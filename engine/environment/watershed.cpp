@@ -6,12 +6,12 @@
 namespace glissade {
 namespace {
 
-/// Two basins are one place where the way between them is at least this share of the narrower's
-/// clearance: the same narrowness, as the paper's places have.
+/// Share of the narrower basin's clearance from which the connection between two basins makes them one place. Places of
+/// the paper have similar narrowness.
 constexpr double kSameNarrowness = 0.7;
 constexpr std::size_t kLeastBasinCells = 64;
 
-/// Basins that are joined as the water sinks, each with the clearance of its widest spot.
+/// Basins that are joined while the water level falls, each with the clearance of its widest point.
 class Basins {
  public:
   int add(double peak) {
@@ -24,7 +24,7 @@ class Basins {
     return basin;
   }
   double peak(int root) const { return peak_[at(root)]; }
-  /// The wider one takes the other in; the older among equals.
+  /// Joins two basins into the wider one, or into the older among equals.
   void join(int a, int b) {
     if (peak_[at(b)] > peak_[at(a)] || (peak_[at(b)] == peak_[at(a)] && b < a)) std::swap(a, b);
     parent_[at(b)] = a;

@@ -9,32 +9,32 @@
 
 namespace glissade {
 
-/// Boxes in a binary hierarchy, numbered as they are given. It is built in microseconds a box. Immutable, shared by
+/// A binary hierarchy of boxes, which keep their indices. Building takes microseconds per box. Immutable, shared by
 /// threads.
 class BoxHierarchy {
  public:
   explicit BoxHierarchy(std::vector<Box3> boxes);
 
   const std::vector<Box3>& boxes() const { return boxes_; }
-  /// Around all boxes; empty where there is none.
+  /// Box around all boxes; empty where there is none.
   const Box3& box() const { return box_; }
 
   /// Calls take(number) for every box that is at most `distance` from the given one, until it returns false.
   template <class Take>
   void visit(const Box3& near, double distance, const Take& take) const;
 
-  /// Calls take(number) for boxes in the order of their distance from the given one, equal ones by their number, up to
-  /// the distance that `take` returned last; at first it is `most`.
+  /// Calls take(number) for boxes in the order of their distance from the given one, equal distances by number, up to
+  /// the distance that `take` returned last; `most` at the beginning.
   template <class Take>
   void visitNearestFirst(const Box3& near, double most, const Take& take) const;
 
  private:
   struct Node {
     Box3 box;
-    std::uint32_t first = 0;  ///< in `order_` of a leaf, else the node below that is not the next one
-    std::uint32_t count = 0;  ///< of a leaf's boxes; 0: no leaf
+    std::uint32_t first = 0;  ///< index in `order_` for a leaf, else index of the child that is not the next node
+    std::uint32_t count = 0;  ///< number of a leaf's boxes; 0: no leaf
   };
-  /// Something to look into. Nodes go before boxes at the same distance.
+  /// A node or a box to be searched. Nodes go before boxes at the same distance.
   struct Candidate {
     double squared;
     bool isBox;
@@ -56,7 +56,7 @@ class BoxHierarchy {
 template <class Take>
 void BoxHierarchy::visit(const Box3& near, double distance, const Take& take) const {
   constexpr std::size_t kDeepest = 64;
-  std::uint32_t stack[kDeepest];  // half of the boxes are below each node
+  std::uint32_t stack[kDeepest];  // depth limit: each child has half of the boxes
   std::size_t count = 0;
   const double squared = distance * distance;
   if (!nodes_.empty()) stack[count++] = 0;

@@ -11,11 +11,11 @@
 namespace glissade {
 namespace {
 
-/// Sine of the angle between two axes, and metres: what is one.
+/// Largest sine of the angle between two axes that are one, and largest distance, metres.
 constexpr double kSameAxis = 1e-6;
 constexpr double kSameLength = 1e-6;
 
-/// Where the vertices of a face are about an axis.
+/// Ranges of the vertices of a face about an axis.
 struct Turned {
   Range radius;
   Range height;
@@ -65,7 +65,7 @@ class ConeFinder {
     return turned;
   }
 
-  /// A shaft, not a hole: its normals point away from the axis.
+  /// True for a shaft: the normals point away from the axis. False for a hole.
   bool isShaft(const SurfaceFace& axis, std::uint32_t triangle) const {
     const auto& [a, b, c] = mesh_.triangles[triangle];
     const Vector3& p = mesh_.vertices[a];
@@ -95,7 +95,7 @@ class ConeFinder {
   }
 
   const TriangleMesh& mesh_;
-  std::map<std::uint32_t, Triangles> cylinders_;  ///< by face
+  std::map<std::uint32_t, Triangles> cylinders_;  ///< triangles by face
   std::map<std::uint32_t, Triangles> cones_;
   std::vector<ConeVertex> found_;
 };
@@ -107,7 +107,7 @@ std::vector<ConeVertex> coneVertices(const TriangleMesh& mesh) {
 }
 
 void moveCones(const std::vector<ConeVertex>& vertices, const std::vector<double>& taken, std::vector<Vector3>& moves) {
-  std::set<std::uint32_t> cylinders;  // with a vertex between them and the thinned ones
+  std::set<std::uint32_t> cylinders;  // cylinders with a vertex between them and the thinned ones
   for (const ConeVertex& each : vertices) {
     if (each.recedes > kSameLength && each.recedes < taken[each.cylinder]) cylinders.insert(each.cylinder);
   }

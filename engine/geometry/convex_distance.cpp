@@ -8,7 +8,7 @@
 namespace glissade {
 namespace {
 
-/// More are needed only where rounding lets the distance shrink no more.
+/// Most iterations. More are needed only where rounding prevents progress.
 constexpr int kMostIterations = 100;
 
 /// The vertex of the placed mesh that is farthest in a direction of the world.
@@ -25,7 +25,7 @@ Vector3 farthest(const TriangleMesh& mesh, const Pose& X_WM, const Vector3& dire
   return X_WM * *best;
 }
 
-/// The point nearest to the origin of the plane, line or point through some corners; nothing where it is not between
+/// The point nearest to the origin on the plane, line or point through some corners; nothing where it is not between
 /// them.
 std::optional<Vector3> nearestBetween(const std::vector<Vector3>& corners) {
   const auto count = static_cast<Eigen::Index>(corners.size()) - 1;
@@ -40,7 +40,7 @@ std::optional<Vector3> nearestBetween(const std::vector<Vector3>& corners) {
   return corners.front() + sides * shares;
 }
 
-/// The point of the simplex that is nearest to the origin. The simplex keeps the corners that it lies between.
+/// The point of the simplex that is nearest to the origin. Removes the corners that do not support it.
 Vector3 nearestOf(std::vector<Vector3>& simplex) {
   std::vector<Vector3> best;
   Vector3 nearest = Vector3::Zero();
@@ -63,7 +63,7 @@ Vector3 nearestOf(std::vector<Vector3>& simplex) {
 }  // namespace
 
 bool hullsApart(const TriangleMesh& a, const Pose& X_WA, const TriangleMesh& b, const Pose& X_WB, double distance) {
-  // The hulls are as far apart as the hull of all differences of vertices is from the origin.
+  // The distance of the hulls is that of the hull of all differences of vertices from the origin.
   Vector3 nearest = X_WA * a.vertices.front() - X_WB * b.vertices.front();
   std::vector<Vector3> simplex{nearest};
   for (int i = 0; i < kMostIterations; ++i) {

@@ -5,7 +5,7 @@
 namespace glissade {
 namespace {
 
-/// Shrinks the cube so that a surface on its face, up to rounding, is outside.
+/// Factor that shrinks the cube, so that a surface on its face, up to rounding, is outside.
 constexpr double kInterior = 1.0 - 1e-9;
 
 }  // namespace
@@ -19,7 +19,7 @@ CubeIntersector::CubeIntersector(const std::array<Vector3, 3>& triangle) : first
   for (const Vector3& edge : {ab, Vector3(ac - ab), ac}) {
     for (int axis = 0; axis < 3; ++axis) {
       const Vector3 direction = edge.cross(Vector3::Unit(axis));
-      // Along a coordinate axis the bounding box says it; a null vector separates nothing.
+      // The bounding box covers the coordinate axes; a null vector separates nothing.
       if ((direction.array() != 0.0).count() == 2) add(direction, ab, ac);
     }
   }

@@ -15,7 +15,7 @@ int signOf(double value) { return value > 0.0 ? 1 : value < 0.0 ? -1 : 0; }
 class Expansion {
  public:
   Expansion() = default;
-  /// a - b.
+  /// The exact difference a - b.
   static Expansion difference(double a, double b) {
     Expansion result;
     result.add(a);
@@ -23,7 +23,7 @@ class Expansion {
     return result;
   }
 
-  /// Grow-expansion: the error of each addition stays behind as a component.
+  /// Adds a double (grow-expansion): the error of each addition remains as a component.
   void add(double b) {
     std::size_t kept = 0;
     double sum = b;
@@ -57,7 +57,7 @@ class Expansion {
   int sign() const { return count_ == 0 ? 0 : signOf(parts_[count_ - 1]); }
 
  private:
-  /// Dekker 1971: what `product` lacks of a * b.
+  /// Rounding error of `product` against a * b (Dekker 1971).
   static double productError(double a, double b, double product) {
     const auto high = [](double x) {
       const double shifted = 134217729.0 * x;  // 2^27 + 1
@@ -75,7 +75,7 @@ class Expansion {
   std::size_t count_ = 0;
 };
 
-/// a0 b1 - a1 b0.
+/// The minor a0 b1 - a1 b0.
 Expansion minor(const Expansion& a0, const Expansion& a1, const Expansion& b0, const Expansion& b1) {
   Expansion result = a0 * b1;
   result.add(a1 * b0, -1.0);

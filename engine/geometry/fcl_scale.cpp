@@ -7,10 +7,10 @@
 namespace glissade {
 namespace {
 
-/// No scaled coordinate exceeds 2^150: FCL multiplies up to six lengths.
+/// Scaled coordinates are at most 2^150, because FCL multiplies up to six lengths.
 constexpr int kLargestExponent = 150;
 
-/// Of the triangles that are not degenerate the smallest doubled area; and the largest coordinate.
+/// The smallest doubled area of triangles that are not degenerate, and the largest coordinate.
 struct Extremes {
   double smallestArea = std::numeric_limits<double>::infinity();
   double largestCoordinate = 0.0;

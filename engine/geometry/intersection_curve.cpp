@@ -15,7 +15,7 @@ struct LineSpan {
   double to = 0.0;
 };
 
-/// Which part of the line, which lies in the plane of the triangle, is inside the triangle.
+/// The part of a line in the triangle's plane that is inside the triangle.
 std::optional<LineSpan> spanInside(const Triangle& triangle, const std::array<double, 3>& heights,
                                    const Vector3& origin, const Vector3& direction) {
   std::array<double, 6> places{};
@@ -32,7 +32,7 @@ std::optional<LineSpan> spanInside(const Triangle& triangle, const std::array<do
 
 struct CornerHeights {
   Vector3 normal;
-  std::array<double, 3> heights;  ///< of the other's corners above this triangle's plane
+  std::array<double, 3> heights;  ///< heights of the other triangle's corners above this triangle's plane
 };
 
 CornerHeights heightsAbove(const Triangle& plane, const Triangle& other) {
@@ -54,7 +54,7 @@ std::optional<std::array<Vector3, 2>> cutOf(const Triangle& a, const Triangle& b
   if (!inA || !inB) return std::nullopt;
   const LineSpan both{std::max(inA->from, inB->from), std::min(inA->to, inB->to)};
   if (both.from > both.to) return std::nullopt;
-  // A point of the common line: on an edge of b that crosses the plane of a.
+  // A point of the common line lies on an edge of b that crosses the plane of a.
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t next = (i + 1) % 3;
     if ((ofA.heights[i] < 0.0) == (ofA.heights[next] < 0.0)) continue;

@@ -4,8 +4,8 @@
 
 namespace glissade {
 
-/// The least rotation that takes the direction `from` to the direction `to`; neither is zero. The template behind
-/// Eigen's FromTwoVectors() takes the compiler six seconds in each source that uses it, so one source does.
+/// The least rotation that takes the direction `from` to the direction `to`; neither is zero. Only one source uses
+/// Eigen's FromTwoVectors(), because its template takes the compiler six seconds.
 Quaternion leastRotation(const Vector3& from, const Vector3& to);
 
 }  // namespace glissade

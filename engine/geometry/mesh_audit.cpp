@@ -38,7 +38,7 @@ Components connectedVertices(const TriangleMesh& mesh) {
 std::vector<ConnectedSurface> connectedSurfaces(const TriangleMesh& mesh) {
   constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
   Components components = connectedVertices(mesh);
-  std::vector<std::uint32_t> surfaceOf(mesh.vertices.size(), kNone);  // by the vertex that stands for it
+  std::vector<std::uint32_t> surfaceOf(mesh.vertices.size(), kNone);  // surface by its representative vertex
   std::vector<ConnectedSurface> surfaces;
   for (const TriangleIndices& triangle : mesh.triangles) {
     std::uint32_t& surface = surfaceOf[components.find(triangle[0])];
@@ -84,7 +84,7 @@ MeshAudit audit(const TriangleMesh& input) {
 
 bool isClosedSurface(const TriangleMesh& mesh) {
   if (mesh.empty()) return false;
-  // Where every edge has an even number of triangles, it has so when vertices become one, too.
+  // If every edge has an even number of triangles, it still has one after vertices are merged.
   return edgeFactsOf(mesh).open == 0 || edgeFactsOf(welded(mesh)).open == 0;
 }
 

@@ -9,16 +9,16 @@
 namespace glissade {
 namespace {
 
-/// The uses of all edges, by their lower vertex: twice the other vertex, and 1 more where a triangle goes from the
-/// lower to the higher.
+/// The uses of all edges, by their lower vertex. An entry is twice the other vertex, plus 1 where a triangle goes from
+/// the lower to the higher vertex.
 struct EdgeUses {
   std::vector<std::uint64_t> uses;
-  std::vector<std::uint32_t> begins;  ///< of each vertex; one more at the end
+  std::vector<std::uint32_t> begins;  ///< index of the first use of each vertex, and the end
 
   explicit EdgeUses(const TriangleMesh& mesh) : begins(mesh.vertices.size() + 2, 0) {
     reserveFilled(uses, 3 * mesh.triangles.size());
     uses.resize(3 * mesh.triangles.size());
-    // Counted two places further on, so that filling moves each beginning to its place.
+    // Counts are stored two places further, so that filling moves each beginning to its place.
     visit(mesh, [&](std::uint32_t lower, std::uint64_t) { ++begins[lower + 2]; });
     std::partial_sum(begins.begin(), begins.end(), begins.begin());
     visit(mesh, [&](std::uint32_t lower, std::uint64_t use) { uses[begins[lower + 1]++] = use; });
@@ -37,8 +37,8 @@ struct EdgeUses {
   }
 };
 
-/// Calls `take` with each edge's lower and higher vertex, how often it is used, and how often from the lower to the
-/// higher.
+/// Calls `take` with each edge's lower and higher vertex, the number of its uses, and the number of uses from the lower
+/// to the higher vertex.
 template <class Take>
 void visitEdges(const TriangleMesh& mesh, const Take& take) {
   EdgeUses edges(mesh);

@@ -9,16 +9,16 @@
 
 namespace glissade {
 
-/// How the triangles of a mesh meet at its edges. Vertices are told apart by their numbers.
+/// Properties of the edges of a mesh. Vertices are distinguished by their indices.
 struct EdgeFacts {
-  std::size_t open = 0;              ///< edges with one triangle, or an uneven number
+  std::size_t open = 0;              ///< edges with one triangle, or an odd number
   bool consistentlyOriented = true;  ///< each edge is used as often in one direction as in the other
 };
 
 EdgeFacts edgeFactsOf(const TriangleMesh& mesh);
 
-/// The edges that are not used as often in one direction as in the other, by their vertices: open ones, and those
-/// between triangles that do not agree on an outside.
+/// The edges that are not used equally often in both directions, by their vertices: open edges, and edges between
+/// triangles with inconsistent orientation.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> unpairedEdgesOf(const TriangleMesh& mesh);
 
 }  // namespace glissade

@@ -4,7 +4,7 @@
 
 namespace glissade {
 
-/// Square metres.
+/// Area of the mesh, square metres.
 inline double areaOf(const TriangleMesh& mesh) {
   double twice = 0.0;
   for (const auto& [a, b, c] : mesh.triangles) {
@@ -13,8 +13,8 @@ inline double areaOf(const TriangleMesh& mesh) {
   return 0.5 * twice;
 }
 
-/// What a closed surface encloses, cubic metres; below 0 where it is inside out. Summed about a vertex, so that nothing
-/// is lost far from the origin.
+/// Volume inside a closed surface, cubic metres; below 0 where it is inside out. Summed about a vertex, so that no
+/// precision is lost far from the origin.
 inline double signedVolume(const TriangleMesh& mesh) {
   if (mesh.vertices.empty()) return 0.0;
   const Vector3& about = mesh.vertices.front();

@@ -14,8 +14,8 @@ inline Vector3 nearestOnSegment(const Vector3& a, const Vector3& b, const Vector
   return a + t * along;
 }
 
-/// Point of a triangle that is nearest to `p`. Degenerate triangles are the segment or point that they are.
-/// (C. Ericson, "Real-Time Collision Detection", 2005, section 5.1.5)
+/// Point of a triangle that is nearest to `p`. A degenerate triangle counts as a segment or a point. (C. Ericson,
+/// "Real-Time Collision Detection", 2005, section 5.1.5)
 inline Vector3 nearestPoint(const std::array<Vector3, 3>& triangle, const Vector3& p) {
   const auto& [a, b, c] = triangle;
   const Vector3 normal = (b - a).cross(c - a);

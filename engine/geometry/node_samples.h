@@ -7,9 +7,10 @@
 
 namespace glissade {
 
-// A function that is known at nodes is expected to be at most as far from zero as there, and a quarter of the largest
-// second difference of three neighbours in a line more. One that is quadratic between the nodes exceeds them by at most
-// an eighth of that on a line and a sixth on a triangle; the rest is for functions that are not quadratic.
+// Estimates the largest absolute value of a function from its values at nodes: the largest absolute value at a node
+// plus a quarter of the largest second difference of three neighbours in a line. A function that is quadratic between
+// the nodes exceeds the nodes by at most an eighth of that difference on a line and a sixth on a triangle. The rest is
+// a reserve for functions that are not quadratic.
 
 /// Values at the nodes of a line that is divided into `Parts` equal lengths.
 template <int Parts>
@@ -17,7 +18,7 @@ class LineSamples {
  public:
   double& at(int i) { return values_[static_cast<std::size_t>(i)]; }
 
-  /// That is to be expected on the whole line.
+  /// Estimate of the largest absolute value on the whole line.
   double largest() const {
     double most = 0.0;
     double bend = 0.0;
@@ -36,10 +37,10 @@ class LineSamples {
 template <int Parts>
 class TriangleSamples {
  public:
-  /// Node (i, j): i of `Parts` shares of the first corner, j of the second, the rest of the third.
+  /// Value at node (i, j): i / Parts of the first corner, j / Parts of the second, the rest of the third.
   double& at(int i, int j) { return values_[numberOf(i, j)]; }
 
-  /// That is to be expected on the whole triangle.
+  /// Estimate of the largest absolute value on the whole triangle.
   double largest() const {
     double most = 0.0;
     double bend = 0.0;
@@ -53,7 +54,7 @@ class TriangleSamples {
   }
 
  private:
-  static constexpr std::size_t kNodes = static_cast<std::size_t>(Parts) + 1;  ///< along a side
+  static constexpr std::size_t kNodes = static_cast<std::size_t>(Parts) + 1;  ///< number of nodes along a side
 
   static std::size_t numberOf(int i, int j) {
     return static_cast<std::size_t>(i) * kNodes + static_cast<std::size_t>(j);

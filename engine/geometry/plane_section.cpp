@@ -9,8 +9,8 @@
 namespace glissade {
 namespace {
 
-/// Vertices this near to the plane lie on it, as a share of the mesh's size: coordinates are rounded, in files to
-/// single precision, and a face in the plane would be cut in some of its triangles and not in others.
+/// Share of the mesh's size within which a vertex counts as on the plane. Coordinates are rounded, in files to single
+/// precision, so that a face in the plane would else be cut in some of its triangles and not in others.
 constexpr double kOnPlane = 1e-6;
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
@@ -24,7 +24,7 @@ struct Crossing {
   Edge to;
 };
 
-/// Edges a-b and c-a are crossed, where a alone is on its side of the plane.
+/// The crossing of a triangle whose corner a is alone on its side of the plane: edges a-b and c-a are crossed.
 Crossing crossingOf(const TriangleIndices& triangle, std::size_t alone, bool aloneIsAbove) {
   const std::uint32_t a = triangle[alone];
   const Edge first = edgeBetween(a, triangle[(alone + 1) % 3]);

@@ -12,13 +12,13 @@ struct Plane {
   double offset = 0.0;  ///< metres
 };
 
-/// The same plane in the frame of a body at X_WB.
+/// The plane in the frame of a body at X_WB.
 Plane planeInBody(const Plane& plane_W, const Pose& X_WB);
 
-/// Where a plane cuts a mesh whose vertices of equal position are one (welded()): closed polygons of the section of a
-/// closed mesh, in the mesh's frame. Polygons of holes are among them: the even-odd rule tells inside from outside.
-/// Vertices on the plane, up to what coordinates are rounded to, count as lying on the side of the normal. Open curves,
-/// which only a mesh that is not closed has, are left out.
+/// The section of a mesh, whose vertices of equal position are merged (welded()), by a plane: closed polygons in the
+/// mesh's frame. They include polygons of holes; the even-odd rule distinguishes inside and outside. Vertices on the
+/// plane, within the rounding of coordinates, count as lying on the side of the normal. Open curves, which only open
+/// meshes have, are left out.
 std::vector<std::vector<Vector3>> planeSection(const TriangleMesh& mesh, const Plane& plane);
 
 }  // namespace glissade

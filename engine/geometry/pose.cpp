@@ -38,7 +38,7 @@ Quaternion fromRollPitchYaw(double roll, double pitch, double yaw) {
 }
 
 Vector3 rollPitchYawOf(const Quaternion& orientation) {
-  constexpr double kUpright = 1e-12;  // of the cosine of pitch: below it, roll and yaw turn about one axis
+  constexpr double kUpright = 1e-12;  // least cosine of pitch; below it, roll and yaw turn about the same axis
   const Eigen::Matrix3d R = orientation.toRotationMatrix();
   const double cosine = std::hypot(R(0, 0), R(1, 0));
   const double pitch = std::atan2(-R(2, 0), cosine);
@@ -52,7 +52,7 @@ bool isValid(const Pose& pose) {
 }
 
 double angleBetween(const Quaternion& a, const Quaternion& b) {
-  // atan2 of the relative rotation: exact zero for equal orientations, where acos loses half the digits.
+  // atan2 of the relative rotation gives exactly zero for equal orientations; acos would lose half of the digits.
   const Quaternion relative = a.conjugate() * b;
   return 2.0 * std::atan2(relative.vec().norm(), std::abs(relative.w()));
 }

@@ -23,8 +23,8 @@ struct Pose {
 bool operator==(const Pose& a, const Pose& b);
 inline bool operator!=(const Pose& a, const Pose& b) { return !(a == b); }
 
-/// p_A = X_AB * p_B. Inline, with the products of Eigen's quaternions in their order: collision queries
-/// place every triangle that they decide about so.
+/// p_A = X_AB * p_B. Inline, with the products of Eigen's quaternions in their order, because collision queries place
+/// every triangle with it.
 inline Vector3 operator*(const Pose& X_AB, const Vector3& p_B) {
   const Vector3 axis = X_AB.orientation.vec();
   const Vector3 twice = 2.0 * axis.cross(p_B);
@@ -36,12 +36,12 @@ Pose inverse(const Pose& X_AB);
 Eigen::Isometry3d toIsometry(const Pose& X_AB);
 Pose fromIsometry(const Eigen::Isometry3d& X_AB);
 
-/// Intrinsic URDF convention: fixed-axis roll, pitch, yaw in radians.
+/// Orientation by the URDF convention: fixed-axis roll, pitch, yaw in radians.
 Quaternion fromRollPitchYaw(double roll, double pitch, double yaw);
-/// Roll, pitch in [-pi/2, pi/2], and yaw that give this orientation; where pitch is at its end, roll is 0.
+/// Roll, pitch in [-pi/2, pi/2], and yaw of this orientation; where pitch is at a bound, roll is 0.
 Vector3 rollPitchYawOf(const Quaternion& orientation);
 
-/// All coordinates finite and the quaternion's norm within tolerance::kQuaternionNorm of one.
+/// True if all coordinates are finite and the quaternion's norm is within tolerance::kQuaternionNorm of one.
 bool isValid(const Pose& pose);
 
 /// Angle between two orientations, in [0, pi], radians.

@@ -41,7 +41,7 @@ TriangleMesh subdivided(const TriangleMesh& mesh) {
   return finer;
 }
 
-/// Distance from the origin of the nearest face plane of a mesh that is convex around the origin.
+/// Distance from the origin to the nearest face plane of a convex mesh around the origin.
 double inradius(const TriangleMesh& mesh) {
   double smallest = radiusAboutOrigin(mesh);
   for (const auto& [a, b, c] : mesh.triangles) {

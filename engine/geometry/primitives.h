@@ -11,7 +11,7 @@ TriangleMesh makeBox(const Vector3& size);
 /// true cylinder, so a motion certified against the mesh is free of the cylinder.
 TriangleMesh makeCylinder(double radius, double length, int segments = 48);
 
-/// A sphere about the origin, circumscribed likewise (subdivided icosahedron).
+/// A sphere about the origin, which the mesh contains (subdivided icosahedron).
 TriangleMesh makeSphere(double radius, int subdivisions = 3);
 
 }  // namespace glissade

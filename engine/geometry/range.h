@@ -5,7 +5,7 @@
 
 namespace glissade {
 
-/// The numbers from the least to the greatest that were taken; empty at first.
+/// The range from the least to the greatest number taken; empty at first.
 struct Range {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();

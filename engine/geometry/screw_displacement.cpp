@@ -5,7 +5,7 @@
 namespace glissade {
 namespace {
 
-constexpr double kNoTurn = 1e-9;  ///< rad
+constexpr double kNoTurn = 1e-9;  ///< radians
 
 }  // namespace
 

@@ -6,9 +6,8 @@
 
 namespace glissade {
 
-/// Distance between configurations, in metres: sqrt(|dp|^2 + (r * angle)^2), where r is the
-/// object's radius, so that a rotation counts as much as it moves the object's farthest point
-/// (the metric of the first paper's software).
+/// Distance between configurations, in metres: sqrt(|dp|^2 + (r * angle)^2), where r is the object's radius, so that a
+/// rotation counts as the motion of the object's farthest point (the metric of paper 1's software).
 class Se3Metric {
  public:
   explicit Se3Metric(double objectRadius) : radius_(objectRadius) {}

@@ -9,11 +9,12 @@ namespace glissade {
 namespace {
 
 constexpr std::size_t kFinest = 256;
-/// Large triangles lie in many columns: coarser ones are taken where there would be more entries.
+/// Most column entries per triangle. Large triangles lie in many columns, so that coarser columns are taken where there
+/// would be more entries.
 constexpr std::size_t kEntriesPerTriangle = 16;
 
-/// Turn from a by b to p in the plane of y and z, with p moved by (e, e^2), e > 0 too small to count
-/// elsewhere: 0 only where a and b have one projection.
+/// Turn from a by b to p in the plane of y and z, with p moved by (e, e^2) for an infinitesimal e > 0. It is 0 only
+/// where a and b have the same projection.
 int movedTurn(const Vector3& a, const Vector3& b, const Vector3& p) {
   const int turn = orientation2d(a, b, p, 0);
   if (turn != 0) return turn;
@@ -21,17 +22,17 @@ int movedTurn(const Vector3& a, const Vector3& b, const Vector3& p) {
   return a.y() == b.y() ? 0 : b.y() > a.y() ? 1 : -1;
 }
 
-/// The ray from p along +x may meet what is in the box.
+/// True if the ray from p along +x may meet the contents of the box.
 bool mayCross(const Box3& box, const Vector3& p) {
   return box.max().x() >= p.x() && box.min().y() <= p.y() && box.max().y() >= p.y() && box.min().z() <= p.z() &&
          box.max().z() >= p.z();
 }
 
-/// 1 or -1 where the ray from p along +x goes through the triangle, by the side that it comes from.
+/// 1 or -1 where the ray from p along +x passes through the triangle, by the side from which it comes; else 0.
 int crossing(const Triangle& t, const Vector3& p) {
   const int turn = movedTurn(t[0], t[1], p);
   if (turn == 0 || turn != movedTurn(t[1], t[2], p) || turn != movedTurn(t[2], t[0], p)) return 0;
-  // Seen along +x the corners turn by `turn`; p is below the plane where it lies on that side of it.
+  // Seen along +x the corners turn by `turn`; p is before the plane if it lies on that side of it.
   return orientation3d(t[0], t[1], t[2], p) == turn ? turn : 0;
 }
 
@@ -58,7 +59,7 @@ std::size_t SolidInterior::columnAlong(int axis, double coordinate) const {
   return static_cast<std::size_t>(std::clamp(scaled, 0.0, static_cast<double>(resolution_ - 1)));
 }
 
-/// Counts, and leaves where each column's entries would end in `begins_`.
+/// Number of entries; stores the end of each column's entries in `begins_`.
 std::size_t SolidInterior::entriesAt(std::size_t resolution) {
   resolution_ = resolution;
   begins_.assign(resolution * resolution + 1, 0);

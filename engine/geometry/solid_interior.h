@@ -9,13 +9,13 @@
 
 namespace glissade {
 
-/// The inside of the solid that a closed mesh bounds, for many points: a ray along +x meets the few
-/// triangles of one column. Exact, for a point that does not lie on the surface: a ray through edges
-/// and corners is read as one moved aside by nearly nothing. Immutable, shared by threads.
+/// The interior of the solid that a closed mesh bounds, for many points: a ray along +x meets only the few triangles of
+/// one column. Exact for a point that does not lie on the surface: a ray through edges and corners is treated as one
+/// that is shifted infinitesimally. Immutable, shared by threads.
 class SolidInterior {
  public:
-  /// The mesh must be closed. Where its triangles agree on an outside, parts may overlap, as with the
-  /// winding number; where they do not, points alternate between outside and inside along the ray.
+  /// Precondition: the mesh is closed. Where its triangles have a consistent orientation, parts may overlap, as with
+  /// the winding number; else points alternate between outside and inside along the ray.
   explicit SolidInterior(const TriangleMesh& closedMesh, bool consistentlyOriented);
 
   bool contains(const Vector3& p) const;
@@ -26,10 +26,10 @@ class SolidInterior {
   void fillColumns();
 
   std::vector<Triangle> triangles_;
-  std::vector<Box3> boxes_;  ///< around each
+  std::vector<Box3> boxes_;  ///< bounding box of each triangle
   bool oriented_;
   Box3 box_;
-  std::size_t resolution_ = 1;  ///< columns along y and along z
+  std::size_t resolution_ = 1;  ///< number of columns along y and along z
   std::vector<std::uint32_t> begins_;
   std::vector<std::uint32_t> entries_;
 };

@@ -14,7 +14,7 @@ StraightMotion::StraightMotion(const Pose& a, const Pose& b) : a_(a), b_(b) {
   sine_ = std::sin(angle_);
 }
 
-/// The products of Eigen's slerp in their order.
+/// Evaluates the products of Eigen's slerp in their order.
 Pose StraightMotion::at(double t) const {
   if (t <= 0.0) return a_;
   if (t >= 1.0) return b_;

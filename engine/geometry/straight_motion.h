@@ -4,7 +4,8 @@
 
 namespace glissade {
 
-/// `interpolate` between the same two poses for many t, bit by bit: what does not depend on t is computed once.
+/// `interpolate` between the same two poses for many t, with bitwise equal results. The parts that do not depend on t
+/// are computed once.
 class StraightMotion {
  public:
   StraightMotion(const Pose& a, const Pose& b);
@@ -13,9 +14,9 @@ class StraightMotion {
 
  private:
   Pose a_, b_;
-  bool isShort_;  ///< the orientations differ by rounding at most
+  bool isShort_;  ///< the orientations differ by at most rounding
   double sign_;
-  double angle_ = 0.0;  ///< between the quaternions
+  double angle_ = 0.0;  ///< angle between the quaternions
   double sine_ = 1.0;
 };
 

@@ -12,9 +12,9 @@ namespace {
 using Corners = std::array<Vector3, 3>;
 using Kind = SurfaceFace::Kind;
 
-/// The distances of a cylinder and a cone: cosine * (distance from the axis - slope * height - radius). It is convex,
-/// so that it is largest at a corner. It is least on an edge or where the axis passes through the triangle, because
-/// its gradient is the same along each line of the cone.
+/// Signed distance from a cylinder or a cone: cosine * (distance from the axis - slope * height - radius). It is
+/// convex, so that its maximum on a triangle is at a corner. Its minimum is on an edge or where the axis passes through
+/// the triangle, because its gradient is constant along each line of the cone.
 class Slanted {
  public:
   explicit Slanted(const SurfaceFace& face)
@@ -26,7 +26,7 @@ class Slanted {
     return std::cos(angle_) * ((from - height * face_.axis).norm() - slope_ * height - face_.radius);
   }
 
-  /// Where it is least between a and b: the derivative of the distance from the axis is that of slope * height.
+  /// The minimum between a and b, where the derivative of the distance from the axis equals that of slope * height.
   double leastBetween(const Vector3& a, const Vector3& b) const {
     const Vector3 along = b - a;
     const Vector3 from = a - face_.point;
@@ -42,7 +42,7 @@ class Slanted {
     return at(a + std::clamp(t, 0.0, 1.0) * along);
   }
 
-  /// At a corner where the axis does not pass.
+  /// The value where the axis passes through the triangle; the value at a corner where it does not.
   double leastOnTheAxis(const Corners& corners) const {
     const Vector3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
     const double along = normal.dot(face_.axis);

@@ -11,9 +11,9 @@ namespace {
 
 constexpr double kMostOff = 2e-6;
 constexpr double kMostOffShare = 1e-3;
-/// Every open edge is compared with every vertex of one: above this many it takes too long.
+/// Most open edges. Every open edge is compared with every vertex of an open edge, which takes too long for more.
 constexpr std::size_t kMostOpenEdges = 5000;
-/// A triangle has three edges, each of which is divided in a pass of its own.
+/// Number of passes. A triangle has three edges, each of which is divided in its own pass.
 constexpr int kPasses = 4;
 
 using DirectedEdge = std::pair<std::uint32_t, std::uint32_t>;
@@ -48,7 +48,7 @@ class TJunctions {
   }
 
  private:
-  /// Of each triangle the first edge that can be divided; false where there is none.
+  /// Divides the first divisible edge of each triangle; false where there is none.
   bool divide(const std::set<DirectedEdge>& open) {
     std::set<std::uint32_t> ends;
     for (const auto& [a, b] : open) ends.insert({a, b});
@@ -74,7 +74,7 @@ class TJunctions {
     return divided;
   }
 
-  /// From the edge's beginning over the vertices that lie on it to its end; empty where there is none.
+  /// The vertices on an edge from its beginning to its end; empty where there is none.
   std::vector<std::uint32_t> chainOf(const DirectedEdge& edge, std::uint32_t apex,
                                      const std::set<std::uint32_t>& ends) {
     const std::vector<Vector3>& vertices = result_.mesh.vertices;

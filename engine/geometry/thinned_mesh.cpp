@@ -19,27 +19,29 @@
 namespace glissade {
 namespace {
 
-/// In diagonals of the body's box: what is nearer to a face is on it.
+/// Distance within which a point is on a face, in diagonals of the body's box.
 constexpr double kSameSurface = 1e-9;
-/// Share of the weights that is added to the least squares' matrix: directions that no face asks for stay still.
+/// Share of the weights that is added to the least squares matrix, so that directions without a condition do not move.
 constexpr double kStill = 1e-6;
-/// Share of the allowance: a face without one that moves outwards by less stays where it is. A round face that stays is
-/// not met exactly by corners that slide along it.
+/// Share of the allowance. A face without an allowance may move outwards by less. Corners that slide along a round face
+/// do not stay on it exactly.
 constexpr double kStays = 0.01;
-/// In diagonals of the body's box: the normal of a lower triangle is made of rounding.
+/// Least height of a triangle, in diagonals of the body's box. The normal of a lower triangle is determined by
+/// rounding.
 constexpr double kLowest = 2e-6;
-/// Corners of moved triangles that meet the true surface go half as far, this often; then they stay.
+/// Number of times that the moves of corners of triangles that meet the true surface are halved. After that the corners
+/// do not move.
 constexpr int kMostHalvings = 8;
-/// Winding number of a point inside an open body at least: of a single sheet it is a half on either side.
+/// Least winding number of a point inside an open body. It is a half on either side of a single sheet.
 constexpr double kInside = 0.75;
-/// Faces that a thread takes at once.
+/// Number of faces that a thread processes at once.
 constexpr std::size_t kAtOnce = 2048;
 
 Triangle cornersOf(const TriangleMesh& mesh, const TriangleIndices& triangle) {
   return {mesh.vertices[triangle[0]], mesh.vertices[triangle[1]], mesh.vertices[triangle[2]]};
 }
 
-/// Outwards or inwards, unit; zero where the triangle is lower than `lowest`.
+/// Unit normal, outwards or inwards; zero where the triangle is lower than `lowest`.
 Vector3 normalOf(const Triangle& triangle, double lowest) {
   const Vector3 across = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
   double longest = 0.0;
@@ -57,7 +59,7 @@ double thicknessBelow(const TriangleTree& surface, const Triangle& triangle, con
   return least;
 }
 
-/// Numbers of the surfaces that hang together by shared vertices.
+/// Numbers of the connected surfaces, by shared vertices.
 std::vector<std::uint32_t> shellsOf(const TriangleMesh& mesh) {
   std::vector<std::uint32_t> parent(mesh.vertices.size());
   std::iota(parent.begin(), parent.end(), 0U);
@@ -74,9 +76,9 @@ std::vector<std::uint32_t> shellsOf(const TriangleMesh& mesh) {
   return shells;
 }
 
-/// The corners of a moved triangle that are to move less where it meets a true one: those that it has in common with
-/// that one, else all. A vertex that slides along the tilted facets of a chamfer may leave them; the other corners of a
-/// large triangle may be far away from there.
+/// The corners of a moved triangle whose moves are reduced where it meets a true one: the corners that the two have in
+/// common, else all. A vertex that slides along the tilted facets of a chamfer may leave them; the other corners of a
+/// large triangle may be far away.
 std::vector<std::uint32_t> cornersToHoldBack(const TriangleIndices& moved, const TriangleIndices& met) {
   std::vector<std::uint32_t> common;
   for (const std::uint32_t vertex : moved) {
@@ -85,7 +87,7 @@ std::vector<std::uint32_t> cornersToHoldBack(const TriangleIndices& moved, const
   return common.empty() ? std::vector<std::uint32_t>(moved.begin(), moved.end()) : common;
 }
 
-/// Numbers of the triangles with three different corners: those that welded() keeps, in their order.
+/// Indices of the triangles with three different corners, which welded() keeps, in order.
 std::vector<std::uint32_t> keptTriangles(const TriangleMesh& mesh) {
   std::vector<std::uint32_t> kept;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -149,7 +151,7 @@ std::vector<Vector3> ThinnableMesh::movesOf(const Wanted& wanted) const {
     double& most = taken[mesh_.faceOf[f]];
     most = std::max(most, std::min(wanted.allowances[f], roomOf(f, wanted)));
   }
-  // A chamfer stays where the cylinder beside it is thinned in a patch elsewhere only.
+  // A chamfer does not move where the cylinder beside it is thinned only in a patch elsewhere.
   std::set<std::pair<std::uint32_t, std::uint32_t>> edges;  // a vertex and its cylinder
   for (const ConeVertex& each : coneVertices_) edges.emplace(each.vertex, each.cylinder);
   const std::vector<double> whole = taken;
@@ -188,8 +190,8 @@ Vector3 ThinnableMesh::moveOf(std::size_t vertex, const Wanted& wanted) const {
   return shortened(-largest * mean.stableNormalized(), vertex, wanted, largest).value_or(Vector3::Zero());
 }
 
-/// The move of a vertex against the faces that have an allowance only. At the edge of a chamfer, whose facets are
-/// tilted against each other, a vertex cannot slide along all of them.
+/// The move of a vertex against the normals of the faces with an allowance only. At the edge of a chamfer, whose facets
+/// are tilted against each other, a vertex cannot slide along all of them.
 Vector3 ThinnableMesh::againstThoseAllowed(std::size_t vertex, const Wanted& wanted, double largest) const {
   Vector3 mean = Vector3::Zero();
   for (const auto& [f, angle] : corners_[vertex]) {
@@ -207,7 +209,7 @@ Vector3 ThinnableMesh::againstThoseAllowed(std::size_t vertex, const Wanted& wan
   return length * direction;
 }
 
-/// As far as the faces at the vertex have room; nothing where one of them would move outwards.
+/// The move, shortened to the room of the faces at the vertex; nothing where one of them would move outwards.
 std::optional<Vector3> ThinnableMesh::shortened(const Vector3& move, std::size_t vertex, const Wanted& wanted,
                                                 double largest) const {
   const double length = move.norm();
@@ -221,19 +223,20 @@ std::optional<Vector3> ThinnableMesh::shortened(const Vector3& move, std::size_t
   return Vector3(share * move);
 }
 
-/// Of thinned triangles, of these, that meet the true surface. Around a vertex that has not moved they may.
+/// Vertices of the thinned triangles among these that meet the true surface. Triangles around a vertex that has not
+/// moved may meet it.
 std::vector<std::uint32_t> ThinnableMesh::verticesOutside(const TriangleMesh& thinned,
                                                           const std::vector<std::uint32_t>& among) const {
   std::vector<Triangle> triangles;
   for (const std::uint32_t triangle : among) triangles.push_back(cornersOf(thinned, thinned.triangles[triangle]));
   const TriangleTree after(std::move(triangles));
   const double rounding = kSameSurface * boundingBox(mesh_).diagonal().norm();
-  // Several threads note vertices at the same time. None is taken back, so that their order does not count.
+  // Several threads mark vertices at the same time. Marks are never removed, so that their order does not matter.
   std::vector<std::uint8_t> outside(mesh_.vertices.size(), 0);
   const auto isOutside = [&](std::uint32_t vertex) {
     return std::atomic_ref(outside[vertex]).load(std::memory_order_relaxed) != 0;
   };
-  // What has not moved is the true surface, which may cross itself.
+  // Triangles that have not moved belong to the true surface, which may cross itself.
   const auto isStill = [&](const TriangleIndices& triangle) {
     return std::all_of(triangle.begin(), triangle.end(),
                        [&](std::uint32_t vertex) { return thinned.vertices[vertex] == mesh_.vertices[vertex]; });
@@ -274,8 +277,8 @@ std::vector<std::uint32_t> ThinnableMesh::trianglesAt(const std::vector<std::uin
   return triangles;
 }
 
-/// Of surfaces that do not cross: one point decides for each connected surface. It is the middle of the face that has
-/// moved farthest, because other points may be on faces that stay.
+/// True if the thinned surface, which does not cross the true one, is inside. One point decides for each connected
+/// surface: the middle of the face that has moved farthest, because other points may be on faces that do not move.
 bool ThinnableMesh::isInside(const TriangleMesh& thinned) const {
   struct Deepest {
     double way = 0.0;
@@ -295,18 +298,18 @@ bool ThinnableMesh::isInside(const TriangleMesh& thinned) const {
   });
 }
 
-/// The way of a face's middle does not meet the true surface once it has left the face.
+/// True if the path of a face's middle does not meet the true surface after it has left the face.
 bool ThinnableMesh::isBehind(std::size_t face, const TriangleMesh& thinned) const {
   const auto middleOf = [](const Triangle& t) -> Vector3 { return (t[0] + t[1] + t[2]) / 3.0; };
   const Vector3 before = middleOf(surface_.triangles()[face]);
   const Vector3 way = middleOf(cornersOf(thinned, thinned.triangles[face])) - before;
   const double rounding = kSameSurface * surface_.box().diagonal().norm();
-  if (-faces_[face].normal.dot(way) <= rounding) return true;  // it slides along itself
+  if (-faces_[face].normal.dot(way) <= rounding) return true;  // the face slides along itself
   return surface_.firstHit(before, way, rounding / way.norm()) > 1.0;
 }
 
-/// Where the surface is open: the way of each face that moves inwards is free, and the face that moves farthest decides
-/// for its connected piece.
+/// True for an open surface if the path of each face that moves inwards is free, and the face that moves farthest in
+/// each connected piece is inside.
 bool ThinnableMesh::isInsideLocally(const TriangleMesh& thinned) const {
   TriangleMesh moved{mesh_.vertices, {}};
   std::vector<std::uint32_t> faces;
@@ -387,7 +390,7 @@ std::optional<TriangleMesh> ThinnableMesh::thinnedFaces(const Wanted& wanted) co
     }
     const double share = round < kMostHalvings ? 0.5 : 0.0;
     for (const std::uint32_t vertex : outside) moves[vertex] *= share;
-    unsure = trianglesAt(outside);  // the others have not changed
+    unsure = trianglesAt(outside);  // the other triangles have not changed
   }
   return std::nullopt;
 }

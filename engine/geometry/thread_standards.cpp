@@ -11,7 +11,7 @@ namespace {
 constexpr double kMillimetre = 1e-3;
 constexpr double kInch = 25.4e-3;
 
-/// Millimetres.
+/// A row of the table of metric threads, millimetres.
 struct MetricRow {
   double diameter;
   double pitch;
@@ -26,7 +26,7 @@ constexpr std::array<MetricRow, 39> kMetric{
      {36., 4.0, 55.}, {39., 4.0, 60.},  {42., 4.5, 65.},  {45., 4.5, 70.}, {48., 5.0, 75.},  {52., 5.0, 80.},
      {56., 5.5, 85.}, {60., 5.5, 90.},  {64., 6.0, 95.}}};
 
-/// Inches, and threads an inch; 0: none.
+/// A row of the table of unified threads: inches, and threads per inch; 0: none.
 struct UnifiedRow {
   const char* name;
   double diameter;
@@ -46,7 +46,7 @@ constexpr std::array<UnifiedRow, 20> kUnified{
      {"5/8", 5. / 8, 11., 18., 15. / 16}, {"3/4", 3. / 4, 10., 16., 9. / 8},
      {"7/8", 7. / 8, 9., 14., 21. / 16},  {"1", 1., 8., 12., 3. / 2}}};
 
-/// Millimetres: the number of the size, the diameter, the pitch.
+/// A row of the table of tapping threads, millimetres: the number of the size, the diameter, the pitch.
 struct TappingRow {
   double size;
   double diameter;
@@ -67,7 +67,7 @@ constexpr std::array<TappingRow, 14> kTapping{{{1.5, 1.52, 0.5},
                                                {8.0, 8.00, 2.1},
                                                {9.5, 9.65, 2.1}}};
 
-/// Millimetres: diameter, pitch.
+/// Wood screw threads, millimetres: diameter, pitch.
 constexpr std::array<std::pair<double, double>, 16> kWood{{{1.6, 0.8},
                                                            {2.0, 0.9},
                                                            {2.5, 1.1},

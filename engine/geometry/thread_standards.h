@@ -5,7 +5,7 @@
 
 namespace glissade {
 
-/// The family of threads that a size belongs to.
+/// The family of a thread's size.
 enum class ThreadFamily {
   Metric,   ///< ISO 261
   Unified,  ///< ASME B1.1: UNC and UNF
@@ -13,16 +13,16 @@ enum class ThreadFamily {
   Wood      ///< DIN 7998
 };
 
-/// A size of a thread as its standard has it; metres.
+/// A standard size of a thread; metres.
 struct ThreadSize {
   ThreadFamily family = ThreadFamily::Metric;
-  std::string name;          ///< "M10", "#10", "1/4", "ST4.2"
-  double diameter = 0.0;     ///< of the thread outside
-  double pitch = 0.0;        ///< coarse; 0: it has none
-  double finePitch = 0.0;    ///< UNF; 0: it has none, or several
-  double acrossFlats = 0.0;  ///< of its nut: ISO 4032, ASME B18.2.2 and B18.6.3; 0: it has none
+  std::string name;          ///< for example "M10", "#10", "1/4", "ST4.2"
+  double diameter = 0.0;     ///< outer diameter of the thread
+  double pitch = 0.0;        ///< coarse pitch; 0: it has none
+  double finePitch = 0.0;    ///< fine pitch (UNF); 0: it has none, or several
+  double acrossFlats = 0.0;  ///< width across flats of its nut: ISO 4032, ASME B18.2.2 and B18.6.3; 0: it has none
 
-  /// The pitch that is meant where nobody says which.
+  /// The default pitch: coarse, else fine.
   double usualPitch() const { return pitch > 0.0 ? pitch : finePitch; }
 };
 

@@ -6,12 +6,12 @@
 namespace glissade {
 namespace {
 
-/// What two triangles have in common is longer than so many of the depths that count as a touch.
+/// Least length of the common part of two crossing triangles, in multiples of the depth of a touch.
 constexpr double kLength = 10.0;
 
 using Heights = std::array<double, 3>;
 
-/// Unit; zero where the triangle has no area.
+/// Unit normal; zero where the triangle has no area.
 Vector3 normalOf(const Triangle& t) { return (t[1] - t[0]).cross(t[2] - t[0]).stableNormalized(); }
 
 Heights heightsOver(const Triangle& plane, const Vector3& normal, const Triangle& t) {
@@ -28,7 +28,7 @@ struct Interval {
   double high = -std::numeric_limits<double>::infinity();
 };
 
-/// Where the triangle is in the plane that it has these heights over, along the direction.
+/// Interval along the direction in which the triangle meets the plane over which it has these heights.
 Interval inPlane(const Triangle& t, const Heights& heights, const Vector3& direction) {
   Interval interval;
   for (std::size_t i = 0; i < 3; ++i) {

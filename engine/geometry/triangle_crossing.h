@@ -4,9 +4,9 @@
 
 namespace glissade {
 
-/// The triangles pass through each other by more than `near` (metres): corners of both are farther than that on either
-/// side of the other one's plane, and what they have in common is longer than ten times that. Triangles that touch do
-/// not cross, and neither do those in one plane. A triangle without area crosses what it meets.
+/// True if the triangles pass through each other by more than `near` (metres): corners of both are farther than that on
+/// either side of the other's plane, and their common part is longer than ten times that. Touching triangles do not
+/// cross, and coplanar ones neither. A triangle without area crosses each triangle that it meets.
 bool trianglesCross(const Triangle& a, const Triangle& b, double near);
 
 }  // namespace glissade

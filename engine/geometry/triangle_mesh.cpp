@@ -21,7 +21,7 @@ SurfaceFace scaled(SurfaceFace face, const Vector3& factors) {
   return face;
 }
 
-/// A face for triangles that have none, so that each has one.
+/// Adds a Free face to a mesh without faces, so that each triangle has one.
 void giveFace(TriangleMesh& mesh) {
   if (!mesh.faceOf.empty() || mesh.triangles.empty()) return;
   mesh.faces.assign(1, SurfaceFace());
@@ -93,7 +93,7 @@ void append(TriangleMesh& target, const TriangleMesh& addition) {
 
 TriangleMesh welded(const TriangleMesh& mesh) {
   constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-  // Each vertex is looked up once, however many triangles have it.
+  // Each vertex is looked up once, for any number of triangles.
   VertexWelder welder(mesh.vertices.size());
   std::vector<std::uint32_t> positionOf;
   reserveFilled(positionOf, mesh.vertices.size());

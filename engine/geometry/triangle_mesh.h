@@ -16,10 +16,10 @@ using TriangleIndices = std::array<std::uint32_t, 3>;
 struct TriangleMesh {
   std::vector<Vector3> vertices;
   std::vector<TriangleIndices> triangles;
-  std::vector<SurfaceFace> faces{};     ///< that the file states; empty where it holds triangles only
-  std::vector<std::uint32_t> faceOf{};  ///< index into `faces`, of each triangle; empty where `faces` is
+  std::vector<SurfaceFace> faces{};     ///< faces that the file states; empty where it holds triangles only
+  std::vector<std::uint32_t> faceOf{};  ///< index into `faces` for each triangle; empty where `faces` is empty
 
-  /// Metres that the triangle may be off the surface that it stands for; 0 where the file holds triangles only.
+  /// Largest distance of the triangle from its surface, metres; 0 where the file holds triangles only.
   double deflectionOf(std::size_t triangle) const { return faceOf.empty() ? 0.0 : faces[faceOf[triangle]].deflection; }
   bool empty() const { return triangles.empty(); }
 };
@@ -31,13 +31,15 @@ Box3 boundingBox(const TriangleMesh& mesh);
 Box3 boundingBox(const TriangleMesh& mesh, const Pose& X_WB);
 /// Largest distance of a vertex from the frame's origin.
 double radiusAboutOrigin(const TriangleMesh& mesh);
-/// Unit normal of a triangle, to its outer side; z where it has no area.
+/// Outward unit normal of a triangle; z where it has no area.
 Vector3 faceNormal(const TriangleMesh& mesh, const TriangleIndices& triangle);
-/// The mesh with every vertex moved by X_AB, and its faces.
+/// The mesh with its vertices and faces transformed by X_AB.
 TriangleMesh transformed(const TriangleMesh& mesh, const Pose& X_AB);
-/// Faces keep their kind where the three factors are equal, and are Free otherwise.
+/// The mesh scaled by a factor for each axis. Faces keep their kind where the three factors are equal, and are Free
+/// otherwise.
 TriangleMesh scaled(const TriangleMesh& mesh, const Vector3& factors);
-/// Triangles of a mesh without faces become one face of kind Free without deflection where the other one has faces.
+/// Appends a mesh. If one of the two has faces, the triangles of the other become one face of kind Free without
+/// deflection.
 void append(TriangleMesh& target, const TriangleMesh& addition);
 /// Vertices with bit-equal positions merged, unreferenced ones dropped, degenerate triangles (two
 /// equal corners) removed; the order of first appearance is kept.

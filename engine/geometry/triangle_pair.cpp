@@ -12,7 +12,7 @@ using Signs = std::array<int, 3>;
 
 bool onOneSide(const Signs& signs) { return signs[0] != 0 && signs[0] == signs[1] && signs[0] == signs[2]; }
 
-/// c lies within the box of a and b, all three on one line in the projection.
+/// True if c lies within the box of a and b; all three are on one line in the projection.
 bool between(const Vector3& a, const Vector3& b, const Vector3& c, int dropped) {
   for (int axis = 0; axis < 3; ++axis) {
     if (axis != dropped && (c[axis] < std::min(a[axis], b[axis]) || c[axis] > std::max(a[axis], b[axis]))) return false;
@@ -38,8 +38,8 @@ bool segmentMeetsTriangle2d(const Vector3& p, const Vector3& q, const Triangle& 
                     orientation2d(t[2], t[0], p, dropped)});
 }
 
-/// Figures in one plane meet if and only if they do in all three projections: at least one of these
-/// loses nothing of the plane.
+/// Figures in one plane meet if and only if they do in all three projections, because at least one projection is
+/// injective on the plane.
 template <class Test>
 bool inEveryProjection(const Test& test) {
   return test(0) && test(1) && test(2);
@@ -54,7 +54,7 @@ bool segmentsMeet(const Vector3& p, const Vector3& q, const Vector3& r, const Ve
          inEveryProjection([&](int dropped) { return segmentsMeet2d(p, q, r, s, dropped); });
 }
 
-/// Both ends lie in the triangle's plane, or the triangle has none.
+/// Precondition: both ends lie in the triangle's plane, or the triangle has none.
 bool coplanarSegmentMeets(const Vector3& p, const Vector3& q, const Triangle& t) {
   if (!isDegenerate(t)) {
     return inEveryProjection([&](int dropped) { return segmentMeetsTriangle2d(p, q, t, dropped); });
@@ -62,7 +62,7 @@ bool coplanarSegmentMeets(const Vector3& p, const Vector3& q, const Triangle& t)
   return segmentsMeet(p, q, t[0], t[1]) || segmentsMeet(p, q, t[1], t[2]) || segmentsMeet(p, q, t[2], t[0]);
 }
 
-/// An edge of a triangle whose corners lie on these sides of t's plane meets t.
+/// True if an edge of a triangle whose corners lie on these sides of t's plane meets t.
 bool anEdgeMeets(const Triangle& edges, const Signs& sides, const Triangle& t) {
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t k = (i + 1) % 3;
@@ -93,15 +93,15 @@ void keepNearer(TriangleDistance& best, const Vector3& onA, const Vector3& onB) 
   if (squared < best.squared) best = {squared, onA, onB};
 }
 
-/// In [0, 1]; 0 where the division says nothing (a point for a segment).
+/// The ratio clamped to [0, 1]; 0 where the division is undefined (a point for a segment).
 double unitRatio(double numerator, double denominator) {
   return denominator > 0.0 ? std::clamp(numerator / denominator, 0.0, 1.0) : 0.0;
 }
 
-/// Ericson 2005, 5.1.9. Where the segments are so nearly parallel that the solution is doubtful, the
-/// ends of the first are tried besides.
+/// Nearest points of segments by Ericson 2005, 5.1.9. Where the segments are nearly parallel, so that the solution is
+/// inaccurate, the ends of the first are tried, too.
 void nearestOfSegments(const Vector3& p, const Vector3& u, const Vector3& r, const Vector3& v, TriangleDistance& best) {
-  constexpr double kNearlyParallel = 1e-8;  // squared sine
+  constexpr double kNearlyParallel = 1e-8;  // squared sine of the angle
   const Vector3 w = p - r;
   const double a = u.squaredNorm();
   const double b = u.dot(v);
@@ -120,7 +120,7 @@ void nearestOfSegments(const Vector3& p, const Vector3& u, const Vector3& r, con
   tryAt(1.0);
 }
 
-/// The foot of the perpendicular from p, where it lies on the face.
+/// The foot of the perpendicular from p, if it lies on the face.
 bool footOnFace(const Vector3& p, const Triangle& t, Vector3& foot) {
   const Vector3 e0 = t[1] - t[0];
   const Vector3 e2 = t[2] - t[0];

@@ -13,9 +13,10 @@ namespace glissade {
 namespace {
 
 constexpr std::uint32_t kMostInALeaf = 4;
-/// Rays meet boxes that are this share of their sizes wider, because triangles are hit with some rounding.
+/// Relative widening of boxes for rays, because the hit of a triangle is rounded.
 constexpr double kRayMargin = 1e-9;
-/// A triangle's distance may round to less than that of its box, by much less than this.
+/// Factor for the distances of boxes. The distance of a triangle may round to less than that of its box, by much less
+/// than this.
 constexpr double kRoundedDown = 1.0 - 1e-12;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -32,7 +33,7 @@ bool areNear(const Box3& a, const Box3& b, double distance) {
   return ((a.min().array() - distance <= b.max().array()) && (b.min().array() - distance <= a.max().array())).all();
 }
 
-/// (T. Moller, B. Trumbore, "Fast, minimum storage ray/triangle intersection", 1997)
+/// Hit by T. Moller, B. Trumbore, "Fast, minimum storage ray/triangle intersection", 1997.
 double hit(const Vector3& origin, const Vector3& direction, const Triangle& triangle) {
   const Vector3 e1 = triangle[1] - triangle[0];
   const Vector3 e2 = triangle[2] - triangle[0];
@@ -46,7 +47,7 @@ double hit(const Vector3& origin, const Vector3& direction, const Triangle& tria
   return u < 0.0 || v < 0.0 || u + v > 1.0 ? kInfinity : e2.dot(q) / determinant;
 }
 
-/// The ray is in the widened box at some t of [0, most].
+/// True if the ray meets the widened box at some t in [0, most].
 bool mayHit(const Vector3& origin, const Vector3& direction, const Box3& box, double most) {
   double from = 0.0;
   const double margin = kRayMargin * box.sizes().sum();
@@ -81,7 +82,7 @@ TriangleTree::TriangleTree(std::vector<Triangle> triangles) : triangles_(std::mo
   if (!order_.empty()) build(0, static_cast<std::uint32_t>(order_.size()));
 }
 
-/// A node for a run of triangles and all below it: halves by their middles along the widest axis.
+/// Builds a node for a range of triangles and all nodes below it, by halving at their middles along the widest axis.
 void TriangleTree::build(std::uint32_t first, std::uint32_t last) {
   const auto index = static_cast<std::uint32_t>(nodes_.size());
   nodes_.emplace_back();
@@ -108,19 +109,19 @@ void TriangleTree::build(std::uint32_t first, std::uint32_t last) {
   build(middle, last);
 }
 
-/// The triangle that is nearest by squared distances of boxes and triangles; the boxes', which may be too small, rule
-/// out what is in them.
+/// The nearest triangle by squared distances of boxes and triangles. The boxes' distances, which may be too small,
+/// exclude their contents.
 template <class ToBox, class ToTriangle>
 TriangleTree::Nearest TriangleTree::nearestBy(const ToBox& toBox, const ToTriangle& toTriangle, double limit,
                                               double enough) const {
   struct Open {
     std::uint32_t node;
-    double squared;  ///< distance of its box
+    double squared;  ///< squared distance of its box
   };
   double least = limit * limit;
   const double enoughSquared = enough * enough;
   std::uint32_t found = 0;
-  std::array<Open, 64> open;  // halving leaves no more levels than an index has bits
+  std::array<Open, 64> open;  // depth limit: halving gives no more levels than an index has bits
   std::size_t count = 0;
   if (!nodes_.empty()) open[count++] = {0, toBox(nodes_[0].box)};
   while (count > 0) {
@@ -165,10 +166,11 @@ double TriangleTree::distanceToSegment(const Vector3& a, const Vector3& b, doubl
       .distance;
 }
 
-/// Every triangle of the leaves whose boxes, and the boxes around them, `enters` lets in; until `take` returns false.
+/// Calls `take` for every triangle of the leaves whose boxes, and the boxes around them, `enters` accepts, until `take`
+/// returns false.
 template <class Enters, class Take>
 void TriangleTree::walk(const Enters& enters, const Take& take) const {
-  std::array<std::uint32_t, 64> open;  // halving leaves no more levels than an index has bits
+  std::array<std::uint32_t, 64> open;  // depth limit: halving gives no more levels than an index has bits
   std::size_t count = 0;
   if (!nodes_.empty()) open[count++] = 0;
   while (count > 0) {
@@ -201,7 +203,7 @@ double TriangleTree::firstHit(const Vector3& origin, const Vector3& direction, d
   return least;
 }
 
-/// Adds the pairs below this one to `open`, or takes its triangles. False: `take` returned false.
+/// Adds the pairs below this one to `open`, or calls `take` for its triangles. False: `take` returned false.
 template <class Take>
 bool TriangleTree::visitPair(const TriangleTree& other, double distance, const NodePair& pair,
                              std::vector<NodePair>& open, const Take& take) const {

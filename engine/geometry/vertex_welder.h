@@ -12,11 +12,11 @@
 
 namespace glissade {
 
-/// Gives equal positions the same index, in the order of their first appearance. Positions are equal where all of
-/// their coordinates are; -0 equals 0. Coordinates are not NaN.
+/// Gives equal positions the same index, in the order of their first appearance. Positions are equal if all their
+/// coordinates are; -0 equals 0. Coordinates are not NaN.
 class VertexWelder {
  public:
-  /// `expected`: positions, at most; more are taken, too.
+  /// `expected`: expected number of positions; more are accepted, too.
   explicit VertexWelder(std::size_t expected = 0) {
     const std::size_t slots = std::bit_ceil(std::max(kFewest, 2 * (expected + 1)));
     reserveFilled(slots_, slots);
@@ -42,12 +42,12 @@ class VertexWelder {
   static constexpr std::size_t kFewest = 64;
 
   static std::uint64_t mixed(std::uint64_t hash, double coordinate) {
-    hash ^= std::bit_cast<std::uint64_t>(coordinate + 0.0);  // -0 becomes 0
+    hash ^= std::bit_cast<std::uint64_t>(coordinate + 0.0);  // + 0.0 turns -0 into 0
     hash *= 0x9e3779b97f4a7c15U;
     return hash ^ (hash >> 32U);
   }
 
-  /// The slot that holds the position, or the free one where it belongs. The number of slots is a power of two.
+  /// The slot that holds the position, or the free one for it. The number of slots is a power of two.
   std::uint32_t& slotOf(const Vector3& position) {
     const std::size_t mask = slots_.size() - 1;
     std::size_t at = mixed(mixed(mixed(0, position.x()), position.y()), position.z()) & mask;

@@ -18,21 +18,21 @@ namespace glissade {
 
 enum class UpAxis { Y, Z };
 
-/// A file that geometry comes from.
+/// A file that contains geometry.
 struct Asset {
   std::string id;
-  std::string path;  ///< relative to the scenario's folder or absolute, '/' separated; assetFile() finds it
-  /// Of the content that was loaded, or when the scenario was saved; empty: unknown. Where a STEP file names others for
-  /// its parts, of their contents, too.
+  std::string path;  ///< relative to the scenario's folder, or absolute, with '/' as separator; see assetFile()
+  /// Hash of the loaded content, or of the content when the scenario was saved; empty: unknown. If a STEP file names
+  /// other files for its parts, their contents are included.
   std::string sha256;
   double unit = 1.0;  ///< metres per unit of the file (the chosen interpretation)
   UpAxis up = UpAxis::Z;
-  double deflection = 0.0;  ///< metres that triangles may be off a STEP surface; 0: by the size of each part
-  bool closeHoles = false;  ///< of a mesh: planar holes are closed
+  double deflection = 0.0;  ///< deflection of triangles from a STEP surface, metres; 0: chosen by the size of each part
+  bool closeHoles = false;  ///< planar holes of a mesh are closed
 };
 
-/// A mesh file as one body; of an OBJ file one of its groups ("part"), or all of them (`groups`, `part` empty): bodies
-/// "<body id>/<group>", or the one compound object.
+/// A mesh file as one body; one group of an OBJ file (`part`); or all groups (`groups`, `part` empty): bodies "<body
+/// id>/<group>", or the one compound object.
 struct MeshGeometry {
   std::string asset;
   bool groups = false;
@@ -42,12 +42,12 @@ struct MeshGeometry {
 struct UrdfGeometry {
   std::string asset;
 };
-/// A part of a STEP file where its assembly has it, an assembly in it ("pump" has "pump/rotor"), or (empty)
-/// all of it: bodies "<body id>/<part>" where it is several, or the one compound object.
+/// A part of a STEP file at its place in the assembly, an assembly ("pump" contains "pump/rotor"), or the whole file
+/// (empty): bodies "<body id>/<part>" if there are several, or the one compound object.
 struct StepGeometry {
   std::string asset;
   std::string part;
-  bool asOne = false;  ///< each product of several solids is one part; else its solids are parts
+  bool asOne = false;  ///< each product with several solids is one part; else its solids are parts
 };
 struct BoxGeometry {
   Vector3 size;
@@ -61,18 +61,18 @@ struct SphereGeometry {
 };
 using Geometry = std::variant<MeshGeometry, UrdfGeometry, StepGeometry, BoxGeometry, CylinderGeometry, SphereGeometry>;
 
-/// What a geometry names, as read. The frame F of its parts is that of the body.
+/// The geometry that was read. The frame F of its parts is that of the body.
 struct LoadedGeometry {
   std::vector<Occurrence> parts;
-  Vector3 vertexMean = Vector3::Zero();  ///< of a mesh file's vertices, as imported, in the body's frame
-  /// Of the bytes that it was read from, and of the files that a STEP file names; empty for primitives.
+  Vector3 vertexMean = Vector3::Zero();  ///< mean of a mesh file's vertices, as imported, in the body's frame
+  /// Hash of the bytes that were read, and of the files that a STEP file names; empty for primitives.
   std::string sha256;
-  Warnings warnings;               ///< what was lost, left out or added in reading it
-  std::vector<GroupRun> groups{};  ///< of a mesh file as it is (GeometryLoader::files())
-  MissingShapes missing{};         ///< of the whole file; there is a warning of each
+  Warnings warnings;               ///< losses, omissions and additions during reading
+  std::vector<GroupRun> groups{};  ///< groups of a mesh file without changes (GeometryLoader::files())
+  MissingShapes missing{};         ///< missing shapes of the whole file; each has a warning
 };
 using LoadedGeometryPtr = std::shared_ptr<const LoadedGeometry>;
-/// By what was asked for: a file and how it is interpreted, or a primitive's sizes.
+/// Keyed by a file and its interpretation, or by the sizes of a primitive.
 using GeometryCache = std::map<std::string, LoadedGeometryPtr>;
 
 }  // namespace glissade

@@ -13,7 +13,7 @@ namespace glissade {
 StepAssembly readBrepParts(std::istream& content) {
   constexpr double kGap = 1e-3;
   TopoDS_Shape shape;
-  // OpenCASCADE reads on without end where a word that it expects does not come.
+  // OpenCASCADE would read without end if an expected word is missing.
   content.exceptions(std::ios::failbit | std::ios::badbit);
   try {
     BRepTools::Read(shape, content, BRep_Builder());

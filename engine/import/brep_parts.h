@@ -6,9 +6,9 @@
 
 namespace glissade {
 
-/// Reads a BREP file, OpenCASCADE's own text: its solids, and what is closed where its faces are sewn together
-/// (loose_parts.h). It states neither names nor units; its numbers are millimetres. Throws as readStepAssembly(). Runs
-/// in the importing process only.
+/// Reads a BREP file, the text format of OpenCASCADE: its solids, and closed shells that sewing makes of loose faces
+/// (loose_parts.h). The format states neither names nor units; its numbers are millimetres. Throws as
+/// readStepAssembly() does. Runs in the importing process only.
 StepAssembly readBrepParts(std::istream& content);
 
 }  // namespace glissade

@@ -12,12 +12,12 @@ namespace glissade {
 /// Kinds of files that OpenCASCADE reads in a confined process.
 enum class CadKind { Step, Iges, Brep };
 
-/// "STEP", "IGES", "BREP".
+/// "STEP", "IGES" or "BREP".
 inline const char* nameOf(CadKind kind) {
   return kind == CadKind::Step ? "STEP" : kind == CadKind::Iges ? "IGES" : "BREP";
 }
 
-/// By the ending of a file's name, in any case; nothing for other endings.
+/// The kind by the ending of a file's name, in any case; nothing for other endings.
 inline std::optional<CadKind> cadKindOf(const std::string& name) {
   static constexpr std::array<std::pair<const char*, CadKind>, 7> kEndings{{{".step", CadKind::Step},
                                                                             {".stp", CadKind::Step},

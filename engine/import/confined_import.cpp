@@ -50,7 +50,7 @@ void write(const MeshContent& content, const ImportOutput& output) {
   output.write(groups.data(), groups.size());
 }
 
-/// A message of one file of several, whatever is wrong with it.
+/// Writes a message for one of several files, whatever is wrong with it.
 void importOne(std::string_view bytes, const std::string& ending, const ImportOutput& output) {
   try {
     const MeshContent content = readMesh(bytes, ending);
@@ -92,7 +92,7 @@ int import(const std::string& ending, std::size_t size, const ImportOutput& outp
 
 int confinedImport(const std::string& ending) {
   rlimit memory{};
-  ::getrlimit(RLIMIT_AS, &memory);  // set by the process that started this one
+  ::getrlimit(RLIMIT_AS, &memory);  // set by the parent process
   const std::size_t size = sizeOfStandardInput();
   const ImportOutput output;
   if (const Outcome confined = confine(protocol::kMeshLimits); !confined) return output.refuse(confined.error());

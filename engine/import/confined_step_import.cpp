@@ -22,6 +22,7 @@
 #include "engine/import/confinement.h"
 #include "engine/import/foreign_text.h"
 #include "engine/import/iges_parts.h"
+#include "engine/import/shape_overlaps.h"
 #include "engine/import/step_assembly.h"
 #include "engine/import/step_fineness.h"
 #include "engine/import/step_healing_notes.h"
@@ -35,13 +36,13 @@ namespace {
 
 namespace protocol = import_protocol;
 
-/// Reads what is in memory without another copy of it.
+/// Reads memory without a copy.
 class MemoryBuffer final : public std::streambuf {
  public:
   MemoryBuffer(char* content, std::size_t bytes) { setg(content, content, content + bytes); }
 };
 
-/// Vertices that only rounding tells apart get the coordinates of the first one.
+/// Gives the coordinates of the first vertex to vertices that differ by rounding only.
 void joinRounded(std::vector<double>& vertices) {
   constexpr double kRounding = 1e-9;  // millimetres
   std::vector<std::size_t> byX(vertices.size() / 3);
@@ -59,7 +60,7 @@ void joinRounded(std::vector<double>& vertices) {
   }
 }
 
-/// The triangles of each shape once, however many parts have it.
+/// Writes the triangles of each shape once, whatever the number of its parts.
 class Message {
  public:
   Message(double deflection, const StepAssembly& assembly)
@@ -124,7 +125,7 @@ class Message {
     formerPaths_.push_back(solid.formerPath);
   }
 
-  /// A line each; empty where they are the steps of the path.
+  /// One line for each step; empty if the names are those of the path.
   static std::string namesText(const std::string& path, const std::vector<NodeNames>& names) {
     std::string text;
     if (names == productNames(stepsOf(path))) return text;
@@ -164,7 +165,7 @@ class Message {
     return known->second;
   }
 
-  /// A solid as the file has it, at its own origin; null where it was not met, or mirrored or scaled only.
+  /// A solid as the file states it, at its origin; null if it was not met, or only mirrored or scaled.
   const ValidatedSolid* validated(const TopoDS_Shape& shape) const {
     if (!numberOf_.IsBound(shape)) return nullptr;
     const auto known = indexOf_.find(Key{numberOf_.Find(shape), 1.0, false});
@@ -180,7 +181,7 @@ class Message {
     const std::string& part = solid.path.empty() ? rootName_ : solid.path;
     solids_.push_back({part, measuresOf(shapes_.back())});
     addNotes(healingNotes(shapes_.back(), assembly.faceEntities, part));
-    // Where faces are lost, the lines about the losses say why the part is open.
+    // If faces are lost, the lines about the losses say why the part is open.
     if (solid.losses == 0 && held == nullptr) addNotes(shapeNotes(solid.shape, shapes_.back(), part));
     shapes_.back().record.facesWithoutMesh += solid.losses;
     total_.vertices += shapes_.back().record.vertices;
@@ -194,7 +195,7 @@ class Message {
     }
   }
 
-  /// Every loss is a line of its own; of healed faces a few are.
+  /// Each loss is a line; only a few healed faces are lines.
   void addNotes(const std::vector<std::string>& notes) {
     for (const std::string& note : notes) {
       if (note.front() == protocol::kHealedLine && ++healings_ > kMostHealings) continue;
@@ -211,14 +212,14 @@ class Message {
   protocol::Header total_;
   std::uint32_t faces_ = 0;
   std::vector<StepTriangles> shapes_;
-  std::vector<ValidatedSolid> solids_;  ///< of the shapes
+  std::vector<ValidatedSolid> solids_;  ///< one entry for each shape
   TopTools_DataMapOfShapeInteger numberOf_;
-  /// Number of the shape, scale, mirrored.
+  /// number of the shape, scale, mirrored
   using Key = std::tuple<int, double, bool>;
   std::map<Key, std::uint32_t> indexOf_;
   std::vector<protocol::Part> parts_;
   std::vector<std::string> paths_;
-  std::vector<std::string> names_;  ///< as of namesText(), of each part
+  std::vector<std::string> names_;  ///< result of namesText() for each part
   std::vector<std::string> formerPaths_;
   std::vector<StepExternalPart> externalParts_;
   std::string notes_;
@@ -230,7 +231,7 @@ int failToRead(CadKind kind, const ImportOutput& output, const std::string& reas
   return output.fail("cannot be read" + as + ": " + reason);
 }
 
-/// A note for the parent.
+/// A note for the parent process.
 std::string noteOf(const ForeignNames& names) {
   const char kind = names.isSure ? protocol::kForeignNamesLine : protocol::kDoubtfulNamesLine;
   const std::string as = names.encoding + ": '" + printableLine(names.example) + "'";
@@ -260,32 +261,47 @@ StepAssembly readBrepText(std::vector<char>& content) {
   return readBrepParts(stream);
 }
 
-int import(CadKind kind, double deflection, bool solidNames, const ForeignText& foreign, const ImportOutput& output) {
+void writeVolumes(const std::vector<std::pair<std::string, std::string>>& pairs, const StepAssembly& assembly,
+                  const ImportOutput& output) {
+  protocol::Header header;
+  header.kind = protocol::kVolumes;
+  header.vertices = static_cast<std::uint32_t>(pairs.size());
+  std::vector<double> volumes;
+  for (const auto& [a, b] : pairs) volumes.push_back(commonVolume(assembly, a, b));
+  output.write(&header, sizeof header);
+  output.write(volumes);
+}
+
+int import(const StepImportOrder& order, const ForeignText& foreign, const ImportOutput& output) {
   std::vector<char> content = readStandardInput(protocol::kStepLimits.bytes);
-  if (content.empty()) return failToRead(kind, output, "it is empty or too large");
-  const StepAssembly assembly = kind == CadKind::Iges   ? readIgesParts(content)
-                                : kind == CadKind::Brep ? readBrepText(content)
-                                                        : readStepParts(content, solidNames, foreign);
-  Message(deflection, assembly).write(output);
+  if (content.empty()) return failToRead(order.kind, output, "it is empty or too large");
+  const StepAssembly assembly = order.kind == CadKind::Iges   ? readIgesParts(content)
+                                : order.kind == CadKind::Brep ? readBrepText(content)
+                                                              : readStepParts(content, order.solidNames, foreign);
+  if (order.volumesOf.empty()) {
+    Message(order.deflection, assembly).write(output);
+  } else {
+    writeVolumes(order.volumesOf, assembly, output);
+  }
   return 0;
 }
 
 }  // namespace
 
-int confinedStepImport(CadKind kind, double deflection, bool solidNames) {
+int confinedStepImport(const StepImportOrder& order) {
   const ImportOutput output;
   const ForeignText foreign;
   if (const Outcome confined = confine(protocol::kStepLimits); !confined) return output.refuse(confined.error());
   ::Message::DefaultMessenger()->ChangePrinters().Clear();
   try {
-    return import(kind, deflection, solidNames, foreign, output);
+    return import(order, foreign, output);
   } catch (const Standard_Failure& failure) {
-    return failToRead(kind, output,
+    return failToRead(order.kind, output,
                       std::string("its shapes cannot be computed (") + failure.DynamicType()->Name() + ")");
   } catch (const std::bad_alloc&) {
-    return failToRead(kind, output, "it needs more memory than an import may take");
+    return failToRead(order.kind, output, "it needs more memory than an import may take");
   } catch (const std::exception& error) {
-    return failToRead(kind, output, error.what());
+    return failToRead(order.kind, output, error.what());
   }
 }
 

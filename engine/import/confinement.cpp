@@ -26,7 +26,7 @@ Diagnostic failed(const std::string& what) {
   return {ErrorKind::Internal, "", "", what + ": " + std::strerror(errno), ""};
 }
 
-/// Never raises a limit that is already lower.
+/// Never raises a lower limit.
 bool setLimit(__rlimit_resource resource, rlim_t soft, rlim_t hard) {
   rlimit limit{};
   if (::getrlimit(resource, &limit) != 0) return false;
@@ -40,7 +40,7 @@ Outcome limitResources(const protocol::Limits& limits) {
        {RLIMIT_CORE, RLIMIT_FSIZE, RLIMIT_NOFILE, RLIMIT_NPROC, RLIMIT_MEMLOCK, RLIMIT_MSGQUEUE}) {
     if (!setLimit(resource, 0, 0)) return failed("a limit cannot be set");
   }
-  // SIGXCPU at the first number says why the process ended; SIGKILL at the second cannot be ignored.
+  // SIGXCPU at the first limit tells why the process ended; SIGKILL at the second one cannot be ignored.
   if (!setLimit(RLIMIT_CPU, limits.seconds, limits.seconds + 1)) return failed("the time cannot be limited");
   if (kMemoryCanBeLimited && !setLimit(RLIMIT_AS, limits.memory, limits.memory)) {
     return failed("the memory cannot be limited");

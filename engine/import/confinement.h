@@ -9,20 +9,20 @@
 
 namespace glissade {
 
-/// Gives up for good what reading a file does not need: memory and processor time above the limits,
+/// Permanently gives up all rights that reading a file does not need: memory and processor time above the limits,
 /// files, processes, threads, the network, capabilities, and every system call that is not listed in
-/// system_call_filter.h. Makes namespaces of its own where the kernel permits it. An ImportOutput must
-/// exist before. Errors are Internal: the process must then read nothing and end.
+/// system_call_filter.h. Creates namespaces if the kernel permits it. Precondition: an ImportOutput exists. Errors are
+/// Internal: the process must then end without reading anything.
 Outcome confine(const import_protocol::Limits& limits);
 
-/// Of standard input, where that is a file; else 0. To be asked before confine().
+/// Size of standard input if it is a file; else 0. Precondition: confine() has not been called.
 std::size_t sizeOfStandardInput();
 
-/// All of standard input; empty where it is larger than `mostBytes`. `expected`: bytes; there may be more.
+/// All of standard input; empty if it is larger than `mostBytes`. `expected`: number of bytes; there may be more.
 std::vector<char> readStandardInput(std::uint64_t mostBytes, std::size_t expected = 0);
 
-/// Where an importing process writes its message: what was standard output when this was made
-/// (kOutputDescriptor). What libraries print to standard output is dropped from then on.
+/// Output of an importing process: the former standard output (kOutputDescriptor). Text that libraries print to
+/// standard output is dropped from construction on.
 class ImportOutput {
  public:
   ImportOutput();
@@ -34,9 +34,9 @@ class ImportOutput {
   void write(const std::vector<T>& values) const {
     write(values.data(), values.size() * sizeof(T));
   }
-  /// The message that the file cannot be read, and the exit code that goes with it. `location` is in the file.
+  /// Writes the message that the file cannot be read, and returns the exit code. `location` is in the file.
   int fail(const std::string& reason, const std::string& location = {}) const;
-  /// The message that this process cannot confine itself, and the exit code that goes with it.
+  /// Writes the message that this process cannot confine itself, and returns the exit code.
   int refuse(const Diagnostic& why) const;
 
  private:

@@ -9,7 +9,7 @@
 namespace glissade {
 namespace {
 
-/// In the first line of what Git has of a large file where only the pointer to it was fetched.
+/// Text in the first line of a Git LFS pointer, which replaces a large file that was not fetched.
 constexpr std::string_view kLfsPointer = "git-lfs.github.com/spec/";
 constexpr std::size_t kFirstLine = 64;
 

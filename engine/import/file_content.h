@@ -7,13 +7,13 @@
 
 namespace glissade {
 
-/// A file and its bytes, read once: what is hashed, checked and parsed is the same.
+/// A file with its bytes. They are read once, so that hash, check and parser see the same bytes.
 struct FileContent {
   std::string file;
   std::string bytes;
 };
 
-/// Reads a regular file. Errors are MalformedInput; where the file is larger than `mostBytes`, with both sizes.
+/// Reads a regular file. Errors are MalformedInput; for a file larger than `mostBytes` with both sizes.
 Result<FileContent> readContent(const std::string& file, std::uint64_t mostBytes);
 
 }  // namespace glissade

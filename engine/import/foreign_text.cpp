@@ -14,17 +14,17 @@ namespace {
 using Byte = unsigned char;
 
 enum Encoding : std::size_t { Gb18030, ShiftJis, Windows1252 };
-/// Names of the C library, and those that people know.
+/// Names for the C library, and names for people.
 constexpr std::array<const char*, 3> kConverterNames{"GB18030", "CP932", "CP1252"};
 constexpr std::array<const char*, 3> kShownNames{"GB18030", "Shift JIS", "Windows-1252"};
 
-/// iconv_open() gives -1 where the C library does not have an encoding.
+/// iconv_open() returns -1 if the C library does not have an encoding.
 bool isLoaded(iconv_t converter) { return reinterpret_cast<std::intptr_t>(converter) != -1; }
 
 bool isIn(Byte byte, Byte first, Byte last) { return byte >= first && byte <= last; }
 bool isHigh(Byte byte) { return byte >= 0x80; }
 
-/// High bytes of names, and how many of them belong to usual characters of an encoding.
+/// Number of high bytes in names, and of those that belong to usual characters of an encoding.
 struct Usual {
   std::size_t high = 0;
   std::size_t usual = 0;
@@ -33,7 +33,7 @@ struct Usual {
   double share() const { return isValid && high > 0 ? static_cast<double>(usual) / static_cast<double>(high) : 0.0; }
 };
 
-/// Usual are the 3755 most frequent Chinese characters and the signs of GB 2312.
+/// Usual characters: the 3755 most frequent Chinese characters and the signs of GB 2312.
 void countGb18030(std::string_view name, Usual& counts) {
   for (std::size_t at = 0; at < name.size(); ++at) {
     const auto lead = static_cast<Byte>(name[at]);
@@ -51,7 +51,7 @@ void countGb18030(std::string_view name, Usual& counts) {
   }
 }
 
-/// Usual are kana, signs and the 2965 most frequent kanji; half-width kana where several stand together.
+/// Usual characters: kana, signs and the 2965 most frequent kanji; half-width kana in groups.
 void countShiftJis(std::string_view name, Usual& counts) {
   for (std::size_t at = 0; at < name.size(); ++at) {
     const auto lead = static_cast<Byte>(name[at]);
@@ -73,7 +73,8 @@ void countShiftJis(std::string_view name, Usual& counts) {
   }
 }
 
-/// Usual are small letters after a letter, capitals beside an ASCII letter, and signs of drawings, one or two together.
+/// Usual characters: small letters after a letter, capitals beside an ASCII letter, and signs of drawings, one or two
+/// together.
 void countWindows1252(std::string_view name, Usual& counts) {
   const auto byteAt = [&](std::size_t at) { return at < name.size() ? static_cast<Byte>(name[at]) : Byte{' '}; };
   const auto isLetter = [](Byte byte) { return std::isalpha(byte) != 0 && byte < 0x80; };
@@ -94,7 +95,7 @@ void countWindows1252(std::string_view name, Usual& counts) {
   }
 }
 
-/// The pieces between apostrophes that are no UTF-8. No trail byte of the encodings is an apostrophe.
+/// The pieces between apostrophes that are not UTF-8. An apostrophe is no trail byte of the encodings.
 std::vector<std::string_view> foreignPiecesOf(std::string_view text) {
   std::vector<std::string_view> pieces;
   for (std::size_t begin = 0; begin < text.size();) {
@@ -143,10 +144,10 @@ ForeignText::~ForeignText() {
   }
 }
 
-/// Bytes that are no character of the encoding become U+FFFD, as do all where the C library does not have it.
+/// Bytes that are no character of the encoding become U+FFFD; so do all if the C library does not have the encoding.
 std::string ForeignText::decoded(std::string_view name, std::size_t encoding) const {
   constexpr std::string_view kUnknown = "\xef\xbf\xbd";
-  constexpr std::size_t kMostBytes = 4;  // of a character in UTF-8
+  constexpr std::size_t kMostBytes = 4;  // bytes of a character in UTF-8
   std::string in(name);
   std::string text(kMostBytes * in.size(), '\0');
   char* from = in.data();

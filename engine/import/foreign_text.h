@@ -8,24 +8,25 @@
 
 namespace glissade {
 
-/// How the names of a STEP file were read that are neither UTF-8 nor encoded as ISO 10303-21 says.
+/// The encoding of names in a STEP file that are neither UTF-8 nor encoded by ISO 10303-21.
 struct ForeignNames {
   std::string encoding;  ///< "GB18030", "Shift JIS", "Windows-1252"
-  bool isSure = false;   ///< else the encoding could not be told
-  std::string example;   ///< the first such name, as it was read; UTF-8
+  bool isSure = false;   ///< false: the encoding is uncertain
+  std::string example;   ///< the first such name as it was decoded; UTF-8
 };
 
-/// Reads names in encodings that the standard does not allow and programs write: GB18030, Shift JIS and Windows-1252, a
-/// superset of Latin 1. The encoding is the one in which nearly all characters of the names are usual ones.
+/// Decodes names in encodings that the standard does not permit but programs write: GB18030, Shift JIS and
+/// Windows-1252, a superset of Latin 1. It takes the encoding in which nearly all characters of the names are usual
+/// ones.
 class ForeignText {
  public:
-  /// Loads the converters of the C library, which needs files: to be made before confine().
+  /// Loads the converters of the C library, which needs files: construct it before confine().
   ForeignText();
   ~ForeignText();
   ForeignText(const ForeignText&) = delete;
   ForeignText& operator=(const ForeignText&) = delete;
 
-  /// Makes the text UTF-8; nothing where it was.
+  /// Converts the text to UTF-8; nothing if it is UTF-8.
   std::optional<ForeignNames> makeUtf8(std::vector<char>& text) const;
 
  private:

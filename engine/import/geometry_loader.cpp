@@ -52,14 +52,14 @@ const Asset& assetById(const std::string& id, const std::vector<Asset>& assets) 
   return *std::find_if(assets.begin(), assets.end(), [&](const Asset& a) { return a.id == id; });
 }
 
-/// Null: it is not in the cache, or there is none.
+/// Null if the geometry is not in the cache, or if there is no cache.
 LoadedGeometryPtr found(const std::string& key, const GeometryCache* cache) {
   if (cache == nullptr) return nullptr;
   const auto known = cache->find(key);
   return known == cache->end() ? nullptr : known->second;
 }
 
-/// A triangle with two equal corners bounds nothing; people may want to know that their file has such.
+/// Warns of triangles with two equal corners, which bound nothing and were left out.
 void warnOfRemovedTriangles(std::size_t count, const std::string& file, Warnings& warnings) {
   if (count == 0) return;
   warnings.push_back({ErrorKind::MalformedInput, file, "",
@@ -67,7 +67,7 @@ void warnOfRemovedTriangles(std::size_t count, const std::string& file, Warnings
                       "They have no area, so that no surface is missing."});
 }
 
-/// People may want to know that their surface was changed, and by how little.
+/// Warns that the surface was changed, and by how little.
 void warnOfTJunctions(const ClosedAtTJunctions& closed, const std::string& file, Warnings& warnings) {
   warnings.push_back(
       {ErrorKind::MalformedInput, file, "",
@@ -76,7 +76,7 @@ void warnOfTJunctions(const ClosedAtTJunctions& closed, const std::string& file,
        "The surface has moved by at most " + toText(std::ceil(1e8 * closed.moved) / 1e2) + " micrometres."});
 }
 
-/// With its planar holes closed, and said.
+/// Closes planar holes, with a warning.
 TriangleMesh withoutHoles(const TriangleMesh& mesh, const std::string& file, Warnings& warnings) {
   ClosedHoles closed = withPlanarHolesClosed(mesh);
   if (closed.closed + closed.left == 0) return mesh;
@@ -87,14 +87,14 @@ TriangleMesh withoutHoles(const TriangleMesh& mesh, const std::string& file, War
   return std::move(closed.mesh);
 }
 
-/// The one part of a file has no place in it.
+/// The only part of a file has no path.
 void leaveSingleUnnamed(std::vector<Occurrence>& parts) {
   if (parts.size() != 1) return;
   parts.front().path.clear();
   parts.front().names.clear();
 }
 
-/// Of the file's bytes; where it names others for its parts, of all their hashes and names.
+/// Hash of the file's bytes; if the file names other files for its parts, the hash of all their hashes and names.
 std::string hashOf(const FileContent& content, const StepProduct& product) {
   std::string hash = sha256(content.bytes);
   if (product.partFiles.empty()) return hash;
@@ -137,14 +137,14 @@ GeometryLoader::GeometryLoader(const std::vector<Asset>& assets, std::string fol
 
 namespace {
 
-/// The part of a file that a geometry names; empty: all of them. Nothing: it names no file of several parts.
+/// The part of a file that a geometry names; empty: all parts. Nothing: it names no file with several parts.
 std::optional<std::string> partNamedBy(const Geometry& geometry) {
   if (const auto* step = std::get_if<StepGeometry>(&geometry)) return step->part;
   const auto* mesh = std::get_if<MeshGeometry>(&geometry);
   return mesh != nullptr && !mesh->part.empty() ? std::optional(mesh->part) : std::nullopt;
 }
 
-/// The geometry of all parts of the file of which a geometry names one.
+/// The geometry of all parts of the file of a named part.
 Geometry wholeFileOf(const Geometry& geometry) {
   const std::string& asset = *assetOf(geometry);
   if (std::holds_alternative<StepGeometry>(geometry)) return StepGeometry{asset, ""};
@@ -170,13 +170,13 @@ Result<LoadedGeometryPtr> GeometryLoader::load(const Geometry& geometry) {
   return loaded;
 }
 
-/// Its parts that nobody names are missing shapes, also where nothing is read again.
+/// Keeps the whole file of a part: its unnamed parts are missing shapes, even if nothing is read again.
 void GeometryLoader::keepWholeFileOf(const Geometry& geometry) {
   const std::string key = geometryKey(wholeFileOf(geometry), assets_, folder_);
   if (LoadedGeometryPtr whole = found(key, known_)) loaded_[key] = std::move(whole);
 }
 
-/// Each once, also where it was read before and several bodies have it.
+/// Takes each warning once, even if it was read before and several bodies have it.
 void GeometryLoader::takeWarnings(const LoadedGeometry& geometry) {
   for (const Diagnostic& warning : geometry.warnings) {
     const bool known = std::any_of(warnings_.begin(), warnings_.end(), [&](const Diagnostic& other) {
@@ -215,7 +215,7 @@ Result<LoadedGeometry> GeometryLoader::read(const Geometry& geometry) {
 
 namespace {
 
-/// What is found under this in a GeometryCache is a mesh file as it is: no unit, no axis.
+/// Key of a mesh file in a GeometryCache without unit and axis.
 std::string fileKey(const Asset& asset, const std::string& folder) {
   return "file:" + withoutLinks(assetFile(asset, folder));
 }
@@ -275,7 +275,7 @@ void GeometryLoader::expect(const std::vector<const Geometry*>& geometries) {
   }
 }
 
-/// The mesh of a file as it is. That of a small file is kept.
+/// The mesh of a file without unit and axis. Meshes of small files are kept.
 Result<ImportedMesh> GeometryLoader::importFile(const Asset& asset) {
   const std::string key = fileKey(asset, folder_);
   LoadedGeometryPtr raw = found(key, &files_);
@@ -298,7 +298,7 @@ Result<FileContent> GeometryLoader::readAsset(const Asset& asset) {
   return content;
 }
 
-/// Warns where what was read is not what the scenario was saved with.
+/// Warns if the content differs from that with which the scenario was saved.
 void GeometryLoader::noteHash(const Asset& asset, const std::string& file, const std::string& hash) {
   hashes_[asset.id] = hash;
   if (asset.sha256.empty() || hash == asset.sha256) return;
@@ -308,7 +308,7 @@ void GeometryLoader::noteHash(const Asset& asset, const std::string& file, const
 
 namespace {
 
-/// Of a mesh in the units and axes of its file. Nothing where no triangle has three corners.
+/// The solid of a mesh in the units and axes of its file. Nothing if no triangle has three corners.
 std::optional<Occurrence> solidOf(TriangleMesh inFile, const Asset& asset, const std::string& file,
                                   Warnings& warnings) {
   const std::size_t triangles = inFile.triangles.size();
@@ -330,7 +330,7 @@ std::optional<Occurrence> solidOf(TriangleMesh inFile, const Asset& asset, const
 /// The triangles of each group by its name in the file.
 std::map<std::string, TriangleMesh> groupsOf(const ImportedMesh& imported) {
   std::map<std::string, TriangleMesh> meshes;
-  std::map<std::string, std::map<std::uint32_t, std::uint32_t>> vertices;  // of the groups, by those of the file
+  std::map<std::string, std::map<std::uint32_t, std::uint32_t>> vertices;  // by group and vertex of the file
   auto next = imported.mesh.triangles.begin();
   for (const GroupRun& run : imported.groups) {
     if (run.triangles == 0) continue;
@@ -350,7 +350,7 @@ std::map<std::string, TriangleMesh> groupsOf(const ImportedMesh& imported) {
   return meshes;
 }
 
-/// As a step of a path, in which '/' has its meaning.
+/// The group as a step of a path, in which '/' separates steps.
 std::string stepOf(const std::string& group) {
   std::string step = group.empty() ? "group" : group;
   std::replace(step.begin(), step.end(), '/', '.');
@@ -359,7 +359,7 @@ std::string stepOf(const std::string& group) {
 
 }  // namespace
 
-/// `groups`: each group of the file is a part of its own.
+/// `groups`: each group of the file is a part.
 Result<LoadedGeometry> GeometryLoader::readMesh(const Asset& asset, bool groups) {
   auto imported = importFile(asset);
   if (!imported) return imported.error();
@@ -422,8 +422,8 @@ Result<LoadedGeometry> GeometryLoader::readStep(const Asset& asset) {
 
 namespace {
 
-/// The occurrences that are a node or below it, with their paths from there. Where there are none, the node is taken as
-/// one of an earlier version.
+/// The occurrences at a node or below it, with their paths from the node. If there are none, `node` is taken as a path
+/// of an earlier version.
 std::vector<Occurrence> partsWithin(const std::string& node, const std::vector<Occurrence>& all) {
   std::vector<Occurrence> parts;
   for (const bool formerly : {false, true}) {
@@ -442,7 +442,7 @@ std::vector<Occurrence> partsWithin(const std::string& node, const std::vector<O
 
 }  // namespace
 
-/// Of the file as a whole, which is read once.
+/// A part of the whole file, which is read once.
 Result<LoadedGeometry> GeometryLoader::partOf(const std::string& asset, const std::string& part,
                                               const Geometry& wholeFile, bool asOne) {
   const auto whole = load(wholeFile);

@@ -12,35 +12,34 @@
 
 namespace glissade {
 
-/// The id of the asset that a geometry is read from; null for primitives.
+/// The id of the asset that contains a geometry; null for primitives.
 const std::string* assetOf(const Geometry& geometry);
 
-/// What a geometry of these assets is found under in a GeometryCache: equal where the same would be read.
+/// Key of a geometry in a GeometryCache: equal for geometries that would be read alike.
 std::string geometryKey(const Geometry& geometry, const std::vector<Asset>& assets, const std::string& folder);
 
-/// Reads the geometry that bodies name; what was read before, and what several bodies name, once. Refers to the assets
-/// and to what is known.
+/// Reads the geometry that bodies name. Geometry that was read before, or that several bodies name, is read once.
+/// Refers to the assets and to `known`.
 class GeometryLoader {
  public:
-  /// Assets are relative to `folder`; `file` is used in messages only. What is in `known` (null: nothing) is not read
-  /// again.
+  /// Assets are relative to `folder`; `file` is used in messages only. Geometry in `known` (or null) is not read again.
   GeometryLoader(const std::vector<Asset>& assets, std::string folder, std::string file, const GeometryCache* known,
                  StopToken stop = {});
 
-  /// These will be asked for: small mesh files among them are read many at a time. Errors are left to load().
+  /// Announces geometries for load(): small mesh files among them are read many at a time. Errors are left to load().
   void expect(const std::vector<const Geometry*>& geometries);
 
-  /// Errors are MalformedInput with the file that they are in, or Interrupted where it was stopped.
+  /// Errors are MalformedInput with the file that contains them, or Interrupted after a stop.
   Result<LoadedGeometryPtr> load(const Geometry& geometry);
 
   /// Writes into the assets the hashes of the bytes that their geometry was read from.
   void noteHashes(std::vector<Asset>& assets) const;
 
-  /// What was asked for.
+  /// The geometries that were loaded.
   GeometryCache& loaded() { return loaded_; }
-  /// Small mesh files as they are, by keys of a GeometryCache: another unit or axis of one needs no reading.
+  /// Small mesh files without unit and axis, by keys of a GeometryCache: another unit or axis needs no reading.
   const GeometryCache& files() const { return files_; }
-  /// Files that have changed since the scenario was saved, and what was lost in reading one.
+  /// Files that have changed since the scenario was saved, and losses during reading.
   Warnings& warnings() { return warnings_; }
 
  private:
@@ -64,19 +63,19 @@ class GeometryLoader {
   StopToken stop_;
   GeometryCache loaded_;
   GeometryCache files_;
-  std::map<std::string, std::string> hashes_;  ///< by asset's id, of what was read
+  std::map<std::string, std::string> hashes_;  ///< hash of the content of each asset, by id
   Warnings warnings_;
 };
 
-/// The id of a part of a body: "body/part"; that of the other one where one of them has no name.
+/// The id of a part of a body: "body/part", or the only name if one of them has none.
 std::string partId(const std::string& bodyId, const Occurrence& part);
 
-/// What of a STEP file is not there is free space to the planner: a warning for each part that lacks something.
+/// Warns of each part with missing faces, which are free space for the planner.
 void warnOfMissingFaces(const LoadedGeometry& geometry, const std::string& bodyId, const std::string& file,
                         Warnings& warnings);
 
-/// Each shape of all files that were read and that is no body, once. Of files of which `named` has single parts, that
-/// is each other part, too. `named`: the geometries of all bodies of a scenario, with those that it leaves out.
+/// Each shape of the files that is no body, once. For a file of which `named` contains single parts, each other part
+/// also counts. `named`: the geometries of all bodies of a scenario, including bodies that are left out.
 MissingShapes missingShapesOf(const GeometryCache& read, const std::vector<const Geometry*>& named,
                               const std::vector<Asset>& assets, const std::string& folder);
 
@@ -86,7 +85,7 @@ TriangleMesh wholeMesh(const LoadedGeometry& geometry, const Vector3& reference)
 /// Bounding box of all parts, in their body's frame.
 Box3 boxOf(const LoadedGeometry& geometry);
 
-/// Takes file coordinates to ours: metres, z up.
+/// Converts file coordinates to metres with z up.
 TriangleMesh interpreted(TriangleMesh mesh, double unit, UpAxis up);
 
 }  // namespace glissade

@@ -14,13 +14,13 @@ namespace glissade {
 namespace {
 
 constexpr double kPlanar = 1e-4;
-// The time is quadratic in both.
-constexpr std::size_t kMostCorners = 10'000;  ///< of a hole
+// The time is quadratic in both limits.
+constexpr std::size_t kMostCorners = 10'000;  ///< corners of a hole
 constexpr std::size_t kMostHoles = 10'000;
 
-using Loop = std::vector<std::uint32_t>;  ///< vertices, as the cover has to run
+using Loop = std::vector<std::uint32_t>;  ///< vertices in the sense of the cover
 
-/// A hole whose edge is in a plane.
+/// A hole with a planar edge.
 struct PlanarHole {
   Loop loop;
   Box3 box;
@@ -30,7 +30,7 @@ struct PlanarHole {
 
 struct Loops {
   std::vector<Loop> loops;
-  std::size_t others = 0;  ///< edges of holes that meet in a vertex, counted as one hole for each such vertex
+  std::size_t others = 0;  ///< holes that meet in a vertex, counted once for each such vertex
 };
 
 /// Edges with a triangle on one side only, from vertex to vertex, against the sense of their triangles.
@@ -93,7 +93,7 @@ std::optional<PlanarHole> planarHole(const Loop& loop, const TriangleMesh& mesh)
   return planar ? std::optional(std::move(hole)) : std::nullopt;
 }
 
-/// The open end of a pipe's wall: a cover of each edge would close the bore.
+/// True if the holes may be the two edges of a pipe's end: covers of both would close the bore.
 bool mayBeARing(const PlanarHole& a, const PlanarHole& b) {
   const double most = kPlanar * a.box.merged(b.box).diagonal().norm();
   return a.box.intersects(b.box) && std::abs(std::abs(a.normal.dot(b.normal)) - 1.0) < kPlanar &&

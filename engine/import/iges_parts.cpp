@@ -32,11 +32,11 @@ namespace protocol = import_protocol;
 using Entity = Handle(IGESData_IGESEntity);
 using Model = Handle(IGESData_IGESModel);
 
-/// Gaps between faces, millimetres, that files state or are closed where they state none.
+/// Limits of the gap between faces that sewing closes, millimetres; the file states it.
 constexpr double kLeastGap = 1e-3;
 constexpr double kMostGap = 0.05;
 
-/// OpenCASCADE reads IGES from a file, or from standard input where the file has no name. No file can be opened here.
+/// OpenCASCADE reads IGES from a file, or from standard input if the file has no name. The process cannot open files.
 void readText(IGESControl_Reader& reader, std::vector<char>& content) {
   stdin = ::fmemopen(content.data(), content.size(), "r");
   if (stdin == nullptr) throw std::runtime_error("it needs more memory than an import may take");
@@ -51,20 +51,20 @@ std::string entityName(const Entity& entity) {
   return name.IsNull() ? std::string() : std::string(name->ToCString());
 }
 
-/// OpenCASCADE does not read these types: blocks, wedges, cylinders, cones, spheres, tori, solids of revolution and of
-/// extrusion, ellipsoids, operations, assemblies and instances of solids.
+/// True for types that OpenCASCADE does not read: blocks, wedges, cylinders, cones, spheres, tori, solids of revolution
+/// and of extrusion, ellipsoids, operations, assemblies and instances of solids.
 bool isUnreadSolid(int type) {
   static constexpr std::array<int, 12> kTypes{150, 152, 154, 156, 158, 160, 162, 164, 168, 180, 184, 430};
   return std::find(kTypes.begin(), kTypes.end(), type) != kTypes.end();
 }
 
-/// Bounded and trimmed surfaces, solids, faces and shells.
+/// True for bounded and trimmed surfaces, solids, faces and shells.
 bool isBounded(int type) {
   static constexpr std::array<int, 5> kTypes{143, 144, 186, 510, 514};
   return std::find(kTypes.begin(), kTypes.end(), type) != kTypes.end();
 }
 
-/// Surfaces without a boundary of their own, but for planes: material where no other entity uses them.
+/// True for surfaces without a boundary, except planes: they are material if no other entity uses them.
 bool isSurface(int type) {
   static constexpr std::array<int, 9> kTypes{114, 118, 120, 122, 128, 140, 192, 194, 196};
   return std::find(kTypes.begin(), kTypes.end(), type) != kTypes.end();
@@ -93,7 +93,7 @@ class IgesShapes {
     return known == names_.end() ? std::string() : known->second;
   }
 
-  /// A line of the protocol about each entity that was not made.
+  /// A line of the protocol for each entity with material that was not made.
   const std::vector<std::string>& missing() const { return missing_; }
 
   double unit() const { return protocol::kMillimetre * model_->GlobalSection().UnitValue(); }
@@ -104,7 +104,7 @@ class IgesShapes {
   }
 
  private:
-  /// Whether something is missing where the entity is not made.
+  /// True if an entity that is not made is missing material.
   static bool isMaterial(const Entity& entity, const Interface_Graph& uses) {
     const int type = entity->TypeNumber();
     return isBounded(type) || isUnreadSolid(type) || (isSurface(type) && uses.Sharings(entity).NbEntities() == 0);

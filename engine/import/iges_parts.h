@@ -6,8 +6,8 @@
 
 namespace glissade {
 
-/// Reads an IGES file: its solids, and what is closed where its faces are sewn together (loose_parts.h). Names are
-/// those of entities. Throws as readStepAssembly(). Runs in the importing process only.
+/// Reads an IGES file: its solids, and closed shells that sewing makes of loose faces (loose_parts.h). Names are those
+/// of entities. Throws as readStepAssembly() does. Runs in the importing process only.
 StepAssembly readIgesParts(std::vector<char>& content);
 
 }  // namespace glissade

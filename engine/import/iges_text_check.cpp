@@ -12,7 +12,7 @@ constexpr std::size_t kSectionColumn = 72;
 /// Start, global, directory, parameters, terminate.
 constexpr std::string_view kSections = "SGDPT";
 
-/// Nothing where the text is no number with blanks around it.
+/// The number in a text with blanks around it; nothing if it is none.
 std::optional<std::size_t> numberIn(std::string_view text) {
   const std::size_t first = std::min(text.find_first_not_of(' '), text.size());
   text = text.substr(first, text.find_last_not_of(' ') + 1 - first);
@@ -53,7 +53,7 @@ class IgesTextCheck {
     return kSections[section_] == 'T' ? faultOfCounts(line) : std::nullopt;
   }
 
-  /// "S0000001G0000003D0000010P0000009"; a line that states nothing is let pass.
+  /// Checks the counts in "S0000001G0000003D0000010P0000009"; a missing count is permitted.
   std::optional<std::string> faultOfCounts(std::string_view line) const {
     constexpr std::size_t kField = 8;
     for (std::size_t i = 0; i + 1 < kSections.size(); ++i) {

@@ -29,7 +29,7 @@ std::uint64_t mostFileBytes(std::uint64_t available) {
 
 import_protocol::Limits meshLimits(std::uint64_t fileBytes, std::uint64_t available) {
   constexpr std::uint64_t kFloor = 450 * kMebibyte;
-  constexpr std::uint64_t kBytesASecond = 10 * kMebibyte;  // of text; binary files take a tenth of the time
+  constexpr std::uint64_t kBytesASecond = 10 * kMebibyte;  // bytes of text; binary files take a tenth of the time
   import_protocol::Limits limits{};
   limits.memory = std::min(kFloor + 16 * fileBytes, std::max(kFloor, available / 2));
   limits.seconds = 4 + fileBytes / kBytesASecond;

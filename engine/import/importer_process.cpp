@@ -13,7 +13,7 @@ namespace {
 
 namespace protocol = import_protocol;
 
-/// More than any message of kMostElements, kMostFaces and kMostParts.
+/// Larger than any message of kMostElements, kMostFaces and kMostParts.
 constexpr std::size_t kMostOutput = std::size_t{40} * protocol::kMostElements +
                                     sizeof(protocol::Face) * protocol::kMostFaces +
                                     std::size_t{1024} * protocol::kMostParts;
@@ -24,7 +24,7 @@ std::string besideThisProgram(const std::string& name) {
   return (self.parent_path() / name).string();
 }
 
-/// What a process says that reads nothing: the location, a line feed, the reason.
+/// The message of a process that reads nothing: the location, a line feed, the reason.
 struct ImporterRefusal {
   std::string location;
   std::string reason;
@@ -34,7 +34,7 @@ ImporterRefusal refusalIn(const std::string& text) {
   return {text.substr(0, end), text.substr(std::min(end + 1, text.size()))};
 }
 
-/// Whether the program ended without a word: libraries crash on some files.
+/// True if the program ended without a message: libraries crash on some files.
 bool hasCrashed(const ChildEnd& end) {
   if (end.ending == ChildEnding::Signalled) return end.signal != SIGXCPU;
   return end.ending == ChildEnding::Exited && end.output.size() < sizeof(protocol::Header);

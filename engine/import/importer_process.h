@@ -13,18 +13,18 @@
 
 namespace glissade {
 
-/// A file for one of the importing programs.
+/// The call of an importing program for a file.
 struct ImporterCall {
-  std::string program;                 ///< beside this one
-  std::vector<std::string> arguments;  ///< its own
+  std::string program;                 ///< name; the program is in the folder of this one
+  std::vector<std::string> arguments;  ///< arguments of the program
   std::string file;                    ///< for messages
   import_protocol::Limits limits;
-  std::string advice;  ///< of errors
-  /// Where the program crashes it is started once more with these; none: that is an error.
+  std::string advice;  ///< advice of errors
+  /// If the program crashes, it is started once more with these arguments; empty: the crash is an error.
   std::vector<std::string> argumentsAfterCrash = {};
 };
 
-/// Takes plain values out of what an importing program wrote, without trusting any of it.
+/// Reads plain values from the output of an importing program, without trusting any of them.
 class ImportMessage {
  public:
   explicit ImportMessage(std::string bytes) : bytes_(std::move(bytes)) {}
@@ -37,7 +37,7 @@ class ImportMessage {
     position_ += count * sizeof(T);
     return true;
   }
-  /// So many bytes. False where there are fewer.
+  /// Takes this number of bytes. False if there are fewer.
   bool takeText(std::size_t count, std::string& text) {
     if (count > bytes_.size() - position_) return false;
     text = bytes_.substr(position_, count);
@@ -51,22 +51,22 @@ class ImportMessage {
   std::size_t position_ = 0;
 };
 
-/// What a program made of a file: a header of a kind that is no error and not too large, and what follows.
+/// The answer of a program about a file: a header of limited size whose kind is no error, and the data that follow.
 struct ImporterAnswer {
   import_protocol::Header header;
   ImportMessage message;
 };
-/// Gives the file's content to the program. Errors are MalformedInput with the file's name, or Interrupted.
+/// Passes the file's content to the program. Errors are MalformedInput with the file's name, or Interrupted.
 Result<ImporterAnswer> callImporter(const ImporterCall& call, std::string_view content, const StopToken& stop = {});
 
-/// What the program writes of several files that are given to it as one content (kSeveral), as far as it comes: nothing
-/// of it is checked, and how the program ends does not matter.
+/// The output of the program for several files in one content (kSeveral), as far as it arrives. It is not checked, and
+/// the end of the program does not matter.
 std::string callImporterOfSeveral(const ImporterCall& call, std::string_view content, const StopToken& stop);
 
-/// That the file, or what the program made of it, is not what it should be.
+/// The error that the file, or the program's output for it, is malformed.
 Diagnostic refusalOf(const ImporterCall& call, const std::string& reason, const std::string& location = {});
 
-/// What is wrong with a mesh that a program wrote: a number or an index out of all measure.
+/// The fault of a mesh that a program wrote: a number or an index out of range.
 std::optional<std::string> faultOf(const TriangleMesh& mesh);
 
 }  // namespace glissade

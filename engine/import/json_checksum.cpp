@@ -9,7 +9,7 @@ using Json = JsonCursor::Json;
 
 constexpr const char* kKey = "checksum";
 
-/// Of an object without the member.
+/// Checksum of an object without the member.
 std::string checksumOf(const Json& object) { return "sha256:" + sha256(jsonText(object)); }
 
 }  // namespace

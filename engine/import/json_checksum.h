@@ -2,13 +2,13 @@
 
 #include <string>
 
-#include "engine/import/json_reader.h"
+#include "engine/base/json_reader.h"
 
 namespace glissade {
 
-/// The member "checksum" of a JSON object: "sha256:" and the SHA-256 of the object's compact text without that
-/// member (no white space, the keys in their order, numbers in their shortest form). White space is free to
-/// change; values, keys and their order are not. Private to the readers and writers of this room.
+/// The member "checksum" of a JSON object: "sha256:" and the SHA-256 of the object's compact text without that member
+/// (no white space, the keys in their order, numbers in their shortest form). White space may change; values, keys and
+/// their order may not. Private to the readers and writers of this room.
 
 /// Adds the member as the last one.
 void addChecksum(JsonCursor::Json& object);
@@ -17,7 +17,7 @@ enum class ChecksumState { Missing, Right, Wrong };
 /// Removes the member and compares it.
 ChecksumState takeChecksum(JsonCursor::Json& document);
 
-/// What is said of a file whose checksum is wrong.
+/// The error for a file with a wrong checksum.
 Diagnostic wrongChecksum(const std::string& file, const std::string& advice);
 
 }  // namespace glissade

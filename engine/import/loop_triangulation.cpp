@@ -19,7 +19,7 @@ bool isBetween(const PlanePoint& p, const PlanePoint& a, const PlanePoint& b) {
   return doubleArea(a, b, p) == 0.0 && (p - a).dot(p - b) <= 0.0;
 }
 
-/// The segments have a point in common; those that share an end do not count.
+/// True if the segments have a point in common; segments with a common end do not count.
 bool cross(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, const PlanePoint& d) {
   if (a == c || a == d || b == c || b == d) return false;
   if (doubleArea(a, b, c) * doubleArea(a, b, d) < 0.0 && doubleArea(c, d, a) * doubleArea(c, d, b) < 0.0) return true;
@@ -36,7 +36,7 @@ class HoleBridges {
     });
     outer_ = *largest;
     holes_.erase(largest);
-    // A hole that lies farther to the right is joined first, so that it does not hide the outer loop from others.
+    // Holes farther to the right are joined first, so that they do not hide the outer loop from other holes.
     std::stable_sort(holes_.begin(), holes_.end(), [&](const PlaneLoop& a, const PlaneLoop& b) {
       return points_[a[rightmostOf(a)]].x() > points_[b[rightmostOf(b)]].x();
     });
@@ -44,7 +44,7 @@ class HoleBridges {
 
   struct Joined {
     PlaneLoop loop;
-    std::size_t forced = 0;  ///< bridges that cross a loop
+    std::size_t forced = 0;  ///< number of bridges that cross a loop
   };
 
   std::optional<Joined> join() && {
@@ -75,7 +75,8 @@ class HoleBridges {
     return order;
   }
 
-  /// From the right on, the first of its points that sees the outer loop; where loops cross, none may.
+  /// Joins the hole at the first of its points, from the right, that sees the outer loop; if loops cross, there may be
+  /// none.
   void joinHole(std::size_t index) {
     const std::vector<std::size_t> starts =
         sorted(holes_[index], [&](std::uint32_t point) { return -points_[point].x(); });
@@ -92,7 +93,7 @@ class HoleBridges {
     addBridge(holes_[index], starts.front(), nearestFirst(points_[holes_[index][starts.front()]]).front());
   }
 
-  /// Of the outer loop.
+  /// Points of the outer loop, the nearest first.
   std::vector<std::size_t> nearestFirst(const PlanePoint& from) const {
     return sorted(outer_, [&](std::uint32_t point) { return (points_[point] - from).squaredNorm(); });
   }
@@ -113,7 +114,7 @@ class HoleBridges {
     return true;
   }
 
-  /// The point lies in the corner of the outer loop.
+  /// True if the point is within the corner of the outer loop.
   bool isInside(std::size_t at, const PlanePoint& p) const {
     const PlanePoint& before = points_[outer_[(at + outer_.size() - 1) % outer_.size()]];
     const PlanePoint& corner = points_[outer_[at]];
@@ -132,20 +133,20 @@ class HoleBridges {
 
   const std::vector<PlanePoint>& points_;
   PlaneLoop outer_;
-  std::vector<PlaneLoop> holes_;  ///< those that are not joined yet come last
+  std::vector<PlaneLoop> holes_;  ///< holes that are not joined yet come last
   std::size_t forced_ = 0;
 
-  static constexpr std::size_t kMostStarts = 50;  ///< a search through all takes too long
+  static constexpr std::size_t kMostStarts = 50;  ///< a search over all points takes too long
 };
 
-/// Cuts off one ear after another.
+/// Triangulates a loop by cutting off ears.
 class EarCutting {
  public:
   EarCutting(const std::vector<PlanePoint>& points, PlaneLoop loop) : points_(points), left_(std::move(loop)) {}
 
-  /// Nothing where loops cross in so many places that the search takes too long.
+  /// Nothing if loops cross in so many places that the search takes too long.
   std::optional<LoopTriangles> run() && {
-    constexpr double kMostTests = 2e9;  // of a corner against an ear
+    constexpr double kMostTests = 2e9;  // tests of a corner against an ear
     const double tests = static_cast<double>(left_.size()) * static_cast<double>(left_.size());
     while (left_.size() > 3) {
       cut(nextEar());
@@ -180,7 +181,7 @@ class EarCutting {
     return shortest;
   }
 
-  /// No other corner lies in the ear; those that coincide with one of its corners touch it only.
+  /// True if no other corner is in the ear; corners that coincide with one of its corners do not count.
   bool isEmpty(std::size_t ear) const {
     const PlanePoint& a = at(ear + left_.size() - 1);
     const PlanePoint& b = at(ear);
@@ -201,8 +202,8 @@ class EarCutting {
   }
 
   const std::vector<PlanePoint>& points_;
-  PlaneLoop left_;        ///< corners that are not cut off yet, in order
-  std::size_t next_ = 0;  ///< where to look first
+  PlaneLoop left_;        ///< remaining corners, in order
+  std::size_t next_ = 0;  ///< first corner of the next search
   LoopTriangles result_;
 };
 

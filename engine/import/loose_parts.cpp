@@ -30,7 +30,7 @@ bool isCompound(const TopoDS_Shape& shape) { return shape.ShapeType() == TopAbs_
 
 bool has(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) { return TopExp_Explorer(shape, kind).More(); }
 
-/// Not a loose face.
+/// False for a loose face.
 bool isNode(const TopoDS_Shape& shape) { return isCompound(shape) || has(shape, TopAbs_SOLID); }
 
 bool isAssembly(const TopoDS_Shape& shape) {
@@ -60,7 +60,7 @@ class LooseParts {
     int depth = 0;
   };
 
-  /// Faces beside solids and compounds are parts together.
+  /// Adds the children; faces beside solids and compounds are parts together.
   void addBelow(const Place& place, const std::vector<TopoDS_Shape>& children) {
     if (place.depth > protocol::kDeepestAssembly) throw std::runtime_error("its groups are nested too deeply");
     if (children.size() == 1 && isNode(children.front())) {
@@ -103,7 +103,7 @@ class LooseParts {
     addBelow(inside, children);
   }
 
-  /// Compounds before `firstSewn` are groups, the others are faces that are open when they are sewn.
+  /// Compounds before `firstSewn` are groups; the others are faces that are open after sewing.
   std::vector<NodeStep> stepsOfNodes(const std::vector<TopoDS_Shape>& nodes, std::size_t firstSewn) const {
     std::vector<NodeNames> names;
     std::vector<std::string> former;
@@ -155,7 +155,7 @@ class LooseParts {
     assembly_.solids.back().isOneOfSeveral = isOneOfSeveral && !place.path.empty();
   }
 
-  /// Solids of what is closed, and one compound of the other faces.
+  /// Solids of the closed shells, and one compound of the other faces.
   std::vector<TopoDS_Shape> sewn(const TopoDS_Shape& faces) {
     std::vector<TopoDS_Shape> parts;
     if (!has(faces, TopAbs_FACE)) return parts;
@@ -199,7 +199,7 @@ class LooseParts {
 }  // namespace
 
 StepAssembly loosePartsOf(const std::vector<TopoDS_Shape>& roots, double tolerance, const ShapeName& nameOf) {
-  constexpr double kMostShare = 1e-4;  // of the diagonal: more would join what is apart
+  constexpr double kMostShare = 1e-4;  // share of the diagonal; a larger one would join separate faces
   Bnd_Box box;
   for (const TopoDS_Shape& root : roots) BRepBndLib::Add(root, box, false);
   const double diagonal = box.IsVoid() ? 0.0 : std::sqrt(box.SquareExtent());

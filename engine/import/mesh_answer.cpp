@@ -12,7 +12,7 @@
 namespace glissade {
 namespace {
 
-/// Largest share of a part's diagonal that the spacing of its coordinates may be.
+/// Largest spacing of the coordinates of a part, as a share of its diagonal.
 constexpr double kCoarsestSpacing = 1e-4;
 
 std::optional<Diagnostic> refuseCoarseCoordinates(const ImporterCall& call, const ImportedMesh& imported) {
@@ -24,7 +24,7 @@ std::optional<Diagnostic> refuseCoarseCoordinates(const ImporterCall& call, cons
                     "Export the part nearer to its origin, or as STL text, OBJ or PLY text with enough digits."};
 }
 
-/// A line each.
+/// One warning for each line.
 Warnings warningsOf(const ImporterCall& call, const std::string& text) {
   Warnings warnings;
   std::istringstream lines(text);
@@ -32,7 +32,7 @@ Warnings warningsOf(const ImporterCall& call, const std::string& text) {
   return warnings;
 }
 
-/// Nothing where they are not of all triangles.
+/// Nothing if the groups do not contain all triangles.
 std::optional<std::vector<GroupRun>> groupsOf(const std::string& text, std::size_t triangles) {
   std::vector<GroupRun> groups;
   std::size_t sum = 0;

@@ -8,11 +8,11 @@
 
 namespace glissade {
 
-/// glissade-import for a file of so many bytes, with its limits on this machine.
+/// The call of glissade-import for a file of `bytes` bytes, with the limits on this machine.
 ImporterCall meshImporterCall(const std::string& argument, const std::string& file, std::uint64_t bytes);
 
-/// The mesh that follows a header in a message. Every number and index is checked. All of it is taken out of the
-/// message also where it is refused, unless the message ends before.
+/// The mesh that follows a header in a message. Every number and index is checked. All of it is taken from the message,
+/// even if it is refused, unless the message ends before.
 Result<ImportedMesh> decodeMeshAnswer(const ImporterCall& call, const import_protocol::Header& header,
                                       ImportMessage& message);
 

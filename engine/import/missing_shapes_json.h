@@ -6,7 +6,7 @@
 
 namespace glissade {
 
-/// As reports and path files state what a proof knows nothing of.
+/// The shapes that a proof does not include, in the form of reports and path files.
 nlohmann::ordered_json missingShapesJson(const MissingShapes& shapes);
 
 }  // namespace glissade

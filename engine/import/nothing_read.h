@@ -8,8 +8,8 @@
 
 namespace glissade {
 
-/// Why a file gives no body: "it holds neither a solid nor a face: #12 CSG_SOLID: its kind is not read", with the first
-/// of the shapes that are missing by these lines of the protocol.
+/// The reason why a file gives no body: "it holds neither a solid nor a face: #12 CSG_SOLID: its kind is not read",
+/// with the first missing shape in these lines of the protocol.
 inline std::string nothingRead(const std::vector<std::string>& notes) {
   const std::string nothing = "it holds neither a solid nor a face";
   const auto missing = std::find_if(notes.begin(), notes.end(), [](const std::string& line) {

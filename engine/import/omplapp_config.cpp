@@ -26,7 +26,7 @@ std::string trimmed(const std::string& text) {
   return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-/// The keys of the section [problem].
+/// The keys and values of the section [problem].
 Result<Keys> problemSection(const std::string& text, const std::string& file) {
   Keys keys;
   std::istringstream stream(text);
@@ -52,7 +52,7 @@ Result<Keys> problemSection(const std::string& text, const std::string& file) {
   return keys;
 }
 
-/// Reads numbers by key and remembers the first that is wrong.
+/// Reads numbers by key and stores the first error.
 class Numbers {
  public:
   Numbers(const Keys& keys, std::string file) : keys_(keys), file_(std::move(file)) {}

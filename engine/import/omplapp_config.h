@@ -7,14 +7,14 @@
 
 namespace glissade {
 
-/// One of OMPL.app's problem files (INI): what it asks, not yet loaded geometry.
+/// A problem file of OMPL.app (INI), without its geometry.
 struct OmplAppConfig {
   std::string name;
-  std::string robot;  ///< mesh file beside the .cfg; moved so that its vertex mean is the reference point
+  std::string robot;  ///< mesh file beside the .cfg; it is moved so that its vertex mean is the reference point
   std::string world;  ///< mesh file beside the .cfg; may be empty
   Pose start;
   Pose goal;
-  Box3 volume;  ///< grown to contain start and goal, as OMPL.app does
+  Box3 volume;  ///< extended to contain start and goal, as in OMPL.app
 };
 
 /// Reads a .cfg file; errors are MalformedInput with the line or key as location.

@@ -14,7 +14,7 @@
 namespace glissade {
 namespace {
 
-/// Metres and cosines that the places of two instances of one solid may differ by.
+/// Tolerance for the poses of two instances of one solid: metres, and cosines.
 constexpr double kSamePlace = 1e-9;
 
 bool isSamePlace(const Pose& a, const Pose& b) {
@@ -26,7 +26,7 @@ class PartsAsOne {
  public:
   using Occurrences = std::vector<Occurrence>;
 
-  /// Joins the solids of one part; shapes of the part that are no solids stay beside them.
+  /// Joins the solids of one part; shapes of the part that are no solids remain separate.
   Occurrences joined(Occurrences::const_iterator first, Occurrences::const_iterator end) {
     Occurrences solids;
     Occurrences parts;
@@ -50,7 +50,7 @@ class PartsAsOne {
   };
   using Solids = std::vector<PlacedSolid>;
 
-  /// The mesh of the whole is in the frame of its first solid.
+  /// The mesh of the whole part is in the frame of its first solid.
   Occurrence joined(const Occurrences& shapes) {
     Occurrence whole = shapes.front();
     Solids solids;
@@ -67,8 +67,8 @@ class PartsAsOne {
     return whole;
   }
 
-  /// Closed and turned outwards: a mesh with an open surface has no inside, and one turned inwards would take the
-  /// inside of the others where they overlap.
+  /// True for a closed mesh with outward orientation: an open mesh has no inside, and one turned inwards would remove
+  /// the inside of the others where they overlap.
   bool isSolid(const MeshPtr& mesh) {
     const auto [known, isNew] = isSolid_.try_emplace(mesh, false);
     if (isNew) {
@@ -91,7 +91,7 @@ class PartsAsOne {
     return known.back().second;
   }
 
-  std::map<MeshPtr, std::vector<std::pair<Solids, MeshPtr>>> meshes_;  ///< by that of the first solid
+  std::map<MeshPtr, std::vector<std::pair<Solids, MeshPtr>>> meshes_;  ///< by the mesh of the first solid
   std::map<MeshPtr, bool> isSolid_;
 };
 
@@ -108,7 +108,7 @@ namespace {
 
 using IsWanted = std::function<bool(const std::string&)>;
 
-/// The solids of each part that is wanted as one.
+/// Joins the solids of each part for which `isWanted` holds.
 std::vector<Occurrence> joinedParts(const std::vector<Occurrence>& solids, const IsWanted& isWanted) {
   PartsAsOne maker;
   std::vector<Occurrence> parts;
@@ -127,7 +127,7 @@ std::vector<Occurrence> joinedParts(const std::vector<Occurrence>& solids, const
   return parts;
 }
 
-/// A plan of an earlier version names paths that no part has any more.
+/// Handles a plan of an earlier version, which names paths that no part has any more.
 void takeFormerPaths(const std::set<std::string>& planBodies, std::vector<Occurrence>& solids) {
   std::set<std::string> paths;
   for (const Occurrence& solid : solids) paths.insert(solid.path);
@@ -139,7 +139,7 @@ void takeFormerPaths(const std::set<std::string>& planBodies, std::vector<Occurr
   }
 }
 
-/// Adds the parts of several solids that are one of the nodes or below it, or of which one is a solid.
+/// Adds the parts with several solids at or below one of the nodes, or with a solid among the nodes.
 bool open(const std::vector<std::string>& nodes, const std::vector<Occurrence>& solids, std::set<std::string>& opened) {
   bool any = false;
   for (const Occurrence& solid : solids) {

@@ -6,7 +6,7 @@
 namespace glissade {
 namespace {
 
-/// The angles at c and d that look at the side from a to b are more than two right ones together.
+/// True if the angles at c and d opposite to the side from a to b exceed two right angles together.
 bool areTogetherFlat(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, const PlanePoint& d) {
   constexpr double kRounding = 1e-9;
   const PlanePoint ca = (a - c).normalized();
@@ -97,7 +97,7 @@ void PlaneMesh::makeDelaunay() {
 }
 
 void PlaneMesh::makeDelaunayFrom(std::vector<Side> sides) {
-  // Rounding may make flips go round in circles.
+  // Rounding may cause cyclic flips.
   std::size_t left = 100 * (triangles_.size() + sides.size());
   while (!sides.empty() && left > 0) {
     const Side side = sides.back();

@@ -8,16 +8,16 @@
 
 namespace glissade {
 
-/// Triangles of a plane that are made better: inner sides are flipped and split. Sides of the boundary stay.
+/// Improves triangles of a plane: inner sides are flipped and split. Sides of the boundary are kept.
 class PlaneMesh {
  public:
-  /// Precondition: the triangles run counter-clockwise; those without area are allowed.
+  /// Precondition: the triangles are counter-clockwise; triangles without area are permitted.
   PlaneMesh(std::vector<PlanePoint> points, std::vector<TriangleIndices> triangles);
 
-  /// Flips inner sides until each circle about a triangle holds no corner of its neighbours.
+  /// Flips inner sides until the circumcircle of each triangle contains no corner of its neighbours.
   void makeDelaunay();
 
-  /// Puts a point into the middle of the longest inner side of a triangle. False where it has none.
+  /// Adds a point in the middle of the longest inner side of a triangle. False if it has none.
   bool split(std::size_t triangle);
 
   const std::vector<PlanePoint>& points() const { return points_; }
@@ -27,7 +27,7 @@ class PlaneMesh {
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
   struct Side {
     std::size_t triangle;
-    std::size_t corner;  ///< the side runs from it to the next corner
+    std::size_t corner;  ///< the side runs from this corner to the next one
   };
 
   void findNeighbours();
@@ -39,7 +39,7 @@ class PlaneMesh {
 
   std::vector<PlanePoint> points_;
   std::vector<TriangleIndices> triangles_;
-  std::vector<std::array<std::size_t, 3>> neighbours_;  ///< beyond the side from a corner to the next one
+  std::vector<std::array<std::size_t, 3>> neighbours_;  ///< neighbour at the side from each corner to the next one
 };
 
 }  // namespace glissade

@@ -7,8 +7,8 @@
 
 namespace glissade {
 
-/// The file `name` (relative, '/' separated) below `folder`. Refuses absolute names and names that
-/// leave the folder, also through symbolic links. `file` and `location` are used in the message.
+/// The file `name` (relative, '/' as separator) below `folder`. Refuses absolute names and names that leave the folder,
+/// even through symbolic links. `file` and `location` are used in the message.
 inline Result<std::string> resolveBelow(const std::string& folder, const std::string& name, const std::string& file,
                                         const std::string& location) {
   namespace fs = std::filesystem;

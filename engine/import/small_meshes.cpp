@@ -15,9 +15,9 @@ namespace {
 namespace protocol = import_protocol;
 
 constexpr std::uint64_t kMostBytes = 256U << 10U;
-/// Of files in one process.
+/// Largest number of files in one process.
 constexpr std::size_t kMostFiles = 64;
-/// Collada is read by a library that is not ours: what captured its process could falsify the other files.
+/// Collada is excluded: another project's library reads it, and a captured process could falsify the other files.
 constexpr std::array<const char*, 5> kSmallEndings{"stl", "obj", "ply", "gltf", "glb"};
 
 std::string inputOf(const std::vector<FileContent>& files, std::size_t first, std::size_t end) {
@@ -33,7 +33,7 @@ std::string inputOf(const std::vector<FileContent>& files, std::size_t first, st
   return input;
 }
 
-/// The next message, where it is a mesh.
+/// The next message, if it is a mesh.
 std::optional<ImportedMesh> nextMesh(const FileContent& file, ImportMessage& message) {
   protocol::Header header;
   if (!message.take(&header, 1) || header.magic != protocol::kMagic) return std::nullopt;

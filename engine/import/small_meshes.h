@@ -7,12 +7,12 @@
 
 namespace glissade {
 
-/// Whether a file of so many bytes may be read together with others: small, and of a format with a reader of our own.
+/// True if a file of `bytes` bytes may be read together with others: it is small, and this project reads its format.
 bool isSmallMesh(const std::string& file, std::uint64_t bytes);
 
-/// What importMesh() makes of each of these files, several of them in one confined process and several processes at the
-/// same time. A process has the limits that one file has. Nothing stands for a file that is to be read alone: there is
-/// an error, or the process did not get so far. Precondition: isSmallMesh().
+/// The results of importMesh() for these files. Several files are read in one confined process, and several processes
+/// run at the same time. A process has the limits of one file. Nothing for a file that has to be read alone: it has an
+/// error, or the process did not reach it. Precondition: isSmallMesh().
 std::vector<std::optional<ImportedMesh>> importSmallMeshes(const std::vector<FileContent>& files,
                                                            const StopToken& stop = {});
 

@@ -15,19 +15,19 @@ namespace protocol = import_protocol;
 
 using Kind = SurfaceFace::Kind;
 
-/// Bytes of a name, or of those on the way to a part.
+/// Largest number of bytes of a name, or of the names on a path.
 constexpr std::uint32_t kLongestName = 1U << 16;
 
 bool isLength(double value) { return value >= 0.0 && value <= protocol::kLargestFace; }
 
-/// As large as its kind allows.
+/// True if the second size is within the limits of its kind.
 bool isSecond(double value, Kind kind) {
   constexpr double kRightAngle = 1.5707963267948966;
   if (kind == Kind::Torus) return isLength(value);
   return kind == Kind::Cone ? value >= 0.0 && value < kRightAngle : value == 0.0;
 }
 
-/// In metres; nothing where a number is none that a face can have.
+/// The face in metres; nothing if a number is impossible for a face.
 std::optional<SurfaceFace> faceOf(const protocol::Face& record) {
   if (record.kind > static_cast<std::uint32_t>(Kind::Torus)) return std::nullopt;
   SurfaceFace face{static_cast<Kind>(record.kind),
@@ -44,7 +44,7 @@ std::optional<SurfaceFace> faceOf(const protocol::Face& record) {
   return sound ? std::optional(face) : std::nullopt;
 }
 
-/// Metres that a unit of length may be.
+/// True for a plausible unit of length, metres.
 bool isUnit(double metres) { return metres >= 1e-9 && metres <= 1e6; }
 
 struct Shape {
@@ -53,7 +53,7 @@ struct Shape {
   std::size_t facesWithoutMesh = 0;
 };
 
-/// Reads what the importing program wrote.
+/// Decodes the output of the importing program.
 class StepDecoder {
  public:
   StepDecoder(const ImporterCall& call, ImporterAnswer& answer) : call_(call), answer_(answer) {}
@@ -92,7 +92,8 @@ class StepDecoder {
  private:
   Diagnostic broken() const { return refusalOf(call_, "the importer failed on it"); }
 
-  /// A line each: kind, tab, where, tab, what; of a missing shape kind, tab, product, tab, entity, tab, kind, tab, why.
+  /// One note a line: kind, tab, place, tab, text; for a missing shape: kind, tab, product, tab, entity, tab, kind,
+  /// tab, reason.
   bool takeNotes(const std::string& notes, StepAnswer& product) const {
     std::istringstream lines(notes);
     for (std::string line; std::getline(lines, line);) {
@@ -175,7 +176,7 @@ class StepDecoder {
     return Done{};
   }
 
-  /// Each triangle has one, and each has a triangle.
+  /// Takes the faces; each triangle belongs to one, and each has a triangle.
   bool takeFaces(std::uint32_t count, TriangleMesh& mesh) {
     faces_ += count;
     std::vector<protocol::Face> records(count);
@@ -195,7 +196,7 @@ class StepDecoder {
     return answer_.message.take(name.data(), name.size()) && name == printableLine(name);
   }
 
-  /// A line each, as many as the path has steps; or none.
+  /// Takes one line for each step of the path, or none.
   bool takeNames(std::uint32_t bytes, const std::string& path, std::vector<NodeNames>& names) {
     if (bytes > kLongestName) return false;
     std::string text(bytes, ' ');
@@ -215,7 +216,7 @@ class StepDecoder {
 
   static bool isLine(const std::string& name) { return name == printableLine(name); }
 
-  /// Each path is there once.
+  /// Takes a path, which has to be unique.
   bool takePath(std::uint32_t bytes, std::string& path) { return takeName(bytes, path) && paths_.insert(path).second; }
 
   template <class Record>

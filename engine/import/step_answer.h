@@ -8,25 +8,25 @@
 
 namespace glissade {
 
-/// A product that a STEP file places and another file has.
+/// A product that a STEP file places and that is in another file.
 struct StepExternal {
-  std::string path;  ///< as of Occurrence, below the root
+  std::string path;  ///< see Occurrence::path; below the root
   Pose X_FP;
-  std::string file;                ///< as the STEP file names it
-  std::vector<NodeNames> names{};  ///< as of Occurrence
+  std::string file;                ///< name in the STEP file
+  std::vector<NodeNames> names{};  ///< see Occurrence::names
 };
 
-/// What one STEP file holds itself.
+/// The content of one STEP file.
 struct StepAnswer {
-  std::string rootName;           ///< of the one product of the file, where it is no assembly; else empty
-  std::vector<Occurrence> parts;  ///< with their paths below the root; none where `externals` has some
+  std::string rootName;           ///< name of the only product of the file if that is no assembly; else empty
+  std::vector<Occurrence> parts;  ///< with their paths below the root; may be empty if there are `externals`
   std::vector<StepExternal> externals;
   Warnings warnings;
-  MissingShapes missing{};  ///< without their file
+  MissingShapes missing{};  ///< missing shapes, without the file's name
 };
 
-/// What glissade-import-step wrote. Every count, number, index and name is checked: the program may have
-/// been captured by its file. Errors are MalformedInput with the file's name.
+/// Decodes the output of glissade-import-step. Every count, number, index and name is checked, because the file may
+/// have captured the program. Errors are MalformedInput with the file's name.
 Result<StepAnswer> decodeStepAnswer(const ImporterCall& call, ImporterAnswer& answer);
 
 }  // namespace glissade

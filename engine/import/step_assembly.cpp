@@ -50,7 +50,7 @@ std::string nameOf(const TDF_Label& label) {
   return text;
 }
 
-/// Solids, and what lies beside them: loose shells and faces as one.
+/// The solids of a shape, and one compound of its loose shells and faces.
 std::vector<TopoDS_Shape> rigidShapesOf(const TopoDS_Shape& shape) {
   std::vector<TopoDS_Shape> shapes;
   for (TopExp_Explorer solid(shape, TopAbs_SOLID); solid.More(); solid.Next()) shapes.push_back(solid.Current());
@@ -94,11 +94,11 @@ class AssemblyWalk {
  private:
   using OptionalColour = std::optional<std::array<double, 3>>;
 
-  /// What a product inherits from the assemblies that it is in.
+  /// Data that a product inherits from the assemblies that contain it.
   struct Place {
     std::string path;
     std::string formerPath;
-    std::vector<NodeNames> names;  ///< of its steps
+    std::vector<NodeNames> names;  ///< names of the path's steps
     TopLoc_Location location;
     OptionalColour colour;
     int depth = 0;
@@ -132,7 +132,7 @@ class AssemblyWalk {
     NodeStep name;
   };
 
-  /// The product's name makes the step, which people know; that of its use is often only a number.
+  /// The step is made of the product's name, which people know; the name of a use is often only a number.
   std::vector<Component> componentsOf(const TDF_Label& assembly) const {
     TDF_LabelSequence labels;
     XCAFDoc_ShapeTool::GetComponents(assembly, labels);
@@ -150,7 +150,7 @@ class AssemblyWalk {
     std::vector<NodeNames> names;
     for (const auto& own : names_.ofUses(assembly, shapes)) {
       names.push_back(own.value_or(NodeNames{}));
-      // A node without a name of its own has the name that OpenCASCADE gives to it.
+      // A node without a name gets the name that OpenCASCADE gives to it.
       if (asStep(names.back().product).empty()) names.back().product = printableLine(former[names.size() - 1]);
     }
     const std::vector<NodeStep> steps = stepsFor(names, former);
@@ -236,7 +236,7 @@ class AssemblyWalk {
 
   OptionalColour colourOf(const TDF_Label& label) const { return colourOfOne(label); }
 
-  /// Of the solid, or of the first of its faces that has one.
+  /// The colour of the solid, or of its first face with a colour.
   OptionalColour colourOf(const TopoDS_Shape& shape) const {
     OptionalColour colour = colourOfOne(shape);
     for (TopExp_Explorer face(shape, TopAbs_FACE); !colour && face.More(); face.Next()) {
@@ -250,12 +250,12 @@ class AssemblyWalk {
   const ExternalFiles& externalFiles_;
   MirroredInstances& mirrored_;
   const StepNames& names_;
-  TopTools_MapOfShape seen_;  ///< products, wherever they are placed
+  TopTools_MapOfShape seen_;  ///< products, at any place
   StepAssembly assembly_;
   std::size_t occurrences_ = 0;
 };
 
-/// Counts each loss with the parts that have its face, instances of one solid too.
+/// Assigns each loss to the parts that have its face, including all instances of a solid.
 void assign(const std::vector<StepLoss>& losses, std::vector<StepSolid>& solids) {
   std::map<const TopoDS_TShape*, std::vector<StepSolid*>> solidsOfFace;
   for (StepSolid& solid : solids) {
@@ -270,7 +270,7 @@ void assign(const std::vector<StepLoss>& losses, std::vector<StepSolid>& solids)
   }
 }
 
-/// More than a few lines are one line that counts them.
+/// Many losses are reported as a few lines and one line that counts the rest.
 std::vector<std::string> inLines(const std::vector<StepLoss>& losses) {
   constexpr std::size_t kMost = 20;
   std::vector<std::string> lines;
@@ -281,7 +281,7 @@ std::vector<std::string> inLines(const std::vector<StepLoss>& losses) {
   return lines;
 }
 
-/// Metres. Of several units the first; of a name that is not known millimetres.
+/// Unit of length, metres: the first of several units; millimetres for an unknown name.
 double lengthUnitOf(STEPControl_Reader& reader) {
   static constexpr std::array<std::pair<const char*, double>, 8> kUnits{{{"INCH", kInch},
                                                                          {"FOOT", kFoot},

@@ -48,23 +48,23 @@ class Composition {
  private:
   struct File {
     std::string file;
-    std::string folder;  ///< below the product's
+    std::string folder;  ///< relative to the product's folder
     StepAnswer answer;
   };
-  /// Where a file's product is.
+  /// The place of a file's product.
   struct Place {
     std::string path;
     Pose X_FP;
     int depth = 0;
-    std::vector<NodeNames> names{};  ///< as of Occurrence
+    std::vector<NodeNames> names{};  ///< see Occurrence::names
   };
   struct Missing {
     std::string name;
     std::string whyNot;
-    std::vector<std::string> paths;  ///< of its parts
+    std::vector<std::string> paths;  ///< paths of its parts
   };
 
-  /// As of Occurrence, of a path below the place.
+  /// Occurrence::names for a path below the place.
   static std::vector<NodeNames> joinedNames(const Place& place, const std::string& path,
                                             const std::vector<NodeNames>& names) {
     if (place.names.empty() && names.empty()) return {};
@@ -114,7 +114,7 @@ class Composition {
                {path, place.X_FP * external.X_FP, place.depth + 1, joinedNames(place, external.path, external.names)});
   }
 
-  /// The file, which is read where it was not yet.
+  /// The file, which is read at first use.
   Result<const File*> fileOf(const FoundStepPart& found) {
     std::unique_ptr<File>& known = files_[found.name];
     if (known) return known.get();
@@ -140,7 +140,7 @@ class Composition {
     return known.get();
   }
 
-  /// Whether all files together have few enough.
+  /// True if all files together are within the limit of triangles.
   bool countTriangles(const StepAnswer& answer) {
     std::set<const TriangleMesh*> counted;
     for (const Occurrence& part : answer.parts) {
@@ -216,7 +216,7 @@ class Composition {
   std::uint64_t triangles_ = 0;
   std::size_t occurrences_ = 0;
   StepProduct product_;
-  std::vector<const File*> chain_;  ///< files that are being added, each in the one before
+  std::vector<const File*> chain_;  ///< files that are being added, each one named by the one before
   std::map<std::string, std::unique_ptr<File>> files_;
   std::map<std::string, Missing> missing_;
   std::vector<std::string> missingInOrder_;

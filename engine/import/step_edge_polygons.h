@@ -10,23 +10,22 @@
 
 namespace glissade {
 
-/// An edge as a polygon, along the edge's curve.
+/// An edge as a polygon along the edge's curve.
 struct EdgePolygon {
-  std::vector<double> parameters;  ///< of the curve
+  std::vector<double> parameters;  ///< parameters of the curve
   std::vector<gp_Pnt> points;      ///< in the frame of the shape
 };
 
-/// The polygons of edges, so that faces that share an edge get the same points bit by bit. Runs in the importing
-/// process only.
+/// The polygons of edges. Faces that share an edge get the same points bit by bit. Runs in the importing process only.
 class EdgePolygons {
  public:
-  /// Edges that no triangle touches are divided so that they are within `deflection` (millimetres) of their curve.
+  /// Edges that no triangle touches are divided to be within `deflection` (millimetres) of their curve.
   explicit EdgePolygons(double deflection) : deflection_(deflection) {}
 
-  /// The triangles of a face that are not to be believed: their polygons are taken where there are no others.
+  /// Marks the triangles of a face as unreliable: their polygons are used only if there are no others.
   void distrust(const Handle(Poly_Triangulation) & triangles) { distrusted_.insert(triangles.get()); }
 
-  /// The same at each call. Empty where the edge has no curve.
+  /// Returns the same polygon at each call. Empty if the edge has no curve.
   const EdgePolygon& of(const TopoDS_Edge& edge);
 
  private:

@@ -11,7 +11,7 @@ bool isBlankOfStep(char c) { return std::isspace(static_cast<unsigned char>(c)) 
 
 bool isOfType(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '!'; }
 
-/// Behind a string or a comment that begins here; `at` where none does.
+/// End of a string or a comment that begins at `at`; `at` if none begins there.
 std::size_t behindQuoted(std::string_view text, std::size_t at) {
   std::size_t end = at;
   if (text[at] == '\'' || text[at] == '"') end = text.find(text[at], at + 1);
@@ -23,7 +23,7 @@ std::size_t behindQuoted(std::string_view text, std::size_t at) {
   return end == std::string_view::npos ? text.size() : end + 1;
 }
 
-/// Past blanks and comments.
+/// Skips blanks and comments.
 std::size_t nextToken(std::string_view text, std::size_t at) {
   while (at < text.size()) {
     if (isBlankOfStep(text[at])) {
@@ -43,8 +43,8 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// The first of `wanted` outside of strings, comments and parentheses; the end where there is none. Parentheses do not
-/// count for the end of an entity.
+/// The first `wanted` outside of strings, comments and parentheses; the end if there is none. Parentheses are ignored
+/// for the end of an entity.
 std::size_t findOutside(std::string_view text, std::size_t from, char wanted) {
   int depth = 0;
   for (std::size_t at = from; at < text.size();) {

@@ -7,12 +7,12 @@
 
 namespace glissade {
 
-/// Names of the files that have the products of a STEP file that it only places, by the shape that OpenCASCADE has
-/// made of the product.
+/// Names of the files with the products that a STEP file only places, by the shape that OpenCASCADE has made of the
+/// product.
 using ExternalFiles = std::map<const TopoDS_TShape*, std::string>;
 
-/// Ask after the transfer. Where a product is in several files, the first STEP file counts, else the first. Runs in
-/// the importing process only.
+/// Precondition: the transfer is done. If a product is in several files, the first STEP file counts, else the first
+/// file. Runs in the importing process only.
 ExternalFiles externalFilesOf(STEPCAFControl_Reader& reader);
 
 }  // namespace glissade

@@ -14,7 +14,7 @@
 namespace glissade {
 namespace {
 
-/// An edge without length: one point of space, a line of parameters.
+/// Adds an edge without length: one point of space, a line of parameters.
 void addDegenerated(const TopoDS_Edge& edge, const Geom2d_Curve& curve, double first, double last,
                     BoundaryEdge& found) {
   constexpr int kParts = 16;

@@ -10,22 +10,23 @@
 
 namespace glissade {
 
-/// A corner of a boundary as the surface and as space see it.
+/// A corner of a boundary, in the parameters of the surface and in space.
 struct BoundaryPoint {
   gp_Pnt2d at;
   gp_Pnt point;  ///< in the frame of the shape
 };
 
-/// An edge where a boundary of a face has it.
+/// An edge in a boundary of a face.
 struct BoundaryEdge {
-  TopoDS_Edge edge;  ///< as the boundary runs along it
+  TopoDS_Edge edge;  ///< with the orientation of the boundary
   std::vector<double> parameters;
-  std::vector<BoundaryPoint> points;  ///< along the boundary; the last one is the first of the next edge
+  std::vector<BoundaryPoint> points;  ///< along the boundary; the last point is the first of the next edge
 };
 
 using FaceBoundary = std::vector<BoundaryEdge>;
 
-/// The boundaries of a face that is not reversed. Empty where one of them is none. Runs in the importing process only.
+/// The boundaries of a face that is not reversed. Empty if one of them is not closed. Runs in the importing process
+/// only.
 std::vector<FaceBoundary> boundariesOf(const TopoDS_Face& face, EdgePolygons& polygons);
 
 }  // namespace glissade

@@ -15,10 +15,10 @@
 namespace glissade {
 namespace {
 
-using Side = std::pair<int, int>;  ///< nodes, the smaller first
+using Side = std::pair<int, int>;  ///< nodes, the smaller number first
 Side sideOf(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
-/// Those that are there an odd number of times, in order.
+/// The sides with an odd number of occurrences, in order.
 std::vector<Side> oddOnes(std::vector<Side> sides) {
   std::sort(sides.begin(), sides.end());
   std::vector<Side> odd;
@@ -49,7 +49,7 @@ std::vector<Side> freeSides(const Poly_Triangulation& mesh) {
   return oddOnes(std::move(sides));
 }
 
-/// False where an edge has no polygon on the mesh.
+/// False if an edge has no polygon on the mesh.
 bool boundarySides(const TopoDS_Face& face, const Handle(Poly_Triangulation) & mesh, const TopLoc_Location& location,
                    std::vector<Side>& sides) {
   for (TopExp_Explorer at(face, TopAbs_EDGE); at.More(); at.Next()) {
@@ -65,7 +65,7 @@ bool boundarySides(const TopoDS_Face& face, const Handle(Poly_Triangulation) & m
   return true;
 }
 
-/// The share of the covered parameters that is covered by triangles that look the other way.
+/// True if the share of the covered parameters with reversed triangles exceeds kMost.
 bool isFolded(const Poly_Triangulation& mesh) {
   constexpr double kMost = 1e-6;
   double there = 0.0;

@@ -5,16 +5,16 @@
 
 namespace glissade {
 
-/// What is wrong with the triangles of a face.
+/// A fault in the triangles of a face.
 enum class FaceFault : std::uint8_t {
   None,
   NoTriangles,
-  OpenBoundary,  ///< the free sides of its triangles are not the polygons of its edges
-  Folded,        ///< triangles lie over each other in the parameters of the surface
+  OpenBoundary,  ///< the free sides of its triangles differ from the polygons of its edges
+  Folded,        ///< triangles overlap in the parameters of the surface
 };
 
-/// Compares the triangles of a face with the polygons of its edges. Quick: no surface is evaluated. Where it finds
-/// nothing, the triangles cover the face once. Runs in the importing process only.
+/// Compares the triangles of a face with the polygons of its edges. Quick: no surface is evaluated. Without a fault,
+/// the triangles cover the face once. Runs in the importing process only.
 FaceFault faultOf(const TopoDS_Face& face);
 
 }  // namespace glissade

@@ -7,14 +7,14 @@
 
 namespace glissade {
 
-/// The entities of a STEP file that its faces were made of. Runs in the importing process only.
+/// The entities of a STEP file from which its faces were made. Runs in the importing process only.
 class FaceEntities {
  public:
   FaceEntities() = default;
-  /// Ask after the transfer.
+  /// Precondition: the transfer is done.
   explicit FaceEntities(const STEPCAFControl_Reader& reader);
 
-  /// "#45"; "#?" where it is not known.
+  /// "#45"; "#?" if it is not known.
   std::string nameOf(const TopoDS_Face& face) const;
 
  private:

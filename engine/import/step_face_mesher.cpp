@@ -21,7 +21,7 @@
 namespace glissade {
 namespace {
 
-constexpr std::size_t kMostPoints = 100'000;  ///< of a face
+constexpr std::size_t kMostPoints = 100'000;  ///< points of a face
 
 /// An edge of the boundary as indices of the face's points.
 struct EdgeNodes {
@@ -55,7 +55,7 @@ class FaceMesher {
   }
 
  private:
-  /// Parameters times these are about millimetres.
+  /// Chooses scales that convert parameters to about millimetres.
   void chooseScales() {
     double alongU = 0.0;
     double alongV = 0.0;
@@ -74,7 +74,7 @@ class FaceMesher {
     if (alongU > 0.0 && alongV > 0.0) scales_ = {alongU, alongV};
   }
 
-  /// Points of an edge but its last, which is the first of the next edge.
+  /// Adds the points of each edge except its last one, which is the first of the next edge.
   void addLoop(const FaceBoundary& boundary) {
     PlaneLoop loop;
     const std::size_t firstEdge = edges_.size();
@@ -101,7 +101,8 @@ class FaceMesher {
 
   gp_Pnt onSurface(const PlanePoint& p) const { return surface_.Value(p.x() / scales_[0], p.y() / scales_[1]); }
 
-  /// Of the middles of its sides and of itself from the surface, in the parameters between its corners.
+  /// Largest distance of the triangle's centre and the middles of its sides from the surface, at interpolated
+  /// parameters.
   double deviationOf(const PlaneMesh& mesh, const TriangleIndices& t) const {
     constexpr double kThird = 1.0 / 3.0;
     constexpr std::array<std::array<double, 3>, 4> kSamples{
@@ -169,7 +170,7 @@ class FaceMesher {
     for (std::size_t i = 0; i < edges_.size(); ++i) addPolygon(i, triangles, location);
   }
 
-  /// Where a degenerated edge is, corners with different parameters are one point.
+  /// At a degenerated edge, corners with different parameters are one point.
   bool isWithoutArea(const TriangleIndices& t) const {
     const auto same = [&](std::uint32_t a, std::uint32_t b) { return inSpace_[a].IsEqual(inSpace_[b], 0.0); };
     return same(t[0], t[1]) || same(t[1], t[2]) || same(t[2], t[0]);
@@ -190,7 +191,7 @@ class FaceMesher {
     return new Poly_PolygonOnTriangulation(nodes, parameters);
   }
 
-  /// A seam is there twice.
+  /// A seam has two polygons.
   void addPolygon(std::size_t index, const Handle(Poly_Triangulation) & triangles,
                   const TopLoc_Location& location) const {
     const TopoDS_Edge& edge = edges_[index].edge;
@@ -210,8 +211,8 @@ class FaceMesher {
   double deflection_;
   std::vector<FaceBoundary> boundaries_;
   std::array<double, 2> scales_{1.0, 1.0};
-  std::vector<PlanePoint> inPlane_;  ///< those of the boundaries, at first
-  std::vector<gp_Pnt> inSpace_;      ///< of all points; in the frame of the shape
+  std::vector<PlanePoint> inPlane_;  ///< points in the parameters; at first those of the boundaries
+  std::vector<gp_Pnt> inSpace_;      ///< all points, in the frame of the shape
   std::vector<PlaneLoop> loops_;
   std::vector<EdgeNodes> edges_;
 };

@@ -6,16 +6,16 @@
 
 namespace glissade {
 
-/// How a face got its triangles.
+/// The way in which a face got its triangles.
 enum class FaceMeshing : std::uint8_t {
   Failed,
-  InParameters,   ///< between its boundaries in the parameters of its surface; points on the surface where needed
-  BetweenPoints,  ///< between the points of its boundaries alone: some of its triangles overlap
+  InParameters,   ///< between its boundaries in the parameters of its surface; with points on the surface if needed
+  BetweenPoints,  ///< between the points of its boundaries only: some triangles overlap
 };
 
-/// Gives a face triangles between the polygons of its edges, about `deflection` (millimetres) or less off its surface
-/// where its boundaries permit it. No point of an edge is new or moves. What the face and its edges had of triangles
-/// is removed if this succeeds, and stays otherwise. Runs in the importing process only.
+/// Triangulates a face between the polygons of its edges, within about `deflection` (millimetres) of its surface if the
+/// boundaries permit it. Points of edges are neither added nor moved. Replaces the former triangles of the face and its
+/// edges on success, and keeps them otherwise. Runs in the importing process only.
 FaceMeshing meshFace(const TopoDS_Face& face, double deflection, EdgePolygons& polygons);
 
 }  // namespace glissade

@@ -28,14 +28,14 @@ namespace glissade {
 namespace {
 
 using Kind = SurfaceFace::Kind;
-/// Millimetres: a deflection below it comes from the rounding of coordinates.
+/// Deflection below which it is only the rounding of coordinates, millimetres.
 constexpr double kRounding = 1e-9;
 using Corners = std::array<Vector3, 3>;
 
 Vector3 toVector(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
 Vector3 toVector(const gp_Dir& d) { return {d.X(), d.Y(), d.Z()}; }
 
-/// Without its deflection.
+/// The kind and sizes of the surface, without its deflection.
 SurfaceFace kindOf(const BRepAdaptor_Surface& surface) {
   const auto about = [](Kind kind, const gp_Ax1& axis, double radius, double second) {
     return SurfaceFace{kind, toVector(axis.Location()), toVector(axis.Direction()), radius, second};
@@ -56,7 +56,7 @@ SurfaceFace kindOf(const BRepAdaptor_Surface& surface) {
   }
 }
 
-/// A face that is out of all measure is a free one.
+/// The stated surface; a free surface if its sizes are out of range.
 SurfaceFace stated(const BRepAdaptor_Surface& surface) {
   constexpr double kLargest = import_protocol::kLargestFace / import_protocol::kMillimetre;
   const SurfaceFace face = kindOf(surface);
@@ -74,7 +74,7 @@ class FaceTriangles {
 
   const Vector3& node(int number) const { return nodes_[static_cast<std::size_t>(number - 1)]; }
 
-  /// Calls a function with the numbers of three nodes.
+  /// Calls a function with the numbers of the three nodes of each triangle.
   template <class Function>
   void forEach(const Function& look) const {
     std::array<int, 3> nodes{};
@@ -91,7 +91,7 @@ class FaceTriangles {
   std::vector<Vector3> nodes_;
 };
 
-/// Distance of a point from the surface, at most: from the parameters on, three steps of Gauss and Newton.
+/// Upper bound on the distance of a point from the surface: three Gauss-Newton steps from these parameters.
 double distanceFrom(const BRepAdaptor_Surface& surface, gp_XY at, const Vector3& p) {
   double least = std::numeric_limits<double>::infinity();
   for (int step = 0; step <= 3; ++step) {
@@ -113,8 +113,8 @@ double distanceFrom(const BRepAdaptor_Surface& surface, gp_XY at, const Vector3&
   return least;
 }
 
-/// The deviation of a triangle. Quick: from the surface at the parameters between those of its nodes, which is too far
-/// where these are unequal steps on the surface; else from the nearest points of the surface.
+/// The deviation of a triangle. Quick: from the surface at interpolated parameters, which is too large for unequal
+/// steps on the surface; else from the nearest points of the surface.
 template <bool isQuick>
 double deviationOfFree(const BRepAdaptor_Surface& surface, const Corners& corners, const std::array<gp_XY, 3>& at) {
   constexpr int kParts = 4;
@@ -147,7 +147,7 @@ double deviationOfFree(const BRepAdaptor_Surface& surface, const Handle(Poly_Tri
   return most;
 }
 
-/// How far the curve is off the straight line between two nodes at two of its parameters.
+/// Deviation of the curve from the straight line between two nodes, at two of its parameters.
 double deviationOfCurve(const BRepAdaptor_Curve& curve, double first, double last, const Vector3& from,
                         const Vector3& to) {
   const auto distanceAt = [&](double share) {

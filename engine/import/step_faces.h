@@ -8,14 +8,13 @@
 
 namespace glissade {
 
-/// What the file states of a face, and how far its triangles are off. Lengths in millimetres. The axis of a
-/// plane points to the outer side.
+/// The surface that the file states for a face, and the deflection of its triangles. Lengths in millimetres. The axis
+/// of a plane points outwards.
 ///
-/// `deflection` is measured: of planes from the vertices; of cylinders, cones, spheres and tori from the triangles
-/// (deviationFrom()); of free surfaces from samples of the surface, which lie at the nodes of a division of each
-/// triangle in the surface's parameters. On faces that are not planar the curves between the vertices of the boundary
-/// count, too. `mesh` is the triangulation of the face, and `placement` takes its nodes to the shape. Runs in the
-/// importing process only.
+/// `deflection` is measured: for planes from the vertices; for cylinders, cones, spheres and tori from the triangles
+/// (deviationFrom()); for free surfaces from samples at a division of each triangle in the surface's parameters. On
+/// faces that are not planar, the curves between the vertices of the boundary also count. `mesh` is the triangulation
+/// of the face, and `placement` transforms its nodes to the shape. Runs in the importing process only.
 SurfaceFace measuredFace(const TopoDS_Face& face, const Handle(Poly_Triangulation) & mesh, const gp_Trsf& placement);
 
 }  // namespace glissade

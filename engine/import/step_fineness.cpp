@@ -29,17 +29,17 @@ namespace {
 
 namespace protocol = import_protocol;
 
-/// Deflection in a close fit, in radii. OpenCASCADE comes to half of it: 40 triangles go around.
+/// Deflection in a close fit, in radii. OpenCASCADE achieves half of it: 40 triangles around.
 constexpr double kFine = 0.006;
-/// Millimetres. A finer deflection costs triangles and tells nothing: parts are not made so exactly.
+/// Finest deflection, millimetres. Parts are not manufactured more exactly.
 constexpr double kFinest = 0.01;
-/// Millimetres by which the axes of a shaft and of its hole may be apart.
+/// Largest distance of the axes of a shaft and its hole, millimetres.
 constexpr double kEccentric = 0.1;
-/// Millimetres that a B-spline may be off a cylinder.
+/// Largest distance of a B-spline from a cylinder, millimetres.
 constexpr double kSameSurface = 1e-4;
-/// Sine of the angle between the axes of a shaft and of its hole.
+/// Largest sine of the angle between the axes of a shaft and its hole.
 constexpr double kTilt = 1e-3;
-/// Millimetres along the axis: cylinders that only meet end to end are no fit.
+/// Least overlap along the axis, millimetres: cylinders that meet end to end are no fit.
 constexpr double kOverlap = 0.01;
 
 double diagonalOf(const TopoDS_Shape& shape) {
@@ -48,13 +48,13 @@ double diagonalOf(const TopoDS_Shape& shape) {
   return box.IsVoid() ? 0.0 : std::sqrt(box.SquareExtent());
 }
 
-/// A cylindrical face, in the frame of its shape or where the assembly has it.
+/// A cylindrical face, in the frame of its shape or of the assembly.
 struct Cylinder {
   TopoDS_Face face;
-  gp_XYZ point;  ///< on the axis; in the assembly, the one that is nearest to the origin
-  gp_XYZ axis;   ///< of unit length
+  gp_XYZ point;  ///< on the axis; in the assembly, the point nearest to the origin
+  gp_XYZ axis;   ///< unit
   double radius = 0.0;
-  double low = std::numeric_limits<double>::infinity();  ///< along the axis, from the point
+  double low = std::numeric_limits<double>::infinity();  ///< range along the axis, from the point
   double high = -std::numeric_limits<double>::infinity();
   std::size_t solid = 0;
   double usual = 0.0;  ///< deflection of the solid
@@ -62,7 +62,7 @@ struct Cylinder {
 
 struct SurfaceSample {
   gp_XYZ point;
-  gp_XYZ normal;  ///< of unit length, or zero
+  gp_XYZ normal;  ///< unit, or zero
 };
 
 std::vector<SurfaceSample> samplesOf(const BRepAdaptor_Surface& surface) {
@@ -84,7 +84,7 @@ std::vector<SurfaceSample> samplesOf(const BRepAdaptor_Surface& surface) {
   return samples;
 }
 
-/// The cylinder with the normals of a surface, where the surface is one.
+/// The cylinder with the normals of a surface; nothing if it is none.
 std::optional<gp_Cylinder> cylinderThrough(const std::vector<SurfaceSample>& samples) {
   const SurfaceSample& first = samples.front();
   const auto turned = [&](const SurfaceSample& sample) { return first.normal.Crossed(sample.normal); };
@@ -106,7 +106,7 @@ std::optional<gp_Cylinder> cylinderThrough(const std::vector<SurfaceSample>& sam
   return gp_Cylinder(frame, radius);
 }
 
-/// Some programs write every surface as a B-spline.
+/// The cylinder of a face; some programs write every surface as a B-spline.
 std::optional<gp_Cylinder> cylinderOf(const TopoDS_Face& face) {
   const BRepAdaptor_Surface surface(face);
   switch (surface.GetType()) {
@@ -154,7 +154,7 @@ Cylinder placed(Cylinder cylinder, const StepPlacement& placement) {
   return cylinder;
 }
 
-/// Where the assembly has them. Each shape is looked at once, however many solids have it.
+/// The cylinders in the assembly. Each shape is examined once, whatever the number of its solids.
 std::vector<Cylinder> cylindersOf(const std::vector<StepSolid>& solids) {
   NCollection_DataMap<TopoDS_Shape, std::vector<Cylinder>, TopTools_ShapeMapHasher> ofShapes;
   std::vector<Cylinder> cylinders;
@@ -168,7 +168,7 @@ std::vector<Cylinder> cylindersOf(const std::vector<StepSolid>& solids) {
   return cylinders;
 }
 
-/// One around the other, so closely that the deflection of their triangles is no smaller than the gap.
+/// True if one is around the other with a gap that is no larger than the deflection of their triangles.
 bool fitClosely(const Cylinder& a, const Cylinder& b) {
   if (a.solid == b.solid || std::abs(a.radius - b.radius) > a.usual + b.usual) return false;
   if (a.axis.Crossed(b.axis).Modulus() > kTilt || (a.point - b.point).Modulus() > kEccentric) return false;
@@ -178,7 +178,7 @@ bool fitClosely(const Cylinder& a, const Cylinder& b) {
   return high - low > kOverlap;
 }
 
-/// Cylinders by the place of their axes.
+/// Cylinders, hashed by the points of their axes.
 class AxisGrid {
  public:
   explicit AxisGrid(const std::vector<Cylinder>& cylinders) {

@@ -10,30 +10,30 @@
 
 namespace glissade {
 
-/// How fine the triangles of a shape are. Millimetres.
+/// Deflections for the triangles of a shape, millimetres.
 struct Fineness {
-  double deflection = 0.0;                 ///< of all faces
-  std::map<double, TopoDS_Compound> fine;  ///< finer faces by their deflection
+  double deflection = 0.0;                 ///< deflection of all faces
+  std::map<double, TopoDS_Compound> fine;  ///< finer faces, by deflection
 };
 
-/// How fine the triangles of each solid of an assembly are. A cylinder that lies closely around a cylinder of another
-/// solid is finer than the rest of its solid, so that what is proved about the fit holds for the surfaces too. Runs in
-/// the importing process only.
+/// The deflections for each solid of an assembly. A cylinder that is closely around a cylinder of another solid gets a
+/// finer deflection than the rest of its solid, so that proofs about the fit hold for the surfaces, too. Runs in the
+/// importing process only.
 class StepFineness {
  public:
-  /// `deflection` of all faces, millimetres. 0: usualDeflection() of each solid, and what the radius says in close
+  /// `deflection`: for all faces, millimetres; 0: usualDeflection() of each solid, and a share of the radius in close
   /// fits.
   StepFineness(double deflection, const std::vector<StepSolid>& solids);
 
-  /// Of the shape at its own origin, taken as large as its placement says.
+  /// The deflections for the shape at its origin, scaled by its placement.
   Fineness of(const StepSolid& solid) const;
 
  private:
   double deflectionOf(const StepSolid& solid) const;
 
   double deflection_;
-  TopTools_DataMapOfShapeReal diagonals_;  ///< by shape, at its own size
-  TopTools_DataMapOfShapeReal fine_;       ///< deflection by face
+  TopTools_DataMapOfShapeReal diagonals_;  ///< by shape, unscaled
+  TopTools_DataMapOfShapeReal fine_;       ///< deflection of each face
 };
 
 }  // namespace glissade

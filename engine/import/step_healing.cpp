@@ -24,9 +24,9 @@ void addTriangles(const TopoDS_Shape& shape, double deflection) {
   const BRepMesh_IncrementalMesh meshed(shape, parameters);
 }
 
-/// The finest faces come first: OpenCASCADE keeps triangles that are finer than asked for, and their edges.
+/// Meshes the finest faces first: OpenCASCADE keeps triangles that are finer than requested, and their edges.
 void mesh(const TopoDS_Shape& shape, const Fineness& fineness, double share) {
-  BRepTools::Clean(shape);  // a face of two solids may have the triangles of the other
+  BRepTools::Clean(shape);  // a face of two solids may have the triangles of the other solid
   for (const auto& [deflection, faces] : fineness.fine) addTriangles(faces, share * deflection);
   addTriangles(shape, share * fineness.deflection);
 }

@@ -10,20 +10,20 @@
 
 namespace glissade {
 
-/// A face whose triangles were wrong.
+/// A face whose triangles had a fault.
 struct HealedFace {
   TopoDS_Face face;
-  FaceFault fault = FaceFault::None;          ///< that it had
-  FaceMeshing meshing = FaceMeshing::Failed;  ///< that replaced its triangles
-  double deflection = 0.0;                    ///< of the new triangles, measured
+  FaceFault fault = FaceFault::None;
+  FaceMeshing meshing = FaceMeshing::Failed;  ///< the way in which its triangles were replaced
+  double deflection = 0.0;                    ///< measured deflection of the new triangles
 };
 
-/// Looks at the triangles of each face of a meshed shape and makes those anew that are wrong, so that they fit those of
-/// the neighbours. In the order of the faces; `deflection` is in millimetres.
+/// Examines the triangles of each face of a meshed shape and replaces faulty ones so that they match those of the
+/// neighbours. The result is in the order of the faces; `deflection` is in millimetres.
 std::vector<HealedFace> healFaces(const TopoDS_Shape& meshed, double deflection);
 
-/// Meshes a shape and heals its faces. Where boundaries of a face cross each other as polygons, the whole shape is
-/// meshed finer, up to a quarter of the deflection, and as it was asked for if that does not help. Runs in the
+/// Meshes a shape and heals its faces. If boundaries of a face cross each other as polygons, the whole shape is meshed
+/// finer, up to a quarter of the deflection, and with the requested deflection if that does not help. Runs in the
 /// importing process only.
 std::vector<HealedFace> meshAndHeal(const TopoDS_Shape& shape, const Fineness& fineness);
 

@@ -10,7 +10,7 @@ namespace {
 
 namespace protocol = import_protocol;
 
-/// As STEP and OpenCASCADE call it, in plain words.
+/// The type of the surface in plain words.
 std::string typeOf(const TopoDS_Face& face) {
   switch (BRepAdaptor_Surface(face, false).GetType()) {
     case GeomAbs_Plane: return "plane";

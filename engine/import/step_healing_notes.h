@@ -8,7 +8,7 @@
 
 namespace glissade {
 
-/// What was done to the faces of a part whose triangles were wrong, as lines of the protocol. `part` may be empty.
+/// Lines of the protocol about the healed faces of a part. `part` may be empty.
 std::vector<std::string> healingNotes(const StepTriangles& triangles, const FaceEntities& entities,
                                       const std::string& part);
 

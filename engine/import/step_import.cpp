@@ -1,6 +1,7 @@
 #include "engine/import/step_import.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 
 #include "engine/base/number_text.h"
@@ -17,7 +18,7 @@ namespace protocol = import_protocol;
 constexpr std::string_view kBeginning = "ISO-10303-21;";
 constexpr std::string_view kEnd = "END-ISO-10303-21;";
 
-/// What a glance at the text tells, before a parser sees it.
+/// Checks the text quickly before a parser reads it.
 std::optional<Diagnostic> precheckStep(const ImporterCall& call, std::string_view text) {
   constexpr std::size_t kHeader = 65536;
   const std::string_view header = text.substr(0, std::min(text.find("DATA;"), kHeader));
@@ -61,23 +62,58 @@ std::optional<Diagnostic> precheck(CadKind kind, const ImporterCall& call, std::
   return std::nullopt;
 }
 
-/// Without the files that it names.
-Result<StepAnswer> importOneFile(const FileContent& content, double deflection, const StopToken& stop) {
+/// `arguments`: arguments after the kind.
+ImporterCall callFor(const FileContent& content, const std::vector<std::string>& arguments) {
   const CadKind kind = cadKindOf(content.file).value_or(CadKind::Step);
-  const std::string millimetres = toText(deflection / protocol::kMillimetre);
-  const ImporterCall call{"glissade-import-step",
-                          {nameOf(kind), millimetres},
-                          content.file,
-                          protocol::stepLimitsFor(content.bytes.size()),
-                          "Export it again as STEP AP214 or AP242, or its parts as meshes.",
-                          {nameOf(kind), millimetres, "unnamed"}};
+  ImporterCall call{"glissade-import-step",
+                    {nameOf(kind)},
+                    content.file,
+                    protocol::stepLimitsFor(content.bytes.size()),
+                    "Export it again as STEP AP214 or AP242, or its parts as meshes."};
+  call.arguments.insert(call.arguments.end(), arguments.begin(), arguments.end());
+  return call;
+}
+
+Result<ImporterAnswer> run(const ImporterCall& call, const FileContent& content, const StopToken& stop) {
+  const CadKind kind = cadKindOf(content.file).value_or(CadKind::Step);
   if (const auto refused = precheck(kind, call, content.bytes)) return *refused;
-  auto answer = callImporter(call, content.bytes, stop);
+  return callImporter(call, content.bytes, stop);
+}
+
+/// Imports the file without the files that it names.
+Result<StepAnswer> importOneFile(const FileContent& content, double deflection, const StopToken& stop) {
+  ImporterCall call = callFor(content, {toText(deflection / protocol::kMillimetre)});
+  call.argumentsAfterCrash = call.arguments;
+  call.argumentsAfterCrash.emplace_back("unnamed");
+  auto answer = run(call, content, stop);
   if (!answer) return answer.error();
   return decodeStepAnswer(call, *answer);
 }
 
 }  // namespace
+
+Result<std::vector<std::optional<double>>> commonVolumes(const std::string& file,
+                                                         const std::vector<std::pair<std::string, std::string>>& parts,
+                                                         const StopToken& stop) {
+  std::vector<std::optional<double>> volumes(parts.size());
+  if (parts.empty()) return volumes;
+  const auto content = readContent(file, protocol::kStepLimits.bytes);
+  if (!content) return content.error();
+  std::vector<std::string> arguments{protocol::kVolumesOf};
+  for (const auto& [a, b] : parts) arguments.insert(arguments.end(), {a, b});
+  const ImporterCall call = callFor(*content, arguments);
+  auto answer = run(call, *content, stop);
+  if (!answer) return answer.error();
+  std::vector<double> stated(parts.size());
+  if (answer->header.kind != protocol::kVolumes || !answer->message.take(stated.data(), stated.size())) {
+    return refusalOf(call, "the importer failed on it");
+  }
+  constexpr double kCubicMillimetre = protocol::kMillimetre * protocol::kMillimetre * protocol::kMillimetre;
+  for (std::size_t i = 0; i < stated.size(); ++i) {
+    if (std::isfinite(stated[i])) volumes[i] = std::max(0.0, stated[i]) * kCubicMillimetre;
+  }
+  return volumes;
+}
 
 bool isCadFile(const std::string& file) { return cadKindOf(file).has_value(); }
 

@@ -61,7 +61,7 @@ class LossSearch {
     }
   }
 
-  /// The first that was made.
+  /// The first face that was made.
   TopoDS_Shape faceOf(const Handle(StepShape_ConnectedFaceSet) & shell) const {
     for (int i = 1; i <= shell->NbCfsFaces(); ++i) {
       const Handle(StepShape_Face) face = shell->CfsFacesValue(i);
@@ -74,7 +74,7 @@ class LossSearch {
     return !TransferBRep::ShapeResult(process_, entity).IsNull();
   }
 
-  /// "#12", as the file calls it.
+  /// "#12": the name of the entity in the file.
   std::string nameOf(const Handle(Standard_Transient) & entity) const {
     return model_->StringLabel(entity)->ToCString();
   }

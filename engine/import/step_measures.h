@@ -6,16 +6,16 @@
 
 namespace glissade {
 
-/// What the triangles of a shape enclose and cover. Millimetres.
+/// The volume and area of a shape's triangles. Millimetres.
 struct TriangleMeasures {
-  double volume = 0.0;  ///< below 0 where the shape is inside out
+  double volume = 0.0;  ///< negative if the shape is inside out
   double area = 0.0;
-  double deflection = 0.0;  ///< the largest of the faces
-  double size = 0.0;        ///< from the origin of the moment to the farthest vertex
+  double deflection = 0.0;  ///< largest deflection of the faces
+  double size = 0.0;        ///< distance of the farthest vertex from `origin`
   gp_XYZ origin;            ///< a vertex
-  gp_XYZ moment;            ///< of the volume about `origin`: the centroid is origin + moment / volume
+  gp_XYZ moment;            ///< moment of the volume about `origin`: the centroid is origin + moment / volume
 
-  /// Cubic millimetres that the volume may be off that of the true surface.
+  /// Largest deviation of the volume from that of the true surface, cubic millimetres.
   double uncertainty() const { return deflection * area; }
 };
 

@@ -20,10 +20,10 @@ namespace {
 
 using Operator = Handle(StepGeom_CartesianTransformationOperator3d);
 
-/// Directions whose sine is below have no plane, and squares of lengths below are no length.
+/// Directions with a smaller sine span no plane, and smaller squares of lengths count as zero.
 constexpr double kLeastSine = 1e-9;
 constexpr double kRigid = 1e-9;
-/// Scales outside of these are no product's.
+/// Limits of plausible scales of a product.
 constexpr double kLeastScale = 1e-6;
 constexpr double kMostScale = 1e6;
 
@@ -35,7 +35,7 @@ std::optional<gp_XYZ> axisOf(const Handle(StepGeom_Direction) & direction) {
   return length > kLeastSine ? std::optional(axis / length) : std::nullopt;
 }
 
-/// An axis that is left out is made so that nothing is mirrored.
+/// True if the operator mirrors. A missing axis is completed so that nothing is mirrored.
 bool isMirror(const Operator& of) {
   const auto x = axisOf(of->Axis1());
   const auto y = axisOf(of->Axis2());
@@ -50,7 +50,7 @@ bool isScaled(const Operator& of) { return of->HasScale() && !(std::abs(of->Scal
   throw std::runtime_error(name + " " + what + " a part in a way that cannot be read: write it as a part of its own");
 }
 
-/// Axes of ISO 10303-42: z as it is given, x across it. Nothing where both have one direction.
+/// The axes of ISO 10303-42: z as given, x perpendicular to it. Nothing if both have one direction.
 std::optional<gp_Mat> rightHanded(const std::optional<gp_XYZ>& givenX, const std::optional<gp_XYZ>& givenZ) {
   const gp_XYZ z = givenZ.value_or(gp_XYZ(0.0, 0.0, 1.0));
   gp_XYZ x = givenX.value_or(std::abs(z.X()) < 0.9 ? gp_XYZ(1.0, 0.0, 0.0) : gp_XYZ(0.0, 1.0, 0.0));
@@ -71,7 +71,7 @@ Placement originOf(const Handle(StepRepr_MappedItem) & item) {
   return item->MappingSource().IsNull() ? Placement() : Placement::DownCast(item->MappingSource()->MappingOrigin());
 }
 
-/// OpenCASCADE leaves out the origin of a mapping to an operator.
+/// True if the origin of a mapping is not that of its frame; OpenCASCADE ignores it for an operator.
 bool isAside(const Placement& origin) {
   const auto at = origin.IsNull() ? std::nullopt : pointOf(origin->Location());
   const auto axes =
@@ -80,7 +80,7 @@ bool isAside(const Placement& origin) {
   return at->Modulus() > 0.0 || std::abs((*axes)(1, 1) - 1.0) + std::abs((*axes)(3, 3) - 1.0) > kRigid;
 }
 
-/// The datum that a shape was placed by last.
+/// The datum that was applied last to a shape.
 Handle(TopLoc_Datum3D) outermost(TopLoc_Location location) {
   if (location.IsIdentity()) return nullptr;
   while (!location.NextLocation().IsIdentity()) location = location.NextLocation();
@@ -97,7 +97,7 @@ std::optional<double> factorOf(const gp_Trsf& placement) {
   return shift.X();
 }
 
-/// From the axes of the mapping to those of the operator; nothing where one of them has none.
+/// The transformation from the axes of the mapping to those of the operator; nothing if one of them has none.
 std::optional<MirroredInstances::Similarity> similarityOf(const Operator& of, const Placement& from) {
   const auto axes = rightHanded(axisOf(of->Axis1()), axisOf(of->Axis3()));
   const auto shift = pointOf(of->LocalOrigin());
@@ -112,7 +112,7 @@ std::optional<MirroredInstances::Similarity> similarityOf(const Operator& of, co
   return MirroredInstances::Similarity{linear, *shift - linear * *fromPoint};
 }
 
-/// A unit along x, without turn, mirror and scale: whatever else, there is a location.
+/// Replaces the operator by a translation along x, without turn, mirror and scale, so that there is always a location.
 void makePlain(const Operator& of) {
   of->UnSetAxis1();
   of->UnSetAxis2();
@@ -169,7 +169,7 @@ StepPlacement MirroredInstances::placementOf(const TopLoc_Location& location, co
   Similarity whole;
   whole.linear.SetIdentity();
   bool isTrue = false;
-  // From the innermost place outwards.
+  // Applies the placements from the innermost outwards.
   for (TopLoc_Location rest = location; !rest.IsIdentity(); rest = rest.NextLocation()) {
     const auto known = trueOf_.find(rest.FirstDatum().get());
     if (known != trueOf_.end() && rest.FirstPower() != 1) throw unusual();

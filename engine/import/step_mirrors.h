@@ -13,21 +13,19 @@
 
 namespace glissade {
 
-/// Where an assembly has a shape: the shape is mirrored in x where that is so, taken `scale` times as large, and
-/// placed.
+/// The placement of a shape in an assembly: the shape is mirrored in x if `mirrored`, scaled by `scale`, and placed.
 struct StepPlacement {
   gp_Trsf rigid;
   double scale = 1.0;
   bool mirrored = false;
 };
 
-/// Instances that a CARTESIAN_TRANSFORMATION_OPERATOR_3D mirrors or scales, or whose mapping has an origin of its own.
-/// OpenCASCADE 7.6 leaves out all three: the instance would be another body than the file's. So each such operator is
-/// made a plain translation before the transfer; the location that comes of it tells the instance, and stands for the
-/// true transformation.
+/// Instances that a CARTESIAN_TRANSFORMATION_OPERATOR_3D mirrors or scales, or whose mapping has an origin. OpenCASCADE
+/// 7.6 ignores all three, so the instance would differ from the file's. Each such operator is therefore replaced by a
+/// plain translation before the transfer; the resulting location identifies the instance and its true transformation.
 ///
-/// Errors: std::runtime_error with the entity, where an operator is used otherwise than by a mapped item, or its
-/// instance is not found. Runs in the importing process only.
+/// Errors: std::runtime_error with the entity, if an operator is used other than by a mapped item, or its instance is
+/// not found. Runs in the importing process only.
 class MirroredInstances {
  public:
   /// p -> linear * p + shift.
@@ -36,18 +34,18 @@ class MirroredInstances {
     gp_XYZ shift;
   };
 
-  /// No instance is mirrored.
+  /// Constructs an object without mirrored instances.
   MirroredInstances() = default;
-  /// To be made before the transfer: changes the operators.
+  /// Construct it before the transfer, because it changes the operators.
   explicit MirroredInstances(const STEPCAFControl_Reader& reader);
 
-  /// To be called once, after the transfer.
+  /// Call once, after the transfer.
   void locate(const STEPCAFControl_Reader& reader);
 
-  /// Millimetres. Error: `path` is the part's, where its place is no turn, mirror and scale.
+  /// The placement, in millimetres. Throws with `path` of the part if it is not composed of turn, mirror and scale.
   StepPlacement placementOf(const TopLoc_Location& location, const std::string& path);
 
-  /// Every instance has been asked for.
+  /// Throws unless placementOf() was called for every instance.
   void demandAllUsed() const;
 
  private:

@@ -81,13 +81,13 @@ class MissingShapeSearch {
                       "it belongs to no product of the file and is read as a body where its coordinates are"));
   }
 
-  /// That OpenCASCADE has made of an entity; null: none.
+  /// The shape that OpenCASCADE has made of an entity; null: none.
   TopoDS_Shape shapeOf(std::uint64_t entity) const {
     const auto found = made_.find(entity);
     return found == made_.end() ? TopoDS_Shape() : TransferBRep::ShapeResult(process_, found->second);
   }
 
-  /// In which the bodies have it: as a solid, or as the face of it that most have.
+  /// Number of places of the entity in the bodies: as a solid, or of its face with the most places.
   std::uint64_t placesOf(std::uint64_t entity) const {
     const TopoDS_Shape shape = shapeOf(entity);
     if (shape.IsNull()) return 0;
@@ -120,8 +120,8 @@ class MissingShapeSearch {
 
   const KnownShapes& known_;
   Handle(Transfer_TransientProcess) process_;
-  std::unordered_map<std::uint64_t, Handle(Standard_Transient)> made_;  ///< entities by their numbers
-  std::unordered_map<const TopoDS_TShape*, std::uint64_t> uses_;        ///< of solids and faces, by the bodies
+  std::unordered_map<std::uint64_t, Handle(Standard_Transient)> made_;  ///< entities by number
+  std::unordered_map<const TopoDS_TShape*, std::uint64_t> uses_;        ///< uses of solids and faces in the bodies
   std::vector<std::string> lines_;
 };
 

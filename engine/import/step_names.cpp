@@ -30,7 +30,7 @@ Handle(StepBasic_Product) productOf(const Definition& definition) {
   return definition->Formation()->OfProduct();
 }
 
-/// Its name, or its id where it has none.
+/// The name of the product, or its id if it has no name.
 std::string nameOf(const Definition& definition) {
   const Handle(StepBasic_Product) product = productOf(definition);
   if (product.IsNull()) return {};
@@ -38,7 +38,7 @@ std::string nameOf(const Definition& definition) {
   return isBlank(name) ? textOf(product->Id()) : name;
 }
 
-/// A use that is called as the id of its product has no name of its own.
+/// A use whose name is the id of its product has no name.
 NodeNames namesOf(const Handle(StepRepr_NextAssemblyUsageOccurrence) & use) {
   const Definition definition = use->RelatedProductDefinition();
   const Handle(StepBasic_Product) product = productOf(definition);

@@ -12,17 +12,17 @@
 
 namespace glissade {
 
-/// The names that a STEP file gives to its products and their uses, read from its entities. OpenCASCADE keeps one name
-/// for products that share a shape (a mapped item), and one text for a use. An object refers to nothing of the reader.
+/// The names that a STEP file gives to its products and their uses, read from its entities. OpenCASCADE keeps only one
+/// name for products that share a shape (a mapped item), and only one text for a use. Does not refer to the reader.
 class StepNames {
  public:
-  /// After the transfer.
+  /// Precondition: the transfer is done.
   explicit StepNames(STEPCAFControl_Reader& reader);
 
-  /// The name of a product that no assembly uses; nothing if the product has no shape of its own.
+  /// The name of a product that no assembly uses; nothing if the product has no shape.
   std::optional<std::string> ofRoot(const TDF_Label& product) const;
 
-  /// The names of these uses of products in an assembly, in the order of the uses; nothing for a shape that is no use.
+  /// The names of these uses of products in an assembly, in their order; nothing for a shape that is no use.
   std::vector<std::optional<NodeNames>> ofUses(const TDF_Label& assembly, const std::vector<TopoDS_Shape>& uses) const;
 
  private:
@@ -32,7 +32,7 @@ class StepNames {
   };
 
   std::unordered_map<std::string, std::vector<Use>> usesIn_;      ///< by the entry of the assembly's label
-  std::unordered_map<std::string, std::vector<Use>> productsAt_;  ///< by the entry of their label; without a use
+  std::unordered_map<std::string, std::vector<Use>> productsAt_;  ///< by the label of the product, without a use
 };
 
 }  // namespace glissade

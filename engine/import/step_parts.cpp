@@ -6,7 +6,7 @@
 namespace glissade {
 namespace {
 
-/// As many as a person reads.
+/// A list of limited length for people.
 std::string nameList(const std::vector<std::string>& names) {
   constexpr std::size_t kMost = 30;
   std::string text;

@@ -10,20 +10,20 @@
 
 namespace glissade {
 
-// Names of the parts of a STEP file: the names on the way to a part, as "pump/rotor". An assembly in the file
-// ("pump") stands for all of its parts, the empty name for all of the file.
+// Names of the parts of a STEP file: the names on the path to a part, as "pump/rotor". An assembly ("pump") stands for
+// all of its parts, the empty name for the whole file.
 
-/// Names of the parts that a file holds; one that is empty where it holds one.
+/// Names of the parts of a file; one empty name if it has one part.
 std::vector<std::string> namesOf(const LoadedGeometry& wholeFile);
 
-/// Its assemblies and parts, by their paths.
+/// Tree of the assemblies and parts of the file, by their paths.
 Product treeOf(const LoadedGeometry& wholeFile);
 
-/// The path of the node that a person means: by its path, or by the end of it or of the names in the file where no
-/// other ends in it. Errors are MalformedInput with those that there are.
+/// The path of the node that a person means: by its path, or by a unique end of the path or of the names in the file.
+/// Errors are MalformedInput with the existing names.
 Result<std::string> nodeNamed(const std::string& name, const Product& tree, const std::string& file);
 
-/// The file holds no such part; says which it holds.
+/// The error for a name that no part of the file has, with the names of the parts.
 Diagnostic noSuchPart(const std::string& file, const std::string& name, const std::vector<std::string>& parts);
 
 }  // namespace glissade

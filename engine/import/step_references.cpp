@@ -30,7 +30,7 @@ std::string StepReferences::shown(std::size_t entity) const {
 }
 
 std::optional<StepReferences::Fault> StepReferences::duplicate() const {
-  std::vector<std::pair<std::uint64_t, std::size_t>> ids;  // with their places
+  std::vector<std::pair<std::uint64_t, std::size_t>> ids;  // with positions in the text
   ids.reserve(entities_.size());
   for (const Entity& entity : entities_) ids.emplace_back(entity.id, entity.at);
   std::sort(ids.begin(), ids.end());
@@ -42,7 +42,7 @@ std::optional<StepReferences::Fault> StepReferences::duplicate() const {
 
 /// Replaces the ids by indices of entities.
 std::optional<StepReferences::Fault> StepReferences::resolve() {
-  std::vector<std::pair<std::uint64_t, std::size_t>> ids;  // with their indices
+  std::vector<std::pair<std::uint64_t, std::size_t>> ids;  // with indices of entities
   ids.reserve(entities_.size());
   for (std::size_t i = 0; i < entities_.size(); ++i) ids.emplace_back(entities_[i].id, i);
   std::sort(ids.begin(), ids.end());
@@ -59,7 +59,7 @@ std::optional<StepReferences::Fault> StepReferences::resolve() {
   return std::nullopt;
 }
 
-/// Walks along the references, depth first, with a stack of its own.
+/// Searches a circle of references, depth first, with an explicit stack.
 std::optional<StepReferences::Fault> StepReferences::circle() const {
   enum class Seen : std::uint8_t { No, OnTheWay, Done };
   std::vector<Seen> seen(entities_.size(), Seen::No);

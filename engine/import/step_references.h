@@ -9,29 +9,28 @@
 
 namespace glissade {
 
-/// The entities of a STEP text and what they refer to: `#12=CLOSED_SHELL('',(#7,#8));` is entity 12 with references
-/// to 7 and 8. OpenCASCADE leaves out what a missing entity should have been, such as a face of a solid.
+/// The entities of a STEP text and their references: `#12=CLOSED_SHELL('',(#7,#8));` is entity 12 with references to 7
+/// and 8. OpenCASCADE silently leaves out objects of missing entities, such as a face of a solid.
 class StepReferences {
  public:
-  /// Begins an entity; what is referred to next is referred to by it. `at`: where it stands in the text. `type` is
-  /// part of the text.
+  /// Begins an entity, to which the following references belong. `at`: position in the text. `type`: part of the text.
   void beginEntity(std::uint64_t id, std::size_t at, std::string_view type);
   void refer(std::uint64_t id);
 
   struct Fault {
-    std::size_t at;  ///< in the text
+    std::size_t at;  ///< position in the text
     std::string reason;
   };
-  /// The first of: an entity that is there twice, a reference to an entity that is not there, entities that refer to
-  /// each other in a circle. A REPRESENTATION may contain itself: sound files have that. Takes n log n of time.
+  /// The first fault: an entity that exists twice, a reference to a missing entity, or entities that refer to each
+  /// other in a circle. A REPRESENTATION may contain itself, as it does in valid files. Takes O(n log n) time.
   std::optional<Fault> fault();
 
  private:
   struct Entity {
     std::uint64_t id;
     std::size_t at;
-    std::size_t references;  ///< index of the first
-    std::string_view type;   ///< empty: of several types
+    std::size_t references;  ///< index of the first reference
+    std::string_view type;   ///< empty: several types
   };
 
   std::optional<Fault> duplicate() const;
@@ -41,7 +40,7 @@ class StepReferences {
   std::string shown(std::size_t entity) const;
 
   std::vector<Entity> entities_;
-  std::vector<std::uint64_t> references_;  ///< ids; after resolve() indices of entities
+  std::vector<std::uint64_t> references_;  ///< ids; indices of entities after resolve()
 };
 
 }  // namespace glissade

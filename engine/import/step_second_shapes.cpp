@@ -19,7 +19,7 @@ Bnd_Box boxOfTriangles(const StepTessellation& triangles, const gp_Trsf& placeme
   return box;
 }
 
-/// To a fiftieth of their size: triangles are inside of round surfaces.
+/// Tolerance: a fiftieth of the size, because triangles are inside of round surfaces.
 bool isSameBox(const Bnd_Box& a, const Bnd_Box& b) {
   constexpr double kShare = 0.02;
   if (a.IsVoid() || b.IsVoid()) return false;
@@ -36,7 +36,7 @@ std::string parentOf(const std::string& path) {
   return slash == std::string::npos ? std::string() : path.substr(0, slash);
 }
 
-/// The boundaries of the product beside the triangles, in this use of it.
+/// The boundaries of the product beside the triangles, in this use of the product.
 std::vector<const StepSolid*> boundariesBeside(const StepSolid& triangles, const StatedShape& item,
                                                const std::vector<StepSolid>& solids, const StandInShapes& standIns) {
   std::vector<const StepSolid*> found;
@@ -61,7 +61,7 @@ bool isSecond(const StepSolid& triangles, const std::vector<const StepSolid*>& b
   return isOfOne || isSameBox(box, all);
 }
 
-/// A solid that is alone again has the name of its product.
+/// Renames a solid that is alone again to the name of its product.
 void shortenAlone(const std::string& parent, std::vector<StepSolid>& solids) {
   const auto isBelow = [&](const StepSolid& solid) { return parentOf(solid.path) == parent; };
   const auto only = std::find_if(solids.begin(), solids.end(), isBelow);

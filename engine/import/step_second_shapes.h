@@ -10,12 +10,12 @@
 namespace glissade {
 
 struct SecondShapes {
-  std::set<std::uint64_t> items;   ///< entities
-  std::vector<std::string> notes;  ///< a line of the protocol about each
+  std::set<std::uint64_t> items;   ///< entities of the items
+  std::vector<std::string> notes;  ///< a line of the protocol for each
 };
 
-/// Takes out triangles that are as large as the boundaries of their product and where those are: they are a second
-/// representation of them, although the file does not say so. Runs in the importing process only.
+/// Removes triangles with the size and the place of their product's boundaries: they are a second representation,
+/// although the file does not state that. Runs in the importing process only.
 SecondShapes takeOutSecondShapes(std::vector<StepSolid>& solids, const StandInShapes& standIns);
 
 }  // namespace glissade

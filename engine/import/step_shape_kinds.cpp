@@ -18,7 +18,7 @@ constexpr std::array kTriangulations{
     "COMPLEX_TRIANGULATED_FACE"sv, "TRIANGULATED_SURFACE_SET"sv, "COMPLEX_TRIANGULATED_SURFACE_SET"sv,
 };
 
-/// Supertypes, which name no kind where an entity has another type.
+/// Supertypes, which name no kind if an entity has another type.
 constexpr std::array kSupertypes{
     "REPRESENTATION_ITEM"sv,
     "GEOMETRIC_REPRESENTATION_ITEM"sv,
@@ -86,7 +86,7 @@ bool isOneOf(const std::array<std::string_view, N>& kinds, std::string_view kind
 }
 
 bool endsAsWithoutMaterial(std::string_view kind) {
-  // Each is an "item" by its name, and a solid or a surface in its meaning.
+  // These are an "item" by name, and a solid or a surface by meaning.
   if (kind == "TESSELLATED_ITEM" || kind == "REPOSITIONED_TESSELLATED_ITEM") return false;
   const bool isDrawn = std::any_of(kOfDrawings.begin(), kOfDrawings.end(),
                                    [&](std::string_view part) { return kind.find(part) != std::string_view::npos; });

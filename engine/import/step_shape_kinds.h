@@ -9,21 +9,21 @@
 
 namespace glissade {
 
-/// The use that is made of an item of a shape representation.
+/// The use of an item of a shape representation.
 enum class StepShapeRole : std::uint8_t {
-  NoMaterial,  ///< placements, points, curves, texts, unbounded planes: they are in nothing's way
-  Boundary,    ///< solids by their boundaries, and surfaces: OpenCASCADE makes them
-  Triangles,   ///< tessellated: this project makes them (step_tessellated.h)
-  Unread,      ///< every other kind: solids by volumes and their operations, sweeps, kinds that are not known
+  NoMaterial,  ///< placements, points, curves, texts, unbounded planes: they are no obstacles
+  Boundary,    ///< solids by boundaries, and surfaces: OpenCASCADE makes them
+  Triangles,   ///< tessellations: this project makes them (step_tessellated.h)
+  Unread,      ///< every other kind: solids by volumes and operations, sweeps, unknown kinds
 };
 
-/// The kind of an entity as people name it: of several types the one that says most.
+/// The kind of an entity for people: the most specific one of several types.
 std::string stepKindOf(const std::vector<StepRecord>& records);
 
-/// ISO 10303-42, -43, -45, -511, -512, -514, -1804. A kind that is not known may be material.
+/// The role by ISO 10303-42, -43, -45, -511, -512, -514, -1804. An unknown kind counts as possible material.
 StepShapeRole stepShapeRole(const StepEntities& entities, const std::vector<StepRecord>& records);
 
-/// An entity of this type holds lists of coordinates or triangles, as long as there are any.
+/// True if an entity of this type contains lists of coordinates or triangles, which may be long.
 bool holdsTessellation(std::string_view type);
 
 }  // namespace glissade

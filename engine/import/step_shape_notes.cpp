@@ -20,7 +20,7 @@ std::string lineAbout(char kind, const std::string& part, const std::string& wha
   return std::string(1, kind) + "\t" + (part.empty() ? part : "part '" + part + "'") + "\t" + what;
 }
 
-/// Edges that only one face has; a seam joins a face to itself.
+/// Number of edges with one face only; a seam joins a face to itself.
 int openEdges(const TopoDS_Shape& shape) {
   TopTools_IndexedDataMapOfShapeListOfShape facesOf;
   TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, facesOf);
@@ -39,7 +39,7 @@ int facesOf(const TopoDS_Shape& shape) {
   return faces.Extent();
 }
 
-/// The volume is as little as rounding leaves of none, for the area.
+/// True if the volume is zero up to rounding, compared with the area.
 bool hasNoThickness(const StepTriangles& triangles) {
   constexpr double kNone = 1e-9;
   using Point = std::array<double, 3>;

@@ -14,7 +14,7 @@
 namespace glissade {
 namespace {
 
-/// Millimetres a unit of the file: a stand-in is a thousand units large.
+/// Millimetres of a unit of the file: a stand-in is a thousand units large.
 double unitOf(const TopoDS_Shape& standIn) {
   constexpr double kUnits = 1000.0;
   double largest = 0.0;
@@ -32,7 +32,7 @@ StandInShapes::StandInShapes(const STEPCAFControl_Reader& reader, StepStandIns s
   const auto model = Handle(StepData_StepModel)::DownCast(reader.Reader().WS()->Model());
   const Handle(Transfer_TransientProcess) process = reader.Reader().WS()->TransferReader()->TransientProcess();
   std::map<std::uint64_t, StatedShape> items;
-  std::set<std::uint64_t> products;  // that may have a second representation
+  std::set<std::uint64_t> products;  // products that may have a second representation
   for (const auto* shapes : {&stated.items, &stated.orphans}) {
     for (const StatedShape& item : *shapes) {
       items.emplace(item.entity, item);

@@ -11,24 +11,22 @@
 
 namespace glissade {
 
-/// The small solids that stand for tessellated shapes, as OpenCASCADE has made them. Runs in the importing process
-/// only.
+/// The small solids that stand in for tessellated shapes, as made by OpenCASCADE. Runs in the importing process only.
 class StandInShapes {
  public:
-  /// Ask after the transfer. Takes the tessellations.
+  /// Precondition: the transfer is done. Takes the tessellations.
   StandInShapes() = default;
   StandInShapes(const STEPCAFControl_Reader& reader, StepStandIns standIns, const StatedShapes& stated);
 
-  /// The triangles that the solid stands for, in millimetres, at its own origin; null: it is a solid of the file.
+  /// The triangles of the stand-in, in millimetres, at its origin; null: it is a solid of the file.
   const StepTessellation* of(const TopoDS_Shape& solid) const;
 
-  /// The item that the solid stands for where it may be a second representation of boundaries of its product; null: it
-  /// is no such solid.
+  /// The item of a stand-in that may be a second representation of its product's boundaries; null: it is no such solid.
   const StatedShape* maybeSecond(const TopoDS_Shape& solid) const;
-  /// Whether the shape is of the boundaries of a product that may have a second representation.
+  /// True if the shape belongs to the boundaries of a product that may have a second representation.
   bool isBoundaryOf(std::uint64_t product, const TopoDS_Shape& shape) const;
 
-  /// Why the triangles of an item cannot be read; empty: they can.
+  /// The reason why the triangles of an item cannot be read; empty if they can.
   std::string faultOf(std::uint64_t item) const;
 
  private:

@@ -12,7 +12,7 @@ namespace {
 
 using Id = std::uint64_t;
 
-/// An item of a representation that OpenCASCADE makes nothing of. It crashes on items that it does not know.
+/// An item of a representation that OpenCASCADE ignores. It crashes on items that it does not know.
 constexpr const char* kNothing = "CARTESIAN_POINT('',(0.,0.,0.))";
 
 class StandIns {
@@ -56,7 +56,7 @@ class StandIns {
     makeKnown(item.representation);
   }
 
-  /// The value of its name, quoted.
+  /// The quoted value of the item's name.
   std::string nameOf(Id item) const {
     const std::vector<StepRecord> records = entities_.recordsOf(item);
     for (const StepRecord& record : records) {
@@ -67,7 +67,7 @@ class StandIns {
     return "''";
   }
 
-  /// As a SHAPE_REPRESENTATION with the same items and context, where OpenCASCADE does not know its kind.
+  /// Replaces an unknown representation by a SHAPE_REPRESENTATION with the same items and context.
   void makeKnown(Id representation) {
     const std::vector<StepRecord> records = entities_.recordsOf(representation);
     const bool isKnown = std::none_of(records.begin(), records.end(), [](const StepRecord& record) {
@@ -82,7 +82,7 @@ class StandIns {
     }
   }
 
-  /// A tetrahedron. Its faces are those of all stand-ins.
+  /// Adds a tetrahedron. All stand-ins share its faces.
   std::string solid(const std::string& name) {
     if (faces_.empty()) {
       const std::string o = point("0.,0.,0.");
@@ -125,7 +125,7 @@ class StandIns {
                 "," + representation + ")");
   }
 
-  /// The first of the file with units.
+  /// The first context of the file with units.
   std::string context() {
     for (const StepEntities::Entity& entity : entities_.all()) {
       for (const StepRecord& record : entities_.recordsOf(entity)) {
@@ -139,8 +139,8 @@ class StandIns {
   const StatedShapes& stated_;
   StepEditedText edited_;
   StepStandIns result_;
-  std::string faces_;        ///< of all stand-ins
-  std::string application_;  ///< context of the products that were added
+  std::string faces_;        ///< faces of all stand-ins
+  std::string application_;  ///< context of the added products
 };
 
 }  // namespace

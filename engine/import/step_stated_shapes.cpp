@@ -14,7 +14,7 @@ using Id = std::uint64_t;
 
 bool contains(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
 
-/// Most entities of a file. They neither are nor use a solid, a shell or a product.
+/// True for most entities of a file, which neither are nor use a solid, a shell or a product.
 bool isOfBoundary(std::string_view type) {
   static constexpr std::array<std::string_view, 16> kTypes{
       "CARTESIAN_POINT", "DIRECTION",    "VECTOR",        "LINE",
@@ -24,7 +24,7 @@ bool isOfBoundary(std::string_view type) {
   return holdsTessellation(type) || std::find(kTypes.begin(), kTypes.end(), type) != kTypes.end();
 }
 
-/// The values of the record that has this type, or of the only one; none where there is no such record.
+/// The values of the record with this type, or of the only record; empty if there is none.
 std::vector<std::string_view> valuesOfType(const std::vector<StepRecord>& records, std::string_view type) {
   for (const StepRecord& record : records) {
     if (records.size() == 1 || record.type == type) return stepValues(record.arguments);
@@ -36,7 +36,7 @@ Id referenceAt(const std::vector<std::string_view>& values, std::size_t at) {
   return at < values.size() ? stepReference(values[at]) : 0;
 }
 
-/// Products, their uses, and what says that a representation is their shape.
+/// Products, their uses, and the definitions that relate representations to them.
 class ShapeGraph {
  public:
   explicit ShapeGraph(const StepEntities& entities) : entities_(entities) {
@@ -118,7 +118,7 @@ class ShapeGraph {
     takeShape(entity, records);
   }
 
-  /// Solids and shells: what may belong to nothing.
+  /// Collects solids and shells, which may belong to no product.
   void takeShape(const StepEntities::Entity& entity, const std::vector<StepRecord>& records) {
     const std::string kind = stepKindOf(records);
     const bool isShell = kind == "CLOSED_SHELL" || kind == "OPEN_SHELL" || kind == "CONNECTED_FACE_SET";
@@ -134,7 +134,7 @@ class ShapeGraph {
     return products_.count(of) > 0 ? of : 0;
   }
 
-  /// The representations that are the shape of a product, along relations that place no other product.
+  /// The representations of a product's shape, along relations that place no other product.
   std::vector<Id> representationsOf(Id product) const {
     std::vector<Id> found;
     const auto add = [&](Id representation) {
@@ -158,7 +158,8 @@ class ShapeGraph {
     return values.size() > 1 ? stepReferencesIn(values[1]) : std::vector<Id>();
   }
 
-  /// With what mapped items repeat. A mapped shape of a part that the product uses is the placement of that use.
+  /// Collects items, including those that mapped items repeat. A mapped shape of a part that the product uses is the
+  /// placement of that use.
   void collect(Id product, Id representation, Id count, int depth, Items& found) {
     if (depth > kDeepestNesting || found.all.size() > kMany) return;
     for (const Id item : itemsOf(representation)) {
@@ -185,7 +186,7 @@ class ShapeGraph {
       const auto [known, isNew] = found.indexOf.try_emplace(item, found.all.size());
       if (isNew) {
         found.all.push_back({item, representation, count});
-      } else if (depth > 0) {  // two representations of one product may both have an item
+      } else if (depth > 0) {  // two representations of one product may both contain an item
         found.all[known->second].count += count;
       }
     }
@@ -240,7 +241,7 @@ class ShapeGraph {
     }
   }
 
-  /// Its geometric or topological link names a boundary, or that of its faces does.
+  /// True if the item's geometric or topological link, or that of its faces, names a boundary.
   bool isLinked(Id item, int depth) const {
     const std::vector<StepRecord> records = entities_.recordsOf(item);
     const std::string kind = stepKindOf(records);
@@ -270,7 +271,7 @@ class ShapeGraph {
         continue;
       }
       const auto of = definition == definitionOf_.end() ? placement.part : definition->second;
-      // A placement of a product is another way to say where it is.
+      // A placement of a product repeats the statement of its use.
       if (products_.count(of) > 0) continue;
       const auto relation = valuesOfType(entities_.recordsOf(placement.assembly), "REPRESENTATION_RELATIONSHIP");
       const auto owner = ownerOf_.find(referenceAt(relation, 2));
@@ -279,7 +280,7 @@ class ShapeGraph {
     }
   }
 
-  /// OpenCASCADE takes one that it does not understand for none.
+  /// Reports a transformation that OpenCASCADE does not understand and ignores.
   void addUnknownTransformation(Id relation, StatedShapes& stated) const {
     const std::vector<StepRecord> records = entities_.recordsOf(relation);
     for (const StepRecord& record : records) {
@@ -310,7 +311,7 @@ class ShapeGraph {
     return isKind(1, "CARTESIAN_POINT") && isKind(2, "DIRECTION") && isKind(3, "DIRECTION");
   }
 
-  /// These point at a shape and make no use of it.
+  /// True for kinds that refer to a shape without using it.
   static bool onlyPoints(std::string_view kind) {
     return kind.ends_with("STYLED_ITEM") || contains(kind, "PRESENTATION_LAYER") || contains(kind, "USAGE") ||
            contains(kind, "ASSOCIATION") || contains(kind, "ATTRIBUTE") || contains(kind, "TESSELLATED") ||
@@ -347,7 +348,7 @@ class ShapeGraph {
     }
   }
 
-  /// A representation that belongs to a product, or to a part of a shape, or is no shape.
+  /// True if a representation belongs to a product or to a part of a shape, or is no shape.
   bool isClaimed(Id representation) const {
     if (reached_.count(representation) > 0 || propertyShapes_.count(representation) > 0) return true;
     if (!stepKindOf(entities_.recordsOf(representation)).ends_with("SHAPE_REPRESENTATION")) return true;
@@ -371,18 +372,18 @@ class ShapeGraph {
   std::set<Id> products_;  ///< PRODUCT_DEFINITIONs
   std::vector<Use> uses_;
   std::unordered_set<Id> useIds_;
-  std::unordered_map<Id, std::vector<Id>> assembliesOf_;  ///< a part, as often as they use it
+  std::unordered_map<Id, std::vector<Id>> assembliesOf_;  ///< assemblies of a part, one entry for each use
   std::unordered_map<Id, std::set<Id>> partsOf_;
-  std::vector<std::pair<Id, Id>> shapeDefinitions_;   ///< definition, representation
-  std::vector<Use> placements_;                       ///< with their relation and the definition that they place
-  std::unordered_set<Id> placing_;                    ///< relations of placements
-  std::vector<Use> relations_;                        ///< with both representations
-  std::unordered_map<Id, Id> definitionOf_;           ///< of a PRODUCT_DEFINITION_SHAPE and of other properties
-  std::unordered_map<Id, Id> ownerOf_;                ///< products, by representations
-  std::unordered_map<Id, std::vector<Id>> shapesOf_;  ///< representations, by products
+  std::vector<std::pair<Id, Id>> shapeDefinitions_;  ///< definition and representation
+  std::vector<Use> placements_;                      ///< with their relation and the placed definition
+  std::unordered_set<Id> placing_;                   ///< relations of placements
+  std::vector<Use> relations_;                       ///< with both representations
+  std::unordered_map<Id, Id> definitionOf_;  ///< definition of a PRODUCT_DEFINITION_SHAPE and of other properties
+  std::unordered_map<Id, Id> ownerOf_;       ///< product of each representation
+  std::unordered_map<Id, std::vector<Id>> shapesOf_;  ///< representations of each product
   std::unordered_map<Id, std::vector<Id>> relatedTo_;
-  std::unordered_set<Id> propertyShapes_;  ///< representations that state other properties
-  std::unordered_set<Id> withShape_;       ///< what a PRODUCT_DEFINITION_SHAPE is of
+  std::unordered_set<Id> propertyShapes_;  ///< representations of other properties
+  std::unordered_set<Id> withShape_;       ///< definitions with a PRODUCT_DEFINITION_SHAPE
   std::unordered_map<Id, Id> places_;
   std::set<Id> hasCurves_;
   std::set<Id> hasMappedItems_;

@@ -9,43 +9,44 @@
 
 namespace glissade {
 
-/// An item of a shape as the file states it.
+/// An item of a shape, as the file states it.
 struct StatedShape {
   std::uint64_t entity = 0;
-  std::string kind{};  ///< of the entity
+  std::string kind{};  ///< kind of the entity
   StepShapeRole role = StepShapeRole::NoMaterial;
-  std::uint64_t product = 0;         ///< the PRODUCT_DEFINITION whose shape it is; 0: of none
-  std::uint64_t representation = 0;  ///< that has it among its items; 0: none has
-  std::uint64_t places = 1;          ///< in which the assemblies of the file have it
-  /// It has triangles, and the file says that it is another representation of the product's boundaries.
+  std::uint64_t product = 0;         ///< the PRODUCT_DEFINITION of the shape; 0: none
+  std::uint64_t representation = 0;  ///< the representation with this item; 0: none
+  std::uint64_t places = 1;          ///< number of places in the assemblies of the file
+  /// The item has triangles, and the file states that they are another representation of the product's boundaries.
   bool isSecond = false;
-  /// It has triangles, and the product has boundaries, too: whether they are of the same body is not stated.
+  /// The item has triangles, and the product also has boundaries; the file does not state whether they are the same
+  /// body.
   bool mayBeSecond = false;
 };
 
-/// A product that is placed, or said to have a shape, and has none; or a use of one that is not understood.
+/// A product that is placed or has a shape by statement, but has no shape; or a use that is not understood.
 struct StatedGap {
   std::uint64_t entity = 0;
   std::string kind{};
-  std::uint64_t product = 0;  ///< as of StatedShape
+  std::uint64_t product = 0;  ///< see StatedShape::product
   std::uint64_t places = 1;
 };
 
-/// The products and shapes that a STEP file states, counted from its own entities.
+/// The products and shapes that a STEP file states, counted by its entities.
 struct StatedShapes {
-  std::vector<StatedShape> items;      ///< of products; without material: none
-  std::vector<StatedShape> orphans;    ///< solids that belong to no product
+  std::vector<StatedShape> items;      ///< items of products, except those without material
+  std::vector<StatedShape> orphans;    ///< solids without a product
   std::vector<StatedGap> shapeless;    ///< products
-  std::vector<StatedGap> unknownUses;  ///< placements of what is no use of a product
-  std::vector<StatedGap> loose;        ///< shells that belong to nothing
+  std::vector<StatedGap> unknownUses;  ///< placements that are no use of a product
+  std::vector<StatedGap> loose;        ///< shells without an owner
 };
 
 StatedShapes statedShapesOf(const StepEntities& entities);
 
-/// A line of the protocol about an item, as "#12 (CSG_SOLID)".
+/// A line of the protocol about an item, such as "#12 (CSG_SOLID)".
 std::string stepShapeLine(char kind, const StatedShape& item, const std::string& what);
 
-/// The PRODUCT of a PRODUCT_DEFINITION; 0 where it has none.
+/// The PRODUCT of a PRODUCT_DEFINITION; 0 if it has none.
 std::uint64_t productOfDefinition(const StepEntities& entities, std::uint64_t definition);
 
 }  // namespace glissade

@@ -81,7 +81,7 @@ class TessellationReader {
     reposition(records, before);
   }
 
-  /// Edges and vertices of a tessellation bound nothing.
+  /// Adds a child; edges and vertices of a tessellation are no surface.
   void addChild(std::uint64_t child, int depth) {
     const std::vector<StepRecord> records = entities_.recordsOf(child);
     if (stepShapeRole(entities_, records) != StepShapeRole::NoMaterial) add(child, depth + 1);
@@ -89,7 +89,8 @@ class TessellationReader {
 
   static std::string shown(std::uint64_t id, const std::string& kind) { return kind + " #" + std::to_string(id); }
 
-  /// Name first, as in an entity of one type; those of a supertype before those of its kinds.
+  /// The values with the name first, as in an entity of one type; values of a supertype come before those of its
+  /// subtypes.
   static std::vector<std::string_view> valuesOfKind(const std::vector<StepRecord>& records) {
     std::vector<std::string_view> values;
     if (records.size() == 1) return stepValues(records.front().arguments);
@@ -111,7 +112,7 @@ class TessellationReader {
     values.insert(values.end(), more.begin(), more.end());
   }
 
-  /// `first`: where the list of its indices is among its values. Strips and fans follow where there are no triangles.
+  /// `first`: position of the list of indices among the values. Strips and fans follow in place of triangles.
   void addTriangulation(const std::string& who, const std::vector<std::string_view>& values, std::size_t first) {
     const bool strips = who.rfind("COMPLEX_", 0) == 0;
     if (values.size() < first + (strips ? 3 : 2)) throw std::runtime_error(who + " has too few values");
@@ -176,7 +177,7 @@ class TessellationReader {
     return known->second;
   }
 
-  /// Points that were added since are in a frame of their own.
+  /// Transforms the points that were added from `before` on, which are in another frame.
   void reposition(const std::vector<StepRecord>& records, std::size_t before) {
     for (const StepRecord& record : records) {
       if (record.type != "REPOSITIONED_TESSELLATED_ITEM") continue;
@@ -223,8 +224,9 @@ class TessellationReader {
     bool forward;  ///< from the smaller corner to the larger one
   };
 
-  /// Neighbours run through a common side in opposite directions, and closed surfaces enclose a positive volume. Strips
-  /// are written in both senses. Surfaces that already agree keep their sense to each other, as that of a void.
+  /// Orients the triangles: neighbours have opposite directions at a common side, and closed surfaces enclose a
+  /// positive volume. Strips are written in both senses. Surfaces that are consistent keep their sense relative to each
+  /// other, as that of a void.
   void orient() {
     std::map<HeldSide, std::vector<Use>> sides;
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
@@ -250,7 +252,7 @@ class TessellationReader {
     }
   }
 
-  /// The connected surfaces, each with its triangles turned like its first one.
+  /// The connected surfaces, each with its triangles oriented like its first one.
   std::vector<std::vector<std::size_t>> turnedAlike(const std::map<HeldSide, std::vector<Use>>& sides) {
     enum class Seen : std::uint8_t { No, Kept, Turned };
     std::vector<Seen> seen(triangles_.size(), Seen::No);
@@ -280,7 +282,7 @@ class TessellationReader {
     return surfaces;
   }
 
-  /// Six times it, about the first point.
+  /// Six times the volume, about the first point.
   double volumeOf(const std::vector<std::size_t>& surface) const {
     double volume = 0.0;
     for (const std::size_t t : surface) {
@@ -299,10 +301,10 @@ class TessellationReader {
   std::vector<HeldPoint> points_;
   std::map<HeldPoint, std::uint32_t> indexOf_;
   std::vector<HeldTriangle> triangles_;
-  // The triangulation that is being added has:
+  // Data of the triangulation that is being added:
   const std::vector<HeldPoint>* coordinates_ = nullptr;
-  std::vector<std::uint32_t> indices_;                       ///< into its coordinates; empty: the corners are that
-  std::unordered_map<std::uint32_t, std::uint32_t> corner_;  ///< points by the numbers of its corners
+  std::vector<std::uint32_t> indices_;  ///< indices into its coordinates; empty: corners are indices
+  std::unordered_map<std::uint32_t, std::uint32_t> corner_;  ///< points by the numbers of the corners
 };
 
 }  // namespace

@@ -12,11 +12,11 @@ namespace glissade {
 /// faces and surface sets of ISO 10303-42.
 struct StepTessellation {
   std::vector<double> vertices;        ///< x y z, in the unit of the file, each position once
-  std::vector<std::uint32_t> indices;  ///< three a triangle; counter-clockwise from outside where they enclose a volume
-  std::string fault;                   ///< why there are none; empty: there are some
+  std::vector<std::uint32_t> indices;  ///< three a triangle; counter-clockwise from outside if they enclose a volume
+  std::string fault;                   ///< reason why there are none; empty: there are some
 };
 
-/// Every face of it is read, or there is a fault: a part of a body would not be the body.
+/// Reads every face of the item, or returns a fault: a part of a body would be another body.
 StepTessellation tessellationOf(const StepEntities& entities, std::uint64_t item);
 
 }  // namespace glissade

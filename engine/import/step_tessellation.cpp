@@ -18,7 +18,7 @@ namespace {
 
 namespace protocol = import_protocol;
 
-/// OpenCASCADE misses the deflection that it is asked for by up to 1.6 times on spheres.
+/// OpenCASCADE exceeds the requested deflection by up to 1.6 times on spheres.
 constexpr double kAsked = 0.5;
 
 protocol::Face recordOf(const SurfaceFace& face, int triangles) {
@@ -60,7 +60,7 @@ void addFace(const TopoDS_Face& face, StepTriangles& triangles) {
   triangles.faces.push_back(recordOf(measuredFace(face, mesh, placement), mesh->NbTriangles()));
 }
 
-/// Slow, and needed for parts with healed faces only.
+/// Slow; needed only for parts with healed faces.
 void compareVolumes(const TopoDS_Shape& shape, StepTriangles& triangles) {
   constexpr double kAccuracy = 1e-4;
   if (triangles.healed.empty() || shape.ShapeType() != TopAbs_SOLID) return;
@@ -83,7 +83,7 @@ void resize(protocol::Face& face, double scale, bool mirrored) {
   face.axis[0] = -face.axis[0];
 }
 
-/// Every vertex alike, so that what faces share stays equal.
+/// Scales every vertex alike, so that vertices that faces share stay equal.
 void resize(StepTriangles& triangles, double scale, bool mirrored) {
   for (std::size_t i = 0; i < triangles.vertices.size(); ++i) {
     triangles.vertices[i] *= mirrored && i % 3 == 0 ? -scale : scale;

@@ -10,27 +10,26 @@
 
 namespace glissade {
 
-/// A shape as triangles that run counter-clockwise seen from outside; a vertex once a face. What faces
-/// share along an edge is equal bit by bit.
+/// A shape as triangles that are counter-clockwise from outside; each face has its vertices. Vertices that faces share
+/// along an edge are equal bit by bit.
 struct StepTriangles {
   import_protocol::Shape record;
   std::vector<double> vertices;  ///< x y z, millimetres
   std::vector<std::uint32_t> indices;
-  std::vector<import_protocol::Face> faces;  ///< of the triangles in their order
-  std::vector<HealedFace> healed;            ///< whose triangles were wrong at first
-  /// Of a solid with healed faces: its triangles and its faces enclose volumes that differ by more than the deflection
+  std::vector<import_protocol::Face> faces;  ///< faces in the order of the triangles
+  std::vector<HealedFace> healed;            ///< faces whose triangles had a fault
+  /// For a solid with healed faces: the volumes of its triangles and of its faces differ by more than the deflection
   /// times the area.
   bool volumeDiffers = false;
-  double volume = 0.0;       ///< of the triangles, cubic millimetres; where it differs
-  double exactVolume = 0.0;  ///< likewise, of the faces
+  double volume = 0.0;       ///< volume of the triangles, cubic millimetres; set if `volumeDiffers`
+  double exactVolume = 0.0;  ///< volume of the faces, cubic millimetres; set if `volumeDiffers`
 };
 
-/// Triangles that are about as far off the surface as `fineness` says, or less, of the shape taken `scale` times as
-/// large, and mirrored in x where that is asked for. How far they are off is measured. Runs in the importing process
-/// only.
+/// Triangles of the shape, scaled by `scale` and mirrored in x on request, within about the deflections of `fineness`.
+/// Their deflections are measured. Runs in the importing process only.
 StepTriangles tessellate(const TopoDS_Shape& shape, const Fineness& fineness, double scale, bool mirrored);
 
-/// The triangles that the file holds, as tessellate() scales and mirrors them. They stand for no face.
+/// The triangles in the file, scaled and mirrored as in tessellate(). They belong to no face.
 StepTriangles trianglesOf(const StepTessellation& held, double scale, bool mirrored);
 
 }  // namespace glissade

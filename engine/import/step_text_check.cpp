@@ -41,7 +41,7 @@ bool isFinite(std::string_view number) {
   return exponent < kFewDigits && number.substr(exponent + 1, 1) == "-";
 }
 
-/// Walks through the tokens of the text.
+/// Checks the tokens of the text in their order.
 class StepTextCheck {
  public:
   explicit StepTextCheck(std::string_view text) : text_(text) {}
@@ -75,7 +75,7 @@ class StepTextCheck {
     }
   }
 
-  /// `#12=TYPE` begins an entity, every other `#12` refers to one.
+  /// `#12=TYPE` begins an entity; every other `#12` is a reference.
   void takeReference() {
     const std::size_t begin = at_;
     at_ = endOf(isOfWord, at_ + 1);
@@ -107,7 +107,7 @@ class StepTextCheck {
     }
   }
 
-  /// A word among values is a typed value, which has parentheses.
+  /// Checks a word among values, which is a typed value with parentheses.
   void checkWord() {
     const std::size_t end = endOf(isOfWord, at_);
     const std::size_t next = endOf(isSpace, end);
@@ -128,7 +128,7 @@ class StepTextCheck {
 
   bool isDigitAt(std::size_t at) const { return at < text_.size() && isDigit(text_[at]); }
 
-  /// As in 1.#INF, which some C libraries print.
+  /// True for a token such as 1.#INF, which some C libraries print.
   bool isGluedTo(std::size_t end) const { return end < text_.size() && (isLetter(text_[end]) || text_[end] == '#'); }
 
   template <class Predicate>
@@ -137,7 +137,7 @@ class StepTextCheck {
     return from;
   }
 
-  /// What does not end is left to the parser, which refuses it.
+  /// A token without an end is left to the parser, which refuses it.
   void skipTo(std::size_t end, std::size_t length) {
     at_ = end == std::string_view::npos ? text_.size() : end + length;
   }
@@ -159,8 +159,8 @@ class StepTextCheck {
 
   std::string_view text_;
   std::size_t at_ = 0;
-  std::vector<std::size_t> valuesOfList_;  ///< of each list that is open
-  bool isTessellation_ = false;            ///< the entity: OpenCASCADE is not given its lists
+  std::vector<std::size_t> valuesOfList_;  ///< number of values of each open list
+  bool isTessellation_ = false;            ///< the entity's lists are not given to OpenCASCADE
   StepReferences references_;
   std::optional<std::string> fault_;
 };

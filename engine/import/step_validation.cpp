@@ -38,7 +38,7 @@ void take(const STEPConstruct_ValidationProps& properties, const Handle(StepRepr
   }
 }
 
-/// Named "geometric validation property", with blanks or without.
+/// True if it is named "geometric validation property", with or without blanks.
 bool isValidation(const Handle(StepRepr_PropertyDefinition) & definition) {
   if (definition.IsNull() || definition->Name().IsNull()) return false;
   const std::string name = definition->Name()->ToCString();

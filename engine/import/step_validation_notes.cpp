@@ -12,18 +12,18 @@
 namespace glissade {
 namespace {
 
-/// Share of a stated figure that rounding in the file and the integration of another system explain.
+/// Relative deviation of a stated figure that rounding in the file and the integration of another system explain.
 constexpr double kStatedShare = 1e-4;
 
-/// All solids of a product together, in its frame.
+/// Sums over all solids of a product, in its frame.
 struct ProductMeasures {
   double volume = 0.0;
   double area = 0.0;
-  double uncertainty = 0.0;  ///< of the volume
+  double uncertainty = 0.0;  ///< uncertainty of the volume
   double size = 0.0;
-  gp_XYZ moment;  ///< of the volume about the product's origin
+  gp_XYZ moment;  ///< moment of the volume about the product's origin
   std::size_t solids = 0;
-  std::string path;  ///< of the last one
+  std::string path;  ///< path of the last solid
 };
 
 void add(const ValidatedSolid& solid, const gp_Trsf& placement, ProductMeasures& product) {
@@ -84,8 +84,8 @@ class Comparison {
  private:
   double uncertainty() const { return own_.uncertainty + kStatedShare * std::abs(*stated_.volume); }
 
-  /// A chord of an arc is shorter by a share of angle^2 / 24; of both directions, and twice for the sake of faces that
-  /// need larger angles.
+  /// A chord is shorter than its arc by a share of angle^2 / 24. The uncertainty covers both directions, and twice that
+  /// for faces that need larger angles.
   double areaUncertainty() const { return (kStepAngle * kStepAngle / 6.0 + kStatedShare) * *stated_.area; }
 
   void compareCentroid(std::vector<std::string>& notes) const {

@@ -9,16 +9,16 @@
 
 namespace glissade {
 
-/// A solid of the file, as it was triangulated.
+/// A solid of the file, with measures of its triangles.
 struct ValidatedSolid {
   std::string path;
   TriangleMeasures measures;
 };
 
-/// Lines of the protocol about products whose triangles differ from what the file states of them: in volume by more
-/// than the deflection of the triangles times their area, in the centroid by more than that volume could move it, in
-/// area by more than facets of the angle that was asked for explain. `solidOf` is asked for solids at their own
-/// origins, and gives null where it does not know one. Products with faces that bound no solid are not compared.
+/// Lines of the protocol about products whose triangles differ from the measures that the file states: in volume by
+/// more than the deflection of the triangles times their area, in the centroid by more than the displacement that this
+/// volume can cause, or in area by more than facets of the requested angle explain. `solidOf` is called with solids at
+/// their origins, and returns null for an unknown one. Products with faces that bound no solid are not compared.
 std::vector<std::string> validationNotes(const std::vector<StatedMeasures>& stated,
                                          const std::function<const ValidatedSolid*(const TopoDS_Shape&)>& solidOf);
 

@@ -7,13 +7,13 @@ namespace {
 
 using Values = std::vector<std::string_view>;
 
-/// The values of an entity of this type and no other; none of another entity.
+/// The values of an entity with this type only; empty for another entity.
 Values valuesOfOne(const StepEntities& entities, std::string_view reference, std::string_view type) {
   const std::vector<StepRecord> records = entities.recordsOf(stepReference(reference));
   return records.size() == 1 && records.front().type == type ? stepValues(records.front().arguments) : Values();
 }
 
-/// An ORIENTED_EDGE: its edge, and whether it runs along it.
+/// An ORIENTED_EDGE: its edge, and whether it has the edge's direction.
 struct OrientedEdge {
   std::string_view edge;
   std::string_view along;
@@ -24,7 +24,7 @@ OrientedEdge orientedEdge(const StepEntities& entities, std::string_view referen
   return values.size() == 5 ? OrientedEdge{values[3], values[4]} : OrientedEdge{};
 }
 
-/// The vertex of a loop that runs along one closed edge and back; empty where it is another loop.
+/// The vertex of a loop that runs along one closed edge and back; empty for another loop.
 std::string_view vertexOfSlit(const StepEntities& entities, std::string_view loop) {
   const Values values = valuesOfOne(entities, loop, "EDGE_LOOP");
   const Values edges = values.size() == 2 ? stepList(values[1]) : Values();

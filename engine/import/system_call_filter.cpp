@@ -18,12 +18,12 @@ struct Rule {
 
 scmp_arg_cmp equals(unsigned int argument, scmp_datum_t value) { return {argument, SCMP_CMP_EQ, value, 0}; }
 
-/// The bits of the mask have this value in the argument.
+/// True for a call whose argument has this value in the bits of the mask.
 scmp_arg_cmp hasBits(unsigned int argument, scmp_datum_t mask, scmp_datum_t value) {
   return {argument, SCMP_CMP_MASKED_EQ, mask, value};
 }
 
-/// Nothing but readable and writable: no code can be added.
+/// Permits only readable and writable memory: no code can be added.
 scmp_arg_cmp isData(unsigned int argument) {
   return hasBits(argument, ~static_cast<scmp_datum_t>(PROT_READ | PROT_WRITE), 0);
 }
@@ -47,7 +47,7 @@ std::vector<Rule> permitted() {
       {SCMP_SYS(exit_group), {}},
   };
 #ifdef GLISSADE_SANITIZED
-  // What the run-time libraries of the sanitizers call while the program runs, and to report.
+  // Calls of the sanitizers' run-time libraries while the program runs, and for reports.
   rules.push_back({SCMP_SYS(write), {equals(0, STDERR_FILENO)}});
   for (const int call : {SCMP_SYS(getpid), SCMP_SYS(gettid), SCMP_SYS(sched_yield), SCMP_SYS(sigaltstack),
                          SCMP_SYS(rt_sigprocmask), SCMP_SYS(nanosleep), SCMP_SYS(clock_nanosleep)}) {
@@ -57,7 +57,7 @@ std::vector<Rule> permitted() {
   return rules;
 }
 
-/// libseccomp gives its errors as negative numbers of errno.
+/// libseccomp returns its errors as negative numbers of errno.
 Diagnostic cannotLoad(int error) {
   return {ErrorKind::Internal, "", "",
           std::string("the filter of system calls cannot be loaded: ") + std::strerror(-error), ""};

@@ -12,7 +12,7 @@ namespace {
 enum class Remedy { Step, Mesh, Unpack };
 
 struct UnreadKind {
-  std::string_view endings;  ///< with a bar before and behind each
+  std::string_view endings;  ///< with a bar before and after each
   const char* name;
   Remedy remedy = Remedy::Step;
 };
@@ -53,7 +53,7 @@ const char* adviceFor(Remedy remedy) {
   return "";
 }
 
-/// Creo writes the number of the version behind the ending: "bolt.prt.3".
+/// Creo writes the number of the version after the ending: "bolt.prt.3".
 std::string endingWithoutVersion(const std::string& file) {
   const std::string ending = endingOf(file);
   const bool isVersion = !ending.empty() && ending.find_first_not_of("0123456789") == std::string::npos;

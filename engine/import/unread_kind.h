@@ -7,9 +7,8 @@
 
 namespace glissade {
 
-/// An error of MalformedInput for a file with the ending of a kind that is known and not read (SolidWorks, JT,
-/// Parasolid, 3MF …): it names the kind and the format to export. Nothing for other endings. The content is not looked
-/// at.
+/// An error of MalformedInput for a file with the ending of a known kind that is not read (SolidWorks, JT, Parasolid,
+/// 3MF …): it names the kind and the format to export. Nothing for other endings. The content is not examined.
 std::optional<Diagnostic> unreadKind(const std::string& file);
 
 }  // namespace glissade

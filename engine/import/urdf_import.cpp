@@ -22,14 +22,14 @@ namespace {
 constexpr std::size_t kMostUrdfBytes = 16U << 20;
 /// urdfdom releases a chain of links recursively.
 constexpr std::size_t kMostLinks = 4000;
-/// Of all shapes together.
+/// Largest number of triangles of all shapes together.
 constexpr std::size_t kMostTriangles = 8U << 20;
 
 Diagnostic malformedUrdf(const std::string& file, const std::string& location, const std::string& reason) {
   return {ErrorKind::MalformedInput, file, location, reason, "Correct the URDF file."};
 }
 
-/// Collects what urdfdom says of a file while this object lives.
+/// Collects the messages of urdfdom about a file during the lifetime of this object.
 class ParserMessages final : public console_bridge::OutputHandler {
  public:
   ParserMessages() : previous_(console_bridge::getOutputHandler()) { console_bridge::useOutputHandler(this); }
@@ -63,7 +63,7 @@ bool isSound(const Pose& pose) {
   return isValid(pose) && pose.position.cwiseAbs().maxCoeff() <= limits::kLargestLength;
 }
 
-/// Turns one parsed file into links; the first thing wrong ends it.
+/// Converts one parsed file to links; stops at the first error.
 class LinkBuilder {
  public:
   LinkBuilder(std::string file, std::string packageFolder, StopToken stop)
@@ -187,12 +187,12 @@ class LinkBuilder {
     TriangleMesh mesh;
     double coordinateSpacing;
   };
-  std::map<std::string, KnownMesh> meshes_;  ///< by file: each is read once
-  double coordinateSpacing_ = 0.0;           ///< of the meshes of the link that is built
+  std::map<std::string, KnownMesh> meshes_;  ///< each file is read once
+  double coordinateSpacing_ = 0.0;           ///< spacing of the meshes of the link that is being built
   std::size_t triangles_ = 0;
 };
 
-/// Nothing where urdfdom refuses the text, by its result or by an exception.
+/// Nothing if urdfdom refuses the text, by its result or by an exception.
 urdf::ModelInterfaceSharedPtr parse(const std::string& text) {
   try {
     return urdf::parseURDF(text);
@@ -201,7 +201,7 @@ urdf::ModelInterfaceSharedPtr parse(const std::string& text) {
   }
 }
 
-/// urdfdom drops a shape with a bad number and still returns a model: count what should be there.
+/// Counts the shapes that should exist: urdfdom drops a shape with a bad number and still returns a model.
 std::size_t shapesIn(const urdf::ModelInterface& model) {
   std::size_t shapes = 0;
   for (const auto& [name, link] : model.links_) shapes += link->visual_array.size() + link->collision_array.size();

@@ -13,12 +13,12 @@
 
 namespace glissade {
 
-/// Imports a URDF file as rigid bodies, one a link, in the frame of the root link: boxes, cylinders, spheres and
-/// meshes; collision shapes where a link has any, its visual shapes otherwise; fixed joints only. Round shapes are
-/// circumscribed. `package://` names and relative names are looked up below `packageFolder` and may not leave it.
+/// Imports a URDF file as rigid bodies, one for each link, in the frame of the root link: boxes, cylinders, spheres and
+/// meshes; collision shapes if a link has any, else its visual shapes; fixed joints only. Round shapes are
+/// circumscribed. `package://` names and relative names are searched below `packageFolder` and may not leave it.
 ///
-/// Errors are MalformedInput with link or joint as location: whatever urdfdom would drop in silence (a
-/// bad number, an unknown shape) is an error here.
+/// Errors are MalformedInput with link or joint as location: everything that urdfdom would silently drop (a bad number,
+/// an unknown shape) is an error here.
 Result<std::vector<Occurrence>> importUrdf(const FileContent& content, const std::string& packageFolder,
                                            const StopToken& stop = {});
 Result<std::vector<Occurrence>> importUrdf(const std::string& file, const std::string& packageFolder);

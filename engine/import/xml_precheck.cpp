@@ -26,7 +26,7 @@ bool beginsName(char c) {
 }
 bool continuesName(char c) { return beginsName(c) || (c >= '0' && c <= '9') || c == '-' || c == '.' || c == ':'; }
 
-/// Goes through the text once, from markup to markup. Throws XmlRefusal.
+/// Scans the text once, from markup to markup. Throws XmlRefusal.
 class XmlScanner {
  public:
   explicit XmlScanner(std::string_view text) : text_(text) {}
@@ -68,7 +68,7 @@ class XmlScanner {
     at_ = found + end.size();
   }
 
-  /// TinyXML ends one at its first '>'.
+  /// TinyXML ends a processing instruction at its first '>'.
   void takeInstruction() {
     const std::size_t end = text_.find('>', at_);
     if (end == std::string_view::npos || text_[end - 1] != '?' || end < at_ + 3) {
@@ -148,7 +148,7 @@ class XmlScanner {
     return at_ > begin;
   }
 
-  /// The innermost open element, where it stands at a place that urdfdom reads.
+  /// Counts the innermost open element if urdfdom reads it at that place.
   void count() {
     if (open_.size() == 2 && open_[1] == "link") ++facts_.links;
     const bool inShape = open_.size() == 4 && open_[1] == "link" && (open_[2] == "visual" || open_[2] == "collision");

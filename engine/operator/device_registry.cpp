@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "engine/operator/combined_device.h"
 #include "engine/operator/controllers/grasping_hand.h"
 #include "engine/operator/haptic/haptic_operator.h"
 #include "engine/operator/haptic/simulated_haptic_device.h"
@@ -14,9 +13,41 @@
 namespace glissade {
 namespace {
 
+/// Several devices in one hand: each moves the object from where the one before has left it. One that holds it at a
+/// place of its own comes last, and overrules the others.
+class CombinedDevice final : public OperatorDevice {
+ public:
+  explicit CombinedDevice(std::vector<std::unique_ptr<OperatorDevice>> devices) : devices_(std::move(devices)) {}
+
+  Pose advance(double dt, const OperatorView& view, const Box3& bounds) override {
+    OperatorView moved = view;
+    for (const auto& device : devices_) moved.q_device = device->advance(dt, moved, bounds);
+    return moved.q_device;
+  }
+  void restart() override {
+    for (const auto& device : devices_) device->restart();
+  }
+  void regrip() override {
+    for (const auto& device : devices_) device->regrip();
+  }
+  void feel(const std::optional<Wrench>& pushedBack) override {
+    for (const auto& device : devices_) device->feel(pushedBack);
+  }
+  bool holds() const override {
+    return std::any_of(devices_.begin(), devices_.end(), [](const auto& device) { return device->holds(); });
+  }
+
+  bool connected() const override {
+    return std::any_of(devices_.begin(), devices_.end(), [](const auto& device) { return device->connected(); });
+  }
+
+ private:
+  std::vector<std::unique_ptr<OperatorDevice>> devices_;
+};
+
 using Member = HandInput HandInputs::*;
 
-/// What a person holds slides on the obstacles that there are.
+/// Adds sliding along the obstacles to a device that a person holds, if there are any.
 std::unique_ptr<OperatorDevice> amongObstacles(const DeviceContext& context, std::unique_ptr<OperatorDevice> device) {
   if (!context.world) return device;
   return std::make_unique<SlidingHand>(context.world, std::move(device));
@@ -57,7 +88,7 @@ DeviceEntry simulated(const OperatorLevel& level, std::string label, std::string
           }};
 }
 
-/// The pace of a scripted hand, in radii of the object a second.
+/// Speed of a scripted hand, in radii of the object per second.
 constexpr double kHandSpeed = 0.6;
 
 std::unique_ptr<HapticDevice> makeSimulatedHaptic(const DeviceContext& context) {

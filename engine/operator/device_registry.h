@@ -12,23 +12,23 @@
 
 namespace glissade {
 
-/// What devices are made from. Each takes what it needs.
+/// Inputs of the devices' factories.
 struct DeviceContext {
-  std::vector<Pose> route;  ///< a person's plan, the goal last
+  std::vector<Pose> route;  ///< a person's plan, with the goal last
   Se3Metric metric{1.0};
   std::uint64_t seed = 1;
-  HandInputsPtr hand;       ///< may be null: nobody is there
-  CollisionWorldPtr world;  ///< what a device that pushes back feels; may be null
-  bool realTime = false;    ///< time goes on by itself: a haptic device gets its loop
+  HandInputsPtr hand;       ///< may be null: no person takes part
+  CollisionWorldPtr world;  ///< world for the forces of haptic devices; may be null
+  bool realTime = false;    ///< time advances by itself, so that a haptic device gets its loop
 };
 
-/// How a device is known and made. Registered by explicit calls.
+/// Name and factory of a device. Registered by explicit calls.
 struct DeviceEntry {
   std::string id;
   std::string label;
   std::string description;
-  bool simulated = false;  ///< needs no person: may run in lockstep
-  /// Null where the context lacks what the device needs.
+  bool simulated = false;  ///< needs no person, so that it may run in lockstep
+  /// Makes the device; null where the context lacks what the device needs.
   std::function<std::unique_ptr<OperatorDevice>(const DeviceContext&)> make;
 };
 
@@ -42,11 +42,11 @@ class DeviceRegistry {
   std::vector<DeviceEntry> entries_;
 };
 
-/// hand (all that a person can hold together), keyboard, mouse6d, gamepad, left-controller, right-controller, expert,
-/// default, novice, simulated-haptic.
+/// The devices hand (all that a person can hold together), keyboard, mouse6d, gamepad, left-controller,
+/// right-controller, expert, default, novice, simulated-haptic.
 DeviceRegistry makeDeviceRegistry();
 
-/// Adds the simulated persons of studies, who show a way at the level of a task (task_operator.h).
+/// Adds the simulated persons for studies, which show a way at the level of a task (task_operator.h).
 void addTaskOperators(DeviceRegistry& registry);
 
 }  // namespace glissade

@@ -6,7 +6,7 @@
 namespace glissade {
 namespace {
 
-/// Another axis dominates once it is deflected by so much more.
+/// Factor by which another axis must be deflected more to become dominant.
 constexpr double kHysteresis = 1.25;
 
 void bring(double& value, const ShapingRange& range, double otherwise) {

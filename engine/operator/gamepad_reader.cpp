@@ -13,12 +13,12 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// The pace while a gamepad is there (125 Hz), and that of looking for one.
+/// Period of reading a connected gamepad (125 Hz), and period of searching for one.
 constexpr milliseconds kTick{8};
 constexpr milliseconds kLook{250};
 
-/// SDL's controllers, without a window: signals stay the program's, and events come without focus (the
-/// window's focus is watched elsewhere).
+/// SDL's controllers without a window. SDL leaves signals to the program, and events come without focus (the window's
+/// focus is handled elsewhere).
 class Sdl {
  public:
   Sdl() {
@@ -127,12 +127,12 @@ void GamepadReader::run() {
   do {
     auto why = guarded("reading the gamepad", [this] { readPads(); });
     if (why) problem_.set(std::move(why));
-    // A listener that fails learns of it with the next change.
+    // A listener that fails is notified again at the next change.
     (void)guarded("disconnecting the gamepad", [this] { hand_->gamepad.mailbox.disconnect(); });
   } while (!quitWithin(kLook));
 }
 
-/// Until the end of this object.
+/// Reads gamepads until this object is destroyed.
 void GamepadReader::readPads() {
   Pad pad(hand_->gamepad.mailbox);
   do {
@@ -145,7 +145,7 @@ void GamepadReader::readPads() {
   } while (!quitWithin(pad.isOpen() ? kTick : kLook));
 }
 
-/// Waits; true where the end of this object has begun.
+/// Waits; returns true where the destruction of this object has begun.
 bool GamepadReader::quitWithin(milliseconds patience) {
   std::unique_lock lock(mutex_);
   return quitWanted_.wait_for(lock, patience, [this] { return quit_; });

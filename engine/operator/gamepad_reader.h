@@ -31,7 +31,7 @@ class GamepadReader {
 
   /// The exception that last ended the reading; nothing while a gamepad is read again.
   std::optional<Diagnostic> problem() const { return problem_.get(); }
-  /// So often the thread has woken up: it sleeps in between.
+  /// Number of times that the thread has woken up.
   std::uint64_t wakeUps() const { return wakeUps_; }
 
  private:

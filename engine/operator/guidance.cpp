@@ -7,7 +7,7 @@
 namespace glissade {
 namespace {
 
-/// The spring of attraction has half its strength at this distance, times the object's radius.
+/// Distance at which the spring of attraction has half its strength, in radii of the object.
 constexpr double kAttractionReach = 0.3;
 
 Vector3 shortened(const Vector3& v) {
@@ -15,8 +15,8 @@ Vector3 shortened(const Vector3& v) {
   return length > 1.0 ? Vector3(v / length) : v;
 }
 
-/// Share of the straight motion a, b at which it is nearest to q, judged by positions, or by angles where
-/// it does not move.
+/// Share of the straight motion from a to b at which it is nearest to q, by positions, or by angles where it does not
+/// translate.
 double nearestShare(const Pose& a, const Pose& b, const Pose& q) {
   const Vector3 way = b.position - a.position;
   if (!way.isZero()) return std::clamp(way.dot(q.position - a.position) / way.squaredNorm(), 0.0, 1.0);

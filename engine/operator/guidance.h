@@ -9,33 +9,33 @@
 
 namespace glissade {
 
-/// What guides the operator's hand, and how strongly.
+/// Strengths and target of the operator's guidance.
 ///
-/// Wrenches of guidance are shares: a force of length 1 is the strongest that a device renders, a torque
-/// of length 1 is that force at a lever of the object's radius.
+/// Wrenches of guidance are shares: a force of length 1 is the maximum that a device renders, and a torque of length 1
+/// is that force at a lever of the object's radius.
 struct Guidance {
-  double repulsion = 0.0;      ///< of the nearest obstacle, at contact; in [0, 1]
-  double attraction = 0.0;     ///< to the target, at most; in [0, 1]
-  double distance = 0.0;       ///< metres: obstacles farther away do not repel
-  std::optional<Pose> target;  ///< ahead on the path, or the next milestone; nothing: nothing attracts
+  double repulsion = 0.0;      ///< repulsion of the nearest obstacle at contact, in [0, 1]
+  double attraction = 0.0;     ///< largest attraction to the target, in [0, 1]
+  double distance = 0.0;       ///< range of the repulsion, metres
+  std::optional<Pose> target;  ///< configuration ahead on the path, or the next milestone; nothing: no attraction
 };
 
-/// Away from the nearest obstacle, at the nearest point of the object: repulsion * (1 - gap / distance)^2,
-/// so that it begins smoothly and is never more than `repulsion`. Zero without an obstacle within the
-/// distance, and in collision, where there is no direction.
+/// The force away from the nearest obstacle, at the nearest point of the object: repulsion * (1 - gap / distance)^2, so
+/// that it begins smoothly and is never more than `repulsion`. Zero without an obstacle within the distance, and in
+/// collision, where there is no direction.
 Wrench repulsion(const Guidance& guidance, const Pose& X_WB, const NearestObstacle& nearest, double objectRadius);
 
-/// A capped spring to the target: linear near it, never more than `attraction`.
+/// The wrench of a spring to the target: linear near it, never more than `attraction`.
 Wrench attraction(const Guidance& guidance, const Pose& X_WB, double objectRadius);
 
-/// Force and torque each shortened to a length of at most 1, directions kept.
+/// Force and torque, each shortened to a length of at most 1 in the same direction.
 Wrench saturated(const Wrench& shares);
 
-/// All of it: what is shown where no device renders it.
+/// The whole guidance, which is displayed where no device renders it.
 Wrench guidanceWrench(const Guidance& guidance, const Pose& X_WB, const NearestObstacle& nearest, double objectRadius);
 
-/// The point of the way (straight motions between consecutive configurations) that lies `ahead` (metres
-/// in the metric) of its point nearest to q; its end where less is left. Nothing for an empty way.
+/// The point of the way (straight motions between consecutive configurations) that lies `ahead` (metres in the metric)
+/// of its point nearest to q; the end of the way where it is shorter. Nothing for an empty way.
 std::optional<Pose> aheadOnWay(const std::vector<Pose>& way, const Pose& q, const Se3Metric& metric, double ahead);
 
 }  // namespace glissade

@@ -12,7 +12,7 @@
 
 namespace glissade {
 
-/// The shaping in force: written by the calibration page, read by the operator thread; latest wins.
+/// The shaping in force, written by the calibration page and read by the operator thread. The latest one counts.
 class ShapingMailbox {
  public:
   explicit ShapingMailbox(const DeviceShaping& shaping) : shaping_(shaping) {}
@@ -46,34 +46,35 @@ struct ControllerInput {
   ControllerInput(InputKind which, std::optional<std::chrono::milliseconds> silence)
       : buttons(which, std::nullopt), place(silence) {}
 
-  HandInput buttons;  ///< numbered as ControllerButton says; no axes
+  HandInput buttons;  ///< numbered by ControllerButton; no axes
   ControllerMailbox place;
 };
 
 enum class ControllerSide { Left, Right };
 
-/// Buttons of a controller, in the numbers of its mailbox.
+/// Indices of a controller's buttons in its mailbox.
 enum class ControllerButton : std::size_t {
   Trigger,
-  Menu,   ///< or the upper button, where the menu is the runtime's
-  Lower,  ///< of two buttons beside the stick
+  Menu,   ///< menu button, or the upper button where the runtime uses the menu button
+  Lower,  ///< lower of the two buttons beside the stick
   Upper,
   Stick
 };
 inline constexpr std::size_t kControllerButtons = 5;
 
-/// What the hand's deflections move.
+/// Target of the hand's deflections.
 enum class SteeringTarget { Object, Camera };
 
-/// All that a person can hold, for as long as the program runs: runs and scenarios come and go while the
-/// devices stay open. Shared by their readers, the operator thread and the window.
+/// All devices that a person can hold. They stay open as long as the program runs, while runs and scenarios change.
+/// Shared by their readers, the operator thread and the window.
 struct HandInputs {
-  /// A 6D mouse repeats its deflection while it is held: half a second of silence is rest.
+  /// Silence after which a 6D mouse is at rest. It repeats its deflection while it is held.
   static constexpr std::chrono::milliseconds kSilence{500};
-  /// A headset says with each picture where the hands are, and pictures are slow where drawing is.
+  /// Silence after which a controller is lost. A headset reports the hands with each picture, and pictures are slow
+  /// where drawing is slow.
   static constexpr std::chrono::milliseconds kControllerSilence{1000};
 
-  /// No silence: a script holds the mouse, in a time of its own.
+  /// `silence` nothing: for a script that moves the mouse in its own time.
   explicit HandInputs(std::optional<std::chrono::milliseconds> silence = kSilence)
       : mouse6d(InputKind::Mouse6D, silence),
         leftController(InputKind::LeftController, silence ? std::optional(kControllerSilence) : std::nullopt),
@@ -86,12 +87,12 @@ struct HandInputs {
   HandInput gamepad{InputKind::Gamepad, std::nullopt};
   ControllerInput leftController;
   ControllerInput rightController;
-  /// The hand that takes the object; the other one is free for other things.
+  /// The hand that takes the object.
   std::atomic<ControllerSide> mainHand{ControllerSide::Right};
-  /// False: controllers of a headset do something else with what they take, and say themselves what they hold.
+  /// False: the controllers of a headset take something else than the object, and report themselves what they hold.
   std::atomic<bool> controllersMoveObject{true};
   std::atomic<SteeringTarget> target{SteeringTarget::Object};
-  std::atomic<bool> focused{true};  ///< false: another program has the window focus, all is at rest
+  std::atomic<bool> focused{true};  ///< false: another program has the window focus, so that all devices are at rest
 
   ControllerInput& controller(ControllerSide side) {
     return side == ControllerSide::Left ? leftController : rightController;
@@ -99,7 +100,7 @@ struct HandInputs {
   std::array<ControllerInput*, 2> controllers() { return {&leftController, &rightController}; }
   /// Devices with axes.
   std::array<HandInput*, 3> all() { return {&keyboard, &mouse6d, &gamepad}; }
-  /// Devices whose buttons may have an action, those with axes first.
+  /// Devices whose buttons may have an action; those with axes come first.
   std::array<HandInput*, 5> withButtons() {
     return {&keyboard, &mouse6d, &gamepad, &leftController.buttons, &rightController.buttons};
   }

@@ -12,27 +12,27 @@
 
 namespace glissade {
 
-/// Buttons that are counted; further ones of a device are left out.
+/// Number of buttons that are counted; further buttons of a device are ignored.
 inline constexpr std::size_t kInputButtons = 16;
 
-/// What a device last said.
+/// Latest state of a device.
 struct InputReading {
   bool connected = false;
-  std::string name;                                    ///< as the device calls itself; empty where none is connected
+  std::string name;                                    ///< the device's own name; empty where none is connected
   RawAxes axes{};                                      ///< all 0 after silence and while disconnected
-  std::array<std::uint32_t, kInputButtons> presses{};  ///< so often each button was pressed, ever
+  std::array<std::uint32_t, kInputButtons> presses{};  ///< number of presses of each button since the beginning
 
   bool atRest() const { return axes == RawAxes{}; }
 };
 
-/// Between whoever reads a device and whoever uses it: latest wins for axes, presses are counted so that
-/// none is lost. All functions may be called from any thread and return at once.
+/// Passes data between the reader of a device and its users. The latest axes count; presses are counted so that none is
+/// lost. All functions may be called from any thread and return at once.
 class InputMailbox {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// Axes count as released when nothing was heard for `silence` (a daemon that hangs, a held puck
-  /// whose events go elsewhere); nothing: the last state holds, for devices that report changes only.
+  /// Axes count as released after `silence` without data (a daemon that hangs, a held puck whose events go elsewhere);
+  /// nothing: the last state holds, for devices that report changes only.
   explicit InputMailbox(std::optional<std::chrono::milliseconds> silence = {}) : silence_(silence) {}
 
   void connect(const std::string& name);

@@ -7,7 +7,7 @@
 
 namespace glissade {
 
-/// Normal in a random direction. `sigma` is the root of the mean square of the vector's length.
+/// A normally distributed vector without a preferred direction. `sigma` is the root mean square of its length.
 inline Vector3 isotropicNoise(RandomStream& stream, double sigma) {
   const double perAxis = sigma / std::sqrt(3.0);
   const double x = stream.normal();

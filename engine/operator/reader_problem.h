@@ -8,7 +8,7 @@
 
 namespace glissade {
 
-/// Why the reader of a device has last given it up: written by the reader's thread, read by any.
+/// The last failure of a device's reader, written by the reader's thread and read by any.
 class ReaderProblem {
  public:
   void set(std::optional<Diagnostic> problem) {

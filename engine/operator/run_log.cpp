@@ -11,7 +11,7 @@ void appendAll(const std::vector<Entry>& from, std::vector<Entry>& to) {
   to.insert(to.end(), from.begin(), from.end());
 }
 
-/// Where the log knows both step and time.
+/// A point at which the log has both step and time.
 struct TimeMark {
   double step;
   double seconds;
@@ -19,7 +19,7 @@ struct TimeMark {
 
 TimeMark markOf(const RunCheckpoint& checkpoint) { return {static_cast<double>(checkpoint.step), checkpoint.seconds}; }
 
-/// Straight through the two marks around `x`, which grow with `from`; past the last by its slope.
+/// Interpolates between the two marks around `x`, which grow with `from`; extrapolates after the last.
 double between(const RunLog& log, double x, double TimeMark::*from, double TimeMark::*to) {
   TimeMark before{0.0, 0.0};
   TimeMark after = before;

@@ -5,7 +5,7 @@
 namespace glissade {
 namespace {
 
-/// Seconds from rest to full deflection of a key.
+/// Time from rest to full deflection of a key, seconds.
 constexpr double kRampUp = 0.3;
 
 double ramp(double actual, double target, double dt) {

@@ -5,13 +5,13 @@
 
 namespace glissade {
 
-/// The shaped deflection of a device in a person's hand, from moment to moment. Keys ramp up to full
-/// deflection smoothly, so that a tap is a small precise step; release is at once. Used by one thread.
+/// The shaped deflection of a hand-held device over time. Keys ramp up to full deflection smoothly, so that a tap is a
+/// small precise step; a release acts at once. Used by one thread.
 class HandShaper {
  public:
   explicit HandShaper(const HandInput& input) : input_(input) {}
 
-  /// After dt more seconds, with the shaping as it is now; at rest where nobody may steer.
+  /// The deflection after dt more seconds, with this shaping; at rest where `maySteer` is false.
   Deflection deflection(double dt, const DeviceShaping& shaping, bool maySteer);
   void restart();
 
@@ -21,11 +21,11 @@ class HandShaper {
   DominantAxis dominant_;
 };
 
-/// A device in a person's hand as an operator: its latest axes, shaped, move the object, integrated in
-/// our own clock. At rest while the camera is steered or the window has no focus.
+/// A hand-held device as an operator: its latest axes, shaped, move the object, integrated in our own clock. At rest
+/// while the camera is steered or the window has no focus.
 class ShapedDevice final : public OperatorDevice {
  public:
-  /// `input` is one of `hand`'s.
+  /// `input` belongs to `hand`.
   ShapedDevice(HandInputsPtr hand, const HandInput& input);
 
   Pose advance(double dt, const OperatorView& view, const Box3& bounds) override;

@@ -19,10 +19,10 @@ DeviceShaping withCurve(DeviceShaping shaping, double exponent) {
   return shaping;
 }
 
-/// A part is placed exactly: fine about the centre.
+/// For placing a part exactly: fine about the centre.
 DeviceShaping cad(const DeviceShaping& standard) { return withCurve(standard, 2.0); }
 
-/// One axis at a time, slowly, and nothing from a trembling hand.
+/// One axis at a time, slowly, and without the trembling of a hand.
 DeviceShaping beginner(const DeviceShaping& standard) {
   DeviceShaping shaping = withCurve(standard, 1.5);
   for (AxisShaping& axis : shaping.axes) axis.deadZone *= 2.0;
@@ -32,7 +32,7 @@ DeviceShaping beginner(const DeviceShaping& standard) {
   return shaping;
 }
 
-/// Into narrow passages.
+/// For narrow passages.
 DeviceShaping precise(const DeviceShaping& standard) {
   DeviceShaping shaping = withCurve(standard, 2.5);
   shaping.linearSpeed = 0.25;
@@ -40,7 +40,7 @@ DeviceShaping precise(const DeviceShaping& standard) {
   return shaping;
 }
 
-/// As a stick of an aeroplane: in the object's own axes, pushing forward goes down.
+/// Like an aeroplane's stick: in the object's own axes, pushing forward moves down.
 DeviceShaping flight(const DeviceShaping& standard) {
   DeviceShaping shaping = withCurve(standard, 1.5);
   shaping.frame = MotionFrame::Object;

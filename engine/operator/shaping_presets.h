@@ -7,20 +7,21 @@
 
 namespace glissade {
 
-/// What a person holds.
+/// Kind of an input device.
 enum class InputKind { Keyboard, Mouse6D, Gamepad, LeftController, RightController };
 
-/// A shaping to begin from.
+/// A predefined shaping.
 struct ShapingPreset {
   std::string id;
-  std::string label;  ///< English; listed for translation
+  std::string label;  ///< English text; listed for translation
   DeviceShaping shaping;
 };
 
-/// "standard" first. Dead zones suit the kind of device: keys have none, sticks rest inexactly.
+/// The presets for a kind; "standard" comes first. Dead zones suit the kind of device: keys have none, sticks rest
+/// inexactly.
 std::vector<ShapingPreset> shapingPresets(InputKind kind);
 
-/// The preset "standard".
+/// The preset "standard" of a kind.
 DeviceShaping standardShaping(InputKind kind);
 
 }  // namespace glissade

@@ -9,17 +9,17 @@
 namespace glissade {
 namespace {
 
-// In the metric; for an object as large as the papers' (r = 1.5 m) these are the published values.
-constexpr double kReached = 0.3 / 1.536;  ///< times r: the tree is this near a way-point
-constexpr double kLagging = 0.9 / 1.536;  ///< times r: the tree is this far behind the hand
+// Lengths in the metric. For an object as large as the papers' (r = 1.5 m) these are the published values.
+constexpr double kReached = 0.3 / 1.536;  ///< in radii: distance at which the tree has reached a way point
+constexpr double kLagging = 0.9 / 1.536;  ///< in radii: distance of the tree behind the hand at which it lags
 
-constexpr double kLongestReach = 2.0;        ///< m (and rad) covered by one sub-movement
-constexpr double kWaitForTree = 3.0;         ///< s of waiting for the tree before he fetches it
-constexpr double kLinger = 3.0;              ///< s at a way-point before he goes on without the tree
-constexpr double kSlidingMemory = 1.0;       ///< s without contact nodes: the tree does not slide any more
-constexpr double kTremorTime = 0.3;          ///< s, correlation time
-constexpr double kShortestHesitation = 0.5;  ///< s
-constexpr double kLongestHesitation = 1.0;   ///< s
+constexpr double kLongestReach = 2.0;   ///< longest sub-movement, m (and rad)
+constexpr double kWaitForTree = 3.0;    ///< seconds of waiting for the tree before going back to it
+constexpr double kLinger = 3.0;         ///< seconds at a way point before going on without the tree
+constexpr double kSlidingMemory = 1.0;  ///< seconds without contact nodes after which the tree does not slide any more
+constexpr double kTremorTime = 0.3;     ///< correlation time, seconds
+constexpr double kShortestHesitation = 0.5;  ///< seconds
+constexpr double kLongestHesitation = 1.0;   ///< seconds
 
 constexpr std::array<OperatorLevel, 3> kLevels{{
     {"expert", 1.0, 1.5, 0.20, 0.06, 0.10, 0.01, 0.02, 0.05},
@@ -60,7 +60,7 @@ void SimulatedOperator::restart() {
 
 Pose SimulatedOperator::advance(double dt, const OperatorView& view, const Box3& bounds) {
   if (dt <= 0.0 || route_.empty()) return view.q_device;
-  if (!shown_ || *shown_ != view.q_device) {  // somebody else moved the object
+  if (!shown_ || *shown_ != view.q_device) {  // another source moved the object
     aimed_ = view.q_device;
     movement_ = SubMovement();
   }
@@ -79,7 +79,7 @@ Pose SimulatedOperator::advance(double dt, const OperatorView& view, const Box3&
   return shown;
 }
 
-/// The tree slides while contact sampling goes on bringing nodes.
+/// True while contact sampling adds nodes, so that the tree slides.
 bool SimulatedOperator::seesTheTreeSlide(double dt, const OperatorView& view) {
   sinceContact_ = view.contactNodes == contactNodes_ ? sinceContact_ + dt : 0.0;
   contactNodes_ = view.contactNodes;
@@ -94,7 +94,7 @@ void SimulatedOperator::chooseTarget(double dt, const OperatorView& view) {
   lingered_ = there && !slides ? lingered_ + dt : 0.0;
   const double away = view.distanceToStartTree(target);
   const bool impatient = lingered_ > kLinger && away <= kLagging * metric_.radius();
-  // A tree that slides comes as near as the surface below his hand.
+  // A sliding tree comes only as near as the surface below the hand.
   const double near = kReached * metric_.radius() + (there && slides ? view.clearance() : 0.0);
   if (away > near && !impatient) return;
   ++target_;
@@ -111,7 +111,7 @@ bool SimulatedOperator::waitsForTheTree(double dt, const OperatorView& view) {
   }
   waited_ += dt;
   if (waited_ < kWaitForTree) return true;
-  // Back towards the tree: one way-point at a time, moving although it lags.
+  // Goes back towards the tree, one way point at a time; it moves although it lags.
   if (waited_ - dt < kWaitForTree && target_ > 0) {
     --target_;
     movement_ = SubMovement();

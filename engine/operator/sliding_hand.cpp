@@ -8,12 +8,12 @@
 namespace glissade {
 namespace {
 
-/// Seconds for a distance query: each proves a ball that the object moves in.
+/// Time in which one distance query is made, seconds. Each proves a ball in which the object moves.
 constexpr double kQueryPeriod = 1e-3;
-/// A hand that leads by less pushes nothing, in radii of the object.
+/// Least lead of the hand that gives a force, in radii of the object.
 constexpr double kNoLead = 1e-3;
 
-/// The configuration on the straight motion that is at most `most` away, in metres of any point.
+/// The configuration on the straight motion at which no point has moved by more than `most` metres.
 Pose within(const Pose& from, const Pose& to, double most, double radius) {
   const double length = longestWay(from, to, radius);
   return length <= most ? to : interpolate(from, to, most / length);
@@ -67,7 +67,7 @@ Pose SlidingHand::moved(double dt, const OperatorView& view, const Box3& bounds)
   return q_;
 }
 
-/// Where the device moves the hand, slower near obstacles.
+/// Pose to which the device moves the hand, slower near obstacles.
 Pose SlidingHand::ledBy(double dt, const OperatorView& view, const Box3& bounds) {
   OperatorView ofHand = view;
   ofHand.q_device = hand_;
@@ -91,7 +91,7 @@ void SlidingHand::follow(double dt) {
   q_ = object_.pose();
 }
 
-/// The object pushes back where it does not come after the hand.
+/// The force of obstacles that hold the object back.
 std::optional<Wrench> SlidingHand::rendered() const {
   if (!hand()) return std::nullopt;
   Wrench wrench;

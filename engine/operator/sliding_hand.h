@@ -7,18 +7,18 @@
 
 namespace glissade {
 
-/// A person's device among obstacles. What it moves is the hand, and the object goes after the hand as a god-object: it
-/// stops at contact and slides along. The hand leads by at most a part of the object's radius. Let go, the hand is
-/// where the object is, so that the next grip begins there. Near obstacles the hand is slower.
+/// A person's device among obstacles. The device moves the hand, and the object follows the hand as a god-object: it
+/// stops at contact and slides along. The hand leads by at most a part of the object's radius. After a release the hand
+/// is where the object is, so that the next grip begins there. Near obstacles the hand is slower.
 ///
-/// An object that was put into collision follows the hand freely until it is out. So it does while the world is not
-/// prepared yet.
+/// An object that was put into collision follows the hand freely until it is out. It also follows freely while the
+/// world is not prepared yet.
 class SlidingHand final : public OperatorDevice {
  public:
-  /// How far the hand leads at most, and from which clearance on it is slower, in radii of the object.
+  /// Largest lead of the hand, and clearance below which it is slower, in radii of the object.
   static constexpr double kMostLead = 0.1;
   static constexpr double kSlowFrom = 0.5;
-  /// Share of the speed in contact.
+  /// Factor of the speed in contact.
   static constexpr double kSlowest = 0.5;
 
   SlidingHand(CollisionWorldPtr world, std::unique_ptr<OperatorDevice> device);
@@ -40,10 +40,10 @@ class SlidingHand final : public OperatorDevice {
   std::unique_ptr<OperatorDevice> device_;
   std::unique_ptr<CollisionQuery> query_;  ///< null until the world is prepared
   GodObject object_;
-  Pose q_;     ///< of the object
-  Pose hand_;  ///< where the device has moved it
+  Pose q_;     ///< pose of the object
+  Pose hand_;  ///< pose to which the device has moved the hand
   double radius_;
-  double clearance_;  ///< lower bound, metres, as known last
+  double clearance_;  ///< lower bound by the last query, metres
   bool placed_ = false;
 };
 

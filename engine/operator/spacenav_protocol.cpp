@@ -11,8 +11,8 @@ constexpr std::int32_t kLastEvent = 6;
 constexpr std::uint32_t kTag = 0x7faa0000;
 constexpr std::uint32_t kTagMask = 0xffff0000;
 constexpr std::int32_t kNameRequest = 0x7faa2000;
-/// Bytes of text in a packet, and what its last number says: bytes left, and whether it goes on from
-/// an earlier packet; negative for failure.
+/// Bytes of text in a packet, and parts of its last number: the bytes left, and whether it continues an earlier packet;
+/// negative for failure.
 constexpr std::size_t kChunk = 24;
 constexpr std::int32_t kLengthMask = 0xffff;
 constexpr std::int32_t kContinued = 0x10000;

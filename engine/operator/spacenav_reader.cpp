@@ -26,21 +26,21 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
-/// Deflection that the daemon reports at the end of the puck's way.
+/// Deflection that the daemon reports at the puck's end stop.
 constexpr double kFullDeflection = 350.0;
 constexpr milliseconds kLongestBackOff{4000};
-/// How often a quit is looked for while waiting for events.
+/// Period of checks for the end while waiting for events.
 constexpr milliseconds kPollTimeout{50};
-/// Pause after each reading: a flood wakes us so often and no more.
+/// Pause after each reading, which limits the number of wake-ups in a flood of events.
 constexpr milliseconds kPause{2};
-/// Packets taken in one reading, so that a flood cannot hold us.
+/// Most packets in one reading, so that a flood cannot keep the thread in it.
 constexpr int kMostPackets = 1024;
-/// The rest of a packet comes within this time, or the daemon is not to be trusted.
+/// Longest wait for the rest of a packet, after which the stream counts as invalid.
 constexpr milliseconds kPacketPatience{200};
 
 constexpr const char* kDefaultSocket = "/var/run/spnav.sock";
 constexpr const char* kConfiguration = "/etc/spnavrc";
-/// For daemons that give no name.
+/// Name for daemons that give none.
 constexpr const char* kUnnamed = "6D mouse";
 
 /// libspnav's own helper maps the daemon's left-handed z: +x, +y, -z, and the same for rotations.
@@ -61,13 +61,13 @@ bool accepts(const char* path) {
   return accepted;
 }
 
-/// spnav_open() leaks when it fails and waits for ever where nobody accepts: is there a daemon at all?
+/// True if a daemon listens. spnav_open() leaks when it fails, and waits for ever where nobody accepts.
 bool daemonListens() {
   if (const char* configured = std::getenv("SPNAV_SOCKET")) return accepts(configured);
   return accepts(kDefaultSocket) || ::access(kConfiguration, R_OK) == 0;
 }
 
-/// libspnav falls through to other sockets when the one in SPNAV_SOCKET fails: did we reach it?
+/// True if the connection is to the socket in SPNAV_SOCKET. libspnav tries other sockets when that one fails.
 bool reachedTheRightSocket() {
   const char* configured = std::getenv("SPNAV_SOCKET");
   if (configured == nullptr) return true;
@@ -77,7 +77,7 @@ bool reachedTheRightSocket() {
   return std::string(peer.sun_path) == configured;
 }
 
-/// libspnav loops on an interrupted call after the daemon's death.
+/// Blocks signals, because libspnav loops on an interrupted call after the daemon's death.
 void blockSignals() {
   sigset_t all;
   sigfillset(&all);
@@ -86,8 +86,8 @@ void blockSignals() {
 
 }  // namespace
 
-/// Shared by the reader and its thread; outlives whichever goes first, because a daemon that sends half
-/// a handshake holds the thread inside libspnav for ever.
+/// State shared by the reader and its thread. It outlives both, because a daemon that sends half a handshake holds the
+/// thread inside libspnav for ever.
 struct SpacenavReader::Connection {
   Connection(HandInputsPtr inputs, milliseconds back) : hand(std::move(inputs)), firstBackOff(back) {}
 
@@ -107,7 +107,7 @@ struct SpacenavReader::Connection {
         bool talkedSense = false;
         auto why = guarded("reading the 6D mouse", [&] { talkedSense = reachedTheRightSocket() && readUntilItDies(); });
         if (why) problem.set(std::move(why));
-        // A listener that fails learns of it with the next change.
+        // A listener that fails is notified again at the next change.
         (void)guarded("disconnecting the 6D mouse", [this] { mailbox().disconnect(); });
         if (talkedSense) backOff = firstBackOff;
         spnav_close();
@@ -121,7 +121,7 @@ struct SpacenavReader::Connection {
  private:
   InputMailbox& mailbox() { return hand->mouse6d.mailbox; }
 
-  /// True where the daemon has talked sense, so that it is looked for again soon.
+  /// Reads until the daemon dies. True if it has sent valid data, so that it is searched for again soon.
   bool readUntilItDies() {
     talkedSense_ = false;
     pieceSince_ = {};
@@ -142,8 +142,8 @@ struct SpacenavReader::Connection {
     return talkedSense_;
   }
 
-  /// Takes what has come. Motion events are absolute deflections: only the last one counts. False: the
-  /// daemon is dead (the socket is then readable for ever), or sends what is no packet.
+  /// Reads what has arrived. Motion events are absolute deflections, so that only the last one counts. False: the
+  /// daemon is dead (the socket is then always readable), or sends invalid packets.
   bool drain() {
     spnav_event_motion last{};
     bool moved = false;
@@ -204,7 +204,7 @@ struct SpacenavReader::Connection {
     }
   }
 
-  /// A part of a packet lies there: waits a little for the rest.
+  /// Waits a little for the rest of a partial packet.
   bool restComes(ssize_t size) {
     const auto now = Clock::now();
     if (pieceSince_ == Clock::time_point() || size != pieceSize_) pieceSince_ = now;
@@ -234,7 +234,7 @@ SpacenavReader::SpacenavReader(HandInputsPtr hand, milliseconds firstBackOff)
 
 SpacenavReader::~SpacenavReader() {
   connection_->quit = true;
-  // The thread ends within kPollTimeout unless libspnav holds it; then it is left behind.
+  // The thread ends within kPollTimeout unless libspnav holds it; then it is abandoned.
   for (int i = 0; i < 20 && !connection_->ended; ++i) std::this_thread::sleep_for(kPollTimeout / 2);
 }
 

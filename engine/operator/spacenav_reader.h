@@ -17,7 +17,7 @@ namespace glissade {
 /// libspnav holds one connection per process: make at most one of these at a time.
 class SpacenavReader {
  public:
-  /// A daemon that is away is looked for after `firstBackOff`, then after twice as long, up to 4 s.
+  /// A missing daemon is searched for again after `firstBackOff`, then after twice as long each time, up to 4 s.
   explicit SpacenavReader(HandInputsPtr hand, std::chrono::milliseconds firstBackOff = std::chrono::milliseconds(250));
   ~SpacenavReader();
   SpacenavReader(const SpacenavReader&) = delete;
@@ -25,7 +25,7 @@ class SpacenavReader {
 
   /// The exception that last ended the connection; nothing once the daemon is connected again.
   std::optional<Diagnostic> problem() const;
-  /// So often the thread has woken up: it sleeps in between.
+  /// Number of times that the thread has woken up.
   std::uint64_t wakeUps() const;
 
   struct Connection;

@@ -11,7 +11,7 @@ namespace glissade {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kSpacing = 0.5;  ///< of way-points, in radii
+constexpr double kSpacing = 0.5;  ///< distance of way points, in radii
 constexpr double kLongestTurn = std::numbers::pi;
 
 constexpr std::array<TaskLevel, 3> kTaskLevels{{
@@ -27,7 +27,7 @@ const std::array<TaskLevel, 3>& taskLevels() { return kTaskLevels; }
 std::vector<Pose> taskRoute(const std::vector<Pose>& path, const Se3Metric& metric) {
   std::vector<Pose> route;
   const double spacing = kSpacing * metric.radius();
-  double left = spacing;  // to the next way-point
+  double left = spacing;  // distance to the next way point
   for (std::size_t i = 1; i < path.size(); ++i) {
     const double length = metric.distance(path[i - 1], path[i]);
     double at = left;
@@ -52,7 +52,7 @@ void TaskOperator::restart() {
 
 Pose TaskOperator::advance(double dt, const OperatorView& view, const Box3& bounds) {
   if (dt <= 0.0 || route_.empty()) return view.q_device;
-  if (!shown_ || *shown_ != view.q_device) duration_ = 0.0;  // somebody else moved the object
+  if (!shown_ || *shown_ != view.q_device) duration_ = 0.0;  // another source moved the object
   time_ += dt;
   if (duration_ == 0.0) beginMovement(view.q_device, bounds);
   if (waiting_ > 0.0) {

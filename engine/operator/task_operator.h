@@ -11,29 +11,29 @@
 
 namespace glissade {
 
-/// How well somebody shows a way, at the level of a task: where he puts the object, not how his hand moves. Lengths are
-/// shares of the object's size, which is twice its radius, so that one level is the same for every problem.
+/// Skill of a person at the level of a task: the poses of the object, not the motion of the hand. Lengths are shares of
+/// the object's size, which is twice its radius, so that one level is the same for every problem.
 struct TaskLevel {
   std::string_view id;
   double positionError;   ///< standard deviation of a way-point, share of the size
-  double angleError;      ///< the same of its orientation, rad
-  double linearSpeed;     ///< at most, sizes a second
-  double angularSpeed;    ///< at most, rad/s
-  double reaction;        ///< s, before each movement
-  double fatigue;         ///< by how much slower he gets in a minute, share
-  bool misleads = false;  ///< his way-points lie anywhere
+  double angleError;      ///< standard deviation of its orientation, rad
+  double linearSpeed;     ///< largest speed, sizes per second
+  double angularSpeed;    ///< largest angular speed, rad/s
+  double reaction;        ///< seconds before each movement
+  double fatigue;         ///< loss of speed per minute, as a share
+  bool misleads = false;  ///< the way points are at random places
 };
 
-/// task-expert, task-novice, misleading. README.md has the sources of the figures.
+/// The levels task-expert, task-novice, misleading. README.md has the sources of the figures.
 const std::array<TaskLevel, 3>& taskLevels();
 
-/// The way-points of a task: equally spaced configurations of a path that an independent run has found, and its end.
-/// The same rule for every problem: half a radius of the object from one to the next, in the metric.
+/// The way points of a task: equally spaced configurations of a path that an independent run has found, and its end.
+/// Their distance is half a radius of the object in the metric, for every problem.
 std::vector<Pose> taskRoute(const std::vector<Pose>& path, const Se3Metric& metric);
 
-/// A person who shows a way: he moves the object to one way-point after the other, each off by the errors of his level,
-/// drawn anew in every pass, and then back again. Movements have minimum jerk (Flash and Hogan 1985). He does not look
-/// at the roadmap, and is not blocked by obstacles. Deterministic for a seed and the same calls.
+/// A simulated person who shows a way. The object is moved from one way point to the next, each with the errors of the
+/// level, drawn anew in every pass, and then back again. Movements have minimum jerk (Flash and Hogan 1985). They do
+/// not depend on the roadmap, and obstacles do not block them. Deterministic for a seed and the same calls.
 class TaskOperator final : public OperatorDevice {
  public:
   TaskOperator(const TaskLevel& level, std::vector<Pose> route, const Se3Metric& metric, std::uint64_t seed);
@@ -55,11 +55,11 @@ class TaskOperator final : public OperatorDevice {
   bool forwards_ = true;
   Pose from_;
   Pose to_;
-  std::optional<Pose> shown_;  ///< what was returned last; differs from q_device after somebody put the object
-  double time_ = 0.0;          ///< s since the run began
-  double waiting_ = 0.0;       ///< s of reaction left
-  double elapsed_ = 0.0;       ///< s of the movement
-  double duration_ = 0.0;      ///< s of the movement; 0: none
+  std::optional<Pose> shown_;  ///< last returned pose; differs from q_device after another source has moved the object
+  double time_ = 0.0;          ///< seconds since the run began
+  double waiting_ = 0.0;       ///< seconds of reaction left
+  double elapsed_ = 0.0;       ///< elapsed seconds of the movement
+  double duration_ = 0.0;      ///< duration of the movement in seconds; 0: none
 };
 
 }  // namespace glissade

@@ -6,10 +6,10 @@
 namespace glissade {
 namespace {
 
-/// The places on a way that are sampled: configurations and even steps between them.
+/// The sampled places on a way: configurations and even steps between them.
 struct Places {
   std::vector<Pose> poses;
-  std::vector<double> arrivals;  ///< metric length before each
+  std::vector<double> arrivals;  ///< metric length before each place
 };
 
 Places placesOn(const std::vector<Pose>& way, const Se3Metric& metric, std::size_t count) {

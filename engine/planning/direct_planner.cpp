@@ -76,20 +76,20 @@ std::optional<Pose> PotentialFieldPlanner::next(const Pose& q, bool& done, Plann
     done = true;
     return goal();
   }
-  // Attraction is a unit vector; repulsion grows from nothing at `influence` to infinity at contact.
+  // Attraction is a unit vector; repulsion grows from zero at `influence` to infinity at contact.
   const double influence = 0.5 * radius;
   Vector3 force = (goal()->position - q.position).normalized();
   if (nearest.distance < influence) {
     const Vector3 normal = nearest.normal_W();
     const double pushed = force.dot(normal);
-    if (pushed < 0.0) force -= pushed * normal;  // slide along the surface
+    if (pushed < 0.0) force -= pushed * normal;  // slides along the surface
     force += 0.3 * (influence / std::max(nearest.distance, 1e-3 * influence) - 1.0) * normal;
   }
   Pose ahead = interpolate(q, *goal(), std::min(1.0, step / distance));
   if (force.norm() > 1e-9) ahead.position = q.position + std::min(step, nearest.distance) * force.normalized();
   const double free = freeFraction(query(), q, ahead, host.parameters()[ParameterId::GrowthStep], host.stopToken());
   if (free >= 1.0 && problem().bounds.contains(ahead.position)) return ahead;
-  ahead.orientation = q.orientation;  // turning was what collided
+  ahead.orientation = q.orientation;  // the turn caused the collision
   const double freeWithoutTurn =
       freeFraction(query(), q, ahead, host.parameters()[ParameterId::GrowthStep], host.stopToken());
   if (freeWithoutTurn < 0.1 || !problem().bounds.contains(ahead.position)) return std::nullopt;

@@ -4,8 +4,8 @@
 
 namespace glissade {
 
-/// A planner without a roadmap of its own making: it has one idea of a path, tries it, and gives up.
-/// Base of the deterministic local planners.
+/// Base of the deterministic local planners. Such a planner has no roadmap: it tries one path and gives up if the path
+/// is blocked.
 class DirectPlanner : public Planner {
  public:
   bool solve(PlannerHost& host) final;
@@ -20,12 +20,12 @@ class DirectPlanner : public Planner {
  protected:
   explicit DirectPlanner(const Problem& problem);
 
-  /// One more configuration on the way; nothing: the way ends. `done` is set at the goal.
+  /// The next configuration on the way; nothing: the way ends. `done` is set at the goal.
   virtual std::optional<Pose> next(const Pose& q, bool& done, PlannerHost& host) = 0;
 
   const Problem& problem() const { return problem_; }
   CollisionQuery& query() { return *query_; }
-  /// The goal; of "out" the first configuration outside. Nothing where there is none.
+  /// The goal; for "out" the first configuration outside. Nothing where there is none.
   const std::optional<Pose>& goal() const { return goal_; }
 
  private:
@@ -61,7 +61,7 @@ class PotentialFieldPlanner final : public DirectPlanner {
  private:
   std::optional<Pose> next(const Pose& q, bool& done, PlannerHost& host) override;
 
-  double bestDistance_ = 1e300;  ///< to the goal, in the metric
+  double bestDistance_ = 1e300;  ///< smallest distance to the goal so far, in the metric
   int stepsWithoutGain_ = 0;
 };
 

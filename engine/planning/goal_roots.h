@@ -6,9 +6,9 @@
 
 namespace glissade {
 
-/// The configurations that the goal's trees grow from: the goal itself, or for "out" the free ones
-/// among six, straight out of the obstacles' box along each axis from the start, nearest first, as
-/// far as the bounds allow. Empty when "out" cannot be reached within the bounds.
+/// The configurations that the goal's trees grow from: the goal itself, or for "out" the free ones among six, reached
+/// from the start straight along each axis out of the obstacles' box, nearest first, as far as the bounds allow. Empty
+/// when "out" cannot be reached within the bounds.
 std::vector<Pose> goalRoots(const Problem& problem, CollisionQuery& query);
 
 }  // namespace glissade

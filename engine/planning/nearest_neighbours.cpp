@@ -9,7 +9,7 @@ namespace glissade {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-/// A leaf with more configurations is split, if they differ.
+/// Most configurations in a leaf. A fuller leaf is split, unless all are equal.
 constexpr std::size_t kMostInALeaf = 32;
 /// Single precision rounds seven coordinates, their differences, squares, sums and the series below by less
 /// than this share of the largest coordinate, or of the distance.
@@ -39,19 +39,19 @@ float squaredOutside(const Point& p, const Point& low, const Point& high, std::s
 
 }  // namespace
 
-/// What one question has found so far.
+/// State of one query.
 struct NearestNeighbours::Search {
   const Pose& q;
-  Point point;      ///< of q with one sign of its quaternion
-  double scale;     ///< largest coordinate that has a part in it
+  Point point;      ///< q with one sign of its quaternion
+  double scale;     ///< largest coordinate in the computation
   float curvature;  ///< 1 / (4 r)^2
   std::size_t best = std::numeric_limits<std::size_t>::max();
   double squared = std::numeric_limits<double>::infinity();
   double distance = 0.0;
-  float limit = kInfinity;  ///< what is farther, squared and in single precision, cannot be the nearest
+  float limit = kInfinity;  ///< squared distance in single precision beyond which no configuration can be the nearest
 
-  /// A lower bound of the squared metric from the squared chord (times 2 r) and the squared way: the angle is
-  /// 4 asin(chord / 2), and asin(x)^2 = x^2 + x^4 / 3 + 8 x^6 / 45 + ...
+  /// A lower bound of the squared metric from the squared chord (times 2 r) and the squared translation: the angle is 4
+  /// asin(chord / 2), and asin(x)^2 = x^2 + x^4 / 3 + 8 x^6 / 45 + ...
   float bound(float chord, float way) const {
     const float x = chord * curvature;
     return chord * (1.0F + x * (1.0F / 3.0F + x * (8.0F / 45.0F))) + way;
@@ -117,7 +117,7 @@ void NearestNeighbours::addToLeaf(std::uint32_t node, std::uint32_t entry, const
   ++leaf.count;
 }
 
-/// At the middle of the widest axis. Configurations that are all alike stay together.
+/// Splits a leaf at the middle of its widest axis. A leaf whose configurations are all equal is not split.
 void NearestNeighbours::splitLeaf(std::uint32_t node) {
   std::size_t axis = 0;
   const auto width = [&](std::size_t a) { return nodes_[node].high[a] - nodes_[node].low[a]; };
@@ -160,7 +160,7 @@ void NearestNeighbours::look(const Packet& packet, Search& search) const {
     const std::uint32_t entry = packet.entry[lane];
     search.consider(entry, metric_.distance(poses_[entry], search.q));
   };
-  // The one that looks nearest first: then hardly another has to be decided.
+  // The candidate with the least bound comes first, so that few others have to be evaluated.
   const auto first = static_cast<std::size_t>(std::min_element(bound.begin(), bound.end()) - bound.begin());
   if (bound[first] > search.limit) return;
   consider(first);

@@ -11,17 +11,17 @@
 
 namespace glissade {
 
-/// Configurations with an index each, for trees that grow every step. They lie in a k-d tree over
-/// orientation and position (Bentley 1975, with tight boxes as in a hierarchy of bounding volumes). The angle
-/// between two orientations follows from the chord between their quaternions, so the distance of
-/// (2 r quaternion, p) to a box bounds the metric from below. Bounds are computed in single precision with a
-/// margin for its rounding, several numbers at once; what is left is decided by the metric itself.
-/// Quaternions are kept with one sign, so that looking from the other one is over at once but near half turns.
+/// Configurations with an index each, for trees that grow every step. They lie in a k-d tree over orientation and
+/// position (Bentley 1975, with tight boxes as in a hierarchy of bounding volumes). The angle between two orientations
+/// follows from the chord between their quaternions, so that the distance of (2 r quaternion, p) to a box bounds the
+/// metric from below. Bounds are computed in single precision with a margin for its rounding, several numbers at once;
+/// the metric itself decides among the remaining candidates. Quaternions are stored with one sign. A query searches
+/// with both signs; the search with the opposite sign ends at once, except near half turns.
 class NearestNeighbours {
  public:
   struct Neighbour {
     std::uint32_t index = 0;
-    double distance = 0.0;  ///< in the metric, metres
+    double distance = 0.0;  ///< distance in the metric, metres
   };
 
   explicit NearestNeighbours(const Se3Metric& metric) : metric_(metric) {}
@@ -40,7 +40,7 @@ class NearestNeighbours {
 
   static constexpr Point everywhere(float value) { return {value, value, value, value, value, value, value, 0.0F}; }
 
-  /// Up to eight configurations, axis by axis; lanes without one lie infinitely far away.
+  /// Up to eight configurations, axis by axis; unused lanes lie infinitely far away.
   struct Packet {
     std::array<std::array<float, kLanes>, kAxes> at;
     std::array<std::uint32_t, kLanes> entry;
@@ -48,11 +48,11 @@ class NearestNeighbours {
   struct Node {
     Point low = everywhere(std::numeric_limits<float>::infinity());
     Point high = everywhere(-std::numeric_limits<float>::infinity());
-    std::uint32_t children = 0;  ///< the first of two; 0: a leaf
+    std::uint32_t children = 0;  ///< index of the first of two children; 0: a leaf
     std::size_t axis = 0;
-    float split = 0.0F;  ///< below it, on the axis: the first child
+    float split = 0.0F;  ///< value between the children on the axis, below which the first child lies
     std::vector<Packet> packets;
-    std::size_t count = 0;  ///< configurations of a leaf
+    std::size_t count = 0;  ///< number of configurations of a leaf
   };
   struct Search;
 
@@ -66,7 +66,7 @@ class NearestNeighbours {
   std::vector<Pose> poses_;
   std::vector<std::uint32_t> indices_;
   std::vector<Node> nodes_;
-  Vector3 origin_ = Vector3::Zero();  ///< of the positions in the tree: the first one
+  Vector3 origin_ = Vector3::Zero();  ///< origin of the positions in the tree: the first position
   double scale_ = 0.0;                ///< largest coordinate in the tree
 };
 

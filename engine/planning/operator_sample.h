@@ -8,13 +8,14 @@
 
 namespace glissade {
 
-/// What the operator side publishes for the planner: latest wins.
+/// The operator's state that is published for the planner. The latest one counts.
 struct OperatorSample {
   Pose q_device;
-  NearestObstacle nearest;  ///< of q_device; distance 0 in collision
-  std::uint64_t moves = 0;  ///< counts changes of q_device; equal means he has not moved
-  Wrench guidance;          ///< what he feels, or would with a device that pushes back; shares of its strongest
-  std::optional<Pose> hand = std::nullopt;  ///< where the hand leads to, where obstacles stop the object before it
+  NearestObstacle nearest;  ///< nearest obstacle at q_device; distance 0 in collision
+  std::uint64_t moves = 0;  ///< number of changes of q_device; an equal number means that the operator has not moved
+  /// Force and torque that the operator feels, or would feel with a haptic device; shares of the device's maximum.
+  Wrench guidance;
+  std::optional<Pose> hand = std::nullopt;  ///< pose that the hand leads to, where obstacles stop the object before it
 };
 
 }  // namespace glissade

@@ -5,7 +5,7 @@
 namespace glissade {
 
 std::optional<std::size_t> firstOutside(const std::vector<PathPoint>& points, const Problem& problem) {
-  constexpr double kRounding = 1e-6;  // times the object's radius
+  constexpr double kRounding = 1e-6;  // tolerance, in radii of the object
   Box3 bounds = problem.bounds;
   bounds.extend(problem.start.position);
   if (const Pose* goal = std::get_if<Pose>(&problem.goal)) bounds.extend(goal->position);

@@ -11,7 +11,7 @@ namespace glissade {
 
 /// The first configuration of a path whose reference point is outside the problem's bounds; nothing where all are
 /// inside. The bounds are extended to the start and the goal, and a rounding error of 1e-6 radii is accepted. Edges are
-/// straight, and so stay inside where both of their ends do.
+/// straight, so that an edge with both ends inside stays inside.
 std::optional<std::size_t> firstOutside(const std::vector<PathPoint>& points, const Problem& problem);
 
 }  // namespace glissade

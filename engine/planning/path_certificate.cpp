@@ -5,7 +5,8 @@
 namespace glissade {
 namespace {
 
-/// Between two contact configurations the gap shrinks where the object turns or the surface bulges.
+/// Share of the gap that the edge between two contact configurations has to keep. The gap shrinks there where the
+/// object turns or the surface bulges.
 constexpr double kGapShare = 0.5;
 
 }  // namespace

@@ -8,15 +8,16 @@
 
 namespace glissade {
 
-/// What each edge of a path has to keep: the required clearance; half of the contact gap, if that is
-/// less, where the edge begins or ends at a contact configuration, which keeps no more than the gap.
+/// The clearance that each edge of a path has to keep: the required clearance, or half of the contact gap, if that is
+/// less and the edge begins or ends at a contact configuration. A contact configuration keeps no more than the gap.
 std::vector<EdgeDemand> demandsOf(const std::vector<PathPoint>& points, const ParameterValues& parameters);
 
-/// Certifies a path edge by edge against its demands; stops at the first that is not certified.
+/// Certifies a path edge by edge against its demands; stops at the first edge that is not certified.
 MotionCertificate certifyPath(CollisionQuery& query, const std::vector<PathPoint>& points,
                               const ParameterValues& parameters, const StopToken& stop = {});
 
-/// The first edge that the certificate refuses, without its distances: for paths of which most are refused.
+/// The first edge that the certificate refuses, without its distances. Faster than certifyPath() for paths most of
+/// which are refused.
 std::optional<RefusedEdge> firstRefusedEdge(CollisionQuery& query, const std::vector<PathPoint>& points,
                                             const ParameterValues& parameters, const StopToken& stop = {});
 

@@ -9,10 +9,10 @@
 namespace glissade {
 namespace {
 
-/// Times the object's radius: nearer than this, two configurations are the same.
+/// In radii of the object. Two configurations nearer than this are the same.
 constexpr double kSame = 1e-6;
 
-/// Those from `first` on that do not keep their demand.
+/// The edges from `first` on that do not keep their demand.
 std::vector<BlockedEdge> blockedEdges(CollisionQuery& query, const std::vector<PathPoint>& points,
                                       const std::vector<EdgeDemand>& demands, std::size_t first,
                                       const WorkWatch& watch) {

@@ -6,7 +6,7 @@
 namespace glissade {
 namespace {
 
-/// Of the steps between two poses that are drawn.
+/// Metric length of the steps between two drawn poses.
 double stepOf(double length, const PathSpacing& spacing) {
   const double least = length / (kMostPathPoses + 1);
   if (spacing.by == PathSpacing::By::Distance) return std::max(least, spacing.distance);
@@ -20,7 +20,7 @@ std::vector<Pose> posesAlong(const std::vector<Pose>& way, const Se3Metric& metr
   for (std::size_t i = 1; i < way.size(); ++i) length += metric.distance(way[i - 1], way[i]);
   if (spacing.by == PathSpacing::By::None || !(length > 0.0)) return {};
   const double step = stepOf(length, spacing);
-  // What comes nearer to the end than this would lie upon the goal.
+  // A pose nearer to the end than this would coincide with the goal.
   const double end = length - 1e-6 * step;
   std::vector<Pose> poses;
   double passed = 0.0;

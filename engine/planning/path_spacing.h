@@ -6,21 +6,21 @@
 
 namespace glissade {
 
-/// Which poses of a path are drawn beside it.
+/// Selects the poses of a path that are drawn beside it.
 struct PathSpacing {
   enum class By { None, Number, Distance };
   By by = By::Number;
-  int number = 5;         ///< of By::Number: so many between the ends, equally far from each other
-  double distance = 0.1;  ///< of By::Distance: metres from one to the next, with rotations as the metric counts them
+  int number = 5;         ///< for By::Number: number of poses between the ends, at equal distances
+  double distance = 0.1;  ///< for By::Distance: distance between poses, metres in the metric, which includes rotations
 
   friend bool operator==(const PathSpacing&, const PathSpacing&) = default;
 };
 
-/// More are not drawn.
+/// Most poses that are drawn.
 inline constexpr int kMostPathPoses = 200;
 
-/// Those poses, without both ends of the path; at most kMostPathPoses, and then equally far from each other. Turns on
-/// the spot count, so that a motion that only turns has poses, too.
+/// The poses that are drawn, without both ends of the path. Where there would be more than kMostPathPoses, that many at
+/// equal distances. Turns on the spot count, so that a motion that only turns has poses, too.
 std::vector<Pose> posesAlong(const std::vector<Pose>& way, const Se3Metric& metric, const PathSpacing& spacing);
 
 }  // namespace glissade

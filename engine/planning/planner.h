@@ -17,27 +17,27 @@
 
 namespace glissade {
 
-/// What a run has cost so far. "Random configurations" are the papers' measure: every configuration
-/// a sampler drew, kept or not.
+/// Cost of a run so far. "Random configurations" are the papers' measure: every configuration that a sampler drew, kept
+/// or not.
 struct PlannerCounts {
   std::uint64_t iterations = 0;  ///< passes of the paper's loop (Algorithm 1, lines 1-15)
-  std::uint64_t steps = 0;       ///< configurations handed to Add_Tree: the lockstep clock's tick
+  std::uint64_t steps = 0;       ///< configurations handed to Add_Tree; a step is the tick of the lockstep clock
   std::uint64_t randomConfigurations = 0;
   std::uint64_t operatorConfigurations = 0;
   std::uint64_t contactConfigurations = 0;
   std::uint64_t nodes = 0;
-  std::uint64_t edges = 0;          ///< both directions, as the papers count
-  std::uint64_t droppedEdges = 0;   ///< removed because a candidate path failed its certificate there
+  std::uint64_t edges = 0;          ///< edges in both directions, as in the papers
+  std::uint64_t droppedEdges = 0;   ///< edges removed because a candidate path failed its certificate there
   std::uint64_t rejectedPaths = 0;  ///< whole paths that failed their certificate (OMPL's planners)
   QueryCounts queries;
 };
 
-/// What a planner needs from the world around it while it runs. Called on the planner's thread.
+/// Services that a running planner needs from its caller. Called on the planner's thread.
 class PlannerHost {
  public:
   virtual ~PlannerHost() = default;
 
-  /// The operator's latest sample; nothing where there is no operator (all authority is the computer's).
+  /// The operator's latest sample; nothing where there is no operator, so that the computer has all authority.
   virtual std::optional<OperatorSample> operatorSample() = 0;
   /// Parameters in force from this iteration on.
   virtual const ParameterValues& parameters() const = 0;
@@ -45,14 +45,13 @@ class PlannerHost {
   /// false to end the run (stopped, or a limit reached).
   virtual bool afterStep() = 0;
   virtual const StopToken& stopToken() const = 0;
-  /// The user's semantic edits in force from this iteration on; null: those of the problem.
+  /// The user's semantic edits in force from this iteration on; null: the problem's edits.
   virtual SemanticEditsPtr semanticEdits() const { return nullptr; }
 };
 
-/// A growing, single-threaded planner. Created for one problem and seed; `solve` runs until solved
-/// or until the host ends it, and may be called again to go on.
-/// What single algorithms report besides (operator, coarse plan, stages, members) are interfaces that a planner may
-/// implement, too; reportOf() asks for them.
+/// A growing, single-threaded planner. Created for one problem and seed; `solve` runs until solved or until the host
+/// ends it, and may be called again to go on. Reports of single algorithms (operator, coarse plan, stages, members) are
+/// further interfaces that a planner may implement; reportOf() returns them.
 class Planner {
  public:
   virtual ~Planner() = default;
@@ -61,33 +60,33 @@ class Planner {
   virtual bool solve(PlannerHost& host) = 0;
 
   virtual const std::vector<RoadmapNode>& nodes() const = 0;
-  /// Appended while growing; an edge that failed its certificate is removed from the search but stays
-  /// listed here, and its index is in droppedEdges().
+  /// The edges, appended while growing. An edge that failed its certificate is removed from the search but stays listed
+  /// here, and its index is in droppedEdges().
   virtual const std::vector<RoadmapEdge>& edges() const = 0;
   virtual const std::vector<std::uint32_t>& droppedEdges() const = 0;
   virtual const PlannerCounts& counts() const = 0;
   /// The certified solution, once solved.
   virtual const Path* path() const = 0;
-  /// Brings nodes() and edges() up to date where a planner does so now and then only. Called when the
-  /// run ends, so that what a run grows does not depend on when somebody looks at it.
+  /// Brings nodes() and edges() up to date, for planners that update them only at intervals. Called when the run ends,
+  /// so that the result does not depend on when a caller reads the roadmap.
   virtual void completeRoadmap() {}
-  /// Why going on is pointless; nothing while it is not. No path can come after it.
+  /// The reason why planning cannot go on; nothing while it can. No path can come after it.
   virtual std::optional<Diagnostic> failure() const { return std::nullopt; }
-  /// The planner that does a part of this one's work, and reports in its place; null: there is none.
+  /// The planner that does a part of this one's work, and reports instead of it; null: there is none.
   virtual const Planner* inner() const { return nullptr; }
 };
 
-/// The planner, or the one inside it, as another interface that it may implement; null where it does not.
+/// Another interface of the planner or of its inner planner; null where neither implements it.
 template <class Report>
 const Report* reportOf(const Planner& planner) {
   const auto* report = dynamic_cast<const Report*>(&planner);
   return report == nullptr && planner.inner() != nullptr ? reportOf<Report>(*planner.inner()) : report;
 }
 
-/// How a planner is known and made. Registered by explicit calls (no static initialisers).
+/// Name and factory of a planner. Registered by explicit calls (no static initialisers).
 struct PlannerEntry {
-  std::string id;           ///< "birrt", on the command line and in files
-  std::string label;        ///< in the window
+  std::string id;           ///< id on the command line and in files, for example "birrt"
+  std::string label;        ///< name in the window
   std::string description;  ///< one sentence with the source
   bool usesOperator = false;
   bool complete = true;  ///< goes on until it finds a path or is stopped; false: it may give up
@@ -98,7 +97,7 @@ struct PlannerEntry {
 class PlannerRegistry {
  public:
   void add(PlannerEntry entry);
-  /// Null where the id is unknown.
+  /// The entry of an id; null where it is unknown.
   const PlannerEntry* find(std::string_view id) const;
   const std::vector<PlannerEntry>& entries() const { return entries_; }
 
@@ -108,11 +107,11 @@ class PlannerRegistry {
 
 std::vector<std::string> idsOf(const PlannerRegistry& registry);
 
-/// Every planner that takes a whole problem: the strategies of both papers.
+/// All planners for a whole problem: the strategies of both papers.
 PlannerRegistry makePlannerRegistry();
 
-/// Every planner that can cross one place for the fine planning (paper 2, section 4.2). The first
-/// paper's and OMPL's are in both.
+/// All planners that can cross one place for the fine planning (paper 2, section 4.2). The planners of paper 1 and of
+/// OMPL are in both registries.
 PlannerRegistry makeLocalPlannerRegistry();
 
 }  // namespace glissade

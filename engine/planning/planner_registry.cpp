@@ -64,7 +64,7 @@ void addOmplPlanners(PlannerRegistry& registry) {
       OmplAlgorithm::Est);
 }
 
-/// To be measured beside ours.
+/// Adds the planners for comparison with ours.
 void addPeers(PlannerRegistry& registry) {
   const auto add = [&](std::string id, const std::string& algorithm, OmplAlgorithm which) {
     registry.add({std::move(id), "For comparison: unmodified " + algorithm,
@@ -98,7 +98,7 @@ std::vector<std::string> idsOf(const PlannerRegistry& registry) {
 
 namespace {
 
-/// The planner where there are no threads; else it plans what is left after the screw motions.
+/// The planner itself for problems without threads; else a planner that uses it for the part after the screw motions.
 PlannerEntry turningThreads(PlannerEntry entry) {
   entry.make = [make = std::move(entry.make)](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {
     if (problem.world->threads().empty()) return make(problem, seed);

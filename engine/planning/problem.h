@@ -16,25 +16,25 @@ struct GoalOut {};
 using Goal = std::variant<Pose, GoalOut>;
 
 using SemanticEditsPtr = std::shared_ptr<const SemanticEdits>;
-struct SceneKnowledge;  ///< planning/coarse/scene_knowledge.h
-struct StrategyRules;   ///< planning/coarse/strategy_rules.h
+struct SceneKnowledge;  ///< see planning/coarse/scene_knowledge.h
+struct StrategyRules;   ///< see planning/coarse/strategy_rules.h
 
-/// What the multi-layer planners know beyond geometry. Immutable; shared by threads.
+/// Knowledge of the multi-layer planners beyond geometry. Immutable; shared by threads.
 struct SceneDescription {
   std::string objectId = "object";
   EnvironmentOptions environment;
   SemanticEditsPtr edits;                           ///< null: none
   std::shared_ptr<const SceneKnowledge> knowledge;  ///< null: a planner that needs it computes it
-  std::shared_ptr<const StrategyRules> rules;       ///< of strategy "own"; null: those of "gts"
+  std::shared_ptr<const StrategyRules> rules;       ///< rules of the strategy "own"; null: those of "gts"
 };
 
-/// One planning question. Immutable; shared by threads.
+/// A planning problem. Immutable; shared by threads.
 struct Problem {
   CollisionWorldPtr world;
   Pose start;
   Goal goal;
-  Box3 bounds;               ///< of the object's reference point, world frame
-  SamplingRegionPtr region;  ///< where random configurations are drawn; null: in the bounds
+  Box3 bounds;               ///< bounds of the object's reference point, world frame
+  SamplingRegionPtr region;  ///< region in which random configurations are drawn; null: the bounds
   SceneDescription scene;
 
   Se3Metric metric() const { return Se3Metric(world->objectRadius()); }

@@ -13,7 +13,7 @@ class RandomShooter {
       : bounds_(problem.bounds), region_(problem.region), stream_(seed, "random shooter") {}
 
   Pose shoot();
-  /// Uniform in SO(3).
+  /// Draws an orientation uniformly in SO(3).
   static Quaternion orientation(RandomStream& stream);
 
  private:

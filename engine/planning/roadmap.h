@@ -10,14 +10,14 @@
 
 namespace glissade {
 
-/// Who shot the configuration that a node comes from.
+/// Author of the configuration from which a node was grown.
 enum class Author : std::uint8_t { Computer, Operator, Contact };
 
-/// One number for each author, by Author.
+/// One value for each Author.
 template <class T>
 using PerAuthor = std::array<T, 3>;
 
-/// Which root a node first grew from; colours the trees.
+/// Root from which a node first grew; it decides the colour of the trees.
 enum class TreeSide : std::uint8_t { Start, Goal };
 
 struct RoadmapNode {

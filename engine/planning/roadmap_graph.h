@@ -33,8 +33,8 @@ class RoadmapGraph {
   bool connected(Node a, Node b) const { return componentOf_[a] == componentOf_[b]; }
   NearestNeighbours::Neighbour nearest(ComponentId component, const Pose& q) const;
 
-  /// Edges (indices) along the way from one node to another of the same component, with the nodes:
-  /// nodes.size() == edges.size() + 1.
+  /// The edges (indices) from one node to another of the same component, with the nodes: nodes.size() == edges.size() +
+  /// 1.
   struct Way {
     std::vector<Node> nodes;
     std::vector<std::uint32_t> edges;
@@ -44,7 +44,7 @@ class RoadmapGraph {
   const std::vector<RoadmapNode>& nodes() const { return nodes_; }
   const std::vector<RoadmapEdge>& edges() const { return edges_; }
   const std::vector<std::uint32_t>& droppedEdges() const { return dropped_; }
-  /// Both directions, without the dropped ones: the papers' count.
+  /// Number of edges in both directions, without the dropped ones: the papers' count.
   std::uint64_t directedEdgeCount() const { return 2 * (edges_.size() - dropped_.size()); }
 
  private:
@@ -60,9 +60,9 @@ class RoadmapGraph {
   std::vector<RoadmapNode> nodes_;
   std::vector<RoadmapEdge> edges_;
   std::vector<std::uint32_t> dropped_;
-  std::vector<std::vector<Link>> links_;  ///< per node, without dropped edges
+  std::vector<std::vector<Link>> links_;  ///< links of each node, without dropped edges
   std::vector<ComponentId> componentOf_;
-  std::vector<NearestNeighbours> members_;  ///< per component; empty once merged away
+  std::vector<NearestNeighbours> members_;  ///< nodes of each component; empty once merged away
 };
 
 }  // namespace glissade

@@ -5,10 +5,10 @@
 
 namespace glissade {
 
-/// One tree from the start (S. M. LaValle, "Rapidly-exploring random trees", 1998), as strategy G of
-/// paper 2 (section 6.1) uses it and as its local planner. Deviations: an extension goes straight as
-/// far as it is free instead of one fixed step, and ends off the obstacle, as our BiRRT's; one draw
-/// in twenty is the goal (LaValle and Kuffner 2001); the delivered path is certified.
+/// One tree from the start (S. M. LaValle, "Rapidly-exploring random trees", 1998), as in strategy G of paper 2
+/// (section 6.1) and as its local planner. Deviations: an extension goes straight up to the first obstacle instead of
+/// one fixed step, and ends off the obstacle, as in our BiRRT; one draw in twenty is the goal (LaValle and Kuffner
+/// 2001); the delivered path is certified.
 class Rrt final : public TreePlanner {
  public:
   /// Strategy G gives up at the parameter `global_samples`; a local planner goes on for ever.
@@ -22,7 +22,7 @@ class Rrt final : public TreePlanner {
 
  private:
   void iterate(PlannerHost& host);
-  /// The node at q, where the tree got there.
+  /// The node at q, if the tree reached it.
   std::optional<Node> growTo(const Pose& q, PlannerHost& host);
 
   Limit limit_;

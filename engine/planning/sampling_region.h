@@ -15,7 +15,7 @@ class SamplingRegion {
   /// `cells` ascending, not empty.
   SamplingRegion(const CellGrid& grid, std::vector<std::size_t> cells) : grid_(grid), cells_(std::move(cells)) {}
 
-  /// Uniform in the area.
+  /// Draws a position uniformly in the area.
   Vector3 sample(RandomStream& stream) const;
   bool contains(const Vector3& p_W) const;
 

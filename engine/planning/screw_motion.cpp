@@ -12,12 +12,12 @@
 namespace glissade {
 namespace {
 
-/// Straight motions of a full turn: the fewest with which the motion is free. The reference point moves on chords of
-/// its helix, which takes the object off its axis where it is far from it.
+/// Numbers of straight motions that replace a full turn. The smallest number with a free motion is taken. The reference
+/// point moves on chords of its helix, so that an object whose reference point is far from the axis leaves its axis.
 constexpr std::array<int, 5> kPieces{16, 32, 64, 128, 256};
-/// Of the pitch: how far apart two threads are when the object is free to move on.
+/// Distance of two threads at which the object may move on, in pitches.
 constexpr double kApart = 0.5;
-/// Threads turn together whose axes and pitches are as near as this, radians, metres, share.
+/// Largest differences of the axes and pitches of threads that turn together: radians, metres, share.
 constexpr double kSameDirection = 1e-4;
 constexpr double kSameAxis = 1e-5;
 constexpr double kSamePitch = 1e-6;
@@ -27,7 +27,7 @@ std::string quoted(const CollisionWorld& world, int body) {
   return "'" + world.obstacles()[static_cast<std::size_t>(body)].shown() + "'";
 }
 
-/// Those that the object is engaged in.
+/// The thread pairs in which the object is engaged.
 std::vector<const ThreadPair*> engagedPairs(const CollisionWorld& world, const Pose& at) {
   std::vector<const ThreadPair*> engaged;
   for (const ThreadPair& pair : world.threads()) {
@@ -36,7 +36,7 @@ std::vector<const ThreadPair*> engagedPairs(const CollisionWorld& world, const P
   return engaged;
 }
 
-/// One screw motion is one of both.
+/// True if one screw motion follows both threads.
 bool turnTogether(const ThreadRule& one, const ThreadRule& other) {
   const bool parallel = one.axis_W.cross(other.axis_W).norm() < kSameDirection;
   const bool coaxial = (other.point_W - one.point_W).cross(one.axis_W).norm() < kSameAxis;
@@ -51,7 +51,7 @@ std::vector<Pose> piecesOf(const ThreadRule& rule, const Pose& from, double adva
   return poses;
 }
 
-/// The first obstacle in the way of a motion, and after how much of it; nothing where it is free.
+/// The first obstacle on a motion, and the share of the motion before it; nothing where it is free.
 struct Blocking {
   int body;
   double share;
@@ -69,7 +69,7 @@ std::optional<Blocking> blockingOf(CollisionQuery& query, const std::vector<Pose
   return std::nullopt;
 }
 
-/// The fewest pieces with which the motion is free; else what blocks the finest one.
+/// A motion with the fewest pieces that is free; else the blocking of the finest one.
 struct Tried {
   std::vector<Pose> poses;
   std::optional<Blocking> blocking;
@@ -84,7 +84,7 @@ Tried tryScrew(CollisionQuery& query, const ThreadRule& rule, const Pose& from, 
     if (!blocking || stop.stopRequested()) return {std::move(tried.poses), blocking};
     const bool sameAsBefore = tried.blocking && blocking->share < tried.blocking->share * (1.0 + 1e-2) + 1e-3;
     tried.blocking = blocking;
-    if (sameAsBefore && perTurn >= kPieces[2]) break;  // finer pieces lead no farther
+    if (sameAsBefore && perTurn >= kPieces[2]) break;  // finer pieces get no farther
   }
   return tried;
 }
@@ -95,7 +95,7 @@ std::string joined(const CollisionWorld& world, const std::set<int>& bodies) {
   return names;
 }
 
-/// Advance along the axis of the first pair after which the object has left all of them.
+/// Advance along the axis of the first pair after which the object has left all pairs.
 double advanceOutOf(const std::vector<const ThreadPair*>& pairs, const Pose& from, double sense) {
   const ThreadRule& first = pairs.front()->rule();
   double farthest = 0.0;
@@ -106,7 +106,7 @@ double advanceOutOf(const std::vector<const ThreadPair*>& pairs, const Pose& fro
   return sense * (farthest + kApart * std::abs(first.pitch));
 }
 
-/// Why the object cannot be turned at all; empty where it can.
+/// The reason why the object cannot be turned at all; empty where it can.
 std::string whyHeld(const CollisionWorld& world, const std::vector<const ThreadPair*>& pairs, std::set<int>& holding) {
   for (const ThreadPair* pair : pairs) {
     if (!pair->rule().mayTurn) holding.insert(pair->rule().obstacle);
@@ -144,7 +144,7 @@ ScrewSearch findScrewWays(const CollisionWorld& world, CollisionQuery& query, co
     } else if (tried.blocking && tried.blocking->body >= 0) {
       blocking.insert(tried.blocking->body);
     } else if (!tried.blocking) {
-      blocking.insert(rule.obstacle);  // whole, the object does not fit there
+      blocking.insert(rule.obstacle);  // the object does not fit there without the rule of the threads
     }
   }
   std::stable_sort(search.ways.begin(), search.ways.end(),

@@ -9,31 +9,31 @@
 
 namespace glissade {
 
-/// A screw motion by which the object leaves all threads that it is engaged in.
+/// A screw motion by which the object leaves all threads in which it is engaged.
 struct ScrewWay {
-  std::vector<Pose> configurations;  ///< straight motions between them keep the rule of the threads
-  Vector3 direction_W;               ///< of the advance, unit
-  double turns = 0.0;                ///< about that direction, by the right hand
+  std::vector<Pose> configurations;  ///< configurations; the straight motions between them keep the rule of the threads
+  Vector3 direction_W;               ///< direction of the advance, unit
+  double turns = 0.0;                ///< turns about that direction, right-handed
 };
 
-/// The screw motions out of the threads that the object is engaged in.
+/// The screw motions out of the threads in which the object is engaged.
 struct ScrewSearch {
-  bool engaged = false;        ///< the object is in a thread at all
-  std::vector<ScrewWay> ways;  ///< free ones, the shortest first; at most one for each sense
-  std::vector<int> blockedBy;  ///< obstacles in the way of the others, or that hold the object; ascending
-  std::string why;             ///< where there is no way: why, with names of obstacles
+  bool engaged = false;        ///< the object is in at least one thread
+  std::vector<ScrewWay> ways;  ///< free motions, the shortest first; at most one for each sense
+  std::vector<int> blockedBy;  ///< obstacles that block the other motions, or hold the object; ascending
+  std::string why;             ///< reason, with names of obstacles, where there is no motion
 };
 
-/// Looks for both senses. Every motion keeps the required clearance (metres), as `query` says, which asks `world`.
+/// Searches in both senses. Every motion keeps the required clearance (metres) by `query`, which queries `world`.
 ScrewSearch findScrewWays(const CollisionWorld& world, CollisionQuery& query, const Pose& from, double required,
                           const StopToken& stop);
 
-/// The screw motion from one configuration in a thread to another one in the same; empty where none leads there or it
-/// is not free.
+/// The screw motion from one configuration in a thread to another one in the same thread; empty where there is none or
+/// it is not free.
 std::vector<Pose> screwBetween(const CollisionWorld& world, CollisionQuery& query, const Pose& from, const Pose& to,
                                double required, const StopToken& stop);
 
-/// The configurations as points of a path that the computer found.
+/// The configurations as path points whose author is the computer.
 std::vector<PathPoint> computedPoints(const std::vector<Pose>& configurations);
 
 }  // namespace glissade

@@ -5,19 +5,20 @@
 
 namespace glissade {
 
-/// The screw motions with which a path begins and ends.
+/// Finds the screw motions at the beginning and the end of a path.
 class ScrewWays {
  public:
   virtual ~ScrewWays() = default;
 
-  /// Out of the threads that the object is in there.
+  /// Screw motions out of the threads in which the object is at `from`.
   virtual ScrewSearch out(CollisionQuery& query, const Pose& from, double required, const StopToken& stop) const = 0;
-  /// From one configuration in a thread to another one in the same; empty where none leads there or it is not free.
+  /// The screw motion from one configuration in a thread to another one in the same thread; empty where there is none
+  /// or it is not free.
   virtual std::vector<Pose> between(CollisionQuery& query, const Pose& from, const Pose& to, double required,
                                     const StopToken& stop) const = 0;
 };
 
-/// Of threads that a person has marked (ThreadPair).
+/// Screw motions of the threads that a person has marked (ThreadPair).
 class MarkedThreadWays final : public ScrewWays {
  public:
   explicit MarkedThreadWays(CollisionWorldPtr world) : world_(std::move(world)) {}

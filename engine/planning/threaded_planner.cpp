@@ -6,7 +6,7 @@
 #include "engine/planning/path_certificate.h"
 
 namespace glissade {
-/// Collects what the other planner has grown before the run's host looks at it.
+/// Collects the nodes of the inner planner before the run's host sees them.
 class ThreadedPlanner::Host final : public PlannerHost {
  public:
   Host(PlannerHost& host, ThreadedPlanner& planner) : host_(host), planner_(planner) {}
@@ -41,7 +41,7 @@ bool ThreadedPlanner::solve(PlannerHost& host) {
   return solved && deliver(host, rest_->path()->points);
 }
 
-/// False where no planner is needed for the rest, or there is no way to it.
+/// Finds the screw motions. False if no planner is needed for the rest, or it cannot be reached.
 bool ThreadedPlanner::prepare(PlannerHost& host) {
   const double required = host.parameters()[ParameterId::RequiredClearance];
   const Pose* goal = std::get_if<Pose>(&problem_.goal);
@@ -71,7 +71,7 @@ bool ThreadedPlanner::prepare(PlannerHost& host) {
   return true;
 }
 
-/// The shortest way, of which the goal "out" is straight ahead if that is so of any.
+/// Finds the shortest screw motion; for the goal "out", one after which the way straight ahead is free is preferred.
 bool ThreadedPlanner::findWays(const Pose& end, PlannerHost& host, std::vector<Pose>& way) {
   const double required = host.parameters()[ParameterId::RequiredClearance];
   ScrewSearch search = ways_->out(*query_, end, required, host.stopToken());

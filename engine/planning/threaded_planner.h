@@ -7,8 +7,8 @@
 
 namespace glissade {
 
-/// Turns the object out of the threads that it is engaged in at the start, and into those at the goal, by screw motions
-/// of both senses; another planner plans the rest, where the object is whole against the threads. The path is
+/// Turns the object out of the threads in which it is engaged at the start, and into those at the goal, by screw
+/// motions of both senses; another planner plans the rest, where the rule of the threads does not hold. The path is
 /// certified as one. Where no screw motion is free there is no path.
 class ThreadedPlanner final : public Planner {
  public:
@@ -40,8 +40,8 @@ class ThreadedPlanner final : public Planner {
   std::unique_ptr<const ScrewWays> ways_;
   std::unique_ptr<CollisionQuery> query_;
   bool prepared_ = false;
-  std::vector<Pose> out_;  ///< from the start, to where the rest begins; empty: it begins there
-  std::vector<Pose> in_;   ///< likewise from the goal
+  std::vector<Pose> out_;  ///< from the start to the beginning of the rest; empty: the rest begins at the start
+  std::vector<Pose> in_;   ///< from the goal to the end of the rest; empty: the rest ends at the goal
   std::unique_ptr<Planner> rest_;
   std::vector<RoadmapNode> nodes_;
   std::vector<RoadmapEdge> edges_;

@@ -27,17 +27,19 @@ class TreePlanner : public Planner {
   /// One tree, from the start. `metric` measures the length of extensions and finds the nearest nodes.
   TreePlanner(const Problem& problem, const Se3Metric& metric);
 
-  /// How far an extension goes. Lengths are in the planner's metric (metres).
+  /// Limits of an extension. Lengths are in the planner's metric (metres).
   struct ExtensionRule {
-    double sampling = 0.0;  ///< distance of the configurations that are tried on the way
-    double grid = 0.0;      ///< an extension that is blocked ends at a multiple of it, off the obstacle
-    double least = 0.0;     ///< an extension that is blocked before this does not count
+    double sampling = 0.0;  ///< distance between the configurations that are tested on the way
+    double grid = 0.0;      ///< a blocked extension ends at a multiple of it, off the obstacle
+    double least = 0.0;     ///< a shorter blocked extension is discarded
     double range = std::numeric_limits<double>::infinity();  ///< longest extension
   };
   enum class Progress { Reached, Advanced, Blocked, Trapped };
   struct Extension {
-    Progress progress;  ///< q is reached; the range ends before q; an obstacle is before q; nothing is free
-    Pose end;           ///< of all but Trapped
+    /// Reached: q is reached; Advanced: the range ends before q; Blocked: an obstacle is before q; Trapped: nothing is
+    /// free.
+    Progress progress;
+    Pose end;  ///< end of the extension, except for Trapped
   };
   /// The straight extension from a node towards q, at `distance` (> 0) from it. Adds nothing to the roadmap.
   Extension extension(Node from, const Pose& q, double distance, const ExtensionRule& rule, PlannerHost& host);
@@ -46,7 +48,7 @@ class TreePlanner : public Planner {
   /// Certifies the way from the start to this node, where there is one, and makes it the path. An edge that cannot be
   /// certified is dropped from the search.
   Delivery deliverWay(Node goal, PlannerHost& host);
-  /// One tree from each configuration of the goal.
+  /// Adds one tree for each goal configuration.
   void addGoalRoots();
   void updateCounts();
 

@@ -22,23 +22,23 @@ Form formOf(const MeasureFeature& feature) {
   }
 }
 
-/// The point that stays while the body turns.
+/// The point of the body that stays fixed while it turns.
 const Vector3& pivotOf(const MeasureFeature& feature) {
   return feature.isTurned() || feature.kind == FeatureKind::Sphere ? feature.axisPoint : feature.picked;
 }
 
-/// `by` about a point that stays where it is.
+/// The rotation `by` about a fixed point.
 Pose turnAbout(const Vector3& point, const Quaternion& by) { return {point - by * point, by}; }
 
-/// The least turn that takes one unit vector to another. The second step mends the loss of digits of the first where
-/// the two are nearly opposite.
+/// The smallest rotation that takes one unit vector to another. The second step restores the digits that the first one
+/// loses for nearly opposite vectors.
 Quaternion leastTurn(const Vector3& from, const Vector3& to) {
   const Quaternion nearly = leastRotation(from, to).normalized();
   return (leastRotation(nearly * from, to) * nearly).normalized();
 }
 
-/// The direction across `line` that is nearest to `direction`. The second step mends the loss of digits where the two
-/// are nearly parallel.
+/// The direction perpendicular to `line` that is nearest to `direction`. The second step restores the digits that are
+/// lost for nearly parallel directions.
 Vector3 nearestAcross(const Vector3& direction, const Vector3& line) {
   constexpr double kParallel = 1e-12;
   Vector3 across = direction - direction.dot(line) * line;
@@ -47,7 +47,7 @@ Vector3 nearestAcross(const Vector3& direction, const Vector3& line) {
   return (across - across.dot(line) * line).normalized();
 }
 
-/// Of two lines, or two planes.
+/// The direction of the fixed line or plane that the moving one takes.
 Vector3 nearestAlong(const MeasureFeature& moving, const MeasureFeature& fixed, bool flipped) {
   const bool isLine = formOf(moving) == Form::Line;
   const bool opposite = (!isLine || moving.direction.dot(fixed.direction) < 0.0) != flipped;
@@ -61,7 +61,7 @@ bool isTangency(const MeasureFeature& moving, const MeasureFeature& fixed) {
   return rolls(moving) != rolls(fixed) && (formOf(moving) == Form::Plane) != (formOf(fixed) == Form::Plane);
 }
 
-/// How the body turns.
+/// The rotation of the body.
 Quaternion turnOf(const MeasureFeature& moving, const MeasureFeature& fixed, bool flipped) {
   if (formOf(moving) == Form::Point || formOf(fixed) == Form::Point) return Quaternion::Identity();
   if (formOf(moving) == formOf(fixed)) return leastTurn(moving.direction, nearestAlong(moving, fixed, flipped));
@@ -77,8 +77,7 @@ double tangentHeight(const MeasureFeature& round, bool flipped) {
   return round.isHole != flipped ? -round.radius : round.radius;
 }
 
-/// How far the body moves after it has turned. `apart`: from the moving pivot
-/// to the fixed one.
+/// The translation of the body after its rotation. `apart`: from the moving pivot to the fixed one.
 Vector3 shiftOf(const MeasureFeature& turned, const MeasureFeature& fixed, const Vector3& apart, bool flipped) {
   const Form movingForm = formOf(turned);
   const Form fixedForm = formOf(fixed);

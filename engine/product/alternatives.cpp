@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kInCommon = 0.5;
 
-/// A closed body, for asking whether points are inside.
+/// A closed body, for tests whether points are inside.
 struct FilledBody {
   SolidInterior interior;
   double volume;
@@ -23,7 +23,7 @@ struct FilledBody {
 
 class FilledBodies {
  public:
-  /// Null where the mesh is not closed.
+  /// Null if the mesh is not closed.
   const FilledBody* of(const MeshPtr& mesh) {
     auto [entry, isNew] = known_.try_emplace(mesh);
     if (isNew) {
@@ -44,8 +44,8 @@ double spread(int i, double step) {
   return value - std::floor(value);
 }
 
-/// Of the volume that both fill, cubic metres, by points in the box that they have in common. A pair that the first
-/// points show to be none is not looked at further.
+/// Estimates the common volume of two bodies, cubic metres, by points in their common box. Stops early if the first
+/// points show that it is too small.
 double commonVolume(const RigidBody& a, const FilledBody& inA, const RigidBody& b, const FilledBody& inB,
                     double wanted) {
   constexpr int kPoints = 4000;
@@ -66,8 +66,8 @@ double commonVolume(const RigidBody& a, const FilledBody& inA, const RigidBody& 
   return volume * inBoth / kPoints;
 }
 
-/// `boxes`: the volume that the bounding boxes have in common, cubic metres. Nothing where the bodies have less than
-/// half of the larger one in common.
+/// `boxes`: common volume of the bounding boxes, cubic metres. Nothing if the bodies share less than half of the larger
+/// one.
 std::optional<double> shareInCommon(const RigidBody& a, const RigidBody& b, double boxes, FilledBodies& solids) {
   const FilledBody* inA = solids.of(a.mesh);
   const FilledBody* inB = inA == nullptr ? nullptr : solids.of(b.mesh);

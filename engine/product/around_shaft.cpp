@@ -9,18 +9,18 @@
 namespace glissade {
 namespace {
 
-/// Holes that are wider by less than this share are as wide as the shaft.
+/// A hole counts as wide as the shaft if it is wider by less than this share.
 constexpr double kEqualShare = 0.02;
-/// Of a helix, a hole has different radii in one section.
+/// Least relative difference of the radii of a helix in one section.
 constexpr double kHelixShare = 0.06;
-/// Directions in which a body has to be around the shaft.
+/// Share of directions in which a body has to surround the shaft.
 constexpr double kLeastAround = 0.55;
-/// What is thinner than this, by the shaft's radius, is in the shaft rather than around it.
+/// Least thickness of a surrounding body, in radii of the shaft; a thinner one is in the shaft rather than around it.
 constexpr double kThickerThan = 1.15;
-/// A contact of this length counts, by the shaft's radius.
+/// Least length of a contact, in radii of the shaft.
 constexpr double kLeastContact = 0.1;
 
-/// Where the middle of a hole is from the axis in one section, and how wide the hole is.
+/// Offset of a hole's centre from the axis in one section, and the radius of the hole.
 struct HoleMiddle {
   Eigen::Vector2d offset = Eigen::Vector2d::Zero();
   double radius = 0.0;
@@ -42,8 +42,8 @@ HoleMiddle middleIn(const AxialSlab& slab) {
   return middle;
 }
 
-/// A hole that is beside the axis, by the same in all sections: a helix has its middle on another side in each. Its
-/// radius; nothing where it is no such hole.
+/// Radius of a hole beside the axis that has the same offset in all sections; nothing if there is none. The centre of a
+/// helix is on another side in each section.
 std::optional<double> misplacedHole(const std::vector<AxialSlab>& slabs, double shaft) {
   Eigen::Vector2d offset = Eigen::Vector2d::Zero();
   double apart = 0.0;
@@ -63,7 +63,7 @@ std::optional<double> misplacedHole(const std::vector<AxialSlab>& slabs, double 
   return radius;
 }
 
-/// The radius of a hole in a section: of a round one all that tessellation leaves, of a helix its crest.
+/// Radius of a hole in a section: the largest of a round hole, to ignore its tessellation; the crest of a helix.
 double radiusIn(const AxialSlab& slab) {
   const double wide = slab.nearestAt(0.95);
   const double narrow = slab.nearestAt(0.1);

@@ -10,31 +10,31 @@
 
 namespace glissade {
 
-/// The bodies of a product where it is assembled, and what a person says of their fits. Bodies of the same geometry
-/// share their mesh. Immutable while fits are found and sequences are planned.
+/// The assembled bodies of a product, and a person's statements about their fits. Bodies of the same geometry share
+/// their mesh. Immutable while fits are found and sequences are planned.
 struct AssembledProduct {
   std::vector<RigidBody> bodies;    ///< X_WB is the assembled configuration
-  std::vector<double> deflections;  ///< as of ContactBody, of each body
+  std::vector<double> deflections;  ///< see ContactBody::deflection; one entry for each body
   FitSettings fits;
-  std::vector<double> spacings{};  ///< of the coordinates, metres, of each body; empty: not known
-  Product tree{};                  ///< that the bodies are in; it may have others, too
-  /// Hooks that a person lets bend, in sequences: there a body leaves along the way that the person says.
+  std::vector<double> spacings{};  ///< spacing of the coordinates of each body, metres; empty: not known
+  Product tree{};                  ///< tree that contains the bodies; it may contain others, too
+  /// Hooks that a person permits to bend in sequences: the body leaves in the stated direction.
   std::vector<check::SnapWord> snaps{};
 
-  /// Nothing where no body has this id.
+  /// Nothing if no body has this id.
   std::optional<std::size_t> indexOf(const std::string& id) const;
-  /// What the file calls a body: its name in the tree, or its own where the tree does not hold it.
+  /// Name of the body in the file: its name in the tree, or the body's name if the tree does not contain it.
   const std::string& nameInFile(std::size_t body) const;
   double spacingOf(std::size_t body) const { return spacings.empty() ? 0.0 : spacings[body]; }
 };
 
-/// Body by body the same ids, meshes, places and fits.
+/// True if all bodies have the same ids, meshes and poses, and the fits are equal.
 bool isSameProduct(const AssembledProduct& a, const AssembledProduct& b);
 
-/// The bodies as findContacts() takes them, in their order.
+/// The bodies as findContacts() expects them, in their order.
 std::vector<ContactBody> contactBodiesOf(const AssembledProduct& product);
 
-/// The same bodies, each in a frame whose origin is the middle of its bounding box; meshes that were shared still are.
+/// The bodies with frames at the centres of their bounding boxes; meshes stay shared.
 std::vector<RigidBody> aboutTheirMiddles(std::vector<RigidBody> bodies);
 
 }  // namespace glissade

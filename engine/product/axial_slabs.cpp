@@ -14,15 +14,15 @@ namespace {
 
 constexpr double kNoSurface = std::numeric_limits<double>::infinity();
 constexpr double kAngleStep = 2.0 * std::numbers::pi / kAxialAngles;
-/// No direction and no height is that of a corner, as a rule.
+/// Offsets that usually avoid the directions and heights of corners.
 constexpr double kAngleOffset = 0.3719 * kAngleStep;
 constexpr double kHeightShare = 0.4871;
-/// Corners nearer to each other along the axis are at one height, as a share of the whole length.
+/// Corners within this share of the whole length count as one height.
 constexpr double kOneHeight = 1.0 / 400.0;
-/// So many heights of corners at most; of more, slabs are evenly spaced.
+/// Limit of the heights of corners; beyond it slabs are evenly spaced.
 constexpr std::size_t kMostHeights = 64;
 constexpr int kEvenSlabs = 96;
-/// No slab is longer than this share of the whole length.
+/// Largest length of a slab, as a share of the whole length.
 constexpr double kLongestSlab = 1.0 / 16.0;
 
 using Corners = std::vector<Triangle>;  ///< x, y about the axis, z along it
@@ -52,7 +52,7 @@ std::vector<double> evenHeights(double low, double high, int slabs) {
   return heights;
 }
 
-/// Where the corners are, without gaps that are too long.
+/// Heights of the corners, with heights added so that no slab is too long.
 std::vector<double> slabHeights(const Corners& corners, const AxialReach& reach) {
   const double length = reach.high - reach.low;
   std::vector<double> found{reach.low, reach.high};
@@ -78,7 +78,7 @@ std::vector<double> slabHeights(const Corners& corners, const AxialReach& reach)
   return heights;
 }
 
-/// The edge in which a triangle meets the plane of a height.
+/// The intersection of a triangle and the plane at a height.
 struct CutEdge {
   Eigen::Vector2d from;
   Eigen::Vector2d to;
@@ -99,7 +99,7 @@ CutEdge cutAt(const Triangle& triangle, double height) {
 
 double crossOf(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// How often the nearest surface leads out of the body, less how often it leads into it.
+/// Number of directions in which the nearest surface leads out of the body, minus those in which it leads into it.
 using Votes = std::vector<std::array<int, kAxialAngles>>;
 
 void noteEdge(CutEdge edge, bool outwards, double reach, AxialSlab& slab, std::array<int, kAxialAngles>& votes) {

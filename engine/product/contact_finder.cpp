@@ -18,10 +18,10 @@ using Label = SurfaceRegions::Label;
 using LabelKind = SurfaceRegions::Kind;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// Fitted surfaces that are nearer to each other touch, metres: what fitting and rounding leave.
+/// Fitted surfaces within this distance touch, metres: tolerance for fitting and rounding.
 constexpr double kTouching = 3e-6;
 
-/// Everything that is learned from the pairs of triangles that are near.
+/// Compares the near triangles of two bodies.
 class PairExaminer {
  public:
   PairExaminer(const PreparedBody& a, const PreparedBody& b, const ContactLimits& limits)
@@ -43,11 +43,11 @@ class PairExaminer {
     return (static_cast<std::uint64_t>(label.kind) << 32U) | label.index;
   }
 
-  /// What nested cones, balls and tori have to do with each other.
+  /// Contact of nested cones, balls and tori.
   struct Nested {
     bool touches = false;
-    double overlap = 0.0;  ///< the largest
-    double radius = 0.0;   ///< of the inner one, there
+    double overlap = 0.0;  ///< the largest overlap
+    double radius = 0.0;   ///< radius of the inner one at that overlap
     std::optional<ContactAxis> axis{};
 
     void take(const RegionPair& exact) {
@@ -64,10 +64,10 @@ class PairExaminer {
     std::optional<RegionPair> exact;
     Label labelA;
     Label labelB;
-    bool beside = false;     ///< of `exact`: they are beside each other
+    bool beside = false;     ///< the surfaces of `exact` are beside each other
     bool meet = false;       ///< triangles meet
-    double gap = kInfinity;  ///< between triangles that do not meet
-    double deviation = 0.0;  ///< of both surfaces from their triangles
+    double gap = kInfinity;  ///< gap between triangles that do not meet
+    double deviation = 0.0;  ///< deviation of both surfaces from their triangles
   };
 
   void takePair(std::uint32_t i, std::uint32_t k) {
@@ -119,7 +119,7 @@ class PairExaminer {
                (freeGap_ <= freeUnsure_ + kTouching && !(exactGap_ > kTouching && fromExact_))) {
       set(ContactKind::Contact, 0.0, tangentTouch_ || nested_.touches ? 0.0 : freeUnsure_);
     } else {
-      // Where the same gap was found both ways, the exact one counts.
+      // If both methods found the same gap, the exact value counts.
       const bool same = fromExact_ && std::abs(exactGap_ - freeGap_) <= unsure_;
       const double gap = same ? exactGap_ : std::min(exactGap_, freeGap_);
       if (gap <= limits_.clearanceUpTo) set(ContactKind::Clearance, gap, gap == exactGap_ ? 0.0 : freeUnsure_);
@@ -143,7 +143,7 @@ class PairExaminer {
     }
     for (const auto& [key, near] : near_) {
       if (near.exact) continue;
-      // The rim of a hole that its shaft does not fill seems to touch the shaft where triangles are coarse.
+      // With coarse triangles, the rim of a hole seems to touch a shaft that does not fill it.
       const double gap = near.meet ? 0.0 : near.gap;
       if (gap - near.deviation >= freeGap_ - freeUnsure_) continue;
       freeGap_ = gap;
@@ -152,8 +152,8 @@ class PairExaminer {
     }
   }
 
-  /// The least gap of these triangles may be that of surfaces that were compared exactly: a rim of a plane or a
-  /// cylinder, or of a round surface that the exact gap is of.
+  /// True if surfaces that were compared exactly explain the least gap of these triangles: a rim of a plane or a
+  /// cylinder, or of a round surface with the exact gap.
   bool isExplained(const Near& near) const {
     const auto isKnown = [](const Label& label) {
       return label.kind == LabelKind::Plane || label.kind == LabelKind::Cylinder;
@@ -163,7 +163,7 @@ class PairExaminer {
            apartB_.count(numberOf(near.labelB)) > 0;
   }
 
-  /// A shaft thicker than its hole where no body is between the two radii: a surface that is inside out has no hole.
+  /// True if no body is between the radii of a shaft and its narrower hole: a surface that is inside out has no hole.
   bool isEmptyBetween(const Near& near) const {
     const RegionPair& exact = *near.exact;
     if (exact.gap >= -kTouching || a_.depth() == nullptr || b_.depth() == nullptr) return false;
@@ -171,7 +171,7 @@ class PairExaminer {
     return exact.kind == RegionPair::Kind::Coaxial && !isFilledByBoth(*exact.axis);
   }
 
-  /// Shafts thicker than their coaxial holes: their triangles need not be near each other.
+  /// Finds shafts thicker than their coaxial holes, whose triangles need not be near each other.
   void findThreads() {
     if (!meet_ || a_.depth() == nullptr || b_.depth() == nullptr) return;
     for (std::uint32_t i = 0; i < a_.regions.cylinders.size(); ++i) {
@@ -187,7 +187,8 @@ class PairExaminer {
     }
   }
 
-  /// Cones, balls and tori thicker than what they lie in: their triangles need not be near each other.
+  /// Finds cones, balls and tori that are thicker than the surface around them; their triangles need not be near each
+  /// other.
   void findNestedOverlaps() {
     if (!meet_ || a_.depth() == nullptr || b_.depth() == nullptr) return;
     for (std::uint32_t i = 0; i < a_.regions.rounds.size(); ++i) {
@@ -203,8 +204,8 @@ class PairExaminer {
     }
   }
 
-  /// Some point between the two nested surfaces is inside both bodies: below the inner one's triangles, near a corner,
-  /// by half the overlap.
+  /// True if a point between the two nested surfaces is inside both bodies: below the inner one's triangles, near a
+  /// corner, by half of the overlap.
   bool isFilledByBoth(const Label& labelA, const Label& labelB, double gap) const {
     constexpr double kTowardsMiddle = 0.1;
     const bool innerIsA = a_.regions.rounds[labelA.index].shaft;
@@ -226,7 +227,7 @@ class PairExaminer {
     return false;
   }
 
-  /// Some point between the two radii is inside both bodies.
+  /// True if a point between the two radii is inside both bodies.
   bool isFilledByBoth(const ContactAxis& axis) const {
     constexpr int kAngles = 12;
     const Vector3 u = axis.direction.unitOrthogonal();
@@ -256,8 +257,8 @@ class PairExaminer {
     }
   }
 
-  /// Of the body in which the other is less deep: thinning either one ends the overlap. Looks for more than what the
-  /// fitted surfaces and tessellation explain.
+  /// Measures the depth in the body in which the other is less deep, because thinning either one ends the overlap.
+  /// Searches depths beyond those that fitted surfaces and tessellation explain.
   void measureDepth() {
     if (!meet_ && !a_.tree.box().intersects(b_.tree.box())) return;
     const SolidDepth* solidA = a_.depth();
@@ -276,7 +277,7 @@ class PairExaminer {
       thickness_ = std::max(solidA->thicknessBelow(a_.tree.triangles()[inA->triangle]),
                             solidB->thicknessBelow(b_.tree.triangles()[inB->triangle]));
     } else if (!meet_ && (inA || inB)) {
-      deepest_ = inA ? inA->depth : inB->depth;  // one lies wholly inside the other
+      deepest_ = inA ? inA->depth : inB->depth;  // one body is completely inside the other
     }
   }
 
@@ -309,7 +310,7 @@ class PairExaminer {
   std::set<std::uint64_t> coincidentA_;  ///< labels of surfaces that coincide with one of the other body
   std::set<std::uint64_t> coincidentB_;
   bool meet_ = false;
-  bool meetsExactly_ = false;  ///< of planes: their triangles are not off them
+  bool meetsExactly_ = false;  ///< planes meet: their triangles do not deviate from them
   bool planarTouch_ = false;
   bool coaxialTouch_ = false;
   bool tangentTouch_ = false;

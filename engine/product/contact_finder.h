@@ -12,25 +12,25 @@
 
 namespace glissade {
 
-/// A body prepared for comparing it with others, in the world frame.
+/// A body prepared for comparisons with others, in the world frame.
 struct PreparedBody {
   TriangleMesh mesh;
   TriangleTree tree;
   SurfaceRegions regions;
-  double deflection = 0.0;  ///< as of ContactBody
-  double deviation = 0.0;   ///< metres that any of its triangles may be off the true surface
-  mutable std::optional<std::optional<SolidDepth>> solid;  ///< once it was needed
+  double deflection = 0.0;  ///< see ContactBody::deflection
+  double deviation = 0.0;   ///< largest deviation of its triangles from the true surface, metres
+  mutable std::optional<std::optional<SolidDepth>> solid;  ///< set at first use
 
   PreparedBody(TriangleMesh mesh_W, SurfaceRegions regions_W, double deflection_);
 
-  /// Null where the mesh is not closed.
+  /// Null if the mesh is not closed.
   const SolidDepth* depth() const;
-  /// Metres that triangles of this label may be off the true surface.
+  /// Largest deviation of triangles of this label from the true surface, metres.
   double deviationOf(const SurfaceRegions::Label& label) const;
 };
 
-/// What two bodies have to do with each other; nothing where they are farther apart than `limits.clearanceUpTo`.
-/// Indices of the contact are left 0.
+/// The contact of two bodies; nothing if they are farther apart than `limits.clearanceUpTo`. Indices of the contact are
+/// left 0.
 std::optional<Contact> contactOf(const PreparedBody& a, const PreparedBody& b, const ContactLimits& limits);
 
 }  // namespace glissade

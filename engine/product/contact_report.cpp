@@ -19,7 +19,7 @@ constexpr std::array<std::pair<ContactKind, const char*>, 8> kKindNames{{{Contac
                                                                          {ContactKind::Contact, "contact"},
                                                                          {ContactKind::Clash, "clash"}}};
 
-/// Of all pairs of so many bodies, the share that comes before the pairs of this one.
+/// Share of all pairs of `bodies` bodies that comes before the pairs of this body.
 double shareOfPairs(std::size_t body, std::size_t bodies) {
   const auto count = static_cast<double>(bodies);
   const auto rest = static_cast<double>(bodies - body);

@@ -13,7 +13,7 @@ bool isScrew(const TurnedShape& shape) {
   return shape.kind == TurnedKind::Screw || shape.kind == TurnedKind::SetScrew || shape.kind == TurnedKind::Rod;
 }
 
-/// Where a point is about the thread's axis.
+/// Position of a point about the thread's axis.
 struct InThread {
   InThread(const check::ThreadCore& core, const Vector3& p) : across(p - core.point) {
     const double along = across.dot(core.axis);
@@ -25,7 +25,7 @@ struct InThread {
   bool isWithin = false;
 };
 
-/// What touches the shaft beside its thread leaves so much room.
+/// Allowances of faces of the shaft beside the thread that touch the other body.
 std::vector<double> besideThread(const CoreSide& shaft, const CoreSide& hole, const check::ThreadCore& core) {
   const double touching = core.spacing + core.margin + shaft.placed.largestDeflection + hole.placed.largestDeflection;
   const std::vector<bool> ofThread = check::trianglesOfThread(shaft.placed.mesh, core);
@@ -36,7 +36,7 @@ std::vector<double> besideThread(const CoreSide& shaft, const CoreSide& hole, co
   return allowances;
 }
 
-/// Corners of the teeth go onto the core; those that they share with shank or head stay.
+/// Moves corners of the teeth onto the core; corners that they share with shank or head stay.
 TriangleMesh ontoCore(TriangleMesh mesh, const check::ThreadCore& core) {
   std::vector<Vector3> moved = mesh.vertices;
   for (Vector3& p : moved) {

@@ -11,10 +11,10 @@
 
 namespace glissade {
 
-/// The pitches of threads that are modelled on shafts, each found once, for any number of threads of the program.
+/// Pitches of threads that are modelled on shafts, each found once. Thread-safe.
 class ModelledPitches {
  public:
-  /// Metres a turn; nothing where the body is no screw, or has no helix.
+  /// Metres a turn; nothing if the body is no screw, or has no helix.
   std::optional<double> of(const MeshPtr& mesh);
 
  private:
@@ -22,23 +22,23 @@ class ModelledPitches {
   std::map<MeshPtr, std::optional<double>> pitches_;
 };
 
-/// One body of a pair where it is assembled.
+/// An assembled body of a pair.
 struct CoreSide {
   ContactBody body;
   const check::PlacedBody& placed;
-  const check::AllowanceBound& bound;  ///< what the evidence gives, were the overlap no clash
+  const check::AllowanceBound& bound;  ///< bounds of the evidence, if the overlap were no clash
 };
 
 /// A shaft whose thread is taken away against one other body.
 struct CoreFit {
   check::ThreadCore core;  ///< world frame
-  MeshPtr mesh;            ///< what is left of the shaft, in its frame
-  ContactAxis axis;        ///< of both; the shaft is `a`
+  MeshPtr mesh;            ///< remainder of the shaft, in its frame
+  ContactAxis axis;        ///< common axis; the shaft is `a`
 };
 
-/// Where the thread of a shaft is modelled as a helix and its hole is drawn narrower than the crests, no face of either
-/// body has place for the overlap: the teeth are thin, and so may be the nut. The thread is taken away where the judge
-/// finds it (check::threadCoreOf()), and faces beside it are taken thinner by what they touch. `pitch`: metres a turn.
+/// If the thread of a shaft is modelled as a helix and its hole is drawn narrower than the crests, neither body has
+/// room for the overlap: the teeth are thin, and the nut may be, too. The thread is taken away where the judge finds it
+/// (check::threadCoreOf()), and touching faces beside it get an allowance. `pitch`: metres a turn.
 std::optional<CoreFit> coreFitOf(const CoreSide& shaft, const CoreSide& hole, double pitch, ThinnableBodies& thinnable);
 
 }  // namespace glissade

@@ -7,13 +7,13 @@
 namespace glissade {
 namespace {
 
-/// Share of the second of the largest eigenvalue of the normals' matrix: below, the facets are one plane.
+/// Ratio of the second to the largest eigenvalue of the normals' matrix below which the facets are one plane.
 constexpr double kTurning = 1e-3;
-/// Share of the radius that a first estimate may be off before it is refined.
+/// Share of the radius by which a first estimate may deviate before it is refined.
 constexpr double kRoughly = 0.1;
 constexpr int kRefinements = 8;
 
-/// The direction that the normals are across.
+/// The direction to which the normals are perpendicular.
 std::optional<Vector3> axisOf(const std::vector<Vector3>& normals) {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   for (const Vector3& normal : normals) sum += normal * normal.transpose();
@@ -22,7 +22,7 @@ std::optional<Vector3> axisOf(const std::vector<Vector3>& normals) {
   return Vector3(solver.eigenvectors().col(0));
 }
 
-/// Circle through the points seen along the axis (I. Kasa, 1976).
+/// The circle through the points in the projection along the axis (I. Kasa, 1976).
 std::optional<FittedCylinder> circleAbout(const std::vector<Vector3>& points, const Vector3& axis) {
   const Vector3 u = axis.unitOrthogonal();
   const Vector3 v = axis.cross(u);
@@ -51,7 +51,7 @@ double largestError(const FittedCylinder& cylinder, const std::vector<Vector3>& 
   return largest;
 }
 
-/// One step of Gauss and Newton on the distances from the surface, over position, direction and radius.
+/// One Gauss-Newton step on the distances from the surface, over position, direction and radius.
 void refine(FittedCylinder& cylinder, const std::vector<Vector3>& points) {
   using Vector5 = Eigen::Matrix<double, 5, 1>;
   const Vector3 u = cylinder.direction.unitOrthogonal();
@@ -70,7 +70,7 @@ void refine(FittedCylinder& cylinder, const std::vector<Vector3>& points) {
     normal += row * row.transpose();
     right += row * (cylinder.radius - distance);
   }
-  // A flat direction of the sum (all points at one height) stays as it is.
+  // If all points are at one height, the singular direction of the sum stays fixed.
   normal.diagonal().array() += 1e-12 * normal.trace();
   const Vector5 step = normal.ldlt().solve(right);
   if (!step.allFinite()) return;

@@ -15,8 +15,8 @@ struct FittedCylinder {
   double distanceFromAxis(const Vector3& p) const { return (p - point).cross(direction).norm(); }
 };
 
-/// The cylinder through the points in the least squares' sense, from the normals of its facets: nothing where the
-/// normals do not turn about one axis, or a point is farther than `tolerance` (metres) off.
+/// The least squares' cylinder through the points, from the normals of its facets. Nothing if the normals do not turn
+/// about one axis, or if a point is farther from it than `tolerance` (metres).
 std::optional<FittedCylinder> fitCylinder(const std::vector<Vector3>& points, const std::vector<Vector3>& normals,
                                           double tolerance);
 

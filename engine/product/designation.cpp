@@ -15,7 +15,7 @@
 namespace glissade {
 namespace {
 
-/// What the keys of hexagon sockets depend on, beside the diameter.
+/// The table that gives the key of a hexagon socket for a diameter.
 enum class KeyTable { None, Cap, Button, Set, Wrench };
 
 struct StandardRow {
@@ -35,7 +35,7 @@ constexpr auto kHexDrive = DriveKind::HexOutside;
 constexpr auto kTapping = ThreadFamily::Tapping;
 constexpr auto kWood = ThreadFamily::Wood;
 
-/// Of the standards' titles.
+/// Parts and drives, by the standards' titles.
 constexpr std::array kStandards{StandardRow{"4762", kIso, Screw, kSocketDrive, KeyTable::Cap},
                                 StandardRow{"912", kDin, Screw, kSocketDrive, KeyTable::Cap},
                                 StandardRow{"7984", kDin, Screw, kSocketDrive, KeyTable::Button},
@@ -144,7 +144,7 @@ constexpr std::array kStandards{StandardRow{"4762", kIso, Screw, kSocketDrive, K
                                 StandardRow{"3760", kDin, Seal, DriveKind::None, KeyTable::None},
                                 StandardRow{"3771", kDin, Seal, DriveKind::None, KeyTable::None}};
 
-/// Words of names; capitals, spaces, hyphens and underscores make no difference.
+/// Words of names; capitals, spaces, hyphens and underscores are ignored.
 struct WordRow {
   std::string_view word;
   StandardPart part;
@@ -153,7 +153,7 @@ struct WordRow {
   ThreadFamily threads = ThreadFamily::Metric;
 };
 
-/// The first that is in the name counts.
+/// The first of these words in the name counts.
 constexpr std::array kWords{WordRow{"heat-set", Insert, DriveKind::None, KeyTable::None},
                             WordRow{"heat insert", Insert, DriveKind::None, KeyTable::None},
                             WordRow{"threaded insert", Insert, DriveKind::None, KeyTable::None},
@@ -225,7 +225,7 @@ constexpr std::array kWords{WordRow{"heat-set", Insert, DriveKind::None, KeyTabl
                             WordRow{"rondelle", Washer, DriveKind::None, KeyTable::None},
                             WordRow{"nut", Nut, DriveKind::None, KeyTable::None}};
 
-/// Millimetres across the flats: ISO 4762, ISO 7380, ISO 4026, ISO 4017 (DIN 933 differs at M10, M12 and M14).
+/// Widths across flats, millimetres: ISO 4762, ISO 7380, ISO 4026, ISO 4017 (DIN 933 differs at M10, M12 and M14).
 struct KeyRow {
   double diameter;
   double cap;
@@ -265,10 +265,10 @@ double keyFor(KeyTable table, double diameter) {
 }
 
 constexpr double kInch = 25.4e-3;
-/// Sizes that differ by less are one, as a share: "ST4.2" has 4.22 mm.
+/// Relative difference within which sizes are equal: "ST4.2" has 4.22 mm.
 constexpr double kSameSize = 0.02;
 
-/// Characters of a name that are looked at: patterns take memory by the length.
+/// Number of characters of a name that are searched: patterns take memory by its length.
 constexpr std::size_t kLongestName = 200;
 
 double numberIn(const std::string& text) {
@@ -281,7 +281,7 @@ double numberIn(const std::string& text) {
   return value;
 }
 
-/// What a size in a name says, and how it is written.
+/// The size in a name, and its text.
 struct SizeText {
   std::string text{};
   double diameter = 0.0;
@@ -289,7 +289,7 @@ struct SizeText {
   double pitch = 0.0;
 };
 
-/// A second number of up to this share of the diameter is a pitch: no screw is so short.
+/// A second number up to this share of the diameter is a pitch, because no screw is so short.
 constexpr double kMostPitch = 0.3;
 
 /// "M3x8", "M8 x 1.25 x 30", "M10x1.5", "M3".
@@ -298,7 +298,7 @@ std::optional<SizeText> metricSize(const std::string& name) {
       R"((?:^|[^A-Za-z0-9])[Mm] ?(\d{1,2}(?:[.,]\d{1,2})?)(?:\s*[xX*]\s*(\d{1,3}(?:[.,]\d{1,2})?))?(?:\s*[xX*]\s*(\d{1,3}(?:[.,]\d{1,2})?))?(?![0-9]))");
   std::smatch match;
   for (std::sregex_iterator each(name.begin(), name.end(), pattern), end; each != end; ++each) {
-    // "M5_M5 x 20": the one that says most.
+    // "M5_M5 x 20": the more complete size counts.
     const bool saysMore = match.empty() || (!match[2].matched && (*each)[2].matched);
     if (saysMore) match = *each;
   }
@@ -317,7 +317,7 @@ std::optional<SizeText> metricSize(const std::string& name) {
   return size;
 }
 
-/// The size of the unified threads that has a diameter (metres); null: none has.
+/// The unified size of this diameter (metres); null if there is none.
 const ThreadSize* unifiedOf(double diameter) {
   const ThreadSize& nearest = nearestThreadSize(ThreadFamily::Unified, diameter);
   return std::abs(nearest.diameter - diameter) < 1e-3 * diameter ? &nearest : nullptr;
@@ -347,14 +347,14 @@ std::optional<SizeText> unifiedSize(const std::string& name) {
     }
     const auto isOne = [&](double pitch) { return std::abs(size.pitch - pitch) < 1e-3 * size.pitch; };
     const bool isStandard = isOne(known->pitch) || isOne(known->finePitch);
-    // "10-32" alone may be any numbers.
+    // "10-32" alone may be any two numbers.
     const bool isSure = isFraction || match[1].matched || (isStandard && (match[7].matched || match[8].matched));
     if (isSure && size.pitch > 0.0) return size;
   }
   return std::nullopt;
 }
 
-/// "ST4.2x35"; of a screw that is one by its standard or its word (`isKnown`), "4.2 x 35", too.
+/// "ST4.2x35", and "4.2 x 35" for a screw that its standard or a word identifies (`isKnown`).
 std::optional<SizeText> sizeOfFamily(const std::string& name, ThreadFamily family, bool isKnown) {
   static const std::regex pattern(
       R"((?:^|[^A-Za-z0-9.,])(ST ?)?(\d{1,2}(?:[.,]\d{1,2})?)(?:\s*[xX*]\s*(\d{1,3}(?:[.,]\d{1,2})?))?(?![0-9]))");
@@ -373,7 +373,7 @@ std::optional<SizeText> sizeOfFamily(const std::string& name, ThreadFamily famil
   return std::nullopt;
 }
 
-/// Of a screw that cuts its thread, the pitch is that of its family whatever its size is called: "M3x10 self-tapping".
+/// A screw that cuts its thread has the pitch of its family, whatever the name of its size: "M3x10 self-tapping".
 std::optional<SizeText> sizeIn(const std::string& name, ThreadFamily family) {
   auto size = metricSize(name);
   if (!size) size = unifiedSize(name);
@@ -443,7 +443,7 @@ Designation complete(StandardPart part, DriveKind drive, KeyTable keys, const st
   return found;
 }
 
-/// The last word of a name says what a thing is.
+/// True if this is the last word of the name, which says what a part is.
 bool isLastWord(const std::string& name, std::string_view word) {
   std::string letters;
   for (const char c : name) letters += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -454,7 +454,7 @@ bool isLastWord(const std::string& name, std::string_view word) {
   return isWhole && letters.compare(first, word.size(), word) == 0;
 }
 
-/// As a large maker names them: standoffs SO-M3-6, BSO-M3-8, SOS-M4-10, nuts CLS-M3-1, S-M4-2, SP-M5-1.
+/// Names of a large maker: standoffs SO-M3-6, BSO-M3-8, SOS-M4-10, nuts CLS-M3-1, S-M4-2, SP-M5-1.
 bool isSelfClinching(const std::string& name) {
   static const std::regex pattern(R"((^|[^A-Za-z0-9])(B?SO[SA4]?|TSO[SA]?|CLSS?|CLA|SP?)-M\d+(-\d+)?($|[^A-Za-z0-9]))");
   return std::regex_search(name, pattern);
@@ -465,7 +465,7 @@ std::optional<Designation> readByWord(const std::string& name) {
   for (const WordRow& row : kWords) {
     if (plain.find(plainWord(std::string(row.word))) == std::string::npos) continue;
     const auto size = sizeIn(name, row.threads);
-    // A common word is a hint where a size stands beside it, or where it is the last one.
+    // A common word is a hint only beside a size, or as the last word.
     const bool isCommon = row.word == "nut" || row.word == "bolt" || row.word == "shim";
     if (isCommon && !size && !isLastWord(name, row.word)) continue;
     if (row.part == StandardPart::Bearing) {

@@ -9,17 +9,17 @@ namespace glissade {
 namespace {
 
 constexpr double kDirectionStep = 2.0 * std::numbers::pi / kAxialAngles;
-/// Flats are equally far from the axis within this share.
+/// Relative spread within which the distances of flats are equal.
 constexpr double kFlatSpread = 0.02;
-/// So large a share of the directions may be off the flats: corners that are cut.
+/// Largest share of directions off the flats, for corners that are cut.
 constexpr double kCutCorners = 0.2;
-/// Phases of a prism that are tried between two directions.
+/// Number of phases of a prism that are tried between two directions.
 constexpr int kPhases = 5;
-/// A slot is no wider than this share of its length, and of the head.
+/// Largest ratio of a slot's width to its length, and to the head.
 constexpr double kSlotShare = 0.5;
-/// Radii of one period may differ so much from those of the next.
+/// Relative difference of radii one period apart.
 constexpr double kPeriodShare = 0.12;
-/// The largest by the least radius of a cross, of six lobes.
+/// Ratios of the largest to the least radius of a cross and of six lobes.
 constexpr double kLeastCross = 1.45;
 constexpr double kLeastLobes = 1.12;
 constexpr double kMostLobes = 1.7;
@@ -42,8 +42,8 @@ bool isFinite(const std::vector<double>& radii) {
   return std::all_of(radii.begin(), radii.end(), [](double r) { return std::isfinite(r) && r > 0.0; });
 }
 
-/// Distances of the flats, of a prism that is turned by the phase. Corners that are cut seem nearer: their distances
-/// are turned into larger ones, so that those may be left out.
+/// Distances of the flats of a prism that is turned by the phase. Corners that are cut seem nearer: their distances are
+/// turned into larger ones, so that they can be left out.
 Spread flatDistances(const std::vector<double>& radii, int sides, double phase) {
   const double side = 2.0 * std::numbers::pi / sides;
   std::vector<double> distances;
@@ -61,7 +61,7 @@ Spread flatDistances(const std::vector<double>& radii, int sides, double phase) 
   return spread;
 }
 
-/// Each radius is about that of the direction a period later.
+/// True if each radius is about equal to the one a period later.
 bool hasPeriod(const std::vector<double>& radii, int periods) {
   const std::size_t shift = radii.size() / static_cast<std::size_t>(periods);
   std::size_t alike = 0;
@@ -72,9 +72,9 @@ bool hasPeriod(const std::vector<double>& radii, int periods) {
   return static_cast<double>(alike) >= 0.9 * static_cast<double>(radii.size());
 }
 
-/// Two parallel walls that are open, or far away, in the direction along them.
+/// Width between two parallel walls that are open, or far away, along their direction.
 std::optional<double> slotWidth(const std::vector<double>& radii, double head) {
-  constexpr double kNearEnd = 0.35;  // radians from the slot's direction in which its end may be
+  constexpr double kNearEnd = 0.35;  // angle from the slot's direction within which its end is searched, radians
   for (int step = 0; step < kPhases * kAxialAngles / 2; ++step) {
     const double phase = step * kDirectionStep / kPhases;
     std::vector<double> distances;

@@ -11,24 +11,24 @@
 namespace glissade {
 namespace {
 
-/// Least by largest radius of a section: a box of two to one has less.
+/// Least ratio of the least to the largest radius of a round section; a box of two to one has less.
 constexpr double kLeastRound = 0.42;
 constexpr double kLeastRoundShaft = 0.7;
 /// Share of the length in which sections have to be round.
 constexpr double kRoundLength = 0.8;
-/// Radii within this share are one.
+/// Relative difference within which radii are equal.
 constexpr double kOneRadius = 0.06;
 constexpr double kLeastHeadRadius = 1.22;
 constexpr double kMostHeadRadius = 4.0;
 constexpr double kMostHeadLength = 0.8;
-constexpr double kMostDome = 0.15;      ///< of the length
-constexpr double kMostNutHeight = 1.6;  ///< by its outer diameter
+constexpr double kMostDome = 0.15;      ///< share of the length
+constexpr double kMostNutHeight = 1.6;  ///< ratio to the outer diameter
 constexpr double kMostRingRadius = 6.0;
-/// Length by radius of a screw without a head.
+/// Least ratio of length to radius of a screw without a head.
 constexpr double kLeastSetScrew = 0.8;
-/// A prism is this long at least, as a share of the nut or the head.
+/// Least length of a prism, as a share of the nut or the head.
 constexpr double kPrismShare = 0.25;
-/// Where the spreads of a surface are about equal, they have no direction.
+/// Spreads of a surface within this ratio are about equal, and give no direction.
 constexpr double kCompactShare = 0.4;
 constexpr std::size_t kMostDirections = 6;
 /// Bodies of more are no small fasteners, and finding their cylinders takes long.
@@ -41,11 +41,11 @@ constexpr double kNearAxisShare = 0.3;
 
 struct MainAxes {
   Vector3 centre = Vector3::Zero();
-  double share = 1.0;                   ///< of the largest of the three spreads that the least one has
-  std::array<Vector3, 3> directions{};  ///< the one that is most unlike the others first
+  double share = 1.0;                   ///< ratio of the least to the largest of the three spreads
+  std::array<Vector3, 3> directions{};  ///< the direction that is most unlike the others comes first
 };
 
-/// Of the surface: where a body has symmetry about an axis, that is one of them.
+/// The main axes of the surface. If a body is symmetric about an axis, that axis is one of them.
 MainAxes mainAxesOf(const TriangleTree& tree) {
   const Vector3 about = tree.box().center();
   double area = 0.0;
@@ -100,7 +100,7 @@ bool isRoundEnough(const std::vector<AxialSlab>& slabs) {
   return round >= kRoundLength * all;
 }
 
-/// The axis of the longest cylinder that is nearly the main one; else that.
+/// The axis of the longest cylinder near the rough axis; the rough axis if there is none.
 AxisLine exactAxis(const TriangleMesh& mesh, const AxisLine& rough, double radius) {
   const SurfaceRegions regions = findSurfaceRegions(welded(mesh));
   const CylinderRegion* longest = nullptr;
@@ -131,13 +131,13 @@ TurnedShape mirrored(TurnedShape shape) {
   return shape;
 }
 
-/// What has a radius, and how much of the length.
+/// A radius, and the length that has it.
 struct RadiusLength {
   double radius = 0.0;
   double length = 0.0;
 };
 
-/// The one that half of the length has, or less.
+/// The median radius by length.
 double middleRadius(std::vector<RadiusLength> parts) {
   std::sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.radius < b.radius; });
   double all = 0.0;
@@ -150,7 +150,7 @@ double middleRadius(std::vector<RadiusLength> parts) {
   return 0.0;
 }
 
-/// The slabs that are about as wide as this one.
+/// The slabs that are about as wide as this radius.
 RadiusLength alikeOf(const std::vector<AxialSlab>& slabs, double radius) {
   std::vector<RadiusLength> alike;
   double length = 0.0;
@@ -162,7 +162,7 @@ RadiusLength alikeOf(const std::vector<AxialSlab>& slabs, double radius) {
   return {middleRadius(std::move(alike)), length};
 }
 
-/// The radii that a shaft may have; the one of the longest part first.
+/// Possible radii of a shaft; the one with the greatest length first.
 std::vector<double> shaftRadii(const std::vector<AxialSlab>& slabs) {
   std::vector<RadiusLength> lengths;
   for (const AxialSlab& slab : slabs) {
@@ -178,7 +178,7 @@ std::vector<double> shaftRadii(const std::vector<AxialSlab>& slabs) {
   return radii;
 }
 
-/// A prism of six sides, or of four, for long enough; of a nut from the side, of a head likewise.
+/// Number of sides of a prism, six or four, that is long enough; for a nut, or the head above `from`.
 int sidesOf(const std::vector<AxialSlab>& slabs, double from, double across, double* size) {
   for (const int sides : {6, 4}) {
     double length = 0.0;
@@ -195,7 +195,7 @@ int sidesOf(const std::vector<AxialSlab>& slabs, double from, double across, dou
   return 0;
 }
 
-/// A box: two pairs of flats, each equally far.
+/// True for a box: two pairs of flats at equal distances.
 bool isRectangle(const AxialSlab& slab) {
   double least = std::numeric_limits<double>::infinity();
   std::size_t flat = 0;
@@ -214,7 +214,7 @@ bool isRectangle(const AxialSlab& slab) {
   return std::abs(std::hypot(least, other) - most) <= 0.04 * most && most > 1.25 * least;
 }
 
-/// The recess at the upper end: open from there on.
+/// Sets the recess that is open from the upper end.
 void noteRecess(TurnedShape& shape, double head) {
   std::vector<DriveShape> seen;
   for (auto slab = shape.slabs.rbegin(); slab != shape.slabs.rend() && !slab->isSolid; ++slab) {
@@ -226,13 +226,13 @@ void noteRecess(TurnedShape& shape, double head) {
   if (known != seen.end()) shape.drive = *known;
 }
 
-/// With its head at the upper end.
+/// The screw with its head at the upper end.
 std::optional<TurnedShape> screwOf(TurnedShape shape, double shaft) {
   shape.shaft = shaft;
   const double border = (1.0 + 2.0 * kOneRadius) * shaft;
   const auto isWide = [border](const AxialSlab& slab) { return slab.outerMost() > border; };
   auto head = std::find_if(shape.slabs.rbegin(), shape.slabs.rend(), isWide);
-  // The dome of a button head ends narrow.
+  // The dome of a button head is narrow at its end.
   if (head == shape.slabs.rend() || shape.high - head->high > kMostDome * shape.length()) return std::nullopt;
   double widest = 0.0;
   for (; head != shape.slabs.rend() && isWide(*head); ++head) widest = std::max(widest, head->outerMost());
@@ -286,7 +286,8 @@ std::optional<TurnedShape> rodOf(TurnedShape shape) {
   return shape;
 }
 
-/// A thread that is modelled makes a hole that much narrower in some directions; a square hole is narrower.
+/// True for a round hole, also with a modelled thread, which is narrower in some directions; a square hole is narrower
+/// still.
 bool isRoundHole(const AxialSlab& slab) {
   constexpr double kLeastRoundHole = 0.78;
   double least = std::numeric_limits<double>::infinity();
@@ -299,7 +300,7 @@ bool isRoundHole(const AxialSlab& slab) {
   return least >= kLeastRoundHole * most;
 }
 
-/// Narrowest hole, over so large a part of the length that a chamfer and a lip do not count.
+/// The narrowest hole over a part of the length, so that chamfers and lips do not count.
 double holeOf(const std::vector<AxialSlab>& slabs, double length) {
   std::vector<std::pair<double, double>> holes;  // radius and length
   for (const AxialSlab& slab : slabs) {
@@ -412,7 +413,7 @@ std::optional<TurnedShape> roundAbout(const TriangleMesh& mesh, const AxialMesh&
   return lookedAt(mesh, axial, exactAxis(mesh, rough, radius));
 }
 
-/// Of the cylinders of a mesh, those of the longest first.
+/// Directions of the cylinders of a mesh, the longest cylinder first.
 std::vector<Vector3> cylinderDirections(const TriangleMesh& mesh) {
   SurfaceRegions regions = findSurfaceRegions(welded(mesh));
   std::stable_sort(regions.cylinders.begin(), regions.cylinders.end(),
@@ -430,7 +431,7 @@ std::vector<Vector3> cylinderDirections(const TriangleMesh& mesh) {
 }  // namespace
 
 std::optional<double> wrenchFlats(const TurnedShape& shape) {
-  constexpr double kLeastHexagon = 0.08;  // of the length
+  constexpr double kLeastHexagon = 0.08;  // share of the length
   constexpr double kLeastNarrow = 0.2;
   double flats = 0.0;
   double prism = 0.0;

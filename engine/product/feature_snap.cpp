@@ -12,14 +12,14 @@ using Directions = std::vector<Vector3>;
 
 /// Sine below which directions are parallel.
 constexpr double kParallelFeatures = 1e-6;
-/// Metres within which axes meet: parts of one product are placed as exactly.
+/// Distance within which axes meet, metres: the accuracy of placed parts of a product.
 constexpr double kMeets = 1e-6;
-/// Sine between a plane and a direction below which moving along the direction hardly changes the distance.
+/// Sine between a plane and a direction below which a motion along the direction hardly changes the distance.
 constexpr double kAcross = 0.05;
-/// Faces snap where they are this share of the body's size apart, or less; axes the whole size.
+/// Faces snap within this share of the body's size, axes within the whole size.
 constexpr double kNearFaces = 0.25;
 
-/// The directions in which a pair is apart: rows, orthonormal.
+/// The directions in which a pair can be apart: orthonormal rows.
 Eigen::MatrixX3d rowsOf(const SnapFeature& feature) {
   if (feature.kind == SnapFeature::Kind::Plane) return feature.direction.transpose();
   const Vector3 u = feature.direction.unitOrthogonal();
@@ -34,7 +34,7 @@ Eigen::Matrix3Xd columnsOf(const Directions& directions) {
   return columns;
 }
 
-/// The directions, of those of `columns`, in which a pair that meets stays together.
+/// The directions within those of `columns` in which a pair that meets stays together.
 Directions withoutRows(const Eigen::Matrix3Xd& columns, const Eigen::MatrixX3d& rows) {
   const Eigen::JacobiSVD<Eigen::MatrixXd> parts(rows * columns, Eigen::ComputeFullV);
   const Eigen::VectorXd& sizes = parts.singularValues();

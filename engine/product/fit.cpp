@@ -8,7 +8,7 @@
 namespace glissade {
 namespace {
 
-/// Of the body that is taken thinner.
+/// The role of the body that is taken thinner.
 Fit::Role roleOfThinner(const Fit& fit) {
   if (!fit.yields || fit.role == Fit::Role::Other) return fit.role;
   return fit.role == Fit::Role::Shaft ? Fit::Role::Hole : Fit::Role::Shaft;

@@ -13,35 +13,34 @@ namespace glissade {
 /// A thread that comes apart by turning only.
 struct FitThread {
   ThreadRule rule;   ///< its obstacle is that of the fit
-  std::string size;  ///< that the pitch was taken for, as "M10"; empty where a person gave it
+  std::string size;  ///< size that the pitch was chosen for, as "M10"; empty if a person gave the pitch
 };
 
-/// How one body of a pair is taken while the moving one, the object, moves past the other one, the obstacle.
+/// The shapes of a pair of bodies while the moving one, the object, moves past the other one, the obstacle.
 struct Fit {
-  enum class Role { Other, Shaft, Hole };  ///< the object's, where the two are coaxial
+  enum class Role { Other, Shaft, Hole };  ///< role of the object if the two are coaxial
 
   std::size_t obstacle = 0;  ///< index in the product
   ContactKind kind = ContactKind::Contact;
   Role role = Role::Other;
-  double overlap = 0.0;  ///< as measured, metres
-  /// Metres by which the body is taken thinner, of the face that moves farthest; of a refused clash, what it would
-  /// take.
+  double overlap = 0.0;  ///< measured overlap, metres
+  /// Allowance of the face that moves farthest, metres; for a refused clash, the allowance that it would need.
   double allowance = 0.0;
-  check::Evidence evidence{};  ///< for the largest allowance that may be taken
-  /// Where a person has marked the pair as a thread, or the thread of the shaft is taken away.
+  check::Evidence evidence{};  ///< evidence for the largest permitted allowance
+  /// Set if a person marks the pair as a thread, or if the thread of the shaft is taken away.
   std::optional<FitThread> thread{};
   bool core = false;      ///< the shaft's thread is taken away (core_fit.h)
-  bool hollow = false;    ///< what the other body of the pair fills is taken away (check/hollow.h)
-  MeshPtr thinned{};      ///< the body taken so; null where it is whole
+  bool hollow = false;    ///< the volume that the other body of the pair fills is taken away (check/hollow.h)
+  MeshPtr thinned{};      ///< the thinned body; null if it is whole
   bool yields = false;    ///< the obstacle is taken thinner, not the object
-  std::string refused{};  ///< why nothing is allowed, for people; empty: it is
+  std::string refused{};  ///< reason why nothing is allowed, for people; empty: it is allowed
 };
 
-/// "screw taken 0.41 mm thinner in the tapped hole of plate (thread)"; with the pitch, where the thread is known:
-/// "..., pitch 1.5 mm (ISO coarse, M10)". Names of the object and of the obstacle.
+/// "screw taken 0.41 mm thinner in the tapped hole of plate (thread)", and the pitch of a known thread: "..., pitch 1.5
+/// mm (ISO coarse, M10)". Takes the names of the object and the obstacle.
 std::string inWords(const Fit& fit, const std::string& object, const std::string& obstacle);
 
-/// ", 9.3 turns", to be added to the words; nothing where there are none.
+/// ", 9.3 turns", to follow other words; empty for no turns.
 std::string turnsInWords(double turns);
 
 }  // namespace glissade

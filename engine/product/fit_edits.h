@@ -6,7 +6,7 @@
 
 namespace glissade {
 
-/// What a person says about this pair of bodies, by id in either order; a new entry where nothing was said.
+/// The statement of a person about this pair of bodies, by id in either order; adds an entry if there is none.
 FitEdit& editOf(const std::string& a, const std::string& b, FitSettings& settings);
 
 }  // namespace glissade

@@ -4,13 +4,13 @@
 
 namespace glissade {
 
-// Why a pair of bodies counts as a clash, for people; lengths in metres.
+// Reasons why a pair of bodies counts as a clash, for people; lengths in metres.
 
-/// Neither body has place for the allowance.
+/// Neither body has room for the allowance.
 std::string noRoom(double allowance);
-/// The same, and the surface of one is open so near to the contact.
+/// Neither body has room, and the surface of one is open at this distance from the contact.
 std::string noRoomBeside(double allowance, double opening);
-/// The surfaces of both are open so near to the contact.
+/// The surfaces of both bodies are open at these distances from the contact.
 std::string openOnBothSides(double opening, double othersOpening);
 
 }  // namespace glissade

@@ -28,7 +28,7 @@ const Diagnostic* warningOf(const ObjectFits& object, std::size_t obstacle) {
   return nullptr;
 }
 
-/// Tells which share of so many parts of a work is done. Any thread may add one.
+/// Reports the finished share of a number of parts of work. Thread-safe.
 class PartCount {
  public:
   PartCount(WorkWatch watch, std::size_t parts) : watch_(std::move(watch)), parts_(parts) {}
@@ -79,7 +79,7 @@ std::vector<std::string> PairFit::thinner() const {
 
 Result<FitTable> FitTable::find(const AssembledProduct& product, ThreadTeam& team, const WorkWatch& watch,
                                 const ContactLimits& limits) {
-  constexpr double kContactsShare = 0.5;  // of the work
+  constexpr double kContactsShare = 0.5;  // share of the work
   FitTable table;
   const StopToken& stop = watch.stop;
   const WorkWatch forContacts = watch.part(0.0, kContactsShare);

@@ -10,60 +10,59 @@
 
 namespace glissade {
 
-/// What a pair means for planning.
+/// The meaning of a pair for planning.
 enum class FitStatus {
-  Clear,     ///< apart, or taken as they are
-  Allowed,   ///< one body or both are taken thinner against each other
-  Accepted,  ///< a clash that a person has accepted: allowed, too
-  Clash      ///< an overlap that stops a motion of either body
+  Clear,     ///< apart, or without allowance
+  Allowed,   ///< one body or both are thinned
+  Accepted,  ///< a clash that a person accepts; it is also allowed
+  Clash      ///< an overlap that blocks every motion of either body
 };
 
-/// "clear", "allowed", "accepted", "clash"
+/// "clear", "allowed", "accepted" or "clash".
 const char* statusName(FitStatus status);
 
-/// How a pair is taken while one of its bodies moves past the other.
+/// The shapes of a pair while one of its bodies moves past the other.
 struct PairWay {
-  std::vector<Fit> taken{};  ///< the body that gives way, or both; none: both are whole
-  std::string refused{};     ///< why no motion passes, for people; empty: it does
+  std::vector<Fit> taken{};  ///< the thinned body, or both; none: both are whole
+  std::string refused{};     ///< reason why no motion passes, for people; empty: motions pass
 
-  /// Metres, the larger of both; 0 where nothing is taken thinner.
+  /// The larger allowance of the two bodies, metres; 0 if neither is thinned.
   double allowance() const;
 };
 
-/// Two bodies of a product that are near each other, and what becomes of them.
+/// Two bodies of a product that are near each other, with their fit.
 struct PairFit {
-  std::string a;  ///< id of the body; of the lower index
+  std::string a;  ///< id of the body with the lower index
   std::string b;
-  std::array<std::string, 2> shown;  ///< what people see of the names
+  std::array<std::string, 2> shown;  ///< names for people
   Contact contact;                   ///< with the kind and the overlap that count; indices in the product
-  /// While `a` moves past `b`, and while `b` moves past `a`. The same body gives way, by more where the one that moves
-  /// is larger (assembledGap()).
+  /// While `a` moves past `b`, and while `b` moves past `a`. The same body is thinned in both, by more if the moving
+  /// body is larger (assembledGap()).
   std::array<PairWay, 2> ways{};
   bool givesWayFirstIsA = true;  ///< givesWayFirst()
 
-  /// The way of the smaller body: it is the one that moves more often.
+  /// The fit while the smaller body moves, which is the more frequent case.
   const PairWay& way() const { return ways[givesWayFirstIsA ? 0 : 1]; }
   FitStatus status() const;
-  /// Ids of the bodies that are taken thinner on this way.
+  /// Ids of the bodies that are thinned in way().
   std::vector<std::string> thinner() const;
 };
 
-/// The one table of a product's fits: what fits, plans, sequences and the window take a pair to be. Immutable, shared
-/// by threads.
+/// The table of a product's fits that plans, sequences and the window share. Immutable, shared by threads.
 class FitTable {
  public:
-  /// Compares each pair of bodies once, whether the product's fits are on or not. `watch` is told the share that is
-  /// done, by one thread at a time. Errors: as of findObjectFits(); Interrupted.
+  /// Compares each pair of bodies once, whether the product's fits are on or not. `watch` gets the finished share, from
+  /// one thread at a time. Errors: see findObjectFits(); Interrupted.
   static Result<FitTable> find(const AssembledProduct& product, ThreadTeam& team, const WorkWatch& watch,
                                const ContactLimits& limits = {});
 
-  /// Pairs that touch, overlap or are nearer than was asked for, by a, then by b.
+  /// Pairs that touch, overlap or are within the requested clearance, by a, then by b.
   const std::vector<PairFit>& pairs() const { return pairs_; }
-  /// Of each body with others, while it moves.
+  /// The fits of each body with others while it moves.
   const std::vector<ObjectFits>& objects() const { return objects_; }
   /// Clashes, each once, and plain overlaps.
   const Warnings& warnings() const { return warnings_; }
-  /// What the worlds of the product's motions are made of, with the thinned bodies in it.
+  /// Collision bodies for the product's motions, with the thinned bodies.
   const std::shared_ptr<PreparedBodies>& prepared() const { return prepared_; }
 
  private:
@@ -75,11 +74,11 @@ class FitTable {
   std::shared_ptr<PreparedBodies> prepared_;
 };
 
-/// Pairs that overlap without being a fit, a thread or a press, as a warning that lists the first of them; none: no
-/// pair does.
+/// A warning that lists the first pairs that overlap without being a fit, a thread or a press; none if there is no such
+/// pair.
 Warnings warningsOfPlainOverlaps(const std::vector<PairFit>& fits);
 
-/// How many pairs there are of each kind, by the name of the kind.
+/// The number of pairs of each kind, by the name of the kind.
 std::map<std::string, int> countsByKind(const std::vector<PairFit>& fits);
 
 }  // namespace glissade

@@ -6,8 +6,8 @@
 namespace glissade {
 namespace {
 
-/// Those of the ends in which the object's axis is the same line as in the first one. Its thread may be in another
-/// hole of the obstacle in the others.
+/// The ends in which the object's axis is the same line as in the first one. In other ends its thread may be in another
+/// hole of the obstacle.
 std::vector<Pose> onAxis(const ContactAxis& axis, const Pose& first, const std::vector<Pose>& ends) {
   constexpr double kSame = 1e-5;
   const Vector3 point_B = inverse(first) * axis.point;

@@ -7,10 +7,10 @@
 
 namespace glissade {
 
-/// What a person says about a pair, in either order; null where nothing.
+/// A person's statement about a pair, in either order; null if there is none.
 const FitEdit* editOf(const FitSettings& settings, const std::string& a, const std::string& b);
 
-/// What a person says of fits, as evidence is measured with it.
+/// A person's statements about fits, as the judge takes them.
 check::FitWords wordsOf(const FitSettings& settings);
 
 }  // namespace glissade

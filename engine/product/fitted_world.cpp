@@ -5,7 +5,7 @@
 namespace glissade {
 namespace {
 
-/// `screwed`: those of threads, too.
+/// `screwed`: also thins the bodies of fits that are threads.
 CollisionWorldPtr thinnedBy(const std::vector<Fit>& fits, const CollisionWorldPtr& world, const MeshPtr& object,
                             bool screwed) {
   std::vector<ObjectVariant> variants;

@@ -7,8 +7,8 @@
 
 namespace glissade {
 
-/// The world in which each fit's body is taken thinner, the object against its own obstacle only, and threads come
-/// apart by turning only. `object`: the world's. Precondition: `world` has no fits.
+/// The world with the thinned bodies of the fits, in which threads come apart by turning only. The object is thinned
+/// against the obstacle of its fit only. `object`: the world's. Precondition: `world` has no fits.
 CollisionWorldPtr withFits(const CollisionWorldPtr& world, const MeshPtr& object, const std::vector<Fit>& fits);
 
 /// The rules of the fits that are threads, one for each obstacle.

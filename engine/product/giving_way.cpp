@@ -6,10 +6,10 @@
 namespace glissade {
 namespace {
 
-/// Of the distance of the surface from its centre, square metres.
+/// Mean square distance of the surface from its centre, square metres.
 double meanSquareSize(const TriangleMesh& mesh) {
   if (mesh.vertices.empty()) return 0.0;
-  const Vector3 origin = mesh.vertices.front();  // near the surface: less rounding
+  const Vector3 origin = mesh.vertices.front();  // near the surface, for less rounding
   double area = 0.0;
   double square = 0.0;
   Vector3 first = Vector3::Zero();

@@ -4,8 +4,8 @@
 
 namespace glissade {
 
-/// Whether the body of the two is taken thinner first: the smaller one, by the root mean square distance of its surface
-/// from the centre of the surface, which is the same in every frame; of equal ones, the first by id.
+/// True if `body` of the two is thinned first: the smaller one, by the root mean square distance of its surface from
+/// the centre of the surface, which does not depend on the frame; for equal ones the first by id.
 bool givesWayFirst(const RigidBody& body, const RigidBody& other);
 
 }  // namespace glissade

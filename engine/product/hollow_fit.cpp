@@ -10,7 +10,7 @@ std::optional<HollowFit> hollowFitOf(const check::Placement& host, const check::
   const double room = check::hollowRoom(placed.at(host), filling);
   const double wall = check::wallDeflection(filling);
   const MeshPtr& whole = guest.body.mesh;
-  for (const double surface : {wall, 0.0}) {  // a thin guest has no place for more than the margin
+  for (const double surface : {wall, 0.0}) {  // a thin guest has room for the margin only
     HollowFit fit{hollow, {}, room - wall + surface, host.body.spacing + guest.body.spacing, surface};
     fit.guest = thinnable.thinned(whole, std::vector<double>(whole->triangles.size(), fit.room));
     if (fit.guest) return fit;

@@ -28,7 +28,7 @@ bool isSameThread(const std::optional<JointThread>& a, const std::optional<Joint
   return tied(*a) == tied(*b);
 }
 
-/// But for the indices of bodies: these are of one product.
+/// True if all members except indices of bodies are equal; the indices belong to one product.
 bool saysTheSame(const Joint& a, const Joint& b) {
   const auto tied = [](const Joint& joint) {
     return std::tie(joint.kind, joint.state, joint.point, joint.direction, joint.drive, joint.driveSize, joint.bend,

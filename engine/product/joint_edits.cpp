@@ -12,9 +12,9 @@
 namespace glissade {
 namespace {
 
-/// Bodies of a joint that a person makes are no farther apart than this share of the smaller one's diagonal.
+/// Largest distance of the bodies of a joint that a person makes, as a share of the smaller one's diagonal.
 constexpr double kFarShare = 0.1;
-constexpr double kNearEnough = 5e-4;  ///< metres: always near
+constexpr double kNearEnough = 5e-4;  ///< metres: bodies within this distance are always near
 
 Diagnostic refusal(const JointKey& key, const std::string& reason, const std::string& advice) {
   return {ErrorKind::Usage, "", inWords(key), reason, advice};
@@ -59,7 +59,7 @@ class JointEditor {
                         [&](const Joint& joint) { return isMeant(keyOf(joint, product_), key); });
   }
 
-  /// The order of the others makes no difference.
+  /// True if the keys are equal, in any order of the other bodies.
   static bool isMeant(JointKey one, JointKey other) {
     std::sort(one.others.begin(), one.others.end());
     std::sort(other.others.begin(), other.others.end());
@@ -137,7 +137,7 @@ class JointEditor {
     return indices;
   }
 
-  /// Each of the others is near the body, or near one that is.
+  /// Checks that each of the other bodies is near the body, or near one that is.
   Outcome checkNear(const Joint& joint, const JointKey& key) const {
     std::vector<std::size_t> reached{joint.body};
     std::vector<std::size_t> open = joint.others;

@@ -8,32 +8,31 @@
 
 namespace glissade {
 
-/// The key of a joint of this product.
 JointKey keyOf(const Joint& joint, const AssembledProduct& product);
 
-/// The joints after what a person says of them: confirmed, dissolved, made, changed. An insert that is pressed out
-/// becomes a pin along its axis; a unit that is opened is none any more. What is said last of a joint counts. Errors,
-/// Usage, one at a time, with the joint as the location: a body that is not there, bodies that are far apart, a joint
-/// of a body with itself, a word about a joint that is not there, an unknown standard, a bend that no hook has, joints
-/// that hold each other in a circle.
+/// The joints after a person's statements: confirmed, dissolved, made, changed. An insert that is pressed out becomes a
+/// pin along its axis; an opened unit is removed. The last statement about a joint counts. Errors, Usage, one at a
+/// time, with the joint as the location: a body that does not exist, bodies that are far apart, a joint of a body with
+/// itself, a statement about a joint that does not exist, an unknown standard, a bend that no hook has, joints that
+/// hold each other in a circle.
 Result<Joints> applied(Joints joints, const std::vector<JointEdit>& edits, const AssembledProduct& product);
 
-/// A joint as it is, confirmed. The bend of a hook is said with it.
+/// A statement that confirms the joint, with the bend of its hook.
 JointEdit confirmationOf(const Joint& joint, const AssembledProduct& product);
 
-/// Every joint that is suggested, as confirmed: --joints suggested.
+/// Statements that confirm every suggested joint (--joints suggested).
 std::vector<JointEdit> confirmationsOf(const Joints& joints, const AssembledProduct& product);
 
-/// The bends that a person confirms of hooks; what is said last of a snap counts.
+/// The bends of hooks that a person confirms; the last statement about a snap counts.
 std::vector<check::SnapWord> bendsOf(const std::vector<JointEdit>& edits);
 
 /// The bends of the snaps that count.
 std::vector<check::SnapWord> bendsOf(const Joints& joints, const AssembledProduct& product);
 
-/// The edits, with what counts of the joints' bends said by a person: a plan states what it rests on.
+/// The edits, with the bends of the joints as a person's statements: a plan states the bends that it depends on.
 std::vector<JointEdit> withBends(std::vector<JointEdit> edits, const Joints& joints, const AssembledProduct& product);
 
-/// "screw of bolt": what people see of a key.
+/// "screw of bolt": the key for people.
 std::string inWords(const JointKey& key);
 
 }  // namespace glissade

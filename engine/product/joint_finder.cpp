@@ -13,7 +13,7 @@
 namespace glissade {
 namespace {
 
-/// A host is around the screw of its insert, but the screw does not clamp it.
+/// Removes hosts from the parts that the screw of their insert clamps: a host is around that screw.
 void releaseHosts(const Joints& pressed, Joints& threaded) {
   for (Joint& screw : threaded) {
     std::set<std::size_t> hosts;
@@ -27,7 +27,7 @@ void releaseHosts(const Joints& pressed, Joints& threaded) {
   }
 }
 
-/// Bodies of a bearing are joined by being its unit.
+/// Removes joints between bodies of a bearing, which its unit already joins.
 void leaveOutInside(const Joints& units, Joints& joints) {
   std::set<std::size_t> inside;
   for (const Joint& unit : units) {
@@ -41,7 +41,7 @@ void leaveOutInside(const Joints& units, Joints& joints) {
   joints.erase(std::remove_if(joints.begin(), joints.end(), isInside), joints.end());
 }
 
-/// What a name calls a screw is no pin, whatever its head.
+/// Removes pins that a name calls a screw, whatever their heads.
 void leaveOutScrews(const Designations& said, Joints& pressed) {
   const auto isScrew = [&](const Joint& joint) {
     return joint.kind == JointKind::Pin && says(said, joint.body, {StandardPart::Screw, StandardPart::SetScrew});

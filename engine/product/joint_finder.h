@@ -9,13 +9,13 @@
 
 namespace glissade {
 
-/// What is known of the joints of a product without a person: screws, nuts, inserts, pins and rolling bearings are
-/// recognised by shape; others are suggested by name, class and shape. By body, then by kind; the same for the same
-/// product. After a stop the list is incomplete. `classes`: the class of each body, empty where it has none; none at
-/// all where classes are not known. engine/product/README.md says what is recognised by what.
+/// The joints of a product that can be found without a person: screws, nuts, inserts, pins and rolling bearings are
+/// recognised by shape; others are suggested by name, class and shape. Ordered by body, then by kind; the same product
+/// gives the same joints. After a stop the list is incomplete. `classes`: the class of each body, empty for none; an
+/// empty vector if classes are not known. See engine/product/README.md for the evidence of each kind.
 Joints findJoints(const AssembledProduct& product, const StopToken& stop = {},
                   const std::vector<std::string>& classes = {});
-/// The same, of shapes that others look at, too.
+/// For shapes that other callers use, too.
 Joints findJoints(const ProductShapes& shapes, const StopToken& stop = {},
                   const std::vector<std::string>& classes = {});
 

@@ -6,7 +6,7 @@
 namespace glissade {
 namespace {
 
-/// Bodies that are one body have one representative.
+/// Maps bonded bodies to one representative.
 class JoinedBodies {
  public:
   JoinedBodies(const Joints& joints, std::size_t bodies) : parent_(bodies) {
@@ -28,7 +28,7 @@ class JoinedBodies {
   std::vector<std::size_t> parent_;
 };
 
-/// What leaves after each body.
+/// For each body, the bodies that leave after it.
 std::vector<std::vector<std::size_t>> laterBodies(const Joints& joints, const JoinedBodies& joined,
                                                   std::size_t bodies) {
   std::vector<std::vector<std::size_t>> later(bodies);

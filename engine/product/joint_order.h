@@ -6,10 +6,10 @@
 
 namespace glissade {
 
-/// Bodies that, by their joints, each leave before the next one, and the last before the first; from this body on,
-/// which stands for what it is one body with. Empty: there is no such circle. A screw leaves before what it clamps, a
-/// nut before that and its shaft, a flexible body before what it goes around; host and guest, welded bodies and units
-/// are one body. Suggested joints do not count.
+/// A circle of bodies, beginning with this body, each of which has to leave before the next one, and the last before
+/// the first. Empty if there is none. A screw leaves before the parts that it clamps, a nut before those and its shaft,
+/// a flexible body before the bodies that it goes around; host and guest, welded bodies and units are one body.
+/// Suggested joints do not count.
 std::vector<std::size_t> circleThrough(std::size_t body, const Joints& joints, std::size_t bodies);
 
 }  // namespace glissade

@@ -14,7 +14,8 @@ check::Body JudgedThreads::bodyAt(std::size_t index) const {
   return {own.id, own.shown(), own.mesh, own.X_WB, product_.spacingOf(index), product_.deflections[index]};
 }
 
-/// What is hollow may be pulled where the evidence would refuse the pair, had nobody accepted the clash.
+/// True if the judge permits a pull: for meshes without stated faces, by a person's statement, and for a hollow pair
+/// that the evidence would refuse without an accepted clash.
 bool JudgedThreads::mayBePulled(std::size_t body, std::size_t other, const std::vector<Fit>& fits) {
   const check::Body own = bodyAt(body);
   const check::Body obstacle = bodyAt(other);

@@ -10,15 +10,16 @@ namespace glissade {
 
 struct AssembledProduct;
 
-/// Threads that the judge sees in pairs that are taken as their fits say (check::commonThreads()). Bodies are looked at
-/// once. Of one thread.
+/// Threads that the judge sees in pairs with the shapes of their fits (check::commonThreads()). Bodies are prepared
+/// once. Used by one thread.
 class JudgedThreads {
  public:
   explicit JudgedThreads(const AssembledProduct& product);
 
-  /// Those that the body leaves the other one by turning only: the judge refuses a pull. None where nothing of either
-  /// is taken away or thinner, where a person says that they come apart otherwise or marks the thread, and where their
-  /// meshes state no faces. `fits`: of the moving body with the other one.
+  /// Threads that the body leaves by turning only, because the judge refuses a pull. None for a pair without an overlap
+  /// that no fit calls a thread, for a marked thread, if a person states that they come apart otherwise, for a hollow
+  /// pair that would be refused without acceptance, and for meshes without stated faces. `fits`: of the moving body
+  /// with the other body.
   std::vector<check::CommonThread> of(std::size_t body, std::size_t other, const std::vector<Fit>& fits);
 
  private:

@@ -9,9 +9,9 @@ namespace {
 
 constexpr double kMillimetre = 1e-3;
 constexpr double kOneInch = 25.4e-3;
-/// A key may be this share larger than its modelled recess: CAD models have nominal sizes, and meshes of round corners.
+/// Share by which a key may exceed its modelled recess: CAD models have nominal sizes, and meshes of round corners.
 constexpr double kTight = 0.012;
-/// A key that is smaller than its recess by more turns in it.
+/// A key that is smaller than its recess by a larger share turns in it.
 constexpr double kLoose = 0.04;
 
 constexpr std::array kKeyRows{0.7, 0.9, 1.3,  1.5,  2.0,  2.5,  3.0,  4.0, 5.0,
@@ -31,7 +31,7 @@ constexpr std::array kInchSizes{
     InchSize{3.0 / 8, "3/8"},   InchSize{7.0 / 16, "7/16"}, InchSize{1.0 / 2, "1/2"},   InchSize{9.0 / 16, "9/16"},
     InchSize{5.0 / 8, "5/8"},   InchSize{3.0 / 4, "3/4"},   InchSize{7.0 / 8, "7/8"},   InchSize{15.0 / 16, "15/16"}};
 
-/// How loose a key is, as a share of the hexagon; infinite where it does not go on it or would turn on it.
+/// Clearance of a key as a share of the hexagon; infinity if it does not fit or would turn.
 double looseness(DriveKind drive, double across, double key) {
   const double gap = drive == DriveKind::HexSocket ? across - key : key - across;
   const bool fits = gap >= -kTight * across && gap <= kLoose * across;

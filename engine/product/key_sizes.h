@@ -6,14 +6,14 @@
 
 namespace glissade {
 
-/// A hex key, socket or wrench as one buys it.
+/// A standard size of a hex key, socket or wrench.
 struct KeySize {
   double size = 0.0;        ///< metres, across the flats
-  const char* inches = "";  ///< of an inch size: "3/16"; empty: a metric size
+  const char* inches = "";  ///< text of an inch size: "3/16"; empty: a metric size
 };
 
-/// The key that turns a hexagon of this width across the flats (metres): the largest that goes into a recess, the
-/// smallest that goes over a head. Metric sizes (ISO 2936 and ISO 272) come first. Nothing where no size fits closely
+/// The key that turns a hexagon of this width across the flats (metres): the largest that fits into a recess, the
+/// smallest that fits over a head. Metric sizes (ISO 2936 and ISO 272) come first. Nothing if no size fits closely
 /// enough to turn it, and for drives that are no hexagon.
 std::optional<KeySize> keyFor(DriveKind drive, double across);
 

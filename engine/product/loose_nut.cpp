@@ -11,13 +11,13 @@ namespace glissade {
 namespace {
 
 constexpr double kFullTurn = 2.0 * std::numbers::pi;
-/// No point of a nut is farther from the axis, in radii of its thread.
+/// Largest distance of a nut's points from the axis, in radii of its thread.
 constexpr double kCompact = 3.0;
-/// A body is round if points of about its largest radius are within such an angle of each other all around, radians.
+/// A body is round if points near its largest radius leave no larger gap between their angles, radians.
 constexpr double kRim = 0.97;
 constexpr double kRoundGap = kFullTurn / 9.0;
-/// A nut is turned by so many steps while it is thinner by this share of its radius, so that what it only touches does
-/// not hold it.
+/// Number of steps of a trial turn, and share of the radius by which the nut is thinned for it, so that mere contacts
+/// do not hold it.
 constexpr int kTurns = 24;
 constexpr double kThinner = 0.02;
 

@@ -10,11 +10,11 @@
 namespace glissade {
 namespace {
 
-/// Neighbours whose normals differ by less are one smooth surface where no region tells them apart: 30 degrees.
+/// Cosine (30 degrees): without regions, neighbours whose normals differ by less are one smooth surface.
 constexpr double kSmoothSurface = 0.866;
 /// Sine below which directions are parallel.
 constexpr double kParallelSine = 1e-6;
-/// Cosine between an edge and the axis of a cylinder below which the edge goes round it.
+/// Cosine between an edge and the axis of a cylinder below which the edge goes around it.
 constexpr double kRoundCosine = 0.5;
 
 double shareOnSegment(const Vector3& p, const Vector3& from, const Vector3& to) {
@@ -22,7 +22,7 @@ double shareOnSegment(const Vector3& p, const Vector3& from, const Vector3& to) 
   return squared > 0.0 ? std::clamp((p - from).dot(to - from) / squared, 0.0, 1.0) : 0.0;
 }
 
-/// origin + t * direction, for t in [low, high]; a point where both are 0.
+/// origin + t * direction, for t in [low, high]; a point if both are 0.
 struct MeasuredLine {
   Vector3 origin;
   Vector3 direction;
@@ -47,8 +47,8 @@ MeasuredLine lineOf(const MeasureFeature& feature) {
   }
 }
 
-/// Alternating projection is exact for lines at once; with ends clamped, the second projection ends it (Ericson 2005,
-/// section 5.1.9).
+/// Alternating projection is exact for lines; with clamped ends, the second projection ends it (Ericson 2005, section
+/// 5.1.9).
 MeasuredDistance betweenLines(const MeasuredLine& a, const MeasuredLine& b, const Vector3& near) {
   const double c = a.direction.dot(b.direction);
   const Vector3 between = a.origin - b.origin;
@@ -77,7 +77,7 @@ MeasuredDistance betweenPlaneAndLine(const MeasureFeature& plane, const MeasureF
   if (line.low == line.high || parallel) return fromPlane(plane, line.at(line.nearestTo(plane.picked)));
   const double meets = plane.direction.dot(plane.picked - line.origin) / plane.direction.dot(line.direction);
   if (meets >= line.low && meets <= line.high) return crossing(line.at(meets));
-  return fromPlane(plane, line.at(meets));  // clamped: the nearer end
+  return fromPlane(plane, line.at(meets));  // clamped to the nearer end
 }
 
 MeasuredDistance swapped(const MeasuredDistance& distance) { return {distance.metres, distance.to, distance.from}; }

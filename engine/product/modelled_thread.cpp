@@ -12,12 +12,12 @@
 namespace glissade {
 namespace {
 
-/// Surfaces are near each other within so many of the bodies' distance, or this share of the object's radius.
+/// Surfaces are near each other within this multiple of the bodies' distance, or this share of the object's radius.
 constexpr double kNearDistances = 4.0;
 constexpr double kNearRadius = 0.02;
-/// Patches of a body that are looked at, at most.
+/// Limit of the patches of a body that are examined.
 constexpr std::size_t kMostPatches = 4000;
-/// Both bodies' threads agree within these: shares of the pitch, and a sine.
+/// Tolerances for the threads of both bodies: shares of the pitch, and a sine.
 constexpr double kPitchShare = 0.02;
 constexpr double kAxisShare = 0.2;
 constexpr double kAxisSine = 0.03;
@@ -51,14 +51,14 @@ bool agree(const ScrewAxis& a, const ScrewAxis& b) {
          (b.point_W - a.point_W).cross(a.axis_W).norm() <= kAxisShare * pitch;
 }
 
-/// Of so many triangles a share is looked at, without regard to their order: facets of a thread alternate.
+/// Selects a part of many triangles without regard to their order, because facets of a thread alternate.
 bool isLookedAt(std::size_t index, std::size_t count) {
   if (count <= kMostPatches) return true;
   const auto scattered = static_cast<std::uint32_t>(index * 2654435761U);
   return scattered < static_cast<double>(kMostPatches) / static_cast<double>(count) * 4294967296.0;
 }
 
-/// Of the triangles those near the other body.
+/// The triangles near the other body.
 Patches nearPatches(const std::vector<Triangle>& triangles, const TriangleTree& other, double near) {
   Patches patches;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
@@ -69,8 +69,8 @@ Patches nearPatches(const std::vector<Triangle>& triangles, const TriangleTree& 
   return patches;
 }
 
-/// Vertices of the whole body in facets that the screw motion moves along themselves, as far from the axis as the
-/// thread; of many a part.
+/// Vertices of the whole body in facets that the screw motion moves along themselves, at the distance of the thread
+/// from the axis; a part of them if there are many.
 std::vector<Vector3> threadVertices(const TriangleMesh& mesh, const Pose& X_WM, const FittedScrew& thread) {
   std::vector<bool> isOn(mesh.vertices.size(), false);
   const double slack = 0.1 * std::abs(thread.screw.pitch);
@@ -88,7 +88,7 @@ std::vector<Vector3> threadVertices(const TriangleMesh& mesh, const Pose& X_WM, 
   return vertices;
 }
 
-/// From the facets near the other body, then from the vertices of the whole thread, which is longer.
+/// Fits the thread to the facets near the other body, then to the vertices of the whole thread, which is longer.
 std::optional<FittedScrew> threadOf(const TriangleTree& near, const TriangleTree& other, double distance,
                                     const TriangleMesh& mesh, const Pose& X_WM) {
   auto thread = fitScrew(nearPatches(near.triangles(), other, distance));
@@ -96,7 +96,7 @@ std::optional<FittedScrew> threadOf(const TriangleTree& near, const TriangleTree
   return thread;
 }
 
-/// Where the screw motion moves triangles along themselves that are as far from the axis as the thread.
+/// The range of triangles at the thread's distance from the axis that the screw motion moves along themselves.
 void extend(double& low, double& high, const TriangleMesh& mesh, const Pose& X_WM, const FittedScrew& thread) {
   low = std::numeric_limits<double>::infinity();
   high = -low;

@@ -9,13 +9,13 @@
 namespace glissade {
 namespace {
 
-/// Diameters that differ by less are one, as shares of the stated one; a core is thinner.
+/// Relative tolerances of a stated diameter; a core is thinner.
 constexpr double kSameDiameter = 0.06;
 constexpr double kThinnestCore = 0.75;
 /// Crests that are modelled for plastic stand out: a screw "M2x10" has 2.2 mm.
 constexpr double kThickestCrest = 1.12;
 constexpr double kSameDriveSize = 0.1;
-/// Heads of ISO 4762: height and radius by the diameter of the thread.
+/// Heads of ISO 4762: ratios of height and radius to the diameter of the thread.
 constexpr double kLeastSocketHead = 0.88;
 constexpr double kMostSocketHead = 1.12;
 constexpr double kLeastSocketRadius = 0.7;
@@ -62,7 +62,7 @@ void addThread(const Designation& said, Joint& joint) {
   if (said.pitch < 0.0) joint.evidence.emplace_back("the name says a left-hand thread");
 }
 
-/// Of the other body of a thread, where its own name states none.
+/// Adds the thread that the other body's name states, if the body's own name states none.
 void addThreadOfOther(const Designation& own, const Designation& other, Joint& joint) {
   const bool hasThread = agrees(other.part, JointKind::Thread);
   if (hasThread && own.pitch == 0.0 && other.pitch != 0.0) addThread(other, joint);
@@ -86,13 +86,13 @@ void addDrive(const Designation& said, Joint& joint) {
   }
 }
 
-/// Takes the designation of the body's own name.
+/// Adds the designation of the body's name.
 void addDesignation(const Designation& said, Joint& joint) {
   if (!agrees(said.part, joint.kind)) {
     doubt(joint, std::string("the name says '") + standardPartName(said.part) + "'");
     return;
   }
-  // A word such as "screw" is evidence, and no designation.
+  // A word such as "screw" is evidence, but no designation.
   const bool statesSize = std::any_of(said.text.begin(), said.text.end(), [](char c) { return c >= '0' && c <= '9'; });
   if (statesSize) joint.designation = said.text;
   joint.evidence.push_back("the name says '" + said.text + "'");

@@ -10,16 +10,16 @@
 namespace glissade {
 namespace {
 
-/// Hole of a nut by the radius of the shaft in it: what is narrower overlaps by more than a thread, what is wider is
-/// far from the shaft.
+/// Limits of the ratio of a nut's hole to the radius of its shaft. A narrower hole overlaps by more than a thread, a
+/// wider one is far from the shaft.
 constexpr double kLeastHole = 0.7;
 constexpr double kWidestHole = 1.35;
-/// Up to this share wider, a hole is as wide as its shaft.
+/// A hole counts as wide as its shaft up to this ratio.
 constexpr double kEqualHole = 1.02;
-/// Diameters of names that differ by less are one, as a share.
+/// Relative difference within which diameters of names are equal.
 constexpr double kNearDiameter = 0.03;
 
-/// Of the name, else of the shape.
+/// The size of the name, else the sizes by shape.
 std::vector<ThreadSize> sizesOf(double said, std::vector<ThreadSize> byShape) {
   if (!(said > 0.0)) return byShape;
   std::vector<ThreadSize> sizes;
@@ -30,7 +30,7 @@ std::vector<ThreadSize> sizesOf(double said, std::vector<ThreadSize> byShape) {
   return sizes;
 }
 
-/// A prism with a hole and the name "bolt" is one, too: names are exchanged in some files, and the joint is doubtful.
+/// A prism with a hole and the name "bolt" also counts: some files exchange these names, and the joint is doubtful.
 bool isNamedNut(const Designations& said, std::size_t body) {
   return says(said, body, {StandardPart::Nut}) ||
          (says(said, body, {StandardPart::Screw}) && said[body]->text == "bolt");

@@ -7,22 +7,22 @@
 
 namespace glissade {
 
-/// What speaks for a thread between a shaft and a prism with a hole that is on it.
+/// Evidence for a thread between a shaft and a prism with a hole that is on it.
 struct NutOnShaft {
-  bool isThread = false;    ///< else it is no nut, or one that only passes the shaft
-  std::string evidence{};   ///< for people: what speaks for the thread
-  std::string doubt{};      ///< what speaks against it; empty: nothing
-  bool isDeepened = false;  ///< the hole is narrower by a thread: the two are one whatever speaks against it
+  bool isThread = false;    ///< false: it is no nut, or one that only passes the shaft
+  std::string evidence{};   ///< for people: evidence for the thread
+  std::string doubt{};      ///< evidence against it; empty: none
+  bool isDeepened = false;  ///< the hole is narrower by a thread: the joint counts despite doubts
 };
 
-/// A prism with a hole that is called a nut, or has the width, the height and the hole of one (nut_size.h).
+/// True for a prism with a hole that is called a nut, or has the width, the height and the hole of one (nut_size.h).
 bool isNut(const ProductShapes& shapes, const Designations& said, std::size_t body);
 
 /// A body that may be a nut, and a shaft in its hole.
 struct NutAndShaft {
   std::size_t nut = 0;
   std::size_t shaft = 0;
-  double radius = 0.0;   ///< of the shaft, metres
+  double radius = 0.0;   ///< radius of the shaft, metres
   bool isScrew = false;  ///< the shaft has a drive, or its name says that it is a screw
 };
 

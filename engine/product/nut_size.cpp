@@ -9,22 +9,23 @@ namespace {
 
 constexpr std::array kNutFamilies{ThreadFamily::Metric, ThreadFamily::Unified};
 
-/// Width by that of ISO 4032: small ones of JIS B 1181, those of DIN 934, of flanges, and heavy ones.
+/// Limits of the ratio of the width to that of ISO 4032: small nuts of JIS B 1181, nuts of DIN 934, flange nuts, heavy
+/// nuts.
 constexpr double kLeastWidth = 0.87;
 constexpr double kMostWidth = 1.15;
-/// Height by the diameter: from thin nuts of ISO 4035 to high ones of DIN 6334.
+/// Limits of the ratio of the height to the diameter: thin nuts of ISO 4035 to high ones of DIN 6334.
 constexpr double kLeastHeight = 0.3;
 constexpr double kMostHeight = 3.1;
-/// The hole is drawn between the core and a little more than the thread outside, by the diameter.
+/// Largest ratio of the hole to the outer diameter of the thread; the least one is given by the core.
 constexpr double kMostHole = 1.06;
-/// A core is this many pitches thinner than the thread, at most and at least.
+/// Limits of the difference between thread and core, in pitches.
 constexpr double kDeepestCore = 1.3;
 constexpr double kLeastCore = 0.9;
-/// A shaft is drawn with its nominal diameter within these.
+/// Limits of the ratio of a shaft's diameter to its nominal diameter.
 constexpr double kLeastNominal = 0.96;
 constexpr double kMostNominal = 1.02;
 
-/// Of a regular prism; 0: it is none.
+/// Width of a regular prism; 0: it is none.
 double widthOf(const TurnedShape& nut) {
   if (nut.sides == 6) return nut.drive.size;
   double width = 0.0;

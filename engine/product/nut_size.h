@@ -8,15 +8,15 @@
 
 namespace glissade {
 
-/// The sizes of threads that a nut of this shape may have: by its width across the flats, its height and its hole.
-/// Empty where it is wider, narrower or flatter than nuts are: a plate with a hole.
+/// The sizes of threads that a nut of this shape may have, by its width across the flats, its height and its hole.
+/// Empty if it is wider, narrower or flatter than nuts: a plate with a hole.
 std::vector<ThreadSize> nutSizes(const TurnedShape& nut);
 
-/// The sizes that a shaft of this radius (metres) may be drawn for: by its diameter; where it is no nominal one, by its
-/// core.
+/// The sizes that a shaft of this radius (metres) may be drawn for: by its diameter, or by its core if the diameter is
+/// no nominal one.
 std::vector<ThreadSize> shaftSizes(double radius);
 
-/// Whether one of the sizes of the nut is one of the shaft.
+/// True if the nut and the shaft have a size in common.
 bool haveOneSize(const std::vector<ThreadSize>& nut, const std::vector<ThreadSize>& shaft);
 
 }  // namespace glissade

@@ -75,7 +75,7 @@ class ObjectContacts {
     known.at.push_back(end);
   }
 
-  /// A hook and its edge need not touch.
+  /// Adds pairs of a hook and its edge, which need not touch.
   void addHooks() {
     for (const check::SnapWord& snap : question_.product.snaps) {
       if (snap.hook != object_.id && snap.edge != object_.id) continue;
@@ -113,7 +113,7 @@ class ObjectContacts {
     return thinnable != nullptr ? thinnable->thickness() : 0.0;
   }
 
-  /// Pairs that a person calls a thread need not touch.
+  /// Adds pairs that a person calls a thread, which need not touch.
   Outcome addMarkedThreads() {
     for (const FitEdit& edit : edits()) {
       if (edit.kind != ContactKind::Thread || (edit.a != object_.id && edit.b != object_.id)) continue;
@@ -122,7 +122,7 @@ class ObjectContacts {
       if (known != contacts_.end() && hasShaft(known->second.contact)) continue;
       FoundContact found{Contact{obstacle, question_.object, ContactKind::Clearance, 0, 0, 0, 0, 0, {}}, {}, {}};
       if (known != contacts_.end()) found = known->second;
-      found.contact.axis.reset();  // that of a cone is no thread's
+      found.contact.axis.reset();  // the axis of a cone is no thread's
       for (const Pose& end : ends_) {
         const RigidBody& other = body(obstacle);
         const auto axis = commonAxisOf(contactBody(other, other.X_WB), contactBody(object_, end));

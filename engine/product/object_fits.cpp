@@ -19,34 +19,34 @@
 namespace glissade {
 namespace {
 
-/// Of the assembled gap: the clearance that paths keep.
+/// Clearance that paths keep, as a share of the assembled gap.
 constexpr double kPathShare = 0.25;
-/// Of the same gap: the least clearance where paths begin.
+/// Least clearance where paths begin, as a share of the assembled gap.
 constexpr double kStartShare = 0.3;
 constexpr std::array<double, 2> kBothWays{1.0, -1.0};
 
-/// The object's place in the coaxial pair; it is `b`.
+/// The role of the object, which is `b`, in the coaxial pair.
 Fit::Role roleOf(const Contact& contact) {
   if (!contact.axis) return Fit::Role::Other;
   return contact.axis->shaftIsA ? Fit::Role::Hole : Fit::Role::Shaft;
 }
 
-/// Each face by its allowance, and none by more than `most` (metres).
+/// The allowances, limited to `most` (metres).
 std::vector<double> limited(std::vector<double> allowances, double most) {
   for (double& each : allowances) each = std::min(each, most);
   return allowances;
 }
 
-/// What a person's word and the evidence make of a contact.
+/// The result of a person's statement and the evidence for a contact.
 struct Decision {
   ContactKind kind = ContactKind::Contact;
-  bool refused = false;   ///< a clash that nobody accepted
-  bool given = false;     ///< a person gave the allowance
+  bool refused = false;   ///< a clash that nobody has accepted
+  bool given = false;     ///< a person states the allowance
   bool accepted = false;  ///< a person accepts a clash of this depth
 };
 
-/// Whether an overlap is a clash is decided by the evidence, which is measured face by face. A smaller limit that was
-/// asked for still gives the pair its kind.
+/// The evidence, which is measured face by face, decides whether an overlap is a clash. A smaller requested limit still
+/// gives the pair its kind.
 Decision decide(const Contact& contact, const FitEdit* edit, bool accepted, const check::PairBounds& bounds,
                 const ContactLimits& limits) {
   Decision decision{contact.kind, false, edit != nullptr && edit->allowance, accepted};
@@ -88,7 +88,7 @@ class FitFinder {
   }
   const RigidBody& body(std::size_t index) const { return question_.product.bodies[index]; }
 
-  /// Whether the obstacle is the one with the hook that bends; nothing where the pair is no snap.
+  /// True if the obstacle has the hook that bends; nothing if the pair is no snap.
   std::optional<bool> hookYields(std::size_t obstacle) const {
     const check::SnapWord* snap = words_.snapOf(object_.id, body(obstacle).id);
     return snap == nullptr ? std::nullopt : std::optional(snap->hook != object_.id);
@@ -154,15 +154,15 @@ class FitFinder {
     }
   }
 
-  /// Surfaces that go through each other where no face of the one faces the other, as of a rod that is drawn through a
-  /// plate: nothing is below a face, and the overlap is a clash all the same.
+  /// Handles surfaces that cross although no face of one faces the other, such as a rod that is drawn through a plate:
+  /// no face has an overlap, but the pair is a clash.
   void resolveCrossing(const Fit& fit, const FoundContact& found, double depth) {
     if (depth <= 0.0 || isFree(object_.mesh, fit.obstacle, body(fit.obstacle).mesh, found.at)) return;
     if (takeHollow(fit, found, depth) || takeScrewHole(fit, found, depth)) return;
     refuseClash(fit, found, depth);
   }
 
-  /// The object moves clear in a thread that is modelled: it is taken as it is.
+  /// True if the object is clear in a modelled thread, so that it is not thinned.
   bool isClearInThread(const Fit& fit, const FoundContact& found) {
     if (fit.kind != ContactKind::Contact) return false;
     const RigidBody& other = body(fit.obstacle);
@@ -170,15 +170,15 @@ class FitFinder {
            !findModelledThreads(*object_.mesh, found.measuredAt, other, found.contact.gap).empty();
   }
 
-  /// Taken to be these meshes, the object and the obstacle are apart.
+  /// True if the object and the obstacle with these meshes are apart.
   bool isFree(const MeshPtr& object, std::size_t obstacle, const MeshPtr& mesh, const std::vector<Pose>& ends) {
     const auto query = pairOf(object, obstacle, mesh)->makeQuery();
     const double least = leastStartGap(obstacle);
     return std::all_of(ends.begin(), ends.end(), [&](const Pose& end) { return query->clearAbove(end, least); });
   }
 
-  /// The same whichever of the two bodies moves, where that is more than paths keep: else a pair would be a clash for
-  /// one of them only.
+  /// The gap is the same for either moving body, unless paths need more: else a pair would be a clash for one of them
+  /// only.
   double leastStartGap(std::size_t obstacle) const {
     const double smaller = std::min(gap_, assembledGap(radiusAboutOrigin(*body(obstacle).mesh)));
     return std::max(0.5 * smaller, kStartShare * gap_);
@@ -202,7 +202,7 @@ class FitFinder {
     fits_.clashes.push_back(std::move(fit));
   }
 
-  /// If the clash is accepted, the reason is that no body of the two can be cut.
+  /// If the clash is accepted, the reason is that neither body can be cut.
   void refuseClash(Fit fit, const FoundContact& found, double overlap) {
     fit.overlap = overlap;
     fit.allowance = overlap + found.contact.deviation;
@@ -234,7 +234,7 @@ class FitFinder {
     const RigidBody& other = body(fit.obstacle);
     const bool isInPatches = bounds.one.mesh || bounds.other.mesh;
     std::vector<bool> order = inTurn(fit.obstacle);
-    // A shaft that gives way in a patch only does not slide out.
+    // A shaft that is thinned in a patch only does not slide out.
     if (isInPatches && hasShaft(found.contact) && !hookYields(fit.obstacle)) {
       order = {fit.role == Fit::Role::Shaft, fit.role != Fit::Role::Shaft};
     }
@@ -269,7 +269,7 @@ class FitFinder {
       refuse(fit, openOnBothSides(*ownOpening, *othersOpening), "Close the surface of one of them.");
       return;
     }
-    // Of the body that would lose less.
+    // The smaller allowance is reported.
     const bool fromOther = bounds.one.most <= 0.0 || (bounds.other.most > 0.0 && bounds.other.most < bounds.one.most);
     Fit lacking = fit;
     lacking.allowance = fromOther ? bounds.other.most : bounds.one.most;
@@ -283,7 +283,7 @@ class FitFinder {
     return tools_.placed.cutOf({own, found.measuredAt}, {other, other.X_WB}, words_, stop_);
   }
 
-  /// Takes away what the one body fills of the one that is cut. `depth`: of the overlap, metres.
+  /// Takes the volume of one body away from the other one, which is cut. `depth`: depth of the overlap, metres.
   bool takeHollow(const Fit& fit, const FoundContact& found, double depth) {
     if (fit.thread || !words_.accepts(wordAbout(fit.obstacle), depth)) return false;
     const check::Cut cut = cutOf(fit.obstacle, found);
@@ -291,8 +291,8 @@ class FitFinder {
     return takeHollow(fit, found, cut == check::Cut::Other, depth);
   }
 
-  /// A screw by its name in a body that is drawn without a hole: it is a thread, and the body is taken without what the
-  /// screw fills. A person may say something else of the pair.
+  /// Handles a screw, by its name, in a body that is drawn without a hole: the pair is a thread, and the volume of the
+  /// screw is taken away from the body. A person's statement about the pair has priority.
   bool takeScrewHole(Fit fit, const FoundContact& found, double depth) {
     if (editAbout(fit.obstacle) != nullptr) return false;
     fit.kind = ContactKind::Thread;
@@ -335,7 +335,7 @@ class FitFinder {
     return true;
   }
 
-  /// `yields`: the obstacle is the one without what the other one fills.
+  /// `yields`: the obstacle is the hollow body.
   std::optional<HollowFit> hollowFit(std::size_t obstacle, const FoundContact& found, bool yields) const {
     const check::Body ownBody = measuredBody(question_.object);
     const check::Body otherBody = measuredBody(obstacle);
@@ -344,8 +344,8 @@ class FitFinder {
     return hollowFitOf(yields ? other : own, yields ? own : other, tools_.placed, tools_.thinnable, stop_);
   }
 
-  /// A thread that is modelled on the shaft is taken away against the other body, where nobody says anything else of
-  /// the pair: it comes apart by turning only.
+  /// Takes away a thread that is modelled on the shaft, unless a person states something else about the pair: it comes
+  /// apart by turning only.
   bool takeWithoutThread(const Fit& fit, const FoundContact& found) {
     const FitEdit* edit = editAbout(fit.obstacle);
     const bool other = edit != nullptr && edit->kind.value_or(ContactKind::Thread) != ContactKind::Thread;
@@ -390,23 +390,23 @@ class FitFinder {
     return true;
   }
 
-  /// Which body gives way: whether it is the obstacle, the first choice first. A hook that bends has no other choice.
+  /// Order in which the bodies are tried for thinning; true is the obstacle. A hook that bends has no alternative.
   std::vector<bool> inTurn(std::size_t obstacle) const {
     if (const auto hook = hookYields(obstacle)) return {*hook};
     const bool otherFirst = givesWayFirst(body(obstacle), object_);
     return {otherFirst, !otherFirst};
   }
 
-  /// Metres from the contact to where the surface of the body is open, where that is so near that what is inside it is
-  /// not known.
+  /// Distance from the contact to an opening of the body's surface, metres, if the opening is so near that the inside
+  /// is unknown.
   std::optional<double> openBeside(const RigidBody& body, const check::AllowanceBound& bound) const {
     const ThinnableMesh* thinnable =
         bound.most > 0.0 ? tools_.thinnable.of(bound.mesh ? bound.mesh : body.mesh) : nullptr;
     return thinnable != nullptr ? thinnable->openBeside(bound.atMost) : std::nullopt;
   }
 
-  /// One of the two bodies is taken thinner by what the evidence gives, or by less where it has no place for that: the
-  /// deviation of free surfaces is an estimate. Down to the overlap as measured and the gap.
+  /// Thins one of the two bodies by its evidence, or by less if it has less room, because the deviation of free
+  /// surfaces is an estimate. The least allowance is the measured overlap plus the gap.
   std::vector<Fit> takenAlone(const Fit& fit, bool yields, const check::PairBounds& bounds,
                               const std::vector<Pose>& ends) {
     constexpr double kShare = 0.25;
@@ -424,7 +424,7 @@ class FitFinder {
     }
   }
 
-  /// Empty where one of them has no place for it, or where it does not free the pair.
+  /// Empty if one of them has no room, or if thinning both does not free the pair.
   std::vector<Fit> bothThinner(const Fit& fit, const check::PairBounds& bounds, const std::vector<Pose>& ends) {
     const auto own = thinned(fit, false, bounds.one, bounds.one.most);
     const auto others = thinned(fit, true, bounds.other, bounds.other.most);
@@ -435,7 +435,7 @@ class FitFinder {
     return {};
   }
 
-  /// Trees of thinned bodies that are not taken were more than half of the memory of the fits.
+  /// Drops unused thinned bodies, whose trees were more than half of the memory of the fits.
   void forget(const MeshPtr& thinned) {
     if (tools_.prepared) tools_.prepared->forget(thinned);
   }
@@ -482,7 +482,7 @@ class FitFinder {
     const double way = (boundingBox(*object_.mesh, from).sizes() + boxOf(obstacle).sizes()).norm();
     const double required = kPathShare * gap_;
     const Vector3 apart = boundingBox(*object_.mesh, from).center() - boxOf(obstacle).center();
-    const double likely = apart.dot(axis) < 0.0 ? -way : way;  // to the side where the object stands out
+    const double likely = apart.dot(axis) < 0.0 ? -way : way;  // to the side where the object protrudes
     return std::any_of(kBothWays.begin(), kBothWays.end(), [&](double sense) {
       Pose to = from;
       to.position += sense * likely * axis;
@@ -490,7 +490,7 @@ class FitFinder {
     });
   }
 
-  /// Nothing where the body has no place for the allowance.
+  /// Nothing if the body has no room for the allowance.
   std::optional<Fit> thinned(Fit fit, bool yields, const check::AllowanceBound& bound, double allowance) const {
     if (allowance <= 0.0) return std::nullopt;
     const MeshPtr& own = yields ? body(fit.obstacle).mesh : object_.mesh;

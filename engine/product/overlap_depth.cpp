@@ -13,12 +13,12 @@ constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 /// Share of the common box's diagonal between two samples.
 constexpr double kSpacing = 0.05;
 constexpr double kAboveRounding = 1.0 + 1e-9;
-/// In diagonals: nearer hits of a ray inwards are of the face that it begins at.
+/// Distance, in diagonals, below which hits of an inward ray belong to the face where it begins.
 constexpr double kSameSurface = 1e-6;
 
 std::vector<Triangle> trianglesOf(const TriangleMesh& mesh) { return TriangleTree(mesh).triangles(); }
 
-/// What of a convex polygon is on the side of a plane across an axis (I. Sutherland, G. Hodgman, 1974).
+/// The part of a convex polygon on one side of a plane across an axis (I. Sutherland, G. Hodgman, 1974).
 std::vector<Vector3> clipped(const std::vector<Vector3>& polygon, int axis, double limit, double sign) {
   std::vector<Vector3> result;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -43,13 +43,14 @@ std::vector<Vector3> clipped(const Triangle& triangle, const Box3& box) {
   return polygon;
 }
 
-/// Branch and bound over pieces of triangles: distances from the body's surface change by no more than the way.
+/// Branch and bound over pieces of triangles: the distance from the body's surface changes by no more than that of two
+/// points.
 class DepthSearch {
  public:
   DepthSearch(const TriangleTree& body, const SolidDepth& solid, double floor)
       : body_(body), solid_(solid), deepest_{floor, 0} {}
 
-  /// `near`: a point that is at most `distance` from the body's surface.
+  /// `near`: a point within `distance` of the body's surface.
   void search(const Triangle& piece, double spacing, const Vector3& near = Vector3::Zero(),
               double distance = kUnbounded) {
     const Vector3 middle = (piece[0] + piece[1] + piece[2]) / 3.0;
@@ -79,7 +80,7 @@ class DepthSearch {
   std::optional<OverlapDepth> deepest() const { return found_ ? std::optional(deepest_) : std::nullopt; }
 
  private:
-  /// More than the distance of `p` from the surface.
+  /// Upper bound on the distance of `p` from the surface.
   static double boundAt(const Vector3& p, const Vector3& near, double distance) {
     return kAboveRounding * (distance + (p - near).norm());
   }

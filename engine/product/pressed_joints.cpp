@@ -12,42 +12,43 @@
 namespace glissade {
 namespace {
 
-/// Holes are compared with what is in them up to this share of the radius; what is nearer is decided by the cylinders.
+/// Share of the radius within which the cylinders of hole and guest decide, instead of their slabs.
 constexpr double kClearPress = 0.02;
-/// Cylinders that are nearer than this fit exactly, metres: as contacts of a product.
+/// Cylinders within this distance fit exactly, metres, as in contacts of a product.
 constexpr double kExactFit = 3e-6;
 constexpr double kPinClearance = 1.06;
-/// Metres, by the radius: what is thicker than its hole by more than this is not pressed in. Inserts in warm plastic
-/// are thicker by 0.8 mm. A guest whose name says that it is an insert may have no hole at all.
+/// Metres, radial: a body thicker than its hole by more is not pressed in. Inserts in warm plastic are thicker by 0.8
+/// mm. A guest whose name says that it is an insert may have no hole at all.
 constexpr double kMostExcess = 1.5e-3;
-/// Share of the guest's length that is in its host.
+/// Least share of the guest's length in its host, for a press and for an exact fit.
 constexpr double kPressedShare = 0.2;
 constexpr double kFittedShare = 0.4;
 constexpr double kHostReach = 1.6;
-/// A host is thicker than its guest, by its radius.
+/// Least ratio of the host's radius to that of its guest.
 constexpr double kThickerHost = 1.02;
-/// The hole of a host is no narrower than that of its guest, by the radius.
+/// Least ratio of the host's hole to that of its guest.
 constexpr double kLeastOfBore = 0.9;
 constexpr double kLeastHostAround = 0.6;
-/// Of a guest whose name says that it is an insert, less is enough: it may stand at an edge, or be placed badly.
+/// Weaker limits for a guest whose name says that it is an insert: it may be at an edge, or be misplaced.
 constexpr double kLeastNamedAround = 0.35;
 constexpr double kNamedShare = 0.1;
-/// Length by radius of a pin.
+/// Limits of the ratio of length to radius of a pin.
 constexpr double kShortestPin = 1.5;
 constexpr double kLongestPin = 20.0;
 constexpr double kCoaxialShare = 0.05;
 
-/// How a guest is in a hole of another body.
+/// The fit of a guest in a hole of another body.
 struct HostFit {
   std::size_t host = 0;
-  double over = 0.0;    ///< metres of the axis in which the guest is thicker than the hole
-  double equal = 0.0;   ///< in which it is as thick
-  double excess = 0.0;  ///< metres by which it is thicker, radially, at most
-  double low = 0.0;     ///< along the axis of the guest
+  double over = 0.0;    ///< length in which the guest is thicker than the hole, metres
+  double equal = 0.0;   ///< length in which they are equal, metres
+  double excess = 0.0;  ///< largest radial excess of the guest, metres
+  double low = 0.0;     ///< range along the axis of the guest
   double high = 0.0;
 };
 
-/// Shafts are pressed in by hundredths of their radius, and screwed in by half of a pitch and more.
+/// True if the excess is that of a thread: shafts are pressed in by hundredths of their radius, and screwed in by half
+/// of a pitch and more.
 bool hasDepthOfCoarseThread(double radius, double excess) {
   constexpr double kLeast = 0.3;
   constexpr double kMost = 0.8;
@@ -62,7 +63,7 @@ double outerAt(const TurnedShape& shape, double height) {
   return 0.0;
 }
 
-/// A shaft that turns in a round hole, not a square body.
+/// True for a round shaft, which can turn in a round hole; false for a square body.
 bool hasRoundShaft(const TurnedShape& shape) {
   constexpr double kLeastRoundPin = 0.9;
   constexpr double kRoundShare = 0.8;
@@ -73,7 +74,7 @@ bool hasRoundShaft(const TurnedShape& shape) {
   return round >= kRoundShare * (shape.headLow - shape.low);
 }
 
-/// Share of the directions in which what surrounds the axis goes on beyond this radius.
+/// Share of the directions in which the surrounding body extends beyond this radius.
 double shareBeyond(const AxialSlab& slab, double radius) {
   std::size_t beyond = 0;
   for (std::size_t i = 0; i < slab.nearest.size(); ++i) {
@@ -124,13 +125,13 @@ class PressedJointFinder {
     return hosts;
   }
 
-  /// Screws, rods and what may be a nut have no rings that are pressed in.
+  /// True for screws, rods and possible nuts, which have no pressed rings.
   bool isSolidFastener(std::size_t body) const {
     const TurnedShape* shape = shapes_.turned(body);
     return shape != nullptr && shape->kind != TurnedKind::Ring;
   }
 
-  /// A plate with a hole may have a pin, and a nut has none.
+  /// True if the body may have a pin: a plate with a hole may, a nut may not.
   bool mayHavePin(std::size_t body) const {
     const TurnedShape* shape = shapes_.turned(body);
     const bool isPlate = shape != nullptr && shape->kind == TurnedKind::Nut && !isNut(shapes_, said_, body);
@@ -154,7 +155,7 @@ class PressedJointFinder {
       if (!isAround || hole > (1.0 + kClearPress) * outer) continue;
       const bool isOver = hole < (1.0 - kClearPress) * outer;
       if (outer - hole > kMostExcess && !isInsertByName_[guest]) continue;
-      // What is in the hole of the guest as well is no host around it; a name may say that no hole is drawn.
+      // A body that is also in the hole of the guest is no host around it; a name may say that no hole is drawn.
       if (isOver && hole < kLeastOfBore * shape.hole && !isInsertByName_[guest]) continue;
       if (isOver && !isFilled(host, seen, slab, 0.5 * (std::max(hole, shape.hole) + outer))) continue;
       fit.low = std::min(fit.low, slab.low);
@@ -170,13 +171,13 @@ class PressedJointFinder {
     return fit;
   }
 
-  /// The host is where the guest is, not only within its hole or about it.
+  /// True if the host also fills the volume of the guest, not only its hole or its surroundings.
   bool isFilled(std::size_t host, const AxisLine& seen, const AxialSlab& slab, double radius) const {
     constexpr double kFilledShare = 0.3;
     return shapes_.axial(host).filledShare(seen, 0.5 * (slab.low + slab.high), radius) >= kFilledShare;
   }
 
-  /// Exactly, by the cylinders of both that are coaxial and beside each other.
+  /// Compares the coaxial cylinders of both that are beside each other, exactly.
   void compareCylinders(std::size_t host, std::size_t guest, double length, HostFit& fit) const {
     double least = kClearPress * shapes_.turned(guest)->outer;
     for (const CylinderRegion& shaft : shapes_.cylindersOf(guest)) {
@@ -263,7 +264,7 @@ class PressedJointFinder {
     joints.push_back(std::move(joint));
   }
 
-  /// Towards the head; else to the side on which it is out of the holes sooner.
+  /// The exit direction: towards the head, else to the side on which the pin leaves the holes sooner.
   static Vector3 wayOut(const TurnedShape& shape, const std::vector<HostFit>& hosts, const AxisLine& axis) {
     if (shape.kind == TurnedKind::Screw) return axis.direction;
     double low = hosts.front().low;
@@ -295,8 +296,8 @@ class PressedJointFinder {
   const Designations& said_;
   std::vector<bool> isInsertByName_;
   const StopToken& stop_;
-  std::set<std::size_t> threaded_;   ///< screws, nuts and what nuts are on
-  std::set<std::size_t> hasThread_;  ///< what screws are in
+  std::set<std::size_t> threaded_;   ///< screws, nuts and the shafts of nuts
+  std::set<std::size_t> hasThread_;  ///< bodies that screws are in
 };
 
 }  // namespace

@@ -7,8 +7,8 @@
 
 namespace glissade {
 
-/// Inserts and pins of a product, by body. `threaded`: its screws and nuts; a ring that has a thread in it is an insert
-/// where it only just fits its hole, and what is a screw is no pin. `said`: by the names.
+/// Inserts and pins of a product, by body. `threaded`: its screws and nuts; a ring with a thread in it is an insert
+/// only if it fits its hole closely, and a screw is no pin. `said`: designations by name.
 Joints findPressedJoints(const ProductShapes& shapes, const Joints& threaded, const Designations& said,
                          const StopToken& stop);
 

@@ -11,7 +11,7 @@
 
 namespace glissade {
 
-/// The shapes of a product's bodies, each looked at once and when it is asked for. Of one thread.
+/// The shapes of a product's bodies, each computed once on demand. Used by one thread.
 class ProductShapes {
  public:
   explicit ProductShapes(const AssembledProduct& product);
@@ -21,17 +21,17 @@ class ProductShapes {
   const RigidBody& body(std::size_t index) const { return product_.bodies[index]; }
   const Box3& box(std::size_t index) const { return boxes_[index]; }
   const AxialMesh& axial(std::size_t index) const;
-  /// Null where the body is not turned.
+  /// Null if the body is not turned.
   const TurnedShape* turned(std::size_t index) const;
   /// The axis of turned() in the world.
   AxisLine axisOf(std::size_t index) const;
-  /// The cylinders of the body in the world, as findSurfaceRegions() finds them.
+  /// The cylinders of the body in the world frame, from findSurfaceRegions().
   std::vector<CylinderRegion> cylindersOf(std::size_t index) const;
   /// An axis of the world in the body's frame.
   AxisLine seenFrom(std::size_t index, const AxisLine& axis_W) const;
-  /// Metres between the meshes of two bodies; more than `limit` where they are farther apart.
+  /// Distance of the meshes of two bodies, metres; more than `limit` if they are farther apart.
   double apart(std::size_t a, std::size_t b, double limit) const;
-  /// Bodies but this one whose boxes meet the one around a part of an axis of the world; ascending.
+  /// Bodies other than `but` whose boxes meet the box around a part of an axis of the world; ascending.
   std::vector<std::size_t> near(const AxisLine& axis_W, const AxialReach& reach, std::size_t but) const;
 
  private:
@@ -47,8 +47,7 @@ class ProductShapes {
   mutable std::map<MeshPtr, Shape> shapes_;
 };
 
-/// Both axes are one: the angle between them is small, and the second passes the middle of the body's axis within so
-/// many metres.
+/// True if the axes are parallel, and the second one passes the middle of the body's axis within `apart` metres.
 bool isSameAxis(const AxisLine& one, const AxisLine& other, double apart);
 
 }  // namespace glissade

@@ -13,9 +13,9 @@ using Kind = SurfaceRegions::Kind;
 
 /// Sine of the angle between directions that count as parallel.
 constexpr double kParallel = 1e-4;
-/// Length along the axis that a shaft and its hole have in common at least, metres.
+/// Least length along the axis that a shaft and its hole share, metres.
 constexpr double kLeastLength = 1e-5;
-/// Axes may be this far apart, metres.
+/// Largest distance of coaxial axes, metres.
 constexpr double kSameAxis = 3e-6;
 
 bool areParallel(const Vector3& a, const Vector3& b) { return a.cross(b).squaredNorm() < kParallel * kParallel; }
@@ -25,12 +25,12 @@ std::optional<RegionPair> comparePlanes(const PlaneRegion& a, const PlaneRegion&
   return RegionPair{RegionPair::Kind::Planes, -b.offset - a.offset};
 }
 
-/// Point of the axis in the middle of the cylinder.
+/// The middle of the cylinder on its axis.
 Vector3 middleOf(const CylinderRegion& c) { return c.point + 0.5 * (c.low + c.high) * c.direction; }
 
 double distanceFromAxis(const CylinderRegion& c, const Vector3& p) { return (p - c.point).cross(c.direction).norm(); }
 
-/// Not one behind the other.
+/// True if the cylinders overlap along the axis.
 bool besideEachOther(const CylinderRegion& a, const CylinderRegion& b) {
   const double middle = (middleOf(b) - middleOf(a)).dot(a.direction);
   return std::abs(middle) <= 0.5 * (a.high - a.low + b.high - b.low) - kLeastLength;
@@ -56,7 +56,8 @@ std::optional<RegionPair> compareMixed(const CylinderRegion& cylinder, const Pla
   return RegionPair{RegionPair::Kind::Tangent, height - cylinder.radius};
 }
 
-/// Cones of one angle on one axis, beside each other. Angles may differ by what changes the gap by a micrometre.
+/// Compares cones of one angle on one axis, beside each other. Angles may differ by what changes the gap by a
+/// micrometre.
 std::optional<RegionPair> compareCones(const RoundRegion& inner, const RoundRegion& outer) {
   constexpr double kSameGap = 1e-6;
   const SurfaceFace& shaft = inner.surface;
@@ -79,7 +80,7 @@ std::optional<RegionPair> compareCones(const RoundRegion& inner, const RoundRegi
   return pair;
 }
 
-/// Distance of a point from the circle in the middle of a torus.
+/// Distance of a point from the circle of a torus.
 double distanceFromCircle(const SurfaceFace& torus, const Vector3& p) {
   const Vector3 from = p - torus.point;
   const double height = from.dot(torus.axis);
@@ -114,7 +115,7 @@ std::optional<RegionPair> compareRounds(const RoundRegion& inner, const RoundReg
   return std::nullopt;
 }
 
-/// Of `a` and `b`, whichever is the inner one.
+/// Compares `a` and `b`, either of which may be the inner one.
 std::optional<RegionPair> compareNested(const RoundRegion& a, const RoundRegion& b) {
   if (a.shaft == b.shaft) return std::nullopt;
   auto pair = a.shaft ? compareRounds(a, b) : compareRounds(b, a);

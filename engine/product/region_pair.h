@@ -8,28 +8,28 @@
 
 namespace glissade {
 
-/// How two surfaces that are stated or fitted lie to each other, exactly: no tessellation enters.
+/// The exact relation of two stated or fitted surfaces; it does not depend on tessellation.
 struct RegionPair {
   enum class Kind {
     Planes,
-    Coaxial,  ///< cylinders, a shaft in a hole
+    Coaxial,  ///< cylinders: a shaft in a hole
     Tangent,
-    Nested  ///< cones, spheres or tori, everywhere equally far from each other
+    Nested  ///< cones, spheres or tori at a constant distance
   };
   Kind kind = Kind::Planes;
   double gap = 0.0;                   ///< metres; negative: they overlap
-  std::optional<ContactAxis> axis{};  ///< of Coaxial, and of cones
-  double radius = 0.0;  ///< metres, of Nested: of the inner sphere or tube; of the inner cone in the middle
+  std::optional<ContactAxis> axis{};  ///< for Coaxial, and for cones
+  double radius = 0.0;  ///< for Nested, metres: radius of the inner sphere or tube, or of the inner cone at its middle
 };
 
-/// Planes that face each other, a shaft in a hole on one axis, a shaft along a plane or beside another shaft, a cone in
-/// a cone of the same angle on one axis, a ball in a hollow sphere about the same centre or in a groove that is a
-/// torus, a torus in a torus about the same circle; nothing of other pairs. That they are beside each other (not one
-/// behind the other) is not asked of planes.
+/// Compares planes that face each other, a shaft in a hole on one axis, a shaft along a plane or beside another shaft,
+/// a cone in a cone of the same angle on one axis, a ball in a hollow sphere about the same centre or in a groove that
+/// is a torus, and a torus in a torus about the same circle. Nothing for other pairs. Planes need not be beside each
+/// other.
 std::optional<RegionPair> compareRegions(const SurfaceRegions& a, const SurfaceRegions::Label& labelA,
                                          const SurfaceRegions& b, const SurfaceRegions::Label& labelB);
 
-/// Triangles of planes that face each other have a point in common when seen along the normal of `a`.
+/// True if triangles of planes that face each other overlap in the projection along the normal of `a`.
 bool overlapInPlane(const Triangle& a, const Triangle& b, const PlaneRegion& plane);
 
 }  // namespace glissade

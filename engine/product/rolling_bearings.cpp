@@ -9,12 +9,12 @@ namespace {
 constexpr double kSphereShare = 0.02;
 constexpr std::size_t kFewestBalls = 3;
 constexpr std::size_t kFewestRollers = 5;
-/// Middles of the two rings along the axis, by their length.
+/// Largest distance of the rings' middles along the axis, in lengths of the rings.
 constexpr double kSameMiddle = 0.3;
-constexpr double kSameAxisApart = 0.05;  ///< by the radius
+constexpr double kSameAxisApart = 0.05;  ///< in radii
 constexpr double kSlack = 1.01;
 
-/// A ball's middle; nothing of a body that is no ball.
+/// The centre of a ball; nothing if the body is no ball.
 std::optional<Vector3> ballMiddle(const RigidBody& body) {
   const Box3 box = boundingBox(*body.mesh);
   const double radius = 0.5 * box.sizes().maxCoeff();
@@ -72,7 +72,7 @@ class RollingBearingFinder {
     return axis.point + 0.5 * (shape.low + shape.high) * axis.direction;
   }
 
-  /// The rings are coaxial and beside each other, and the one is in the other.
+  /// True if the rings are coaxial, beside each other, and one is inside the other.
   bool areRaces(std::size_t inner, std::size_t outer) const {
     const TurnedShape& in = *shapes_.turned(inner);
     const TurnedShape& out = *shapes_.turned(outer);
@@ -114,7 +114,7 @@ class RollingBearingFinder {
     return unit;
   }
 
-  /// Cages and shields.
+  /// True for cages and shields between the rings.
   bool isWithin(std::size_t ring, const AxisLine& axis, const TurnedShape& in, const TurnedShape& out,
                 double middle) const {
     const TurnedShape& shape = *shapes_.turned(ring);

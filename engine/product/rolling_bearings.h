@@ -7,7 +7,7 @@
 namespace glissade {
 
 /// Rolling bearings that are drawn with their balls or rollers: two coaxial rings with at least three equal balls, or
-/// five equal rollers, between them, and the cages and shields that are there, too. Each is a unit.
+/// five equal rollers, between them, and their cages and shields. Each is a unit.
 Joints findRollingBearings(const ProductShapes& shapes, const StopToken& stop);
 
 }  // namespace glissade

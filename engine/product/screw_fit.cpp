@@ -11,15 +11,15 @@ namespace glissade {
 namespace {
 
 constexpr int kRounds = 20;
-/// Sines within which patches count fully, of the first round, by which share they shrink, and of the last.
+/// Sines within which patches count fully: in the first round, the factor for each round, and in the last round.
 constexpr double kFirstSine = 0.3;
 constexpr double kSineShare = 0.8;
 constexpr double kLastSine = 0.04;
 constexpr double kAlongItself = 0.1;
 constexpr double kLeastMovedShare = 0.5;
-/// Mean square of the normals' parts along the axis: below it the patches could be moved straight along it.
+/// Mean square of the normals' axial components below which the patches could be moved straight along the axis.
 constexpr double kLeastSlope = 1e-3;
-/// Of the thread's largest radius.
+/// Limits of the pitch, in largest radii of the thread.
 constexpr double kLeastPitch = 0.01;
 constexpr double kMostPitch = 4.0;
 constexpr std::size_t kSectors = 12;
@@ -37,7 +37,7 @@ struct Twist {
   }
 };
 
-/// The twist with a unit turn that moves the patches along themselves best.
+/// The twist with a unit turn that moves the patches best along themselves.
 Twist bestTwist(const std::vector<SurfacePatch>& patches, const std::vector<double>& weights) {
   Eigen::Matrix3d turns = Eigen::Matrix3d::Zero();
   Eigen::Matrix3d mixed = Eigen::Matrix3d::Zero();
@@ -58,7 +58,7 @@ Twist bestTwist(const std::vector<SurfacePatch>& patches, const std::vector<doub
   return {turn, -inverse * mixed.transpose() * turn};
 }
 
-/// About their middle, in units of their mean distance from it.
+/// The patches about their middle, in units of their mean distance from it.
 struct Scaled {
   Vector3 middle = Vector3::Zero();
   double length = 0.0;

@@ -10,13 +10,13 @@
 namespace glissade {
 namespace {
 
-/// Bins of the distances from the axis; those count that have this share of the vertices, or more.
+/// Bins of the distances from the axis; a bin counts if it has at least this share of the vertices.
 constexpr int kBins = 100;
 constexpr double kFullBin = 0.04;
 constexpr int kAxisRounds = 20;
-/// The pitch is this many times the fitted one, at most, or less by as much: coarse facets say little of it.
+/// Limit of the ratio of the pitch to the fitted one, or its inverse: coarse facets determine the pitch poorly.
 constexpr double kMostFactor = 3.0;
-/// Turns by which a vertex's phase changes from one pitch that is tried to the next.
+/// Change of a vertex's phase between two trial pitches, in turns.
 constexpr double kTurnsApart = 0.15;
 constexpr int kHarmonics = 6;
 constexpr int kMostTried = 4000;
@@ -48,7 +48,7 @@ class ScrewRefinement {
     return {flat.norm(), std::atan2(flat.y(), flat.x()), p.dot(screw_.axis_W)};
   }
 
-  /// Vertices in full bins; false where there is none.
+  /// Collects the vertices in full bins; false if there is none.
   bool sortByRadius() {
     u_ = screw_.axis_W.unitOrthogonal();
     v_ = screw_.axis_W.cross(u_);
@@ -63,7 +63,7 @@ class ScrewRefinement {
     std::map<int, std::vector<std::size_t>> bins;
     for (std::size_t i = 0; i < all.size(); ++i) {
       const double share = most > least ? (all[i].radius - least) / (most - least) : 0.0;
-      // Neighbours of a full bin's border fall into one.
+      // Neighbours at a border fall into one bin.
       bins[static_cast<int>(std::lround(share * kBins))].push_back(i);
     }
     rings_.clear();
@@ -78,7 +78,7 @@ class ScrewRefinement {
     return !rings_.empty();
   }
 
-  /// One step of least squares in the axis' place and direction.
+  /// One least squares' step for the position and direction of the axis.
   void moveAxis() {
     Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
     Eigen::Vector4d right = Eigen::Vector4d::Zero();
@@ -97,7 +97,7 @@ class ScrewRefinement {
     screw_.axis_W = (screw_.axis_W + step[2] * u_ + step[3] * v_).normalized();
   }
 
-  /// How few helices the rings' points lie on: the larger the fewer.
+  /// Measure of how few helices contain the rings' points: larger for fewer.
   double coherence(double turnsForMetre) const {
     double sum = 0.0;
     for (const Ring& ring : rings_) {
@@ -124,7 +124,7 @@ class ScrewRefinement {
         high = std::max(high, p.height);
       }
     }
-    // In turns for a metre: the vertices' phases change evenly with it.
+    // Trial pitches are even in turns for a metre, so that phases change evenly.
     const double rate = 1.0 / screw_.pitch;
     const double turns = std::max(1.0, (high - low) * std::abs(rate));
     const double range = kMostFactor - 1.0 / kMostFactor;

@@ -6,10 +6,9 @@
 
 namespace glissade {
 
-/// A screw motion that was fitted to the facets of a thread, fitted again to its vertices. Facets are tilted against
-/// the surface that they stand for; vertices lie on it. The axis makes the most frequent distances of vertices from it
-/// equal. The pitch, from a third to three times the fitted one, makes the vertices of such a distance lie on the
-/// fewest helices.
+/// Refits a screw motion, which was fitted to the facets of a thread, to the thread's vertices. Facets are tilted
+/// against their surface; vertices are on it. The axis equalizes the most frequent distances of vertices from it. The
+/// pitch, from a third to three times the fitted one, puts the vertices of such a distance on the fewest helices.
 ScrewAxis refinedScrew(const ScrewAxis& screw, const std::vector<Vector3>& vertices);
 
 }  // namespace glissade

@@ -9,12 +9,12 @@
 namespace glissade {
 namespace {
 
-/// Length of the shaft that is looked at, by its radius: a coarse thread has at least two turns in it.
+/// Length of the shaft that is measured, in radii: a coarse thread has at least two turns in it.
 constexpr double kLookedAt = 1.5;
 constexpr std::size_t kFewestSections = 24;
-/// The middle of a section of a thread is beside the axis by this share of the radius at least.
+/// Least offset of a thread's section from the axis, in radii.
 constexpr double kLeastEccentric = 0.01;
-/// Radians: of the turn between two sections, and of its deviation from an even one.
+/// Radians: largest turn between two sections, and largest deviation from a uniform turn.
 constexpr double kMostTurn = 1.5;
 constexpr double kMostResidual = 0.4;
 constexpr double kFewestTurns = 0.8;
@@ -47,7 +47,7 @@ std::vector<SectionPhase> phasesOf(const std::vector<AxialSlab>& slabs, double r
   return phases;
 }
 
-/// Radians a metre, by least squares; 0 where the turn is not even.
+/// Turn in radians a metre, by least squares; 0 if it is not uniform.
 double evenTurn(const std::vector<SectionPhase>& phases) {
   double height = 0.0;
   double phase = 0.0;

@@ -10,11 +10,11 @@ constexpr std::size_t kMostPlanes = 40;
 constexpr std::size_t kMostAxes = 20;
 /// Share of the largest face, or of the longest axis, below which a feature is left out.
 constexpr double kLeastShare = 0.02;
-/// Sine between axes, and metres between them, below which they are one.
+/// Axes are equal within this sine and this distance, metres.
 constexpr double kOneDirection = 1e-6;
 constexpr double kOneAxis = 1e-6;
 
-/// A feature and its size: square metres of a face, metres of an axis.
+/// A feature with its size: square metres of a face, metres of an axis.
 struct SizedFeature {
   SnapFeature feature;
   double size = 0.0;
@@ -49,7 +49,7 @@ bool isOneAxis(const SnapFeature& a, const SnapFeature& b) {
          (b.point - a.point).cross(a.direction).norm() < kOneAxis;
 }
 
-/// Of surfaces with one axis the first gives its direction; the middle is that of all of them.
+/// Merges surfaces with one axis: the first one gives the direction, the middle is that of all.
 void addAxis(const SnapFeature& axis, std::vector<SizedFeature>& axes) {
   const auto same =
       std::find_if(axes.begin(), axes.end(), [&](const SizedFeature& one) { return isOneAxis(one.feature, axis); });
@@ -63,7 +63,7 @@ void addAxis(const SnapFeature& axis, std::vector<SizedFeature>& axes) {
   same->size = merged.box.diagonal().norm();
 }
 
-/// From `low` to `high` along the direction from the point.
+/// The axis from `low` to `high` along the direction from the point.
 SnapFeature axisFeature(const Vector3& point, const Vector3& direction, double low, double high) {
   SnapFeature axis;
   axis.kind = SnapFeature::Kind::Axis;
@@ -74,7 +74,7 @@ SnapFeature axisFeature(const Vector3& point, const Vector3& direction, double l
   return axis;
 }
 
-/// The last triangle with each of these labels.
+/// The last triangle of each label.
 std::vector<std::size_t> triangleOfEach(const SurfaceRegions& regions, SurfaceRegions::Kind kind, std::size_t count) {
   std::vector<std::size_t> triangles(count);
   for (std::size_t i = 0; i < regions.labels.size(); ++i) {

@@ -12,10 +12,10 @@
 namespace glissade {
 namespace {
 
-/// Bends are stated to this many metres, rounded up.
+/// Stated bends are rounded up to multiples of this, metres.
 constexpr double kFineness = 1e-5;
 
-/// Tries bends of the hooks of one body, as the fits of the product would take them.
+/// Tries bends of the hooks of one body, with the shapes of the product's fits.
 class BendTrial {
  public:
   BendTrial(const AssembledProduct& product, std::size_t body, const std::vector<std::size_t>& edges,
@@ -27,7 +27,7 @@ class BendTrial {
     }
   }
 
-  /// The least bend with which the body leaves; nothing where `most` is not enough. Metres.
+  /// The least bend with which the body leaves, metres; nothing if `most` is not enough.
   std::optional<double> least(const Vector3& direction, double most) {
     if (leaves(direction, 0.0)) return 0.0;
     if (stop_.stopRequested() || !leaves(direction, most)) return std::nullopt;
@@ -80,7 +80,7 @@ class BendTrial {
   const std::vector<std::size_t>& edges_;
   const StopToken& stop_;
   Box3 others_;
-  std::map<std::size_t, CollisionWorldPtr> worlds_;  ///< of each edge alone
+  std::map<std::size_t, CollisionWorldPtr> worlds_;  ///< one for each edge
   check::PlacedBodies placed_;
   ThinnableBodies thinnable_;
 };

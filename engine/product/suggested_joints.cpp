@@ -63,7 +63,7 @@ constexpr std::array kFirstWords{HintWord{"courroie", JointKind::Flexible}, Hint
                                  HintWord{"soudure", JointKind::Permanent}, HintWord{"colle", JointKind::Permanent},
                                  HintWord{"loquet", JointKind::Snap}};
 
-/// Words of assemblies that are bought, wherever they stand.
+/// Words of purchased assemblies, at any place in a name.
 constexpr std::array<std::string_view, 29> kUnitWords{
     "motor",     "servo",   "stepper",         "nema",    "bearing",      "lager",
     "roulement", "moteur",  "gearmotor",       "fan",     "pcb",          "board",
@@ -71,7 +71,7 @@ constexpr std::array<std::string_view, 29> kUnitWords{
     "actuator",  "arduino", "raspberry",       "encoder", "pump",         "solenoid",
     "bldc",      "speaker", "microcontroller", "vesc",    "potentiometer"};
 
-/// Words that are no name of a thing.
+/// Words that name no part.
 constexpr std::array<std::string_view, 14> kUnits{"mm",  "cm",   "in",     "od",       "id",      "long",  "wide",
                                                   "rev", "copy", "mirror", "mirrored", "default", "solid", "body"};
 
@@ -79,7 +79,7 @@ bool endsWith(const std::string& text, std::string_view end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-/// Compounds are written as one word in German: from five letters on an end is enough.
+/// German compounds are one word: the end of a word counts from five letters on.
 bool isLastWord(const std::string& word, std::string_view hint) {
   return word == hint || (hint.size() >= 5 && endsWith(word, hint));
 }
@@ -110,23 +110,23 @@ bool isOneOf(const std::string& word, const std::vector<std::string>& words) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-/// The class says it by its words, too.
+/// The joint that the words of a class suggest.
 std::optional<JointKind> hintOfClass(const std::string& name) {
   const std::vector<std::string> words = wordsOfName(name);
   if (isOneOf("flexible", words)) return JointKind::Flexible;
   return hintOf(words);
 }
 
-/// What holds or covers a unit, or goes with it.
+/// Words for parts that hold, cover or accompany a unit.
 constexpr std::array<std::string_view, 20> kNoUnitWords{
     "mount", "bracket", "holder", "housing", "tube",  "plate", "cover",   "case",     "box",    "block",
     "cap",   "support", "shaft",  "gear",    "wheel", "frame", "coupler", "coupling", "spacer", "pulley"};
 
-/// They follow the word that says what a thing is.
+/// Words that follow the name of a part.
 constexpr std::array<std::string_view, 7> kAssemblyWords{"assembly", "subassembly", "assy",    "asm",
                                                          "asy",      "baugruppe",   "ensemble"};
 
-/// A battery tube assembly is a tube.
+/// "battery tube assembly" is the name of a tube.
 std::vector<std::string> withoutAssemblyWords(std::vector<std::string> words) {
   const auto isAssembly = [](const std::string& word) {
     return std::find(kAssemblyWords.begin(), kAssemblyWords.end(), word) != kAssemblyWords.end();
@@ -145,7 +145,7 @@ bool isUnitName(const std::string& name) {
   });
 }
 
-/// Every face is a piece of one torus: a ring of round section.
+/// True if every face belongs to one torus: a ring of round section.
 bool isTorus(const TriangleMesh& mesh) {
   return !mesh.faces.empty() && std::all_of(mesh.faces.begin(), mesh.faces.end(), [](const SurfaceFace& face) {
     return face.kind == SurfaceFace::Kind::Torus;
@@ -180,7 +180,7 @@ class SuggestedJointFinder {
   }
 
  private:
-  /// The outermost assemblies with such a name, but not the whole product.
+  /// Adds the outermost assemblies with such a name, except the whole product.
   void addUnits(Joints& joints) {
     const Product& tree = shapes_.product().tree;
     std::map<std::size_t, std::vector<std::size_t>> units;
@@ -267,7 +267,7 @@ class SuggestedJointFinder {
     joint.evidence.push_back("its hooks bend by " + inMillimetres(least->bend) + " when it leaves along a line");
   }
 
-  /// Away from the middle of what it is on.
+  /// Direction away from the centre of the bodies that it is on.
   Vector3 wayOut(const Joint& joint) const {
     Box3 box;
     for (const std::size_t other : joint.others) box.extend(shapes_.box(other));
@@ -277,7 +277,7 @@ class SuggestedJointFinder {
     return std::copysign(1.0, way[axis]) * Vector3::Unit(axis);
   }
 
-  /// Bodies within reach of tessellation.
+  /// Bodies in contact, within the tolerance of tessellation.
   std::vector<std::size_t> touching(std::size_t body) const {
     std::vector<std::size_t> found;
     for (std::size_t other = 0; other < shapes_.size() && !stop_.stopRequested(); ++other) {
@@ -292,7 +292,7 @@ class SuggestedJointFinder {
   const std::vector<std::string>& classes_;
   const StopToken& stop_;
   std::vector<bool> isTaken_;
-  std::vector<bool> isInUnit_;  ///< of a bearing that was recognised
+  std::vector<bool> isInUnit_;  ///< for each body, whether it is in a recognised bearing
 };
 
 }  // namespace

@@ -16,27 +16,28 @@ namespace {
 
 using Kind = SurfaceRegions::Kind;
 
-/// Vertices may be this far off a fitted surface, metres and share of the mesh's diagonal: exporters approximate
+/// Largest distance of vertices from a fitted surface, metres and share of the mesh's diagonal: exporters approximate
 /// edges, and write single precision.
 constexpr double kOffSurface = 2e-6;
 constexpr double kOffSurfaceShare = 1e-7;
-/// Cosine of the angle between two facets of one smooth surface, at most ten a turn.
+/// Cosine between facets of one smooth surface, which has at least ten facets a turn.
 constexpr double kSmoothCosine = 0.809;
-/// Triangles that a cylinder is first fitted to.
+/// Number of triangles to which a cylinder is first fitted.
 constexpr std::size_t kPatch = 8;
-/// Facets of a cylinder are turned against its axis by no more than this cosine.
+/// Largest cosine between the normals of a cylinder's facets and its axis.
 constexpr double kAlongAxis = 0.3;
-/// A cylinder has at least this many directions of facets.
+/// Least number of facet directions of a cylinder.
 constexpr std::size_t kFewestFacets = 3;
 /// Cosine between the normals of triangles in one plane.
 constexpr double kFlatCosine = 0.9;
-/// A flat region is a facet of a free surface where smooth edges make this share of its border, and its neighbours
-/// over them are not much smaller.
+/// A flat region is a facet of a free surface if smooth edges form this share of its border, and its neighbours over
+/// them are not much smaller.
 constexpr double kSmoothBorder = 0.6;
 constexpr double kFacetSize = 3.0;
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-/// From the axis of a cone across it, from a sphere's centre, from the nearest point of a torus's circle.
+/// Direction outwards: from the axis of a cone across it, from a sphere's centre, or from the nearest point of a
+/// torus's circle.
 Vector3 outwardsAt(const SurfaceFace& surface, const Vector3& p) {
   const Vector3 from = p - surface.point;
   if (surface.kind == SurfaceFace::Kind::Sphere) return from;
@@ -75,7 +76,7 @@ class RegionFinder {
     }
   }
 
-  /// Triangles across each edge; none where an edge does not have exactly two.
+  /// Finds the triangle across each edge; none if the edge does not have exactly two.
   void connect() {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::pair<std::uint32_t, int>>> uses;
     neighbours_.assign(mesh_.triangles.size(), {kNone, kNone, kNone});
@@ -95,7 +96,7 @@ class RegionFinder {
   bool isFree(std::uint32_t t) const { return result_.labels[t].kind == Kind::Free && !curved_[t]; }
   bool isSmooth(std::uint32_t a, std::uint32_t b) const { return normals_[a].dot(normals_[b]) > kSmoothCosine; }
 
-  /// Triangles from the seed on, over edges that `accept` lets pass (from, to).
+  /// Triangles that are reached from the seed over edges that `accept` permits (from, to).
   template <class Accept>
   std::vector<std::uint32_t> grow(std::uint32_t seed, std::size_t most, const Accept& accept) {
     ++visit_;
@@ -151,7 +152,7 @@ class RegionFinder {
     return kind == Stated::Cone || kind == Stated::Sphere || kind == Stated::Torus;
   }
 
-  /// With the faces beside it that are of the same surface.
+  /// Adds the stated round surface of the seed, with neighbouring faces of the same surface.
   void addStatedRound(std::uint32_t seed) {
     const SurfaceFace& surface = faceOf(seed);
     if (!isOnStated(seed)) return;
@@ -173,7 +174,7 @@ class RegionFinder {
     result_.rounds.push_back(round);
   }
 
-  /// The vertices lie on what the file states of the triangle's face.
+  /// True if the vertices are on the stated surface of the triangle's face.
   bool isOnStated(std::uint32_t t) const {
     const SurfaceFace& surface = faceOf(t);
     const double off = offStated(surface);
@@ -183,7 +184,7 @@ class RegionFinder {
     return true;
   }
 
-  /// The triangle's face is stated to be of the surface, or of one that does not differ from it there.
+  /// True if the triangle's face is stated to be of the surface, or of one that does not differ from it there.
   bool isSameSurface(const SurfaceFace& surface, std::uint32_t t) const {
     const SurfaceFace& other = faceOf(t);
     if (&other == &surface) return true;
@@ -195,16 +196,16 @@ class RegionFinder {
     return true;
   }
 
-  /// The material of the triangle is on the surface's inner side.
+  /// True if the material of the triangle is on the inner side of the surface.
   bool isOutside(const SurfaceFace& surface, std::uint32_t t) const {
     return normals_[t].dot(outwardsAt(surface, (vertex(t, 0) + vertex(t, 1) + vertex(t, 2)) / 3.0)) > 0.0;
   }
 
-  /// Metres that the vertices of a face may be off what the file states of it.
+  /// Largest distance of a face's vertices from its stated surface, metres.
   double offStated(const SurfaceFace& face) const { return std::max(tolerance_, face.deflection); }
 
-  /// The vertices are no farther off the plane, and the triangle faces the same way. A sliver beside a larger triangle,
-  /// the seed, has no normal to speak of: its vertices decide.
+  /// True if the vertices are within `off` of the plane, and the triangle faces the same way. The normal of a sliver
+  /// beside a larger triangle, the seed, is unreliable: its vertices decide.
   bool isInPlane(std::uint32_t t, std::uint32_t seed, const PlaneRegion& plane, double off) const {
     for (int i = 0; i < 3; ++i) {
       if (std::abs(plane.normal.dot(vertex(t, i)) - plane.offset) > off) return false;
@@ -212,7 +213,7 @@ class RegionFinder {
     return normals_[t].dot(plane.normal) > kFlatCosine || areas_[t] < 1e-6 * areas_[seed];
   }
 
-  /// With the faces beside it that lie in the same plane.
+  /// Adds the stated plane of the seed, with neighbouring faces in the same plane.
   void addStatedPlane(std::uint32_t seed) {
     const SurfaceFace& face = faceOf(seed);
     Vector3 normal = face.axis.normalized();
@@ -233,7 +234,7 @@ class RegionFinder {
     result_.planes.push_back(plane);
   }
 
-  /// With the faces beside it that are of the same cylinder.
+  /// Adds the stated cylinder of the seed, with neighbouring faces of the same cylinder.
   void addStatedCylinder(std::uint32_t seed) {
     const SurfaceFace& face = faceOf(seed);
     const FittedCylinder stated{face.point, face.axis.normalized(), face.radius};
@@ -314,7 +315,7 @@ class RegionFinder {
   }
 
   void findPlanes() {
-    const auto first = static_cast<std::uint32_t>(result_.planes.size());  // behind those that are stated
+    const auto first = static_cast<std::uint32_t>(result_.planes.size());  // after the stated planes
     std::vector<std::uint32_t> seeds(mesh_.triangles.size());
     std::iota(seeds.begin(), seeds.end(), 0U);
     std::stable_sort(seeds.begin(), seeds.end(), [&](auto a, auto b) { return areas_[a] > areas_[b]; });
@@ -332,7 +333,7 @@ class RegionFinder {
     freeFacets(regions, first);
   }
 
-  /// Takes back the planes that are facets of a free surface. `first`: the number of the first region's plane.
+  /// Removes planes that are facets of a free surface. `first`: the number of the first region's plane.
   void freeFacets(const std::vector<std::vector<std::uint32_t>>& regions, std::uint32_t first) {
     std::vector<double> area(result_.planes.size(), 0.0);
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
@@ -371,7 +372,7 @@ class RegionFinder {
   std::vector<double> areas_;
   std::vector<Vector3> normals_;
   std::vector<std::array<std::uint32_t, 3>> neighbours_;
-  std::vector<bool> curved_;  ///< of each triangle: of a round face that it contradicts
+  std::vector<bool> curved_;  ///< for each triangle: its stated round face contradicts it
   bool closed_ = true;        ///< every edge has two triangles
   std::vector<std::uint32_t> visited_;
   std::uint32_t visit_ = 0;

@@ -14,7 +14,7 @@ const ThinnableMesh* ThinnableBodies::of(const MeshPtr& mesh) {
   return entry->thinnable ? &*entry->thinnable : nullptr;
 }
 
-/// Two threads that need the same one may both make it; the first is kept.
+/// Two threads that need the same mesh may both make it; the first result is kept.
 MeshPtr ThinnableBodies::thinned(const MeshPtr& mesh, const std::vector<double>& allowances, double share) {
   std::tuple key{mesh, allowances, share};
   {

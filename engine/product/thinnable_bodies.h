@@ -12,14 +12,14 @@
 
 namespace glissade {
 
-/// Meshes that are prepared once for being taken thinner, and taken thinner once, for any number of threads. Bodies
-/// that have the same mesh and fit others alike share the thinned one.
+/// Prepares meshes for thinning and thins them, each once. Thread-safe. Bodies with the same mesh and the same fits
+/// share the thinned mesh.
 class ThinnableBodies {
  public:
-  /// Null where the mesh encloses nothing. Lives as long as this.
+  /// Null if the mesh encloses nothing. Valid as long as this object.
   const ThinnableMesh* of(const MeshPtr& mesh);
-  /// With an allowance for each triangle, metres, and `share` as of ThinnableMesh. Null where the mesh has no inside
-  /// there, or no place for that.
+  /// Thins by an allowance for each triangle, metres; `share`: see ThinnableMesh. Null if the mesh has no inside there,
+  /// or no room.
   MeshPtr thinned(const MeshPtr& mesh, const std::vector<double>& allowances, double share = kMostThinning);
 
  private:
@@ -27,7 +27,7 @@ class ThinnableBodies {
     std::once_flag made;
     std::optional<ThinnableMesh> thinnable;
   };
-  std::mutex mutex_;  ///< of what follows
+  std::mutex mutex_;  ///< protects the members below
   std::map<MeshPtr, std::unique_ptr<Entry>> entries_;
   std::map<std::tuple<MeshPtr, std::vector<double>, double>, MeshPtr> thinned_;
 };

@@ -9,10 +9,10 @@
 namespace glissade {
 namespace {
 
-/// Share of the nominal diameter that one of this size may be off it.
+/// Relative deviation from the nominal diameter within which a thread has this size.
 constexpr double kNominalShare = 0.04;
 
-/// Share of the shaft's radius, and of the coarse pitch: what is drawn thicker by less is pressed in.
+/// Shares of the shaft's radius, and of the coarse pitch: a smaller excess is pressed in.
 constexpr double kLeastDepth = 0.02;
 constexpr double kLeastDepthInPitches = 0.15;
 

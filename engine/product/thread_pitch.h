@@ -9,17 +9,17 @@ struct ThreadPitch {
   std::string size;    ///< "M10"
 };
 
-/// The coarse pitch of ISO 261 for the nominal diameter that is nearest to this thread's, from M1 to M64. `radius`: of
+/// The coarse pitch of ISO 261 for the nominal diameter nearest to this thread's, from M1 to M64. `radius`: radius of
 /// the shaft, metres.
 ThreadPitch isoCoarsePitch(double radius);
 
-/// "M10": the nominal size that a thread of this diameter (metres, outside) has to 4 %; empty where it has none.
+/// "M10": the nominal size of a thread of this outer diameter (metres), within 4 %; empty if there is none.
 std::string nominalSize(double diameter);
 
-/// Whether a shaft that is drawn so much thicker than its hole, radially, has a thread in it; else it is pressed in.
-/// The threads of a coarse pitch are 0.54 pitches deep, those of the finest pitches of ISO 261 more than 0.15 coarse
-/// ones. What the judge does not let be pulled (check::kLeastThreadDepth) has a thread, too. `radius`: of the shaft;
-/// metres.
+/// True if a shaft that is drawn thicker than its hole by this radial depth has a thread in it; else it is pressed in.
+/// Threads of a coarse pitch are 0.54 pitches deep, those of the finest pitches of ISO 261 more than 0.15 coarse ones.
+/// A pair that the judge does not permit to be pulled (check::kLeastThreadDepth) also has a thread. `radius`: radius of
+/// the shaft; metres.
 bool isThreadDepth(double radius, double depth);
 
 }  // namespace glissade

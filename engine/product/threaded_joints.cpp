@@ -13,33 +13,33 @@
 namespace glissade {
 namespace {
 
-/// A hole that is drawn as wide as the thread outside, or wider than a core that is drawn.
+/// Largest ratios of a hole to its shaft: drawn as wide as the outer thread, or wider than a drawn core.
 constexpr double kMostFreeGap = 1.3;
 constexpr double kClearerHole = 1.03;
-/// Axes of a nut and its shaft are this near, by the radius.
+/// Largest distance of the axes of a nut and its shaft, in radii.
 constexpr double kSameAxisShare = 0.15;
-/// Length in which a thread has to be engaged, by the shaft's radius.
+/// Least engaged length of a thread, in radii of the shaft.
 constexpr double kLeastEngaged = 0.15;
-/// A nut lies on its shaft in this share of its height.
+/// Least share of a nut's height that is on its shaft.
 constexpr double kOnShaft = 0.5;
-/// A rod in a nut by the radius of the hole.
+/// Limits of the ratio of a rod to the hole of its nut.
 constexpr double kThinnestRod = 0.7;
 constexpr double kThickestRod = 1.45;
 
-/// Sines of the angle between a shaft and a hole that is tilted against it.
+/// Limits of the sine of the angle between a shaft and a tilted hole.
 constexpr double kLeastTilt = 0.02;
 constexpr double kMostTilt = 0.5;
 
-/// What lies along the shaft of a screw, and which of it has the thread.
+/// The bodies along the shaft of a screw, and those that have its thread.
 struct ScrewStack {
   std::vector<AroundShaft> hosts;    ///< the nearest to the head first
-  std::vector<AroundShaft> clamped;  ///< likewise
-  std::string reason;                ///< why the hosts are taken for hosts
-  std::string doubt;                 ///< what speaks against it; empty: nothing
+  std::vector<AroundShaft> clamped;  ///< the nearest to the head first
+  std::string reason;                ///< reason why the hosts count as hosts
+  std::string doubt;                 ///< evidence against it; empty: none
   bool isDeepened = false;           ///< a hole is narrower by a thread
 };
 
-/// What contradicts itself waits for a person, unless the hole is narrower by a thread.
+/// A contradictory joint waits for a person, unless the hole is narrower by a thread.
 void addDoubt(const std::string& doubt, bool isDeepened, Joint& joint) {
   if (doubt.empty()) return;
   joint.isDoubtful = true;
@@ -66,7 +66,7 @@ class ThreadedJointFinder {
   }
 
  private:
-  /// A screw has a drive or a name.
+  /// True if the body has a drive or the name of a screw.
   bool isScrew(std::size_t body) const {
     const TurnedShape* shape = shapes_.turned(body);
     return (shape != nullptr && shape->drive.kind != DriveKind::None) ||
@@ -77,7 +77,7 @@ class ThreadedJointFinder {
     return isNut(shapes_, said_, body) && isSameAxis(shapes_.axisOf(body), axis, kSameAxisShare * radius);
   }
 
-  /// Another screw in the same place is a variant of it.
+  /// True for another screw in the same place, which is a variant of it.
   bool isTwin(std::size_t body, const AxisLine& axis, double radius) const {
     const TurnedShape* shape = shapes_.turned(body);
     return shape != nullptr && shape->kind == TurnedKind::Screw &&
@@ -144,7 +144,7 @@ class ThreadedJointFinder {
     stack.isDeepened = !stack.hosts.empty();
   }
 
-  /// The hole around the shaft is wide enough, and at an angle to it.
+  /// True if the hole around the shaft is wide enough, and tilted against it.
   bool isTilted(std::size_t host, const AxisLine& axis, const TurnedShape& shape) const {
     const std::vector<CylinderRegion> cylinders = shapes_.cylindersOf(host);
     return std::any_of(cylinders.begin(), cylinders.end(), [&](const CylinderRegion& hole) {
@@ -169,7 +169,7 @@ class ThreadedJointFinder {
     }
   }
 
-  /// Holes that are drawn as wide as the shaft, or wider: the farthest one from the head.
+  /// Takes the hole farthest from the head, among holes that are drawn as wide as the shaft or wider.
   void takeDeepestHole(std::vector<AroundShaft> all, std::size_t body, const TurnedShape& shape,
                        ScrewStack& stack) const {
     std::erase_if(all, [&](const AroundShaft& each) { return isNut(shapes_, said_, each.body); });
@@ -185,7 +185,7 @@ class ThreadedJointFinder {
     }
     const AroundShaft& last = all.back();
     if (last.hole > kMostFreeGap * shape.shaft) return;
-    // Washers and spacers are around the shaft, however wide.
+    // Washers and spacers are around the shaft, whatever their width.
     const auto isWiderOrRing = [&](const AroundShaft& other) {
       const TurnedShape* turned = shapes_.turned(other.body);
       const bool isRing = turned != nullptr && turned->kind == TurnedKind::Ring;
@@ -197,7 +197,7 @@ class ThreadedJointFinder {
     stack.reason = "the hole is the narrowest, and the farthest from the head";
   }
 
-  /// What the head, or a washer below it, does not let pass.
+  /// Takes the bodies that the head, or a washer below it, does not pass.
   static void takeClamped(const std::vector<AroundShaft>& all, const TurnedShape& shape, ScrewStack& stack) {
     double cover = shape.outer;
     const double end = stack.hosts.back().low;
@@ -270,7 +270,7 @@ class ThreadedJointFinder {
     return isLooseNut(shapes_.body(nut), {axis.point, axis.direction, radius, radius, true}, others, stop_);
   }
 
-  /// The nut is what is turned, not the screw.
+  /// Makes the nut, and not the screw, the body that turns.
   void turnNut(Joint& joint, const AxisLine& axis) const {
     const std::size_t nut = joint.others[0];
     const TurnedShape& shape = *shapes_.turned(nut);
@@ -284,7 +284,7 @@ class ThreadedJointFinder {
     joint.evidence.emplace_back("the nut is free to be turned");
   }
 
-  /// What a screw clamps is screwed onto it only where it is called a nut.
+  /// A body that a screw clamps counts as a nut on it only if its name says so.
   void addNutOnRod(std::size_t nut, const TurnedShape& shape, Joints& joints) {
     const AxisLine axis = shapes_.axisOf(nut);
     const bool isNamed = says(said_, nut, {StandardPart::Nut});
@@ -301,7 +301,7 @@ class ThreadedJointFinder {
     }
   }
 
-  /// Radius of a shaft in the hole of a nut, and the length of the nut that it is in; 0: there is none.
+  /// Radius of a shaft in the hole of a nut, and the length of the nut that it is in; 0 if there is none.
   std::pair<double, double> rodIn(std::size_t rod, const TurnedShape& shape, const AxisLine& axis) const {
     double on = 0.0;
     double thickest = 0.0;
@@ -346,7 +346,7 @@ class ThreadedJointFinder {
   const Designations& said_;
   const StopToken& stop_;
   std::set<std::size_t> nutsTaken_;
-  std::set<std::pair<std::size_t, std::size_t>> clampedOn_;  ///< what is clamped, and by which screw
+  std::set<std::pair<std::size_t, std::size_t>> clampedOn_;  ///< a clamped body, and the screw that clamps it
 };
 
 }  // namespace

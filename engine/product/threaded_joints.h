@@ -7,9 +7,9 @@
 
 namespace glissade {
 
-/// The screws and nuts of a product, by body. Where the evidence contradicts itself, as a bolt in a nut of another size
-/// does, the joint is suggested and doubtful. `said`: by the names; without a drive, a name decides whether a shaft
-/// that only just fits its holes is a screw.
+/// The screws and nuts of a product, by body. If the evidence is contradictory, such as a bolt in a nut of another
+/// size, the joint is suggested and doubtful. `said`: designations by name; without a drive, a name decides whether a
+/// shaft that fits its holes closely is a screw.
 Joints findThreadedJoints(const ProductShapes& shapes, const Designations& said, const StopToken& stop);
 
 }  // namespace glissade

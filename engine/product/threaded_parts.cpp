@@ -14,18 +14,18 @@
 namespace glissade {
 namespace {
 
-/// Axes are one within this share of the shaft's radius.
+/// Largest distance of coaxial axes, in radii of the shaft.
 constexpr double kOneAxisShare = 0.02;
-/// The thread is engaged by so much at least, by the shaft's radius.
+/// Least engaged length of a thread, in radii of the shaft.
 constexpr double kLeastThreadLength = 0.15;
-/// Share of the directions in which both bodies have to fill what is between hole and shaft.
+/// Share of the directions in which both bodies have to fill the volume between hole and shaft.
 constexpr double kLeastFilled = 0.5;
-/// What is wider than the shaft, or narrower than the hole, by less than this share passes.
+/// Relative excess over the shaft, or deficit of the hole, that still passes.
 constexpr double kPasses = 0.01;
-/// How far about the axis is looked for what does not pass, by the shaft's radius.
+/// Radius about the axis that is searched for obstructions, in radii of the shaft.
 constexpr double kLookedAbout = 3.0;
 
-/// A part of an axis of the world.
+/// A range along an axis of the world.
 struct Span {
   double low = 0.0;
   double high = 0.0;
@@ -39,7 +39,7 @@ Span spanOf(const CylinderRegion& cylinder, const AxisLine& axis) {
   return {std::min(first, last), std::max(first, last)};
 }
 
-/// A shaft of one body in a narrower hole of another one. Heights along the axis of the shaft.
+/// A shaft of one body in a narrower hole of another body. Heights along the axis of the shaft.
 struct DrawnThread {
   std::size_t shaftBody = 0;
   std::size_t holeBody = 0;
@@ -54,7 +54,7 @@ struct DrawnThread {
   double depth() const { return shaft - hole; }
 };
 
-/// Makes the joint of a thread: which body turns, and which way it leaves.
+/// Makes the joint of a thread: the body that turns, and its exit direction.
 class ThreadJointMaker {
  public:
   explicit ThreadJointMaker(const ProductShapes& shapes) : shapes_(shapes) {}
@@ -96,8 +96,8 @@ class ThreadJointMaker {
 
   double volumeOf(std::size_t body) const { return shapes_.box(body).volume(); }
 
-  /// Whether the shaft leaves in the direction of the axis; against it, where something does not let it pass, or where
-  /// it is free sooner.
+  /// True if the shaft leaves in the direction of the axis; false if something blocks it there, or if it is free sooner
+  /// in the opposite direction.
   bool leavesUp(const DrawnThread& thread) const {
     const Span shaft = extentOf(thread.shaftBody, thread.axis);
     const Span hole = extentOf(thread.holeBody, thread.axis);
@@ -107,8 +107,7 @@ class ThreadJointMaker {
     return thread.ofHole.high - thread.ofShaft.low <= thread.ofShaft.high - thread.ofHole.low;
   }
 
-  /// Behind the shaft nothing of its body is wider than the shaft; before the hole nothing of the other body is
-  /// narrower than the hole.
+  /// True if no part behind the shaft is wider than the shaft, and no part before the hole is narrower than the hole.
   bool passes(const DrawnThread& thread, const Span& behind, const Span& before) const {
     for (const AxialSlab& slab : slabsOf(thread.shaftBody, thread, behind)) {
       if (slab.outerMost() > (1.0 + kPasses) * thread.shaft) return false;
@@ -170,7 +169,7 @@ class ThreadedPartFinder {
   }
 
  private:
-  /// In the world, each body looked at once.
+  /// The cylinders of a body in the world, found once.
   const std::vector<CylinderRegion>& cylindersOf(std::size_t body) {
     if (!cylinders_[body]) cylinders_[body] = shapes_.cylindersOf(body);
     return *cylinders_[body];
@@ -236,7 +235,7 @@ class ThreadedPartFinder {
 
   const ProductShapes& shapes_;
   const StopToken& stop_;
-  std::vector<std::optional<std::vector<CylinderRegion>>> cylinders_;  ///< of each body, where it was asked
+  std::vector<std::optional<std::vector<CylinderRegion>>> cylinders_;  ///< one entry for each body; set on demand
   std::set<std::pair<std::size_t, std::size_t>> joined_;
 };
 

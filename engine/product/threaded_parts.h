@@ -11,12 +11,13 @@
 namespace glissade {
 
 /// Bodies that are screwed together although neither is a screw or a nut by its shape: a nozzle and its heater block, a
-/// pipe and its fitting. A shaft of the one is thicker than the coaxial hole of the other around it by the depth of a
-/// thread (isThreadDepth()). `known`: joints that were found before; pairs that these join are left out. By body.
+/// pipe and its fitting. A shaft of one body is thicker than the coaxial hole of the other around it by the depth of a
+/// thread (isThreadDepth()). `known`: joints that were found before; pairs that these join are left out. Ordered by
+/// body.
 Joints findThreadedParts(const ProductShapes& shapes, const Joints& known, const StopToken& stop);
 
-/// The joint of a pair with these threads, of which the one that is engaged longest counts; of those that a pair of
-/// bodies has, see Fit::threads. `pair`: the body that moves, and the other one.
+/// The joint of a pair with these threads (check::commonThreads()); the thread that is engaged longest counts. `pair`:
+/// the moving body and the other body.
 Joint jointOfThread(const ProductShapes& shapes, const std::pair<std::size_t, std::size_t>& pair,
                     const std::vector<check::CommonThread>& threads);
 

@@ -50,12 +50,12 @@ void dropJointsOf(const std::string& bodyId, Scenario& scenario) {
   for (JointEdit& edit : scenario.joints) std::erase_if(edit.clamped, isOfBody);
 }
 
-/// From the frame of an object's geometry to that about its reference point.
+/// The transformation from the frame of an object's geometry to its reference point.
 Pose toReferencePoint(const ObjectDescription& object, const ObjectGeometry& geometry) {
   return Pose::translation(referencePointOf(object, geometry));
 }
 
-/// The object's bodies where they start, as bodies of the product.
+/// The object's bodies at the start, as bodies of the product.
 std::vector<BodyDescription> placedBodiesOf(const ObjectDescription& object, const LoadedScenario& loaded,
                                             const Pose& start) {
   const Pose X_WG = start * inverse(toReferencePoint(object, geometryOf(object, loaded)));
@@ -82,7 +82,7 @@ ObjectDescription objectOf(std::vector<BodyDescription> placed) {
   return object;
 }
 
-/// About the bodies, and the object where it starts.
+/// Bounding box of the bodies and of the object at its start.
 Box3 boxOfAll(const LoadedScenario& loaded) {
   Box3 box = boundingBox(*loaded.object.mesh, loaded.problem.start);
   for (const RigidBody& body : loaded.obstacles) box.extend(boundingBox(*body.mesh, body.X_WB));
@@ -167,7 +167,7 @@ Outcome markMoving(const std::vector<std::string>& bodyIds, const LoadedScenario
   std::vector<BodyDescription> others = scenario.bodies;
   const auto first = std::find_if(others.begin(), others.end(),
                                   [&](const BodyDescription& body) { return body.id == bodyIds.front(); });
-  // What stops to move takes the place of what begins to.
+  // The bodies that stop moving are inserted where the bodies that begin to move were.
   others.insert(first, before.begin(), before.end());
   std::vector<BodyDescription> moving;
   for (const std::string& id : bodyIds) {

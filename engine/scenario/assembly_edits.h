@@ -9,32 +9,34 @@
 
 namespace glissade {
 
-/// What a person can put somewhere: a body, or the object at one of its ends.
+/// An item that a person can place: a body, or the object at one of its ends.
 struct AssemblyItem {
   enum class Kind { Body, Start, Goal };
   Kind kind = Kind::Body;
-  std::string bodyId;  ///< of the scenario's body; empty for the ends
+  std::string bodyId;  ///< id of the scenario's body; empty for the ends
 
   friend bool operator==(const AssemblyItem&, const AssemblyItem&) = default;
 };
 
-/// Nothing where there is no such body, or the goal is "out".
+/// The pose of an item; nothing where there is no such body, or the goal is "out".
 std::optional<Pose> poseOf(const Scenario& scenario, const AssemblyItem& item);
 
-/// Puts it there. Errors (here and below): Usage, there is no such body, or it cannot be.
+/// Sets the pose of an item. Errors, also of the functions below: Usage, if there is no such body or the edit is
+/// impossible for it.
 Outcome place(const AssemblyItem& item, const Pose& X_WB, Scenario& scenario);
 
-/// Takes a body out, with the assets that nothing else uses and what was said about its fits and joints.
+/// Removes a body, with the assets that no other body uses and the statements about its fits and joints.
 Outcome removeBody(const std::string& bodyId, Scenario& scenario);
 
-/// The body stays in the scenario and is not there: what was said about its fits and joints goes. And back.
+/// leaveOut() keeps the body in the scenario, but not in the product, and removes the statements about its fits and
+/// joints. putBack() returns the body to the product.
 Outcome leaveOut(const std::string& bodyId, Scenario& scenario);
 Outcome putBack(const std::string& bodyId, Scenario& scenario);
 
-/// What is done to a body of the scenario, by its id.
+/// An edit of a body of the scenario, by its id.
 using BodyEdit = Outcome (*)(const std::string& bodyId, Scenario& scenario);
 
-/// Edits one body after the other, up to the first that fails.
+/// Applies an edit to the bodies in order, up to the first that fails.
 template <class Ids>
 Outcome editEach(const Ids& bodyIds, BodyEdit edit, Scenario& scenario) {
   for (const std::string& id : bodyIds) {
@@ -44,22 +46,22 @@ Outcome editEach(const Ids& bodyIds, BodyEdit edit, Scenario& scenario) {
   return Done{};
 }
 
-/// The object starts where its goal was, and the other way round. Not where the goal is "out".
+/// Exchanges start and goal of the object. Error if the goal is "out".
 Outcome swapEnds(Scenario& scenario);
 
-/// The bodies become the object, as one rigid body, from where they lie and to "out", for which the workspace grows;
-/// the other bodies that were the object do not move any more, and stay where they started. Way points of the simulated
-/// operator go with their object. The first one gives the object its id and its frame.
+/// Makes the bodies the object, one rigid body that starts where they lie. The goal is "out", and the workspace grows
+/// for it. Other bodies of the former object stop moving and stay where they started. Way points of the simulated
+/// operator belong to the former object and are removed. The first body gives the object its id and its frame.
 Outcome markMoving(const std::vector<std::string>& bodyIds, const LoadedScenario& loaded, Scenario& scenario);
 
-/// A workspace about all that there is, with room for the object to get clear of it on every side.
+/// A workspace around all bodies, with room for the object to leave them on every side.
 Box3 fittingWorkspace(const LoadedScenario& loaded);
 
-/// The object is made of these bodies of the scenario, in any order.
+/// True if the object consists of these bodies of the scenario, in any order.
 bool isObject(const std::vector<std::string>& bodyIds, const Scenario& scenario);
 
-/// Takes over what is edited step by step: the assembly, semantic attributes, the rules of strategy "own", fits,
-/// joints. The rest (planner, parameters, seed, environment) stays as it is.
+/// Copies the parts of a scenario that are edited step by step: the assembly, semantic attributes, the rules of
+/// strategy "own", fits, joints. The rest (planner, parameters, seed, environment) is unchanged.
 void takeAssembly(const Scenario& from, Scenario& to);
 
 }  // namespace glissade

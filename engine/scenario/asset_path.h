@@ -7,8 +7,8 @@
 
 namespace glissade {
 
-/// The scenario as it has to be written into another file: its assets are named as seen from there.
-/// `oldFile` is empty where the scenario was never saved.
+/// The scenario for writing into another file: the paths of its assets are relative to that file. `oldFile` is empty
+/// where the scenario was never saved.
 Scenario movedTo(const std::string& newFile, Scenario scenario, const std::string& oldFile);
 
 }  // namespace glissade

@@ -1,27 +1,11 @@
 #pragma once
 
-#include <optional>
-#include <string_view>
-
+#include "engine/base/enum_names.h"
 #include "engine/planning/roadmap.h"
 
 namespace glissade {
 
 /// Authors as path files name them.
-constexpr const char* authorName(Author author) {
-  switch (author) {
-    case Author::Computer: return "computer";
-    case Author::Operator: return "operator";
-    case Author::Contact: return "contact";
-  }
-  return "computer";
-}
-
-inline std::optional<Author> authorByName(std::string_view name) {
-  for (const Author author : {Author::Computer, Author::Operator, Author::Contact}) {
-    if (name == authorName(author)) return author;
-  }
-  return std::nullopt;
-}
+inline constexpr EnumNames<Author, 3> kAuthorNames{{"computer", "operator", "contact"}};
 
 }  // namespace glissade

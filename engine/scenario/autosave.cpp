@@ -30,7 +30,7 @@ Diagnostic unusable(const std::string& folder, const std::string& what) {
   return {ErrorKind::Unwritable, folder, "", what + ": " + std::strerror(errno), "Edits are not saved automatically."};
 }
 
-/// Another program may have taken a file for abandoned before it was locked, and removed it.
+/// True if the file still exists. Another program may have removed it as abandoned before it was locked.
 bool isThere(const Descriptor& file) {
   struct stat status {};
   return ::fstat(file.get(), &status) == 0 && status.st_nlink > 0;
@@ -118,7 +118,7 @@ std::vector<AbandonedEdits> findAbandonedEdits(const std::string& folder) {
     if (::access((base + kEditsEnding).c_str(), F_OK) == 0) {
       found.emplace_back(std::move(lock), base);
     } else {
-      removeFiles(base);  // a killed program that had nothing unsaved
+      removeFiles(base);  // left by a killed program that had no unsaved edits
     }
   }
   std::sort(found.begin(), found.end(),

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "engine/base/json_reader.h"
 #include "engine/environment/body_class.h"
-#include "engine/import/json_reader.h"
 
 namespace glissade {
 
@@ -9,7 +9,7 @@ namespace glissade {
 std::vector<BodyClass> readBodyClasses(const JsonCursor& at);
 JsonCursor::Json toJson(const BodyClass& bodyClass);
 
-/// Those of resources/knowledge/body_classes.json, which is part of the program.
+/// The classes of resources/knowledge/body_classes.json, which is part of the program.
 std::vector<BodyClass> usualBodyClasses();
 
 }  // namespace glissade

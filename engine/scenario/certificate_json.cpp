@@ -2,7 +2,8 @@
 
 #include <cmath>
 
-#include "engine/import/json_reader.h"
+#include "engine/base/json_reader.h"
+#include "engine/geometry/pose_json.h"
 
 namespace glissade {
 namespace {

@@ -8,14 +8,13 @@
 
 namespace glissade {
 
-/// What a body is called in a report; its index in the world's obstacles is never -1.
+/// Names of bodies in a report, by the index in the world's obstacles, which is never -1.
 using BodyNames = std::function<std::string(int)>;
 
 const char* statusName(CertificateStatus status);
-/// A certificate with its worst edge; lengths in metres, null where there is nothing near.
+/// A certificate with its worst edge; lengths in metres, null where no obstacle is near.
 nlohmann::ordered_json certificateJson(const MotionCertificate& certificate, const BodyNames& names);
-/// Every edge: the interval its smallest clearance lies in, where, and between which points of the
-/// object and which body.
+/// Every edge: the interval of its smallest clearance, its place, the nearest points, and the obstacle.
 nlohmann::ordered_json edgesJson(const MotionCertificate& certificate, const BodyNames& names);
 
 }  // namespace glissade

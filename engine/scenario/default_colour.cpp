@@ -6,8 +6,8 @@
 namespace glissade {
 namespace {
 
-/// Of one lightness, about, and of little saturation: what is marked, found or planned has the strong colours, and the
-/// object is cream where its file has no colour.
+/// Colours of similar lightness and low saturation. Strong colours are for marked, found or planned bodies, and cream
+/// is for an object whose file has no colour.
 constexpr std::array<Colour, 10> kQuiet{{{0.62, 0.66, 0.73},
                                          {0.72, 0.60, 0.55},
                                          {0.58, 0.69, 0.66},
@@ -19,13 +19,13 @@ constexpr std::array<Colour, 10> kQuiet{{{0.62, 0.66, 0.73},
                                          {0.68, 0.68, 0.68},
                                          {0.60, 0.72, 0.60}}};
 
-/// Without the number at the end.
+/// The name without the number at its end.
 std::string partOf(const std::string& bodyName) {
   const std::size_t last = bodyName.find_last_not_of("0123456789#-_.() ");
   return last == std::string::npos ? bodyName : bodyName.substr(0, last + 1);
 }
 
-/// FNV-1a: the same on every machine.
+/// FNV-1a, because it gives the same value on every machine.
 std::uint32_t hashOf(const std::string& text) {
   std::uint32_t hash = 2166136261U;
   for (const char letter : text) hash = (hash ^ static_cast<unsigned char>(letter)) * 16777619U;

@@ -9,7 +9,7 @@
 namespace glissade {
 namespace {
 
-/// A curve of more segments would be a blot.
+/// Most segments of a curve. More would not be readable in the window.
 constexpr std::size_t kMostCutSegments = 20'000;
 
 bool isAllowed(const LoadedScenario& scenario, std::size_t obstacle) {
@@ -25,7 +25,7 @@ EndConflict conflictOf(const Contact& contact, std::size_t obstacle) {
   return conflict;
 }
 
-/// Of the whole object, measured on its mesh.
+/// Conflicts of the whole object, measured on its mesh.
 std::vector<EndConflict> measuredConflicts(const LoadedScenario& scenario, const Pose& q, double required,
                                            const StopToken& stop) {
   std::vector<ContactBody> bodies = contactBodiesOf(objectAndOthers(scenario));
@@ -41,7 +41,8 @@ std::vector<EndConflict> measuredConflicts(const LoadedScenario& scenario, const
   return conflicts;
 }
 
-/// What the planner itself stumbles on, which may be the thinned object against one that it fits.
+/// Adds the obstacle that the planner itself reports. It may differ, because the planner's object may be thinned
+/// against an obstacle that it fits. Removes all conflicts where the planner reports none.
 void addJudged(const LoadedScenario& scenario, const Pose& q, double required, std::vector<EndConflict>& conflicts) {
   const auto query = scenario.problem.world->makeQuery();
   EndConflict judged;

@@ -9,17 +9,17 @@
 
 namespace glissade {
 
-/// What is asked of the fits besides what a scenario says.
+/// Options for fits that override a scenario's settings.
 struct FitOptions {
   std::optional<bool> on;
   std::optional<double> acceptedClash;  ///< metres; turns fits on unless they are turned off
-  std::vector<std::string> cut{};       ///< as FitSettings::cut
+  std::vector<std::string> cut{};       ///< as in FitSettings::cut
 };
 
-/// The settings with what the options say.
+/// The settings, overridden by the options.
 FitSettings withOptions(FitSettings settings, const FitOptions& options);
 
-/// loadScenario with these options in place of what the file says. Fits that are turned off are not looked for.
+/// loadScenario with these options instead of the file's settings. Fits that are turned off are not searched for.
 Result<LoadedScenario> loadScenario(const std::string& file, const FitOptions& options, const StopToken& stop = {});
 
 }  // namespace glissade

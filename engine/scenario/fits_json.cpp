@@ -24,7 +24,7 @@ ContactKind readKind(const JsonCursor& at) {
   return *kind;
 }
 
-/// Values of threads would have no effect on other pairs.
+/// Throws JsonError where a pair that is no thread has values of threads, which would have no effect.
 void demandThread(const JsonCursor& at, const FitEdit& pair) {
   if (pair.kind == ContactKind::Thread) return;
   at.fail("has no effect, because the pair is not marked as a thread", "Add \"kind\": \"thread\", or remove it.");
@@ -32,7 +32,7 @@ void demandThread(const JsonCursor& at, const FitEdit& pair) {
 
 double readPitch(const JsonCursor& at, const FitEdit& pair) {
   const double value = at.number();
-  // Below is nothing that is made; above is no thread but a straight way.
+  // Bounds of the pitch. Smaller pitches are not made; larger ones are no threads but straight motions.
   constexpr double kLeastPitch = 1e-5;
   constexpr double kMostPitch = 1.0;
   if (!(std::abs(value) >= kLeastPitch && std::abs(value) <= kMostPitch)) {

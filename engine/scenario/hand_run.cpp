@@ -16,10 +16,10 @@ bool isIn(const std::vector<std::string>& ids, const std::string& id) {
   return std::find(ids.begin(), ids.end(), id) != ids.end();
 }
 
-/// All rigid bodies of the scenario's body are among these, or none is.
+/// Checks that `ids` has either all rigid bodies of each body of the scenario, or none.
 Outcome checkWhole(const std::vector<std::string>& ids, const LoadedScenario& loaded) {
   const std::set<std::string> named(ids.begin(), ids.end());
-  std::map<std::string, std::string> partOf;  // of the scenario's bodies: one that is named
+  std::map<std::string, std::string> partOf;  // one of the given rigid bodies, by the scenario's body
   for (const std::string& id : ids) partOf.try_emplace(bodyIdOf(id), id);
   for (const RigidBody& each : rigidBodiesOf(loaded)) {
     const auto sister = partOf.find(bodyIdOf(each.id));
@@ -32,7 +32,7 @@ Outcome checkWhole(const std::vector<std::string>& ids, const LoadedScenario& lo
   return Done{};
 }
 
-/// Ids of the scenario's bodies, each once.
+/// Ids of the scenario's bodies, without duplicates.
 std::vector<std::string> bodyIdsOf(const std::vector<std::string>& rigidIds) {
   std::vector<std::string> ids;
   for (const std::string& rigid : rigidIds) {
@@ -42,7 +42,7 @@ std::vector<std::string> bodyIdsOf(const std::vector<std::string>& rigidIds) {
   return ids;
 }
 
-/// Where what moves turns about in a product: see MovingObject. World frame.
+/// The point about which these bodies turn in a product (see MovingObject), world frame.
 Vector3 middleOf(const std::vector<RigidBody>& bodies) {
   if (bodies.size() == 1) {
     return bodies.front().X_WB * Vector3(boundingBox(*bodies.front().mesh, Pose::identity()).center());
@@ -52,7 +52,8 @@ Vector3 middleOf(const std::vector<RigidBody>& bodies) {
   return box.center();
 }
 
-/// The object stays where it is. Motions between two configurations depend on the point that an object turns about.
+/// Changes the reference point without moving the object. Motions between two configurations depend on the point about
+/// which an object turns.
 void turnAbout(const Vector3& point_W, const LoadedScenario& loaded, Scenario& scenario) {
   ObjectDescription& object = scenario.object;
   const Pose X_WG = scenario.start * Pose::translation(-referencePointOf(object, geometryOf(object, loaded)));
@@ -61,8 +62,8 @@ void turnAbout(const Vector3& point_W, const LoadedScenario& loaded, Scenario& s
   scenario.start = X_WG * Pose::translation(object.referencePoint);
 }
 
-/// A thread between what moves and what stays, which the plan knows by a joint, comes apart in the hand as it does in
-/// the plan: what moves is turned, the other one is held.
+/// Marks the threads between moving and remaining bodies that the plan knows from joints, so that a run by hand
+/// unscrews them as the plan does: the moving body is turned, the other one is held.
 void markThreads(const std::vector<StepJoint>& joints, const std::vector<std::string>& moving,
                  const std::vector<std::string>& gone, FitSettings& fits) {
   for (const StepJoint& joint : joints) {
@@ -107,7 +108,8 @@ DemandedMotion motionOfRun(const std::vector<RigidBody>& bodies, const std::vect
   const bool byHand = provenance.steered || isSteered(path) || provenance.planner.empty();
   DemandedMotion motion{{}, {}, byHand ? kByHand : provenance.planner};
   for (const RigidBody& body : bodies) motion.bodies.push_back(body.id);
-  const Pose X_WA = bodies.size() == 1 ? bodies.front().X_WB : Pose::translation(middleOf(bodies));  // assembled
+  // Pose in the assembled product.
+  const Pose X_WA = bodies.size() == 1 ? bodies.front().X_WB : Pose::translation(middleOf(bodies));
   const Pose X_OA = inverse(path.front().q) * X_WA;
   for (const PathPoint& point : path) {
     motion.path.push_back({point.q * X_OA, point.author, point.segmentAuthor});

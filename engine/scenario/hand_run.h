@@ -8,17 +8,17 @@
 
 namespace glissade {
 
-/// Makes of a product's scenario the question of one step: the bodies `moving` leave as one, those of `gone` are not
-/// there any more. What moves turns about the middle of its bounding box, as groups of a product's bodies do. Both by
-/// id of rigid bodies. `loaded` is the same scenario, loaded. `joints`: of the step; the threads that it turns out of
-/// are marked in the run, too, where a person says nothing of them. Errors, Usage: a body that moves, or one that is
-/// gone, is one of several links or parts that the scenario holds as one body.
+/// Changes a product's scenario into the planning problem of one step. The bodies `moving` leave as one, and the bodies
+/// `gone` have left before; both are ids of rigid bodies. The object turns about the middle of its bounding box, as
+/// groups of a product's bodies do. `loaded` is the same scenario, loaded. `joints`: joints of the step. The threads
+/// that the step unscrews are marked in the scenario, too, unless a person has set the kind of the pair. Errors, Usage:
+/// a body in `moving` or `gone` is one of several links or parts that the scenario holds as one body.
 Outcome prepareHandRun(const std::vector<std::string>& moving, const std::vector<std::string>& gone,
                        const LoadedScenario& loaded, const std::vector<StepJoint>& joints, Scenario& scenario);
 
-/// The path of the object as the motion of these bodies of the product, which leave as one from where they are
-/// assembled: by hand where a person has steered a part of it, else by the planner that found it. The first body
-/// names the step. Precondition: there is a body, and the path has two points.
+/// The path of the object as the motion of these bodies of the product, which leave as one from the assembled product.
+/// The motion counts as made by hand where a person has steered a part of it, else as found by the planner. The first
+/// body names the step. Precondition: there is a body, and the path has two points.
 DemandedMotion motionOfRun(const std::vector<RigidBody>& bodies, const std::vector<PathPoint>& path,
                            const PathProvenance& provenance);
 

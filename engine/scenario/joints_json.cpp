@@ -1,22 +1,20 @@
 #include "engine/scenario/joints_json.h"
 
-#include <array>
 #include <cmath>
 
+#include "engine/base/enum_names.h"
 #include "engine/base/limits.h"
+#include "engine/geometry/pose_json.h"
 
 namespace glissade {
 namespace {
 
 using Json = JsonCursor::Json;
 
-constexpr std::array<const char*, 4> kWordNames{"confirmed", "dissolved", "pressed_out", "opened"};
+constexpr EnumNames<JointEdit::Word, 4> kWordNames{{"confirmed", "dissolved", "pressed_out", "opened"}};
 
 JointEdit::Word readWord(const JsonCursor& at) {
-  const std::string name = at.text();
-  for (std::size_t i = 0; i < kWordNames.size(); ++i) {
-    if (name == kWordNames[i]) return static_cast<JointEdit::Word>(i);
-  }
+  if (const auto word = kWordNames.find(at.text())) return *word;
   at.fail("is no word about a joint", "Give confirmed, dissolved, pressed_out or opened.");
 }
 
@@ -61,10 +59,10 @@ JointThread readThread(const JsonCursor& at) {
 }
 
 Vector3 readDirection(const JsonCursor& at) {
-  const Vector3 direction = at.vector();
+  const Vector3 direction = readVector(at);
   const double length = direction.norm();
   if (!(length > 1e-9)) at.fail("has no length", "Give a direction, as [0, 0, 1].");
-  // What is unit as far as numbers allow stays as it is: files are read and written without a change.
+  // A direction of unit length within rounding is kept, so that files are read and written without a change.
   return std::abs(length - 1.0) < 1e-12 ? direction : Vector3(direction / length);
 }
 
@@ -74,7 +72,7 @@ Joint readMade(const JsonCursor& at, JointKind kind, std::vector<std::string>* c
   joint.kind = kind;
   joint.state = JointState::Confirmed;
   *clamped = readIds(at.find("clamped"));
-  if (const auto point = at.find("point")) joint.point = point->vector();
+  if (const auto point = at.find("point")) joint.point = readVector(*point);
   if (const auto direction = at.find("direction")) joint.direction = readDirection(*direction);
   if (const auto thread = at.find("thread")) joint.thread = readThread(*thread);
   if (const auto drive = at.find("drive")) {
@@ -118,7 +116,7 @@ void addDrive(const Joint& joint, Json& json) {
 Json toJson(const JointEdit& edit) {
   Json json{{"kind", jointName(edit.key.kind)}, {"body", edit.key.body}};
   if (!edit.key.others.empty()) json["others"] = edit.key.others;
-  json["word"] = kWordNames[static_cast<std::size_t>(edit.word)];
+  json["word"] = kWordNames.of(edit.word);
   if (!edit.made) return json;
   const Joint& made = *edit.made;
   Json& section = json["made"] = Json::object();

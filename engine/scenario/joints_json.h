@@ -2,19 +2,19 @@
 
 #include <vector>
 
-#include "engine/import/json_reader.h"
+#include "engine/base/json_reader.h"
 #include "engine/product/assembled_product.h"
 #include "engine/product/joint.h"
 
 namespace glissade {
 
-/// The section "joints" of a scenario file: what a person says of joints. Reading throws JsonError; whether bodies and
-/// joints are there is asked where joints are found.
+/// The section "joints" of a scenario file: a person's statements about joints. Reading throws JsonError; bodies and
+/// joints are checked when joints are found.
 std::vector<JointEdit> readJointEdits(const JsonCursor& at);
-/// Adds "joints" where it says anything.
+/// Adds "joints" if it is not empty.
 void addJointEdits(const std::vector<JointEdit>& edits, JsonCursor::Json& json);
 
-/// A joint as reports have it, with the ids of its bodies: resources/schema/joints-1.schema.json.
+/// A joint for reports, with the ids of its bodies: resources/schema/joints-1.schema.json.
 JsonCursor::Json toJson(const Joint& joint, const AssembledProduct& product);
 
 }  // namespace glissade

@@ -5,6 +5,7 @@
 #include "engine/product/fit_thread.h"
 #include "engine/product/fit_words.h"
 #include "engine/product/joint_edits.h"
+#include "engine/scenario/plan_names.h"
 #include "engine/scenario/scenario_fits.h"
 
 namespace glissade {
@@ -27,17 +28,6 @@ check::Demands judgedDemands(const SequenceDemands& demands) {
   for (const ForbiddenDirection& each : demands.forbidden) judged.forbidden.emplace_back(each.body, each.direction);
   judged.stay = demands.stay;
   return judged;
-}
-
-const char* nameOf(StepViolation::Rule rule) {
-  switch (rule) {
-    case StepViolation::Rule::Before: return "before";
-    case StepViolation::Rule::Fastener: return "fastener";
-    case StepViolation::Rule::Standing: return "standing";
-    case StepViolation::Rule::Place: return "place";
-    case StepViolation::Rule::Joint: return "joint";
-  }
-  return "";
 }
 
 check::StatedJoint judgedJoint(const StepJoint& joint) {
@@ -72,7 +62,7 @@ check::Step judgedStep(const AssemblyStep& step) {
     }
     judged.allowances.push_back(std::move(allowance));
   }
-  for (const StepViolation& each : step.violates) judged.violates.push_back({nameOf(each.rule), each.bodies});
+  for (const StepViolation& each : step.violates) judged.violates.push_back({kRuleNames.of(each.rule), each.bodies});
   judged.flexible = step.with.empty() && std::any_of(step.joints.begin(), step.joints.end(), [&](const auto& joint) {
                       return joint.kind == JointKind::Flexible && joint.body == step.body;
                     });
@@ -84,7 +74,7 @@ check::Step judgedStep(const AssemblyStep& step) {
   return judged;
 }
 
-/// What a person says of joints counts in the order in which it is said.
+/// A person's statements about joints, in the order in which they were made.
 check::PartingWords partingsOf(const SequenceDemands& demands) {
   check::PartingWords words;
   words.anyPair = demands.jointUse == JointUse::Off;
@@ -133,16 +123,6 @@ check::Line judgedLine(const SubassemblyLine& line) {
   return judged;
 }
 
-const char* nameOf(PlanEnd end) {
-  switch (end) {
-    case PlanEnd::Complete: return "complete";
-    case PlanEnd::Stuck: return "stuck";
-    case PlanEnd::TimeLimit: return "time_limit";
-    case PlanEnd::Interrupted: return "interrupted";
-  }
-  return "";
-}
-
 }  // namespace
 
 std::vector<check::Body> judgedBodies(const std::vector<RigidBody>& bodies) {
@@ -165,7 +145,7 @@ check::Plan judgedPlan(const AssemblyPlan& plan) {
   judged.bodies = plan.bodies;
   judged.staying = plan.staying;
   for (const AssemblyStep& step : plan.steps) judged.steps.push_back(judgedStep(step));
-  judged.end = nameOf(plan.end);
+  judged.end = kPlanEndNames.of(plan.end);
   judged.demands = judgedDemands(plan.demands);
   judged.snaps = bendsOf(plan.demands.joints);
   judged.partings = partingsOf(plan.demands);

@@ -10,18 +10,18 @@
 
 namespace glissade {
 
-// What is loaded already, as the judge takes it: nothing is read again. The judge decides by itself.
+// Converts loaded data into the input of the judge without reading files again. The judge decides by itself.
 
 std::vector<check::Body> judgedBodies(const std::vector<RigidBody>& bodies);
 check::Product judgedProduct(const AssembledProduct& product);
 check::Plan judgedPlan(const AssemblyPlan& plan);
-/// Without what a person forbids, which is in the scenario's file.
+/// The problem without the person's forbidden places, which are in the scenario's file.
 check::Question judgedQuestion(const LoadedScenario& scenario);
-/// The path states these fits.
+/// The path, which states the fits of the scenario.
 check::Path judgedPath(const std::vector<PathPoint>& points, const LoadedScenario& scenario);
 
-/// `required`: clearance, metres; nothing: the usual one for the size of each body. `said`: by a person of the product,
-/// so that what the plan says beside it is a condition; null: nothing.
+/// `required`: clearance, metres; nothing: the default for the size of each body. `said`: a person's statements about
+/// the product, so that other statements of the plan are conditions; null: none.
 check::PlanVerdict judgePlan(const AssemblyPlan& plan, const AssembledProduct& product, std::optional<double> required,
                              const WorkWatch& watch = {}, const SequenceDemands* said = nullptr);
 

@@ -68,7 +68,8 @@ KeptPathProof proveAgain(const KeptPath& kept, const LoadedScenario& scenario, c
     return proof;
   }
   ParameterValues parameters = scenario.parameters;
-  // Out of range for an object of another size: the scenario's own demand holds then.
+  // set() fails for an object of another size, whose range does not contain the value. The scenario's own clearance
+  // applies then.
   (void)parameters.set(ParameterId::RequiredClearance, kept.requiredClearance);
   const auto problem = keepingOut(scenario.problem, watch.stop);
   if (!problem) return proof;

@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "engine/geometry/pose_json.h"
 #include "engine/scenario/author_names.h"
 
 namespace glissade {
@@ -12,7 +13,7 @@ using Json = JsonCursor::Json;
 constexpr std::size_t kMostKeptPaths = 1000;
 
 Author readAuthor(const JsonCursor& at) {
-  const auto author = authorByName(at.text());
+  const auto author = kAuthorNames.find(at.text());
   if (!author) at.fail("is not computer, operator or contact");
   return *author;
 }
@@ -21,7 +22,7 @@ PathPoint readPoint(const JsonCursor& at) {
   at.allowOnly({"position", "orientation", "author", "segment_author"});
   const Json pose{{"position", at.at("position").json()}, {"orientation", at.at("orientation").json()}};
   PathPoint point;
-  point.q = JsonCursor(pose, at.file(), at.pointer()).pose();
+  point.q = readPose(JsonCursor(pose, at.file(), at.pointer()));
   if (const auto author = at.find("author")) point.author = readAuthor(*author);
   point.segmentAuthor = point.author;
   if (const auto author = at.find("segment_author")) point.segmentAuthor = readAuthor(*author);
@@ -36,7 +37,7 @@ KeptAllowance readKeptAllowance(const JsonCursor& at) {
   return allowance;
 }
 
-/// Lengths that a path keeps: 0 or more.
+/// Reads a clearance of a path: 0 or more.
 double readKeptClearance(const JsonCursor& at) {
   const double value = at.coordinate();
   if (value < 0.0) at.fail("is below zero", "Give metres, 0 or more.");
@@ -69,8 +70,8 @@ KeptPath readKeptPath(const JsonCursor& at) {
 
 Json toJson(const PathPoint& point) {
   Json json = glissade::toJson(point.q);
-  json["author"] = authorName(point.author);
-  if (point.segmentAuthor != point.author) json["segment_author"] = authorName(point.segmentAuthor);
+  json["author"] = kAuthorNames.of(point.author);
+  if (point.segmentAuthor != point.author) json["segment_author"] = kAuthorNames.of(point.segmentAuthor);
   return json;
 }
 

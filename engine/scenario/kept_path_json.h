@@ -1,13 +1,13 @@
 #pragma once
 
-#include "engine/import/json_reader.h"
+#include "engine/base/json_reader.h"
 #include "engine/scenario/kept_path.h"
 
 namespace glissade {
 
-/// The section "paths" of a scenario file. Private to the readers and writers of this room. Reading throws JsonError.
+/// The section "paths" of a scenario file. Private to the readers and writers of this folder. Reading throws JsonError.
 KeptPaths readKeptPaths(const JsonCursor& at);
-/// Adds "paths" where there are any.
+/// Adds "paths" if there are any.
 void addKeptPaths(const KeptPaths& paths, JsonCursor::Json& json);
 
 }  // namespace glissade

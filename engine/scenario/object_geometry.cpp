@@ -5,7 +5,7 @@
 namespace glissade {
 namespace {
 
-/// As aboutTheirMiddles() has it for the bodies of a product, so that both see the same radius.
+/// The middle that aboutTheirMiddles() also chooses for the bodies of a product, so that both compute the same radius.
 Vector3 middleOf(const ObjectDescription& object, const ObjectGeometry& geometry) {
   const std::vector<Occurrence>& parts = geometry.front()->parts;
   if (object.isGroup() || parts.size() != 1) return boxOf(object, geometry).center();

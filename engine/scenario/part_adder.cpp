@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 std::string stemOf(const PartFile& part) { return printableLine(fs::path(part.path).stem().string()); }
 
-/// What a body of the part is called, and known by: a '/' has its meaning in ids.
+/// Name and id of a body that is made from the part. An id has '.' instead of '/', which separates parts of ids.
 std::string nameOf(const PartFile& part) { return part.part.empty() ? stemOf(part) : part.part; }
 std::string idOf(const PartFile& part) {
   std::string id = nameOf(part);
@@ -26,14 +26,15 @@ std::string idOf(const PartFile& part) {
   return id;
 }
 
-/// Of the last of these first steps of a part's path; a number that only tells siblings apart is left to the step.
+/// The name in the file of the last of these steps. Where the step only adds a number to the name, to distinguish
+/// siblings, the step itself.
 std::string nameInFile(const PartFile& part, const std::vector<std::string>& steps) {
   if (part.names.size() < steps.size()) return steps.back();
   const std::string& name = part.names[steps.size() - 1].product;
   return isNumbered(steps.back(), name) ? steps.back() : name;
 }
 
-/// Takes over the names of the use to which the first `steps` steps of the part's path lead.
+/// Copies the names of the use to which the first `steps` steps of the part's path lead.
 void noteUse(const PartFile& part, std::size_t steps, NodeDescription& node) {
   if (part.names.size() < steps) return;
   node.occurrence = part.names[steps - 1].occurrence;
@@ -61,7 +62,8 @@ void PartAdder::noteAssets() {
   }
 }
 
-/// Of the bodies that are there: the node above a part is the assembly of its last step but one, and so on.
+/// Registers the assemblies and ids of the existing bodies. The parent node of a part is the assembly of its last step
+/// but one, and so on.
 void PartAdder::noteNodes() {
   const Product product = treeOf(scenario_);
   for (const Product::Node& node : product.nodes()) {
@@ -90,8 +92,8 @@ std::string PartAdder::freeAssemblyId(const std::string& id) const {
   return free;
 }
 
-/// The id of the assembly of the first steps of a part's path. It is said where the path does not lead to it, or does
-/// not tell its name.
+/// The id of the assembly of the first steps of a part's path. Adds a node for it where the path does not imply its
+/// place or its name.
 std::string PartAdder::assemblyOf(const PartFile& part, const std::string& asset, std::size_t steps) {
   if (steps == 0) return {};
   std::vector<std::string> path = stepsOf(part.part);
@@ -111,7 +113,7 @@ std::string PartAdder::assemblyOf(const PartFile& part, const std::string& asset
   return node.id;
 }
 
-/// Says where the body is and what its file calls it, as far as its path does not.
+/// Adds a node for the body's place and its name in the file where its path does not imply them.
 void PartAdder::notePlace(const PartFile& part, const BodyDescription& body) {
   const auto* step = std::get_if<StepGeometry>(&body.geometry);
   const std::vector<std::string> path = stepsOf(part.part);
@@ -125,7 +127,7 @@ void PartAdder::notePlace(const PartFile& part, const BodyDescription& body) {
   addNode(node);
 }
 
-/// A node that says no more than its id is not added.
+/// Adds a node, unless it states only its id.
 void PartAdder::addNode(const NodeDescription& node) {
   if (node == NodeDescription{node.id}) return;
   ids_.insert(node.id);

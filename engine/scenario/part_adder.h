@@ -9,13 +9,13 @@
 
 namespace glissade {
 
-/// Adds files and bodies to a scenario that is saved as `file`, or nowhere yet.
+/// Adds files and bodies to a scenario that is saved as `file`; empty: not saved yet.
 class PartAdder {
  public:
   PartAdder(Scenario& scenario, const std::string& file);
 
   void addBody(const PartFile& part);
-  /// To what moves. The reference point is still to be chosen.
+  /// Adds a part to the object. The caller chooses the reference point afterwards.
   void addToObject(const PartFile& part);
 
  private:
@@ -34,10 +34,10 @@ class PartAdder {
   bool saved_;
   bool hasObject_ = false;
   std::set<std::string> assetIds_;
-  std::multimap<std::string, std::size_t> assetsOfFiles_;  ///< by the file without links
-  std::set<std::string> ids_;                              ///< of bodies, and of nodes of which something is said
-  std::set<std::string> assemblyIds_;                      ///< of all assemblies
-  /// The same, by asset and path: files may have assemblies of one name.
+  std::multimap<std::string, std::size_t> assetsOfFiles_;  ///< indices of assets, by the file without links
+  std::set<std::string> ids_;                              ///< ids of bodies, and of described nodes
+  std::set<std::string> assemblyIds_;                      ///< ids of all assemblies
+  /// Ids of assemblies by asset and path, because files may have assemblies of the same name.
   std::map<std::pair<std::string, std::string>, std::string> assemblies_;
 };
 

@@ -6,17 +6,17 @@
 namespace glissade {
 namespace {
 
-constexpr float kLeastTime = 1e-6F;  ///< between key frames, seconds
-/// Radians between key frames: interpolated by components, it is off by 4e-5 at most.
+constexpr float kLeastTime = 1e-6F;  ///< least time between key frames, seconds
+/// Largest turn between key frames, radians. Interpolation by components then has an error of at most 4e-5.
 constexpr double kLargestTurn = 0.2;
 
-/// Files may round their quaternions.
+/// The path with normalized quaternions, because files may round them.
 std::vector<Pose> normalized(std::vector<Pose> path) {
   for (Pose& q : path) q.orientation.normalize();
   return path;
 }
 
-/// The path with configurations added on the edges that turn far.
+/// The path with configurations added on edges with large turns.
 std::vector<Pose> withTurnsDivided(const std::vector<Pose>& path) {
   std::vector<Pose> divided{path.front()};
   for (std::size_t i = 1; i < path.size(); ++i) {

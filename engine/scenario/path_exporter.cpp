@@ -9,7 +9,7 @@
 namespace glissade {
 namespace {
 
-constexpr double kExact = 0.0;  // numbers are written so that they read back bit by bit
+constexpr double kExact = 0.0;  // no error: numbers are written so that reading returns them bit by bit
 
 template <class Choose>
 std::string inWords(const Choose& choose) {

@@ -12,7 +12,7 @@ namespace {
 using Json = GlbBuilder::Json;
 
 constexpr double kSeconds = 10.0;
-/// The root node with all bodies below it. Returns the object's node.
+/// Adds the root node with all bodies below it. Returns the object's node.
 std::size_t addBodies(GlbBuilder& glb, const LoadedScenario& scenario, const Pose& start) {
   const std::size_t root = addGlbWorld(glb);
   for (const RigidBody& body : scenario.obstacles) addGlbBody(glb, root, body, kObstacleOpacity);

@@ -4,12 +4,13 @@
 #include <sstream>
 
 #include "engine/base/file.h"
+#include "engine/base/json_reader.h"
 #include "engine/base/limits.h"
 #include "engine/base/number_text.h"
 #include "engine/base/printable_text.h"
 #include "engine/base/tolerances.h"
+#include "engine/geometry/pose_json.h"
 #include "engine/import/json_checksum.h"
-#include "engine/import/json_reader.h"
 #include "engine/scenario/author_names.h"
 #include "engine/scenario/path_exporter.h"
 #include "engine/scenario/path_reader.h"
@@ -18,9 +19,9 @@ namespace glissade {
 namespace {
 
 constexpr std::size_t kMostPathBytes = 256U << 20;
-/// Twelve numbers as the longest texts that doubles have.
+/// Length of twelve numbers in the longest texts that doubles have.
 constexpr std::size_t kLongestLine = 8192;
-/// Half a gigabyte.
+/// Limit of the configurations, about half a gigabyte.
 constexpr std::size_t kMostConfigurations = 5'000'000;
 constexpr const char* kJsonFormat = "glissade-path";
 constexpr const char* kCsvHeader = "index,s,x,y,z,qx,qy,qz,qw,clearance,contact,author";
@@ -36,13 +37,13 @@ std::vector<std::string> split(const std::string& line, const char* separators) 
   return words;
 }
 
-/// What of a file is shown in a message.
+/// A word of the file for a message.
 std::string quoted(const std::string& word) {
   constexpr std::size_t kLongest = 40;
   return "'" + printableLine(word.substr(0, kLongest)) + (word.size() > kLongest ? "...'" : "'");
 }
 
-/// One of the two text formats, line by line.
+/// Reads one of the two text formats, line by line.
 class TextPathReader {
  public:
   explicit TextPathReader(std::string file) : file_(std::move(file)) {}
@@ -98,7 +99,7 @@ class TextPathReader {
       return malformed("has an orientation that is not a unit quaternion");
     }
     if (csv_) {
-      const auto author = authorByName(words[11]);
+      const auto author = kAuthorNames.find(words[11]);
       if (!author) return malformed("names an unknown author " + quoted(words[11]));
       point.author = *author;
     }
@@ -124,8 +125,8 @@ Result<std::vector<PathPoint>> readJsonPath(const std::string& text, const std::
       const JsonCursor at = list.element(i);
       JsonCursor::Json pose{{"position", at.at("position").json()}, {"orientation", at.at("orientation").json()}};
       PathPoint point;
-      point.q = JsonCursor(pose, file, "/configurations/" + std::to_string(i)).pose();
-      const auto author = authorByName(at.at("author").text());
+      point.q = readPose(JsonCursor(pose, file, "/configurations/" + std::to_string(i)));
+      const auto author = kAuthorNames.find(at.at("author").text());
       if (!author) at.at("author").fail("is not computer, operator or contact");
       point.author = *author;
       points.push_back(point);

@@ -2,9 +2,10 @@
 
 #include <glissade/version.h>
 
+#include "engine/base/json_reader.h"
 #include "engine/base/number_text.h"
+#include "engine/geometry/pose_json.h"
 #include "engine/import/json_checksum.h"
-#include "engine/import/json_reader.h"
 #include "engine/import/missing_shapes_json.h"
 #include "engine/scenario/author_names.h"
 #include "engine/scenario/certificate_json.h"
@@ -43,7 +44,7 @@ Result<std::string> pathAsCsv(const Path& path, const LoadedScenario& scenario, 
     if (i > 0) s += metric.distance(path.points[i - 1].q, point.q);
     text += std::to_string(i) + "," + toText(s) + "," + sevenColumns(point.q, ',') + "," +
             toText(query->nearestObstacle(point.q).distance) + "," + (point.author == Author::Contact ? "1" : "0") +
-            "," + authorName(point.author) + "\n";
+            "," + kAuthorNames.of(point.author) + "\n";
   }
   return text;
 }
@@ -61,7 +62,7 @@ Result<std::string> pathAsJson(const Path& path, const LoadedScenario& scenario,
   json["configurations"] = Json::array();
   for (const PathPoint& point : path.points) {
     Json configuration = toJson(point.q);
-    configuration["author"] = authorName(point.author);
+    configuration["author"] = kAuthorNames.of(point.author);
     json["configurations"].push_back(configuration);
   }
   addChecksum(json);

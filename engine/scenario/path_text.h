@@ -5,7 +5,7 @@
 
 #include "engine/scenario/path_exporter.h"
 
-// The contents of path files that are text; what PathExporter::content says holds for all of them.
+// Makes the contents of text path files. The conditions of PathExporter::content apply to all functions.
 namespace glissade {
 
 /// Header "index,s,x,y,z,qx,qy,qz,qw,clearance,contact,author"; s is the metric length from the start,

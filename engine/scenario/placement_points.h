@@ -7,16 +7,16 @@
 
 namespace glissade {
 
-/// Points of what is placed that a person may want to give the place of, in the frame B that its pose is of; and a
-/// frame of a face or an axis, whose turn counts, too.
+/// Points of a placed item whose position a person may want to set, in the frame B of its pose; and a frame of a face
+/// or an axis, whose orientation matters, too.
 struct PlacementPoints {
-  Vector3 fileOrigin = Vector3::Zero();  ///< the origin of the file's coordinates: where the pose of a CAD system is
-  Vector3 middle = Vector3::Zero();      ///< of the bounding box in B
+  Vector3 fileOrigin = Vector3::Zero();  ///< the origin of the file's coordinates, which CAD systems use as the pose
+  Vector3 middle = Vector3::Zero();      ///< middle of the bounding box in B
   std::optional<Pose> picked{};          ///< X_BF of a face or an axis that a person has picked
 };
 
-/// The origin of B is the file's where a body is placed, and the object's reference point where an end is. What is
-/// made of no file has its origin in the origin of its primitive.
+/// The placement points of an item. The origin of B is the file's origin for a body, and the object's reference point
+/// for an end. A body without a file has its origin in the origin of its primitive.
 PlacementPoints placementPoints(const LoadedScenario& loaded, const AssemblyItem& item);
 
 }  // namespace glissade

@@ -9,21 +9,21 @@
 namespace glissade {
 
 /// The plan's document (resources/schema/plan-1.schema.json) without checksum: fixed key order, shortest round-trip
-/// numbers. `product` is the file that the plan is about, as the user named it.
+/// numbers. `product` is the file of the product, as the user named it.
 nlohmann::ordered_json planJson(const AssemblyPlan& plan, const std::string& product);
 
 /// Saves the plan atomically, with a checksum.
 Outcome savePlan(const AssemblyPlan& plan, const std::string& product, const std::string& file);
 
-/// Reads a plan. Errors are MalformedInput with the JSON pointer as place: what the format does not allow, a body that
-/// is not in the plan's list or leaves twice, a checksum that does not fit.
+/// Reads a plan. Errors are MalformedInput with the JSON pointer as place: a violation of the format, a body that is
+/// not in the plan's list or leaves twice, a wrong checksum.
 Result<AssemblyPlan> parsePlan(const std::string& text, const std::string& file);
 Result<AssemblyPlan> readPlan(const std::string& file);
 
-/// Whether the file says that it is an assembly plan.
+/// True if the file's "format" is that of an assembly plan.
 bool isPlanFile(const std::string& file);
 
-/// The bodies of the plan are those of the product. Errors: MalformedInput.
+/// Checks that the bodies of the plan are those of the product. Errors: MalformedInput.
 Outcome checkSameBodies(const AssemblyPlan& plan, const std::vector<std::string>& bodies, const std::string& file);
 
 }  // namespace glissade

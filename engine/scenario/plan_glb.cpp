@@ -10,10 +10,10 @@ namespace glissade {
 namespace {
 
 constexpr double kStepSeconds = 2.0;
-/// Single precision holds this difference of times up to half an hour of animation.
+/// Least time between key frames, seconds. Single precision holds this difference up to half an hour of animation.
 constexpr float kLeastStepTime = 2e-4F;
 
-/// The configurations of a step in the order in which they are played.
+/// The configurations of a step in playback order.
 std::vector<Pose> wayOf(const AssemblyStep& step, PlanOrder order) {
   std::vector<Pose> way;
   for (const PathPoint& point : step.path) way.push_back(point.q);
@@ -21,7 +21,7 @@ std::vector<Pose> wayOf(const AssemblyStep& step, PlanOrder order) {
   return way;
 }
 
-/// Key frames of the step, later by so many seconds; the body stands still before.
+/// Key frames of the step, delayed by `seconds`; the body stands still before them.
 std::vector<KeyFrame> laterBy(double seconds, const std::vector<KeyFrame>& frames) {
   std::vector<KeyFrame> later{{0.0F, frames.front().q}};
   for (const KeyFrame& frame : frames) {
@@ -49,7 +49,7 @@ Result<std::string> planAsGlb(const AssemblyPlan& plan, const AssembledProduct& 
       const RigidBody& moved = product.bodies[body];
       const double radius = 0.5 * boundingBox(*moved.mesh).diagonal().norm();
       std::vector<KeyFrame> frames = keyFramesOf(wayOf(step, order), Se3Metric(radius), kStepSeconds);
-      const Pose X_PB = inverse(step.path.front().q) * moved.X_WB;  // the path's frame may be another one
+      const Pose X_PB = inverse(step.path.front().q) * moved.X_WB;  // the path's frame may differ from the body's
       for (KeyFrame& frame : frames) frame.q = frame.q * X_PB;
       if (!isWithinSinglePrecision(frames)) {
         return Diagnostic{ErrorKind::MalformedInput, "", "", "a position of the plan is beyond single precision",

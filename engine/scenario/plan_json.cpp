@@ -2,8 +2,6 @@
 
 #include <glissade/version.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -13,6 +11,7 @@
 #include "engine/check/stated_json.h"
 #include "engine/product/contact_report.h"
 #include "engine/scenario/plan_file.h"
+#include "engine/scenario/plan_names.h"
 #include "engine/scenario/scenario_fits.h"
 #include "engine/scenario/sequence_json.h"
 #include "engine/sequence/subassembly_lines.h"
@@ -23,22 +22,11 @@ namespace {
 using Json = JsonCursor::Json;
 
 constexpr std::size_t kMostEffort = 64;
-/// Lines of groups of groups.
+/// Deepest nesting of the lines of groups.
 constexpr std::size_t kMostLines = 32;
-constexpr std::array<std::pair<PlanEnd, const char*>, 4> kEndNames{{{PlanEnd::Complete, "complete"},
-                                                                    {PlanEnd::Stuck, "stuck"},
-                                                                    {PlanEnd::TimeLimit, "time_limit"},
-                                                                    {PlanEnd::Interrupted, "interrupted"}}};
-
-const char* endName(PlanEnd end) {
-  const auto found =
-      std::find_if(kEndNames.begin(), kEndNames.end(), [&](const auto& each) { return each.first == end; });
-  return found->second;
-}
-
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-/// What a certificate says of itself: a flexible body leaves without a proof.
+/// Status of a certificate. A flexible body leaves without a proof.
 constexpr const char* kCertified = "certified";
 constexpr const char* kNotCertified = "not_certified";
 
@@ -77,30 +65,13 @@ Json toJson(const StepAllowance& allowance) {
   return json;
 }
 
-constexpr std::array<std::pair<ToolAccess, const char*>, 3> kAccessNames{
-    {{ToolAccess::NotAsked, "not_asked"}, {ToolAccess::Free, "free"}, {ToolAccess::Blocked, "blocked"}}};
+constexpr EnumNames<ToolAccess, 3> kAccessNames{{"not_asked", "free", "blocked"}};
 
 Json toJson(const StepTool& tool) {
-  Json json{{"kind", toolName(tool.kind)}};
-  for (const auto& [access, name] : kAccessNames) {
-    if (access == tool.access) json["access"] = name;
-  }
+  Json json{{"kind", toolName(tool.kind)}, {"access", kAccessNames.of(tool.access)}};
   if (!tool.blockedBy.empty()) json["blocked_by"] = tool.blockedBy;
   if (!tool.turned.empty()) json["turned"] = tool.turned;
   return json;
-}
-
-constexpr std::array<std::pair<StepViolation::Rule, const char*>, 5> kRuleNames{
-    {{StepViolation::Rule::Before, "before"},
-     {StepViolation::Rule::Fastener, "fastener"},
-     {StepViolation::Rule::Standing, "standing"},
-     {StepViolation::Rule::Place, "place"},
-     {StepViolation::Rule::Joint, "joint"}}};
-
-const char* ruleName(StepViolation::Rule rule) {
-  const auto found =
-      std::find_if(kRuleNames.begin(), kRuleNames.end(), [&](const auto& each) { return each.first == rule; });
-  return found->second;
 }
 
 Json toJson(const StepJoint& joint) {
@@ -131,7 +102,7 @@ Json toJson(const AssemblyStep& step) {
   for (const StepAllowance& allowance : step.allowances) json["allowances"].push_back(toJson(allowance));
   json["path"] = motionJson(step.path);
   for (const StepViolation& violation : step.violates) {
-    json["violates"].push_back({{"rule", ruleName(violation.rule)}, {"bodies", violation.bodies}});
+    json["violates"].push_back({{"rule", kRuleNames.of(violation.rule)}, {"bodies", violation.bodies}});
   }
   for (const StepJoint& joint : step.joints) json["joints"].push_back(toJson(joint));
   if (step.task != 0) json["task"] = step.task;
@@ -200,10 +171,7 @@ class PlanReader {
 
  private:
   static PlanEnd readEnd(const JsonCursor& at) {
-    const std::string text = at.text();
-    for (const auto& [end, name] : kEndNames) {
-      if (text == name) return end;
-    }
+    if (const auto end = kPlanEndNames.find(at.text())) return *end;
     at.fail("is not complete, stuck, time_limit or interrupted");
   }
 
@@ -226,7 +194,7 @@ class PlanReader {
     return ids;
   }
 
-  /// Of steps that were carried out before something was found.
+  /// Reads a number of preceding steps, at most the number of steps read so far.
   std::size_t readAfter(const JsonCursor& at) const {
     const std::uint64_t after = at.wholeNumber();
     if (after > plan_.steps.size()) at.fail("is more than the steps before it");
@@ -263,7 +231,7 @@ class PlanReader {
     step.method = at.at("method").text();
     if (const auto falling = at.find("falling")) step.falling = readIds(*falling);
     const auto violates = at.find("violates");
-    for (std::size_t i = 0; violates && i < violates->sizeUpTo(kRuleNames.size()); ++i) {
+    for (std::size_t i = 0; violates && i < violates->sizeUpTo(kRuleNames.names.size()); ++i) {
       step.violates.push_back(readViolation(violates->element(i)));
     }
     step.wave = static_cast<std::size_t>(at.at("wave").wholeNumber());
@@ -285,11 +253,9 @@ class PlanReader {
 
   StepViolation readViolation(const JsonCursor& at) const {
     at.allowOnly({"rule", "bodies"});
-    const std::string rule = at.at("rule").text();
-    const auto known =
-        std::find_if(kRuleNames.begin(), kRuleNames.end(), [&](const auto& each) { return rule == each.second; });
-    if (known == kRuleNames.end()) at.at("rule").fail("is not before, fastener, standing, place or joint");
-    return {known->first, readIds(at.at("bodies"))};
+    const auto rule = kRuleNames.find(at.at("rule").text());
+    if (!rule) at.at("rule").fail("is not before, fastener, standing, place or joint");
+    return {*rule, readIds(at.at("bodies"))};
   }
 
   StepTool readTool(const JsonCursor& at) const {
@@ -297,17 +263,15 @@ class PlanReader {
     const auto kind = toolByName(at.at("kind").text());
     if (!kind) at.at("kind").fail("is not hex_key, socket, screwdriver, open_wrench or none");
     StepTool tool{*kind};
-    const std::string access = at.at("access").text();
-    const auto known =
-        std::find_if(kAccessNames.begin(), kAccessNames.end(), [&](const auto& each) { return access == each.second; });
-    if (known == kAccessNames.end()) at.at("access").fail("is not not_asked, free or blocked");
-    tool.access = known->first;
+    const auto access = kAccessNames.find(at.at("access").text());
+    if (!access) at.at("access").fail("is not not_asked, free or blocked");
+    tool.access = *access;
     if (const auto blockers = at.find("blocked_by")) tool.blockedBy = readIds(*blockers);
     if (const auto turned = at.find("turned")) tool.turned = readId(*turned);
     return tool;
   }
 
-  /// All earlier steps where the file does not say.
+  /// Reads the predecessors; all earlier steps where the file does not state them.
   std::vector<std::size_t> readPredecessors(const JsonCursor& step) const {
     std::vector<std::size_t> after;
     const auto at = step.find("after");
@@ -399,7 +363,8 @@ class PlanReader {
     return stuck;
   }
 
-  /// Of a group: its bodies are those that are there, and nothing has left before. `steps`: of what it belongs to.
+  /// Reads the line of a group. All its bodies are present at its beginning, and those that stay cannot leave. `steps`:
+  /// number of steps of the plan that contains it.
   SubassemblyLine readLine(const JsonCursor& at, std::size_t steps, std::size_t depth) const {
     at.allowOnly({"step", "bodies", "staying", "steps", "stuck", "lines"});
     if (depth == kMostLines) at.fail("is deeper than " + std::to_string(kMostLines) + " lines");
@@ -455,7 +420,7 @@ Json planJson(const AssemblyPlan& plan, const std::string& product) {
             {"parts", plan.parts()},
             {"removed", plan.removed()},
             {"apart", bodiesApart(plan)},
-            {"end", endName(plan.end)},
+            {"end", kPlanEndNames.of(plan.end)},
             {"certified", plan.removedWithoutProof() == 0},
             {"bodies", plan.bodies},
             {"staying", plan.staying},

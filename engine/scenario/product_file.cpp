@@ -62,11 +62,12 @@ Result<ProductFile> productOfScenario(const std::string& file, const StopToken& 
   loaded.joints = scenario->scenario.joints;
   loaded.classes = classesOf(semanticEditsOf(scenario->scenario), loaded.product.bodies);
   loaded.missing = scenario->missing;
+  loaded.forbidsPlaces = forbidsPlaces(semanticEditsOf(scenario->scenario));
   loaded.warnings = std::move(scenario->warnings);
   return loaded;
 }
 
-/// The two largest, together.
+/// The sum of the two largest values.
 double largestTwo(std::vector<double> values) {
   values.resize(std::max<std::size_t>(values.size(), 2), 0.0);
   std::partial_sort(values.begin(), values.begin() + 2, values.end(), std::greater<>());

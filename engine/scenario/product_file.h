@@ -11,38 +11,40 @@
 
 namespace glissade {
 
-/// A product as it is loaded.
+/// A loaded product.
 struct ProductFile {
   AssembledProduct product;
-  double deviation = 0.0;              ///< metres that two surfaces may be off their triangles, together
-  SequenceDemands demands;             ///< of a scenario, with what is known of its bodies
-  std::vector<JointEdit> joints{};     ///< of a scenario: what a person says of joints
-  std::vector<std::string> classes{};  ///< of a scenario: the class of each body; empty where it has none
+  double deviation = 0.0;              ///< largest distance of two surfaces from their triangles, added up, metres
+  SequenceDemands demands;             ///< demands of a scenario, including the attributes of its bodies
+  std::vector<JointEdit> joints{};     ///< a person's statements about joints in a scenario
+  std::vector<std::string> classes{};  ///< class of each body of a scenario; empty where it has none
   Warnings warnings;
-  MissingShapes missing{};  ///< that the files state and that are no bodies; there is a warning of each
-  bool canOpen = false;     ///< the bodies of a part file are fewer than its solids: PartChoice can open them
+  MissingShapes missing{};     ///< shapes in the files that are no bodies; there is a warning of each
+  bool forbidsPlaces = false;  ///< true for a scenario that forbids places, which holds for the path of its object
+  bool canOpen = false;        ///< the part file has more solids than bodies; PartChoice can split them
 };
 
-/// The product of a scenario: its obstacles in their order, then its object at the start. Each body about its middle.
+/// The product of a scenario: its obstacles in their order, then its object at the start. Each body's frame is in its
+/// middle.
 AssembledProduct productOf(const LoadedScenario& scenario);
 
-/// The bodies as the file has them, however many: those of a part file (`file` as usualPart() takes it: a STEP file, an
-/// assembly in one, a URDF or mesh file), or of a scenario with its object at the start. Fits are on for part files,
-/// and as the scenario says. `deflection`: metres that triangles may be off the surfaces of a part file; 0: by the size
-/// of each part. `choice`: of the parts of such a file. Errors: those of the importers and of chosenParts(),
-/// Interrupted, and Usage where a deflection or a part to open is given for a scenario.
+/// All bodies of the file: those of a part file (`file` as in usualPart(): a STEP file, an assembly in one, a URDF or
+/// mesh file), or those of a scenario with its object at the start. Fits are on for part files; for scenarios the file
+/// decides. `deflection`: largest distance of triangles from the surfaces of a part file, metres; 0: by the size of
+/// each part. `choice`: choice among the parts of such a file. Errors: those of the importers and of chosenParts(),
+/// Interrupted, and Usage where a deflection or a part to split is given for a scenario.
 Result<ProductFile> readProduct(const std::string& file, const StopToken& stop = {}, double deflection = 0.0,
                                 const PartChoice& choice = {});
 
 /// The warning that a body is left out.
 Diagnostic isLeftOut(const std::string& name);
 
-/// Takes away the bodies that a person means by the names (bodiesMeant()), and what is said of their fits; the option
-/// --without. A warning says which.
+/// Removes the bodies that a person names (bodiesMeant()), and the statements about their fits; the option --without. A
+/// warning lists them.
 Outcome leaveOut(const std::vector<std::string>& names, ProductFile& loaded);
 
-/// The same with each body about its middle, as what moves is. Errors: as of readProduct(), and MalformedInput where
-/// there are less than two bodies.
+/// Like readProduct(), with each body's frame in its middle, as for the object. Errors: those of readProduct(), and
+/// MalformedInput where there are less than two bodies.
 Result<ProductFile> loadProduct(const std::string& file, const StopToken& stop = {}, double deflection = 0.0,
                                 const PartChoice& choice = {});
 

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Nothing where the product has several roots, or none.
+/// The name of the product's root; nothing where it has several roots, or none.
 std::optional<std::string> rootName(const Product& tree) {
   std::optional<std::string> name;
   for (const Product::Node& node : tree.nodes()) {
@@ -24,7 +24,7 @@ std::optional<std::string> rootName(const Product& tree) {
   return name && !name->empty() ? name : std::nullopt;
 }
 
-/// Scenarios of earlier versions are named as the part that moves.
+/// True if the name is that of a part. Earlier versions named scenarios after the part that moves.
 bool isNameOfAPart(const std::string& name, const Scenario& scenario) {
   const auto bodies = allBodiesOf(scenario);
   return std::any_of(bodies.begin(), bodies.end(), [&](const BodyDescription* body) {
@@ -32,7 +32,7 @@ bool isNameOfAPart(const std::string& name, const Scenario& scenario) {
   });
 }
 
-/// Of the one file that has all parts, else of the folder of the first.
+/// The name of the file that has all parts, else of the folder of the first file.
 std::string nameOfFiles(const std::vector<Asset>& assets) {
   if (assets.empty()) return {};
   const fs::path first = assets.front().path;

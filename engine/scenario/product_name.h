@@ -6,10 +6,10 @@
 
 namespace glissade {
 
-/// What the window, reports and files call the product of a scenario, which is saved as `file` or nowhere (empty): its
-/// root where it is one assembly, else the name of the scenario where that is no name of a part, else the name of the
-/// file or, where there is none, of the file of its parts (of their folder where they are in several files). Empty
-/// where nothing says a name.
+/// The name of a scenario's product for the window, reports and files. `file`: the scenario's file; empty: not saved.
+/// The first of these that exists: the name of the root, if it is one assembly; the name of the scenario, unless it is
+/// the name of a part; the name of the file; the name of the file of the parts, or of their folder if there are several
+/// files. Empty where there is none.
 std::string nameOfProduct(const Scenario& scenario, const std::string& file);
 std::string nameOfProduct(const LoadedScenario& scenario);
 

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 using Json = JsonCursor::Json;
 
 constexpr const char* kEnding = ".journal";
-/// Every journal begins with this, and no record does: its text begins with a line break after "{".
+/// Every journal begins with this text, and no record does: a record has a line break after "{".
 constexpr const char* kFirst = R"({"format":"glissade-run",)";
 
 Diagnostic failed(const std::string& file, const std::string& what) {
@@ -32,7 +32,7 @@ std::string withChecksum(Json line) {
   return jsonText(line) + "\n";
 }
 
-/// The largest step that a record speaks of so far.
+/// The largest step that occurs in a record.
 std::uint64_t lastStepOf(const Json& record) {
   std::uint64_t last = 0;
   const auto look = [&](const Json& step) {
@@ -47,7 +47,7 @@ std::uint64_t lastStepOf(const Json& record) {
   return last;
 }
 
-/// Puts the lines of a journal together. Lines of earlier versions carry no checksum.
+/// Merges the lines of a journal. Lines of earlier versions have no checksum.
 class JournalMerger {
  public:
   explicit JournalMerger(std::string file) : file_(std::move(file)) {}
@@ -85,7 +85,8 @@ class JournalMerger {
     return Done{};
   }
 
-  /// A line that adds keys is none of ours, whatever its checksum: many of them would take hours.
+  /// False for a line with other keys, which no journal has even if its checksum is correct. Merging many such keys
+  /// would take hours.
   bool hasOnlyKnownKeys(const Json& line) const {
     const auto items = line.items();
     return std::all_of(items.begin(), items.end(), [this](const auto& item) { return record_.contains(item.key()); });
@@ -109,7 +110,7 @@ class JournalMerger {
   std::optional<RunRecord::Loss> loss_;
 };
 
-/// Nobody holds it open for writing.
+/// True if no program holds the file open for writing.
 bool isAbandoned(const fs::path& file) {
   const int descriptor = ::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   if (descriptor < 0) return false;
@@ -152,7 +153,7 @@ Outcome RunJournal::writeLine(const std::string& line) {
     return Done{};
   }
   const Diagnostic why = failed(file_, "cannot be written");
-  (void)::ftruncate(descriptor_, size_);  // else the next line would be one with the rest of this one
+  (void)::ftruncate(descriptor_, size_);  // removes the partial line, so that the next line does not continue it
   return why;
 }
 

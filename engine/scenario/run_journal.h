@@ -8,21 +8,21 @@
 
 namespace glissade {
 
-/// The record of a run while it goes on: each part is one more line of the file as soon as it is
-/// there, so that a killed program leaves all but the last second. Each line carries a checksum and is flushed
-/// to the disk, which takes milliseconds: not for the GUI thread. readRunRecord reads the file; a damaged line costs
-/// that line only. The file is locked as long as its writer lives.
+/// The record of a run while it goes on. Each part is appended to the file as a line as soon as it exists, so that a
+/// killed program loses at most the last second. Each line has a checksum and is flushed to the disk, which takes
+/// milliseconds; do not call it on the GUI thread. readRunRecord reads the file, and a damaged line loses that line
+/// only. The file is locked as long as its writer runs.
 class RunJournal {
  public:
-  /// A new file in the folder, which is made where it is missing. Begins with the record's head.
+  /// Creates a file in the folder, which is created where it is missing, and writes the record's head.
   static Result<std::unique_ptr<RunJournal>> begin(const RunRecord& record, const std::string& folder);
   ~RunJournal();
   RunJournal(const RunJournal&) = delete;
   RunJournal& operator=(const RunJournal&) = delete;
 
-  /// Errors: the disk does not take the line; the lines before it stay whole.
+  /// Appends a line. Errors: the line cannot be written; the lines before it stay complete.
   Outcome append(const RunLog& part);
-  /// Nobody needs it any more.
+  /// Removes the journal.
   void discard();
   const std::string& file() const { return file_; }
 
@@ -31,13 +31,13 @@ class RunJournal {
   Outcome writeLine(const std::string& line);
 
   int descriptor_;
-  long size_ = 0;  ///< bytes of the whole lines
+  long size_ = 0;  ///< bytes of the complete lines
   std::string file_;
 };
 
-/// Journals whose writers are gone, the oldest first.
+/// Journals without a running writer, the oldest first.
 std::vector<std::string> abandonedJournals(const std::string& folder);
-/// Makes the recording `target` of an abandoned journal, which goes only once that is written.
+/// Saves an abandoned journal as the recording `target`, then removes it.
 SaveResult saveJournal(const std::string& journal, const std::string& target, const WorkWatch& watch = {});
 
 }  // namespace glissade

@@ -17,7 +17,7 @@ using Json = JsonCursor::Json;
 
 constexpr std::size_t kMostRecordBytes = 256U << 20;
 
-/// One key a line, one entry of a list a line: long streams stay readable, and small.
+/// Text with one key per line and one list entry per line, so that long streams stay readable and small.
 std::string text(const Json& json) {
   std::string result = "{";
   for (const auto& item : json.items()) {
@@ -36,14 +36,14 @@ std::string text(const Json& json) {
   return result + "\n}\n";
 }
 
-/// As seen from the record's folder, so that both may be moved together.
+/// The path relative to the record's folder, so that both may be moved together.
 std::string relativeTo(const std::string& folder, const std::string& file) {
   std::error_code ignored;
   const fs::path relative = fs::relative(file, folder, ignored);
   return relative.empty() ? file : relative.generic_string();
 }
 
-/// Where the scenario is: as seen from the record, from here, or beside the record.
+/// Searches for the scenario relative to the record, to the current folder, and beside the record.
 std::string findScenario(const std::string& named, const std::string& recordFile) {
   const fs::path folder = folderOf(recordFile);
   for (const fs::path& candidate : {folder / named, fs::path(named), folder / fs::path(named).filename()}) {
@@ -71,7 +71,7 @@ std::string problemSha256(const Scenario& scenario) {
   problem.sequence = {};
   for (Asset& asset : problem.assets) {
     asset.path = fs::path(asset.path).filename().string();  // the scenario may have been saved elsewhere since
-    asset.sha256.clear();                                   // those that were used are compared
+    asset.sha256.clear();  // the hashes of the assets that were used are compared separately
   }
   return sha256(scenarioText(problem));
 }
@@ -107,7 +107,7 @@ SaveResult writeRunRecord(const RunRecord& record, const std::string& file) {
 }
 
 Result<RunRecord> readRunRecord(const std::string& file, const WorkWatch& watch) {
-  constexpr double kParsing = 0.8;  // of the work; the rest is taking the values
+  constexpr double kParsing = 0.8;  // share of the work; the rest is reading the values
   const auto content = readFile(file, kMostRecordBytes);
   if (!content) return content.error();
   auto document = isJournal(*content) ? mergedJournal(*content, file, watch.part(0.0, kParsing))

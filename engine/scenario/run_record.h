@@ -12,51 +12,52 @@
 
 namespace glissade {
 
-/// One run as a file: enough to grow the same roadmap again, bit by bit, also where a person steered.
+/// A run as a file. It suffices to grow the same roadmap again, bit by bit, also where a person steered.
 struct RunRecord {
   struct AssetHash {
     std::string id;
     std::string sha256;
   };
 
-  /// What a damaged journal does not tell any more.
+  /// Parts that a damaged journal has lost.
   struct Loss {
-    std::size_t lines = 0;        ///< how many of its lines are damaged or cut off
-    std::uint64_t afterStep = 0;  ///< up to here nothing is missing
+    std::size_t lines = 0;        ///< number of lines that are damaged or cut off
+    std::uint64_t afterStep = 0;  ///< the record is complete up to this step
   };
 
-  int version = 2;            ///< of the file; 1 knows no semantic edits and no checkpoints
-  std::string program;        ///< "Glissade 0.1.0"
+  int version = 2;            ///< version of the file; version 1 has no semantic edits and no checkpoints
+  std::string program;        ///< for example "Glissade 0.1.0"
   std::string build;          ///< compiler, processor, flags
-  std::string scenario;       ///< its file; in the record relative to the record's folder
+  std::string scenario;       ///< the scenario's file; in the record relative to the record's folder
   std::string problemSha256;  ///< problemSha256(scenario); empty in version 1
   std::vector<AssetHash> assets;
-  std::map<ParameterId, double> parameters;  ///< at the start
-  RunLog log;                                ///< its start.parameters are set by replayLog()
-  std::optional<Loss> loss;                  ///< nothing: the record is whole
+  std::map<ParameterId, double> parameters;  ///< parameters at the start
+  RunLog log;                                ///< replayLog() sets its start.parameters
+  std::optional<Loss> loss;                  ///< nothing: the record is complete
 };
 
 /// The record of a run of this scenario. Errors: an asset can no longer be read.
 Result<RunRecord> makeRunRecord(const LoadedScenario& scenario, RunLog log);
 
-/// Another run of the same scenario.
+/// Replaces the run by another run of the same scenario.
 void setLog(RunLog log, RunRecord& record);
 
-/// SHA-256 of what a scenario says about the problem: bodies, object, start, goal, workspace, environment and rules.
-/// What a record holds itself (edits, planner, parameters, seed) is left out, and so are kept paths.
+/// SHA-256 of a scenario's planning problem: bodies, object, start, goal, workspace, environment, fits and rules. It
+/// excludes what a record holds itself (edits, planner, parameters, seed), and what does not change the problem of the
+/// object: name, description, way points, kept paths, the plan, its demands, and bodies that are left out.
 std::string problemSha256(const Scenario& scenario);
 
-/// Version 2 with a checksum, saved atomically.
+/// Saves a record of version 2 with a checksum, atomically.
 SaveResult writeRunRecord(const RunRecord& record, const std::string& file);
-/// Version 1 or 2, or a journal (run_journal.h). Strict; at most 256 MiB, which take seconds. A checksum that
-/// does not fit is an error; a record without one is read as it is. Of a journal only the damaged lines are lost.
+/// Reads a record of version 1 or 2, or a journal (run_journal.h). Strict; at most 256 MiB, which take seconds. A wrong
+/// checksum is an error; a record without one is accepted. Of a journal only the damaged lines are lost.
 Result<RunRecord> readRunRecord(const std::string& file, const WorkWatch& watch = {});
 
-/// What a damaged journal costs; nothing where the record is whole.
+/// A warning about the lines that a damaged journal has lost; nothing where the record is complete.
 std::optional<Diagnostic> lossWarning(const RunRecord& record, const std::string& file);
 
-/// The record's log for this scenario, its parameters and edits checked. Refused (MalformedInput, or
-/// Usage where the scenario is another): what would not be the recorded run.
+/// The record's log for this scenario, with checked parameters and edits. Errors: MalformedInput where the replay would
+/// not be the recorded run, Usage where the scenario is another one.
 Result<RunLog> replayLog(const RunRecord& record, const LoadedScenario& scenario, const std::string& file);
 
 }  // namespace glissade

@@ -64,7 +64,7 @@ Outcome checkSemantics(const RunLog& log, const LoadedScenario& scenario) {
 Result<RunLog> replayLog(const RunRecord& record, const LoadedScenario& scenario, const std::string& file) {
   RunLog log = record.log;
   log.start.parameters = ParameterValues(scenario.problem.world->objectRadius());
-  // Version 1 knew no edits: what counted were those of the scenario.
+  // Version 1 had no edits; the edits of the scenario applied.
   if (record.version == 1) log.start.edits = scenario.problem.scene.edits;
   const auto refuse = [&](Diagnostic why) {
     why.file = file;
@@ -76,7 +76,7 @@ Result<RunLog> replayLog(const RunRecord& record, const LoadedScenario& scenario
     return Diagnostic{ErrorKind::MalformedInput, file, "/planner", "there is no planner '" + log.start.planner + "'",
                       "Replay it with the Glissade that recorded it: " + record.program + "."};
   }
-  // Records of earlier versions do not know it: the automatic planner had one.
+  // Records of earlier versions do not have this parameter; the automatic planner had one slot.
   if (record.parameters.count(ParameterId::Slots) == 0) (void)log.start.parameters.set(ParameterId::Slots, 1.0);
   const Outcome parameters = checkParameters(record, log.start.parameters);
   if (!parameters) return refuse(parameters.error());

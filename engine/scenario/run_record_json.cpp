@@ -3,6 +3,7 @@
 #include <charconv>
 
 #include "engine/base/tolerances.h"
+#include "engine/geometry/pose_json.h"
 #include "engine/scenario/semantics_json.h"
 
 namespace glissade {
@@ -30,7 +31,8 @@ Json toJson(const RunCheckpoint& checkpoint) {
           {"seconds", checkpoint.seconds}};
 }
 
-/// [step, x, y, z, qx, qy, qz, qw], or [step] where nobody holds the object: there are many of these.
+/// [step, x, y, z, qx, qy, qz, qw], or [step] where nobody holds the object. The form is short because a record has
+/// many of these.
 Json toJson(const RunLog::HandPose& pose) {
   Json json = Json::array({pose.step});
   if (!pose.q_device) return json;
@@ -51,7 +53,7 @@ ParameterId readParameterId(const JsonCursor& at, const std::string& key) {
   return *id;
 }
 
-/// A step that does not come before the one above it: a replay goes through them in order.
+/// Reads a step, which must not be less than the step of the entry before: a replay processes them in order.
 template <class Entry>
 std::uint64_t readStep(const JsonCursor& at, const std::vector<Entry>& before) {
   const std::uint64_t step = at.wholeNumber();
@@ -100,7 +102,7 @@ RunLog::HandPose readHandPose(const JsonCursor& at, const std::vector<RunLog::Ha
   return entry;
 }
 
-/// By far the longest part of a record.
+/// Reads the stream of hand poses, by far the longest part of a record.
 void readStream(const JsonCursor& stream, int version, const WorkWatch& watch, RunLog& log) {
   constexpr std::size_t kBetweenLooks = 4096;
   for (std::size_t i = 0; i < stream.size(); ++i) {
@@ -114,7 +116,7 @@ void readStream(const JsonCursor& stream, int version, const WorkWatch& watch, R
       continue;
     }
     at.allowOnly({"step", "q"});
-    log.operatorStream.push_back({readStep(at.at("step"), log.operatorStream), at.at("q").pose()});
+    log.operatorStream.push_back({readStep(at.at("step"), log.operatorStream), readPose(at.at("q"))});
   }
 }
 

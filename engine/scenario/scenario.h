@@ -23,7 +23,7 @@
 
 namespace glissade {
 
-/// A body of the product as the file names it.
+/// A body of the product in the file.
 struct BodyDescription {
   std::string id;
   std::string name{};
@@ -34,15 +34,15 @@ struct BodyDescription {
   Attributes attributes{};
 };
 
-/// What moves: the bodies of the product that a person has chosen, as one rigid body.
+/// The object: the bodies of the product that a person has chosen to move, as one rigid body.
 struct ObjectDescription {
-  /// At least one. The first one's frame is that of the object's geometry, G: its own pose is not used. The pose of
-  /// the others is X_GB.
+  /// At least one body. The frame of the first body is that of the object's geometry, G; its own pose is not used. The
+  /// pose of the others is X_GB.
   std::vector<BodyDescription> bodies{BodyDescription{"object"}};
-  /// OMPL.app moves the robot so that the mean of its imported vertices is the reference point. Of one body only.
+  /// The reference point is the mean of the imported vertices, as in OMPL.app. Only for an object of one body.
   bool centreOnVertexMean = false;
-  /// Where else the reference point is, in G. Written down, because the triangles of a STEP part are not the same
-  /// everywhere.
+  /// Otherwise the reference point, in G. It is stored because the triangles of a STEP part are not the same on all
+  /// machines.
   Vector3 referencePoint = Vector3::Zero();
 
   BodyDescription& first() { return bodies.front(); }
@@ -53,16 +53,15 @@ struct ObjectDescription {
 /// A person's plan for the simulated operator: free configurations to pass through in order.
 using WayPoints = std::vector<Pose>;
 
-/// One scenario file as a value: what is asked, not yet loaded geometry (DESIGN section 5).
+/// One scenario file as a value: the planning problem without loaded geometry.
 struct Scenario {
   std::string name;
   std::string description;
   std::vector<Asset> assets;
-  std::vector<BodyDescription> bodies;  ///< those that do not move
+  std::vector<BodyDescription> bodies;  ///< bodies that do not move
   ObjectDescription object;
-  std::vector<BodyDescription>
-      leftOut;                         ///< of the product, and not there: nothing is about them until they are put back
-  std::vector<NodeDescription> nodes;  ///< of its tree, where the names of the bodies do not say it all
+  std::vector<BodyDescription> leftOut;  ///< bodies of the product that are not used until they are put back
+  std::vector<NodeDescription> nodes;    ///< nodes of the tree that the names of the bodies do not determine
   Pose start;
   Goal goal;
   Box3 workspace;
@@ -73,51 +72,53 @@ struct Scenario {
   std::vector<AttributeDefinition> attributeDefinitions;  ///< the user's own attributes
   std::vector<PlaceEdit> places;
   std::vector<MilestoneEdit> milestones;
-  /// Of the places that edits forbid, when the file was saved. Planners find them anew.
+  /// The places that edits forbid, at the time when the file was saved. Planners compute them anew.
   ForbiddenPlaces forbiddenRegions;
-  std::optional<StrategyRules> rules;  ///< of strategy "own"
+  std::optional<StrategyRules> rules;  ///< rules of strategy "own"
   FitSettings fits;
-  std::vector<JointEdit> joints;  ///< what a person says of joints
+  std::vector<JointEdit> joints;  ///< a person's statements about joints
   SequenceDemands sequence;
   std::uint64_t seed = 1;
   KeptPaths paths;                           ///< results that are kept, by name
-  std::shared_ptr<const AssemblyPlan> plan;  ///< the sequence that was planned last; null: none. It may hold no more
+  std::shared_ptr<const AssemblyPlan> plan;  ///< the sequence that was planned last, which may be outdated; null: none
 };
 
-/// What the user has said about places and bodies, as the semantic layer takes it; and back.
+/// Converts the user's edits of places and bodies to those of the semantic layer, and back.
 SemanticEdits semanticEditsOf(const Scenario& scenario);
 void setSemanticEdits(const SemanticEdits& edits, Scenario& scenario);
 
 /// A scenario with its geometry loaded and checked: ready to be planned and drawn.
 struct LoadedScenario {
   Scenario scenario;
-  std::string file;                  ///< where it came from
-  std::vector<RigidBody> obstacles;  ///< in the order of the scenario, URDF links and STEP parts expanded
-  RigidBody object;                  ///< X_WB is the start; its id is that of the object's first body
-  /// The bodies that the object is made of, as bodies of the product, where they start. One is the object itself.
+  std::string file;  ///< file from which it was loaded
+  /// Obstacles in the order of the scenario, with URDF links and STEP parts expanded.
+  std::vector<RigidBody> obstacles;
+  RigidBody object;  ///< X_WB is the start; its id is that of the object's first body
+  /// The bodies of the object at the start, as bodies of the product. An object of one body is that body.
   std::vector<RigidBody> objectBodies;
-  Product product;         ///< the tree of all bodies, those that are left out among them
-  GeometryCache geometry;  ///< what the bodies and the object are made of
-  /// Shapes that files state and that are no bodies: certificates are about the scenario without them.
+  Product product;         ///< the tree of all bodies, including those that are left out
+  GeometryCache geometry;  ///< geometries of the bodies and of the object
+  /// Shapes in the files that are no bodies. Certificates do not include them.
   MissingShapes missing;
-  /// Metres that meshes are off the surfaces they stand for, about: of STEP parts, by rigid body's id.
+  /// Approximate distance of the meshes of STEP parts from their surfaces, metres, by rigid body's id.
   std::map<std::string, double> deflections;
-  /// Metres that meshes may be off their files, by rigid body's id: 32-bit numbers, edges closed at T-junctions.
+  /// Largest error of mesh coordinates against the files, metres, by rigid body's id. Sources are 32-bit numbers and
+  /// edges closed at T-junctions.
   std::map<std::string, double> coordinateSpacings;
   ObjectFits fits;                 ///< empty where the scenario's fits are off
-  bool fitsPending = false;        ///< they are on and still to be found: the object is not thinned yet
-  std::map<MeshPtr, bool> closed;  ///< whether a mesh of the bodies or the object is a closed surface
-  Problem problem;                 ///< its world has the object thinned as the fits allow
+  bool fitsPending = false;        ///< fits are on and not found yet, so that the object is not thinned
+  std::map<MeshPtr, bool> closed;  ///< states whether a mesh of the bodies or the object is a closed surface
+  Problem problem;                 ///< the problem, in whose world the object is thinned as the fits allow
   ParameterValues parameters{1.0};
   Warnings warnings;
 };
 
-/// How far the surfaces of the object and of an obstacle may be, together, from where their triangles are:
-/// certificates are about the triangles. 0 where those are what there is.
+/// Largest distance of the surfaces of the object and of an obstacle from their triangles, added up, metres.
+/// Certificates are about the triangles. 0 where the triangles are exact.
 double surfaceDeviation(const LoadedScenario& scenario);
 
-/// How far vertices of the object and of an obstacle may be, together, from where the programs that wrote their
-/// files had them: the spacing of 32-bit numbers at their coordinates. 0 where the files hold decimal numbers.
+/// Largest rounding error of the vertices of the object and of an obstacle in their files, added up, metres: the
+/// spacing of 32-bit numbers at their coordinates. 0 where the files hold decimal numbers.
 double coordinateSpacing(const LoadedScenario& scenario);
 
 }  // namespace glissade

@@ -10,29 +10,29 @@ namespace glissade {
 /// The bodies that do not move, then those of the object, then those that are left out.
 std::vector<const BodyDescription*> allBodiesOf(const Scenario& scenario);
 
-/// The same without those that are left out.
+/// All bodies except those that are left out.
 std::vector<const BodyDescription*> presentBodiesOf(const Scenario& scenario);
 
-/// What they are made of.
+/// Geometries of all bodies.
 std::vector<const Geometry*> geometriesOf(const Scenario& scenario);
 
-/// Ids of all bodies and assemblies: what attributes can be said of.
+/// Ids of all bodies and assemblies, which can have attributes.
 std::vector<std::string> nodeIdsOf(const Scenario& scenario);
 
-/// What the object is called in files about it: the ids of its bodies, joined by "+".
+/// Name of the object in files about it: the ids of its bodies, joined by "+".
 std::string idOf(const ObjectDescription& object);
 
-/// A body of the object has this id.
+/// True if a body of the object has this id.
 bool isInObject(const LoadedScenario& loaded, const std::string& rigidId);
 
-/// What is known of a rigid body, by its id; 0 where nothing is.
+/// The value for a rigid body, by its id; 0 where there is none.
 double valueOf(const std::map<std::string, double>& values, const std::string& id);
-/// The largest of these bodies.
+/// The largest value of these bodies.
 double largestOf(const std::map<std::string, double>& values, const std::vector<RigidBody>& bodies);
 
 /// The rigid bodies of the product: those of the obstacles in their order, then those of the object at its start.
 std::vector<RigidBody> rigidBodiesOf(const LoadedScenario& loaded);
-/// The one of this number among them.
+/// The rigid body with this index among them.
 const RigidBody& rigidBodyAt(std::size_t body, const LoadedScenario& loaded);
 
 }  // namespace glissade

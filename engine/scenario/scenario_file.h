@@ -8,29 +8,30 @@
 
 namespace glissade {
 
-/// Scenarios as files that people open, edit and save again. scenario_io.h has what needs no file.
+/// Scenarios as files that people open, edit and save again. Functions without files are in scenario_io.h.
 
-/// A loaded scenario together with what its file held then.
+/// A loaded scenario with the hash of its file.
 struct ScenarioFile {
   LoadedScenario scenario;
-  std::string sha256;  ///< of the file's content; empty: it is an OMPL.app file, which is never saved
+  std::string sha256;  ///< hash of the file's content; empty: an OMPL.app file, which is never saved
 };
 
-/// loadScenario for who will save the scenario into its file again.
+/// loadScenario for a caller that will save the scenario into its file again.
 Result<ScenarioFile> openScenarioFile(const std::string& file, const StopToken& stop = {},
                                       FindFits fits = FindFits::Now);
 
 /// Fills in the content hashes of the assets, then saves as saveFile does (file_save.h), with kKeptVersions earlier
-/// versions. `replaces` is the SHA-256 of the only content that may be replaced (ScenarioFile::sha256); nothing:
-/// any content, whose earlier version is then kept or nothing is saved.
+/// versions. `replaces` is the SHA-256 of the only content that may be replaced (ScenarioFile::sha256); nothing: any
+/// content; it is kept as an earlier version, else nothing is saved.
 SaveResult saveScenarioFile(const Scenario& scenario, const std::string& file,
                             const std::optional<std::string>& replaces);
 
-/// parseScenario with its warnings: a checksum that does not fit is one, because people edit scenarios by hand. A
-/// text without a checksum is read as it is.
+/// parseScenario with warnings. A wrong checksum is a warning, because people edit scenarios by hand. A text without a
+/// checksum is accepted.
 Result<Scenario> parseScenario(const std::string& text, const std::string& file, Warnings& warnings);
 
-/// writeScenario without the checksum: what records and studies hash. It stays the same whatever checksums become.
+/// writeScenario without the checksum: the text that records and studies hash. It does not depend on the method of the
+/// checksum.
 std::string scenarioText(const Scenario& scenario);
 
 }  // namespace glissade

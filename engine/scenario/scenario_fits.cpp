@@ -14,10 +14,10 @@
 namespace glissade {
 namespace {
 
-/// What is said of the group's bodies with one other, as said of the group.
+/// Statements about the group's bodies and one other body, combined for the group.
 struct GroupWord {
   FitEdit edit;
-  std::size_t accepted = 0;  ///< of how many of its bodies a clash is
+  std::size_t accepted = 0;  ///< number of its bodies for which a clash is accepted
 };
 
 void add(const FitEdit& said, GroupWord& word) {
@@ -37,7 +37,7 @@ FitSettings fitsOfGroup(const FitSettings& fits, const std::vector<RigidBody>& g
   const check::FitWords said = wordsOf(fits);
   if (std::any_of(group.begin(), group.end(), [&](const RigidBody& body) { return said.isCut(body.id); }))
     ofGroup.cut.push_back(groupId);
-  std::map<std::string, GroupWord> words;  // by the other body
+  std::map<std::string, GroupWord> words;  // statements by the other body
   for (const FitEdit& edit : fits.pairs) {
     const bool a = isInGroup(edit.a);
     if (a == isInGroup(edit.b)) {

@@ -1,9 +1,12 @@
 #include <algorithm>
 #include <filesystem>
+#include <string>
 
 #include "engine/base/file.h"
 #include "engine/base/file_versions.h"
 #include "engine/base/limits.h"
+#include "engine/base/number_text.h"
+#include "engine/base/result.h"
 #include "engine/base/utf8.h"
 #include "engine/environment/held_edits.h"
 #include "engine/geometry/mesh_audit.h"
@@ -14,10 +17,10 @@
 #include "engine/import/omplapp_config.h"
 #include "engine/import/unread_kind.h"
 #include "engine/scenario/default_colour.h"
-#include "engine/scenario/extent_check.h"
 #include "engine/scenario/fit_options.h"
 #include "engine/scenario/object_geometry.h"
 #include "engine/scenario/part_files.h"
+#include "engine/scenario/scenario.h"
 #include "engine/scenario/scenario_bodies.h"
 #include "engine/scenario/scenario_file.h"
 #include "engine/scenario/scenario_fits.h"
@@ -25,6 +28,46 @@
 
 namespace glissade {
 namespace {
+
+Diagnostic refused(const std::string& file, const std::string& location, const std::string& reason) {
+  return {ErrorKind::MalformedInput, file, location, reason, "Check its pose, its size and the unit of its file."};
+}
+
+Outcome checkReach(const RigidBody& body, const std::string& file) {
+  const Box3 box = boundingBox(*body.mesh, body.X_WB);
+  const double reach = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+  if (limits::isCoordinate(reach)) return Done{};
+  return refused(file, "body '" + body.name + "'",
+                 "reaches " + toText(reach) + " m from the world's origin, beyond 1e9 m");
+}
+
+/// Refuses a scenario that has expanded to more than limits::kMostBodies rigid bodies.
+Outcome checkNumberOfBodies(const LoadedScenario& loaded, const std::string& file) {
+  if (loaded.obstacles.size() <= limits::kMostBodies) return Done{};
+  return Diagnostic{ErrorKind::MalformedInput, file, "/bodies",
+                    "expand to more than " + std::to_string(limits::kMostBodies) + " rigid bodies",
+                    "Give the parts that matter, or fewer bodies made of the same file."};
+}
+
+/// Refuses a scenario whose bodies or object, as they are placed, reach beyond limits::kLargestLength, whose object is
+/// smaller than limits::kSmallestSize, or whose workspace is more than limits::kLargestRatio times the object's radius.
+/// Errors are MalformedInput with the body as location.
+Outcome checkExtents(const LoadedScenario& loaded, const Box3& workspace, const std::string& file) {
+  for (const RigidBody& body : loaded.obstacles) {
+    if (const Outcome near = checkReach(body, file); !near) return near;
+  }
+  if (const Outcome near = checkReach(loaded.object, file); !near) return near;
+  const double radius = radiusAboutOrigin(*loaded.object.mesh);
+  if (!limits::isSize(radius)) {
+    return refused(file, "body '" + loaded.object.name + "'",
+                   "has a radius of " + toText(radius) + " m, which is not from 1e-12 m to 1e9 m");
+  }
+  if (workspace.diagonal().norm() > limits::kLargestRatio * radius) {
+    return Diagnostic{ErrorKind::MalformedInput, file, "/workspace", "is more than 1e10 times as large as the object",
+                      "Check the units of both, or give a smaller workspace."};
+  }
+  return Done{};
+}
 
 constexpr Colour kMobileColour{0.80, 0.68, 0.45};
 constexpr Colour kObjectColour{0.93, 0.90, 0.80};
@@ -44,7 +87,7 @@ void warnIfOpen(const RigidBody& body, const std::string& file, const LoadedScen
                              "closed (--close-holes)."});
 }
 
-/// What is known from reading is not looked at again.
+/// Notes the meshes that the importer found closed, so that they are not checked again.
 void noteClosed(const LoadedGeometry& geometry, LoadedScenario& loaded) {
   for (const Occurrence& part : geometry.parts) {
     if (part.isClosed) loaded.closed.emplace(part.mesh, true);
@@ -59,7 +102,7 @@ bool isSameMesh(const TriangleMesh& a, const TriangleMesh& b) {
   return a.vertices == b.vertices && a.triangles == b.triangles;
 }
 
-/// What an edit of the attribute says, of the body or of an assembly that it is in, goes before the body's own.
+/// The mobility of a body. An edit for the body or its assembly overrides the body's own.
 Mobility mobilityOf(const BodyDescription& description, const SemanticEdits& held) {
   const auto body = held.bodies.find(description.id);
   if (body == held.bodies.end()) return description.mobility;
@@ -68,14 +111,14 @@ Mobility mobilityOf(const BodyDescription& description, const SemanticEdits& hel
   return edited->second == AttributeValue(std::string("mobile")) ? Mobility::Mobile : Mobility::Static;
 }
 
-/// The largest of a body's values; nothing is noted where all are zero.
+/// Updates the largest value of a body; zero is not stored.
 void noteLargest(double value, const std::string& bodyId, std::map<std::string, double>& values) {
   if (value == 0.0) return;
   double& largest = values[bodyId];
   largest = std::max(largest, value);
 }
 
-/// How far the geometry may be off. `merged`: all parts are one rigid body.
+/// Notes the uncertainties of the geometry. `merged`: all parts are one rigid body.
 void noteUncertainties(const LoadedGeometry& geometry, const std::string& bodyId, bool merged, LoadedScenario& loaded) {
   for (const Occurrence& part : geometry.parts) {
     const std::string id = merged ? bodyId : partId(bodyId, part);
@@ -84,7 +127,7 @@ void noteUncertainties(const LoadedGeometry& geometry, const std::string& bodyId
   }
 }
 
-/// The largest of the object and the largest of an obstacle, together.
+/// The largest value of the object plus the largest value of an obstacle.
 double largestOfBoth(const std::map<std::string, double>& values, const LoadedScenario& loaded) {
   double object = 0.0;
   double obstacle = 0.0;
@@ -123,7 +166,7 @@ RigidBody objectOf(const Scenario& scenario, const ObjectGeometry& geometry) {
   return object;
 }
 
-/// As bodies of the product that do not move are made, so that the choice of what moves changes none of them.
+/// The object's bodies, made like static bodies of the product, so that the choice of what moves does not change them.
 std::vector<RigidBody> bodiesOfGroup(const Scenario& scenario, const ObjectGeometry& geometry) {
   const ObjectDescription& object = scenario.object;
   const Pose X_WG = normalized(scenario.start) * Pose::translation(-referencePointOf(object, geometry));
@@ -143,7 +186,7 @@ Outcome loadObject(const Scenario& scenario, const LoadedScenario* before, Geome
   const bool group = scenario.object.isGroup();
   loaded.object = objectOf(scenario, *geometry);
   if (before != nullptr && isSameMesh(*before->object.mesh, *loaded.object.mesh)) {
-    loaded.object.mesh = before->object.mesh;  // prepared already
+    loaded.object.mesh = before->object.mesh;  // already prepared for collision queries
   }
   bool closed = true;
   for (std::size_t i = 0; i < geometry->size(); ++i) {
@@ -159,7 +202,7 @@ Outcome loadObject(const Scenario& scenario, const LoadedScenario* before, Geome
   return Done{};
 }
 
-/// What people see of the names, among all bodies of the product.
+/// Sets the names of all bodies of the product that people see.
 void labelAll(LoadedScenario& loaded) {
   std::vector<RigidBody> all = rigidBodiesOf(loaded);
   labelBodies(all, loaded.product);
@@ -232,7 +275,7 @@ Scenario toScenario(const OmplAppConfig& config) {
 
 struct ReadScenario {
   Scenario scenario;
-  std::string sha256;  ///< of a scenario's file
+  std::string sha256;  ///< hash of the scenario's file
   Warnings warnings;
 };
 
@@ -327,7 +370,7 @@ Result<LoadedScenario> loadGeometry(Scenario scenario, const std::string& folder
   if (const Outcome sound = checkExtents(loaded, scenario.workspace, file); !sound) return sound.error();
   loaded.problem.world = before != nullptr ? before->problem.world->updated(loaded.obstacles, loaded.object.mesh)
                                            : CollisionWorld::build(loaded.obstacles, loaded.object.mesh);
-  // Files may be off by kQuaternionNorm; a rotation that stretches would falsify every distance.
+  // Quaternions in files may be off by kQuaternionNorm. A rotation that stretches would falsify every distance.
   loaded.problem.start = normalized(scenario.start);
   loaded.problem.goal = scenario.goal;
   if (Pose* goal = std::get_if<Pose>(&loaded.problem.goal)) *goal = normalized(*goal);

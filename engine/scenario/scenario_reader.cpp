@@ -1,9 +1,10 @@
 #include <array>
 #include <set>
 
+#include "engine/base/json_reader.h"
 #include "engine/base/limits.h"
+#include "engine/geometry/pose_json.h"
 #include "engine/import/json_checksum.h"
-#include "engine/import/json_reader.h"
 #include "engine/scenario/fits_json.h"
 #include "engine/scenario/joints_json.h"
 #include "engine/scenario/kept_path_json.h"
@@ -20,12 +21,13 @@ constexpr std::uint64_t kScenarioVersion = 1;
 
 using Json = JsonCursor::Json;
 
-/// Brings a document one version up; entry i migrates version i + 1. Version 1 is the first: empty.
+/// Migrates a document to the next version; entry i migrates version i + 1. The list is empty, because version 1 is the
+/// first.
 using Migration = void (*)(Json&);
 constexpr std::array<Migration, kScenarioVersion - 1> kMigrations{};
 
 Colour readColour(const JsonCursor& at) {
-  const Vector3 v = at.vector();
+  const Vector3 v = readVector(at);
   if (v.minCoeff() < 0.0 || v.maxCoeff() > 1.0) at.fail("is not a colour: three numbers from 0 to 1");
   return {v.x(), v.y(), v.z()};
 }
@@ -68,7 +70,7 @@ Geometry readGeometry(const JsonCursor& at, const std::set<std::string>& assets)
                         step->has("as_one") && step->at("as_one").boolean()};
   }
   if (const auto box = at.find("box")) {
-    const Vector3 size = box->vector();
+    const Vector3 size = readVector(*box);
     if (!limits::isSize(size.minCoeff())) box->fail("has a size that is not above zero, or below 1e-12 m");
     return BoxGeometry{size};
   }
@@ -86,9 +88,9 @@ BodyDescription readDescription(const JsonCursor& at, const std::set<std::string
   body.id = at.at("id").nonEmptyText();
   body.name = at.has("name") ? at.at("name").text() : body.id;
   if (const auto mobility = at.find("mobility")) {
-    const std::string value = mobility->text();
-    if (value != "static" && value != "mobile") mobility->fail("is neither \"static\" nor \"mobile\"");
-    body.mobility = value == "mobile" ? Mobility::Mobile : Mobility::Static;
+    const auto known = kMobilityNames.find(mobility->text());
+    if (!known) mobility->fail("is neither \"static\" nor \"mobile\"");
+    body.mobility = *known;
   }
   body.geometry = readGeometry(at.at("geometry"), assets);
   if (const auto colour = at.find("colour")) body.colour = readColour(*colour);
@@ -99,7 +101,7 @@ BodyDescription readDescription(const JsonCursor& at, const std::set<std::string
 BodyDescription readBody(const JsonCursor& at, const std::set<std::string>& assets) {
   at.allowOnly({"id", "name", "mobility", "geometry", "pose", "colour", "attributes"});
   BodyDescription body = readDescription(at, assets);
-  if (const auto pose = at.find("pose")) body.pose = pose->pose();
+  if (const auto pose = at.find("pose")) body.pose = readPose(*pose);
   return body;
 }
 
@@ -119,7 +121,7 @@ ObjectDescription readObject(const JsonCursor& at, const std::set<std::string>& 
     if (object.centreOnVertexMean && !mesh) centre->fail("is for mesh files only");
   }
   if (const auto point = at.find("reference_point")) {
-    object.referencePoint = point->vector();
+    object.referencePoint = readVector(*point);
     if (object.centreOnVertexMean) point->fail("is said twice: there is 'centre_on_vertex_mean'");
   }
   if (object.centreOnVertexMean && object.isGroup()) at.at("with").fail("is not beside 'centre_on_vertex_mean'");
@@ -127,14 +129,14 @@ ObjectDescription readObject(const JsonCursor& at, const std::set<std::string>& 
 }
 
 Goal readGoal(const JsonCursor& at) {
-  if (!at.isString()) return at.pose();
+  if (!at.isString()) return readPose(at);
   if (at.text() != "out") at.fail("is neither a configuration nor \"out\"");
   return GoalOut{};
 }
 
 Box3 readWorkspace(const JsonCursor& at) {
   at.allowOnly({"min", "max"});
-  const Box3 box(at.at("min").vector(), at.at("max").vector());
+  const Box3 box(readVector(at.at("min")), readVector(at.at("max")));
   if (box.isEmpty()) at.fail("has a minimum above its maximum");
   return box;
 }
@@ -212,12 +214,12 @@ Scenario readScenario(const JsonCursor& root) {
   checkIds(bodies, scenario.object, root.at("object"));
   if (const auto leftOut = root.find("left_out")) scenario.leftOut = readBodies(*leftOut, assets, bodies);
   if (const auto product = root.find("product")) scenario.nodes = readNodes(*product);
-  scenario.start = root.at("start").pose();
+  scenario.start = readPose(root.at("start"));
   scenario.goal = readGoal(root.at("goal"));
   scenario.workspace = readWorkspace(root.at("workspace"));
   const auto wayPoints = root.find("way_points");
   for (std::size_t i = 0; wayPoints && i < wayPoints->size(); ++i) {
-    scenario.wayPoints.push_back(wayPoints->element(i).pose());
+    scenario.wayPoints.push_back(readPose(wayPoints->element(i)));
   }
   if (const auto planner = root.find("planner")) scenario.planner = planner->nonEmptyText();
   scenario.parameters = readParameters(root.find("parameters"));

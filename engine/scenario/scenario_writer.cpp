@@ -1,6 +1,7 @@
+#include "engine/base/json_reader.h"
 #include "engine/base/overloaded.h"
+#include "engine/geometry/pose_json.h"
 #include "engine/import/json_checksum.h"
-#include "engine/import/json_reader.h"
 #include "engine/scenario/fits_json.h"
 #include "engine/scenario/joints_json.h"
 #include "engine/scenario/kept_path_json.h"
@@ -65,7 +66,7 @@ Json toJson(const BodyDescription& body) {
   Json json;
   json["id"] = body.id;
   json["name"] = body.name;
-  json["mobility"] = body.mobility == Mobility::Static ? "static" : "mobile";
+  json["mobility"] = kMobilityNames.of(body.mobility);
   json["geometry"] = toJson(body.geometry);
   json["pose"] = glissade::toJson(body.pose);
   addAppearance(json, body.colour, body.attributes);
@@ -94,7 +95,7 @@ Json toJson(const ObjectDescription& object) {
   Json json;
   json["id"] = first.id;
   json["name"] = first.name;
-  if (first.mobility == Mobility::Mobile) json["mobility"] = "mobile";
+  if (first.mobility == Mobility::Mobile) json["mobility"] = kMobilityNames.of(first.mobility);
   json["geometry"] = toJson(first.geometry);
   if (object.isGroup()) {
     json["with"] = itemList(std::vector<BodyDescription>(object.bodies.begin() + 1, object.bodies.end()));

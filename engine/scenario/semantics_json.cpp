@@ -1,8 +1,8 @@
 #include "engine/scenario/semantics_json.h"
 
 #include "engine/base/limits.h"
+#include "engine/geometry/pose_json.h"
 #include "engine/planning/planner.h"
-#include "engine/scenario/forbidden_regions_json.h"
 #include "engine/scenario/scenario_bodies.h"
 #include "engine/scenario/scenario_product.h"
 
@@ -12,9 +12,53 @@ using Json = JsonCursor::Json;
 
 namespace {
 
-/// Of an attribute; they are searched one after another.
+/// More cells than this are in no topological layer.
+constexpr std::size_t kMostBoxes = 4'000'000;
+
+Box3 readBox(const JsonCursor& at) {
+  if (at.size() != 6) at.fail("is not a box", "Give six coordinates: the least x, y and z, then the largest.");
+  Box3 box;
+  for (int axis = 0; axis < 3; ++axis) {
+    box.min()[axis] = at.element(static_cast<std::size_t>(axis)).coordinate();
+    box.max()[axis] = at.element(static_cast<std::size_t>(axis) + 3).coordinate();
+  }
+  if (box.isEmpty()) at.fail("is not a box", "Give six coordinates: the least x, y and z, then the largest.");
+  return box;
+}
+
+/// Reads the boxes of forbidden places, which a scenario file states beside the edits that forbid them. A reader
+/// without an environment model uses them. Private to the readers and writers of this module. Reading throws JsonError.
+void readForbiddenRegions(const JsonCursor& root, Scenario& scenario) {
+  const auto regions = root.find("forbidden_regions");
+  for (std::size_t i = 0; regions && i < regions->sizeUpTo(limits::kMostBodies); ++i) {
+    const JsonCursor region = regions->element(i);
+    region.allowOnly({"place", "boxes"});
+    ForbiddenPlace place{region.at("place").nonEmptyText(), {}};
+    const JsonCursor boxes = region.at("boxes");
+    for (std::size_t box = 0; box < boxes.sizeUpTo(kMostBoxes); ++box)
+      place.boxes.push_back(readBox(boxes.element(box)));
+    scenario.forbiddenRegions.push_back(std::move(place));
+  }
+}
+
+/// Adds "forbidden_regions" where there are some.
+void addForbiddenRegions(const ForbiddenPlaces& places, JsonCursor::Json& json) {
+  if (places.empty()) return;
+  auto& regions = json["forbidden_regions"] = JsonCursor::Json::array();
+  for (const ForbiddenPlace& place : places) {
+    auto boxes = JsonCursor::Json::array();
+    for (const Box3& box : place.boxes) {
+      const Vector3& least = box.min();
+      const Vector3& most = box.max();
+      boxes.push_back({least.x(), least.y(), least.z(), most.x(), most.y(), most.z()});
+    }
+    regions.push_back({{"place", place.name}, {"boxes", std::move(boxes)}});
+  }
+}
+
+/// Most choices of an attribute, because they are searched sequentially.
 constexpr std::size_t kMostChoices = 1000;
-/// Of a strategy; they are tried one after another.
+/// Most rules of a strategy, because they are tried sequentially.
 constexpr std::size_t kMostRules = 1000;
 
 AttributeValue readValue(const JsonCursor& at) {
@@ -60,9 +104,9 @@ EnvironmentOptions readEnvironmentOptions(const JsonCursor& at) {
 namespace {
 
 AttributeOwner readOwner(const JsonCursor& at) {
-  const std::string owner = at.text();
-  if (owner != "place" && owner != "body") at.fail("is neither \"place\" nor \"body\"");
-  return owner == "place" ? AttributeOwner::Place : AttributeOwner::Body;
+  const auto owner = kAttributeOwnerNames.find(at.text());
+  if (!owner) at.fail("is neither \"place\" nor \"body\"");
+  return *owner;
 }
 
 AttributeDefinition readDefinition(const JsonCursor& at) {
@@ -70,7 +114,7 @@ AttributeDefinition readDefinition(const JsonCursor& at) {
   AttributeDefinition definition;
   definition.name = at.at("name").nonEmptyText();
   definition.label = at.has("label") ? at.at("label").text() : definition.name;
-  const auto type = attributeTypeByName(at.at("type").text());
+  const auto type = kAttributeTypeNames.find(at.at("type").text());
   if (!type) at.at("type").fail("is not a type of attribute", "Give bool, integer, number, text or choice.");
   definition.type = *type;
   definition.owner = readOwner(at.at("of"));
@@ -90,7 +134,7 @@ AttributeDefinition readDefinition(const JsonCursor& at) {
 PlaceEdit readPlace(const JsonCursor& at) {
   at.allowOnly({"at", "name", "attributes"});
   PlaceEdit edit;
-  edit.at = at.at("at").vector();
+  edit.at = readVector(at.at("at"));
   if (const auto name = at.find("name")) edit.name = name->text();
   edit.attributes = readAttributes(at.find("attributes"));
   return edit;
@@ -98,7 +142,7 @@ PlaceEdit readPlace(const JsonCursor& at) {
 
 MilestoneEdit readMilestone(const JsonCursor& at) {
   at.allowOnly({"at", "pose"});
-  return {at.at("at").vector(), at.at("pose").pose()};
+  return {readVector(at.at("at")), readPose(at.at("pose"))};
 }
 
 StrategyRules readRules(const JsonCursor& at) {
@@ -118,7 +162,7 @@ StrategyRules readRules(const JsonCursor& at) {
   return rules;
 }
 
-/// Wrong values are refused where the file is read, so that the message can say where.
+/// Refuses wrong values when the file is read, so that the message can state the place.
 void checkSemantics(const Scenario& scenario, const JsonCursor& root) {
   const SemanticEdits edits = semanticEditsOf(scenario);
   const auto refuse = [&](Diagnostic why) {
@@ -129,7 +173,7 @@ void checkSemantics(const Scenario& scenario, const JsonCursor& root) {
   const Outcome sound = checkEdits(edits, nodeIdsOf(scenario));
   if (!sound) {
     Diagnostic why = sound.error();
-    // In the file a body is known by its number.
+    // Places in the file name a body by its index.
     for (std::size_t i = 0; i < scenario.bodies.size(); ++i) {
       const std::string byId = "/bodies/" + scenario.bodies[i].id + "/attributes/";
       if (why.location.rfind(byId, 0) == 0) {
@@ -214,8 +258,8 @@ Json toJson(const AttributeDefinition& definition) {
   Json json;
   json["name"] = definition.name;
   json["label"] = definition.label;
-  json["type"] = std::string(toText(definition.type));
-  json["of"] = definition.owner == AttributeOwner::Place ? "place" : "body";
+  json["type"] = kAttributeTypeNames.of(definition.type);
+  json["of"] = kAttributeOwnerNames.of(definition.owner);
   if (!definition.unit.empty()) json["unit"] = definition.unit;
   const AttributeDefinition usual;
   if (definition.minimum != usual.minimum) json["minimum"] = definition.minimum;
@@ -246,7 +290,7 @@ Json toJson(const StrategyRules& rules) {
   return {{"node", rules.node}, {"edge", rules.edge}, {"fine", fine}, {"loop", rules.loop}, {"fitted", rules.fitted}};
 }
 
-/// Made where there is none yet.
+/// The description of a node; created where there is none yet.
 NodeDescription& descriptionOf(const std::string& id, Scenario& scenario) {
   for (NodeDescription& node : scenario.nodes) {
     if (node.id == id) return node;
@@ -255,7 +299,7 @@ NodeDescription& descriptionOf(const std::string& id, Scenario& scenario) {
   return scenario.nodes.back();
 }
 
-/// The id is that of a part of a body. What is known of parts is kept in the section about the sequence.
+/// True if the id is that of a part of a body. Attributes of parts are stored in the section about the sequence.
 bool isPart(const std::string& id) { return bodyIdOf(id) != id; }
 
 template <class Range>

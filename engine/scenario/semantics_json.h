@@ -1,19 +1,19 @@
 #pragma once
 
-#include "engine/import/json_reader.h"
+#include "engine/base/json_reader.h"
 #include "engine/scenario/scenario.h"
 
 namespace glissade {
 
-/// The part of a scenario file that describes the environment model, the semantic attributes and the
-/// rules. Private to the readers and writers of this room. Reading throws JsonError.
+/// The part of a scenario file that describes the environment model, the semantic attributes and the rules. Private to
+/// the readers and writers of this folder. Reading throws JsonError.
 Attributes readAttributes(const std::optional<JsonCursor>& at);
 void readSemantics(const JsonCursor& root, Scenario& scenario);
-/// Adds "environment", "attributes", "places", "milestones", "rules" where they say anything.
+/// Adds "environment", "attributes", "places", "milestones", "rules" if they are not empty.
 void addSemantics(const Scenario& scenario, JsonCursor::Json& json);
 JsonCursor::Json attributesToJson(const Attributes& attributes);
 
-/// Edits and options by themselves, as run records have them. Edits are checked against bodies later.
+/// Edits and options alone, for run records. The edits are checked against bodies later.
 SemanticEdits readSemanticEdits(const JsonCursor& at);
 JsonCursor::Json toJson(const SemanticEdits& edits);
 EnvironmentOptions readEnvironmentOptions(const JsonCursor& at);

@@ -1,6 +1,7 @@
 #include "engine/scenario/sequence_json.h"
 
 #include "engine/base/limits.h"
+#include "engine/geometry/pose_json.h"
 #include "engine/scenario/author_names.h"
 #include "engine/scenario/body_classes_json.h"
 #include "engine/scenario/joints_json.h"
@@ -26,7 +27,7 @@ Vector3 readDirection(const JsonCursor& at) {
   return gravity;
 }
 
-/// [[body, text], ...]
+/// Reads [[body, text], ...].
 std::vector<std::pair<std::string, std::string>> readPairs(const std::optional<JsonCursor>& at) {
   std::vector<std::pair<std::string, std::string>> pairs;
   for (std::size_t i = 0; at && i < at->sizeUpTo(limits::kMostBodies); ++i) {
@@ -63,7 +64,7 @@ void readKnowledge(const JsonCursor& at, SequenceDemands& demands) {
   if (const auto classes = at.find("classes")) demands.classes = readBodyClasses(*classes);
 }
 
-/// What a person has done to steps.
+/// Reads a person's edits of steps.
 void readSteps(const JsonCursor& at, SequenceDemands& demands) {
   const auto places = at.find("places");
   for (std::size_t i = 0; places && i < places->sizeUpTo(limits::kMostBodies); ++i) {
@@ -125,9 +126,9 @@ std::vector<PathPoint> readMotion(const JsonCursor& at) {
     const JsonCursor point = at.element(i);
     point.allowOnly({"position", "orientation", "author"});
     const SequenceJson pose{{"position", point.at("position").json()}, {"orientation", point.at("orientation").json()}};
-    const auto author = authorByName(point.at("author").text());
+    const auto author = kAuthorNames.find(point.at("author").text());
     if (!author) point.at("author").fail("is not computer, operator or contact");
-    path.push_back({JsonCursor(pose, at.file(), at.pointer() + "/" + std::to_string(i)).pose(), *author});
+    path.push_back({readPose(JsonCursor(pose, at.file(), at.pointer() + "/" + std::to_string(i))), *author});
   }
   if (path.empty()) at.fail("is empty", "Give a path.");
   return path;
@@ -137,7 +138,7 @@ SequenceJson motionJson(const std::vector<PathPoint>& path) {
   SequenceJson json = SequenceJson::array();
   for (const PathPoint& point : path) {
     SequenceJson configuration = toJson(point.q);
-    configuration["author"] = authorName(point.author);
+    configuration["author"] = kAuthorNames.of(point.author);
     json.push_back(std::move(configuration));
   }
   return json;

@@ -9,7 +9,8 @@
 namespace glissade {
 namespace {
 
-/// A value of this type; nothing where there is none: a user's attribute of the same name may be of another type.
+/// The value of an attribute with this type. Nothing where there is none, or where a user's attribute of the same name
+/// has another type.
 template <class Value>
 std::optional<Value> valueIn(const Attributes& attributes, const std::string& name) {
   const auto known = attributes.find(name);
@@ -18,7 +19,7 @@ std::optional<Value> valueIn(const Attributes& attributes, const std::string& na
   return value == nullptr ? std::nullopt : std::optional<Value>(*value);
 }
 
-/// The names between commas.
+/// The names in an attribute, separated by commas.
 std::vector<std::string> namesIn(const Attributes& attributes, const std::string& attribute) {
   std::vector<std::string> names;
   std::istringstream in(valueIn<std::string>(attributes, attribute).value_or(""));
@@ -29,7 +30,7 @@ std::vector<std::string> namesIn(const Attributes& attributes, const std::string
   return names;
 }
 
-/// Adds a group; groups that have a name in common become one.
+/// Adds a group and merges groups that have a name in common.
 void addTogether(std::vector<std::string> names, std::vector<std::vector<std::string>>& groups) {
   for (auto group = groups.begin(); group != groups.end();) {
     const bool common = std::any_of(group->begin(), group->end(), [&](const std::string& name) {
@@ -63,7 +64,7 @@ void addBody(const std::string& id, const Attributes& attributes, SequenceDemand
   addTogether(std::move(together), demands.together);
 }
 
-/// The body's own over those of the scenario's body that it is part of.
+/// Attributes of a body, which override those of the scenario's body that contains it.
 Attributes attributesOf(const std::string& id, const SemanticEdits& edits) {
   Attributes attributes;
   for (const std::string& each : {id, bodyIdOf(id)}) {
@@ -73,7 +74,7 @@ Attributes attributesOf(const std::string& id, const SemanticEdits& edits) {
   return attributes;
 }
 
-/// The user's own attributes, with what they are where nobody has said anything.
+/// The user's own attributes, with their defaults where they are not set.
 Attributes forCosts(const Attributes& attributes, const SemanticEdits& edits) {
   Attributes own;
   for (const AttributeDefinition& definition : edits.definitions) {

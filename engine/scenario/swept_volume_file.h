@@ -8,9 +8,9 @@
 
 namespace glissade {
 
-/// Saves a swept volume as binary STL (.stl, millimetres, as most readers take it) or as GLB (.glb, metres, with a name
-/// and a colour), by the ending. Coordinates are rounded to 32 bits, which the bound allows for. Errors name the file:
-/// another ending (Usage), or a file that cannot be written.
+/// Saves a swept volume as binary STL (.stl, in millimetres, as most readers expect) or as GLB (.glb, metres, with a
+/// name and a colour), by the ending. Coordinates are rounded to 32 bits, which the bound includes. Errors name the
+/// file: another ending (Usage), or a file that cannot be written.
 Outcome saveSweptVolume(const SweptVolume& sweep, const std::string& name, const Colour& colour,
                         const std::string& file, Warnings& warnings);
 

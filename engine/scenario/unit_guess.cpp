@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kMillimetre = 0.001;
 
-/// Diagonals, in units of the files.
+/// Diagonals of bounding boxes, in units of the files.
 struct Extent {
   double smallest = std::numeric_limits<double>::infinity();
   double all = 0.0;

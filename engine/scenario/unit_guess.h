@@ -10,20 +10,19 @@
 
 namespace glissade {
 
-/// What a unit of files is that do not say it.
+/// The guessed unit of files that do not state it.
 struct UnitGuess {
-  double unit = 0.001;   ///< metres: millimetres or metres
-  bool inDoubt = false;  ///< the other one fits as well, or none does
+  double unit = 0.001;   ///< metres per unit: millimetres or metres
+  bool inDoubt = false;  ///< both units fit, or none does
 };
 
-/// From the bounding boxes of the parts in the numbers of their files, which have one unit. A unit fits where the
-/// smallest part is 0.5 mm or larger and all together are 50 m or smaller, each along its diagonal; what is 20 units or
-/// larger is in millimetres where these fit.
+/// Guesses the unit from the bounding boxes of the parts in the numbers of their files, which have one unit. A unit
+/// fits if the diagonal of the smallest part is at least 0.5 mm and the diagonal of all together at most 50 m.
+/// Millimetres are chosen if they fit, and are not in doubt from 20 units on.
 UnitGuess guessUnit(const std::vector<Box3>& inFile);
 
-/// Gives the parts whose files say no unit the one that is guessed from all of them. `read` as of partsInFile().
-/// Returns what a person has to know: the guess, where it is not certain or not millimetres.
-/// Errors are those of the importers.
+/// Sets the guessed unit for the parts whose files state none. `read` as in partsInFile(). Returns warnings about the
+/// guess, where it is in doubt or not millimetres. Errors are those of the importers.
 Result<Warnings> guessUnits(std::vector<PartFile>& parts, GeometryCache& read, const StopToken& stop = {});
 
 }  // namespace glissade

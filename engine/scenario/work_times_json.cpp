@@ -4,9 +4,9 @@
 
 #include "engine/base/file.h"
 #include "engine/base/file_save.h"
+#include "engine/base/json_reader.h"
 #include "engine/base/limits.h"
 #include "engine/base/number_text.h"
-#include "engine/import/json_reader.h"
 
 namespace glissade {
 namespace {

@@ -6,8 +6,8 @@
 
 namespace glissade {
 
-/// What is still there of each assembly of the file, where that is several bodies and no unit of the rules is cut; the
-/// smallest first.
+/// For each assembly of the file, its bodies that are in `present`; the smallest first. Assemblies with one such body,
+/// and those that would cut a unit of the rules, are left out.
 std::vector<BodyGroup> assembliesThere(const SequenceQuestion& question, const BodySet& present);
 
 }  // namespace glissade

@@ -15,20 +15,20 @@
 
 namespace glissade {
 
-/// By how much a moving body of a step is taken thinner against one other body, or that one against it.
+/// The allowance between a moving body of a step and one other body.
 struct StepAllowance {
-  std::string body;  ///< id of the other one
+  std::string body;  ///< id of the other body
   ContactKind kind = ContactKind::Contact;
-  double overlap = 0.0;                       ///< as measured, metres
+  double overlap = 0.0;                       ///< measured overlap, metres
   double allowance = 0.0;                     ///< metres
-  std::string text;                           ///< for people, with names
-  std::string moving{};                       ///< id of the body of the step; empty: its first one
-  bool yields = false;                        ///< the other one is taken thinner, not the moving one
-  bool hollow = false;                        ///< what the other body of the pair fills is taken away
-  std::optional<check::StatedThread> core{};  ///< its thread, which is taken away against the other one
-  double pitch = 0.0;                         ///< of a thread that comes apart by turning only, metres a turn; 0: none
-  double turns = 0.0;          ///< of the body in it, by the right hand about the direction in which it leaves
-  check::Evidence evidence{};  ///< what the largest allowance of the pair may rest on; all zero: the file does not say
+  std::string text;                           ///< description for people, with names
+  std::string moving{};                       ///< id of the moving body; empty: the first body of the step
+  bool yields = false;                        ///< the other body is taken thinner, not the moving one
+  bool hollow = false;                        ///< the volume that the other body of the pair fills is taken away
+  std::optional<check::StatedThread> core{};  ///< thread of the body, taken away against the other body
+  double pitch = 0.0;          ///< pitch of a thread that comes apart by turning only, metres a turn; 0: none
+  double turns = 0.0;          ///< turns of the body in the thread, right-handed about the direction in which it leaves
+  check::Evidence evidence{};  ///< evidence for the largest allowance of the pair; all zero: the file does not say
 };
 
 /// Whether a tool can be brought on when a step begins.
@@ -42,81 +42,83 @@ struct StepTool {
   std::string turned{};  ///< id of the bolt that it turns while the step's nut is held; empty: it turns the fastener
 };
 
-/// A joint that comes apart by a step: what people read, and what has to be true of the step's motion.
+/// A joint that comes apart by a step: its description for people, and the conditions that the step's motion has to
+/// meet.
 struct StepJoint {
   JointKind kind = JointKind::Screw;
-  std::string body;                    ///< id, as Joint::body
-  std::vector<std::string> others{};   ///< ids, as Joint::others
-  std::vector<std::string> clamped{};  ///< ids, as Joint::clamped
-  std::string designation{};           ///< as Joint::designation
+  std::string body;                    ///< id, see Joint::body
+  std::vector<std::string> others{};   ///< ids, see Joint::others
+  std::vector<std::string> clamped{};  ///< ids, see Joint::clamped
+  std::string designation{};           ///< see Joint::designation
   DriveKind drive = DriveKind::None;
   double driveSize = 0.0;  ///< metres; 0: not known
-  double diameter = 0.0;   ///< of the thread, metres; 0: it has none
+  double diameter = 0.0;   ///< diameter of the thread, metres; 0: no thread
   double pitch = 0.0;      ///< metres a turn, below 0: left-handed; 0: no thread
   bool isPitchStated = false;
-  double turns = 0.0;  ///< that the step turns out of it, above 0 whatever the hand; 0: it does not turn
-  double bend = 0.0;   ///< of the hook of a snap, metres
+  double turns = 0.0;  ///< turns by which the step opens the thread, >= 0 for either hand; 0: it does not turn
+  double bend = 0.0;   ///< bend of the hook of a snap, metres
 
   bool operator==(const StepJoint&) const = default;
 };
 
-/// What was proved of a step's motion: it keeps the required clearance from every body that was there.
+/// The proof of a step's motion: it keeps the required clearance from every body that was there.
 struct StepProof {
-  std::size_t afterSteps = 0;    ///< the bodies that were there: those that remain after so many steps of the plan
-  double required = 0.0;         ///< metres
-  double provedClearance = 0.0;  ///< metres, lower bound; infinity where nothing was there
-  double minClearance = 0.0;     ///< metres, the smallest that was met
-  std::string nearest;           ///< id of the body there; empty: none
+  std::size_t afterSteps = 0;  ///< the bodies that were there: those that remain after this number of steps of the plan
+  double required = 0.0;       ///< metres
+  double provedClearance = 0.0;  ///< metres, lower bound; infinity: no body was there
+  double minClearance = 0.0;     ///< smallest clearance that was met, metres
+  std::string nearest;           ///< id of the body at the smallest clearance; empty: none
 };
 
-/// What a step does not keep because a person wants it at its place.
+/// A rule that a step breaks because a person wants the step at its place.
 struct StepViolation {
   enum class Rule {
     Before,    ///< `bodies` are demanded to leave before
-    Fastener,  ///< `bodies` are nuts that are still on it
+    Fastener,  ///< `bodies` are nuts that are still on the bolt that leaves
     Standing,  ///< `bodies` fall
-    Place,     ///< it comes at another place than the demanded one: nothing else can leave before
-    Joint      ///< `bodies` hold it, as screws hold what they clamp
+    Place,     ///< the step has another place than the demanded one: no other body can leave before
+    Joint      ///< `bodies` hold the step's bodies, as screws hold the parts that they clamp
   };
   Rule rule = Rule::Before;
   std::vector<std::string> bodies;  ///< ids
 };
 
-/// AssemblyStep::method of a flexible body, of whose motion nothing is proved.
+/// AssemblyStep::method of a flexible body; its motion is not proved.
 inline constexpr const char* kFlexible = "flexible";
 
-/// The removal of one body, or of several that move as one. A motion that was proved against bodies is proved against
-/// any of them.
+/// The removal of one body, or of several that move as one. A motion that is proved against a set of bodies is proved
+/// against each subset.
 struct AssemblyStep {
-  std::string body;  ///< id, of a group the first one
-  /// Of the frame that stands at the first configuration where the product is assembled: that of the body (see
-  /// AssembledProduct), or of the group. Every body of the step has X_WB = X(t) X(0)^-1 X_WB(assembled).
+  std::string body;  ///< id of the body, or of the first body of a group
+  /// Path of the body's frame, or of the group's frame, from its pose in the assembled product (see AssembledProduct).
+  /// Every body of the step has X_WB = X(t) X(0)^-1 X_WB(assembled).
   std::vector<PathPoint> path;
-  /// "straight", "two lines", "turned", "by hand" (kByHand), or "auto" and what found it: "auto: turning-rrt";
-  /// kFlexible
+  /// "straight", "two lines", "turned", "by hand" (kByHand), kFlexible, or "auto: " and the planner, as in "auto:
+  /// turning-rrt".
   std::string method;
-  std::size_t wave = 0;  ///< steps of one wave were found together, from 1
+  std::size_t wave = 0;  ///< number from 1; steps of one wave were found together
   StepProof proof;
-  /// Against bodies that were there, and those that may be there in another order (`after`).
+  /// Allowances against bodies that were there, and against those that may be there in another order (`after`).
   std::vector<StepAllowance> allowances;
   std::vector<std::string> with{};  ///< ids of the other bodies of a group
-  /// Steps that have to be carried out before, by number from 1, ascending: their bodies would be in the way, or the
-  /// order is demanded. Any order that keeps this of all steps is proved as well.
+  /// Numbers, from 1, ascending, of the steps that have to be carried out before this one: their bodies would be in the
+  /// way, or the order is demanded. Every order that keeps `after` of all steps is proved as well.
   std::vector<std::size_t> after{};
 
-  FastenerKind fastener = FastenerKind::None;  ///< of a single body
-  StepTool tool{};                             ///< of a single body
-  /// Ids of bodies that stand before the step, and would tip or fall after it: they have to be held.
+  FastenerKind fastener = FastenerKind::None;  ///< kind of a single body; None for a group
+  StepTool tool{};                             ///< tool for a single body
+  /// Ids of bodies that would tip or fall after the step and do not before it: they have to be held.
   std::vector<std::string> falling{};
-  std::vector<StepViolation> violates{};  ///< of a step that a person has put at its place
-  std::vector<StepJoint> joints{};        ///< that come apart by the step
-  /// Steps of one task have the same number, from 1: alike joints that clamp the same bodies. 0: it is a task alone.
+  std::vector<StepViolation> violates{};  ///< broken rules of a step that a person has put at its place
+  std::vector<StepJoint> joints{};        ///< joints that come apart by the step
+  /// Number of the task, from 1: steps with the same number open alike joints that clamp the same bodies. 0: it is a
+  /// task alone.
   std::size_t task = 0;
-  bool unit = false;  ///< its bodies are one: joints hold them together, and nothing takes them apart
-  /// False: of a flexible body. Its path is for the eye, and nothing is proved of it.
+  bool unit = false;  ///< its bodies are held together by joints, and are not taken apart
+  /// False for a flexible body: its path is for display, and is not proved.
   bool certified = true;
 
-  /// Ids of all bodies that leave, the first one first.
+  /// Ids of all bodies that leave; the first body of the step comes first.
   std::vector<std::string> bodies() const {
     std::vector<std::string> all{body};
     all.insert(all.end(), with.begin(), with.end());
@@ -124,57 +126,58 @@ struct AssemblyStep {
   }
 };
 
-/// A body, or a group as one, whose removal was asked for and not found.
+/// A body or a group for which a removal was searched and not found.
 struct RefusedRemoval {
-  std::string body;                    ///< id, of a group the first one
-  int effort = 0;                      ///< 0: straight motions; above: searches, each longer than the one before
-  std::size_t afterSteps = 0;          ///< asked when these had been carried out
-  std::vector<std::string> blockedBy;  ///< ids: it is not asked again with this effort before one of them has left
+  std::string body;            ///< id of the body, or of the first body of a group
+  int effort = 0;              ///< 0: straight motions; above 0: searches, each longer than the one of the effort below
+  std::size_t afterSteps = 0;  ///< number of steps that had been carried out before the search
+  std::vector<std::string> blockedBy;  ///< ids; the search is repeated only after one of these bodies has left
   std::vector<std::string> with{};     ///< ids of the other bodies of a group
 };
 
-/// Why a plan has ended.
+/// The reason why a plan has ended.
 enum class PlanEnd { Complete, Stuck, TimeLimit, Interrupted };
 
 /// A body that stays because no removal was found.
 struct StuckBody {
   std::string body;  ///< id
-  /// Ids of those that are still there; of a step that was demanded at a place, of those that were there then.
+  /// Ids of blocking bodies that are still there; for a step with a demanded place, those that were there at that
+  /// place.
   std::vector<std::string> blockedBy;
   std::string reason{};  ///< for people, with names; may be empty
 };
 
-/// A group that has left, taken apart in a frame of its own: nothing but its bodies is there. They stand as they do
-/// in the assembled product.
+/// The disassembly of a group that has left. It is planned in a frame of the group: only its bodies are there, at their
+/// assembled poses.
 struct SubassemblyLine {
-  std::size_t step = 0;                  ///< by which it has left, number from 1, of the plan or of the line above it
-  std::vector<std::string> bodies{};     ///< ids of all
-  std::vector<std::string> staying{};    ///< ids of those that the others are taken off
-  std::vector<AssemblyStep> steps{};     ///< their numbers (`after`) are those of this line
-  std::vector<StuckBody> stuck{};        ///< that remain together with those that stay
-  std::vector<SubassemblyLine> lines{};  ///< of its groups
+  std::size_t step = 0;  ///< number, from 1, of the step by which the group has left, in the plan or in the line above
+  std::vector<std::string> bodies{};     ///< ids of all bodies of the group
+  std::vector<std::string> staying{};    ///< ids of the bodies that remain as the base
+  std::vector<AssemblyStep> steps{};     ///< `after` counts the steps of this line
+  std::vector<StuckBody> stuck{};        ///< bodies that could not leave the base
+  std::vector<SubassemblyLine> lines{};  ///< lines of groups that leave this group
 };
 
-/// In which order the bodies of a product leave, each with a certified motion; assembly is the reverse. A value.
+/// An order in which the bodies of a product leave, each with a certified motion; assembly is the reverse. A value.
 struct AssemblyPlan {
-  std::string strategy;  ///< id
+  std::string strategy;  ///< id of the strategy
   std::uint64_t seed = 1;
-  std::vector<std::string> bodies;   ///< ids of all, as the product has them
-  std::vector<std::string> staying;  ///< ids of those that are not to leave
+  std::vector<std::string> bodies;   ///< ids of all bodies, in the order of the product
+  std::vector<std::string> staying;  ///< ids of bodies that do not leave
   std::vector<AssemblyStep> steps;
-  std::vector<RefusedRemoval> refusals;  ///< what a resumed search need not ask again
-  /// Of a search that was stopped: motions that were found and not carried out yet, because bodies would fall.
+  std::vector<RefusedRemoval> refusals;  ///< searches that a resumed run need not repeat
+  /// Motions that a stopped run had found and not carried out, because bodies would fall.
   std::vector<AssemblyStep> waiting{};
   std::vector<StuckBody> stuck;
   PlanEnd end = PlanEnd::Complete;
   SequenceDemands demands{};
-  double deflection = 0.0;  ///< metres, that the product's STEP file was read with; 0: by the size of each part
-  std::vector<SubassemblyLine> lines{};  ///< of the groups that have left, by step
+  double deflection = 0.0;  ///< deflection of the product's STEP file, metres; 0: chosen by the size of each part
+  std::vector<SubassemblyLine> lines{};  ///< disassembly of groups that have left, in the order of the steps
 
   std::size_t parts() const { return bodies.size() - staying.size(); }
-  /// Bodies that leave.
+  /// Number of bodies that leave.
   std::size_t removed() const;
-  /// Of them those that leave by a step that is not certified.
+  /// Number of bodies that leave by a step that is not certified.
   std::size_t removedWithoutProof() const;
 };
 

@@ -14,20 +14,20 @@
 namespace glissade {
 namespace {
 
-/// Cosine above which two directions are one.
+/// Directions with a larger cosine count as the same direction.
 constexpr double kSameWay = 0.98;
-/// Sine of the slope from which a direction is upwards or downwards.
+/// A direction counts as upwards or downwards if the sine of its slope is at least this.
 constexpr double kUpright = 0.7;
-/// Where it is asked what stands, a linear program for each step of each state may be solved.
+/// Limit where support is checked: each step of each state may then need a linear program.
 constexpr std::size_t kExpansionsWithStanding = 200;
 constexpr std::size_t kMostOrderExpansions = 2000;
-/// Half of a change of direction: an order that is only a little shorter on its way is not worth another one.
+/// Half the cost of a change of direction. An order that costs less by a smaller amount is not worth a change.
 constexpr double kLeastGain = 0.5;
-/// Of these numbers for products of so many bodies.
+/// Number of bodies up to which the full limits of expansions hold.
 constexpr double kSmallProduct = 30.0;
 
-/// Fewer of them where there are many bodies: each of them asks all steps that may follow, and a linear program has all
-/// bodies that touch.
+/// Limit of expansions. It falls with the square of the number of bodies: an expansion asks for each step that may
+/// follow, and a linear program contains all bodies that touch.
 std::size_t expansionsFor(std::size_t bodies, bool withStanding) {
   const auto most = static_cast<double>(withStanding ? kExpansionsWithStanding : kMostOrderExpansions);
   const double share = kSmallProduct / std::max(kSmallProduct, static_cast<double>(bodies));
@@ -40,7 +40,7 @@ double massOf(const BodyGroup& group, const SequenceQuestion& question) {
   return mass;
 }
 
-/// Levels that one of the two is in, and the other one is not, as a share.
+/// Share of the tree levels that the two bodies' assemblies do not have in common.
 double assemblyChangeOf(const std::vector<std::size_t>& one, const std::vector<std::size_t>& other) {
   const std::size_t most = std::max(one.size(), other.size());
   if (most == 0) return 0.0;
@@ -49,7 +49,7 @@ double assemblyChangeOf(const std::vector<std::size_t>& one, const std::vector<s
   return 1.0 - static_cast<double>(end - one.begin()) / static_cast<double>(most);
 }
 
-/// 1: upwards; -1: downwards; 0: to a side. Products stand on the plane z = 0, as they are drawn in instructions.
+/// 1: upwards; -1: downwards; 0: sideways. Products stand on the plane z = 0, as instructions show them.
 double sideOf(const Vector3& way) { return std::abs(way.z()) < kUpright ? 0.0 : std::copysign(1.0, way.z()); }
 
 class Reordering {
@@ -112,7 +112,7 @@ class Reordering {
   }
 
  private:
-  /// But what is asked of other bodies: what falls, and whether a tool can be brought on.
+  /// The figures without those that depend on other bodies: the falling bodies and the access of the tool.
   StepFigures figuresOf(std::size_t step, const std::size_t* last, const std::vector<bool>& done) const {
     StepFigures figures = figures_[step];
     figures.directionChange = last == nullptr || ways_[step].dot(ways_[*last]) < kSameWay;
@@ -151,15 +151,15 @@ class Reordering {
   const StepCost& cost_;
   const StopToken& stop_;
   std::vector<BodyGroup> groups_;
-  std::vector<StepFigures> figures_;                  ///< what does not depend on the order
-  std::vector<Vector3> ways_;                         ///< at the end, unit; zero where it only turns
-  std::vector<Vector3> places_;                       ///< middles, by the diagonal of the product's box
-  std::vector<std::vector<std::size_t>> assemblies_;  ///< of the product, of the first body
+  std::vector<StepFigures> figures_;  ///< figures that do not depend on the order
+  std::vector<Vector3> ways_;         ///< direction at the end of each step, unit; zero where it only turns
+  std::vector<Vector3> places_;       ///< centre of each step's bodies, divided by the diagonal of the product's box
+  std::vector<std::vector<std::size_t>> assemblies_;  ///< tree path of the first body's assembly, for each step
   std::vector<std::size_t> tasks_;
-  std::optional<ToolFacts> tools_;  ///< where the cost asks
+  std::optional<ToolFacts> tools_;  ///< set if the cost uses the access of tools
 };
 
-/// Bodies that are there when the first steps of the plan have been carried out, for each number of them.
+/// The bodies that are there after the first n steps of the plan, for each n.
 std::vector<BodySet> presentAfter(const AssemblyPlan& plan, const SequenceQuestion& question) {
   std::vector<BodySet> present{question.initial()};
   for (const AssemblyStep& step : plan.steps) {
@@ -168,7 +168,7 @@ std::vector<BodySet> presentAfter(const AssemblyPlan& plan, const SequenceQuesti
   return present;
 }
 
-/// What was proved against bodies is proved against any of them, and says what is nearest while that one is there.
+/// True if the proof of the step covers all present bodies, and the nearest body that it names is one of them.
 bool isStillProved(const AssemblyStep& step, const BodySet& proved, const BodySet& present,
                    const AssembledProduct& product) {
   for (std::size_t body = 0; body < present.size(); ++body) {
@@ -177,7 +177,7 @@ bool isStillProved(const AssemblyStep& step, const BodySet& proved, const BodySe
   return step.proof.nearest.empty() || present[*product.indexOf(step.proof.nearest)];
 }
 
-/// All bodies of the step end outside of the box of those that are there.
+/// True if all bodies of the step end outside of the box of the other bodies of `present`.
 bool endsOutside(const AssemblyStep& step, const BodyGroup& group, const BodySet& present,
                  const AssembledProduct& product) {
   const Box3 others = boxOf(product, without(present, group));
@@ -188,7 +188,7 @@ bool endsOutside(const AssemblyStep& step, const BodyGroup& group, const BodySet
          });
 }
 
-/// The steps in another order, each certified against the bodies that are there then; nothing where that fails.
+/// The steps in another order, each certified against the bodies that are there then; nothing if one is not certified.
 std::optional<std::vector<AssemblyStep>> reordered(const AssemblyPlan& plan, const std::vector<std::size_t>& order,
                                                    const SequenceQuestion& question, const StopToken& stop) {
   std::vector<std::size_t> numberOf(order.size());

@@ -4,9 +4,9 @@
 
 namespace glissade {
 
-/// Finds the motions as GreedyStrategy does, and then the order of the steps that costs least, among all orders that
-/// keep AssemblyStep::after: see cheapestOrder(). What a step costs is an expression that a person can change:
-/// see StepCost. The motions are certified again for the new order.
+/// Finds the motions with GreedyStrategy, and then the order of steps with the least cost among the orders that keep
+/// AssemblyStep::after (see cheapestOrder()). The user can edit the cost of a step (see StepCost). The motions are
+/// certified again for the new order.
 class BestFirstStrategy final : public SequenceStrategy {
  public:
   AssemblyPlan plan(const SequenceQuestion& question, SequenceHost& host) override;

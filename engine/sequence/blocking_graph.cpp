@@ -8,7 +8,8 @@ namespace glissade {
 
 namespace {
 
-/// The search for groups of at most some bodies. What is in no such group is remembered: what it blocks is in none.
+/// Searches groups of a limited number of bodies. A body that is in no such group is stored, because every body that it
+/// blocks is in none either.
 class GroupSearch {
  public:
   GroupSearch(const BodySet& staying, const BlockingGraph::Edges& edges, const std::vector<BodyGroup>& units,
@@ -26,7 +27,7 @@ class GroupSearch {
     }
   }
 
-  /// Empty where the unit is in none.
+  /// The smallest group that contains the unit; empty if there is none.
   BodyGroup smallestWith(std::size_t unit) {
     BodyGroup group = reachedFrom(unit);
     if (group.empty()) setStuck(unit);
@@ -71,7 +72,7 @@ class GroupSearch {
   const BlockingGraph::Edges& edges_;
   const std::vector<BodyGroup>& units_;
   std::size_t most_;
-  std::vector<std::size_t> unitOf_;  ///< of each body; the number of units where it is not there
+  std::vector<std::size_t> unitOf_;  ///< index of the unit of each body; the number of units if the body is absent
   BodySet stuck_;                    ///< bodies that are in no group
 };
 

@@ -7,22 +7,22 @@
 
 namespace glissade {
 
-/// Who blocks whom along one direction: a directional blocking graph (Wilson and Latombe 1994). Its edges are asked for
-/// where a group depends on them, because an edge may be an exact motion of one body past another one.
+/// A directional blocking graph (Wilson and Latombe 1994): the blocking pairs of bodies along one direction. An edge is
+/// computed only where a group depends on it, because it may need an exact motion of one body past another one.
 class BlockingGraph {
  public:
-  /// What the graph asks of two bodies. The answers do not change.
+  /// Queries for the edges of the graph. The answers do not change.
   struct Edges {
     /// Bodies that may block this one, the likely ones first.
     std::function<const std::vector<std::size_t>&(std::size_t blocked)> candidates;
     std::function<bool(std::size_t blocker, std::size_t blocked)> blocks;
   };
 
-  /// `staying`: bodies that do not leave, whoever else does.
+  /// `staying`: bodies that never leave.
   BlockingGraph(BodySet staying, Edges edges) : staying_(std::move(staying)), edges_(std::move(edges)) {}
 
-  /// Groups of at least two units that nobody else blocks, one for each unit in the smallest of them that holds it;
-  /// none of more than `most` bodies. `units`: all bodies that are there, those that only leave together in one.
+  /// Groups of two to `most` units that no body outside of the group blocks: for each unit the smallest such group.
+  /// `units`: all bodies that are there, as units that only leave together.
   std::vector<BodyGroup> groups(const std::vector<BodyGroup>& units, std::size_t most) const;
 
  private:
@@ -30,8 +30,8 @@ class BlockingGraph {
   Edges edges_;
 };
 
-/// Of these groups the smallest, and of those that have no body in common with one of them the smallest, and so on; of
-/// equally many bodies, the one of less volume first, then by the bodies.
+/// Takes the smallest group, then the smallest one without a body in common with the groups taken, and so on. For equal
+/// numbers of bodies the smaller volume comes first, then the lower indices.
 std::vector<BodyGroup> smallestDisjoint(std::vector<BodyGroup> groups,
                                         const std::function<double(const BodyGroup&)>& volume);
 

@@ -10,13 +10,14 @@ namespace {
 /// Pieces of triangles are no longer than this share of the common box.
 constexpr double kPieceShare = 1.0 / 16.0;
 constexpr std::size_t kMostPieces = 4000;
-/// Normals with a larger cosine are one direction.
+/// Normals with a larger cosine count as one direction.
 constexpr double kSameNormal = 0.5;
-/// The two surfaces look at each other where the cosine of their normals is below this.
+/// Two surfaces face each other if the cosine of their normals is below this.
 constexpr double kFacing = -0.5;
-/// Directions in the tangent plane in which the outermost point is kept.
+/// Number of directions in the tangent plane for each of which the outermost point is kept.
 constexpr int kOutermost = 6;
-/// Where there are more directions of normals than this, each keeps its two points that are farthest apart.
+/// If the normals have more directions than this, only the two points that are farthest apart are kept of each
+/// direction.
 constexpr std::size_t kFewDirections = 2;
 
 Vector3 unitNormal(const Triangle& triangle) {
@@ -45,7 +46,7 @@ class PointSearch {
   const std::vector<ContactPoint>& points() const { return points_; }
 
  private:
-  /// Along the longest edge, until pieces are small.
+  /// Halves the piece at its longest edge until pieces are small.
   void divide(const Triangle& piece, const Vector3& normal) {
     if (!common_.intersects(boxAroundTriangle(piece)) || ++pieces_ > kMostPieces) return;
     std::size_t longest = 0;
@@ -95,7 +96,7 @@ std::vector<const ContactPoint*> farthestTwo(const std::vector<const ContactPoin
   return two;
 }
 
-/// Of the points of one direction of the normal.
+/// Adds the outermost points among points whose normals have one direction.
 void addOutermost(const std::vector<const ContactPoint*>& points, bool onlyTwo, std::vector<ContactPoint>& kept) {
   const Vector3 normal = points.front()->normal;
   const Vector3 along = normal.unitOrthogonal();

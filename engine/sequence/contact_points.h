@@ -12,9 +12,9 @@ struct ContactPoint {
   Vector3 normal;  ///< unit, out of the first body
 };
 
-/// Where two bodies touch, for forces between them: points of the surface of `a` that are no farther than `distance`
-/// from `b`, or inside of it by no more than that, reduced to the outermost ones of each direction of the normal. Both
-/// in the world frame; `a` has outward normals where it is closed.
+/// Points at which forces act between two bodies that touch: points of the surface of `a` within `distance` of the
+/// surface of `b`, outside or inside of it, reduced to the outermost ones for each direction of the normal. Both meshes
+/// are in the world frame; `a` has outward normals where it is closed.
 std::vector<ContactPoint> contactPoints(const TriangleTree& a, const TriangleTree& b, double distance);
 
 }  // namespace glissade

@@ -4,27 +4,28 @@
 
 namespace glissade {
 
-// Demands that exclude each other. None goes because another one comes: a person is asked which is to stay.
+// Demands that exclude each other. A new demand removes no earlier one: the user is asked which one to keep.
 
-/// What a person said earlier, and cannot be kept with what they say now.
+/// Earlier demands that a new demand excludes.
 struct DemandConflict {
-  std::vector<DemandedMotion> motions;                      ///< they begin in a direction that is now forbidden
-  std::vector<ForbiddenDirection> forbidden;                ///< the motion that is now demanded leads there
-  std::vector<std::pair<std::string, std::string>> before;  ///< the order is now demanded the other way round
+  std::vector<DemandedMotion> motions;        ///< motions that begin in a direction that is now forbidden
+  std::vector<ForbiddenDirection> forbidden;  ///< forbidden directions in which the newly demanded motion begins
+  std::vector<std::pair<std::string, std::string>> before;  ///< orders that are now demanded in reverse
 
   bool isNone() const { return motions.empty() && forbidden.empty() && before.empty(); }
 };
 
-/// Between what both demands have and what only `after` has. Bodies by the same names in both.
+/// Conflicts between demands that both arguments contain and demands that only `after` contains. Both name bodies
+/// alike.
 DemandConflict conflictBetween(const SequenceDemands& before, const SequenceDemands& after);
 
-/// The demands without what a person has given up.
+/// The demands without those that the conflict lists.
 SequenceDemands withoutEarlier(const DemandConflict& conflict, SequenceDemands demands);
 
-/// "'bracket' may not leave by 0 0 1", one sentence for each, for people.
+/// One sentence for each demand of the conflict, for people: "'bracket' may not leave by 0 0 1".
 Diagnostic inWords(const DemandConflict& conflict);
 
-/// The motion begins in this direction, which is forbidden to one of its bodies.
+/// True if the motion begins in this direction, which is forbidden to one of its bodies.
 bool excludes(const ForbiddenDirection& direction, const DemandedMotion& motion);
 
 }  // namespace glissade

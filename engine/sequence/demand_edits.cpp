@@ -26,7 +26,7 @@ void dropMotion(const BodyNames& bodies, SequenceDemands& demands) {
   std::erase_if(demands.motions, [&](const DemandedMotion& each) { return hasOneOf(each.bodies, bodies); });
 }
 
-/// Another step that is wanted at this place comes to the next one that is wanted by none.
+/// Moves a step that is demanded at this place to the next free place.
 void makeRoomAt(std::size_t place, std::vector<DemandedPlace>& places) {
   const auto at = [&](std::size_t number) {
     return std::find_if(places.begin(), places.end(), [&](const DemandedPlace& each) { return each.place == number; });

@@ -37,7 +37,7 @@ bool isForbidden(const Vector3& direction, const std::vector<Vector3>& forbidden
 std::vector<DemandedPlace> movedTo(std::size_t to, std::size_t from, const std::vector<std::vector<std::string>>& steps,
                                    const std::vector<DemandedPlace>& places) {
   std::vector<std::optional<DemandedPlace>> demandOf(steps.size());
-  std::vector<DemandedPlace> elsewhere;  // of steps that the plan does not have
+  std::vector<DemandedPlace> elsewhere;  // places of steps that the plan does not have
   for (const DemandedPlace& place : places) {
     const auto step =
         std::find_if(steps.begin(), steps.end(), [&](const auto& each) { return areSame(each, place.bodies); });
@@ -50,7 +50,7 @@ std::vector<DemandedPlace> movedTo(std::size_t to, std::size_t from, const std::
   const auto isLocked = [&](std::size_t step) { return demandOf[step] && demandOf[step]->locked; };
   const bool wasLocked = isLocked(from);
   demandOf[from] = DemandedPlace{steps[from], from + 1, false};
-  // The steps that are not locked, in their new order; then each in the next place that no locked one has.
+  // The steps that are not locked, in their new order; each then takes the next place that no locked step has.
   std::vector<std::size_t> loose;
   std::size_t before = 0;
   for (std::size_t step = 0; step < steps.size(); ++step) {

@@ -7,29 +7,29 @@
 
 namespace glissade {
 
-/// The method of motions that a person found.
+/// The method of motions that a person led.
 inline constexpr const char* kByHand = "by hand";
 
 /// A step that a person wants at a place of the plan. Bodies by name, as in SequenceDemands; several leave as one.
 struct DemandedPlace {
   std::vector<std::string> bodies;
-  std::size_t place = 1;  ///< of removal, from 1
-  bool locked = false;    ///< it keeps its place where a person moves other steps
+  std::size_t place = 1;  ///< number of the removal step, from 1
+  bool locked = false;    ///< the step keeps its place when a person moves other steps
 
   bool operator==(const DemandedPlace&) const = default;
 };
 
-/// The only motion by which these bodies leave: a person has found it, or wants to keep it.
+/// The only motion by which these bodies may leave: a person led it, or wants to keep it.
 struct DemandedMotion {
   std::vector<std::string> bodies;
-  std::vector<PathPoint> path;  ///< as AssemblyStep::path
-  std::string method;           ///< kByHand, or that of the step that it was
+  std::vector<PathPoint> path;  ///< see AssemblyStep::path
+  std::string method;           ///< kByHand, or the method of the step that the motion was taken from
 
   friend bool operator==(const DemandedMotion& a, const DemandedMotion& b);
 };
 
-/// A body does not move in this direction, nor in one within tolerance::kForbiddenCone of it, until it has left the
-/// bodies that it touches (DirectionRule).
+/// A direction in which a body may not move, with the cone tolerance::kForbiddenCone about it, until the body is clear
+/// of the bodies that it touches (DirectionRule).
 struct ForbiddenDirection {
   std::string body;
   Vector3 direction = Vector3::UnitZ();  ///< world frame, any length
@@ -37,12 +37,13 @@ struct ForbiddenDirection {
   bool operator==(const ForbiddenDirection&) const = default;
 };
 
-/// The direction, of any length, is forbidden by one of these, which are of unit length.
+/// True if the direction, of any length, is within the cone of one of the forbidden unit directions.
 bool isForbidden(const Vector3& direction, const std::vector<Vector3>& forbidden);
 
-/// The places after a person has moved a step, as a list of steps is edited: locked steps keep theirs, the others make
-/// way. `steps`: the bodies of each step of the plan, by id. The step `from` comes to stand at `to`, or, where a locked
-/// one is there, beside it. Indices from 0. What is returned is the moved step and what was in `places`, ascending.
+/// The places after a person has moved a step as in the edit of a list: locked steps keep their places, the others move
+/// up or down. `steps`: the ids of the bodies of each step of the plan. The step `from` gets the place of `to`, or the
+/// next place if a locked step is there. Indices from 0. Returns the moved step and the steps of `places`, ascending by
+/// place.
 std::vector<DemandedPlace> movedTo(std::size_t to, std::size_t from, const std::vector<std::vector<std::string>>& steps,
                                    const std::vector<DemandedPlace>& places);
 

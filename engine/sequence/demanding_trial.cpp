@@ -39,7 +39,7 @@ std::vector<BodyGroup> DemandingTrial::groupsAlongLines(const GroupQuestion& que
   return inner().groupsAlongLines(question, team, stop);
 }
 
-/// The motion has to end outside of all others, as every removal does.
+/// The motion has to end outside of the box of all other bodies, as every removal does.
 RemovalAnswer DemandingTrial::byMotion(const OrderRules::GivenMotion& motion, const BodySet& present,
                                        const StopToken& stop) {
   const BodySet others = without(present, motion.group);
@@ -56,7 +56,7 @@ RemovalAnswer DemandingTrial::byMotion(const OrderRules::GivenMotion& motion, co
   return Refused{{blocking.begin(), blocking.end()}, stop.stopRequested()};
 }
 
-/// Bodies because of which the motion does not end outside of the box of the others: empty where it does.
+/// Bodies whose boxes the end of the motion does not leave; empty if the motion ends outside of the box of all others.
 std::vector<std::size_t> DemandingTrial::besideTheEnd(const OrderRules::GivenMotion& motion,
                                                       const BodySet& others) const {
   const Pose X_end = motion.path.back().q * inverse(motion.path.front().q);

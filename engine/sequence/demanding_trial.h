@@ -9,12 +9,12 @@
 
 namespace glissade {
 
-/// Asks another trial, but for bodies that leave by a motion of a person only: these are refused by those in the way of
-/// that motion. Where a motion of an earlier plan is known, it is tried before one is searched.
+/// Forwards to another trial, except for bodies that leave by the motion of a person only: the bodies in the way of
+/// that motion refuse the removal. A motion of an earlier plan is tried before a new one is searched.
 class DemandingTrial final : public ForwardingTrial {
  public:
-  /// Refers to all but `known`: a plan of the same product, or null. `joints`: of a group in a closed thread a known
-  /// motion counts only where it turns; null: there are none.
+  /// Refers to all arguments except `known`, which is a plan of the same product or null. `joints`: for a group in a
+  /// closed thread, a known motion counts only if it turns; null: there are none.
   DemandingTrial(RemovalTrial& inner, const OrderRules& rules, const AssembledProduct& product,
                  const AssemblyPlan* known, const JointRules* joints = nullptr);
 
@@ -32,7 +32,7 @@ class DemandingTrial final : public ForwardingTrial {
   const OrderRules& rules_;
   const AssembledProduct& product_;
   const JointRules* joints_;
-  std::map<BodyGroup, OrderRules::GivenMotion> known_;  ///< of an earlier plan
+  std::map<BodyGroup, OrderRules::GivenMotion> known_;  ///< motions of the earlier plan
 };
 
 }  // namespace glissade

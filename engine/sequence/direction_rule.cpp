@@ -10,7 +10,7 @@
 namespace glissade {
 namespace {
 
-/// Share of the body's size: by less it has not moved.
+/// Share of the body's size. A shorter displacement does not count as a motion.
 constexpr double kStandsStill = 1e-6;
 
 }  // namespace

@@ -10,13 +10,13 @@
 namespace glissade {
 namespace {
 
-/// Between the boxes of two bodies, as a share of the product's diagonal.
+/// Gap between the boxes of two bodies, as a share of the product's diagonal.
 constexpr double kGapShare = 0.025;
-/// Samples of a way: turns of a third of a radian, and at least so many.
+/// Sampling of a motion: a sample for each third of the radius, but at least kFewestSamples.
 constexpr double kSampleRadii = 0.33;
 constexpr double kFewestSamples = 32.0;
 constexpr double kMostSamples = 400.0;
-/// Boxes become one where that takes at most so much more room: a turn has hundreds of them.
+/// Boxes are merged if the merged box has at most this factor more volume; a turn has hundreds of boxes.
 constexpr double kMoreRoom = 1.15;
 
 Box3 widened(const Box3& box, double by) {
@@ -29,7 +29,8 @@ Box3 moved(const Box3& box, const Pose& by) {
   return all;
 }
 
-/// From where to where along the direction the moving box meets the other one; empty (first > second) where never.
+/// The interval along the direction in which the moving box meets the other box; empty (first > second) if it never
+/// does.
 std::pair<double, double> meeting(const Box3& moving, const Vector3& direction, const Box3& other) {
   double from = -std::numeric_limits<double>::infinity();
   double to = std::numeric_limits<double>::infinity();
@@ -47,7 +48,7 @@ std::pair<double, double> meeting(const Box3& moving, const Vector3& direction, 
   return {from, to};
 }
 
-/// The least distance from which on the box is clear of all others.
+/// The smallest distance from which on the box is clear of all others.
 double clearDistance(const Box3& moving, const Vector3& direction, const std::vector<Box3>& others) {
   double distance = 0.0;
   for (bool met = true; met;) {
@@ -62,8 +63,8 @@ double clearDistance(const Box3& moving, const Vector3& direction, const std::ve
   return distance;
 }
 
-/// The direction in which a body goes on after its path: that of the path, if a plane between the body and what stands
-/// then stays between them; else away from such a plane.
+/// The direction in which a body continues after its path: the direction of the path, if an axis plane between the body
+/// and the standing bodies then stays between them; else away from such a plane.
 Vector3 directionBeyond(const Box3& body, const Box3& standing, const Vector3& direction) {
   Vector3 away = direction;
   for (int axis = 0; axis < 3; ++axis) {
@@ -80,7 +81,7 @@ Vector3 directionBeyond(const Box3& body, const Box3& standing, const Vector3& d
 
 }  // namespace
 
-/// Finds where the steps stop, the last one first.
+/// Finds where each step stops, beginning with the last step.
 class ExplodedView::Placement {
  public:
   Placement(const AssembledProduct& product, const std::vector<Step>& steps) {
@@ -134,7 +135,7 @@ class ExplodedView::Placement {
     step.beyond = clearDistance(widened(box, gap_), direction, taken_) * direction;
   }
 
-  /// The room that the bodies need on their way: those that move before stay out of it.
+  /// Adds the volume that the bodies cross on their motion; steps before this one stay out of it.
   void takeRoom(const Step& step, double samples) {
     for (const std::size_t body : step.bodies) {
       const Box3& box = boxes_[body];
@@ -149,7 +150,8 @@ class ExplodedView::Placement {
     }
   }
 
-  /// Pieces of straight motions along an axis are one box, and those of turns about it are few.
+  /// Merges the piece with the last box if that adds little volume, so that a straight motion along an axis becomes one
+  /// box.
   void takePiece(const Box3& piece) {
     const Box3 both = taken_.back().merged(piece);
     const double room = taken_.back().volume() + piece.volume() - taken_.back().intersection(piece).volume();
@@ -160,9 +162,9 @@ class ExplodedView::Placement {
     }
   }
 
-  std::vector<Box3> boxes_;  ///< of the bodies, assembled
-  std::vector<Box3> taken_;  ///< by bodies that stay, and by those that move later
-  Box3 standing_;            ///< of all bodies that stay or move later, assembled
+  std::vector<Box3> boxes_;  ///< boxes of the assembled bodies
+  std::vector<Box3> taken_;  ///< boxes taken by bodies that stay and by those that move later
+  Box3 standing_;            ///< box of all bodies that stay or move later, assembled
   double gap_ = 0.0;
 };
 

@@ -4,26 +4,26 @@
 
 namespace glissade {
 
-/// A product that is moved apart. The bodies go in the order of the plan, one step after the other, each on the path of
-/// its step and, where that ends too near, straight on. A body stops as soon as its bounding box is clear of all bodies
-/// that have not moved, and of the ways of those that move later. So no body moves through another one, as far as the
-/// plan is proved; of the straight ends nothing is proved but that bounding boxes are clear. A value.
+/// An exploded view of a product. The bodies move in the order of the plan, step after step, each along the path of its
+/// step and, if that ends too near, straight on. A body stops as soon as its bounding box is clear of the bodies that
+/// have not moved, and of the motions of those that move later. No body therefore moves through another one, as far as
+/// the plan is proved. The straight continuations are only checked by bounding boxes. A value.
 class ExplodedView {
  public:
   ExplodedView() = default;
-  /// Precondition: the plan is about this product.
+  /// Precondition: the plan belongs to this product.
   ExplodedView(const AssembledProduct& product, const AssemblyPlan& plan);
 
-  /// How the bodies have moved at this share of the whole, in [0, 1]: each stands at its pose times X_WB, where X_WB is
-  /// the assembled configuration. Bodies that the plan does not remove stay.
+  /// The displacement of each body at this share of the whole motion, in [0, 1]: the body is at displacement * X_WB,
+  /// where X_WB is its assembled pose. Bodies that the plan does not remove stay.
   std::vector<Pose> at(double share) const;
 
  private:
   struct Step {
     std::vector<std::size_t> bodies;
     StepWay way;
-    double along = 0.0;                ///< on the path, as StepWay counts
-    Vector3 beyond = Vector3::Zero();  ///< after that, metres
+    double along = 0.0;                ///< length on the path, as StepWay counts it
+    Vector3 beyond = Vector3::Zero();  ///< translation after the path, metres
 
     double length() const { return along + beyond.norm(); }
     Pose movedAt(double way) const;
@@ -31,7 +31,7 @@ class ExplodedView {
   class Placement;
 
   std::size_t bodies_ = 0;
-  std::vector<Step> steps_;  ///< in the order of the plan
+  std::vector<Step> steps_;  ///< steps in the order of the plan
 };
 
 }  // namespace glissade

@@ -7,7 +7,7 @@ namespace glissade {
 
 enum class FastenerKind { None, Screw, Nut, Washer, Pin };
 
-/// "screw", "nut", "washer", "pin"; "none".
+/// "screw", "nut", "washer", "pin" or "none".
 const char* fastenerName(FastenerKind kind);
 std::optional<FastenerKind> fastenerByName(const std::string& name);
 

@@ -10,15 +10,15 @@ namespace {
 
 constexpr std::array<const char*, 5> kFastenerNames{"none", "screw", "nut", "washer", "pin"};
 
-/// Height by outer diameter.
+/// Largest ratio of height to outer diameter of a washer.
 constexpr double kMostWasher = 0.25;
-/// Outer radius by hole radius.
+/// Largest ratio of outer radius to hole radius of a washer.
 constexpr double kMostRing = 4.0;
-/// Length by radius.
+/// Limits of the ratio of length to radius of a pin.
 constexpr double kLeastPin = 3.0;
 constexpr double kMostPin = 20.0;
 
-/// What a shape may be, before its contacts are asked.
+/// The kind that the shape permits, before the contacts are examined.
 FastenerKind kindOf(const TurnedShape& shape) {
   switch (shape.kind) {
     case TurnedKind::Screw:
@@ -36,12 +36,12 @@ FastenerKind kindOf(const TurnedShape& shape) {
   return FastenerKind::None;
 }
 
-/// What a body's contacts say of it.
+/// Roles of a body in its contacts.
 struct Role {
   bool touches = false;
   bool shaft = false;
   bool hole = false;
-  bool screwed = false;  ///< a shaft in a thread, in a nut, or with a cone in a countersink
+  bool screwed = false;  ///< a shaft in a thread or in a nut, or a cone in a countersink
 };
 
 std::vector<Role> rolesOf(const std::vector<bool>& isNutByShape, const std::vector<Contact>& contacts) {
@@ -63,7 +63,7 @@ std::vector<Role> rolesOf(const std::vector<bool>& isNutByShape, const std::vect
   return roles;
 }
 
-/// Shape and contacts together, and the name where they leave it open.
+/// Decides by shape and contacts, and by the name where these leave the kind open.
 bool confirms(const ProductShapes& shapes, const Designations& said, std::size_t body, const Role& role,
               FastenerKind kind) {
   switch (kind) {
@@ -79,7 +79,7 @@ bool confirms(const ProductShapes& shapes, const Designations& said, std::size_t
   return false;
 }
 
-/// Of the farthest vertex about the axis that is as high as this.
+/// Radius of the vertex farthest from the axis, among vertices at this height or above.
 double radiusAbove(const TriangleMesh& mesh, const AxisLine& axis, double low) {
   double radius = 0.0;
   for (const Vector3& vertex : mesh.vertices) {

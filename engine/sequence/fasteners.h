@@ -11,31 +11,32 @@
 
 namespace glissade {
 
-/// What each body is, by its shape (fastener_shape.h), its contacts, and its name where shapes leave it open.
-/// - screw: a shaft in a hole, with a drive, in a thread, in a nut, with a countersunk head, or with a name of a screw
-/// - nut: on a shaft, with the width of a nut (nut_size.h) or with a name of a nut
+/// The kind of each body by its shape (fastener_shape.h), its contacts, and its name where these leave it open:
+/// - screw: a shaft in a hole, with a drive, in a thread, in a nut, with a countersunk head, or with the name of a
+/// screw
+/// - nut: on a shaft, with the width of a nut (nut_size.h) or with the name of a nut
 /// - washer: a flat ring that touches something
 /// - pin: a shaft in a hole, without a head, not longer than ten diameters
 std::vector<FastenerKind> fastenersOf(const ProductShapes& shapes, const std::vector<Contact>& contacts);
 
-/// Where a tool meets a fastener, in the body's frame.
+/// The place where a tool engages a fastener, in the body's frame.
 struct FastenerHead {
   Vector3 end = Vector3::Zero();        ///< on the axis, at the outer end of the head
   Vector3 outwards = Vector3::UnitZ();  ///< unit, along the axis
-  double radius = 0.0;                  ///< of the farthest vertex about the axis
+  double radius = 0.0;                  ///< distance of the farthest vertex from the axis
   double height = 0.0;
   double shaft = 0.0;  ///< radius of the shaft of a screw, or of the hole of a nut
-  int sides = 0;       ///< of the head as a prism; 0: it is round
+  int sides = 0;       ///< sides of a prismatic head; 0: the head is round
   DriveKind drive = DriveKind::None;
   bool bothEnds = false;  ///< a tool meets a nut at either end
 };
 
-/// Of a screw or a nut; nothing where the mesh is not shaped so. `shape`: turnedShapeOf() the mesh.
+/// The head of a screw or a nut; nothing if the mesh does not have such a shape. `shape`: turnedShapeOf() the mesh.
 std::optional<FastenerHead> headOf(const TriangleMesh& mesh, const TurnedShape& shape);
-/// The same, where the shape is not known yet.
+/// Computes the shape first.
 std::optional<FastenerHead> headOf(const TriangleMesh& mesh);
 
-/// Nuts leave before what they are on: shafts slip through nuts that are drawn as equal cylinders.
+/// Nuts leave before the shafts that they are on: shafts would slip through nuts that are drawn as equal cylinders.
 std::vector<OrderRule> fastenerRules(const std::vector<FastenerKind>& kinds, const std::vector<Contact>& contacts);
 
 }  // namespace glissade

@@ -4,7 +4,8 @@
 
 namespace glissade {
 
-/// Asks another trial for everything. Refers to it. What answers some questions by itself overrides these.
+/// Forwards every question to another trial, to which it refers. A derived class overrides the questions that it
+/// answers.
 class ForwardingTrial : public RemovalTrial {
  public:
   explicit ForwardingTrial(RemovalTrial& inner) : inner_(inner) {}

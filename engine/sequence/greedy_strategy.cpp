@@ -13,14 +13,14 @@
 namespace glissade {
 namespace {
 
-/// Units that are searched at the same time, whatever the number of threads.
+/// Number of units that are searched at the same time, whatever the number of threads.
 constexpr std::size_t kSearchedTogether = 4;
-/// Bodies of a group that leaves as one: before the long searches of single bodies, and after them.
+/// Limits of the bodies of a group that leaves as one: before the long searches of single bodies, and after them.
 constexpr std::size_t kFewBodies = 4;
 constexpr std::size_t kMostBodies = 32;
 /// Searches up to this effort come before groups.
 constexpr int kShortEffort = 1;
-/// Of searches of groups.
+/// Effort of the searches of groups.
 constexpr int kGroupEffort = 2;
 
 class GreedySearch {
@@ -80,7 +80,7 @@ class GreedySearch {
     for (const AssemblyStep& step : earlier.waiting) waiting_[groupOf(step, question_.product)] = step;
   }
 
-  /// What leaves as one: those that a person wants so, and single bodies.
+  /// The units that leave as one: groups that a person demands, and single bodies.
   std::vector<BodyGroup> units() const {
     std::vector<BodyGroup> units;
     BodySet open = present_;
@@ -93,12 +93,12 @@ class GreedySearch {
     return units;
   }
 
-  /// False where nothing is left to ask. Rules that nobody demands are kept while a body leaves along a straight line.
+  /// False if no question is left. Rules that nobody demands are kept only for the first trial of straight lines.
   bool wave() {
     if (leaveAtPlaces(false)) return true;
     if (stopped()) return false;
     if (askAll(openUnits(0, true), 0)) return true;
-    if (stopped()) return false;  // what was not asked to the end might have left
+    if (stopped()) return false;  // a question that the stop cut off might have led to a removal
     if (leave() || flexibleLeaves()) return true;
     const int efforts = question_.trial.efforts();
     for (int effort = 0; effort < efforts && !stopped(); ++effort) {
@@ -110,8 +110,8 @@ class GreedySearch {
     return searchedGroupsLeave() || groupsLeave(kMostBodies) || leaveAtPlaces(true);
   }
 
-  /// Steps that a person wants at the places that come now; `early`: where none is, the next one. True where something
-  /// has left.
+  /// Carries out the steps that a person wants at the places that come now. `early`: if no step is due, the next such
+  /// step is carried out. True if a body has left.
   bool leaveAtPlaces(bool early) {
     const std::size_t before = plan_.steps.size();
     for (const auto& step : question_.rules.placed) {
@@ -126,7 +126,7 @@ class GreedySearch {
     return true;
   }
 
-  /// By the first motion that is found. A group without one does not leave at all: it is not put elsewhere silently.
+  /// Uses the first motion that is found. A group without a motion never leaves: it gets no other place silently.
   void leaveAtPlace(const BodyGroup& group) {
     const int efforts = std::min(question_.trial.efforts(), kGroupEffort + 1);
     std::set<std::size_t> blocking;
@@ -150,7 +150,7 @@ class GreedySearch {
     notAtPlace_[group] = {{blocking.begin(), blocking.end()}, plan_.steps.size()};
   }
 
-  /// A plan that can be resumed.
+  /// Announces the plan so far, as one that can be resumed.
   void announce() {
     AssemblyPlan soFar = plan_;
     for (const auto& [group, byEffort] : refusals_) addRefusals(group, byEffort, soFar);
@@ -159,7 +159,7 @@ class GreedySearch {
     host_.stepFound(soFar);
   }
 
-  /// Some at a time; true as soon as something has left.
+  /// Asks for batches of groups; true as soon as a body has left.
   bool askAll(std::vector<BodyGroup> open, int effort) {
     const std::size_t together = effort == 0 ? open.size() : kSearchedTogether;
     while (!open.empty() && !stopped()) {
@@ -168,7 +168,7 @@ class GreedySearch {
     return false;
   }
 
-  /// The first ones that have no body in common, up to `most`.
+  /// Takes out the first groups that have no body in common, up to `most`.
   static std::vector<BodyGroup> takeDisjoint(std::vector<BodyGroup>& open, std::size_t most) {
     std::set<std::size_t> taken;
     std::vector<BodyGroup> batch;
@@ -194,14 +194,14 @@ class GreedySearch {
     return open;
   }
 
-  /// What a person wants at a place leaves there only. `knowledge`: rules that nobody demands count, too.
+  /// A body that a person wants at a place may leave there only. `knowledge`: rules that nobody demands count as well.
   bool mayLeave(const BodyGroup& group, bool knowledge) const {
     const bool stays = std::any_of(group.begin(), group.end(), [&](std::size_t b) { return question_.staying[b]; });
     const bool placed = std::any_of(group.begin(), group.end(), [&](std::size_t b) { return placed_[b]; });
     return !stays && !placed && heldBy(group, knowledge).empty();
   }
 
-  /// By what is demanded, and by joints.
+  /// Bodies that hold the group, by demands and by joints.
   std::vector<std::size_t> heldBy(const BodyGroup& group, bool knowledge) const {
     std::vector<std::size_t> holding = glissade::heldBy(group, present_, question_.rules, knowledge);
     const BodyGroup screws = heldByJoints(group, present_, question_, knowledge);
@@ -213,7 +213,7 @@ class GreedySearch {
     return question_.joints != nullptr && unit.size() == 1 && question_.joints->isFlexible(unit.front());
   }
 
-  /// Where nothing leaves along a line, a flexible body does, the smallest one first: it bends.
+  /// If nothing leaves along a line, the smallest flexible body leaves, because it bends.
   bool flexibleLeaves() {
     std::optional<std::size_t> smallest;
     for (const BodyGroup& unit : units()) {
@@ -246,7 +246,7 @@ class GreedySearch {
     groups.erase(
         std::remove_if(groups.begin(), groups.end(), [&](const BodyGroup& group) { return !mayLeave(group, false); }),
         groups.end());
-    // The smallest ones: what they free may leave alone.
+    // Only the smallest groups leave: bodies that they release may leave alone.
     if (groups.empty() || stopped()) return false;
     const std::size_t size = groups.front().size();
     groups.erase(std::find_if(groups.begin(), groups.end(), [&](const BodyGroup& g) { return g.size() > size; }),
@@ -254,7 +254,7 @@ class GreedySearch {
     return ask(groups, 0);
   }
 
-  /// The assemblies of the file along lines, whatever their size: a carriage slides off its rail.
+  /// Asks for the assemblies of the file along lines, whatever their size: a carriage slides off its rail.
   bool assembliesLeave() {
     std::vector<BodyGroup> open;
     for (const BodyGroup& group : assembliesThere(question_, present_)) {
@@ -263,7 +263,7 @@ class GreedySearch {
     return askAll(std::move(open), 0);
   }
 
-  /// Each unit with one of those in its way, and the assemblies of the file.
+  /// Searches each unit together with one of the units that block it, and the assemblies of the file.
   bool searchedGroupsLeave() {
     if (question_.trial.efforts() <= 1) return false;
     std::set<BodyGroup> groups;
@@ -295,8 +295,8 @@ class GreedySearch {
     if (both.size() <= kFewBodies) groups.insert(std::move(both));
   }
 
-  /// True where something has left. The groups have no body in common. After a stop all answers are dropped: what is
-  /// missing could have left as well.
+  /// True if a body has left. The groups have no body in common. After a stop all answers are dropped, because a
+  /// missing answer could have been a removal.
   bool ask(const std::vector<BodyGroup>& groups, int effort) {
     if (groups.empty()) return false;
     host_.asking(groups.size(), effort);
@@ -319,7 +319,7 @@ class GreedySearch {
     return leave();
   }
 
-  /// Bodies that fall where the group leaves now.
+  /// Bodies that fall if the group leaves now.
   BodyGroup fallingWithout(const BodyGroup& group) const {
     return question_.standing == nullptr ? BodyGroup() : question_.standing->newlyFalling(present_, group);
   }
@@ -329,7 +329,7 @@ class GreedySearch {
            std::any_of(group.begin(), group.end(), [&](std::size_t body) { return question_.fragile[body]; });
   }
 
-  /// By which the smaller groups come first; those of one task come as the smallest one of them.
+  /// Sort key: smaller groups come first, and all groups of a task come with its smallest one.
   double sizeInOrder(const BodyGroup& group) const {
     if (isFragile(group)) return -1.0;
     const std::size_t task = taskOf(group);
@@ -340,14 +340,14 @@ class GreedySearch {
     return size;
   }
 
-  /// 0: it is in none with others.
+  /// Number of the group's task; 0: no task.
   std::size_t taskOf(const BodyGroup& group) const {
     return question_.joints != nullptr && group.size() == 1 ? question_.joints->taskOf(group.front()) : 0;
   }
 
-  /// Those of which a motion is known, fragile bodies first, then the smallest. What lets bodies fall waits, because it
-  /// may do without when something else has left. Where all do, the one with the fewest such bodies leaves. False where
-  /// none is known.
+  /// Carries out known motions: fragile bodies first, then the smallest groups. A group whose removal lets bodies fall
+  /// waits, because it may not do so after other groups have left. If all such removals let bodies fall, the one with
+  /// the fewest falling bodies is carried out. False if no motion is known.
   bool leave() {
     if (waiting_.empty()) return false;
     ++wave_;
@@ -357,11 +357,11 @@ class GreedySearch {
       return std::pair(a.first, taskOf(a.second)) < std::pair(b.first, taskOf(b.second));
     });
     const std::size_t before = plan_.steps.size();
-    const BodyGroup* least = nullptr;  // of those after which bodies fall
+    const BodyGroup* least = nullptr;  // group with the fewest falling bodies
     BodyGroup leastFalling;
     for (const auto& [volume, group] : bySize) {
       if (!isThere(group)) continue;
-      if (isPlaceTaken()) break;  // what is left waits
+      if (isPlaceTaken()) break;  // the remaining groups wait
       BodyGroup falling = fallingWithout(group);
       if (falling.empty()) {
         carryOut(group, {});
@@ -376,7 +376,7 @@ class GreedySearch {
     return true;
   }
 
-  /// A person wants another step at the place that comes now.
+  /// True if a person wants another step at the place that comes now.
   bool isPlaceTaken() const {
     return std::any_of(question_.rules.placed.begin(), question_.rules.placed.end(), [&](const auto& step) {
       return step.place == plan_.steps.size() + 1 && isThere(step.group) && notAtPlace_.count(step.group) == 0;
@@ -413,7 +413,7 @@ class GreedySearch {
     if (!complete) plan_.end = stopped() ? PlanEnd::Interrupted : PlanEnd::Stuck;
   }
 
-  /// Of what is still there.
+  /// Adds the refusals of groups that are still there.
   void addRefusals(const BodyGroup& group, const std::map<int, Refusal>& byEffort, AssemblyPlan& plan) const {
     if (!isThere(group)) return;
     for (const auto& [effort, refusal] : byEffort) {
@@ -422,7 +422,7 @@ class GreedySearch {
     }
   }
 
-  /// A body that was never asked is not stuck, unless a person forbids it to leave.
+  /// A body for which no removal was searched is not stuck, unless a person forbids it to leave.
   void addStuck(std::size_t body) {
     const BodyGroup unit = unitOf(body);
     const auto refusedThere = notAtPlace_.find(unit);
@@ -451,11 +451,11 @@ class GreedySearch {
   const SequenceQuestion& question_;
   SequenceHost& host_;
   BodySet present_;
-  BodySet placed_;                           ///< bodies that a person wants at a place
+  BodySet placed_;                           ///< bodies that have a demanded place
   std::map<BodyGroup, Refusal> notAtPlace_;  ///< steps that were refused at their place
-  std::vector<double> volumes_;              ///< of the boxes of bodies
+  std::vector<double> volumes_;              ///< box volumes of the bodies
   Refusals refusals_;
-  std::map<BodyGroup, AssemblyStep> waiting_;  ///< motions that are known and not carried out
+  std::map<BodyGroup, AssemblyStep> waiting_;  ///< motions that are known and not yet carried out
   std::size_t wave_ = 0;
   AssemblyPlan plan_;
 };

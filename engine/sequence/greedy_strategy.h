@@ -4,9 +4,10 @@
 
 namespace glissade {
 
-/// Waves: all bodies are asked whether they can leave by straight motions; those that can do so, the smallest first.
-/// Where none can, some are asked with more effort. A body that was refused is asked again with the same effort only
-/// when one of the bodies in its way has left. How many are asked at the same time does not depend on the threads.
+/// Works in waves. Straight motions are tried for all bodies, and bodies that can leave do so, the smallest first. If
+/// none can, some bodies are tried with more effort. A refused body is tried again with the same effort only after one
+/// of the bodies that block it has left. The number of bodies that are tried at the same time does not depend on the
+/// threads.
 class GreedyStrategy final : public SequenceStrategy {
  public:
   AssemblyPlan plan(const SequenceQuestion& question, SequenceHost& host) override;

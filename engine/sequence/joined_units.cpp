@@ -16,7 +16,7 @@ BodyGroup united(const BodyGroup& a, const BodyGroup& b) {
   return both;
 }
 
-/// Of a group of several bodies, see MovingObject.
+/// Frame of a group of several bodies, see MovingObject.
 Pose frameOf(const BodyGroup& group, const AssembledProduct& product) {
   Box3 box;
   for (const std::size_t body : group) {

@@ -4,11 +4,11 @@
 
 namespace glissade {
 
-/// The set with all bodies that are one with a body of it.
+/// The set with all bodies that are bonded to a body of it.
 BodySet withJoined(BodySet set, const std::vector<BodyGroup>& bonded);
 
-/// Bodies that joints make one leave together, beside what a person demands: groups with a body in common become one.
-/// What is demanded of a step's bodies is demanded of the whole group; a demanded motion goes on in the frame of the
+/// Lets bodies that joints bond leave together, in addition to the groups that a person demands: groups with a body in
+/// common are merged. A demand on a body holds for its whole group; a demanded motion is expressed in the frame of the
 /// group.
 void joinUnits(const std::vector<BodyGroup>& bonded, const AssembledProduct& product, OrderRules& rules);
 

@@ -12,16 +12,16 @@
 namespace glissade {
 namespace {
 
-/// Motions of less than a turn are not proved as one.
+/// Shorter turns are not proved as a turn.
 constexpr double kLeastTurns = 1.25;
-/// Configurations of a turn.
+/// Limits of the configurations of one turn.
 constexpr int kFewest = 4;
 constexpr int kMost = 64;
-/// Configurations of a turn at which it is asked first what is in its way. A prime number: they are at many angles.
+/// Configurations of a turn that are tested before it is proved. The number is prime, so that they are at many angles.
 constexpr int kSamples = 13;
-/// Of the clearance that a motion has to keep: what the chords of a turn may be off it.
+/// Largest deviation of the chords of a turn from the helix, as a share of the required clearance.
 constexpr double kOffShare = 0.2;
-/// Joints open together whose axes and pitches are as near as this: sine, metres, share.
+/// Joints open together if their axes and pitches differ by less: sine of the angle, metres, share.
 constexpr double kSameDirection = 1e-4;
 constexpr double kSameAxis = 1e-5;
 constexpr double kSamePitch = 1e-6;
@@ -80,7 +80,7 @@ RemovalAnswer JointRemoval::tryRemoval(const BodyGroup& group, const BodySet& pr
   const MovingObject& object = worlds_.object(group);
   const MotionWorld motion = worlds_.world(group, present);
   const auto query = motion.world->makeQuery();
-  // Whoever has left: the motion may be carried out before.
+  // The end has to be outside of all other bodies of the product, since the step may come earlier in another order.
   const Box3 others = boxOf(product_, without(BodySet(product_.bodies.size(), true), group));
   const std::vector<Pose> turned = turnedAlong(turn->screw, object.X_WB, turn->advance, kOffShare * object.required);
   if (turnIsFree(*query, *turn, object)) {
@@ -106,8 +106,8 @@ RemovalAnswer JointRemoval::tryRemoval(const BodyGroup& group, const BodySet& pr
   return refused;
 }
 
-/// Whatever its angle. The chords of the path are off the turn by a share of the clearance. What is hit at one of some
-/// angles is not asked closely.
+/// Proves the turn for all angles. The chords of the path deviate from the turn by a share of the clearance. Sample
+/// angles are tested first, because a collision there makes the proof superfluous.
 bool JointRemoval::turnIsFree(CollisionQuery& query, const Turn& turn, const MovingObject& object) {
   const double off = kOffShare * object.required;
   for (int i = 0; i <= kSamples; ++i) {
@@ -126,7 +126,7 @@ std::vector<Pose> JointRemoval::wayOn(std::vector<Pose> poses, const Vector3& di
   return poses;
 }
 
-/// Each of the others by itself: those that the motion hits.
+/// Tests each of the other bodies alone; returns those that the motion hits.
 std::vector<std::size_t> JointRemoval::blockersOf(const BodyGroup& group, const BodySet& present, const Turn& turn,
                                                   const std::pair<Pose, Pose>& on, const StopToken& stop) {
   const MovingObject& object = worlds_.object(group);
@@ -144,7 +144,7 @@ std::vector<std::size_t> JointRemoval::blockersOf(const BodyGroup& group, const 
     if (!isFree) blocking.push_back(other);
   }
   if (!blocking.empty()) return blocking;
-  // Each of them allows for the motion, but it could not be proved of them together.
+  // No single body blocks the motion, but it was not proved against all of them together.
   std::set<std::size_t> near;
   for (const BodyFit& fit : fits_.fitsOf(group, present)) near.insert(fit.fit.obstacle);
   return {near.begin(), near.end()};

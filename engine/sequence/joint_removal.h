@@ -11,20 +11,20 @@
 
 namespace glissade {
 
-/// AssemblyStep::method of what turns out of a joint or a marked thread.
+/// AssemblyStep::method of bodies that turn out of a joint or a marked thread.
 inline constexpr const char* kTurned = "turned";
 
 /// Removal of a group that closed joints hold by their threads: it turns about the axis by the joint's pitch until the
-/// threads are free, then goes straight on. The turns are proved as one, for all angles (see certifyPath): a body that
-/// turns stays in its solid of revolution. There is no other motion: a thread is not pulled. A refusal holds while
-/// those that it names are there, and is not asked again. May be asked by several threads at a time.
+/// threads are free, then moves straight on. The turns are proved for all angles at once (see certifyPath), because a
+/// turning body stays in its solid of revolution. A thread is not pulled, so no other motion is tried. A refusal holds
+/// while the bodies that it names are there, and is stored. Thread-safe.
 class JointRemoval {
  public:
-  /// Refers to all.
+  /// Refers to all arguments.
   JointRemoval(const AssembledProduct& product, const ProductFits& fits, MotionWorlds& worlds, const JointRules& rules)
       : product_(product), fits_(fits), worlds_(worlds), rules_(rules) {}
 
-  /// `opened`: as of JointRules::opened(), not empty.
+  /// `opened`: the result of JointRules::opened(), not empty.
   RemovalAnswer tryRemoval(const BodyGroup& group, const BodySet& present, const std::vector<std::size_t>& opened,
                            const StopToken& stop);
 
@@ -46,7 +46,7 @@ class JointRemoval {
   const ProductFits& fits_;
   MotionWorlds& worlds_;
   const JointRules& rules_;
-  mutable std::mutex mutex_;              ///< of what follows
+  mutable std::mutex mutex_;              ///< protects the members below
   std::map<BodyGroup, Refused> refused_;  ///< the last refusal
 };
 

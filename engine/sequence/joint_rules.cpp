@@ -20,7 +20,7 @@ bool isBonded(const Joint& joint) {
   return joint.kind == JointKind::Insert || joint.kind == JointKind::Permanent || joint.kind == JointKind::Unit;
 }
 
-/// "M3x8", "ISO 4762 M3x8"; by the thread where no name says.
+/// "M3x8" or "ISO 4762 M3x8"; the size of the thread if there is no designation.
 std::string sizeInWords(const Joint& joint) {
   if (!joint.designation.empty()) return joint.designation;
   if (!joint.thread || joint.thread->diameter <= 0.0) return {};
@@ -30,7 +30,7 @@ std::string sizeInWords(const Joint& joint) {
   return text + " mm";
 }
 
-/// Of thread and drive, to ten micrometres.
+/// Sizes of thread and drive, in steps of ten micrometres.
 std::vector<long> sizesOf(const Joint& joint) {
   constexpr double kPerMetre = 1e5;
   std::vector<long> sizes{static_cast<long>(joint.drive), std::lround(kPerMetre * joint.driveSize)};
@@ -74,7 +74,7 @@ JointRules::JointRules(Joints joints, const AssembledProduct& product, const std
 }
 
 void JointRules::bond(const AssembledProduct& product) {
-  std::vector<std::size_t> first(product.bodies.size());  // the lowest body that each one is one with
+  std::vector<std::size_t> first(product.bodies.size());  // the lowest body that each body is bonded to
   std::iota(first.begin(), first.end(), std::size_t{0});
   for (const Joint& joint : joints_) {
     if (!isBonded(joint)) continue;
@@ -92,7 +92,8 @@ void JointRules::bond(const AssembledProduct& product) {
   }
 }
 
-/// By designation; by thread and drive where no name says. Bolts that nuts are turned off are tasks of their own.
+/// Joints are alike by designation, or by thread and drive without one. Bolts with nuts are tasks apart from other
+/// screws.
 void JointRules::findTasks(const AssembledProduct& product) {
   using Key = std::tuple<JointKind, bool, std::string, std::vector<long>, std::vector<std::size_t>>;
   std::map<Key, std::vector<std::size_t>> alike;
@@ -150,7 +151,7 @@ std::vector<std::size_t> JointRules::holding(const BodyGroup& group, const BodyS
     const bool some = hasAny(group, joint.others);
     const bool turns = has(group, joint.body);
     if (turns && all) continue;
-    // A nut is turned off its shaft; what a screw is in stays.
+    // A nut is turned off its shaft; the part that a screw is in stays.
     const bool screwStays = !turns && some && joint.kind == JointKind::Screw &&
                             std::none_of(group.begin(), group.end(), [&](std::size_t body) { return isNut_[body]; });
     if (clamps || screwStays || (turns && some)) found.push_back(index);

@@ -10,35 +10,36 @@
 
 namespace glissade {
 
-/// Those of the joints that count where joints are used so; none where they are off.
+/// The joints that count for this use; none if joints are off.
 Joints countingJoints(const Joints& joints, JointUse use);
 
-/// What the joints of a product demand of the order of removals and of their motions. Immutable, shared by threads.
+/// Demands of a product's joints on the order of removals and on their motions. Immutable, shared by threads.
 ///
-/// A joint of a screw or a nut is *closed* while the fastener and something that it is screwed into are there. What it
-/// clamps stays until then, its thread comes apart by turning only. What is pressed in, welded or a unit is one body.
+/// A joint of a screw or a nut is *closed* while the fastener and a part that it is screwed into are there. The clamped
+/// parts stay until it is opened, and its thread comes apart by turning only. An insert and its host, welded parts and
+/// units are one body.
 class JointRules {
  public:
-  /// `joints`: those that count, of this product. `fasteners`: of each body; a nut may be turned off a screw.
+  /// `joints`: those that count, of this product. `fasteners`: kind of each body; a nut may be turned off a screw.
   JointRules(Joints joints, const AssembledProduct& product, const std::vector<FastenerKind>& fasteners);
 
   const Joints& joints() const { return joints_; }
-  /// Bodies that are one: host and guest of an insert, units, what is permanent. Several bodies each, no body in two.
+  /// Bonded bodies: host and guest of an insert, units, permanent joints. Groups of several bodies; no body is in two.
   const std::vector<BodyGroup>& bonded() const { return bonded_; }
 
-  /// Joints that hold the group where it is, ascending. `strict`: a screw leaves before what it clamps although its nut
-  /// has left.
+  /// Joints that hold the group where it is, ascending. `strict`: a screw leaves before the parts that it clamps
+  /// although its nut has left.
   std::vector<std::size_t> holding(const BodyGroup& group, const BodySet& present, bool strict) const;
-  /// Closed threads that the group is on one side of: it has to be turned out of them.
+  /// Closed threads with a body of the group on one side only: the group has to be turned out of them.
   std::vector<std::size_t> opened(const BodyGroup& group, const BodySet& present) const;
-  /// Of these joints, the bodies that are not in the group and have to leave before it, ascending.
+  /// The bodies of these joints that are not in the group and have to leave before it, ascending.
   BodyGroup holders(const std::vector<std::size_t>& joints, const BodyGroup& group, const BodySet& present) const;
-  /// Pairs of bodies of closed joints: the second one does not move unless the first one does.
+  /// Pairs of bodies of closed joints: the second body does not move unless the first one does.
   std::vector<std::pair<std::size_t, std::size_t>> links(const BodySet& present) const;
 
-  /// The body leaves without a proof.
+  /// A flexible body leaves without a proof.
   bool isFlexible(std::size_t body) const { return isFlexible_[body]; }
-  /// Alike joints that clamp the same bodies: the number of the body's task, from 1; 0: it is in none with others.
+  /// Number, from 1, of the body's task (alike joints that clamp the same bodies); 0: no task.
   std::size_t taskOf(std::size_t body) const { return tasks_[body]; }
 
   /// "held by 4 screws M3x8", for people.
@@ -52,9 +53,9 @@ class JointRules {
 
   Joints joints_;
   std::vector<BodyGroup> bonded_;
-  std::vector<std::vector<std::size_t>> ofBody_;  ///< joints of screws, nuts and flexible bodies, of each body
+  std::vector<std::vector<std::size_t>> ofBody_;  ///< for each body, its joints of screws, nuts and flexible bodies
   std::vector<bool> isFlexible_;
-  std::vector<bool> isNut_;  ///< the body is turned off a shaft
+  std::vector<bool> isNut_;  ///< for each body, whether it is turned off a shaft
   std::vector<std::size_t> tasks_;
 };
 

@@ -6,11 +6,11 @@
 namespace glissade {
 namespace {
 
-/// Shares of the motion. It is looked for a nearer place no farther than this from the present one, so that a part does
-/// not jump to where its motion comes by again.
+/// Shares of the motion. The nearest point is searched no farther than kLook from the present one, so that the part
+/// does not jump to another passage of its motion.
 constexpr double kLook = 0.04;
 constexpr double kStep = 0.002;
-/// So often, for a hand that moves fast.
+/// Limit of the searches in one call, for a hand that moves fast.
 constexpr int kMostLooks = 25;
 
 }  // namespace

@@ -5,21 +5,21 @@
 
 namespace glissade {
 
-/// A part that a hand leads along the motion of its step, back to where it is assembled. It stays on this motion, which
-/// is certified, and goes as far along it as the hand does. Near its end it snaps to where it belongs, and stays there.
+/// A part that a hand leads back along the motion of its step to its assembled pose. It stays on this motion, which is
+/// certified, and follows the hand along it. Near its end it snaps to its assembled pose, and stays there.
 class LedPart {
  public:
-  /// The part is this share of the motion or less from its end where it snaps.
+  /// Share of the motion from its end at which the part snaps.
   static constexpr double kSnaps = 0.03;
 
-  /// X_WB: of the first body of the step, assembled. The part is at the other end of the motion.
+  /// `X_WB`: assembled pose of the first body of the step. The part begins at the other end of the motion.
   LedPart(StepWay way, const Pose& X_WB);
 
-  /// The hand has the part here: the part goes to the place nearest to it that it can slide to.
+  /// The hand holds the part at `X_WB`: the part moves to the nearest pose that it can slide to.
   void lead(const Pose& X_WB);
-  /// Where the part is.
+  /// Pose of the part.
   Pose X_WB() const { return at(share_); }
-  /// Of its motion, from where it is assembled: 0 once it has snapped, 1 at first.
+  /// Share of the motion between the part and its assembled pose: 1 at the start, 0 once it has snapped.
   double share() const { return share_; }
   bool isAssembled() const { return share_ == 0.0; }
 

@@ -14,10 +14,10 @@ namespace glissade {
 namespace {
 
 constexpr std::size_t kMostStations = 50;
-/// Binary variables of the largest integer program: above, the order of the plan is divided.
+/// Binary variables of the largest integer program. Larger problems are divided in the order of the plan.
 constexpr std::size_t kMostBinaries = 4'000;
 constexpr const char* kMostNodes = "2000";
-/// A division within this share of the shortest cycle is good enough: estimates of times are not better.
+/// A cycle within this share of the shortest one is accepted: estimates of times are not more exact.
 constexpr const char* kGoodEnough = "0.005";
 constexpr double kHalf = 0.5;
 
@@ -29,7 +29,7 @@ LineBalance balanceOf(const LineTasks& tasks, std::vector<std::size_t> stationOf
   return balance;
 }
 
-/// No division is shorter: the longest task, and all of them over all stations.
+/// Lower bound of the cycle: the longest task, and the total time divided by the number of stations.
 double simpleBound(const LineTasks& tasks, std::size_t stations) {
   if (tasks.seconds.empty()) return 0.0;
   const double sum = std::accumulate(tasks.seconds.begin(), tasks.seconds.end(), 0.0);
@@ -41,7 +41,7 @@ std::vector<std::size_t> dividedInOrder(const LineTasks& tasks, std::size_t stat
   const std::size_t count = tasks.seconds.size();
   std::vector<double> sums(count + 1, 0.0);
   for (std::size_t i = 0; i < count; ++i) sums[i + 1] = sums[i] + tasks.seconds[i];
-  // Of the first n tasks on the first s stations.
+  // cycle[s][n]: the best cycle of the first n tasks on the first s stations.
   std::vector<std::vector<double>> cycle(stations + 1, std::vector<double>(count + 1, sums[count]));
   std::vector<std::vector<std::size_t>> from(stations + 1, std::vector<std::size_t>(count + 1, 0));
   cycle[0].assign(count + 1, std::numeric_limits<double>::infinity());
@@ -70,7 +70,7 @@ struct CbcDeleter {
   void operator()(Cbc_Model* model) const { Cbc_deleteModel(model); }
 };
 
-/// The integer program: a binary for each task at each station, and the cycle.
+/// The integer program: a binary variable for each task at each station, and the cycle.
 class Program {
  public:
   Program(const LineTasks& tasks, std::size_t stations, double least, double most)
@@ -84,7 +84,7 @@ class Program {
     addRows();
   }
 
-  /// Nothing where no division was found within the limits.
+  /// Nothing if no division was found within the limits.
   std::optional<std::vector<std::size_t>> solve() {
     Cbc_solve(model_.get());
     if (Cbc_numberSavedSolutions(model_.get()) == 0) return std::nullopt;
@@ -124,7 +124,7 @@ class Program {
     }
   }
 
-  /// Where the later task is at one of the first stations, the earlier one is, too.
+  /// If the later task is at one of the first stations, so is the earlier one.
   void addOrder(std::size_t earlier, std::size_t later) {
     std::vector<int> columns;
     std::vector<double> values;
@@ -139,7 +139,7 @@ class Program {
 
   const LineTasks& tasks_;
   std::size_t stations_;
-  int cycle_;  ///< column
+  int cycle_;  ///< column of the cycle
   std::unique_ptr<Cbc_Model, CbcDeleter> model_;
 };
 

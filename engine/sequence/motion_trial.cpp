@@ -11,10 +11,10 @@
 namespace glissade {
 namespace {
 
-/// Work of the automatic planner (SearchedRemoval): about a tenth of a second, a quarter, one and four.
+/// Work of the automatic planner (SearchedRemoval) for each effort: about 0.1, 0.25, 1 and 4 seconds.
 constexpr std::array<std::uint64_t, MotionTrial::kMostSearches> kSearchWork{250'000, 1'000'000, 4'000'000, 16'000'000};
 
-/// A tool does not touch what it is brought past, metres.
+/// Clearance of a tool from the bodies that it is brought past, metres.
 constexpr double kToolClearance = 1e-5;
 
 }  // namespace
@@ -35,7 +35,7 @@ MotionTrial::MotionTrial(const AssembledProduct& product, const ProductFits& fit
   if (joints != nullptr) jointed_.emplace(product, fits, worlds_, *joints);
 }
 
-/// Whatever has found a motion: it is none that the judge refuses because it pulls a thread.
+/// Refuses motions that the judge would refuse because they pull a thread, whatever has found them.
 RemovalAnswer MotionTrial::tryRemoval(const BodyGroup& group, const BodySet& present, int effort,
                                       const StopToken& stop) {
   RemovalAnswer answer = answerOf(group, present, effort, stop);
@@ -46,8 +46,8 @@ RemovalAnswer MotionTrial::tryRemoval(const BodyGroup& group, const BodySet& pre
   return Refused{std::move(holding)};
 }
 
-/// A search is refused by those that block the straight lines and those that the group fits. What a thread or a hook
-/// holds is not searched: a hook bends on one line only.
+/// The bodies that block the straight lines and those that the group fits refuse a search. A group that a thread or a
+/// hook holds is not searched: a hook bends on one line only.
 RemovalAnswer MotionTrial::answerOf(const BodyGroup& group, const BodySet& present, int effort, const StopToken& stop) {
   if (joints_ != nullptr) {
     const std::vector<std::size_t> opened = joints_->opened(group, present);
@@ -69,7 +69,7 @@ RemovalAnswer MotionTrial::answerOf(const BodyGroup& group, const BodySet& prese
   return answer;
 }
 
-/// Two lines are tried before the first search.
+/// Removal along two lines is tried before the first search.
 RemovalAnswer MotionTrial::search(const BodyGroup& group, const BodySet& present, int effort, const StopToken& stop) {
   if (effort == 1) {
     RemovalAnswer lines = twoLines_.tryRemoval(group, present, stop);
@@ -78,9 +78,9 @@ RemovalAnswer MotionTrial::search(const BodyGroup& group, const BodySet& present
   return searched_.tryRemoval(group, present, kSearchWork[static_cast<std::size_t>(effort - 1)], stop);
 }
 
-/// What is hooked does not turn. Threads that a person has marked have a rule of their own in the worlds. Facets of a
-/// mesh that states no faces are allowed nothing for other angles than the assembled one, unless a person says that
-/// they are a thread: there the way along a line has to do.
+/// A hooked group does not turn. Marked threads have rules in the motion worlds. A mesh without stated faces gets no
+/// allowance for its facets at other angles than the assembled one, unless a person marks the thread: such a group may
+/// leave along a straight line.
 RemovalAnswer MotionTrial::tryTurning(const BodyGroup& group, const BodySet& present,
                                       const std::vector<std::size_t>& opened, const StopToken& stop) {
   if (fits_.isHooked(group, present)) return Refused{joints_->holders(opened, group, present)};
@@ -94,7 +94,7 @@ RemovalAnswer MotionTrial::tryTurning(const BodyGroup& group, const BodySet& pre
   return answer;
 }
 
-/// Of a body that turns in these joints, or that it turns in.
+/// True if a body that turns in these joints, or a body that it turns in, has no stated faces.
 bool MotionTrial::hasFacetsOnly(const BodyGroup& group, const std::vector<std::size_t>& opened) const {
   const auto isFaceless = [&](std::size_t body) { return product_.bodies[body].mesh->faces.empty(); };
   if (std::any_of(group.begin(), group.end(), isFaceless)) return true;
@@ -104,7 +104,7 @@ bool MotionTrial::hasFacetsOnly(const BodyGroup& group, const std::vector<std::s
   });
 }
 
-/// Both are refused by those that block either.
+/// The bodies that block the lines or the turn refuse both.
 RemovalAnswer MotionTrial::tryDirectly(const BodyGroup& group, const BodySet& present, const StopToken& stop) {
   RemovalAnswer straight = straight_.tryRemoval(group, present, stop);
   auto* lines = std::get_if<Refused>(&straight);
@@ -139,7 +139,7 @@ std::vector<std::size_t> MotionTrial::inTheWay(const BodyGroup& group, const std
   return blocking;
 }
 
-/// Bodies off whose threads the motion pulls the group.
+/// Bodies whose threads the motion pulls the group off.
 BodyGroup MotionTrial::pulledOff(const BodyGroup& group, const std::vector<PathPoint>& path, const BodySet& present) {
   if (threads_ == nullptr) return {};
   const std::vector<Pose> configurations = configurationsOf(path);
@@ -153,7 +153,7 @@ BodyGroup MotionTrial::pulledOff(const BodyGroup& group, const std::vector<PathP
   return {holding.begin(), holding.end()};
 }
 
-/// As the judge asks for it.
+/// Applies the judge's rule for hooks to each body of the group.
 bool MotionTrial::keepsToBends(const BodyGroup& group, const std::vector<PathPoint>& path, const BodySet& present) {
   if (!fits_.isHooked(group, present)) return true;
   const std::vector<Pose> configurations = configurationsOf(path);

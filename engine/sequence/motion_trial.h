@@ -9,16 +9,16 @@
 
 namespace glissade {
 
-/// Asks the collision kernel and the planners: effort 0 is straight lines and turns out of threads, the others are
-/// searches, each with four times the budget of the one before.
+/// Tries removals with the collision kernel and the planners. Effort 0 is straight lines and turns out of threads;
+/// higher efforts are searches, each with four times the budget of the one below.
 class MotionTrial final : public RemovalTrial {
  public:
-  /// Levels of search, at most.
+  /// Largest number of search efforts.
   static constexpr int kMostSearches = 4;
 
-  /// Refers to product, fits, rules and threads. `searches`: levels of search beside the straight lines, from 0 to
-  /// kMostSearches. `joints`: what is in a closed thread leaves by turning only; null: there are none. `threads`: no
-  /// motion pulls them; null: there are none.
+  /// Refers to product, fits, rules and threads. `searches`: number of search efforts in addition to the straight
+  /// lines, 0 to kMostSearches. `joints`: a group in a closed thread leaves by turning only; null: there are none.
+  /// `threads`: no motion pulls them; null: there are none.
   MotionTrial(const AssembledProduct& product, const ProductFits& fits, std::uint64_t seed,
               int searches = kMostSearches, MotionWorlds::Forbidden forbidden = {}, const JointRules* joints = nullptr,
               const ThreadDemands* threads = nullptr);
@@ -57,7 +57,7 @@ class MotionTrial final : public RemovalTrial {
   TurnedRemoval turned_;
   const JointRules* joints_;
   const ThreadDemands* threads_;
-  std::optional<JointRemoval> jointed_;  ///< where there are joints
+  std::optional<JointRemoval> jointed_;  ///< set if there are joints
   TwoLineRemoval twoLines_;
   SearchedRemoval searched_;
 };

@@ -9,7 +9,7 @@
 namespace glissade {
 namespace {
 
-/// By which a distance is raised above what a judge with other meshes and another rounding comes to.
+/// Factor that raises a distance above the result of a judge with other meshes and another rounding.
 constexpr double kRaised = 1.02;
 
 double usualClearance(double radius) { return ParameterValues(radius)[ParameterId::RequiredClearance]; }
@@ -52,7 +52,7 @@ MeshPtr MotionWorlds::joined(const BodyGroup& bodies, const std::vector<MeshPtr>
   return std::make_shared<const TriangleMesh>(std::move(mesh));
 }
 
-/// These bodies of the group, taken to be these meshes, in the group's frame.
+/// The mesh of these bodies of the group, each replaced by its entry in `meshes`, in the group's frame.
 MeshPtr MotionWorlds::meshOf(const BodyGroup& group, const BodyGroup& bodies, const std::vector<MeshPtr>& meshes) {
   if (group.size() == 1) return meshes.front();
   bool thinner = bodies.size() < group.size();
@@ -140,8 +140,8 @@ std::vector<DirectedBody> MotionWorlds::directedBodies(const BodyGroup& group, c
   return directed;
 }
 
-/// In the whole product, so that what holds among some bodies holds among fewer. What touches nothing is taken to touch
-/// all.
+/// Contacts in the whole product, so that a result holds for every subset of bodies. A body without contacts counts as
+/// touching all others.
 std::vector<std::size_t> MotionWorlds::touchedBy(std::size_t body) {
   {
     const std::lock_guard lock(mutex_);

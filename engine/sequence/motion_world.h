@@ -14,49 +14,48 @@
 
 namespace glissade {
 
-/// A group of bodies as the one rigid body that moves. A single body is itself, in its frame; several are in a frame
-/// at the middle of their common bounding box, with the world's orientation.
+/// A group of bodies as one rigid body that moves. A single body keeps its frame; several bodies have a frame at the
+/// middle of their common bounding box, with the world's orientation.
 struct MovingObject {
   MeshPtr mesh;
-  Pose X_WB;              ///< where the product is assembled
-  double radius = 0.0;    ///< about the frame's origin, metres
+  Pose X_WB;              ///< pose where the product is assembled
+  double radius = 0.0;    ///< radius about the frame's origin, metres
   double required = 0.0;  ///< clearance that its motions keep, metres: the least of those of its bodies
 };
 
-/// What a group moves in while others are there.
+/// The collision world of a group while other bodies are there.
 struct MotionWorld {
   CollisionWorldPtr world;
   std::vector<std::size_t> bodies;  ///< index in the product of each obstacle of the world
 };
 
-/// The worlds in which groups of a product's bodies move. Bodies are prepared once, groups once. May be asked by
-/// several threads at a time.
+/// The collision worlds in which groups of a product's bodies move. Bodies and groups are prepared once. Thread-safe.
 class MotionWorlds {
  public:
-  /// Directions in which bodies may not move (DirectionRule), unit, of each body; empty: none.
+  /// Unit directions in which each body may not move (DirectionRule); empty: none.
   using Forbidden = std::vector<std::vector<Vector3>>;
 
   /// Refers to product and fits.
   MotionWorlds(const AssembledProduct& product, const ProductFits& fits, Forbidden forbidden = {});
 
   const MovingObject& object(const BodyGroup& group);
-  /// Each body of the group is thinned as its fits allow, leaves threads by turning only, and keeps out of directions
-  /// that a person forbids; bodies of the group are no obstacles.
+  /// Each body of the group is thinned by its allowances, leaves threads by turning only, and keeps out of directions
+  /// that a person forbids. Bodies of the group are no obstacles.
   MotionWorld world(const BodyGroup& group, const BodySet& present);
-  /// False where a person forbids this direction to the body: no motion begins so.
+  /// False if a person forbids the body to move in this direction: no motion may begin so.
   bool mayBegin(const Vector3& direction, std::size_t body) const;
-  /// Of one body beside one other. Directions are not looked at.
+  /// The world of one body beside one other body. Forbidden directions are not considered.
   CollisionWorldPtr pair(std::size_t body, std::size_t other);
-  /// Of something that is no body of the product, beside one body. The body is whole.
+  /// The world of an object that is no body of the product, beside one body, which is not thinned.
   CollisionWorldPtr beside(const MeshPtr& thing, std::size_t other) { return prepared_.world(thing, {{other, thing}}); }
-  /// The defaults for the group's size, one slot.
+  /// Default parameters for the group's size, with one slot.
   ParameterValues parameters(const BodyGroup& group);
   const Box3& boxOf(std::size_t body) const { return prepared_.boxOf(body); }
-  /// Holds all that is nearer to the group than its required clearance, somewhere on the path.
+  /// A box that contains all points nearer to the group than its required clearance, anywhere on the path.
   Box3 sweptBy(const BodyGroup& group, const std::vector<PathPoint>& path);
 
  private:
-  /// Bodies of a group that move past the other one together: for all it is the same mesh, and screwed to all or none.
+  /// Bodies of a group that move past the same obstacle: its mesh is equal for all, and all or none are screwed to it.
   struct Part {
     std::size_t other;
     MeshPtr obstacle;
@@ -78,14 +77,14 @@ class MotionWorlds {
   const ProductFits& fits_;
   Forbidden forbidden_;
   PreparedBodies& prepared_;
-  std::mutex mutex_;  ///< of what follows
+  std::mutex mutex_;  ///< protects the members below
   std::map<BodyGroup, MovingObject> objects_;
-  std::map<std::size_t, std::vector<std::size_t>> touched_;  ///< of bodies with forbidden directions
-  /// By the mesh of a whole group: some of its bodies as they are taken against an obstacle.
+  std::map<std::size_t, std::vector<std::size_t>> touched_;  ///< contacts of bodies with forbidden directions
+  /// Joined meshes of bodies of a group as they are taken against an obstacle, by the mesh of the whole group.
   std::map<MeshPtr, std::map<std::pair<BodyGroup, std::vector<MeshPtr>>, MeshPtr>> joined_;
 };
 
-/// Obstacles of a motion world become bodies of the product.
+/// Replaces indices of obstacles in the motion world by indices of bodies in the product.
 void nameByProduct(MotionCertificate& certificate, const std::vector<std::size_t>& bodies);
 
 }  // namespace glissade

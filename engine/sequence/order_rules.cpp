@@ -21,7 +21,8 @@ Diagnostic unknownBody(const std::string& name) {
                        "See 'glissade-cli fits' for the names.");
 }
 
-/// Bodies that only leave together are one node. Takes away what nothing has to precede, until nothing is left.
+/// Finds circles by removing nodes that nothing has to precede until none is left. Bodies that leave together are one
+/// node.
 bool isCircular(const OrderRules& rules, std::size_t bodies) {
   std::vector<std::size_t> node(bodies);
   for (std::size_t body = 0; body < bodies; ++body) node[body] = body;
@@ -55,7 +56,7 @@ Result<BodyGroup> stepNamed(const std::vector<std::string>& names, const Assembl
   return BodyGroup(bodies.begin(), bodies.end());
 }
 
-/// Bodies of a step that a person names leave as one.
+/// Adds the rule that the bodies of a step leave as one.
 Outcome leaveTogether(const BodyGroup& group, const AssembledProduct& product, OrderRules& rules) {
   for (const BodyGroup& other : rules.together) {
     if (other == group) return Done{};
@@ -121,7 +122,7 @@ Outcome addForbidden(const SequenceDemands& demands, const AssembledProduct& pro
   return Done{};
 }
 
-/// A motion that is demanded may not be forbidden as well.
+/// A demanded motion may not be forbidden as well.
 Outcome checkMotions(const OrderRules& rules, const AssembledProduct& product) {
   for (const OrderRules::GivenMotion& motion : rules.motions) {
     if (!isForbidden(firstDirection(motion.path), rules.forbiddenTo(motion.group))) continue;

@@ -14,39 +14,40 @@
 
 namespace glissade {
 
-/// Of steel, kg/m^3.
+/// Density of steel, kg/m^3.
 inline constexpr double kUsualDensity = 7850.0;
 
-/// Which joints a plan keeps to. What a person has dissolved never counts.
+/// The joints that a plan keeps to. A joint that a person has dissolved never counts.
 enum class JointUse {
   Off,         ///< none: threads that nobody marked may be pulled apart
-  Recognised,  ///< those that the shapes say, or a person
-  Suggested    ///< those that shape, name or class hint at as well
+  Recognised,  ///< joints that shapes or a person state
+  Suggested    ///< joints that shape, name or class suggest as well
 };
 
 /// "off", "recognised", "suggested".
 const char* jointUseName(JointUse use);
 std::optional<JointUse> jointUseByName(const std::string& name);
 
-/// What a person demands of an assembly plan, and knows of its bodies; bodies by id, or by the end of ids behind a "/".
+/// Demands of a person on an assembly plan, and facts about its bodies. Bodies by id, or by the end of ids behind a
+/// "/".
 struct SequenceDemands {
-  std::vector<std::vector<std::string>> together;                ///< these leave as one
+  std::vector<std::vector<std::string>> together;                ///< bodies that leave as one
   std::vector<std::pair<std::string, std::string>> before;       ///< the first leaves before the second
-  Vector3 gravity = -Vector3::UnitZ();                           ///< its direction, world frame; any length
-  std::vector<std::pair<std::string, double>> densities;         ///< kg/m^3; of others kUsualDensity
-  std::vector<std::string> stay{};                               ///< these do not leave
-  std::vector<std::pair<std::string, double>> masses{};          ///< kg; of others by volume and density
-  std::vector<std::string> fragile{};                            ///< these leave as early as they can
-  std::vector<std::pair<std::string, std::string>> tools{};      ///< as of toolName(), or "none"
-  std::vector<std::pair<std::string, std::string>> fasteners{};  ///< kinds that bodies are, whatever their shapes
-  std::string cost{};  ///< what a step costs: an expression or a preset, see step_cost.h; empty: the usual one
-  std::map<std::string, Attributes> attributes{};  ///< by id: what costs may name as body.<attribute>
-  std::vector<BodyClass> classes{};                ///< beside the usual ones
-  std::vector<DemandedPlace> places{};             ///< steps at places
-  std::vector<DemandedMotion> motions{};           ///< of these bodies the only ones
+  Vector3 gravity = -Vector3::UnitZ();                           ///< direction of gravity, world frame; any length
+  std::vector<std::pair<std::string, double>> densities;         ///< kg/m^3; kUsualDensity for other bodies
+  std::vector<std::string> stay{};                               ///< bodies that do not leave
+  std::vector<std::pair<std::string, double>> masses{};          ///< kg; by volume and density for other bodies
+  std::vector<std::string> fragile{};                            ///< bodies that leave as early as they can
+  std::vector<std::pair<std::string, std::string>> tools{};      ///< tool of each body, see toolName(), or "none"
+  std::vector<std::pair<std::string, std::string>> fasteners{};  ///< kind of each body, whatever its shape
+  std::string cost{};  ///< cost of a step: an expression or a preset, see step_cost.h; empty: the usual one
+  std::map<std::string, Attributes> attributes{};  ///< attributes of bodies by id; costs name them as body.<attribute>
+  std::vector<BodyClass> classes{};                ///< classes in addition to the usual ones
+  std::vector<DemandedPlace> places{};             ///< steps with a demanded place
+  std::vector<DemandedMotion> motions{};           ///< the only motions of these bodies
   std::vector<ForbiddenDirection> forbidden{};
   JointUse jointUse = JointUse::Recognised;
-  std::vector<JointEdit> joints{};  ///< what a person says of joints
+  std::vector<JointEdit> joints{};  ///< statements of a person about joints
 
   bool operator==(const SequenceDemands&) const = default;
 };
@@ -55,14 +56,14 @@ struct SequenceDemands {
 struct OrderRule {
   std::size_t first = 0;
   std::size_t then = 0;
-  bool demanded = true;  ///< by a person; else it is given up where nothing else can leave
+  bool demanded = true;  ///< a person demands it; else it is dropped where no other body can leave
 };
 
 /// Demands and knowledge about a product's bodies, by index.
 struct OrderRules {
   std::vector<BodyGroup> together;  ///< no body is in two
   std::vector<OrderRule> before;
-  /// Ascending by place, no place twice; groups of several bodies are in `together`, too.
+  /// Steps by ascending place, no place twice. A group of several bodies is in `together`, too.
   struct PlacedStep {
     BodyGroup group;
     std::size_t place = 1;  ///< from 1
@@ -74,21 +75,21 @@ struct OrderRules {
     std::string method;
   };
   std::vector<GivenMotion> motions{};             ///< no group twice
-  std::vector<std::vector<Vector3>> forbidden{};  ///< of each body, unit; empty: none is
+  std::vector<std::vector<Vector3>> forbidden{};  ///< forbidden directions of each body, unit; empty: none
 
-  /// Null where these bodies leave by any motion.
+  /// Null if these bodies may leave by any motion.
   const GivenMotion* motionOf(const BodyGroup& group) const;
-  /// Of all bodies of the group.
+  /// The forbidden directions of all bodies of the group.
   std::vector<Vector3> forbiddenTo(const BodyGroup& group) const;
-  /// Where a person wants the step of these bodies; 0: anywhere.
+  /// The place that a person wants for the step of these bodies; 0: any place.
   std::size_t placeOf(const BodyGroup& group) const;
 };
 
-/// The bodies of these ids, or whose ids end in "/" and this; empty where there is none.
+/// The bodies with this id, or whose ids end in "/" and this name; empty if there is none.
 BodyGroup bodiesNamed(const AssembledProduct& product, const std::string& name);
 
-/// The bodies of these names, which do not leave; the largest where none is named. Error, Usage with `location` "stay":
-/// a name that no body has.
+/// The bodies with these names, which do not leave; the largest body if there are no names. Error, Usage with
+/// `location` "stay": a name that no body has.
 Result<BodySet> stayingBodies(const AssembledProduct& product, const std::vector<std::string>& names);
 
 /// The demands by index. A name that several bodies have stands for all of them. Errors, Usage with `location`: a name

@@ -24,7 +24,7 @@ bool mayFollow(std::size_t step, const CarriedOut& done, const OrderQuestion& qu
 
 const std::size_t* lastOf(const std::vector<std::size_t>& order) { return order.empty() ? nullptr : &order.back(); }
 
-/// The steps that may follow, each with what it costs at least; the cheapest first, of equal ones the first.
+/// The steps that may follow, each with its least cost; the cheapest first, ties by index.
 std::vector<std::pair<double, std::size_t>> mayComeNext(const std::vector<std::size_t>& order, const CarriedOut& done,
                                                         const OrderQuestion& question) {
   std::vector<std::pair<double, std::size_t>> steps;
@@ -36,7 +36,8 @@ std::vector<std::pair<double, std::size_t>> mayComeNext(const std::vector<std::s
   return steps;
 }
 
-/// Always the cheapest step, the first one of equal ones. Shorter where no step may follow.
+/// Completes the order: always the cheapest step, the first one of equal ones. The result is shorter if no step may
+/// follow.
 std::vector<std::size_t> completed(std::vector<std::size_t> order, CarriedOut done, const OrderQuestion& question) {
   while (order.size() < done.size()) {
     std::size_t cheapest = done.size();
@@ -57,8 +58,8 @@ std::vector<std::size_t> completed(std::vector<std::size_t> order, CarriedOut do
 
 struct Node {
   double estimate;
-  std::size_t number;  ///< of equal ones the first
-  double cost;         ///< without that of the last step where it is not known yet
+  std::size_t number;  ///< nodes with equal estimates are expanded in this order
+  double cost;         ///< cost without the last step's cost until that is known
   bool isCostKnown;
   std::vector<std::size_t> order;
   CarriedOut done;
@@ -68,7 +69,7 @@ struct Node {
   }
 };
 
-/// The search of cheapestOrder(). What a step costs is asked only where its state comes to be expanded.
+/// The search of cheapestOrder(). The cost of a step is computed only when its state is expanded.
 class OrderSearch {
  public:
   OrderSearch(const OrderQuestion& question, const StopToken& stop)
@@ -122,7 +123,7 @@ class OrderSearch {
     }
   }
 
-  /// Of the last step. A state that was reached at less or the same cost is dropped.
+  /// Adds the cost of the last step. A state that was reached at less or the same cost is dropped.
   void addCost(Node node) {
     const std::size_t step = node.order.back();
     node.order.pop_back();
@@ -144,14 +145,14 @@ class OrderSearch {
   std::size_t steps_;
   std::vector<std::size_t> best_;
   double least_ = 0.0;  ///< cost of the best order
-  double mean_ = 0.0;   ///< of a step
+  double mean_ = 0.0;   ///< mean cost of a step
   std::priority_queue<Node> open_;
   std::map<std::pair<CarriedOut, std::size_t>, double> known_;  ///< cost of states
   std::size_t number_ = 0;
 };
 
-/// Moves runs of steps to other places of an order while it costs less so (I. Or, 1976). What is moved changes the
-/// costs between the two places only.
+/// Moves runs of steps to other places while this reduces the cost (I. Or, 1976). A move changes only the costs between
+/// the two places.
 class RunMover {
  public:
   RunMover(std::vector<std::size_t> order, const OrderQuestion& question, const StopToken& stop)
@@ -176,7 +177,7 @@ class RunMover {
     return false;
   }
 
-  /// True where the order costs less with the run at this place.
+  /// Moves the run to this place; true if the order costs less.
   bool move(std::size_t from, std::size_t length, std::size_t to) {
     std::vector<std::size_t> moved = order_;
     const auto at = [&](std::size_t place) { return moved.begin() + static_cast<std::ptrdiff_t>(place); };
@@ -229,7 +230,7 @@ class RunMover {
   const OrderQuestion& question_;
   const StopToken& stop_;
   std::vector<std::size_t> order_;
-  std::size_t asked_ = 0;  ///< costs
+  std::size_t asked_ = 0;  ///< number of computed costs
 };
 
 }  // namespace

@@ -7,7 +7,7 @@
 namespace glissade {
 namespace {
 
-/// The id in the product of each body of the plan; empty where one has none, or two have the same.
+/// The id in the product of each body of the plan; empty if a body has none, or two bodies have the same.
 std::map<std::string, std::string> idsInProduct(const AssembledProduct& product, const AssemblyPlan& plan) {
   std::map<std::string, std::string> byName;
   for (const RigidBody& body : product.bodies) byName.emplace(body.name, body.id);
@@ -22,7 +22,7 @@ std::map<std::string, std::string> idsInProduct(const AssembledProduct& product,
   return ids;
 }
 
-/// Gives bodies the ids of the product. Names that are no ids stay: demands may name bodies by the ends of their ids.
+/// Replaces ids by those of the product. Names that are no ids stay: demands may name bodies by the ends of their ids.
 class Renaming {
  public:
   explicit Renaming(const std::map<std::string, std::string>& ids) : ids_(ids) {}

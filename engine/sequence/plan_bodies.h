@@ -7,14 +7,14 @@
 
 namespace glissade {
 
-/// Which way a plan is told and played: removal as it was searched, or assembly, its reverse.
+/// The order in which a plan is described and played: removal as it was searched, or its reverse, assembly.
 enum class PlanOrder { Removal, Assembly };
 
-/// The bodies that leave together in a step, by index in the product. Precondition: the plan is about the product.
+/// The bodies that leave together in a step, by index in the product. Precondition: the plan belongs to the product.
 std::vector<std::size_t> bodiesOf(const AssemblyStep& step, const AssembledProduct& product);
 
-/// The same plan with the ids of the product's bodies, in their order. A body of the plan is the body of that id or, in
-/// a scenario that was made of the product's file, of that name. Nothing where the two have other bodies.
+/// The plan with the ids and the order of the product's bodies. A body of the plan is the body with the same id, or the
+/// same name if the scenario was made from the product's file. Nothing if the two have different bodies.
 std::optional<AssemblyPlan> planAbout(const AssembledProduct& product, const AssemblyPlan& plan);
 
 }  // namespace glissade

@@ -6,24 +6,24 @@
 
 namespace glissade {
 
-/// Where a body is while a plan is played.
+/// The state of a body while a plan is played.
 struct PlayedBody {
-  Pose moved;          ///< it stands at moved * X_WB, where X_WB is the assembled configuration
-  bool left = false;   ///< its step is over: it is where its motion ends
-  bool moves = false;  ///< in the step that is under way
+  Pose moved;          ///< displacement: the body is at moved * X_WB, where X_WB is its assembled pose
+  bool left = false;   ///< its step is over: it is at the end of its motion
+  bool moves = false;  ///< it moves in the present step
 };
 
 /// A plan as one motion of the whole product: every step takes one unit of time. A value.
 class PlanPlayback {
  public:
   PlanPlayback() = default;
-  /// Precondition: the plan is about this product.
+  /// Precondition: the plan belongs to this product.
   PlanPlayback(const AssembledProduct& product, const AssemblyPlan& plan);
 
-  /// Of the plan.
+  /// Number of steps of the plan.
   std::size_t steps() const { return steps_.size(); }
-  /// All bodies after so many steps, from 0 to steps(). Between two whole numbers the step between them is under way,
-  /// at constant speed in the metric of its body.
+  /// The state of all bodies after `time` steps, from 0 to steps(). Between two whole numbers the step between them is
+  /// in progress, at constant speed in the metric of its body.
   std::vector<PlayedBody> at(double time) const;
 
  private:

@@ -11,7 +11,7 @@
 namespace glissade {
 namespace {
 
-/// Of a body of the step that moves on this path.
+/// Turns in the thread of a body of the step, along this path.
 double turnsIn(const ThreadRule& rule, const RigidBody& body, const RigidBody& other,
                const std::vector<PathPoint>& path) {
   std::vector<Pose> configurations;
@@ -20,7 +20,7 @@ double turnsIn(const ThreadRule& rule, const RigidBody& body, const RigidBody& o
   return std::abs(turnsWhileEngaged(ThreadPair(rule, *body.mesh, other), configurations));
 }
 
-/// That of its joint, else an axis of the world that nobody forbids.
+/// The direction of the body's joint, else an axis of the world that nobody forbids.
 Vector3 flexibleDirection(std::size_t body, const SequenceQuestion& question) {
   std::vector<Vector3> directions;
   for (const Joint& joint : question.joints->joints()) {
@@ -89,7 +89,7 @@ std::vector<StepViolation> violationsOf(const BodyGroup& group, const BodySet& p
 
 void addAllowances(AssemblyStep& step, const BodyGroup& group, const std::vector<BodyFit>& fits,
                    const AssembledProduct& product) {
-  // Where both bodies are thinned, pitch and turns are said once.
+  // If both bodies are thinned, pitch and turns are stated once.
   std::set<std::pair<std::size_t, std::size_t>> threads;
   for (const BodyFit& each : fits) {
     const RigidBody& body = product.bodies[each.body];

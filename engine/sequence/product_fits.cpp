@@ -19,7 +19,7 @@ std::vector<Vector3> axesOf(const std::vector<Contact>& contacts) {
   return axes;
 }
 
-/// The body that is taken thinner; null: it is whole.
+/// The thinned mesh of the pair; null: the body is whole.
 const MeshPtr* thinnedOf(const std::vector<Fit>& fits, std::size_t obstacle, bool yields) {
   const auto found = std::find_if(fits.begin(), fits.end(), [&](const Fit& fit) {
     return fit.obstacle == obstacle && fit.yields == yields && fit.thinned;

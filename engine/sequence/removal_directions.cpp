@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kFaces = 6;
 constexpr double kAlike = 1.0 - 1e-9;
-/// As a share of its radius.
+/// Share of the body's radius.
 constexpr double kMargin = 0.05;
 
 }  // namespace
@@ -26,7 +26,7 @@ std::vector<Vector3> removalDirections(const AssembledProduct& product, const Pr
     add(direction);
     add(-direction);
   };
-  // An axis of the world is that exactly, not what a cylinder was fitted to.
+  // A direction close to an axis of the world is replaced by that axis, without the rounding of fitted cylinders.
   const auto exact = [](const Vector3& direction) {
     for (int axis = 0; axis < 3; ++axis) {
       if (std::abs(direction[axis]) > kAlike) return Vector3(std::copysign(1.0, direction[axis]) * Vector3::Unit(axis));

@@ -6,16 +6,16 @@
 
 namespace glissade {
 
-/// Directions in which a body is tried to leave along a straight line, unit, world frame, no two alike, the likeliest
-/// first: both ways along the axes that it has in common with others, the axes of the world (up first), both ways along
-/// the normals of its large faces. They are where its contacts leave it free, if anywhere along a line (Wilson and
-/// Latombe 1994).
+/// Directions in which a removal of the body along a straight line is tried, unit, world frame, without duplicates, the
+/// likeliest first: both senses of the axes that it shares with other bodies, the axes of the world (up first), and
+/// both senses of the normals of its large faces. If contacts leave the body free along a line, then along one of these
+/// (Wilson and Latombe 1994).
 std::vector<Vector3> removalDirections(const AssembledProduct& product, const ProductFits& fits, std::size_t body);
 
-/// How far an object of this radius that leaves ends beyond the others' box, metres.
+/// Distance from the box of the other bodies at which a leaving object of this radius ends, metres.
 double leavingMargin(double radius);
 
-/// The shortest way along the direction, metres, after which the inner box is beyond the outer one by the margin.
+/// The shortest displacement along the direction, metres, that moves the inner box out of the outer one by the margin.
 double wayOutOf(const Box3& inner, const Box3& outer, const Vector3& direction, double margin);
 
 }  // namespace glissade

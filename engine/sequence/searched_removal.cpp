@@ -9,12 +9,12 @@
 namespace glissade {
 namespace {
 
-/// Attempts to shorten a path.
+/// Number of attempts to shorten a path.
 constexpr int kShortcuts = 100;
-/// A step counts as so many pairs of the kernel.
+/// Work of a planner step, in pairs of the kernel.
 constexpr std::uint64_t kStepWork = 50;
 
-/// Lets a planner work for one step at a time.
+/// Stops a planner after each step.
 class StepHost final : public PlannerHost {
  public:
   StepHost(const ParameterValues& parameters, const StopToken& stop) : parameters_(parameters), stop_(stop) {}
@@ -29,10 +29,10 @@ class StepHost final : public PlannerHost {
   const StopToken& stop_;
 };
 
-/// What a planner has done: pairs that the kernel has looked at, and steps, which look for neighbours.
+/// Work of a planner: pairs that the kernel has examined, and steps, which search neighbours.
 std::uint64_t workOf(const PlannerCounts& counts) { return counts.queries.pairs + kStepWork * counts.steps; }
 
-/// Step after step, until it has found a path, cannot find one, or has done so much work.
+/// Runs step after step until the planner has a path, fails or has done `work`; true if it has a path.
 bool solveWithin(Planner& planner, PlannerHost& host, std::uint64_t work) {
   while (!planner.solve(host)) {
     const bool isOver = planner.failure() || host.stopToken().stopRequested();
@@ -41,15 +41,14 @@ bool solveWithin(Planner& planner, PlannerHost& host, std::uint64_t work) {
   return true;
 }
 
-/// Room to leave on every side.
+/// The box with the room that the object needs to leave on every side.
 Box3 roomAbout(Box3 box, const MovingObject& object) {
   box.extend(object.X_WB.position);
   const Vector3 margin = Vector3::Constant(3.0 * object.radius);
   return {box.min() - margin, box.max() + margin};
 }
 
-/// As a person would lead it: straight out as soon as that is free, and without the detours of a random search. What a
-/// thread leads stays as it is.
+/// Shortens the random path: straight out as soon as that is free, and without detours. A path out of a thread is kept.
 Path smoothed(const Path& path, const Problem& problem, const ParameterValues& parameters, const StopToken& stop) {
   if (!problem.world->threads().empty()) return path;
   const Path straight = withStraightEnd(path, problem, parameters, stop);
@@ -82,7 +81,7 @@ RemovalAnswer SearchedRemoval::tryRemoval(const BodyGroup& group, const BodySet&
   return Refused{{}, stop.stopRequested()};
 }
 
-/// Of its own for each question, so that it does not matter which were asked before.
+/// A seed for each question, so that the answer does not depend on earlier questions.
 std::uint64_t SearchedRemoval::seedOf(const BodyGroup& group, const BodySet& present, std::uint64_t work) const {
   std::string question;
   for (const std::size_t body : group) question += product_.bodies[body].id + "/";

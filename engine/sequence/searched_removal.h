@@ -7,15 +7,14 @@
 
 namespace glissade {
 
-/// Removal by the automatic planner. Budgets are counted in its work, above all in pairs of the kernel
-/// (QueryCounts::pairs), so that the answer does not depend on the machine, and a body that is cheap to ask for gets
-/// more steps than one that is not.
+/// Removal by the automatic planner. Its budget is counted in work, mainly in pairs of the kernel (QueryCounts::pairs):
+/// the answer then does not depend on the machine, and a body with cheap queries gets more steps.
 class SearchedRemoval {
  public:
   SearchedRemoval(const AssembledProduct& product, const ProductFits& fits, MotionWorlds& worlds, std::uint64_t seed)
       : product_(product), fits_(fits), worlds_(worlds), seed_(seed) {}
 
-  /// `work` of the planner at most. The refusal names nobody: a search does not know who was in its way.
+  /// `work`: limit of the planner's work. The refusal names no bodies, because a search does not know what blocked it.
   RemovalAnswer tryRemoval(const BodyGroup& group, const BodySet& present, std::uint64_t work,
                            const StopToken& stop) const;
 

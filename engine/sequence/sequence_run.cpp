@@ -17,7 +17,7 @@
 namespace glissade {
 namespace {
 
-/// By shape and contacts, but for those that are known.
+/// The kinds by shape and contacts; a kind that a person states overrides them.
 std::vector<FastenerKind> fastenersKnown(const ProductShapes& shapes, const std::vector<Contact>& contacts,
                                          const SequenceDemands& demands) {
   std::vector<FastenerKind> kinds = fastenersOf(shapes, contacts);
@@ -36,7 +36,7 @@ std::vector<bool> fragileBodies(const AssembledProduct& product, const SequenceD
   return fragile;
 }
 
-/// A body that stays does not leave at a place.
+/// A body that stays may not have a demanded place.
 Outcome checkPlaces(const AssembledProduct& product, const OrderRules& rules, const BodySet& staying) {
   for (const auto& step : rules.placed) {
     for (const std::size_t body : step.group) {
@@ -50,8 +50,8 @@ Outcome checkPlaces(const AssembledProduct& product, const OrderRules& rules, co
   return Done{};
 }
 
-/// Those that count: as they are given, else as they are found and a person says of them; and those of threads that the
-/// judge sees.
+/// The joints that count: the given ones, else those that are found, with a person's edits; and joints for the threads
+/// that the judge sees.
 Result<Joints> jointsOf(const ProductShapes& shapes, const SequenceRequest& request, const ThreadDemands& threads,
                         const StopToken& stop) {
   const JointUse use = request.demands.jointUse;
@@ -62,7 +62,7 @@ Result<Joints> jointsOf(const ProductShapes& shapes, const SequenceRequest& requ
   return threads.withThreads(countingJoints(*joints, use), shapes);
 }
 
-/// Passes on plans that can be saved and resumed: strategies do not know what is asked for in words.
+/// Adds the demands to each announced plan, so that it can be saved and resumed.
 class SavableHost final : public SequenceHost {
  public:
   SavableHost(const SequenceRequest& request, SequenceHost& host) : request_(request), host_(host) {}

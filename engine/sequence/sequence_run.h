@@ -11,26 +11,26 @@
 
 namespace glissade {
 
-/// The strategy where nobody chooses one.
+/// The default strategy.
 inline constexpr const char* kUsualStrategy = "best-first";
 
-/// What is asked for when the sequence of a product is planned.
+/// A request for a plan of a product.
 struct SequenceRequest {
   BodySet staying;                        ///< bodies that are not to leave
-  std::string strategy = kUsualStrategy;  ///< id of the registry
+  std::string strategy = kUsualStrategy;  ///< id in the registry
   std::uint64_t seed = 1;
   SequenceDemands demands{};
-  const AssemblyPlan* resumed = nullptr;  ///< as in SequenceQuestion
-  /// A plan of the same product with other demands: before a motion is searched, its motion is tried. Or null.
+  const AssemblyPlan* resumed = nullptr;  ///< see SequenceQuestion::resumed
+  /// A plan of the same product with other demands: its motions are tried before new ones are searched. Or null.
   const AssemblyPlan* known = nullptr;
-  /// Of this product, with what a person says of them; null: they are found, where the demands use them.
+  /// Joints of this product, with a person's edits; null: they are found if the demands use them.
   const Joints* joints = nullptr;
 };
 
-/// Plans with all that is known of the product: its fits, its joints, its fasteners, what stands, and the demands. What
-/// is one body with one that stays, stays too. The host is told of plans that can be saved and resumed: each of their
-/// steps demands all earlier ones. Errors: an unknown strategy, demands that name no body or contradict each other,
-/// words about joints that are not there.
+/// Plans with the fits, joints and fasteners of the product, the support of its bodies and the demands. A body that is
+/// bonded to a body that stays also stays. The host receives plans that can be saved and resumed; each of their steps
+/// demands all earlier ones. Errors: an unknown strategy, demands that name no body or contradict each other, edits of
+/// joints that do not exist.
 Result<AssemblyPlan> planSequence(const AssembledProduct& product, const ProductFits& fits,
                                   const SequenceRequest& request, SequenceHost& host);
 

@@ -18,49 +18,49 @@
 
 namespace glissade {
 
-/// What is asked of a strategy. Refers to its members for the time of the call.
+/// The input of a strategy. Refers to its members during the call.
 struct SequenceQuestion {
   const AssembledProduct& product;
   BodySet staying;  ///< bodies that are not to leave
   std::uint64_t seed = 1;
   RemovalTrial& trial;
-  const AssemblyPlan* resumed = nullptr;  ///< a plan of the same product, seed and strategy that had not ended; or null
+  const AssemblyPlan* resumed = nullptr;  ///< an unfinished plan of the same product, seed and strategy; or null
   OrderRules rules{};
-  std::vector<FastenerKind> fasteners{};  ///< of each body; empty: not known
-  Standing* standing = nullptr;           ///< null: not asked
-  std::vector<bool> fragile{};            ///< of each body; empty: none is
-  ToolChoices tools{};                    ///< of each body; empty: not known
-  const StepCost* cost = nullptr;         ///< of best-first; null: the usual one
+  std::vector<FastenerKind> fasteners{};  ///< kind of each body; empty: not known
+  Standing* standing = nullptr;           ///< null: support is not checked
+  std::vector<bool> fragile{};            ///< one entry for each body; empty: no body is fragile
+  ToolChoices tools{};                    ///< tools for each body; empty: not known
+  const StepCost* cost = nullptr;         ///< cost for best-first; null: the usual one
   const JointRules* joints = nullptr;     ///< null: there are none
   BodySet there{};                        ///< bodies that are there at the beginning; empty: all
-  const ProductFits* fits = nullptr;      ///< that motions rest on; null: not known
+  const ProductFits* fits = nullptr;      ///< fits that motions rely on; null: not known
 
   BodySet initial() const { return there.empty() ? BodySet(product.bodies.size(), true) : there; }
 };
 
-/// What a strategy tells while it works, and asks. Called on the strategy's thread.
+/// Receives the progress of a strategy. Called on the strategy's thread.
 class SequenceHost {
  public:
   virtual ~SequenceHost() = default;
   virtual const StopToken& stopToken() const = 0;
   /// Threads that carry out trials. Their number does not change the plan.
   virtual ThreadTeam& team() = 0;
-  /// So many bodies are asked now, with this effort.
+  /// Trials of `bodies` bodies with this effort begin.
   virtual void asking(std::size_t bodies, int effort) = 0;
-  /// The plan so far, as one that was interrupted: it can be resumed. What has to be carried out before each step is
-  /// not known yet (AssemblyStep::after is empty).
+  /// The plan so far, which can be resumed as an interrupted one. The predecessors of its steps are not known yet
+  /// (AssemblyStep::after is empty).
   virtual void stepFound(const AssemblyPlan& plan) = 0;
 };
 
-/// In which order bodies are asked and leave.
+/// Decides the order in which removals are tried and carried out.
 class SequenceStrategy {
  public:
   virtual ~SequenceStrategy() = default;
-  /// The plan as far as it was found; its end says Interrupted after a stop. Seed and question decide the plan.
+  /// The plan as far as it was found; its end is Interrupted after a stop. Seed and question determine the plan.
   virtual AssemblyPlan plan(const SequenceQuestion& question, SequenceHost& host) = 0;
 };
 
-/// How a strategy is known and made. Registered by explicit calls.
+/// Id, texts and factory of a strategy.
 struct SequenceStrategyEntry {
   std::string id;
   std::string label;
@@ -71,7 +71,7 @@ struct SequenceStrategyEntry {
 class SequenceStrategyRegistry {
  public:
   void add(SequenceStrategyEntry entry) { entries_.push_back(std::move(entry)); }
-  /// Null where the id is unknown.
+  /// Null if the id is unknown.
   const SequenceStrategyEntry* find(std::string_view id) const;
   const std::vector<SequenceStrategyEntry>& entries() const { return entries_; }
 
@@ -79,7 +79,7 @@ class SequenceStrategyRegistry {
   std::vector<SequenceStrategyEntry> entries_;
 };
 
-/// greedy, best-first.
+/// The strategies greedy and best-first.
 SequenceStrategyRegistry makeSequenceStrategyRegistry();
 
 }  // namespace glissade

@@ -5,7 +5,7 @@
 namespace glissade {
 
 SolidMass solidMass(const TriangleMesh& mesh) {
-  constexpr double kLeastShare = 1e-9;  // of the bounding box's volume
+  constexpr double kLeastShare = 1e-9;  // share of the bounding box's volume
   const Box3 box = boundingBox(mesh);
   const Vector3 middle = box.center();
   double sixfold = 0.0;

@@ -4,13 +4,14 @@
 
 namespace glissade {
 
-/// What a closed mesh encloses. Of an open one, or one without volume: no volume, and the middle of its bounding box.
+/// Volume and centre of the solid that a closed mesh encloses. For an open mesh, or one without volume: zero volume and
+/// the centre of the bounding box.
 struct SolidMass {
   double volume = 0.0;  ///< cubic metres, >= 0
   Vector3 centre = Vector3::Zero();
 };
 
-/// By signed tetrahedra about the middle of the bounding box.
+/// Sums signed tetrahedra about the centre of the bounding box.
 SolidMass solidMass(const TriangleMesh& mesh);
 
 }  // namespace glissade

@@ -12,7 +12,7 @@
 namespace glissade {
 namespace {
 
-/// Rounding of files, beside what tessellation explains, metres.
+/// Rounding of files, in addition to the deflection of tessellation, metres.
 constexpr double kTouching = 2e-5;
 
 bool isBonded(const Contact& contact, const std::vector<FastenerKind>& fasteners) {
@@ -76,7 +76,7 @@ BodyGroup Standing::newlyFalling(const BodySet& present, const BodyGroup& group)
   return newly;
 }
 
-/// Of what is connected to one of the seeds; ascending.
+/// The falling bodies among all bodies that are connected to one of the seeds; ascending.
 BodyGroup Standing::fallingWith(const BodySet& present, const BodyGroup& seeds) {
   BodySet open = present;
   std::set<std::size_t> falling;
@@ -90,7 +90,7 @@ BodyGroup Standing::fallingWith(const BodySet& present, const BodyGroup& seeds) 
   return {falling.begin(), falling.end()};
 }
 
-/// Not through bodies that are held; ascending.
+/// Bodies connected by contacts; a path of contacts does not pass through a held body. Ascending.
 BodyGroup Standing::connectedTo(std::size_t seed, const BodySet& present) const {
   std::set<std::size_t> reached{seed};
   std::vector<std::size_t> open{seed};

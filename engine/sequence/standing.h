@@ -12,30 +12,31 @@
 
 namespace glissade {
 
-/// What stands of a product while bodies leave it: static equilibrium of all bodies that are there, with friction.
-/// Bodies that stay are held. Threads, press fits, other overlaps and nuts on their shafts hold in every direction,
-/// other contacts push. Bodies that are connected by contacts, but not through a body that is held, are one linear
-/// program, which is solved once. Used by one thread at a time.
+/// Checks which bodies of a product are supported while others leave it: static equilibrium of all bodies that are
+/// there, with friction. Bodies that stay are held. Threads, press fits, other overlaps and nuts on their shafts hold
+/// in every direction; other contacts only push. Bodies that are connected by contacts, but not through a held body,
+/// form one linear program, which is solved once. Used by one thread at a time.
 class Standing {
  public:
-  /// Of steel on steel, not lubricated.
+  /// Friction coefficient of steel on steel, not lubricated.
   static constexpr double kFriction = 0.3;
 
-  /// What the product's bodies are, beside their geometry.
+  /// Properties of the product's bodies, in addition to their geometry.
   struct Bodies {
     const std::vector<Contact>& contacts;
     const std::vector<FastenerKind>& fasteners;
     const BodySet& staying;
     std::vector<double> densities;  ///< kg/m^3
     Vector3 gravity;                ///< any length
-    std::vector<double> masses{};   ///< kg, of each body; 0, or empty: by volume and density
+    std::vector<double> masses{};   ///< kg, one entry for each body; 0, or empty: by volume and density
   };
-  /// Contact points are found here.
+  /// Computes the contact points with the threads of the team.
   Standing(const AssembledProduct& product, const Bodies& bodies, ThreadTeam& team);
 
-  /// Bodies that stand while all of `present` are there, and would tip or fall when the group has left; ascending.
+  /// Bodies that are supported while all of `present` are there, and would tip or fall after the group has left;
+  /// ascending.
   BodyGroup newlyFalling(const BodySet& present, const BodyGroup& group);
-  /// Kilograms.
+  /// Mass of the body, kilograms.
   double massOf(std::size_t body) const { return bodies_[body].weight; }
 
  private:
@@ -43,7 +44,7 @@ class Standing {
   BodyGroup connectedTo(std::size_t seed, const BodySet& present) const;
   const BodyGroup& fallingOf(const BodyGroup& connected, const BodySet& present);
 
-  /// Where two bodies touch.
+  /// The points at which two bodies touch.
   struct Touch {
     std::size_t a;
     std::size_t b;
@@ -51,15 +52,15 @@ class Standing {
   };
   std::vector<SupportedBody> bodies_;
   std::vector<Touch> touches_;
-  std::vector<std::vector<std::size_t>> touchesOf_;  ///< of each body
+  std::vector<std::vector<std::size_t>> touchesOf_;  ///< touches of each body
   Vector3 gravity_;
-  std::map<std::pair<BodyGroup, BodyGroup>, BodyGroup> known_;  ///< by connected bodies and those that hold them
+  std::map<std::pair<BodyGroup, BodyGroup>, BodyGroup> known_;  ///< falling bodies, by connected and held bodies
 };
 
-/// Of each body: what is known, else 0. Names that no body has are ignored.
+/// Mass of each body, kg: the stated one, else 0. Names that no body has are ignored.
 std::vector<double> massesOf(const SequenceDemands& demands, const AssembledProduct& product);
 
-/// Of each body: what is demanded, else kUsualDensity. Names that no body has are ignored.
+/// Density of each body, kg/m^3: the stated one, else kUsualDensity. Names that no body has are ignored.
 std::vector<double> densitiesOf(const SequenceDemands& demands, const AssembledProduct& product);
 
 }  // namespace glissade

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kEquations = 6;
 constexpr double kUnbalanced = 0.01;
-/// Of a body without weight, where the centre of several is found.
+/// Weight of a body without weight, for the centre of several bodies.
 constexpr double kLeastWeight = 1e-12;
 constexpr int kMostIterations = 200'000;
 
@@ -22,7 +22,7 @@ struct ClpDeleter {
   void operator()(Clp_Simplex* model) const { Clp_deleteModel(model); }
 };
 
-/// The columns of a linear program, by entries.
+/// The columns of a linear program with their entries.
 class Columns {
  public:
   void begin(double cost) {
@@ -42,8 +42,8 @@ class Columns {
   std::vector<double> costs;
 };
 
-/// Minimizes the sum of the unbalanced forces and torques. Forces are in units of the mean weight, torques in those of
-/// it times the body's size.
+/// Minimizes the sum of the unbalanced forces and torques. Forces are divided by the mean weight, torques by the mean
+/// weight times the size of the body.
 class Balance {
  public:
   Balance(const std::vector<SupportedBody>& bodies, const Vector3& gravity)
@@ -65,7 +65,7 @@ class Balance {
     }
   }
 
-  /// The force acts on `b`, and against it on `a`.
+  /// Adds the force on `b` and the opposite force on `a`.
   void addForce(const SupportPoint& at, const Vector3& force) {
     if (firstRow_[at.a] < 0 && firstRow_[at.b] < 0) return;
     columns_.begin(0.0);
@@ -73,7 +73,7 @@ class Balance {
     addWrench(at.a, at.point, -force);
   }
 
-  /// What stays unbalanced of each body, in shares of its weight.
+  /// The unbalanced part of each body's forces, in shares of its weight.
   std::vector<double> solve() {
     std::vector<double> unbalanced(bodies_.size(), 0.0);
     if (rowCount_ == 0) return unbalanced;
@@ -117,14 +117,14 @@ class Balance {
   }
 
   const std::vector<SupportedBody>& bodies_;
-  std::vector<int> firstRow_;  ///< -1 of a fixed body
+  std::vector<int> firstRow_;  ///< -1 for a fixed body
   int rowCount_ = 0;
   double unit_ = 1.0;
   std::vector<double> wanted_;
   Columns columns_;
 };
 
-/// What is bonded is one body, held where a part of it is held.
+/// Merges bonded bodies into one body, which is fixed if one of its parts is.
 class BondedBodies {
  public:
   BondedBodies(const std::vector<SupportedBody>& bodies, const std::vector<SupportPoint>& points)
@@ -142,7 +142,7 @@ class BondedBodies {
   }
 
   const std::vector<SupportedBody>& joined() const { return joined_; }
-  /// Which of them each body is in.
+  /// For each body, the index of the merged body that contains it.
   const std::vector<std::size_t>& whole() const { return whole_; }
 
  private:

@@ -6,12 +6,12 @@
 
 namespace glissade {
 
-/// A body that forces act on.
+/// A body on which forces act.
 struct SupportedBody {
   double weight = 0.0;               ///< newtons, or any unit that is the same for all
-  Vector3 centre = Vector3::Zero();  ///< of mass, world frame
-  double size = 1.0;                 ///< metres: lever arm by which torques are compared with forces
-  bool fixed = false;                ///< held by what is not modelled
+  Vector3 centre = Vector3::Zero();  ///< centre of mass, world frame
+  double size = 1.0;                 ///< metres: the lever arm that converts torques to forces
+  bool fixed = false;                ///< held by something that is not modelled
 };
 
 /// A point at which one body supports another one.
@@ -19,14 +19,14 @@ struct SupportPoint {
   std::size_t a = 0;  ///< indices of the bodies
   std::size_t b = 0;
   Vector3 point = Vector3::Zero();
-  Vector3 normal = Vector3::UnitZ();  ///< unit, out of `a`; of a bond without meaning
-  bool bonded = false;                ///< takes every force and torque, as a thread or a press fit does
+  Vector3 normal = Vector3::UnitZ();  ///< unit, out of `a`; ignored for a bond
+  bool bonded = false;                ///< transmits every force and torque, as a thread or a press fit does
 };
 
-/// Which bodies are not in equilibrium under gravity (a unit direction): the forces at the points, within the pyramid
-/// of the friction coefficient, that leave the least unbalanced forces in sum are found by a linear program (CLP).
-/// Bonded bodies are one body. A body is out of equilibrium where more than a hundredth of its weight stays unbalanced.
-/// One entry each.
+/// Finds the bodies that are not in equilibrium under gravity (a unit direction). A linear program (CLP) finds the
+/// forces at the points, within the pyramid of the friction coefficient, with the least sum of unbalanced forces.
+/// Bonded bodies are one body. A body is out of equilibrium if more than a hundredth of its weight stays unbalanced.
+/// Returns one entry for each body.
 std::vector<bool> outOfEquilibrium(const std::vector<SupportedBody>& bodies, const std::vector<SupportPoint>& points,
                                    const Vector3& gravity, double friction);
 

@@ -51,7 +51,7 @@ RuleValue ruleValue(const AttributeValue& value) {
   return std::get<std::string>(value);
 }
 
-/// As any body has it.
+/// The type of the attribute at the first body that has it.
 std::optional<RuleType> typeOfAttribute(const std::string& name, const std::map<std::string, Attributes>& attributes) {
   for (const auto& [id, own] : attributes) {
     const auto known = own.find(name);

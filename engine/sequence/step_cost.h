@@ -8,24 +8,24 @@
 
 namespace glissade {
 
-/// What is known of a step that costs are asked of.
+/// Figures of a step from which its cost is computed.
 struct StepFigures {
-  double length = 0.0;           ///< of the path, by the diagonal of the product's box
+  double length = 0.0;           ///< length of the path, divided by the diagonal of the product's box
   double turns = 0.0;            ///< full turns of the path
-  bool directionChange = false;  ///< it ends in another direction than the step before, or is the first one
-  bool toolChange = false;       ///< another tool than in the step before, or it is the first one
-  double falling = 0.0;          ///< bodies that would tip or fall: without support
-  double bodies = 1.0;           ///< that leave
-  double mass = 0.0;             ///< of all of them, kg
-  bool fragile = false;          ///< one of them is
-  std::string id;                ///< of the first one, for its attributes
-  bool toolBlocked = false;      ///< no tool that turns the fastener can be brought on
-  bool taskChange = false;       ///< the step before is of another task, or it is the first one
-  double assemblyChange = 0.0;   ///< levels of the file's tree that it does not share with the step before, as a share
-  double distance = 0.0;         ///< from where the step before was, by the diagonal of the product's box
-  double size = 0.0;             ///< of the boxes of the bodies that leave, by that of the product
-  double early = 0.0;            ///< share of the steps that are still to come
-  double turnOver = 0.0;         ///< 1: it ends upwards and the step before downwards, or the reverse; 0.5: to a side
+  bool directionChange = false;  ///< the end direction differs from that of the step before, or it is the first step
+  bool toolChange = false;       ///< the tool differs from that of the step before, or it is the first step
+  double falling = 0.0;          ///< number of bodies that would tip or fall
+  double bodies = 1.0;           ///< number of bodies that leave
+  double mass = 0.0;             ///< mass of the bodies that leave, kg
+  bool fragile = false;          ///< one of the bodies that leave is fragile
+  std::string id;                ///< id of the first body that leaves, for its attributes
+  bool toolBlocked = false;      ///< no tool that turns the fastener has access
+  bool taskChange = false;       ///< the step before is of another task, or it is the first step
+  double assemblyChange = 0.0;   ///< share of the levels of the file's tree that it does not share with the step before
+  double distance = 0.0;  ///< distance from the place of the step before, divided by the diagonal of the product's box
+  double size = 0.0;      ///< size of the boxes of the bodies that leave, divided by that of the product's box
+  double early = 0.0;     ///< share of the steps that come later
+  double turnOver = 0.0;  ///< 1: it ends upwards and the step before downwards, or the reverse; 0.5: one ends sideways
 };
 
 /// An expression with a name.
@@ -38,18 +38,18 @@ struct StepCostPreset {
 /// "fitter" (the usual one), "balanced", "steady", "few-tools", "short", "fragile-first", "as-found".
 std::vector<StepCostPreset> stepCostPresets();
 
-/// What a step costs, as an expression that a user can read and change, in the language of the rules of coarse
+/// The cost of a step, as an expression that a user can read and change, in the language of the rules of coarse
 /// planning (see Expression). Names: length, turns, direction_change, turn_over, tool_change, falling, bodies, mass,
 /// fragile, tool_blocked, task_change, assembly_change, distance, size, early, and body.<attribute> of the first body
-/// that leaves. Costs below zero, and those that are no number, count as 0.
+/// that leaves. Costs that are negative or no number count as 0.
 class StepCost {
  public:
-  /// `demands.cost`: a preset's id, an expression, or empty. Errors, MalformedInput at /sequence/cost: what does not
-  /// parse, an unknown name.
+  /// `demands.cost`: a preset's id, an expression, or empty. Errors, MalformedInput at /sequence/cost: a syntax error,
+  /// an unknown name.
   static Result<StepCost> of(const SequenceDemands& demands);
 
   double of(const StepFigures& figures) const;
-  /// The expression names this figure.
+  /// True if the expression names this figure.
   bool uses(const std::string& figure) const { return text().find(figure) != std::string::npos; }
   const std::string& text() const { return expression_.text(); }
 

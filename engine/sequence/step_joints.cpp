@@ -10,7 +10,7 @@
 namespace glissade {
 namespace {
 
-/// Of those that are there: a group that is taken apart does not know the others.
+/// The ids of the bodies that are there: in the line of a group the other bodies do not exist.
 std::vector<std::string> idsOf(const std::vector<std::size_t>& bodies, const BodySet& present,
                                const AssembledProduct& product) {
   BodyGroup there;
@@ -37,7 +37,7 @@ StepJoint stepJoint(const Joint& joint, const BodySet& present, const AssembledP
   return own;
 }
 
-/// Of the joints without a thread: the body leaves, and something that it is joined to stays.
+/// True for a joint without a thread whose body leaves while a body that it is joined to stays.
 bool isLeft(const Joint& joint, const BodyGroup& group, const BodySet& others) {
   return !isScrewed(joint.kind) && std::binary_search(group.begin(), group.end(), joint.body) &&
          std::any_of(joint.others.begin(), joint.others.end(), [&](std::size_t other) { return others[other]; });
@@ -69,7 +69,7 @@ double turnsOf(const std::vector<PathPoint>& path) {
 void addJoints(AssemblyPlan& plan, const SequenceQuestion& question) {
   if (question.joints == nullptr) return;
   BodySet present = question.initial();
-  std::map<std::size_t, std::vector<std::size_t>> tasks;  // indices of their steps
+  std::map<std::size_t, std::vector<std::size_t>> tasks;  // indices of the steps of each task
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
     const BodyGroup group = groupOf(plan.steps[i], question.product);
     plan.steps[i].joints = jointsOf(plan.steps[i], group, present, question);

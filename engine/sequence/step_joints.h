@@ -4,11 +4,11 @@
 
 namespace glissade {
 
-/// Says of each step of the plan which joints come apart by it, how far it turns, and which steps are one task.
-/// Nothing where the question has no joints.
+/// Adds to each step of the plan the joints that come apart by it, its turns and its task. Does nothing if the question
+/// has no joints.
 void addJoints(AssemblyPlan& plan, const SequenceQuestion& question);
 
-/// Turns about the axis of the path, whatever their sense: of one that turns about one axis.
+/// Sum of the turns along a path that turns about one axis, without regard to their sense.
 double turnsOf(const std::vector<PathPoint>& path);
 
 }  // namespace glissade

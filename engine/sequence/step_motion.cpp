@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kLeastLength = 1e-7;    ///< metres
 constexpr double kLeastTurn = 1e-5;      ///< radians
-constexpr double kNearlySameWay = 0.02;  ///< of unit vectors
+constexpr double kNearlySameWay = 0.02;  ///< distance of unit vectors
 
 MotionLeg legOf(const Pose& from, const Pose& to) {
   MotionLeg leg;

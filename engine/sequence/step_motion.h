@@ -19,16 +19,16 @@ struct MotionLeg {
 /// The motion as legs: consecutive edges of the same direction and axis are one.
 std::vector<MotionLeg> legsOf(const std::vector<PathPoint>& path);
 
-/// The same motion from its end to its beginning.
+/// The legs of the motion from its end to its beginning.
 std::vector<MotionLeg> reversed(const std::vector<MotionLeg>& legs);
 
 /// Unit direction in which the motion begins; zero where it only turns.
 Vector3 firstDirection(const std::vector<PathPoint>& path);
 
-/// Unit direction from the first to the last position; nothing has moved: up.
+/// Unit direction from the first to the last position; up if they are equal.
 Vector3 exitDirection(const std::vector<PathPoint>& path);
 
-/// Unit vector of "+x", "-x", "+y", "-y", "+z" or "-z"; nothing where the text is none of these.
+/// Unit vector of "+x", "-x", "+y", "-y", "+z" or "-z"; nothing for another text.
 std::optional<Vector3> axisNamed(std::string_view text);
 
 }  // namespace glissade

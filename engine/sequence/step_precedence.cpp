@@ -9,13 +9,13 @@
 namespace glissade {
 namespace {
 
-/// Of the step with this index.
+/// Lets the step with this index depend on all earlier ones.
 void demandAllEarlier(AssemblyStep& step, std::size_t index) {
   step.after.resize(index);
   std::iota(step.after.begin(), step.after.end(), std::size_t{1});
 }
 
-/// Steps that are carried out before each step in any order, by number from 1.
+/// For each step, the steps that come before it in every order, by number from 1.
 std::vector<std::set<std::size_t>> allBefore(const AssemblyPlan& plan) {
   std::vector<std::set<std::size_t>> before;
   for (const AssemblyStep& step : plan.steps) {
@@ -34,8 +34,8 @@ bool isStated(const AssemblyStep& step, const BodyFit& fit, const AssembledProdu
   });
 }
 
-/// Allowances against bodies that leave earlier in the plan, and may leave later in another order, are added; those
-/// against bodies that have left in any order go.
+/// Adds allowances against bodies that leave earlier in the plan and may leave later in another order; removes those
+/// against bodies that have left in every order.
 void stateAllowancesOfAllOrders(AssemblyPlan& plan, const std::vector<BodyGroup>& groups,
                                 const SequenceQuestion& question) {
   const AssembledProduct& product = question.product;
@@ -58,8 +58,8 @@ void stateAllowancesOfAllOrders(AssemblyPlan& plan, const std::vector<BodyGroup>
   }
 }
 
-/// Threads come apart by the earlier one of the two steps, and what is clamped stays until then. `stepOf`: by number
-/// from 1 of each body; 0: it does not leave. Steps that the step `number` is after.
+/// Adds the earlier steps that open the joints of step `number`: a thread comes apart by the earlier of the two steps,
+/// and a clamped part stays until then. `stepOf`: number of the step of each body, from 1; 0: it does not leave.
 void addJointPrecedence(const JointRules& rules, const std::vector<std::size_t>& stepOf, std::size_t number,
                         std::set<std::size_t>& after) {
   const auto addEarlier = [&](std::size_t step) {
@@ -82,7 +82,7 @@ void addJointPrecedence(const JointRules& rules, const std::vector<std::size_t>&
   }
 }
 
-/// Of a flexible body: steps whose bodies its box meets. What nothing is proved of keeps its place.
+/// A flexible body, which has no proof, leaves after the earlier bodies whose boxes meet its box.
 void addFlexiblePrecedence(std::size_t step, const std::vector<BodyGroup>& groups, const AssembledProduct& product,
                            std::set<std::size_t>& after) {
   BodySet own(product.bodies.size(), false);

@@ -4,12 +4,12 @@
 
 namespace glissade {
 
-/// Finds for every step which steps have to be carried out before: those of bodies that would be in the way of its
-/// motion, and those that rules ask for and that are earlier. After a stop: all earlier ones. The others may be carried
-/// out later: the step states its allowances against their bodies, too.
+/// Finds for every step the steps that have to be carried out before it: those of bodies that would block its motion,
+/// and earlier ones that rules demand. After a stop: all earlier ones. The other steps may be carried out later: the
+/// step also states its allowances against their bodies.
 void addPrecedence(AssemblyPlan& plan, const SequenceQuestion& question, SequenceHost& host);
 
-/// The same where nobody asks: all earlier ones.
+/// Lets each step depend on all earlier ones, without trials.
 void demandAllEarlier(AssemblyPlan& plan);
 
 }  // namespace glissade

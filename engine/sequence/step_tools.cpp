@@ -12,13 +12,13 @@
 namespace glissade {
 namespace {
 
-/// A tool where it turns the fastener, with what its handle sweeps, and while it is brought on.
+/// A tool in place, with the volume that its handle sweeps, and while it is brought on.
 struct ToolMesh {
   MeshPtr inPlace;
   MeshPtr entering;
 };
 
-/// The meshes of the tools of a plan, each once: twins have the same.
+/// The meshes of the tools of a plan, each once: bodies with the same mesh share them.
 class ToolMeshes {
  public:
   ToolMeshes(const AssemblyPlan& plan, const SequenceQuestion& question) {
@@ -38,7 +38,7 @@ class ToolMeshes {
     }
   }
 
-  /// Null where the body has none.
+  /// Null if the body has none.
   const FastenerHead* head(const MeshPtr& mesh) const {
     const auto known = heads_.find(mesh);
     return known != heads_.end() && known->second ? &*known->second : nullptr;
@@ -64,18 +64,18 @@ Blockers presentOf(const Blockers& blockers, const BodySet& there) {
 
 }  // namespace
 
-/// What is in the way in one position of a handle, whoever is there: found where it is asked for.
+/// Bodies of the whole product that block one position of a handle; computed on demand.
 struct ToolFacts::Position {
   std::optional<Blockers> inPlace{};
-  std::vector<std::optional<Blockers>> ways{};  ///< to bring the tool on
+  std::vector<std::optional<Blockers>> ways{};  ///< blockers on each way to bring the tool on
 };
 
-/// Of one tool at the head of one step.
+/// One tool at the head of one step.
 struct ToolFacts::Tool {
   ToolUse use;
   ToolMesh mesh;
-  std::vector<std::size_t> others;  ///< all bodies but what is turned and what leaves
-  std::vector<Pose> frames;         ///< of the positions of its handle
+  std::vector<std::size_t> others;  ///< all bodies except the turned one and those that leave
+  std::vector<Pose> frames;         ///< frame of the tool for each position of its handle
   std::vector<Vector3> offWays;
   std::vector<Position> positions{};
 };
@@ -114,7 +114,7 @@ ToolFacts::ToolFacts(const AssemblyPlan& plan, const SequenceQuestion& question)
 
 ToolFacts::~ToolFacts() = default;
 
-/// Not kept after a stop.
+/// The result is not stored after a stop.
 std::vector<std::size_t> ToolFacts::blocking(std::optional<std::vector<std::size_t>>& fact, const Placing& placing,
                                              const Tool& tool, const BodySet& there, const StopToken& stop) {
   if (fact) return presentOf(*fact, there);
@@ -124,7 +124,7 @@ std::vector<std::size_t> ToolFacts::blocking(std::optional<std::vector<std::size
   return present;
 }
 
-/// What is in the way of a tool that is in place in this position, or else of the best way to bring it on.
+/// Bodies that block the tool in place in this position, or else on the best way to bring it on.
 std::vector<std::size_t> ToolFacts::blockersAt(std::size_t position, Tool& tool, const BodySet& there,
                                                const StopToken& stop) {
   const Pose& X_WT = tool.frames[position];

@@ -8,8 +8,8 @@
 
 namespace glissade {
 
-/// Whether tools can be brought on to the fasteners of a plan's steps, whoever is there: which bodies are in the way of
-/// a tool in one position is a fact about the tool and each body, and found at most once. Refers to the question.
+/// Finds whether tools have access to the fasteners of a plan's steps. The bodies that block a tool in one position do
+/// not depend on the order of steps, and are found at most once. Refers to the question.
 class ToolFacts {
  public:
   ToolFacts(const AssemblyPlan& plan, const SequenceQuestion& question);
@@ -17,17 +17,17 @@ class ToolFacts {
   ToolFacts(const ToolFacts&) = delete;
   ToolFacts& operator=(const ToolFacts&) = delete;
 
-  /// The tools of the body are tried in their order, each with its handle in all positions, against those of `there`,
-  /// what is turned excepted. The first that nothing blocks; where all are blocked the preferred one, with the fewest
-  /// bodies in its way. Nothing after a stop, and where the step needs no tool or its body has no head. `step`: its
-  /// index. May be called from several threads at a time, for different steps.
+  /// Tries the tools of the step's body in their order, each with its handle in all positions, against the bodies of
+  /// `there` without the turned one. Returns the first tool that nothing blocks; if all are blocked, the preferred one
+  /// in the position with the fewest blocking bodies. Nothing after a stop, and if the step needs no tool or its body
+  /// has no head. `step`: its index. May be called from several threads at a time, for different steps.
   std::optional<StepTool> toolOf(std::size_t step, const BodySet& there, const StopToken& stop);
 
  private:
   struct Position;
   struct Tool;
   struct Step;
-  /// A mesh that is moved straight.
+  /// A mesh that moves along a straight line.
   struct Placing {
     MeshPtr mesh;
     std::pair<Pose, Pose> motion;
@@ -40,8 +40,8 @@ class ToolFacts {
   std::vector<Step> steps_;
 };
 
-/// Finds for each step of a fastener whether a tool can be brought on at its beginning, while those are there that the
-/// steps before it have left: see ToolFacts::toolOf().
+/// Finds for each step of a fastener whether a tool has access at its beginning, while the bodies that earlier steps
+/// have left are there: see ToolFacts::toolOf().
 void addTools(AssemblyPlan& plan, const SequenceQuestion& question, SequenceHost& host);
 
 }  // namespace glissade

@@ -9,23 +9,23 @@
 namespace glissade {
 namespace {
 
-/// From the corner at the front on the left, above.
+/// Direction to the first corner: front, left, above.
 const Vector3 kFirstCorner(-1.0, -1.2, 0.9);
-/// How much another viewpoint counts beside the one before, by what it asks of the person.
+/// Factors of the scores of other viewpoints, by the effort of turning the product.
 constexpr double kQuarterTurn = 0.9;
 constexpr double kHalfTurn = 0.85;
 constexpr double kTurnOver = 0.8;
-/// The viewpoint stays while its score is so much of the best one.
+/// The viewpoint is kept if its score is at least this share of the best one.
 constexpr double kGoodEnough = 0.6;
-/// Points of a surface that are looked at.
+/// Number of surface points that are tested for visibility.
 constexpr std::size_t kSamples = 160;
-/// How much a motion counts that is seen from the side.
+/// Weight of a motion that is seen from the side.
 constexpr double kMotionShare = 0.4;
-/// How much a viewpoint counts in which the part would have to be brought from below.
+/// Factor of a viewpoint in which the part would have to be brought from below.
 constexpr double kFromBelow = 0.5;
 constexpr double kSteep = 0.7;  // sine of the slope of such a motion
 
-/// A person looks from elsewhere where less of a part is seen, and clearly more is seen from there.
+/// Another direction is chosen if the visible share of a part is below kWellSeen and grows by the factor kClearlyMore.
 constexpr double kWellSeen = 0.3;
 constexpr double kClearlyMore = 1.5;
 constexpr double kLeastSeen = 0.02;
@@ -36,7 +36,7 @@ struct SurfacePoint {
   double area;
 };
 
-/// Middles of triangles, about evenly over the surface.
+/// Centres of triangles, spread roughly evenly over the surface.
 std::vector<SurfacePoint> surfacePoints(const RigidBody& body) {
   const TriangleMesh& mesh = *body.mesh;
   const std::size_t stride = std::max<std::size_t>(1, mesh.triangles.size() / kSamples);
@@ -107,7 +107,7 @@ double StepView::shareSeen(std::size_t body, const BodySet& present, const Vecto
   return whole > 0.0 ? visible / whole : 0.0;
 }
 
-/// Of the steps, the mean: how much of their bodies is seen, and their motion from the side.
+/// Mean score of the steps: the visible share of their bodies, and their motion as seen from the side.
 double StepView::score(const std::vector<AssemblyStep>& steps, const BodySet& present, const Viewpoint& from) {
   double sum = 0.0;
   for (const AssemblyStep& step : steps) {

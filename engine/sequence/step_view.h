@@ -10,33 +10,32 @@
 
 namespace glissade {
 
-/// From where a product is looked at: one of eight corners. Where the product is turned over, its underside is up.
+/// A direction of view on a product: from one of eight corners. For a product that is turned over, its underside is up.
 struct Viewpoint {
   int quarter = 0;  ///< quarter turns of the eye about +z, from 0 to 3
   bool turnedOver = false;
 
   /// Unit direction from the product to the eye, world frame.
   Vector3 toEye() const;
-  /// World frame; not perpendicular to toEye().
+  /// Upward direction of the picture, world frame; not perpendicular to toEye().
   Vector3 up() const;
 
   bool operator==(const Viewpoint&) const = default;
 };
 
-/// Chooses from where steps of a plan are looked at. Refers to the product.
+/// Chooses viewpoints for steps of a plan. Refers to the product.
 class StepView {
  public:
   explicit StepView(const AssembledProduct& product) : product_(product) {}
 
-  /// The viewpoint of the step before, unless another one shows the bodies that come much better: then the one that
+  /// Keeps the viewpoint of the step before unless another one shows the coming bodies much better. The other viewpoint
   /// shows most of them where they are assembled, and their motion from the side and not from below, with few turns of
-  /// the product.
-  /// `steps`: what comes; `present`: all bodies that are there then, those that come among them.
+  /// the product. `steps`: the coming steps; `present`: all bodies that are there then, including the coming ones.
   Viewpoint choose(const std::vector<AssemblyStep>& steps, const BodySet& present, const Viewpoint& before);
-  /// The direction to an eye from which the bodies of a step are seen where they are assembled: of the viewpoints the
-  /// one that shows most of them. Nothing where most is seen already, or no viewpoint shows clearly more.
+  /// The viewpoint's direction from which most of the step's first body, assembled, is visible. Nothing if enough of it
+  /// is visible from `toEye`, or no viewpoint shows clearly more.
   std::optional<Vector3> betterEye(const AssemblyStep& step, const BodySet& present, const Vector3& toEye);
-  /// Share of the surface that faces the eye which no other body hides, from 0 to 1. `toEye` is a unit vector.
+  /// Share of the surface facing the eye that no other body hides, from 0 to 1. `toEye` is a unit vector.
   double shareSeen(std::size_t body, const BodySet& present, const Vector3& toEye);
 
  private:

@@ -12,12 +12,12 @@ class StepWay {
  public:
   StepWay(const AssemblyStep& step, const RigidBody& firstBody);
 
-  /// Metres, with turns as the metric counts them.
+  /// Length in the metric of the first body, metres.
   double length() const { return arrival_.empty() ? 0.0 : arrival_.back(); }
   /// The radius of the metric, metres.
   double radius() const { return radius_; }
-  /// After so much of the way, from 0 to length(): a body of the step stands at movedAt(way) * X_WB, where X_WB is the
-  /// assembled configuration.
+  /// Displacement after this length, from 0 to length(): a body of the step is at movedAt(way) * X_WB, where X_WB is
+  /// its assembled pose.
   Pose movedAt(double way) const;
 
  private:

@@ -39,7 +39,7 @@ RemovalAnswer StraightRemoval::tryRemoval(const BodyGroup& group, const BodySet&
       if (path.certificate.status == CertificateStatus::Certified) {
         return Removed{std::move(path), "straight", fits_.fitsOf(group, present)};
       }
-      // Each of the others allows for the motion, but it could not be proved of them together.
+      // No single body blocks the motion, but it was not proved against all of them together.
       const int nearest = path.certificate.nearest.body;
       if (nearest >= 0 && !stop.stopRequested()) {
         blocker = static_cast<std::size_t>(nearest);
@@ -73,7 +73,7 @@ std::vector<BodyGroup> StraightRemoval::groups(const GroupQuestion& question,
   return smallestDisjoint(std::move(found), [&](const BodyGroup& group) { return boxVolume(product_, group); });
 }
 
-/// The lines of all bodies along the direction are known.
+/// Precondition: the lines of all bodies along the direction are known.
 std::vector<BodyGroup> StraightRemoval::groupsAlong(const Vector3& direction, const GroupQuestion& question,
                                                     const std::set<std::pair<std::size_t, std::size_t>>& linked,
                                                     const StopToken& stop) {
@@ -130,8 +130,8 @@ StraightRemoval::Line StraightRemoval::newLine(std::size_t body, const Box3& oth
   return line;
 }
 
-/// Those of its bodies, no two alike; that of a twin of the first one before all. A twin's direction may be none of
-/// the body's own: then it is not tried, so that the answer does not depend on what was learned earlier.
+/// The directions of the group's bodies, without duplicates. A direction that was learned from a congruent body comes
+/// first if it is among them; else it is not tried, so that the answer does not depend on what was learned earlier.
 std::vector<Vector3> StraightRemoval::directionsOf(const BodyGroup& group) {
   std::vector<Vector3> directions;
   for (const std::size_t body : group) {
@@ -151,7 +151,7 @@ std::vector<Vector3> StraightRemoval::directionsOf(const BodyGroup& group) {
   return directions;
 }
 
-/// Nothing where nobody blocks it, or after a stop.
+/// Nothing if no body blocks the line, or after a stop.
 std::optional<std::size_t> StraightRemoval::blockerOf(const BodyGroup& group, const Vector3& direction,
                                                       const BodySet& others, const StopToken& stop) {
   for (const std::size_t body : group) {
@@ -175,7 +175,7 @@ std::optional<std::size_t> StraightRemoval::blockerOf(std::size_t body, Line& li
   return std::nullopt;
 }
 
-/// Not kept after a stop.
+/// The answer is not stored after a stop.
 bool StraightRemoval::isBlocking(std::size_t other, std::size_t body, Line& line, const StopToken& stop) {
   const Blocking known = line.blockedBy[other];
   if (known != Blocking::Unknown) return known == Blocking::Yes;
@@ -197,7 +197,7 @@ bool StraightRemoval::isBlocking(std::size_t other, std::size_t body, Line& line
   return blocks;
 }
 
-/// A body that is out of the box of all others stays so when it goes on.
+/// A body that is out of the box of all others stays out when it moves further.
 Path StraightRemoval::certified(const BodyGroup& group, const Vector3& direction, const BodySet& present,
                                 const StopToken& stop) {
   const MotionWorld motion = worlds_.world(group, present);

@@ -13,41 +13,42 @@
 
 namespace glissade {
 
-/// Removal along straight lines. Whether a body blocks a line of another one is a fact about the two, found at most
-/// once: the blocking graph of the product for these lines, filled where it is asked. So an answer holds whoever else
-/// leaves. A group leaves along a line where nobody outside of it blocks the line of one of its bodies: the smallest
-/// group is all that can be reached in the graph (Wilson and Latombe 1994).
+/// Removal along straight lines. Whether a body blocks a line of another body depends on these two only, and is found
+/// at most once: the lines form the blocking graph of the product, whose edges are computed on demand. The answer
+/// therefore holds in every order of removals. A group leaves along a line if no body outside of it blocks the line of
+/// one of its bodies; the smallest such group contains all bodies that can be reached in the graph (Wilson and Latombe
+/// 1994).
 class StraightRemoval {
  public:
-  /// Refers to all. `threads`: no line pulls them; null: there are none.
+  /// Refers to all arguments. `threads`: no line pulls them; null: there are none.
   StraightRemoval(const AssembledProduct& product, const ProductFits& fits, MotionWorlds& worlds,
                   const ThreadDemands* threads);
 
-  /// As RemovalTrial::tryRemoval().
+  /// See RemovalTrial::tryRemoval().
   RemovalAnswer tryRemoval(const BodyGroup& group, const BodySet& present, const StopToken& stop);
-  /// As RemovalTrial::groupsAlongLines(). `links`: pairs of bodies that are there; the second one does not leave unless
-  /// the first one does.
+  /// See RemovalTrial::groupsAlongLines(). `links`: pairs of present bodies; the second one leaves only together with
+  /// the first one.
   std::vector<BodyGroup> groups(const GroupQuestion& question,
                                 const std::vector<std::pair<std::size_t, std::size_t>>& links, ThreadTeam& team,
                                 const StopToken& stop);
-  /// Bodies of the same geometry try the line of this one first.
+  /// Bodies of the same geometry will try this path's direction first.
   void learn(const BodyGroup& group, const std::vector<PathPoint>& path);
 
  private:
   enum class Blocking : unsigned char { Unknown, No, Yes };
-  /// A line of a body, and who blocks it.
+  /// A line of a body, and the bodies that block it.
   struct Line {
     Vector3 direction;
-    Vector3 way;                                   ///< until the body is out of the bounding box of all others
-    Box3 swept;                                    ///< holds the body on all of the line
+    Vector3 way;  ///< displacement that moves the body out of the bounding box of all others
+    Box3 swept;   ///< box that contains the body along the whole line
     std::vector<std::atomic<Blocking>> blockedBy;  ///< set by any thread
   };
   struct Lines {
     bool known = false;
-    Box3 others;                     ///< of all other bodies
-    std::size_t own = 0;             ///< the first of `lines`, which are tried; the others were asked for by groups
+    Box3 others;                     ///< box of all other bodies
+    std::size_t own = 0;             ///< number of leading `lines` that are tried; the others were added for groups
     std::deque<Line> lines;          ///< never moved
-    std::vector<std::size_t> order;  ///< others, those that it fits first
+    std::vector<std::size_t> order;  ///< other bodies, those with a fit first
   };
   Lines& linesOf(std::size_t body);
   Line& lineAlong(std::size_t body, const Vector3& direction);
@@ -66,8 +67,8 @@ class StraightRemoval {
   const ProductFits& fits_;
   MotionWorlds& worlds_;
   const ThreadDemands* threads_;
-  std::vector<Lines> lines_;            ///< of each body
-  std::map<MeshPtr, Vector3> learned_;  ///< in the body's frame, the last one
+  std::vector<Lines> lines_;            ///< one entry for each body
+  std::map<MeshPtr, Vector3> learned_;  ///< last exit direction of each mesh, in the body's frame
 };
 
 }  // namespace glissade

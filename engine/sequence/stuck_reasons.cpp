@@ -57,7 +57,7 @@ std::string StuckReasons::withoutAdvice(std::size_t body, const std::vector<std:
   return "no motion was found, alone or with others";
 }
 
-/// Bodies of one unit are in the way, and nothing else.
+/// True if all blocking bodies, at least two, belong to one other unit.
 bool StuckReasons::isCaged(const BodyGroup& unit, const std::set<std::size_t>& blocking) const {
   if (question_.joints == nullptr || blocking.size() < 2) return false;
   for (const BodyGroup& bonded : question_.joints->bonded()) {
@@ -66,7 +66,8 @@ bool StuckReasons::isCaged(const BodyGroup& unit, const std::set<std::size_t>& b
   return false;
 }
 
-/// "held by 4 screws M3x8: remove these first", and why these do not leave; empty where no joint holds the unit.
+/// "held by 4 screws M3x8: remove these first", and the reason why these do not leave; empty if no joint holds the
+/// unit.
 std::string StuckReasons::ofJoints(const BodyGroup& unit) const {
   if (question_.joints == nullptr) return {};
   const std::vector<std::size_t> joints = question_.joints->holding(unit, present_, false);
@@ -79,7 +80,7 @@ std::string StuckReasons::ofJoints(const BodyGroup& unit) const {
   return reason;
 }
 
-/// It is in a thread, and cannot be turned out; empty where it is in none.
+/// Says that the unit is in a thread and cannot be turned out; empty if it is in none.
 std::string StuckReasons::ofTurns(const BodyGroup& unit) const {
   if (question_.joints == nullptr) return {};
   const std::vector<std::size_t> opened = question_.joints->opened(unit, present_);
@@ -89,7 +90,7 @@ std::string StuckReasons::ofTurns(const BodyGroup& unit) const {
          ", and no free turn out of it was found: free the way, or dissolve the joint";
 }
 
-/// The deepest clash with what is there; empty where there is none.
+/// Names the deepest clash with a present body; empty if there is none.
 std::string StuckReasons::ofClashes(const BodyGroup& unit) const {
   if (question_.fits == nullptr) return {};
   const Fit* deepest = nullptr;
@@ -100,7 +101,7 @@ std::string StuckReasons::ofClashes(const BodyGroup& unit) const {
     }
   }
   if (deepest == nullptr) return {};
-  // Of bodies that only touch, the table of fits says why nothing gives way.
+  // If the bodies only touch, the table of fits says why none is thinned.
   constexpr double kOverlap = 1e-5;
   const std::string depth = deepest->overlap < kOverlap ? "" : " (" + depthInMillimetres(deepest->overlap) + ")";
   return "it and " + name(deepest->obstacle) + " clash where they are assembled" + depth +
@@ -117,7 +118,7 @@ bool StuckReasons::isBlockedBy(const BodyGroup& unit, const BodyGroup& others) c
   });
 }
 
-/// The other one, which is in the way of the body, was refused by the body.
+/// True if `body` blocks the unit of `other`, which blocks `body`.
 bool StuckReasons::holdEachOther(std::size_t body, std::size_t other) const {
   return isBlockedBy(unitOf(other, question_.rules), {body});
 }

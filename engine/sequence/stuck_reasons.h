@@ -9,23 +9,23 @@
 
 namespace glissade {
 
-/// A group that was asked, and did not leave.
+/// A group whose removal was tried and refused.
 struct Refusal {
   std::vector<std::size_t> blockedBy;
-  std::size_t afterSteps = 0;  ///< asked when these had been carried out
+  std::size_t afterSteps = 0;  ///< number of steps that had been carried out before the trial
 };
-using Refusals = std::map<BodyGroup, std::map<int, Refusal>>;  ///< by effort
+using Refusals = std::map<BodyGroup, std::map<int, Refusal>>;  ///< refusals of each group by effort
 
-/// The bodies that leave with this one because a person or a joint says so; itself where nobody does.
+/// The body with those that leave together with it by a person's demand or a joint; itself alone if there are none.
 BodyGroup unitOf(std::size_t body, const OrderRules& rules);
 
-/// Why bodies stay where a search has ended, for people. Refers to all.
+/// Explains, for people, why bodies did not leave in a finished search. Refers to all arguments.
 class StuckReasons {
  public:
   StuckReasons(const SequenceQuestion& question, const BodySet& present, const Refusals& refusals)
       : question_(question), present_(present), refusals_(refusals) {}
 
-  /// `holding`: bodies that are demanded to leave before it; `blocking`: those that are in its way.
+  /// `holding`: bodies that are demanded to leave before it; `blocking`: bodies that block its motion.
   std::string of(std::size_t body, const std::vector<std::size_t>& holding,
                  const std::set<std::size_t>& blocking) const;
 

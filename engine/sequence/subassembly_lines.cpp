@@ -11,17 +11,17 @@
 namespace glissade {
 namespace {
 
-/// Searches of lines: the shortest one.
+/// Limit of the efforts in lines: no search but the shortest one.
 constexpr int kLineEfforts = 2;
 
-/// The same answers without the longer searches.
+/// Forwards to another trial, without its longer searches.
 class ShortTrial final : public ForwardingTrial {
  public:
   using ForwardingTrial::ForwardingTrial;
   int efforts() const override { return std::min(kLineEfforts, ForwardingTrial::efforts()); }
 };
 
-/// Passes on but the plan so far: a line is no plan that can be resumed.
+/// Forwards to another host, except the plan so far: a line cannot be resumed.
 class LineHost final : public SequenceHost {
  public:
   explicit LineHost(SequenceHost& host) : host_(host) {}
@@ -34,7 +34,7 @@ class LineHost final : public SequenceHost {
   SequenceHost& host_;
 };
 
-/// The unit of the group that a body is in.
+/// The unit of the group that contains the body.
 BodyGroup unitIn(std::size_t body, const JointRules* joints) {
   if (joints != nullptr) {
     for (const BodyGroup& unit : joints->bonded()) {
@@ -50,7 +50,7 @@ std::size_t largestIn(const BodyGroup& group, const AssembledProduct& product) {
   });
 }
 
-/// What a person demands of places and of what leaves as one is about the whole product.
+/// Demands on places and on groups that leave together concern the whole product, and do not hold in a line.
 OrderRules rulesOf(const SequenceQuestion& question, const BodySet& there) {
   OrderRules rules = question.rules;
   rules.placed.clear();
@@ -63,7 +63,7 @@ OrderRules rulesOf(const SequenceQuestion& question, const BodySet& there) {
   return rules;
 }
 
-/// The question about a group. What stands is not asked: a group is held as it is handy.
+/// The question about a group. Support is not checked: a worker may hold a group in any pose.
 SequenceQuestion questionOf(const BodyGroup& group, const SequenceQuestion& question, RemovalTrial& trial) {
   BodySet there(question.product.bodies.size(), false);
   BodySet staying = there;
@@ -88,7 +88,7 @@ SequenceQuestion questionOf(const BodyGroup& group, const SequenceQuestion& ques
 SubassemblyLine lineOf(const BodyGroup& group, const SequenceQuestion& question, RemovalTrial& trial,
                        SequenceHost& host);
 
-/// Of the groups among the steps that are no units. Marks the units.
+/// The lines of groups among the steps that are no units. Marks the units.
 std::vector<SubassemblyLine> linesOf(std::vector<AssemblyStep>& steps, const SequenceQuestion& question,
                                      RemovalTrial& trial, SequenceHost& host) {
   std::vector<SubassemblyLine> lines;

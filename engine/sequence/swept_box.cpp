@@ -4,7 +4,7 @@
 
 namespace glissade {
 
-/// A motion that does not turn holds a box at its ends; another one stays within the radius about its reference point.
+/// A translation is enclosed by the boxes at its ends; any other motion by the radius about the reference point.
 Box3 sweptBox(const TriangleMesh& mesh, const std::vector<Pose>& path) {
   const Vector3 radius = Vector3::Constant(radiusAboutOrigin(mesh) * (1.0 + 1e-9));
   Box3 box;

@@ -6,7 +6,7 @@
 
 namespace glissade {
 
-/// A box that holds the mesh on all of the path of its frame: straight motions between configurations.
+/// A box that contains the mesh along the path of its frame, with straight motions between configurations.
 Box3 sweptBox(const TriangleMesh& mesh, const std::vector<Pose>& path);
 
 }  // namespace glissade

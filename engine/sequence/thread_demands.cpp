@@ -11,7 +11,7 @@ namespace {
 
 using BodyPair = std::pair<std::size_t, std::size_t>;
 
-/// What a person has dissolved, or has pressed out; what is said last of a pair counts.
+/// Pairs whose joint a person has dissolved or pressed out; the last statement about a pair counts.
 std::set<BodyPair> partedBy(const std::vector<JointEdit>& edits, const AssembledProduct& product) {
   std::set<BodyPair> parted;
   for (const JointEdit& edit : edits) {

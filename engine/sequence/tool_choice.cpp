@@ -9,10 +9,10 @@ namespace glissade {
 namespace {
 
 constexpr std::array<const char*, 5> kToolNames{"none", "hex_key", "socket", "screwdriver", "open_wrench"};
-/// Head height by shaft radius from which a round head is that of a socket head screw (ISO 4762: 2).
+/// Least ratio of head height to shaft radius for a round head to be that of a socket head screw (ISO 4762: 2).
 constexpr double kSocketHead = 1.6;
 
-/// Empty where the drive is not known.
+/// Empty if the drive is not known.
 std::vector<ToolKind> toolsByDrive(DriveKind drive) {
   switch (drive) {
     case DriveKind::HexOutside: return {ToolKind::Socket, ToolKind::OpenWrench};
@@ -25,7 +25,7 @@ std::vector<ToolKind> toolsByDrive(DriveKind drive) {
   return {};
 }
 
-/// Of a fastener whose shape is all that is known.
+/// Tools for a fastener of which only the shape is known.
 std::vector<ToolKind> toolsByShape(const ProductShapes& shapes, std::size_t body, FastenerKind kind) {
   if (kind == FastenerKind::Nut) return {ToolKind::Socket, ToolKind::OpenWrench};
   if (kind != FastenerKind::Screw) return {};
@@ -44,8 +44,8 @@ std::vector<ToolUse> usesOf(const std::vector<ToolKind>& tools, std::size_t turn
   return uses;
 }
 
-/// A bolt in a nut leaves when the nut has been turned off: it needs no tool then. The nut comes off, too, where it is
-/// held and the bolt is turned.
+/// A bolt leaves after its nut has been turned off, so it needs no tool. The nut also comes off if it is held and the
+/// bolt is turned.
 void addJointTools(const Joints& joints, ToolChoices& choices) {
   const ToolChoices byShape = choices;
   for (const Joint& joint : joints) {

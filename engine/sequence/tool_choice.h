@@ -11,7 +11,7 @@
 
 namespace glissade {
 
-/// A tool, and the body that it turns: a nut is turned off its bolt, or held while its bolt is turned.
+/// A tool, and the body that it turns: the nut, or the bolt while the nut is held.
 struct ToolUse {
   ToolKind kind = ToolKind::None;
   std::size_t turned = 0;
@@ -19,15 +19,15 @@ struct ToolUse {
   bool operator==(const ToolUse&) const = default;
 };
 
-/// Of each body of a product: the tools that undo it, the preferred one first; none where it needs none.
+/// For each body of a product, the tools that undo it, the preferred one first; empty: it needs none.
 using ToolChoices = std::vector<std::vector<ToolUse>>;
 
-/// What is demanded; else the drive of the body's joint, and no tool for a bolt whose nut is turned; else by shape.
-/// What turns the bolt comes after what turns its nut.
+/// Chooses by demand; else by the drive of the body's joint; else by shape. A bolt whose nut is turned needs no tool.
+/// Tools for the bolt come after those for its nut.
 /// - a screw with a head of six or four sides, a nut: socket, open wrench
 /// - a screw with a recess of six sides, or with a round head that is as high as a socket head: hex key
 /// - another screw: screwdriver
-/// `joints`: those that count. Errors, Usage: a tool that there is not.
+/// `joints`: those that count. Errors, Usage: an unknown tool.
 Result<ToolChoices> chooseTools(const ProductShapes& shapes, const std::vector<FastenerKind>& kinds,
                                 const Joints& joints, const SequenceDemands& demands);
 

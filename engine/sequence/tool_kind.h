@@ -9,7 +9,7 @@ namespace glissade {
 /// Tools that turn fasteners.
 enum class ToolKind { None, HexKey, Socket, Screwdriver, OpenWrench };
 
-/// "hex_key", "socket", "screwdriver", "open_wrench"; "none".
+/// "hex_key", "socket", "screwdriver", "open_wrench" or "none".
 const char* toolName(ToolKind kind);
 std::optional<ToolKind> toolByName(const std::string& name);
 

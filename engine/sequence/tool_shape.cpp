@@ -12,11 +12,11 @@ namespace {
 
 constexpr double kFullTurn = 2.0 * std::numbers::pi;
 constexpr double kSwing = kFullTurn / 6.0;
-/// Inner radius of what is put about a head, by the head's.
+/// Ratio of the inner radius of a tool about a head to the radius of the head.
 constexpr double kAbout = 1.02;
 constexpr double kLeastHandle = 0.006;
 
-/// Between two radii and two heights.
+/// Volume between two radii and two heights.
 struct Ring {
   double inner;
   double outer;
@@ -24,7 +24,7 @@ struct Ring {
   double high;
 };
 
-/// Of all or a part of a turn, from x towards y; closed.
+/// The ring over an angle, from x towards y; closed.
 TriangleMesh sector(const Ring& ring, double angle) {
   const bool whole = angle >= kFullTurn;
   const auto segments = static_cast<std::uint32_t>(std::ceil(24.0 * angle / kFullTurn));
@@ -54,7 +54,7 @@ TriangleMesh sector(const Ring& ring, double angle) {
   return mesh;
 }
 
-/// Along z from `low` to `high`.
+/// A cylinder about z, from `low` to `high`.
 TriangleMesh bar(double radius, double low, double high) {
   return transformed(makeCylinder(radius, high - low, 24), Pose::translation({0.0, 0.0, 0.5 * (low + high)}));
 }
@@ -99,7 +99,7 @@ TriangleMesh openWrench(const FastenerHead& head) {
   return both(sector({kAbout * R, 1.6 * R, low, high}, kFullTurn), sector({1.5 * R, 12.0 * R, low, high}, kSwing));
 }
 
-/// The jaw of an open wrench: open away from the arm, and as wide as the head.
+/// The jaw of an open wrench: it opens away from the arm, and is as wide as the head.
 TriangleMesh openJaw(const FastenerHead& head) {
   const double R = head.radius;
   const double low = -0.9 * head.height;
@@ -115,13 +115,13 @@ TriangleMesh openJaw(const FastenerHead& head) {
   return mesh;
 }
 
-/// Where an open wrench begins its swing.
+/// The open wrench at the beginning of its swing.
 TriangleMesh wrenchAtRest(const FastenerHead& head) {
   const double R = head.radius;
   return both(openJaw(head), sector({1.5 * R, 12.0 * R, -0.9 * head.height, -0.1 * head.height}, kSwing / 5.0));
 }
 
-/// A handle across the axis.
+/// The mesh of a handle across the axis.
 TriangleMesh armShape(const ToolHandle& handle) {
   const TriangleMesh arm = makeBox({(handle.to - handle.from).norm(), handle.thickness, handle.thickness});
   return transformed(arm, Pose::translation(0.5 * (handle.from + handle.to)));

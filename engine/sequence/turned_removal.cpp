@@ -19,7 +19,7 @@ std::optional<TurnedRemoval::Known> TurnedRemoval::known(const BodyGroup& group,
   return holds ? std::optional(found->second) : std::nullopt;
 }
 
-/// Who is refused by nobody is asked again.
+/// A refusal that names no body is not stored, so that the group is tried again.
 void TurnedRemoval::remember(const BodyGroup& group, const Known& refusal) {
   if (refusal.blockedBy.empty()) return;
   const std::lock_guard lock(mutex_);

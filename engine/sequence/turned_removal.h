@@ -9,16 +9,15 @@
 
 namespace glissade {
 
-/// Removal of a group that is in threads: turned out of them by a screw motion, then straight on along their axis.
-/// A refusal holds while those that it names are there, and is not searched again. May be asked by several threads at a
-/// time.
+/// Removal of a group that is in threads: a screw motion out of them, then straight on along their axis. A refusal
+/// holds while the bodies that it names are there, and is stored. Thread-safe.
 class TurnedRemoval {
  public:
   TurnedRemoval(const ProductFits& fits, MotionWorlds& worlds) : fits_(fits), worlds_(worlds) {}
 
-  /// As RemovalTrial::tryRemoval(). A group that is in no thread is refused by nobody.
+  /// See RemovalTrial::tryRemoval(). For a group that is in no thread, the refusal names no body.
   RemovalAnswer tryRemoval(const BodyGroup& group, const BodySet& present, const StopToken& stop);
-  /// It is known that no screw motion leads the group out of its threads: no other motion does.
+  /// True if an earlier search found that no screw motion leads the group out of its threads: no other motion does.
   bool isHeld(const BodyGroup& group, const BodySet& present) const;
 
  private:
@@ -31,8 +30,8 @@ class TurnedRemoval {
 
   const ProductFits& fits_;
   MotionWorlds& worlds_;
-  mutable std::mutex mutex_;            ///< of what follows
-  std::map<BodyGroup, Known> refused_;  ///< the last refusal
+  mutable std::mutex mutex_;            ///< protects the members below
+  std::map<BodyGroup, Known> refused_;  ///< the last refusal of each group
 };
 
 }  // namespace glissade

@@ -10,16 +10,16 @@ namespace glissade {
 namespace {
 
 constexpr double kSameDirection = 1.0 - 1e-9;
-/// In lengths of the group along its first line: a place is not deeper.
+/// Length of the first line, in lengths of the group along it, beyond which no end is tried.
 constexpr double kFarthest = 2.0;
-/// Of the way that is free: its end touches what ends it.
+/// Share of the free length that is used: its end touches the blocking body.
 constexpr double kBeforeTheEnd = 0.95;
-/// The way is at least this share of the length: else the group has not left its place.
+/// Least length of the first line as a share of the group's length: below, the group has not left its place.
 constexpr double kLeastWay = 0.02;
 
 Box3 moved(const Box3& box, const Vector3& way) { return {box.min() + way, box.max() + way}; }
 
-/// One question: a group among others.
+/// The search for one group among others.
 class TwoLines {
  public:
   TwoLines(const MovingObject& object, const MotionWorld& motion, const StopToken& stop)
@@ -31,7 +31,7 @@ class TwoLines {
 
   bool startsClear() { return query_->clearAbove(object_.X_WB, object_.required); }
 
-  /// Its configurations; nothing: there is none.
+  /// The configurations of a free motion; nothing if there is none.
   std::optional<std::vector<Pose>> find(const std::vector<Vector3>& directions) {
     for (const Vector3& first : directions) {
       for (const double way : waysAlong(first)) {
@@ -58,7 +58,7 @@ class TwoLines {
     return q;
   }
 
-  /// Where the first line may end: where the group is its own length away, and where the line is blocked.
+  /// Lengths of the first line: the group's length along it, and the free length.
   std::vector<double> waysAlong(const Vector3& direction) {
     const double length = box_.diagonal().dot(direction.cwiseAbs());
     const double farthest = kFarthest * length;
@@ -100,7 +100,7 @@ RemovalAnswer TwoLineRemoval::tryRemoval(const BodyGroup& group, const BodySet& 
   return Removed{std::move(path), kTwoLines, fits_.fitsOf(group, present)};
 }
 
-/// Those of its bodies, no two alike.
+/// The directions of the group's bodies, without duplicates.
 std::vector<Vector3> TwoLineRemoval::directionsOf(const BodyGroup& group) const {
   std::vector<Vector3> directions;
   for (const std::size_t body : group) {

@@ -5,19 +5,18 @@
 
 namespace glissade {
 
-/// The method of such steps (AssemblyStep::method).
+/// AssemblyStep::method of these steps.
 inline constexpr const char* kTwoLines = "two lines";
 
-/// Removal along two straight lines: out of its place along one of the directions of removalDirections(), then out of
-/// the product along another one, as a screw is drawn out of its hole and taken away beside what stands over it. May be
-/// asked by several threads at a time.
+/// Removal along two straight lines: along one of removalDirections() out of its place, then along another one out of
+/// the product, as a screw is drawn out of its hole and taken away beside a part above it. Thread-safe.
 class TwoLineRemoval {
  public:
-  /// Refers to all.
+  /// Refers to all arguments.
   TwoLineRemoval(const AssembledProduct& product, const ProductFits& fits, MotionWorlds& worlds)
       : product_(product), fits_(fits), worlds_(worlds) {}
 
-  /// As RemovalTrial::tryRemoval(). The refusal names nobody.
+  /// See RemovalTrial::tryRemoval(). The refusal names no body.
   RemovalAnswer tryRemoval(const BodyGroup& group, const BodySet& present, const StopToken& stop) const;
 
  private:

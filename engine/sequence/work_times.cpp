@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kHour = 3600.0;
 
-/// What steps are timed by.
+/// Computes the times of steps.
 class StepTimer {
  public:
   StepTimer(const AssemblyPlan& plan, const AssembledProduct& product, const WorkTimes& times)
@@ -33,7 +33,7 @@ class StepTimer {
   }
 
  private:
-  /// Bodies that come as one are fetched as one.
+  /// Bodies that come as a group are fetched as one part.
   double fetchOf(const AssemblyStep& step) const {
     double mass = 0.0;
     Box3 box;
@@ -49,7 +49,7 @@ class StepTimer {
     return longest < times_.smallBelow ? times_.fetchSmall : times_.fetch;
   }
 
-  /// Of a body that is turned, the way to the thread is a placing without a fit.
+  /// A body that is turned is placed at its thread without a fit.
   double placeOf(const AssemblyStep& step) const {
     if (turnsOf(step) > 0.0) return times_.place;
     if (comesApart(step, JointKind::Flexible)) return times_.lay;

@@ -6,14 +6,14 @@
 
 namespace glissade {
 
-/// A snapshot's roadmap in one piece, without the edges that were dropped.
+/// A snapshot's roadmap as one list, without the dropped edges.
 struct GrownRoadmap {
   std::vector<RoadmapNode> nodes;
   std::vector<RoadmapEdge> edges;
 };
 GrownRoadmap grownRoadmap(const SessionSnapshot& snapshot);
 
-/// A search was made and has ended, or was ended, without a path: it can be asked why.
+/// True if a search has ended without a path, so that its difficulty can be computed.
 inline bool searchFailed(const SessionSnapshot& snapshot) {
   if (snapshot.run == 0 || snapshot.path) return false;
   if (snapshot.state == SessionState::Stopped) return true;

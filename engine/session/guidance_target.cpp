@@ -3,7 +3,7 @@
 namespace glissade {
 namespace {
 
-/// The target on a path runs this far ahead of the hand, times the object's radius.
+/// Distance of the target on a path ahead of the hand, in radii of the object.
 constexpr double kAhead = 0.5;
 
 }  // namespace

@@ -10,11 +10,11 @@
 
 namespace glissade {
 
-/// Where the operator is drawn from q: a little ahead on the path once there is one, before that the next
-/// milestone of the coarse plan; nothing where there is neither. Both may be null.
+/// The target that attracts the operator at q: a point a little ahead on the path, or without a path the next milestone
+/// of the coarse plan; nothing where there is neither. Both may be null.
 std::optional<Pose> guidanceTarget(const Path* path, const CoarsePlan* plan, const Pose& q, const Se3Metric& metric);
 
-/// The guidance that the parameters ask for, to this target.
+/// The guidance to this target with the strengths of the parameters.
 Guidance guidanceOf(const ParameterValues& parameters, const std::optional<Pose>& target);
 
 }  // namespace glissade

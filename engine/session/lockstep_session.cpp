@@ -97,7 +97,7 @@ class Lockstep final : public LockstepSession {
     snapshot_ = std::move(next);
   }
 
-  /// Who waits for the end of the run sees it, though no memory is left to describe it.
+  /// Publishes the end of the run even if no memory is left to describe it.
   void publishWithoutMemory() {
     unpublished_->run = core_.run();
     unpublished_->revision = ++revision_;
@@ -115,7 +115,7 @@ class Lockstep final : public LockstepSession {
   std::function<void()> wakeUp_;
   std::uint64_t revision_ = 0;
   SnapshotPtr snapshot_;
-  std::shared_ptr<SessionSnapshot> unpublished_ = std::make_shared<SessionSnapshot>();  ///< takes the snapshot's place
+  std::shared_ptr<SessionSnapshot> unpublished_ = std::make_shared<SessionSnapshot>();  ///< replaces the snapshot
 };
 
 }  // namespace

@@ -38,7 +38,7 @@ void OperatorHand::restart() {
 
 Diagnostic OperatorHand::giveUp(Diagnostic why) {
   device_.reset();
-  // Where memory does not even suffice for these words, the diagnostic stays as it is.
+  // If memory does not suffice for these words, the diagnostic is unchanged.
   (void)guarded(kWork, [&] {
     why.location = "device";
     why.advice = "Choose a device again.";

@@ -12,18 +12,17 @@
 
 namespace glissade {
 
-/// Where the object is in the operator's hand.
+/// Pose of the object in the operator's hand.
 struct HandState {
   Pose q_device;
-  std::uint64_t moves = 0;  ///< as OperatorSample::moves
+  std::uint64_t moves = 0;  ///< as in OperatorSample::moves
 };
 
-/// The operator's side of a session: q_device, what moves it, and its nearest obstacle (paper 1,
-/// section III.A: reading the device, integrating positions, cycling through obstacles). Owned and
-/// used by one thread.
+/// The operator's side of a session: q_device, its motion, and its nearest obstacle (paper 1, section III.A: reading
+/// the device, integrating positions, cycling through obstacles). Owned and used by one thread.
 class OperatorHand {
  public:
-  /// The object starts at the problem's start. No device: nobody holds it.
+  /// The object is at the problem's start. `device` null: nobody holds it.
   OperatorHand(const Problem& problem, std::unique_ptr<OperatorDevice> device);
 
   bool held() const { return device_ != nullptr; }
@@ -31,20 +30,20 @@ class OperatorHand {
   bool isSimulated() const { return device_ != nullptr && device_->isSimulated(); }
   const Pose& q_device() const { return sample_.q_device; }
   void put(const Pose& q_device);
-  /// A new run: the object is back at the start and the device begins anew.
+  /// Begins a new run: the object is back at the start and the device begins anew.
   void restart();
-  /// What advance() is called for, for the diagnostic of an exception that leaves it.
+  /// Purpose of advance(), for the diagnostic of an exception that leaves it.
   static constexpr std::string_view kWork = "moving the object with the device";
-  /// Lets the object go for good because its device has failed, and returns what to tell the user.
+  /// Releases the object for good because its device has failed, and returns the message for the user.
   Diagnostic giveUp(Diagnostic why);
-  /// `guidance` also holds for sample().
+  /// Advances time and the device. `guidance` also holds for sample().
   void advance(double dt, const OperatorFrame& frame, const StartTreeDistance& tree, const Guidance& guidance);
-  /// Nothing where nobody holds the object.
+  /// State of the hand; nothing where nobody holds the object.
   std::optional<HandState> state() const {
     return held() ? std::make_optional(HandState{sample_.q_device, sample_.moves}) : std::nullopt;
   }
-  /// q_device with Find_Nearest_Obstacle(q_device), computed once for each place, and the guidance there:
-  /// as the device renders it, or else as one would. While the world is not prepared there is no obstacle.
+  /// q_device with Find_Nearest_Obstacle(q_device), computed once for each pose, and the guidance there, as the device
+  /// renders it or as a haptic device would. There is no obstacle while the world is not prepared.
   const OperatorSample& sample();
 
  private:

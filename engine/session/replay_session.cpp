@@ -14,7 +14,7 @@ constexpr std::uint64_t kNever = std::numeric_limits<std::uint64_t>::max();
 
 ParameterValues parametersOf(const RunLog& log, ReplayEnd end) {
   ParameterValues parameters = log.start.parameters;
-  if (end == ReplayEnd::WithTheLog) (void)parameters.set(ParameterId::TimeLimit, 0.0);  // no limit
+  if (end == ReplayEnd::WithTheLog) (void)parameters.set(ParameterId::TimeLimit, 0.0);  // removes the limit
   return parameters;
 }
 
@@ -66,7 +66,7 @@ class Replay final : public ReplaySession {
     follow();
   }
 
-  /// Goes on until the steps are done, something changes, or the log ends.
+  /// Goes on until the steps are done, an input changes, or the log ends.
   void plan(std::uint64_t& left, const StopToken& stop) {
     SessionCore::Hooks hooks;
     hooks.hand = [this] { return held_ ? std::make_optional(HandState{hand_.q_device, hand_.moves}) : std::nullopt; };
@@ -82,7 +82,7 @@ class Replay final : public ReplaySession {
     follow();
   }
 
-  /// Brings everything from outside to where it was after the steps done so far.
+  /// Sets all external inputs to their state after the steps done so far.
   void follow() {
     const auto due = [this](const auto& entries, std::size_t next) {
       return next < entries.size() && entries[next].step <= core_.steps();
@@ -125,7 +125,7 @@ class Replay final : public ReplaySession {
   bool atEnd() const {
     if (end_ == ReplayEnd::GoOn) return false;
     if (!log_->end) return true;
-    // Records of version 1 name no step.
+    // Records of version 1 have no step.
     return log_->end->step > 0 ? core_.steps() >= log_->end->step : core_.planner()->nodes().size() >= log_->end->nodes;
   }
 

@@ -5,7 +5,7 @@
 namespace glissade {
 namespace {
 
-/// Rows kept at most, some 200 bytes each.
+/// Most rows that are kept; each takes some 200 bytes.
 constexpr std::size_t kMostRows = 1U << 17;
 
 }  // namespace

@@ -8,14 +8,14 @@
 
 namespace glissade {
 
-/// How far a replayed run was after every step, so that any step can be shown once it was replayed.
-/// Long runs are thinned out: every second, fourth, ... step is kept. Safe to use from any thread.
+/// State of a replayed run after every step, so that any replayed step can be displayed. In long runs only every
+/// second, fourth, ... step is kept. Thread-safe.
 class ReplayTrack {
  public:
   struct Row {
     std::uint64_t step = 0;
     std::size_t nodes = 0;
-    std::size_t edges = 0;  ///< undirected, dropped ones with them
+    std::size_t edges = 0;  ///< undirected edges, including dropped ones
     std::size_t droppedEdges = 0;
     PlannerCounts counts;
     Author authority = Author::Computer;

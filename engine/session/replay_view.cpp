@@ -6,14 +6,14 @@
 namespace glissade {
 namespace {
 
-/// No session counts so many runs: a replay is never taken for one of them.
+/// Number of runs in a replay's snapshots. No session reaches it, so that a replay is never mistaken for a run.
 constexpr std::uint64_t kReplayRuns = std::numeric_limits<std::uint64_t>::max();
 
 ParameterValues parametersAt(const RunLog& log, std::uint64_t step) {
   ParameterValues parameters = log.start.parameters;
   for (const RunLog::ParameterChange& change : log.parameterChanges) {
     if (change.step > step) break;
-    (void)parameters.set(change.id, change.value);  // checked when the record was read
+    (void)parameters.set(change.id, change.value);  // the value was checked when the record was read
   }
   return parameters;
 }
@@ -79,7 +79,7 @@ void ReplayView::placeHand(std::uint64_t step, SessionSnapshot& snapshot) const 
   const auto& stream = log_->operatorStream;
   auto entry = std::upper_bound(stream.begin(), stream.end(), step,
                                 [](std::uint64_t at, const RunLog::HandPose& pose) { return at < pose.step; });
-  // Where somebody let the object go it stays.
+  // The object stays where somebody released it.
   while (entry != stream.begin() && !std::prev(entry)->q_device) --entry;
   snapshot.device.q_device = entry == stream.begin() ? start_ : *std::prev(entry)->q_device;
   snapshot.device.moves = static_cast<std::uint64_t>(std::distance(stream.begin(), entry));

@@ -8,15 +8,15 @@ namespace glissade {
 /// The first nodes and edges of a published roadmap: whole chunks are shared, the last may be cut.
 RoadmapChunks roadmapPrefix(const RoadmapChunks& chunks, std::size_t nodes, std::size_t edges);
 
-/// Shows any step of a replayed run as the snapshot that it was. Used by one thread, while another
-/// may still be replaying.
+/// Displays any step of a replayed run as the snapshot of that step. Used by one thread, while another may still be
+/// replaying.
 class ReplayView {
  public:
-  /// `number`: of this replay, so that its snapshots differ from those of other replays.
+  /// `number`: number of this replay, so that its snapshots differ from those of other replays.
   ReplayView(const Problem& problem, std::shared_ptr<const RunLog> log, std::shared_ptr<const ReplayTrack> track,
              std::uint64_t number);
 
-  /// The snapshot after so many session steps, from the replay's latest. `end`: the run ended there.
+  /// The snapshot after this number of session steps, derived from the replay's latest. `end`: the run ended there.
   SnapshotPtr at(std::uint64_t step, const SessionSnapshot& latest, bool end);
 
  private:

@@ -15,7 +15,7 @@ RunCheckpoint reached(const RunLog& replayed, std::uint64_t step) {
 }
 
 bool same(const RunCheckpoint& recorded, const RunCheckpoint& replayed) {
-  if (recorded.step == 0) return recorded.nodes == replayed.nodes;  // a record of version 1
+  if (recorded.step == 0) return recorded.nodes == replayed.nodes;  // the record is of version 1
   return recorded.step == replayed.step && recorded.hash == replayed.hash;
 }
 

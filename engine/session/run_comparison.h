@@ -6,14 +6,14 @@
 
 namespace glissade {
 
-/// Where a replay first was not what the record says.
+/// The first difference between a replay and its record.
 struct RunDifference {
-  std::uint64_t same = 0;  ///< the last step known to be the same; 0: none
-  RunCheckpoint recorded;  ///< the first that differs
-  RunCheckpoint replayed;  ///< at the same step, or the replay's last
+  std::uint64_t same = 0;  ///< last step known to be equal; 0: none
+  RunCheckpoint recorded;  ///< first checkpoint that differs
+  RunCheckpoint replayed;  ///< checkpoint at the same step, or the replay's last
 };
 
-/// Compares a replay with what was recorded, checkpoint by checkpoint. Nothing: the same roadmap.
+/// Compares a replay with its record, checkpoint by checkpoint. Nothing: the roadmaps are equal.
 std::optional<RunDifference> firstDifference(const RunLog& recorded, const RunLog& replayed);
 
 }  // namespace glissade

@@ -56,7 +56,7 @@ const RunLogParts& RunLogger::parts(bool ended) {
   next.cutShort = pending_.cutShort;
   const auto part = std::make_shared<RunLog>();
   parts_.push_back(part);
-  *part = std::exchange(pending_, std::move(next));  // throws nothing: no entry is lost where memory ends
+  *part = std::exchange(pending_, std::move(next));  // does not throw, so that no entry is lost when memory ends
   lastPart_ = now;
   news_ = false;
   return parts_;

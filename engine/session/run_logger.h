@@ -8,23 +8,23 @@
 
 namespace glissade {
 
-/// Keeps the log of one run after the other, and publishes it in parts. Lives where the planner does.
+/// Keeps the logs of successive runs, and publishes them in parts. Used by the planner's thread.
 class RunLogger {
  public:
   void start(RunStart start);
-  /// What is noted takes effect after the steps done so far.
+  /// Notes a change that takes effect after the steps done so far.
   void note(ParameterId id, double value);
   void note(const std::shared_ptr<const SemanticEdits>& edits);
   void noteHand(const std::optional<HandState>& hand);
-  /// The planner came back, so many seconds after the start; `whole`: nothing cut its step off.
+  /// The planner returned, `seconds` after the start; `whole`: its step was not interrupted.
   void stepDone(const Planner& planner, double seconds, bool whole);
 
   std::uint64_t steps() const { return steps_; }
-  /// The object is in somebody's hand, moved so often since the start.
+  /// True if a person holds the object; handMoves() is the number of its moves since the start.
   bool held() const { return held_; }
   std::uint64_t handMoves() const { return handPoses_ - 1; }
 
-  /// All parts; what is new becomes one where the last is a second old, or the run has ended.
+  /// All parts. New entries become a part if the last part is a second old, or the run has ended.
   const RunLogParts& parts(bool ended);
 
  private:
@@ -35,7 +35,7 @@ class RunLogger {
   RoadmapHash hash_;
   std::uint64_t steps_ = 0;
   std::uint64_t handPoses_ = 0;
-  std::uint64_t lastMoves_ = 0;  ///< HandState::moves of the pose noted last
+  std::uint64_t lastMoves_ = 0;  ///< HandState::moves of the last noted pose
   bool held_ = false;
 };
 

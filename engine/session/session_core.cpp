@@ -27,10 +27,29 @@ std::string grouped(std::uint64_t count) {
   return digits;
 }
 
-/// What planning has cost so far on this thread and on the planner's own.
+/// Processor time of planning so far on this thread and on the planner's own threads.
 double cpuSeconds(const Planner& planner) { return threadCpuSeconds() + helpersCpuSecondsOf(planner); }
 
 }  // namespace
+
+void RoadmapPublisher::update(const Planner& planner) {
+  const auto& nodes = planner.nodes();
+  const auto& edges = planner.edges();
+  if (nodes.size() > nodes_ || edges.size() > edges_) {
+    auto chunk = std::make_shared<RoadmapChunk>();
+    chunk->nodes.assign(nodes.begin() + static_cast<std::ptrdiff_t>(nodes_), nodes.end());
+    chunk->edges.assign(edges.begin() + static_cast<std::ptrdiff_t>(edges_), edges.end());
+    chunks_.push_back(chunk);  // may throw: the counters change afterwards
+    for (const RoadmapNode& node : chunk->nodes) ++nodesByAuthor_[static_cast<std::size_t>(node.author)];
+    nodes_ = nodes.size();
+    edges_ = edges.size();
+  }
+  for (std::size_t i = dropped_.size(); i < planner.droppedEdges().size(); ++i) {
+    dropped_.push_back(edges[planner.droppedEdges()[i]]);
+  }
+}
+
+void RoadmapPublisher::reset() { *this = RoadmapPublisher(); }
 
 std::string_view workOf(const Command& command) {
   if (std::holds_alternative<command::Start>(command)) return "starting the planner";
@@ -50,7 +69,7 @@ class SessionCore::Host final : public PlannerHost {
   std::optional<OperatorSample> operatorSample() override {
     if (!core_.logger_.held()) return std::nullopt;
     OperatorSample sample = hooks_.operatorSample();
-    sample.moves = core_.logger_.handMoves();  // as a replay will count them
+    sample.moves = core_.logger_.handMoves();  // numbered as in a replay
     return sample;
   }
   const ParameterValues& parameters() const override { return core_.parameters_; }
@@ -85,7 +104,8 @@ SessionCore::SessionCore(SessionConfig config, PlannerRegistry planners)
 
 SessionCore::~SessionCore() = default;
 
-/// The planner may be left in the middle of a step: what it grew is collected as far as that is possible.
+/// Ends a run after an exception. The planner may be left in the middle of a step; its nodes are collected as far as
+/// possible.
 void SessionCore::endAfterException(Diagnostic why) {
   trouble_ = std::move(why);
   stopClock();
@@ -120,7 +140,7 @@ void SessionCore::carryOut(const Command& command, const WorkWatch& watch) {
                         [&](const command::SetParameter& parameter) { setParameter(parameter.id, parameter.value); },
                         [&](const command::SetSemantics& semantics) { setSemantics(semantics.edits, watch); },
                         [&](const command::SetKnowledge& known) { problem_.scene.knowledge = known.knowledge; },
-                        [](const command::SetDevicePose&) {},  // the session's hand takes it
+                        [](const command::SetDevicePose&) {},  // handled by the session's hand
                         [&](const command::SmoothPath& smooth) {
                           if (state_ != SessionState::Solved) return;
                           trouble_.reset();
@@ -151,15 +171,15 @@ void SessionCore::setParameter(ParameterId id, double value) {
   if (state_ == SessionState::Planning || state_ == SessionState::Paused) logger_.note(id, value);
   const int tuned = parameters_.integer(ParameterId::Tuning);
   const int left = tuned & ~tunedSetting(id);
-  if (left != tuned) setParameter(ParameterId::Tuning, left);  // taken back by hand
+  if (left != tuned) setParameter(ParameterId::Tuning, left);  // the user has set the parameter
 }
 
-/// A path that is there and leads through a place that is forbidden now holds no more.
+/// Sets the edits. An existing path that leads through a place that is forbidden now does not hold any more.
 void SessionCore::setSemantics(const SemanticEditsPtr& edits, const WorkWatch& watch) {
   problem_.scene.edits = edits;
   const bool running = state_ == SessionState::Planning || state_ == SessionState::Paused;
   if (running) logger_.note(edits);
-  if (!running && !path_) return;  // what is forbidden is found at the start
+  if (!running && !path_) return;  // the forbidden places are computed at the start
   const Outcome known = forbidByEdits(watch.stop);
   if (!known && running) {
     fail(known.error());
@@ -170,7 +190,7 @@ void SessionCore::setSemantics(const SemanticEditsPtr& edits, const WorkWatch& w
   }
 }
 
-/// Brings what is forbidden to what the edits say.
+/// Updates the forbidden places by the edits.
 Outcome SessionCore::forbidByEdits(const StopToken& stop) {
   auto regions = prohibitions_.of(problem_, stop);
   if (!regions) return regions.error();
@@ -230,7 +250,7 @@ void SessionCore::startRun(const StopToken& stop) {
 }
 
 void SessionCore::plan(const Hooks& hooks) {
-  // The clock starts before the host sets its deadline: at the deadline the limit has been reached.
+  // The clock starts before the host sets its deadline, so that the limit is reached at the deadline.
   planningSince_ = std::chrono::steady_clock::now();
   Host host(*this, hooks);
   cpuBefore_ = cpuSeconds(*planner_);
@@ -243,7 +263,7 @@ void SessionCore::plan(const Hooks& hooks) {
     deliverPath(hooks.stop);
     endRun(SessionState::Solved);
   } else if (state_ == SessionState::Planning) {
-    // The time limit may have ended a step in its middle, after which the host was not asked.
+    // The time limit may have interrupted a step, after which the host was not asked.
     const auto failure = planner_->failure();
     if (auto why = failure ? failure : limitReached()) fail(*std::move(why));
   }
@@ -257,7 +277,7 @@ void SessionCore::stopClock() {
   cpuSpent_ += cpuSeconds(*planner_) - cpuBefore_;
 }
 
-/// Where smoothing fails, the path is delivered as it was planned.
+/// Delivers the path, smoothed; if smoothing fails, as it was planned.
 void SessionCore::deliverPath(const StopToken& stop) {
   planned_ = std::make_shared<const Path>(*planner_->path());
   provenance_.steered = isSteered(planned_->points);
@@ -275,7 +295,7 @@ void SessionCore::smoothPath(int attempts, const WorkWatch& watch) {
     path = withStraightEnd(path, problem_, parameters_, watch.stop);
     path = withShortcuts(path, problem_, parameters_, seed_, attempts, watch);
   }
-  const bool another = path_ != nullptr;  // the one delivered stays where the work is stopped
+  const bool another = path_ != nullptr;  // after a stop the delivered path stays
   if (another && watch.stop.stopRequested()) return;
   path_ = std::make_shared<const Path>(std::move(path));
   smoothed_ = attempts > 0;
@@ -301,7 +321,7 @@ void SessionCore::endRun(SessionState state) {
   if (planner_) planner_->completeRoadmap();
 }
 
-/// Where no path was found, prohibitions may be the reason: they are named.
+/// Ends the run without a path. Forbidden places may be the reason, so that they are named.
 void SessionCore::fail(Diagnostic why) {
   const ForbiddenRegionsPtr regions = forbidden_->regions();
   const bool noPath = why.kind == ErrorKind::NoPath || why.kind == ErrorKind::LimitReached;
@@ -334,7 +354,7 @@ std::optional<Diagnostic> SessionCore::limitReached() const {
   return std::nullopt;
 }
 
-/// Long checks end at the time limit, too.
+/// A token that also stops long checks at the time limit.
 StopToken SessionCore::withTimeLimit(const StopToken& stop) const {
   const double limit = parameters_[ParameterId::TimeLimit];
   if (limit <= 0.0) return stop;

@@ -11,36 +11,56 @@
 #include "engine/base/guarded.h"
 #include "engine/base/work_watch.h"
 #include "engine/planning/coarse/prohibitions.h"
-#include "engine/session/roadmap_publisher.h"
+#include "engine/planning/planner.h"
 #include "engine/session/run_logger.h"
 #include "engine/session/session.h"
 
 namespace glissade {
 
-/// What is done for a command, as guarded() names it.
+/// Turns a planner's growing roadmap into immutable chunks: what was published is shared, never
+/// copied again.
+class RoadmapPublisher {
+ public:
+  /// Publishes what came since the last call.
+  void update(const Planner& planner);
+  void reset();
+
+  const RoadmapChunks& chunks() const { return chunks_; }
+  const std::vector<RoadmapEdge>& droppedEdges() const { return dropped_; }
+  const PerAuthor<std::uint64_t>& nodesByAuthor() const { return nodesByAuthor_; }
+
+ private:
+  RoadmapChunks chunks_;
+  std::vector<RoadmapEdge> dropped_;
+  PerAuthor<std::uint64_t> nodesByAuthor_{};
+  std::size_t nodes_ = 0;
+  std::size_t edges_ = 0;
+};
+
+/// Name of the work for a command, for guarded().
 std::string_view workOf(const Command& command);
 
-/// What a session's two implementations share: the state machine of a run. Lives on the planning
-/// thread (or in the lockstep loop) and knows neither threads nor clocks of the operator.
+/// The common part of a session's two implementations: the state machine of a run. It is used on the planning thread
+/// (or in the lockstep loop) and has no threads nor operator clocks.
 class SessionCore {
  public:
-  /// Takes everything but the device.
+  /// Takes all inputs except the device.
   SessionCore(SessionConfig config, PlannerRegistry planners);
   ~SessionCore();
 
-  /// Every command but SetDevicePose, which is the operator side's and does nothing here. `watch` is for
-  /// SmoothPath and ExaminePath, which take their time: stopped, all stays as it was.
+  /// Carries out every command except SetDevicePose, which belongs to the operator's side. `watch` is for SmoothPath
+  /// and ExaminePath, which may take long; after a stop all stays as it was.
   void carryOut(const Command& command, const WorkWatch& watch = {});
 
-  /// Calls `work`, which calls carryOut() or plan(). An exception becomes the session's problem here and nowhere
-  /// else: a run under way ends as Failed, or as Solved where its path was delivered. The next Start begins anew.
+  /// Calls `work`, which calls carryOut() or plan(). Only here an exception becomes the session's problem: a run under
+  /// way ends as Failed, or as Solved where its path was delivered. The next Start begins anew.
   template <class Work>
   void attempt(std::string_view doing, const Work& work) {
     if (auto why = guarded(doing, work)) endAfterException(std::move(*why));
   }
   /// Calls `publish`, which calls describe(), between two turns of the planner. Where that fails the run ends, its
-  /// planner is set aside and `publish` is called once more. False: that failed, too, so the window knows nothing of
-  /// it.
+  /// planner is put into plannerAside_ and `publish` is called once more. False: that failed, too, so the window knows
+  /// nothing of it.
   template <class Publish>
   [[nodiscard]] bool publish(const Publish& publish) {
     constexpr std::string_view kDoing = "publishing the roadmap";
@@ -52,34 +72,34 @@ class SessionCore {
   }
 
   SessionState state() const { return state_; }
-  /// Counts the runs started so far.
+  /// Number of runs started so far.
   std::uint64_t run() const { return run_; }
-  /// Session steps of this run: how often the planner came back (RunLog's clock).
+  /// Session steps of this run: number of returns of the planner (RunLog's clock).
   std::uint64_t steps() const { return logger_.steps(); }
 
-  /// What plan() needs from the session around it.
+  /// Functions of the session that plan() needs.
   struct Hooks {
-    /// The object in the operator's hand; asked once a step, before it. Nothing: nobody holds it.
+    /// State of the object in the operator's hand, requested once before each step. Nothing: nobody holds it.
     std::function<std::optional<HandState>()> hand;
-    /// The same object with its nearest obstacle, where the planner wants to know.
+    /// The held object with its nearest obstacle, requested when the planner needs it.
     std::function<OperatorSample()> operatorSample;
-    std::function<double()> seconds;  ///< since the start, in the run's own time
-    std::function<bool()> afterStep;  ///< false: return from plan() (and be called again later)
+    std::function<double()> seconds;  ///< seconds since the start, in the run's own time
+    std::function<bool()> afterStep;  ///< false: plan() returns and may be called again later
     StopToken stop;
   };
-  /// Grows the roadmap until the run ends or a hook ends the call. Precondition: state() == Planning.
-  /// Passes on the exceptions of the planner.
+  /// Grows the roadmap until the run ends or a hook ends the call. Precondition: state() == Planning. Passes on the
+  /// planner's exceptions.
   void plan(const Hooks& hooks);
 
   /// Fills in the planning side of a snapshot and publishes new roadmap nodes.
   void describe(SessionSnapshot& snapshot);
 
-  /// Time spent planning, pauses excluded.
+  /// Time spent planning, without pauses.
   double planningSeconds() const;
   const Problem& problem() const { return problem_; }
   const ParameterValues& parameters() const { return parameters_; }
   const Planner* planner() const { return planner_.get(); }
-  /// Null until solved.
+  /// The path; null until solved.
   const Path* path() const { return path_.get(); }
 
  private:
@@ -105,7 +125,7 @@ class SessionCore {
 
   std::shared_ptr<ForbiddenSpace> forbidden_ = std::make_shared<ForbiddenSpace>();
   Prohibitions prohibitions_;
-  Problem problem_;  ///< its world keeps out of forbidden_
+  Problem problem_;  ///< problem whose world keeps out of forbidden_
   PlannerRegistry registry_;
   ParameterValues parameters_;
   std::string plannerId_;
@@ -115,19 +135,19 @@ class SessionCore {
   std::optional<Diagnostic> trouble_;
   std::uint64_t run_ = 0;
   std::unique_ptr<Planner> planner_;
-  /// Not to be asked any more. It lives until the next Start, because OMPL's destructors allocate memory and end the
-  /// program where there is none.
+  /// A planner that is not used any more. It lives until the next Start, because OMPL's destructors allocate memory and
+  /// end the program where there is none.
   std::unique_ptr<Planner> plannerAside_;
   RoadmapPublisher roadmap_;
-  std::shared_ptr<const Path> path_;     ///< delivered
-  std::shared_ptr<const Path> planned_;  ///< the same before it was smoothed
-  bool smoothed_ = false;                ///< path_ is not planned_
+  std::shared_ptr<const Path> path_;     ///< delivered path
+  std::shared_ptr<const Path> planned_;  ///< delivered path before it was smoothed
+  bool smoothed_ = false;                ///< path_ differs from planned_
   std::shared_ptr<const PathExamination> refused_;
-  PathProvenance provenance_;  ///< of path_ or refused_
+  PathProvenance provenance_;  ///< provenance of path_ or refused_
   RunLogger logger_;
   std::chrono::duration<double> spent_{0};
-  double cpuSpent_ = 0.0;   ///< seconds
-  double cpuBefore_ = 0.0;  ///< seconds at planningSince_
+  double cpuSpent_ = 0.0;   ///< processor time, seconds
+  double cpuBefore_ = 0.0;  ///< processor time at planningSince_, seconds
   std::optional<std::chrono::steady_clock::time_point> planningSince_;
 };
 

@@ -4,7 +4,7 @@
 
 namespace glissade {
 
-/// Sessions that plan with planners of the caller's choice instead of makePlannerRegistry().
+/// Sessions with the caller's planners instead of makePlannerRegistry().
 std::unique_ptr<Session> makeThreadedSession(SessionConfig config, PlannerRegistry planners);
 std::unique_ptr<LockstepSession> makeLockstepSession(SessionConfig config, PlannerRegistry planners);
 

@@ -6,7 +6,7 @@
 namespace glissade {
 namespace {
 
-/// How the forbidden place is met by the reference point, or by that of a milestone.
+/// Describes the forbidden place that the reference point meets at a configuration, or at a milestone.
 std::string forbiddenAt(const Problem& problem, const Pose& q, bool isMilestone) {
   const ForbiddenRegionsPtr regions = problem.world->forbidden();
   const ForbiddenPlaces& places = regions->places();

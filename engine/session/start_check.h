@@ -5,12 +5,12 @@
 
 namespace glissade {
 
-/// Whether a planner may start: bounds are sound, start and goal lie in them and keep the required
-/// clearance, "out" can be reached within the bounds. InCollision names the body; Usage otherwise.
+/// Checks whether a planner may start: the bounds are valid, start and goal lie in them and keep the required
+/// clearance, and "out" can be reached within the bounds. Errors: InCollision, which names the body; Usage otherwise.
 Outcome checkStart(const Problem& problem, double requiredClearance);
 
-/// Whether the object is free in every milestone that a person has set, for strategies that pass through them: another
-/// one would be drawn silently. NoPath names the body or the place.
+/// Checks that the object is free in every milestone that a person has set, for strategies that pass through them.
+/// Otherwise another milestone would be drawn without notice. Error: NoPath, which names the body or the place.
 Outcome checkMilestones(const Problem& problem);
 
 }  // namespace glissade

@@ -5,19 +5,19 @@
 
 namespace glissade {
 
-/// How far the start tree is from a configuration: what an operator sees on the screen and waits for.
+/// Distance of the start tree from a configuration, which an operator sees on the screen and waits for.
 class StartTreeDistance {
  public:
   explicit StartTreeDistance(const Se3Metric& metric) : metric_(metric), tree_(metric) {}
 
-  /// Takes in the nodes that are new; call with a longer list each time, or after reset().
+  /// Adds new nodes. Call it with a longer list each time, or after reset().
   void update(const std::vector<RoadmapNode>& nodes);
   void update(const RoadmapChunks& chunks);
   void reset() { *this = StartTreeDistance(metric_); }
 
   /// Metric distance from q to the nearest node of the start tree; infinite while there is none.
   double operator()(const Pose& q) const;
-  /// Nodes of either tree that contact sampling has brought.
+  /// Number of nodes of either tree that contact sampling has added.
   std::uint64_t contactNodes() const { return contactNodes_; }
 
  private:

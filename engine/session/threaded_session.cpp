@@ -18,15 +18,15 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// The operator thread's pace: that of a 6D mouse (125 Hz).
+/// Period of the operator thread: that of a 6D mouse (125 Hz).
 constexpr std::chrono::milliseconds kOperatorTick{8};
-/// No operator's time passes faster than this in one tick, however late the thread is.
+/// Longest operator time of one tick, seconds, even if the thread is late.
 constexpr double kLongestTick = 0.05;
-/// The window is woken, and the roadmap published, at most this often.
+/// Least time between two notifications of the window and publications of the roadmap.
 constexpr std::chrono::milliseconds kPublishInterval{16};
 
-/// The planner thread owns the core, the operator thread owns the hand; between them and the window
-/// lie a command queue, a mailbox each way, and the parts that a snapshot is put together from.
+/// The planner thread owns the core, and the operator thread owns the hand. They communicate with each other and with
+/// the window by a command queue, a mailbox in each direction, and the parts of a snapshot.
 class Threaded final : public Session {
  public:
   Threaded(SessionConfig config, std::unique_ptr<OperatorDevice> device, PlannerRegistry planners)
@@ -39,7 +39,7 @@ class Threaded final : public Session {
     try {
       operatorThread_ = std::thread([this] { operatorLoop(); });
       plannerThread_ = std::thread([this] { plannerLoop(); });
-    } catch (...) {  // the system gives no more threads
+    } catch (...) {  // the system provides no more threads
       endThreads();
       throw;
     }
@@ -152,7 +152,7 @@ class Threaded final : public Session {
     core_.plan(hooks);
   }
 
-  /// Publishes how far it is.
+  /// Works on a path and publishes the progress.
   void work(const Command& command, PathWork::Kind kind) {
     const auto report = [this, kind](double share) {
       if (Clock::now() - lastPublication_ >= kPublishInterval) publishPlanning(PathWork{kind, share});
@@ -160,8 +160,8 @@ class Threaded final : public Session {
     core_.carryOut(command, WorkWatch(freshStopToken(), report));
   }
 
-  /// A stop that is asked for from now on, or that waits in the queue already. Other commands let the
-  /// planner finish its step: a step cut off could not be replayed.
+  /// A token for stops that are requested from now on or already queued. Other commands let the planner finish its
+  /// step, because an interrupted step cannot be replayed.
   StopToken freshStopToken() {
     const std::lock_guard lock(mutex_);
     stop_ = StopSource();
@@ -172,7 +172,7 @@ class Threaded final : public Session {
     return stop_.token();
   }
 
-  /// What the planner sees of the operator for one step.
+  /// The operator's state that the planner uses in one step.
   std::optional<HandState> readOperator() {
     const std::lock_guard lock(mutex_);
     if (!held_) return std::nullopt;
@@ -187,7 +187,7 @@ class Threaded final : public Session {
     return !quit_ && commands_.empty();
   }
 
-  /// Sleeps until the next step is due, or a command arrives. A step that was late is not made up for.
+  /// Sleeps until the next step is due, or a command arrives. Late steps are not caught up.
   void keepPace() {
     const double pace = core_.parameters()[ParameterId::Pace];
     if (pace <= 0.0) return;
@@ -213,7 +213,7 @@ class Threaded final : public Session {
     dirty_ = true;
   }
 
-  /// Who waits for the end of the run sees it, though no memory is left to describe it.
+  /// Publishes the end of the run even if no memory is left to describe it.
   void publishWithoutMemory() {
     const std::lock_guard lock(mutex_);
     planning_.state = core_.state();
@@ -223,7 +223,7 @@ class Threaded final : public Session {
 
   // ---- operator thread ----
 
-  /// What the operator sees of the planning.
+  /// The planning data that the operator sees.
   struct Sight {
     RoadmapChunks chunks;
     ParameterValues parameters{1.0};
@@ -243,7 +243,7 @@ class Threaded final : public Session {
     }
   }
 
-  /// False: the session ends.
+  /// One tick of the operator. False: the session ends.
   bool operatorTick(double dt) {
     OperatorFrame frame;
     std::optional<Pose> put;
@@ -268,7 +268,7 @@ class Threaded final : public Session {
     const std::lock_guard lock(mutex_);
     operatorTrouble_ = std::move(problem);
     held_ = false;
-    deviceConnected_ = true;  // there is none
+    deviceConnected_ = true;  // there is no device
     dirty_ = true;
   }
 
@@ -299,7 +299,7 @@ class Threaded final : public Session {
     held_ = hand_.held();
   }
 
-  /// At most one wake-up is pending and at most one comes in a publishing interval.
+  /// Notifies the window. At most one notification is pending and at most one comes in a publishing interval.
   void wakeWindow() {
     const std::lock_guard wakeUpLock(wakeUpMutex_);
     if (!wakeUp_) return;
@@ -315,14 +315,15 @@ class Threaded final : public Session {
     wakeUpPending_ = false;  // the next tick tries again
   }
 
-  SessionCore core_;                   ///< planner thread
-  OperatorHand hand_;                  ///< operator thread
-  StartTreeDistance tree_;             ///< operator thread
-  OperatorSample operatorSeen_;        ///< planner thread: what the planner sees in this step
-  Clock::time_point lastPublication_;  ///< planner thread
-  Clock::time_point lastStep_;         ///< planner thread: when the last step was due, where a pace is kept
+  SessionCore core_;                   ///< used by the planner thread
+  OperatorHand hand_;                  ///< used by the operator thread
+  StartTreeDistance tree_;             ///< used by the operator thread
+  OperatorSample operatorSeen_;        ///< used by the planner thread: the operator's sample in this step
+  Clock::time_point lastPublication_;  ///< used by the planner thread
+  /// Used by the planner thread: time at which the last step was due, if steps have a pace.
+  Clock::time_point lastStep_;
 
-  mutable std::mutex mutex_;  ///< guards everything below up to the threads
+  mutable std::mutex mutex_;  ///< guards the members below up to the threads
   std::condition_variable commandsArrived_;
   std::deque<Command> commands_;
   bool quit_ = false;
@@ -331,7 +332,7 @@ class Threaded final : public Session {
   OperatorFrame frame_;
   std::optional<Pose> putWanted_;
   bool restartWanted_ = false;
-  RoadmapChunks chunks_;  ///< for the operator to see
+  RoadmapChunks chunks_;  ///< for the operator
   OperatorSample operatorSample_;
   bool held_ = false;
   bool deviceConnected_ = true;
@@ -342,7 +343,7 @@ class Threaded final : public Session {
   mutable SnapshotPtr snapshot_;
   Clock::time_point lastWakeUp_;
 
-  std::mutex wakeUpMutex_;  ///< held while the window is woken: setWakeUp({}) returns after the last call
+  std::mutex wakeUpMutex_;  ///< held while the window is notified: setWakeUp({}) returns after the last call
   std::function<void()> wakeUp_;
 
   std::thread operatorThread_;

@@ -26,7 +26,7 @@ void dropTrailingZeros(std::string& text) {
   if (text.back() == '.') text.pop_back();
 }
 
-/// A narrow space that does not break, in front of every third digit from the right.
+/// Inserts a narrow no-break space before every third digit from the right.
 void separateThousands(std::string& text) {
   const std::size_t first = text.front() == '-' ? 1 : 0;
   const std::size_t point = std::min(text.find('.'), text.size());

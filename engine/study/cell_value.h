@@ -9,26 +9,26 @@
 
 namespace glissade {
 
-/// A number of a cell with its spread: Wilson's 95 % interval of a success rate, else the quartiles.
+/// A value of a cell with its spread: Wilson's 95 % interval of a success rate, else the quartiles.
 struct CellValue {
   double value = 0.0;
   double low = 0.0;
   double high = 0.0;
-  std::size_t count = 0;  ///< runs behind it
+  std::size_t count = 0;  ///< number of runs
 };
 
-/// Nothing where no run has it: none was solved, or the measure is not of this strategy.
+/// The value of a quantity. Nothing where no run has it: none was solved, or the strategy does not have the measure.
 std::optional<CellValue> valueOf(const CellSummary& summary, const Quantity& quantity);
 
-/// What the paper prints of a cell in one of its columns; empty where nothing.
+/// The paper's text for a cell in one of its columns; empty where there is none.
 std::string paperText(const StudyCell& cell, const PaperColumn& column);
 
-/// "median of nodes over the solved runs", "success rate".
+/// A description such as "median of nodes over the solved runs" or "success rate".
 std::string describe(const Quantity& quantity, const StudyWords& words = {});
 
-/// For people: three significant digits at least, thousands apart: "27 600", "0.152", "14.5".
+/// A number for people with at least three significant digits and separated thousands: "27 600", "0.152", "14.5".
 std::string shortNumber(double value);
-/// "97 %".
+/// A share as a percentage such as "97 %".
 std::string percent(double share);
 
 }  // namespace glissade

@@ -15,7 +15,7 @@ class CsvTable {
   /// The shortest text that reads back as this number, without an exponent; empty where there is none.
   void number(std::optional<double> value);
 
-  /// With the end of its last line.
+  /// The text, with the end of its last line.
   std::string content() const { return content_ + "\n"; }
 
  private:

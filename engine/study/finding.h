@@ -6,15 +6,14 @@
 
 namespace glissade {
 
-/// A number of a cell: "success_rate", or a column of runs.csv or timing.csv with a statistic over a
-/// kind of runs.
+/// A quantity of a cell: "success_rate", or a column of runs.csv or timing.csv with a statistic over a kind of runs.
 struct Quantity {
   std::string measure;
-  std::string statistic;  ///< "median" or "mean"; of success_rate neither
+  std::string statistic;  ///< "median" or "mean"; empty for success_rate
   std::string over;       ///< "solved" or "all" runs
 };
 
-/// Cells with one of the named rows, strategies, operators and scenarios; an empty list is any.
+/// Selects cells by rows, strategies, operators and scenarios; an empty list selects all.
 struct CellSelection {
   std::vector<std::string> rows;
   std::vector<std::string> strategies;
@@ -22,14 +21,14 @@ struct CellSelection {
   std::vector<std::string> scenarios;
 };
 
-/// What cells have in common that are compared with each other.
+/// Property that two compared cells have in common.
 enum class PairBy { Operator, Scenario, Strategy };
 
 enum class Relation { Below, Above };
 
-/// A sentence that a study is to prove or refute: of every pair of a cell of `cells` and one of `than`
-/// that agree in `pairBy`, the first one's quantity is below (above) `factor` times the second's; or,
-/// where `than` is a number, below (above) it.
+/// A claim that a study proves or refutes. For every pair of a cell of `cells` and one of `than` that agree in
+/// `pairBy`, the quantity of the first is below (above) `factor` times that of the second; or, where `than` is a
+/// number, below (above) it.
 struct Finding {
   std::string text;
   Quantity quantity;

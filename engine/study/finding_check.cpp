@@ -31,7 +31,7 @@ bool agree(const StudyCell& a, const StudyCell& b, const std::vector<PairBy>& ke
   });
 }
 
-/// Walks through the pairs and keeps the one that speaks most against the finding.
+/// Compares all pairs and keeps the one with the strongest evidence against the finding.
 class Check {
  public:
   Check(const Finding& finding, const Study& study, const std::vector<CellSummary>& summaries, const StudyWords& words)
@@ -82,7 +82,7 @@ class Check {
     if (!left || !right) return;
     const double bound = finding_.factor * *right;
     const bool agrees = finding_.relation == Relation::Below ? *left < bound : *left > bound;
-    // How far the pair is from its bound, as a ratio; where the bound is zero as a difference.
+    // Distance of the pair from its bound: a ratio, or a difference where the bound is zero.
     const double ratio = bound > 0.0 ? *left / bound : *left - bound + 1.0;
     std::string text = words_("%1: %2 against %3: %4",
                               {study_.cells[cell].label, show(*left), study_.cells[other].label, show(*right)});
@@ -120,7 +120,7 @@ class Check {
   const StudyWords& words_;
   CheckedFinding result_;
   double worst_ = -std::numeric_limits<double>::infinity();
-  std::string missing_;  ///< why a pair cannot be compared, of the last such
+  std::string missing_;  ///< reason why the last incomparable pair cannot be compared
 };
 
 }  // namespace

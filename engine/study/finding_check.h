@@ -12,16 +12,16 @@ namespace glissade {
 enum class Verdict {
   Holds,
   Refuted,
-  Open  ///< no pair refutes it, but some cannot be compared: not run, or never solved
+  Open  ///< no pair refutes it, but some cannot be compared because they were not run or never solved
 };
-const char* name(Verdict verdict);  ///< "holds", "does not hold", "open"
+const char* name(Verdict verdict);  ///< The text "holds", "does not hold" or "open".
 
-/// What a study's results say of a finding.
+/// The result of checking a finding.
 struct CheckedFinding {
   Verdict verdict = Verdict::Open;
-  std::size_t compared = 0;  ///< pairs
-  std::size_t agreeing = 0;  ///< of these
-  std::string numbers;       ///< the pair that speaks most against it, or why there is none
+  std::size_t compared = 0;  ///< number of pairs
+  std::size_t agreeing = 0;  ///< number of pairs that agree
+  std::string numbers;       ///< the pair with the strongest evidence against it, or the reason why there is none
 };
 
 CheckedFinding checkFinding(const Finding& finding, const Study& study, const std::vector<CellSummary>& summaries,

@@ -11,7 +11,7 @@
 namespace glissade {
 namespace {
 
-constexpr double kLeft = 104.0;  // where bars begin
+constexpr double kLeft = 104.0;  // x where bars begin
 constexpr double kWidth = 700.0;
 constexpr double kRight = 28.0;
 constexpr double kTop = 14.0;
@@ -21,7 +21,7 @@ constexpr double kAxis = 46.0;
 constexpr double kLegend = 26.0;
 constexpr double kDigit = 7.5;  // width of a number's digit
 
-/// Of one station, from 0; all steps where there is no line.
+/// The bar of one station, numbered from 0; all steps where there is no line.
 struct Bar {
   std::string name;
   std::vector<std::size_t> steps;
@@ -100,7 +100,7 @@ class ChartDrawing {
   std::string piece(std::size_t step, double left, double right, double top) const {
     const bool isInChain = chain_.count(step) != 0;
     const std::string number = std::to_string(step + 1);
-    const double inset = isInChain ? 1.0 : 0.5;  // neighbours' frames lie beside each other
+    const double inset = isInChain ? 1.0 : 0.5;  // frames of neighbours lie beside each other
     std::string svg = "<rect x=\"" + pixels(left + inset) + "\" y=\"" + pixels(top + inset) + "\" width=\"" +
                       pixels(std::max(0.0, right - left - 2.0 * inset)) + "\" height=\"" + pixels(kBar - 2.0 * inset) +
                       "\" fill=\"" + colours_.box + "\" stroke=\"" + (isInChain ? colours_.ink : colours_.line) +

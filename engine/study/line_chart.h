@@ -7,9 +7,9 @@
 
 namespace glissade {
 
-/// How a line carries out a plan, as an SVG picture: a bar for each station with its steps in the order of assembly, as
-/// wide as they take, with their numbers; one bar where no line was asked for. Steps of the longest chain are framed.
-/// The dashed line is the cycle of the line.
+/// The division of a plan among the stations of a line, as an SVG picture. Each station has a bar with its steps in the
+/// order of assembly; the width of a step is its time, and the steps have their numbers. Without a line there is one
+/// bar. Steps of the longest chain are framed. The dashed line is the cycle time of the line.
 std::string lineChartSvg(const PlanTiming& timing, const StudyWords& words, const GraphColours& colours = {});
 
 }  // namespace glissade

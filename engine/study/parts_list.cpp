@@ -29,7 +29,7 @@ void addDesignations(const std::vector<SubassemblyLine>& lines, TextsById& desig
   }
 }
 
-/// What two meshes of one part have in common wherever their files have them: counts, and area and volume up to
+/// Properties that two meshes of one part have in common, independent of their poses: counts, and area and volume up to
 /// rounding.
 class Shape {
  public:
@@ -39,7 +39,7 @@ class Shape {
         area_(areaOf(mesh)),
         volume_(signedVolume(mesh)) {}
   bool operator==(const Shape& other) const {
-    constexpr double kRounding = 1e-6;  // of the size of each
+    constexpr double kRounding = 1e-6;  // tolerance as a share of each value
     const double length = std::sqrt(area_);
     return vertices_ == other.vertices_ && triangles_ == other.triangles_ &&
            std::abs(area_ - other.area_) <= kRounding * area_ &&
@@ -53,7 +53,7 @@ class Shape {
   double volume_;
 };
 
-/// The same number for meshes of one shape.
+/// Numbers shapes: meshes of one shape have the same number.
 class Shapes {
  public:
   std::size_t numberOf(const MeshPtr& mesh) {
@@ -80,7 +80,7 @@ std::string stemOf(const std::string& name) {
   return end == std::string::npos || end == digits ? name : name.substr(0, end + 1);
 }
 
-/// Numbers of steps in the order of assembly.
+/// Numbers of steps in the order of assembly, by body.
 std::map<std::string, std::size_t> stepsByBody(const AssemblyPlan& plan) {
   std::map<std::string, std::size_t> steps;
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
@@ -99,7 +99,7 @@ std::vector<PartsListRow> partsList(const AssemblyPlan& plan, const AssembledPro
   const std::set<std::string> base(plan.staying.begin(), plan.staying.end());
   std::vector<PartsListRow> rows;
   Shapes shapes;
-  constexpr std::size_t kAnyShape = static_cast<std::size_t>(-1);  // of fasteners of one designation
+  constexpr std::size_t kAnyShape = static_cast<std::size_t>(-1);  // shape of all fasteners of one designation
   std::map<std::tuple<std::string, std::size_t, std::string>, std::size_t> known;
   for (std::size_t i = 0; i < product.bodies.size(); ++i) {
     const RigidBody& body = product.bodies[i];
@@ -130,7 +130,7 @@ std::vector<PartsListRow> partsList(const AssemblyPlan& plan, const AssembledPro
     row.steps.erase(std::unique(row.steps.begin(), row.steps.end()), row.steps.end());
   }
   std::stable_sort(rows.begin(), rows.end(), [](const PartsListRow& a, const PartsListRow& b) {
-    return a.designation < b.designation;  // empty ones first
+    return a.designation < b.designation;  // parts without a designation come first
   });
   return rows;
 }

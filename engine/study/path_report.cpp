@@ -14,7 +14,7 @@
 namespace glissade {
 namespace {
 
-/// Points of the plot: each has a marker.
+/// Number of points of the plot, which have markers.
 constexpr std::size_t kPlotPoints = 80;
 constexpr double kMillimetres = 1e3;
 constexpr double kDegrees = 180.0 / std::numbers::pi;
@@ -104,7 +104,8 @@ class PathReportComposer {
     facts(std::move(rows));
   }
 
-  /// By the certificate or in the profile: either may have met a smaller one than the other.
+  /// The smaller one of the distances in the certificate and in the profile, because either may have found a smaller
+  /// one.
   NearestObstacle smallestMet() const {
     NearestObstacle least = content_.path.certificate.nearest;
     least.distance = content_.path.certificate.minClearance;
@@ -115,7 +116,7 @@ class PathReportComposer {
     return least;
   }
 
-  /// Every n-th sample, and the tightest.
+  /// Adds every n-th sample, and the tightest.
   void addCurve() {
     if (content_.profile == nullptr || content_.profile->samples.empty()) return;
     const std::vector<ClearanceSample>& samples = content_.profile->samples;
@@ -158,7 +159,7 @@ class PathReportComposer {
     report_.blocks.emplace_back(std::move(table));
   }
 
-  /// Files with the hash of what was read.
+  /// Adds the files with the hashes of their content.
   void addParts() {
     heading("Files");
     ReportTable table{

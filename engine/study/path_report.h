@@ -8,18 +8,18 @@
 
 namespace glissade {
 
-/// What the report of a path is made of. Refers to its members for the time of the call.
+/// Content of the report of a path. The references must be valid during the call.
 struct PathReportContent {
-  const Path& path;  ///< certified
+  const Path& path;  ///< certified path
   const LoadedScenario& scenario;
   PathProvenance provenance;
-  const ClearanceProfile* profile = nullptr;  ///< along the path; null: no curve
-  ReportPicture overview{};                   ///< no file: none
-  ReportPicture tightest{};                   ///< of the place with the smallest clearance
+  const ClearanceProfile* profile = nullptr;  ///< distances along the path; null: no curve
+  ReportPicture overview{};                   ///< without a file: no picture
+  ReportPicture tightest{};                   ///< picture of the place with the smallest clearance
 };
 
-/// The report of one path: problem, certificate with what is allowed and what it is about, pictures, the clearance
-/// along the path, parameters, and the parts with the hashes of their files. `length` writes a length for people.
+/// The report of one path: problem, certificate with its allowances and conditions, pictures, the clearance along the
+/// path, parameters, and the parts with the hashes of their files. `length` formats a length for people.
 StudyReport pathReport(const PathReportContent& content, const StudyWords& words,
                        const std::function<std::string(double metres)>& length);
 

@@ -30,10 +30,10 @@ struct GraphNode {
 struct GraphArrow {
   std::size_t from;
   std::size_t to;
-  bool blocks = false;  ///< to a stuck part
+  bool blocks = false;  ///< the arrow leads to a stuck part
 };
 
-/// Steps before each step without those that others of them imply; both counted from 0.
+/// The direct predecessors of each step, without those that other predecessors imply; counted from 0.
 std::vector<std::vector<std::size_t>> directlyBefore(const AssemblyPlan& plan) {
   std::vector<std::set<std::size_t>> all(plan.steps.size());
   std::vector<std::vector<std::size_t>> direct(plan.steps.size());
@@ -51,7 +51,7 @@ std::vector<std::vector<std::size_t>> directlyBefore(const AssemblyPlan& plan) {
   return direct;
 }
 
-/// Where the boxes are, and the arrows between them.
+/// Positions of the boxes and of the arrows between them.
 class GraphLayout {
  public:
   GraphLayout(const AssemblyPlan& plan, const AssembledProduct& product, const StudyWords& words)
@@ -62,7 +62,7 @@ class GraphLayout {
 
   std::vector<GraphNode> nodes;
   std::vector<GraphArrow> arrows;
-  std::vector<std::size_t> rows;  ///< of each column
+  std::vector<std::size_t> rows;  ///< rows of each column
 
  private:
   std::size_t add(const std::string& text, std::size_t column, bool isStep) {
@@ -111,9 +111,9 @@ double left(const GraphNode& node) { return kMargin + static_cast<double>(node.c
 double top(const GraphNode& node) { return kMargin + static_cast<double>(node.row) * (kBoxHeight + kRowGap); }
 double middle(const GraphNode& node) { return top(node) + 0.5 * kBoxHeight; }
 
-/// The beginning and the end of a long text; UTF-8 is cut before a character.
+/// The beginning and the end of a long text. UTF-8 is cut before a character.
 std::string cut(const std::string& text) {
-  std::vector<std::size_t> letters;  // where each begins
+  std::vector<std::size_t> letters;  // position of the first byte of each character
   for (std::size_t i = 0; i < text.size(); ++i) {
     if ((static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U) letters.push_back(i);
   }

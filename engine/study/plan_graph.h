@@ -8,7 +8,7 @@
 
 namespace glissade {
 
-/// Colours of a picture, as SVG writes them.
+/// Colours of a picture in SVG notation.
 struct GraphColours {
   std::string ink = "#1d2329";
   std::string line = "#7b8794";
@@ -18,8 +18,8 @@ struct GraphColours {
 };
 
 /// The order of a plan as an SVG picture. A box is a step of the removal, with its number. An arrow leads from a step
-/// to each step that it makes way for; arrows that others imply are left out. A column holds steps whose longest chain
-/// of steps before them is equally long. Stuck parts follow on the right, with dashed arrows from the parts that block
+/// to each step that must come after it; implied arrows are left out. A column holds the steps whose longest chain of
+/// predecessors has the same length. Stuck parts follow on the right, with dashed arrows from the parts that block
 /// them. Precondition: the plan is about this product.
 std::string planGraphSvg(const AssemblyPlan& plan, const AssembledProduct& product, const StudyWords& words,
                          const GraphColours& colours = {});

@@ -116,8 +116,8 @@ class Composer {
     return names;
   }
 
-  /// A page for each group that a step brings: it is put together before, and so are the groups in it. `number`: of the
-  /// step, "12" or "12.3" of a step in a group.
+  /// Adds a page for each group that a step brings, before that step, and for the groups in it. `number`: number of the
+  /// step, "12", or "12.3" for a step in a group.
   void addSubassemblies(const std::vector<SubassemblyLine>& lines, const std::vector<LineTexts>& access,
                         std::size_t step, const std::string& number) {
     for (std::size_t l = 0; l < lines.size(); ++l) {
@@ -131,7 +131,7 @@ class Composer {
     }
   }
 
-  /// `access`: of each step; empty: not asked.
+  /// `access`: text for each step; empty: not checked.
   void addSubassembly(const SubassemblyLine& line, const std::vector<std::string>& access, const std::string& number) {
     report_.blocks.emplace_back(ReportHeading{say("Subassembly for step %1", {number}), 2, true});
     report_.blocks.emplace_back(facts({{say("Parts"), namesOf(line.bodies)}, {say("Base"), namesOf(line.staying)}}));
@@ -159,7 +159,7 @@ class Composer {
   using Steps = std::vector<const AssemblyStep*>;
   using Rows = std::vector<Texts>;
 
-  /// What is said of each step, once.
+  /// Adds one row for each different text of the steps.
   static void addRows(const std::string& label, const Steps& steps,
                       const std::function<Texts(const AssemblyStep&)>& textsOf, Rows& rows) {
     std::set<std::string> said;
@@ -170,7 +170,7 @@ class Composer {
     }
   }
 
-  /// A page for a step, or for the steps of a task.
+  /// Adds a page for a step, or for the steps of a task.
   void addPage(std::size_t task, const TaskRange& range) {
     const std::string all = std::to_string(content_.plan.steps.size());
     Steps steps;
@@ -231,7 +231,7 @@ class Composer {
     return rows;
   }
 
-  /// "4 times: screw in M3x8, 9.5 turns"; nothing where the motion says it.
+  /// The work of a step, for example "4 times: screw in M3x8, 9.5 turns"; nothing where the motion states it.
   Texts workOf(const AssemblyStep& step, std::size_t count) const {
     const std::string work = plain_.work(step, content_.product, PlanOrder::Assembly);
     if (work == plain_.motion(step, PlanOrder::Assembly)) return {};

@@ -10,31 +10,32 @@
 
 namespace glissade {
 
-/// A text for each step of a plan, or of a group that is taken apart, and those of its groups.
+/// A text for each step of a plan or of a group, and the texts of its groups.
 struct LineTexts {
   std::vector<std::string> steps{};
-  std::vector<LineTexts> lines{};  ///< in the order of AssemblyPlan::lines
+  std::vector<LineTexts> lines{};  ///< groups in the order of AssemblyPlan::lines
 };
 
-/// What the report of a plan is made of. Refers to its members for the time of the call.
+/// Content of the report of a plan. The references must be valid during the call.
 struct PlanReportContent {
   const AssemblyPlan& plan;
   const AssembledProduct& product;
-  std::string name;                       ///< of the product
-  double deviation = 0.0;                 ///< as of ProductFile
-  MissingShapes missing{};                ///< as of ProductFile
-  std::vector<StepCheck> checks{};        ///< of each step; empty: not asked
-  std::vector<std::string> conditions{};  ///< of the check, in the language of the report
-  std::string explodedPicture{};          ///< a PNG file; empty: none
-  std::string graphPicture{};             ///< a PNG file of planGraphSvg(); empty: none
-  std::vector<std::string> pictures{};    ///< a PNG file of each task (taskRanges()); empty: none
-  std::optional<PlanTiming> timing{};     ///< how long the work takes; nothing: not said
-  LineTexts access{};                     ///< whether a hand gets there; without steps: not asked
+  std::string name;                       ///< name of the product
+  double deviation = 0.0;                 ///< as in ProductFile
+  MissingShapes missing{};                ///< as in ProductFile
+  std::vector<StepCheck> checks{};        ///< check of each step; empty: not checked
+  std::vector<std::string> conditions{};  ///< conditions of the check, in the language of the report
+  std::string explodedPicture{};          ///< path of a PNG file; empty: none
+  std::string graphPicture{};             ///< path of a PNG file of planGraphSvg(); empty: none
+  std::vector<std::string> pictures{};    ///< a PNG file for each task (taskRanges()); empty: none
+  std::optional<PlanTiming> timing{};     ///< duration of the work; nothing: not stated
+  LineTexts access{};                     ///< access of a hand for each step; without steps: not checked
 };
 
-/// What an engineer reads of a plan: cover, parts list, a page for each task in the order of assembly with its motions,
-/// clearances, allowances and checks, how long the steps take and how a line divides them, parts without a step. The
-/// numbers of steps are those of the work instruction. Precondition: the plan is about the product.
+/// The report of a plan for an engineer: cover, parts list, a page for each task in the order of assembly with its
+/// motions, clearances, allowances and checks, the times of the steps and their division among a line's stations, and
+/// parts without a step. The numbers of steps are those of the work instruction. Precondition: the plan is about the
+/// product.
 StudyReport planReport(const PlanReportContent& content, const PlanWords& words);
 
 }  // namespace glissade

@@ -19,7 +19,7 @@ double largestAllowance(const AssemblyStep& step) {
   return largest;
 }
 
-/// The names of the bodies as the file has them, with those of the assemblies that they are in.
+/// The names of the bodies in the file, with those of their assemblies.
 class FullNames {
  public:
   explicit FullNames(const AssembledProduct& product) : product_(product), paths_(product.tree.shownPaths()) {}

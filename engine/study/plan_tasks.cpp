@@ -7,7 +7,7 @@
 namespace glissade {
 namespace {
 
-/// Cosine of the angle between two motions of one direction.
+/// Cosine of the largest angle between two motions of the same direction.
 constexpr double kSameDirection = 0.99;
 
 bool isOneKind(const AssemblyStep& a, const AssemblyStep& b, const std::vector<PartsListRow>& parts) {

@@ -9,25 +9,25 @@
 
 namespace glissade {
 
-/// How long an assembly plan takes people. Steps are in the order of assembly, numbered from 0.
+/// Times of an assembly plan for people. Steps are in the order of assembly, numbered from 0.
 struct PlanTiming {
   std::vector<StepTime> times;
   LineTasks tasks;
-  std::vector<std::size_t> chain;     ///< the steps that take longest one after the other
-  std::optional<LineBalance> line{};  ///< where a number of stations was asked for
-  std::size_t edited = 0;             ///< values of the table that differ from their defaults
+  std::vector<std::size_t> chain;     ///< chain of dependent steps with the longest time
+  std::optional<LineBalance> line{};  ///< balance of the line, if a number of stations is given
+  std::size_t edited = 0;             ///< number of table values that differ from their defaults
 
-  double sum() const;           ///< seconds of one person
-  double chainSeconds() const;  ///< of the chain
+  double sum() const;           ///< Sum of all steps, seconds of one person.
+  double chainSeconds() const;  ///< Time of the chain, seconds.
   /// Steps of a station, ascending. Precondition: line.
   std::vector<std::size_t> stepsAt(std::size_t station) const;
 };
 
-/// Errors: as of balanceLine(). Precondition: the plan is about the product.
+/// Computes the times. Errors are those of balanceLine(). Precondition: the plan is about the product.
 Result<PlanTiming> planTiming(const AssemblyPlan& plan, const AssembledProduct& product, const WorkTimes& table,
                               std::optional<std::size_t> stations = std::nullopt);
 
-/// "1, 2, 7": numbers for people, from 1.
+/// Step numbers for people, from 1: "1, 2, 7".
 std::string numbersText(const std::vector<std::size_t>& steps);
 
 }  // namespace glissade

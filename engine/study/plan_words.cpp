@@ -13,9 +13,9 @@
 namespace glissade {
 namespace {
 
-/// A direction within two degrees of an axis is that of the axis.
+/// Cosine of two degrees. A direction nearer to an axis is described as that axis.
 constexpr double kAlongAxis = 0.9994;
-/// Motions of more legs are summed up.
+/// Most legs of a motion that are described separately.
 constexpr std::size_t kMostLegs = 3;
 
 std::string decimals(double value, int digits) {
@@ -24,7 +24,7 @@ std::string decimals(double value, int digits) {
   return text.data();
 }
 
-/// With the decimal sign of the language.
+/// A number with the decimal sign of the language.
 std::string decimals(double value, int digits, Language language) {
   std::string text = decimals(value, digits);
   if (language == Language::French) std::replace(text.begin(), text.end(), '.', ',');
@@ -33,10 +33,10 @@ std::string decimals(double value, int digits, Language language) {
 
 std::string degrees(double radians) { return decimals(radians * 180.0 / std::acos(-1.0), 0) + "°"; }
 
-/// The size of the tool for the hexagon that it turns, in millimetres or inches: " 2.5", " 3/16″"; the hexagon's
-/// own where no tool has that size; empty where it is not known.
+/// The size of the tool for the hexagon that it turns, in millimetres or inches: " 2.5", " 3/16″". The hexagon's size
+/// where no tool has that size; empty where it is not known.
 std::string sizeOfTool(const AssemblyStep& step, Language language) {
-  constexpr double kTenths = 1e4;  // of a millimetre, in metres
+  constexpr double kTenths = 1e4;  // tenths of a millimetre per metre
   for (const StepJoint& joint : step.joints) {
     const bool isHexagon = joint.drive == DriveKind::HexSocket || joint.drive == DriveKind::HexOutside;
     if (joint.body != step.body || !isHexagon || joint.driveSize <= 0.0) continue;
@@ -48,7 +48,8 @@ std::string sizeOfTool(const AssemblyStep& step, Language language) {
   return {};
 }
 
-/// Its designation, else the size of its thread, else its name: alike fasteners have the same text.
+/// The designation of the fastener, else the size of its thread, else its name, so that equal fasteners have the same
+/// text.
 std::string fastenerText(const StepJoint& joint, const AssembledProduct& product) {
   if (!joint.designation.empty()) return joint.designation;
   const std::string size = joint.diameter > 0.0 ? nominalSize(joint.diameter) : std::string();
@@ -66,7 +67,7 @@ std::string PlanWords::direction(const Vector3& direction) const {
   return "(" + decimals(direction.x(), 2) + ", " + decimals(direction.y(), 2) + ", " + decimals(direction.z(), 2) + ")";
 }
 
-/// "rod, bolt and 3 more".
+/// Some of the names, for example "rod, bolt and 3 more".
 std::string PlanWords::someOf(const std::vector<std::string>& ids, const AssembledProduct& product) const {
   constexpr std::size_t kNamed = 2;
   std::string text;
@@ -135,7 +136,7 @@ std::string PlanWords::work(const AssemblyStep& step, const AssembledProduct& pr
   return text.empty() ? motion(step, order) : text;
 }
 
-/// Of a shaft that turns out of a nut, the nut is named.
+/// The work on a joint. If a shaft turns out of a nut, the text names the nut.
 std::string PlanWords::joint(const StepJoint& joint, const AssemblyStep& step, const AssembledProduct& product,
                              PlanOrder order) const {
   const bool removal = order == PlanOrder::Removal;
@@ -167,7 +168,7 @@ std::string PlanWords::joint(const StepJoint& joint, const AssemblyStep& step, c
   return {};
 }
 
-/// The turns of a screw motion are one leg.
+/// Describes a screw motion; its turns are one leg.
 std::string PlanWords::turnedMotion(const AssemblyStep& step, PlanOrder order) const {
   const MotionLeg last = legsOf(step.path).back();
   const std::string turns = decimals(step.joints.front().turns, 1, words_.language());

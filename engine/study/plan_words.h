@@ -10,46 +10,47 @@
 
 namespace glissade {
 
-/// What the independent check says of a step.
+/// Result of the independent check for a step.
 enum class StepCheck { NotAsked, Agrees, Disagrees };
 
 /// The result of the independent check of a plan.
 struct PlanCheck {
-  std::vector<StepCheck> steps{};         ///< of each step; empty: not asked
-  std::vector<std::string> conditions{};  ///< that the plan states itself, and that the check rests on
+  std::vector<StepCheck> steps{};         ///< check of each step; empty: not checked
+  std::vector<std::string> conditions{};  ///< conditions that only the plan states and on which the check rests
 
   bool operator==(const PlanCheck&) const = default;
 };
 
-/// What people read of an assembly plan, in their language.
+/// The texts about an assembly plan, in the language of the user.
 class PlanWords {
  public:
-  /// A length as people read it: "24.0 mm".
+  /// Formats a length for people: "24.0 mm".
   using LengthText = std::function<std::string(double metres)>;
 
   PlanWords(Language language, LengthText length) : words_(language), length_(std::move(length)) {}
 
   const StudyWords& words() const { return words_; }
   std::string length(double metres) const { return length_(metres); }
-  /// "up (+Z)", "(0.50, 0.00, 0.87)".
+  /// A direction: "up (+Z)", "(0.50, 0.00, 0.87)".
   std::string direction(const Vector3& direction) const;
-  /// What the others are taken off, and why: "plate (the largest part)", "foot (as a person says)".
+  /// The base of the plan, and the reason for it: "plate (the largest part)", "foot (as a person says)".
   std::string base(const AssemblyPlan& plan, const AssembledProduct& product) const;
-  /// The motion of a step: "up (+Z), 62.0 mm". The words of assembly are those of the reverse.
+  /// The motion of a step: "up (+Z), 62.0 mm". In the order of assembly the reversed motion is described.
   std::string motion(const AssemblyStep& step, PlanOrder order) const;
-  /// What is done to the joints of a step: "turn out screw ISO 4762 M3x8, 9.5 turns", an entry each.
+  /// The work on the joints of a step, one entry for each: "turn out screw ISO 4762 M3x8, 9.5 turns".
   std::vector<std::string> joints(const AssemblyStep& step, const AssembledProduct& product, PlanOrder order) const;
-  /// What a fitter does in a step, in one line: joints(), or the motion where nothing is joined.
+  /// The work of a step in one line: joints(), or the motion where the step has no joint.
   std::string work(const AssemblyStep& step, const AssembledProduct& product, PlanOrder order) const;
-  /// "hex key 2.5"; empty where the step needs none.
+  /// The tool: "hex key 2.5"; empty where the step needs none.
   std::string toolName(const AssemblyStep& step) const;
-  /// The same, with what is in its way: "socket 13, blocked by plate".
+  /// The tool, with the bodies that block it: "socket 13, blocked by plate".
   std::string tool(const AssemblyStep& step, const AssembledProduct& product) const;
-  /// "hold rod, bolt and 3 more"; empty where nothing falls.
+  /// The parts that must be held: "hold rod, bolt and 3 more"; empty where no part falls.
   std::string standing(const AssemblyStep& step, const AssembledProduct& product) const;
-  /// What a step that a person has put at its place does not keep: "nuts still on it: nut, nut#2", an entry each.
+  /// The rules that a step violates at the place that a person has given it, one entry for each: "nuts still on it:
+  /// nut, nut#2".
   std::vector<std::string> violations(const AssemblyStep& step, const AssembledProduct& product) const;
-  /// "taken 0.0206 mm thinner in the hole of nut (cylindrical)", an entry each.
+  /// The allowances, one entry for each: "taken 0.0206 mm thinner in the hole of nut (cylindrical)".
   std::vector<std::string> allowances(const AssemblyStep& step, const AssembledProduct& product) const;
 
  private:
@@ -62,15 +63,15 @@ class PlanWords {
   LengthText length_;
 };
 
-/// Short names of the bodies that leave in a step: "bolt", or "bolt, nut" of a group.
+/// Short names of the bodies that leave in a step: "bolt", or "bolt, nut" for a group.
 std::string nameOfStep(const AssemblyStep& step, const AssembledProduct& product);
 
-/// What people see of the body with this id; the id where the product has none.
+/// The displayed name of the body with this id; the id where the product has no such body.
 std::string shownNameOf(const std::string& id, const AssembledProduct& product);
 
-/// The name without the number that tells two of one name apart: "nut" of "nut#2".
+/// The name without the number that distinguishes equal names: "nut" of "nut#2".
 std::string kindOfPart(const std::string& name);
-/// The name that the file has for the product of a body, without that number.
+/// The file's name for the product of a body, without that number.
 std::string kindOfPart(std::size_t body, const AssembledProduct& product);
 
 }  // namespace glissade

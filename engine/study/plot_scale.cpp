@@ -14,10 +14,10 @@ namespace {
 constexpr double kSpanForLogarithms = 20.0;
 constexpr double kZeroWidth = 0.1;
 constexpr int kMostSteps = 6;
-/// Parts of logarithmic axes that span less have evenly spaced ticks.
+/// Least ratio of a logarithmic axis' bounds for ticks at powers of ten. Smaller parts have evenly spaced ticks.
 constexpr double kSpanForPowers = 5.0;
 
-/// 1, 2 or 5 times a power of ten, at least this.
+/// The smallest number of the form 1, 2 or 5 times a power of ten that is at least `least`.
 double roundStep(double least) {
   const double power = std::pow(10.0, std::floor(std::log10(least)));
   for (const double digit : {1.0, 2.0, 5.0}) {
@@ -113,7 +113,7 @@ void PlotScale::markLogarithmic() {
   ticks_.insert(ticks_.end(), powers.begin(), powers.end());
 }
 
-/// Between two logarithms.
+/// Ticks between two logarithms.
 std::vector<PlotTick> PlotScale::powerTicks(double low, double high) const {
   std::vector<PlotTick> ticks;
   const double decades = high - low;
@@ -129,7 +129,7 @@ std::vector<PlotTick> PlotScale::powerTicks(double low, double high) const {
   return ticks;
 }
 
-/// Between two values, with as many decimals as tell them apart.
+/// Ticks between two values, with as many decimals as distinguish them.
 std::vector<PlotTick> PlotScale::roundTicks(double low, double high) const {
   std::vector<PlotTick> ticks;
   const double step = roundStep((high - low) / kMostSteps);

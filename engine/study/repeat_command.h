@@ -6,10 +6,10 @@
 
 namespace glissade {
 
-/// The command of a shell that repeats a run, from the folder of the study file.
+/// The shell command that repeats a run, from the folder of the study file.
 std::string repeatCommand(const StudyCell& cell, std::uint64_t seed);
 
-/// A word of a command as a shell takes it: quoted where needed.
+/// A word of a shell command, quoted where needed.
 std::string shellWord(const std::string& word);
 
 }  // namespace glissade

@@ -51,7 +51,7 @@ svg .ground-line { stroke: var(--ground); }
 svg .faint { stroke: var(--line); }
 )";
 
-/// The cells of a verdict say it in colour, too.
+/// CSS class of a cell; a verdict has a colour.
 std::string classOf(const ReportColumn& column, const std::string& cell, const StudyWords& words) {
   if (column.kind == ReportColumn::Kind::Number) return " class=\"number\"";
   if (column.kind == ReportColumn::Kind::Prose) return " class=\"prose\"";

@@ -6,12 +6,11 @@
 
 namespace glissade {
 
-/// A report as one HTML page that needs nothing else: plots are inline SVG, pictures data URLs, the
-/// style sheet has a light, a dark and a printed form. Well-formed XML. A picture that cannot be read is
-/// the error.
+/// A report as one HTML page without other files: plots are inline SVG, pictures are data URLs, and the style sheet has
+/// light, dark and printed forms. Well-formed XML. Error: a picture cannot be read.
 Result<std::string> reportHtml(const StudyReport& report);
 
-/// RFC 4648, with padding.
+/// Base64 by RFC 4648, with padding.
 std::string base64(const std::string& bytes);
 
 }  // namespace glissade

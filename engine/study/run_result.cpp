@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "engine/base/guarded.h"
-#include "engine/import/json_reader.h"
+#include "engine/base/json_reader.h"
 #include "engine/study/study_json.h"
 
 namespace glissade {
@@ -50,7 +50,7 @@ std::size_t indexOf(std::string_view column) {
   return static_cast<std::size_t>(found - kColumns.begin());
 }
 
-/// The first line of a text, and not too much of it.
+/// The first line of a text, limited in length.
 std::string firstLine(const std::string& text) {
   constexpr std::size_t kMost = 300;
   return text.substr(0, std::min(text.find('\n'), kMost));
@@ -69,7 +69,7 @@ std::string textAt(const Json& report, const char* pointer) {
   return report.contains(where) && report.at(where).is_string() ? report.at(where).get<std::string>() : "";
 }
 
-/// Of `glissade-cli sequence`; else nothing.
+/// The status in a report of `glissade-cli sequence`; nothing for other reports.
 std::optional<RunStatus> statusOfSequence(const Json& report) {
   if (textAt(report, "/format") != "glissade-plan") return std::nullopt;
   const std::string end = textAt(report, "/end");
@@ -77,7 +77,8 @@ std::optional<RunStatus> statusOfSequence(const Json& report) {
   return end == "stuck" ? RunStatus::NoPath : RunStatus::Time;
 }
 
-/// What guarded() and the standard library say where memory ends: in the error of the report, or on standard error.
+/// True if the text says that memory ended, in the words of guarded() or of the standard library. The text is the
+/// report's error or standard error.
 bool saysOutOfMemory(const std::string& text) {
   return text.find("bad_alloc") != std::string::npos || text == withoutMemory().reason;
 }
@@ -137,7 +138,7 @@ RunOutcome outcomeOf(const ChildEnd& end, double timeLimit) {
     if (statusOfSequence(report)) {
       if (outcome.result.numbers[indexOf("parts_removed")].value_or(0.0) > 0.0)
         outcome.result.certificate = "certified";
-      outcome.result.numbers[indexOf("steps")].reset();  // those of a planner
+      outcome.result.numbers[indexOf("steps")].reset();  // the number is that of a planner's steps
       outcome.timing.planningSeconds = numberAt(report, "/wall_s");
     } else {
       outcome.result.numbers[indexOf("sequence_steps")].reset();
@@ -180,7 +181,7 @@ std::optional<double> readOptional(const JsonCursor& at) {
   return at.number();
 }
 
-/// What runs did not measure from the beginning.
+/// Reads a value that files of the first versions do not have.
 std::optional<double> readIfThere(const JsonCursor& object, const char* key) {
   const auto at = object.find(key);
   return at ? readOptional(*at) : std::nullopt;

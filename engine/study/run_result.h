@@ -11,8 +11,8 @@
 
 namespace glissade {
 
-/// A number of a run that is the same on every machine: where `glissade-cli plan --json` has it, and
-/// what the tables call it.
+/// A number of a run that is the same on every machine: its place in `glissade-cli plan --json`, and its name in the
+/// tables.
 struct ResultColumn {
   std::string_view name;
   std::string_view pointer;  ///< JSON pointer into the report
@@ -21,41 +21,41 @@ struct ResultColumn {
 inline constexpr std::size_t kResultColumnCount = 27;
 const std::array<ResultColumn, kResultColumnCount>& resultColumns();
 
-/// How a run ended. The last four are the machine's answer, not the planner's.
+/// End of a run. The last four depend on the machine or the program, not on the planner.
 enum class RunStatus {
   Solved,
   NoPath,
-  NotCertified,  ///< a path was found, and our certificate refused it
-  LimitReached,  ///< of steps or samples
-  InCollision,   ///< start or goal
-  Error,         ///< it ended by itself with another error
-  Time,          ///< over its time limit
-  Memory,        ///< over its memory limit
+  NotCertified,  ///< a path was found but not certified
+  LimitReached,  ///< a limit of steps or samples
+  InCollision,   ///< start or goal in collision
+  Error,         ///< the run ended by itself with another error
+  Time,          ///< over the time limit
+  Memory,        ///< over the memory limit
   Crashed        ///< ended by a signal, or without a report
 };
 inline constexpr std::size_t kRunStatusCount = 9;
 const char* name(RunStatus status);
 std::optional<RunStatus> runStatusOf(std::string_view name);
 
-/// The status depends on the machine's speed and memory, so a repetition may end otherwise.
+/// True if the status depends on the machine's speed and memory, so that a repetition may end otherwise.
 bool dependsOnMachine(RunStatus status);
 
-/// What a run found: the same whenever and wherever it is run (but see dependsOnMachine).
+/// The result of a run, which is the same on every machine (except dependsOnMachine()).
 struct RunResult {
   RunStatus status = RunStatus::Crashed;
-  std::array<std::optional<double>, kResultColumnCount> numbers;  ///< as resultColumns()
+  std::array<std::optional<double>, kResultColumnCount> numbers;  ///< in the order of resultColumns()
   std::string certificate;                                        ///< "certified"; empty: no path
-  std::string message;                                            ///< why there is no path; one line
+  std::string message;                                            ///< reason why there is no path; one line
 
   friend bool operator==(const RunResult&, const RunResult&) = default;
 };
 
-/// What it took on this machine.
+/// Cost of a run on this machine.
 struct RunTiming {
   std::optional<double> planningSeconds;
-  std::optional<double> planningCpuSeconds;  ///< a loaded machine matters less to it
-  std::optional<double> cpuSeconds;          ///< of the whole process, with loading
-  double wallSeconds = 0.0;                  ///< of the whole process, with loading
+  std::optional<double> planningCpuSeconds;  ///< depends less on the load of the machine
+  std::optional<double> cpuSeconds;          ///< time of the whole process, with loading
+  double wallSeconds = 0.0;                  ///< time of the whole process, with loading
   double peakMemoryMb = 0.0;
 };
 
@@ -64,10 +64,10 @@ struct RunOutcome {
   RunTiming timing;
 };
 
-/// Reads the end of a `glissade-cli plan --json`. Never fails: what cannot be understood is Crashed.
+/// Reads the output of a `glissade-cli plan --json` that has ended. Never fails: malformed output is Crashed.
 RunOutcome outcomeOf(const ChildEnd& end, double timeLimit);
 
-/// The file of a run (JSON), and back. `plan` is the hash of the plan that the run belongs to.
+/// The file of a run (JSON), to and from text. `plan`: hash of the plan to which the run belongs.
 struct RunRow {
   std::string plan;
   std::size_t cell = 0;

@@ -18,9 +18,9 @@ struct Proportion {
 /// and for shares of 0 and 1. No trials: share 0, interval 0 to 1.
 Proportion wilson95(std::size_t successes, std::size_t trials);
 
-/// What a table says about a sample.
+/// Statistics of a sample.
 struct Distribution {
-  std::size_t count = 0;  ///< 0: the rest means nothing
+  std::size_t count = 0;  ///< 0: the other members are undefined
   double minimum = 0.0;
   double firstQuartile = 0.0;
   double median = 0.0;
@@ -33,8 +33,8 @@ struct Distribution {
 /// and NumPy). The mean is summed in ascending order, so that the order given does not matter.
 Distribution distributionOf(std::vector<double> sample);
 
-/// The k of y = c x^k through points with positive coordinates: least squares of the logarithms.
-/// Nothing where they have less than two different x.
+/// The exponent k of y = c x^k through points with positive coordinates, by least squares of the logarithms. Nothing
+/// where they have less than two different x.
 std::optional<double> fittedExponent(const std::vector<std::pair<double, double>>& points);
 
 }  // namespace glissade

@@ -8,7 +8,7 @@
 
 namespace glissade {
 
-/// What a study varies, before its cells are spelled out.
+/// The settings that a study varies, before its cells are listed.
 struct StudyAxes {
   std::vector<std::string> scenarios;
   std::vector<std::string> strategies;
@@ -19,27 +19,28 @@ struct StudyAxes {
   std::vector<std::uint64_t> seeds;
 };
 
-/// A named row: what it says replaces or adds to what the study says for all.
+/// A named row. Its settings replace or extend those of the whole study.
 struct StudyRow {
   std::string label;
-  StudyAxes axes;  ///< with the row's own words already in force
+  StudyAxes axes;  ///< axes with the row's own settings applied
   std::map<std::string, PaperValue> paper;
   std::string location;
 };
 
-/// Cells of a row: scenarios x strategies x operators x grid, the last varying fastest. Labels name
-/// the row and whatever takes more than one value.
-/// Their number first: a product that may be too large to be spelled out.
+/// Makes the cells of a row: scenarios x strategies x operators x grid, the last varying fastest. Labels name the row
+/// and all settings with more than one value. cellCount() is the size of this product, which may be too large to be
+/// listed.
 double cellCount(const StudyRow& row);
 std::vector<StudyCell> cellsOf(const StudyRow& row);
 
-/// "environment-1" of "../environment-1/scenario.json", and "tight-star": enough to tell scenarios apart.
+/// A short name of a scenario that distinguishes it: "environment-1" of "../environment-1/scenario.json", or
+/// "tight-star".
 std::string scenarioName(const std::string& scenario);
 
-/// Limits of a run are parameters; in a study they are not varied.
+/// True for limits of a run, which are parameters but are not varied in a study.
 bool isLimit(ParameterId id);
 
-/// Adds a part to a text whose parts are separated by commas.
+/// Appends a part to a text, separated by a comma.
 void appendPart(std::string& text, const std::string& part);
 
 }  // namespace glissade

@@ -14,7 +14,7 @@ constexpr std::size_t kMostRunBytes = 1U << 20;
 
 std::string planFile(const std::string& folder) { return folder + "/plan.json"; }
 
-/// Nothing is there but what a writer that was cut off has left (base/file.h).
+/// True if the folder is missing or holds only temporary files of an interrupted writer (base/file.h).
 bool isEmptyOrMissing(const std::string& folder) {
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(folder, ignored)) {
@@ -36,7 +36,7 @@ Diagnostic belongsToAnother(const std::string& folder) {
           "Choose another --out, or remove that folder."};
 }
 
-/// The plan comes first: a folder with a plan is ours.
+/// Writes the files of a new folder. The plan comes first, because a folder with a plan is accepted as a study folder.
 Outcome layOut(const std::string& folder, const std::string& studyText, const std::string& planText) {
   const auto there = readFile(planFile(folder), kMostPlanBytes);
   if (there && *there != planText) return belongsToAnother(folder);

@@ -10,25 +10,25 @@
 
 namespace glissade {
 
-/// What is known so far, in the order of cells and seeds.
+/// The results so far, in the order of cells and seeds.
 using StudyResults = std::map<StudyRun, RunOutcome>;
 
 /// A folder of results:
 ///
 ///     study.json   the study file, byte for byte
-///     plan.json    what came of it (StudyPlan): folders belong together when these are equal
+///     plan.json    the resolved study (StudyPlan): folders belong together when these are equal
 ///     runs/        one file a run, written when it has ended: a killed study loses no finished run
 ///     *.csv, summary.json   the tables (study_tables.h)
 ///     report.html  the report (study_report.h), with the pictures in pictures/
-///     origin.txt   where the study file was, for those who open its scenarios
+///     origin.txt   path of the study file, for opening its scenarios
 ///
 /// Several processes may work in one folder.
 class StudyFolder {
  public:
-  /// Makes the folder, or takes up one that was begun with the same plan. A folder of another study or
-  /// version, or with other content, is a Usage error.
+  /// Makes the folder, or continues one that was begun with the same plan. A folder of another study or version, or
+  /// with other content, is a Usage error.
   static Result<StudyFolder> begin(const std::string& folder, const StudyPlan& plan, const std::string& studyText);
-  /// An existing folder of results; anything else is a MalformedInput error.
+  /// Opens an existing folder of results; anything else is a MalformedInput error.
   static Result<StudyFolder> open(const std::string& folder);
 
   const std::string& path() const { return path_; }
@@ -37,13 +37,13 @@ class StudyFolder {
   const std::string& planSha256() const { return planSha256_; }
   std::string file(const std::string& name) const { return path_ + "/" + name; }
 
-  /// Every planned run that is there. A file that cannot be read, or is of another plan, counts as
-  /// not run and is named among the warnings. Where stopped, those read so far.
+  /// All planned runs that have results. A file that cannot be read, or belongs to another plan, counts as not run and
+  /// is named in a warning. After a stop, the runs read so far.
   StudyResults results(Warnings& warnings, const WorkWatch& watch = {}) const;
-  /// Notes where the study file is, for scenarioFile.
+  /// Stores the path of the study file, for scenarioFile.
   Outcome noteStudyFile(const std::string& studyFile) const;
-  /// The scenario of a cell, where the study file was when it was run. Where that is not known, or the
-  /// scenario is no longer there, a MalformedInput error.
+  /// The scenario of a cell, relative to the study file at the time of the run. Error: MalformedInput where that path
+  /// is not known, or the scenario does not exist any more.
   Result<std::string> scenarioFile(const StudyCell& cell) const;
   Outcome save(const StudyRun& run, const RunOutcome& outcome) const;
 
@@ -58,9 +58,9 @@ class StudyFolder {
   std::string planSha256_;
 };
 
-/// Unites the results of folders with the same plan in `out` (new, or of that plan) and writes its
-/// tables. Refused: different plans; a run that two folders have with different results, unless one of
-/// them depends on the machine (then the folder named first has it).
+/// Unites the results of folders with the same plan in `out` (new, or of that plan) and writes its tables. Refused:
+/// different plans; a run that two folders have with different results, unless one of them depends on the machine (then
+/// the result of the folder named first is taken).
 Result<StudyFolder> mergeStudies(const std::vector<std::string>& folders, const std::string& out, Warnings& warnings);
 
 }  // namespace glissade

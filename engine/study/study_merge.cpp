@@ -6,7 +6,8 @@
 namespace glissade {
 namespace {
 
-/// Adds what a folder knows; a run that is there already must have ended the same way.
+/// Adds the results of a folder. A run that is known already must have the same result, unless one of the results
+/// depends on the machine.
 Outcome unite(const StudyFolder& folder, StudyResults& all, Warnings& warnings) {
   for (const auto& [run, outcome] : folder.results(warnings)) {
     const auto [entry, isNew] = all.emplace(run, outcome);

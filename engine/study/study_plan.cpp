@@ -13,7 +13,7 @@
 namespace glissade {
 namespace {
 
-/// What cells need to know of a scenario.
+/// Data of a scenario that cells need.
 struct KnownScenario {
   std::string sha256;
   ParameterValues parameters{1.0};

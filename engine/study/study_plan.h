@@ -8,19 +8,18 @@
 
 namespace glissade {
 
-/// A study with everything looked up that decides its results: parameters in force, content of the
-/// scenarios, version of the program. Two folders of results belong together when their plans are the
-/// same text.
+/// A study with all data that decide its results: parameters in force, content of the scenarios, version of the
+/// program. Two folders of results belong together when the texts of their plans are equal.
 struct StudyPlan {
   Study study;              ///< cells resolved
-  std::string studySha256;  ///< of the study file
-  std::string version;      ///< of Glissade
+  std::string studySha256;  ///< hash of the study file
+  std::string version;      ///< version of Glissade
 };
 
 /// Loads each scenario once and checks each cell's parameters against it.
 Result<StudyPlan> planStudy(const std::string& studyFile, bool quick, Warnings& warnings);
 
-/// Canonical JSON, and back (`file` is for messages).
+/// Canonical JSON, written and read (`file` is for messages).
 std::string writePlan(const StudyPlan& plan);
 Result<StudyPlan> readPlan(const std::string& text, const std::string& file);
 
@@ -36,21 +35,21 @@ struct StudyRun {
 
 /// Every N-th run, counted through cells and seeds: shard 1 of 1 is all of them.
 struct Shard {
-  std::size_t index = 1;  ///< 1 to count
+  std::size_t index = 1;  ///< from 1 to count
   std::size_t count = 1;
 };
 
-/// The runs of a shard, first seed of every cell first: an interrupted study has seen all its cells.
+/// The runs of a shard. The first seeds of all cells come first, so that an interrupted study has run all cells.
 std::vector<StudyRun> runsOf(const Study& study, const Shard& shard);
 
 /// The scenario of a cell, for a study that was read from `studyFile`.
 std::string scenarioFileOf(const std::string& studyFile, const StudyCell& cell);
 
-/// Runs whose strategy is kSequencePrefix and one of assembly plans find a sequence, not a path.
+/// Prefix of strategies that find an assembly sequence instead of a path, followed by a strategy of assembly plans.
 inline constexpr std::string_view kSequencePrefix = "sequence-";
 bool isSequence(const StudyCell& cell);
 
-/// Arguments of the glissade-cli that carries the run out.
+/// Arguments of the glissade-cli for the run.
 std::vector<std::string> planArguments(const StudyCell& cell, std::uint64_t seed, const std::string& scenarioFile);
 
 }  // namespace glissade

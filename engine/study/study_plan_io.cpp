@@ -1,4 +1,4 @@
-#include "engine/import/json_reader.h"
+#include "engine/base/json_reader.h"
 #include "engine/study/finding_reader.h"
 #include "engine/study/study_json.h"
 #include "engine/study/study_plan.h"
@@ -34,8 +34,8 @@ std::map<ParameterId, double> readParameters(const JsonCursor& object) {
   return values;
 }
 
-/// All that were in force. Parameters that came after the study was run had their defaults, which say what was done
-/// before there was a choice; those that depend on the object were there from the beginning.
+/// Reads all parameters that were in force. A parameter that was added after the study was run gets its default, which
+/// gives the former behaviour. Parameters that depend on the object existed from the beginning.
 std::map<ParameterId, double> readAllParameters(const JsonCursor& object) {
   std::map<ParameterId, double> values = readParameters(object);
   for (const ParameterSpec& spec : parameterTable()) {

@@ -12,12 +12,12 @@
 namespace glissade {
 namespace {
 
-/// Between points of different series at one x, as a share of the axis.
+/// Distance between points of different series at one x, as a share of the axis.
 constexpr double kDodge = 0.009;
-/// Share of a category that its bars take.
+/// Share of a category's width that its bars take.
 constexpr double kBarsShare = 0.84;
 
-/// Settings of the peers: they tell series apart, and panels, and are no axis of their own.
+/// True for parameters of OMPL's planners. They distinguish series and panels, and are no axis of their own.
 bool isOfPeers(ParameterId id) { return id == ParameterId::OmplRange || id == ParameterId::OmplResolution; }
 
 std::vector<ParameterId> variedParameters(const Study& study) {
@@ -62,8 +62,8 @@ bool differ(const Study& study, Get get) {
                      [&](const StudyCell& cell) { return get(cell) != get(study.cells.front()); });
 }
 
-/// One value of the resolution at which OMPL's planners look at edges; cells that set none are in every
-/// panel. Nothing: all cells.
+/// One value of the resolution at which OMPL's planners check edges. Cells without a value are in every panel. Nothing:
+/// all cells.
 using Panel = std::optional<double>;
 
 std::vector<Panel> panelsOf(const Study& study) {
@@ -133,7 +133,7 @@ class Plotter {
     return !panel_ || setting == cell.settings.end() || setting->second == *panel_;
   }
 
-  /// Where a cell lies along x; nothing where it does not set the parameter.
+  /// Position of a cell along x; nothing where it does not set the parameter.
   std::optional<double> xOf(const StudyCell& cell) const {
     if (!along_) {
       const auto found = std::find(scenarios_.begin(), scenarios_.end(), scenarioName(cell.scenario));
@@ -194,7 +194,8 @@ class Plotter {
                    std::to_string(summary.solved()), std::to_string(summary.runs)});
   }
 
-  /// The paper prints one number a row, whoever held the device: one series a strategy.
+  /// Adds the paper's numbers as one series for each strategy: the paper prints one number for a row, for all
+  /// operators.
   void addPaper(const PaperColumn& column, Plot& plot) const {
     std::map<std::string, std::size_t> seriesOf;
     std::set<std::string> seen;
@@ -258,9 +259,9 @@ class Plotter {
     if (isShare(column)) {
       plot.y = PlotScale::percentages(words_(column.title) + " (%)");
     } else {
-      // Numbers of runs are never negative, and zeros have no place on a logarithmic axis.
+      // Values are counts of runs and never negative. Zeros have no place on a logarithmic axis.
       ys.erase(std::remove(ys.begin(), ys.end(), 0.0), ys.end());
-      // Bars stand on a power of ten below all of them.
+      // Bars start at a power of ten below all of them.
       if (!along_ && !ys.empty())
         ys.push_back(std::pow(10.0, std::floor(std::log10(*std::min_element(ys.begin(), ys.end())))));
       const std::string title = words_(column.title);

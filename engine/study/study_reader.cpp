@@ -15,9 +15,9 @@ namespace {
 
 constexpr std::uint64_t kMostRuns = 10'000'000;
 constexpr double kMostCells = 100'000;
-/// And findings, and scenarios of a row: their names are looked up one after another.
+/// Most rows, findings, and scenarios of a row, because names are searched sequentially.
 constexpr std::size_t kMostRows = 1000;
-constexpr std::uint64_t kMostMegabytes = 1ULL << 40U;  // in bytes it is still a 64-bit number
+constexpr std::uint64_t kMostMegabytes = 1ULL << 40U;  // largest limit whose value in bytes fits into 64 bits
 
 std::string listed(const std::vector<std::string>& names) {
   std::string text;
@@ -47,7 +47,7 @@ auto readList(const JsonCursor& list, Read read) {
   return values;
 }
 
-/// A list of different values.
+/// Reads a list of distinct values.
 template <class Read>
 auto readSet(const JsonCursor& list, Read read) {
   auto values = readList(list, read);
@@ -112,7 +112,7 @@ class Reader {
     return {at.at("key").nonEmptyText(), at.at("title").nonEmptyText(), study_json::readQuantity(at)};
   }
 
-  /// The keys that study, rows and quick section have in common.
+  /// Reads the keys that the study, rows and the quick section have in common.
   void readAxes(const JsonCursor& at, StudyAxes& axes) const {
     if (const auto list = at.find("scenarios")) {
       list->sizeUpTo(kMostRows);
@@ -232,7 +232,7 @@ class Reader {
     return values;
   }
 
-  /// Their names are checked against all rows, also those that --quick leaves out.
+  /// Reads the findings. Their names are checked against all rows, including those that --quick leaves out.
   void readFindings() {
     const auto list = root_.find("findings");
     if (!list) return;
@@ -262,7 +262,7 @@ class Reader {
     expectAll("operators", knownOperators(), "operator");
   }
 
-  /// Read also where it is not asked for, so that a fault in it is found.
+  /// Reads the quick section, even where it does not apply, so that its errors are found.
   void applyQuick(bool applies) {
     const auto quick = root_.find("quick");
     if (!quick) {
@@ -312,7 +312,7 @@ class Reader {
     }
   }
 
-  /// A sequence has a time limit, and no parameters of paths; other limits do not concern it.
+  /// Checks a cell of a sequence, which has a time limit but no parameters of paths and no other limits.
   void expectOfSequence(const StudyCell& cell, const StudyRow& row) const {
     if (cell.operatorName != "none") locationOf(row).fail("is a sequence with an operator", "Say \"none\".");
     if (cell.settings.count(ParameterId::TimeLimit) == 0) {
@@ -342,7 +342,7 @@ class Reader {
   const JsonCursor& root_;
   std::vector<std::string> strategies_;
   std::vector<StudyRow> rows_;
-  std::uint64_t seedsOfRows_ = 0;  ///< of all rows together, which hold them in memory
+  std::uint64_t seedsOfRows_ = 0;  ///< number of seeds of all rows, which are held in memory
   Study study_;
 };
 

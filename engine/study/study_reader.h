@@ -8,13 +8,13 @@
 
 namespace glissade {
 
-/// Of a study file.
+/// Largest size of a study file.
 inline constexpr std::size_t kMostStudyBytes = 16U << 20;
 
-/// Reads study JSON ("glissade-study", version 1; schema in resources/schema) and spells its cells
-/// out: rows x scenarios x strategies x operators x grid, in this order. `quick` puts the file's
-/// section of that name in force. Unknown keys, strategies, operators and parameters, wrong types and
-/// cells without any limit are MalformedInput errors with the JSON pointer as location.
+/// Reads study JSON ("glissade-study", version 1; schema in resources/schema) and lists its cells: rows x scenarios x
+/// strategies x operators x grid, in this order. `quick` applies the section of that name. Unknown keys, strategies,
+/// operators and parameters, wrong types and cells without any limit are MalformedInput errors with the JSON pointer as
+/// location.
 Result<Study> parseStudy(const std::string& text, const std::string& file, bool quick);
 
 }  // namespace glissade

@@ -13,7 +13,7 @@ namespace glissade {
 struct ReportHeading {
   std::string text;
   int level = 2;
-  bool newPage = false;  ///< on paper
+  bool newPage = false;  ///< begins a new page on paper
 };
 struct ReportText {
   std::string text;
@@ -23,7 +23,7 @@ struct ReportColumn {
     Text,
     Number,  ///< aligned to the right
     Prose,   ///< whole sentences
-    Verdict  ///< of findings
+    Verdict  ///< verdict of a finding
   };
   std::string title;
   Kind kind = Kind::Text;
@@ -34,27 +34,26 @@ struct ReportTable {
   std::vector<std::vector<std::string>> rows;
 };
 struct ReportPicture {
-  std::string file;  ///< a PNG
+  std::string file;  ///< path of a PNG file
   std::string caption;
-  double share = 0.46;  ///< of the width of a page of paper
+  double share = 0.46;  ///< share of the width of a page
 };
-/// Commands, a line each, as typed.
+/// Commands, one per line, as typed.
 struct ReportCommands {
   std::vector<std::string> lines;
 };
 using ReportBlock = std::variant<ReportHeading, ReportText, ReportTable, Plot, ReportPicture, ReportCommands>;
 
-/// A study's report as a value, before it becomes a page (report_html.h) or a PDF (the window's room).
+/// A study's report as a value, before it becomes a page (report_html.h) or a PDF (in the window).
 struct StudyReport {
   std::string title;
   std::vector<ReportBlock> blocks;
   Language language = Language::English;
 };
 
-/// Everything a folder of results has to say: what was run, the paper's table with ours beside it, the
-/// findings, plots, pictures (DIR/pictures/*.png, with their .txt as captions), how runs ended, the commands
-/// that repeat it, and last what depends on the machine. Up to that last section it is the same wherever
-/// it is made.
+/// The report of a folder of results: settings, the paper's table beside that of the study, the findings, plots,
+/// pictures (DIR/pictures/*.png, with their .txt as captions), the ends of the runs, the commands that repeat the
+/// study, and last the data that depend on the machine. The sections before the last are the same on all machines.
 StudyReport reportOf(const StudyFolder& folder, Warnings& warnings, Language language = Language::English);
 
 /// Writes DIR/report.html into `out`.

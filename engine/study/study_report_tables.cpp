@@ -27,7 +27,7 @@ std::string shareText(std::size_t part, std::size_t all, const StudyWords& words
 
 bool isSuccess(const PaperColumn& column) { return column.quantity.measure == "success_rate"; }
 
-/// Some row has a number of the paper's there.
+/// True if the paper has a value in this column for at least one cell.
 bool isPrinted(const Study& study, const PaperColumn& column) {
   return std::any_of(study.cells.begin(), study.cells.end(),
                      [&](const StudyCell& cell) { return cell.paper.count(column.key) > 0; });

@@ -5,10 +5,10 @@
 
 namespace glissade::study_report {
 
-/// The tables of a report. Private to it.
+/// The tables of a report. Private to the report.
 
 ReportTable paperTable(const Study& study, const std::vector<CellSummary>& summaries, const StudyWords& words);
-/// What the study's author remarks on the paper's rows; no rows where nothing.
+/// The study's notes on the paper's rows; without rows where there are none.
 ReportTable notesTable(const Study& study, const StudyWords& words);
 ReportTable findingsTable(const Study& study, const std::vector<CellSummary>& summaries, const StudyWords& words);
 ReportTable endingsTable(const Study& study, const std::vector<CellSummary>& summaries, const StudyWords& words);

@@ -14,13 +14,13 @@ constexpr auto kNap = std::chrono::milliseconds(5);
 
 double timeLimitOf(const StudyCell& cell) { return cell.parameters.at(ParameterId::TimeLimit); }
 
-/// A run ends by itself at its time limit; one that does not (a long load, a hang) is killed later.
+/// Time after which a run is killed. A run ends by itself at its time limit, unless it takes long to load or hangs.
 double longestLifeOf(const StudyCell& cell) {
   const double limit = timeLimitOf(cell);
   return limit > 0.0 ? 1.25 * limit + 30.0 : 0.0;
 }
 
-/// Expects of the runs to come what the runs of their cells have taken.
+/// Estimates the remaining time from finished runs of the same cells.
 class Estimate {
  public:
   explicit Estimate(std::size_t cells) : ofCell_(cells) {}
@@ -102,7 +102,7 @@ class Runner {
     return Done{};
   }
 
-  /// Saves what has ended and says how many that were.
+  /// Saves the runs that have ended and returns their number.
   Result<std::size_t> collect() {
     std::size_t ended = 0;
     for (auto job = jobs_.begin(); job != jobs_.end();) {

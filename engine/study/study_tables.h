@@ -5,16 +5,15 @@
 
 namespace glissade {
 
-/// Writes the tables of what a folder holds (RFC 4180, numbers as C prints them, in the order of cells
-/// and seeds):
+/// Writes the tables of a folder (RFC 4180, numbers as C prints them, in the order of cells and seeds):
 ///
-///     runs.csv             a row a run: settings, how it ended, what it found
-///     summary.csv, .json   a row a cell: success, quartiles and means, the paper's numbers
-///     timing.csv           a row a run: seconds and memory on this machine
-///     timing_summary.csv   a row a cell of these
+///     runs.csv             one row per run: settings, end and result
+///     summary.csv, .json   one row per cell: success, quartiles and means, the paper's numbers
+///     timing.csv           one row per run: seconds and memory on this machine
+///     timing_summary.csv   one row per cell: statistics of timing.csv
 ///
-/// The first three are the same bytes however the runs were spread over jobs, shards and machines, as
-/// long as none ended at a limit of time or memory.
+/// The first three do not depend on the distribution of the runs over jobs, shards and machines, byte by byte, unless a
+/// run ended at a limit of time or memory.
 Outcome writeTables(const StudyFolder& folder, Warnings& warnings);
 
 }  // namespace glissade

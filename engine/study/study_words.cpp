@@ -6,7 +6,7 @@
 namespace glissade {
 namespace {
 
-/// Nothing where there is no translation.
+/// The translation; nothing where there is none.
 std::optional<std::string_view> inFrench(std::string_view english) {
   for (const auto* sentences : {&studyFrench(), &instructionFrench()}) {
     if (const auto found = sentences->find(english); found != sentences->end()) return found->second;

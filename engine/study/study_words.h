@@ -8,13 +8,13 @@
 namespace glissade {
 
 enum class Language { English, French };
-/// "en" or "fr".
+/// The language of the code "en" or "fr".
 std::optional<Language> languageOf(std::string_view code);
 const char* code(Language language);
 
-/// What reports, plots and findings say, in a language. English sentences are the keys, with %1 to %9
-/// where arguments belong; what has no translation, as the sentences of one's own studies, stays as it
-/// is. Numbers look the same in every language: they can be found again in the tables.
+/// Texts of reports, plots and findings in a language. English sentences are the keys, with %1 to %9 for arguments. A
+/// text without a translation, such as a sentence of a user's study, is unchanged. Numbers have the same form in every
+/// language, so that they can be found in the tables.
 class StudyWords {
  public:
   StudyWords(Language language = Language::English) : language_(language) {}

@@ -14,8 +14,8 @@ constexpr const char* kGround = "#ffffff";
 constexpr double kTick = 5.0;
 constexpr double kMarker = 4.2;
 constexpr double kLegendRow = 18.0;
-constexpr double kLetter = 7.2;  ///< width of one, or a little more
-/// Of labels and title under the axis.
+constexpr double kLetter = 7.2;  ///< width of a letter, or a little more
+/// Height of one row of labels and of the title under the axis.
 constexpr double kOneRow = 18.0;
 constexpr double kFirstOfTwoRows = 14.0;
 constexpr double kSecondOfTwoRows = 27.0;
@@ -43,10 +43,10 @@ std::string stroke(const std::string& colour, double width) {
 }
 std::string inkStroke(double width) { return attribute("class", "ink-line") + stroke(kInk, width); }
 
-/// What a tooltip shows.
+/// The tooltip of an element.
 std::string titled(const std::string& says) { return "<title>" + escaped(says) + "</title>"; }
 
-/// One shape a style, so that nothing relies on colour alone; around the origin.
+/// The marker of a style, around the origin. Each style has its own shape, so that colour is not the only distinction.
 std::string markerShape(const PlotSeries& series) {
   if (series.ofPaper) return "0,-5.6 5.6,0 0,5.6 -5.6,0";
   switch (series.style % 3) {
@@ -80,7 +80,7 @@ class Drawing {
   Drawing(const Plot& plot, const PlotFrame& frame) : plot_(plot), frame_(frame), height_(frame.height) {}
 
   std::string draw() {
-    // Series of bars lie under their intervals, and all of them over the grid.
+    // Series of bars lie under their intervals, and both lie over the grid.
     drawGrid();
     for (const PlotSeries& series : plot_.series) drawSeries(series);
     drawAxes();
@@ -122,7 +122,7 @@ class Drawing {
         text(18.0, middle, "middle", plot_.y.title(), attribute("transform", "rotate(-90 18 " + pixels(middle) + ")"));
   }
 
-  /// In two rows, by turns, where one is too narrow.
+  /// Draws the labels, alternating between two rows where one is too narrow.
   void drawXLabels() {
     const std::vector<PlotTick>& ticks = plot_.x.ticks();
     const bool crowded = plot_.x.isCategories() && widestLabel(ticks) > (frame_.xAt(1) - frame_.xAt(0)) / ticks.size();
@@ -144,7 +144,7 @@ class Drawing {
     return kLetter * static_cast<double>(most);
   }
 
-  /// Two strokes across the axis, between a zero and where the logarithms begin.
+  /// Draws two strokes across the axis, between the zero and the beginning of the logarithms.
   void drawBreak() {
     if (plot_.x.breakPosition() <= 0.0) return;
     const double x = frame_.xAt(plot_.x.breakPosition());
@@ -231,7 +231,7 @@ class Drawing {
 
   const Plot& plot_;
   const PlotFrame& frame_;
-  double height_;  ///< of the picture: a legend of several rows adds to it
+  double height_;  ///< height of the picture, including all rows of the legend
   std::string out_;
 };
 

@@ -6,7 +6,7 @@
 namespace glissade {
 namespace {
 
-/// A bar for each station.
+/// A plot with one bar for each station.
 Plot loadPlot(const LineBalance& line, const StudyWords& words) {
   constexpr double kBarShare = 0.6;
   Plot plot;
@@ -46,7 +46,7 @@ void addLine(const PlanTiming& timing, const StudyWords& words, StudyReport& rep
   report.blocks.emplace_back(loadPlot(line, words));
 }
 
-/// Whose times they are.
+/// The source of the times.
 std::string sourceText(const PlanTiming& timing, const StudyWords& words) {
   if (timing.edited == 0) {
     return words(

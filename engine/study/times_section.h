@@ -8,10 +8,10 @@
 
 namespace glissade {
 
-/// "12.3 s"
+/// A time as text: "12.3 s".
 std::string secondsText(double seconds, const StudyWords& words);
 
-/// Adds how long the work takes, the longest chain, and, where there is a line, its stations with a bar for each.
+/// Adds the duration of the work, the longest chain, and, where there is a line, its stations with a bar for each.
 void addTimesSection(const PlanTiming& timing, const StudyWords& words, StudyReport& report);
 
 }  // namespace glissade

@@ -4,14 +4,13 @@
 
 namespace glissade {
 
-/// A text as XML and HTML hold it, in elements and between double quotes. Characters that XML forbids
-/// are left out.
+/// The text escaped for XML and HTML, in elements and between double quotes. Characters that XML forbids are left out.
 std::string escaped(const std::string& text);
 
-/// Two decimals at most: enough for a picture, and the same text everywhere.
+/// A coordinate with at most two decimals, so that the text is the same on all machines.
 std::string pixels(double value);
 
-/// The beginning of a picture of this size, in its pixels, with a ground of this colour. "</svg>" ends it.
+/// The beginning of a picture of this size, in its pixels, with a background of this colour. "</svg>" ends it.
 std::string svgBegin(double width, double height, const std::string& ground);
 
 /// A line of text in a picture. `anchor`: "start", "middle" or "end" of the text is at x.

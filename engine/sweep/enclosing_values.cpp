@@ -1,15 +1,135 @@
 #include "engine/sweep/enclosing_values.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
 
+#include "engine/base/stop_token.h"
 #include "engine/base/thread_team.h"
-#include "engine/sweep/connected_points.h"
-#include "engine/sweep/free_balls.h"
+#include "engine/geometry/pose.h"
 #include "engine/sweep/helper_threads.h"
 #include "engine/sweep/kuhn_division.h"
 
 namespace glissade {
 namespace {
+
+/// A ball that the body never enters.
+struct FreeBall {
+  Vector3 middle;
+  double radius;
+};
+
+/// A tetrahedron with values at its corners, linear in between.
+struct ValuedTetrahedron {
+  std::array<Vector3, 4> corners;
+  std::array<double, 4> values;
+};
+
+/// The value where the edge from a corner outside the ball to one inside enters the ball.
+double valueAtEntry(const ValuedTetrahedron& tetrahedron, std::size_t outer, std::size_t inner, const FreeBall& ball) {
+  const Vector3 edge = tetrahedron.corners[inner] - tetrahedron.corners[outer];
+  const Vector3 from = tetrahedron.corners[outer] - ball.middle;
+  const double a = edge.squaredNorm();
+  const double b = from.dot(edge);
+  const double c = from.squaredNorm() - ball.radius * ball.radius;
+  const double share = std::clamp((-b - std::sqrt(std::max(0.0, b * b - a * c))) / a, 0.0, 1.0);
+  return tetrahedron.values[outer] + share * (tetrahedron.values[inner] - tetrahedron.values[outer]);
+}
+
+/// The largest value outside the ball, `limit` or more where it is more than the limit. What is above a level is
+/// convex, with its corners on the edges of the tetrahedron. So the largest value is on an edge, too.
+double largestOutside(const ValuedTetrahedron& tetrahedron, const FreeBall& ball, double limit) {
+  std::array<bool, 4> within{};
+  double largest = 0.0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    within[i] = (tetrahedron.corners[i] - ball.middle).squaredNorm() <= ball.radius * ball.radius;
+    if (!within[i]) largest = std::max(largest, tetrahedron.values[i]);
+  }
+  if (largest >= limit) return largest;
+  for (std::size_t inner = 0; inner < 4; ++inner) {
+    for (std::size_t outer = 0; outer < 4; ++outer) {
+      // Values grow towards the inside only where that corner's is the larger one, and matter where they are above.
+      if (!within[inner] || within[outer] || tetrahedron.values[inner] <= largest) continue;
+      largest = std::max(largest, valueAtEntry(tetrahedron, outer, inner, ball));
+    }
+  }
+  return largest;
+}
+
+/// The least level, not below 0, above which all of the tetrahedron lies in one of the balls. The largest of the values
+/// where there is no such level below that.
+double certifiedLevel(const ValuedTetrahedron& tetrahedron, const std::vector<FreeBall>& balls) {
+  double level = std::max(0.0, *std::max_element(tetrahedron.values.begin(), tetrahedron.values.end()));
+  for (const FreeBall& ball : balls) {
+    if (level <= 0.0) break;
+    level = std::min(level, largestOutside(tetrahedron, ball, level));
+  }
+  return level;
+}
+
+/// The edges of Kuhn's division at the points of a lattice.
+class KuhnEdges {
+ public:
+  explicit KuhnEdges(const Lattice& lattice) : lattice_(lattice) {
+    for (std::size_t corner = 1; corner < edges_.size(); ++corner) {
+      const std::array<int, 3> step{static_cast<int>(corner >> 2), static_cast<int>(corner >> 1 & 1),
+                                    static_cast<int>(corner & 1)};
+      edges_[corner] = {step, lattice.at(step[0], step[1], step[2]),
+                        std::sqrt(static_cast<double>(step[0] + step[1] + step[2]))};
+    }
+  }
+
+  /// Calls visit(neighbour, length) for the other ends of the edges at a point; the length in spacings.
+  template <class Visit>
+  void forEachNeighbour(std::size_t point, const Visit& visit) const {
+    const auto at = lattice_.coordinates(point);
+    bool isInner = true;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      isInner = isInner && at[axis] > 0 && at[axis] + 1 < lattice_.counts[axis];
+    for (std::size_t corner = 1; corner < edges_.size(); ++corner) {
+      const Edge& edge = edges_[corner];
+      if (isInner || hasEnd(at, edge.step, 1)) visit(point + edge.stride, edge.length);
+      if (isInner || hasEnd(at, edge.step, -1)) visit(point - edge.stride, edge.length);
+    }
+  }
+
+ private:
+  struct Edge {
+    std::array<int, 3> step;
+    std::size_t stride = 0;
+    double length = 0.0;  ///< spacings
+  };
+
+  bool hasEnd(const std::array<int, 3>& at, const std::array<int, 3>& step, int sign) const {
+    return lattice_.has({at[0] + sign * step[0], at[1] + sign * step[1], at[2] + sign * step[2]});
+  }
+
+  const Lattice& lattice_;
+  std::array<Edge, 8> edges_{};  ///< by corner of a cell
+};
+
+/// The points, as true, that are connected with the first point of the lattice along edges that `joins` accepts:
+/// joins(point, neighbour, length in spacings). Precondition: less than 2^32 points. Unfinished after a stop.
+template <class Joins>
+std::vector<bool> connectedWithTheRim(const Lattice& lattice, const StopToken& stop, const Joins& joins) {
+  constexpr std::size_t kPointsBetweenLooks = 4096;
+  std::vector<bool> connected(lattice.size(), false);
+  const KuhnEdges edges(lattice);
+  std::vector<std::uint32_t> open{0};
+  connected[0] = true;
+  for (std::size_t taken = 0; !open.empty(); ++taken) {
+    if (taken % kPointsBetweenLooks == 0 && stop.stopRequested()) break;
+    const std::size_t point = open.back();
+    open.pop_back();
+    edges.forEachNeighbour(point, [&](std::size_t next, double length) {
+      if (connected[next] || !joins(point, next, length)) return;
+      connected[next] = true;
+      open.push_back(static_cast<std::uint32_t>(next));
+    });
+  }
+  return connected;
+}
 
 /// Spacings: as far as balls reach, and the points from which they are taken.
 constexpr int kNear = static_cast<int>(SweepClearances::kReach);

@@ -14,7 +14,7 @@ struct Lattice {
   double spacing = 0.0;              ///< metres
   std::array<int, 3> counts{0, 0, 0};
 
-  /// The least lattice whose points reach from the box's least corner at least to its largest one.
+  /// The smallest lattice that begins at the box's least corner and covers the box.
   static Lattice over(const Box3& box, double spacing) {
     Lattice lattice{box.min(), spacing, {}};
     for (int axis = 0; axis < 3; ++axis) {
@@ -43,7 +43,7 @@ struct Lattice {
     }
     return true;
   }
-  /// A corner, as bits (x: 4, y: 2, z: 1), of the cell that begins at a point.
+  /// A corner of a cell, as bits (x: 4, y: 2, z: 1); `cell`: the point where the cell begins.
   std::size_t cornerAt(const std::array<int, 3>& cell, int corner) const {
     return at(cell[0] + (corner >> 2), cell[1] + (corner >> 1 & 1), cell[2] + (corner & 1));
   }

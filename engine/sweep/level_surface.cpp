@@ -87,7 +87,7 @@ class SurfaceBuilder {
   std::uint32_t vertex(std::size_t p, std::size_t q) {
     const std::size_t in = inside(p) ? p : q;
     const std::size_t out = inside(p) ? q : p;
-    // An edge leads from its lesser point to one of the seven other corners of the cell there.
+    // An edge leads from its lesser point to one of the seven other corners of the cell at that point.
     const std::uint64_t key =
         static_cast<std::uint64_t>(std::min(p, q)) * 8 + direction(std::min(p, q), std::max(p, q));
     const auto [known, isNew] = vertexOf_.emplace(key, static_cast<std::uint32_t>(mesh_.vertices.size()));
@@ -99,7 +99,7 @@ class SurfaceBuilder {
     return known->second;
   }
 
-  /// Which corner of the cell at the lesser point the larger one is.
+  /// The corner of the cell at the lesser point that is the larger point.
   std::uint64_t direction(std::size_t lesser, std::size_t larger) const {
     std::uint64_t corner = 0;
     const auto a = lattice_.coordinates(lesser);

@@ -2,18 +2,59 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <memory>
 #include <thread>
 
 #include "engine/base/thread_team.h"
 #include "engine/geometry/mesh_audit.h"
+#include "engine/geometry/pose.h"
 #include "engine/geometry/solid_interior.h"
 #include "engine/geometry/triangle_tree.h"
 #include "engine/sweep/helper_threads.h"
-#include "engine/sweep/motion_piece.h"
 
 namespace glissade {
 namespace {
+
+/// A piece of a straight motion, so short that a point of the world moves nearly straight as the body sees it.
+struct MotionPiece {
+  Pose from;              ///< X_WB at its beginning
+  Pose to;                ///< X_WB at its end
+  double rotation = 0.0;  ///< radians
+  double way = 0.0;       ///< of the body's origin, metres
+
+  /// How far a point of the world, seen from the body, is from the straight line between where it is at the beginning
+  /// and at the end, at most. `distance`: of the point from the body's origin, at most, at both ends; metres.
+  ///
+  /// With p_B(t) = R(t)^T (p - x(t)), rotation θ and way w the second derivative is at most θ² |p - x| + 2 θ w, and a
+  /// curve is off its chord by at most an eighth of that.
+  double deviation(double distance) const { return (rotation * distance + 2.0 * way) * rotation / 8.0; }
+};
+
+MotionPiece pieceBetween(const Pose& from, const Pose& to) {
+  return {from, to, angleBetween(from.orientation, to.orientation), (to.position - from.position).norm()};
+}
+
+/// The straight motions between consecutive poses in pieces that deviate by at most `deviation` for points at
+/// `distance` from the body's origin, and in which such a point moves by at most `longest` as the body sees it. Metres.
+/// A path of one pose is a piece without motion.
+std::vector<MotionPiece> piecesOf(const std::vector<Pose>& path, double distance, double deviation, double longest) {
+  if (path.size() == 1) return {pieceBetween(path.front(), path.front())};
+  std::vector<MotionPiece> pieces;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const MotionPiece whole = pieceBetween(path[i - 1], path[i]);
+    const double forDeviation = std::sqrt(whole.deviation(distance) / deviation);
+    const double forLength = (whole.way + whole.rotation * distance) / longest;
+    const int count = std::max(1, static_cast<int>(std::ceil(std::max(forDeviation, forLength))));
+    Pose from = path[i - 1];
+    for (int k = 1; k <= count; ++k) {
+      const Pose to = interpolate(path[i - 1], path[i], static_cast<double>(k) / count);
+      pieces.push_back(pieceBetween(from, to));
+      from = to;
+    }
+  }
+  return pieces;
+}
 
 // In spacings of the lattice.
 constexpr double kDeviation = 0.03;    ///< of a piece of the motion from a straight one
@@ -32,7 +73,7 @@ struct Block {
   std::array<int, 3> counts;
 };
 
-/// Where a piece of the motion has the world, as the body sees it.
+/// A piece of the motion with the world's poses in the body's frame.
 struct SeenPiece {
   MotionPiece piece;
   Eigen::Isometry3d X_BW_from;
@@ -167,7 +208,7 @@ class BlockClearances {
     });
   }
 
-  /// Of a point that is `aside` from the middle of its block.
+  /// The value at a point that is `aside` from the middle of its block.
   double valueAt(const Vector3& p, double aside, const std::vector<NearPiece>& near) const {
     double least = reach_;
     for (const NearPiece& candidate : near) {

@@ -7,8 +7,8 @@
 
 namespace glissade {
 
-/// The bodies, by index, ascending, that touch the surface of the swept volume or lie within it. A body that the moving
-/// one passes at less than the bound may be among them. Unfinished after a stop.
+/// The bodies, by index, ascending, that touch the surface of the swept volume or are inside of it. A body that the
+/// moving body passes at a distance below the bound may be among them. Unfinished after a stop.
 std::vector<std::size_t> bodiesWithin(const SweptVolume& sweep, const std::vector<RigidBody>& bodies,
                                       const StopToken& stop = {});
 

@@ -8,12 +8,50 @@
 #include "engine/collision/motion_bound.h"
 #include "engine/geometry/mesh_volume.h"
 #include "engine/sweep/enclosing_values.h"
+#include "engine/sweep/lattice.h"
 #include "engine/sweep/level_surface.h"
-#include "engine/sweep/surface_measures.h"
 #include "engine/sweep/sweep_clearances.h"
 
 namespace glissade {
 namespace {
+
+/// The point of the lattice at which the cell with p begins.
+std::array<int, 3> cellAt(const Lattice& lattice, const Vector3& p) {
+  std::array<int, 3> cell{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto a = static_cast<int>(axis);
+    const double along = std::floor((p[a] - lattice.origin[a]) / lattice.spacing);
+    cell[axis] = std::clamp(static_cast<int>(along), 0, lattice.counts[axis] - 2);
+  }
+  return cell;
+}
+
+/// No point of a surface through the cells of a lattice is farther from the body, at its nearest, than this; metres.
+/// Precondition: each triangle has a corner of the lattice near it at which the clearance is below the reach.
+double farthestFromBody(const TriangleMesh& surface_W, const Lattice& lattice, const SweepClearances& clearances) {
+  const double reach = static_cast<float>(SweepClearances::kReach * lattice.spacing);
+  const double slack = SweepClearances::kSlack * lattice.spacing;
+  double farthest = 0.0;
+  for (const TriangleIndices& triangle : surface_W.triangles) {
+    Vector3 sum = Vector3::Zero();
+    for (const std::uint32_t vertex : triangle) sum += surface_W.vertices[vertex];
+    const std::array<int, 3> cell = cellAt(lattice, sum / 3.0);
+    // Distances from a corner, and so what they bound, are largest at a vertex of the triangle.
+    double nearest = std::numeric_limits<double>::infinity();
+    for (int corner = 0; corner < 8; ++corner) {
+      const std::size_t point = lattice.cornerAt(cell, corner);
+      if (clearances.values[point] >= reach) continue;
+      const auto [x, y, z] = lattice.coordinates(point);
+      double away = 0.0;
+      for (const std::uint32_t vertex : triangle) {
+        away = std::max(away, (surface_W.vertices[vertex] - lattice.point(x, y, z)).norm());
+      }
+      nearest = std::min(nearest, clearances.values[point] + slack + away);
+    }
+    farthest = std::max(farthest, nearest);
+  }
+  return farthest;
+}
 
 /// Spacings: the bound that surfaces have, mostly. Where one has more, a finer lattice is taken.
 constexpr double kBound = 2.3;
@@ -32,7 +70,7 @@ constexpr double kFirstSpacings = 20.0;    ///< of the diagonal of the body
 constexpr double kFineEnough = 0.85;
 /// Coarse surfaces say little of how fine the last one will be.
 constexpr double kMostRefinement = 4.0;
-/// Of the progress left: the first, coarse surface, and the others.
+/// Shares of the remaining progress for the first, coarse surface and for each later one.
 constexpr double kShareOfFirst = 0.2;
 constexpr double kShareOfFine = 0.8;
 /// Spacings: points that are nearer to what is covered do not count as outside, in the mean (measured).

@@ -9,11 +9,11 @@
 
 namespace glissade::bolted_brackets {
 
-/// Vertices of a circle: corners of a hexagon and of a square are among their directions.
+/// Vertices of a circle. Its directions include the corners of a hexagon and of a square.
 inline constexpr std::uint32_t kSteps = 24;
-/// Of bolts, rod and all holes alike, metres: they touch.
+/// Radius of bolts, rod and all holes, metres; they touch.
 inline constexpr double kRadius = 0.004;
-/// Across the flats of a hexagon, half.
+/// Half of the hexagon's width across flats.
 inline constexpr double kFlat = 0.0065;
 
 inline Vector3 onCircle(std::uint32_t i, double radius, double z) {
@@ -29,7 +29,7 @@ inline Vector3 onHexagon(std::uint32_t i, double z) {
   return onCircle(i, kFlat / std::cos(fromFlat), z);
 }
 
-/// Rings of vertices about z, one after the other, the outside to the right of their sequence.
+/// Rings of vertices about z, one after the other; the outside is to the right of their sequence.
 class Rings {
  public:
   template <class Point>
@@ -37,12 +37,12 @@ class Rings {
     for (std::uint32_t i = 0; i < kSteps; ++i) mesh_.vertices.push_back(point(i));
     if (mesh_.vertices.size() > kSteps) join(count() - 2, count() - 1);
   }
-  /// The last ring is joined to the first one.
+  /// Joins the last ring to the first one.
   TriangleMesh closed() {
     join(count() - 1, 0);
     return mesh_;
   }
-  /// The first and the last ring are closed by flat faces.
+  /// Closes the first and the last ring by flat faces.
   TriangleMesh capped() {
     const std::uint32_t last = kSteps * (count() - 1);
     cap(0, false);
@@ -72,7 +72,7 @@ class Rings {
   TriangleMesh mesh_;
 };
 
-/// Along z, its middle at the origin.
+/// A rod along z with its middle at the origin.
 inline TriangleMesh rod() {
   constexpr double kHalf = 0.043;
   Rings rings;
@@ -80,7 +80,7 @@ inline TriangleMesh rod() {
   return rings.capped();
 }
 
-/// Along z: the head lies on z = 0, the shank goes down.
+/// A bolt along z: the head lies on z = 0, the shank goes down.
 inline TriangleMesh bolt() {
   constexpr double kLength = 0.026;
   constexpr double kHead = 0.0053;
@@ -90,7 +90,7 @@ inline TriangleMesh bolt() {
   return rings.capped();
 }
 
-/// About z, from z = 0 upwards.
+/// A nut about z, from z = 0 upwards.
 inline TriangleMesh nut() {
   constexpr double kHeight = 0.0065;
   Rings rings;
@@ -99,17 +99,17 @@ inline TriangleMesh nut() {
   return rings.closed();
 }
 
-/// Boxes of a grid, with round holes through some of them.
+/// Boxes of a grid, some of them with round holes.
 class Blocks {
  public:
-  /// Lines of the grid along x, y and z, metres.
+  /// `lines`: lines of the grid along x, y and z, metres.
   explicit Blocks(std::array<std::vector<double>, 3> lines) : lines_(std::move(lines)) {
     cells_.resize(sizeOf(0) * sizeOf(1) * sizeOf(2));
   }
 
   struct Cell {
     bool filled = false;
-    int hole = -1;  ///< 0, 1, 2: a hole along x, y, z through the middle
+    int hole = -1;  ///< 0, 1, 2: a hole along x, y, z through the middle; -1: none
   };
   using Index = std::array<std::size_t, 3>;
 
@@ -205,7 +205,7 @@ class Blocks {
   TriangleMesh mesh_;
 };
 
-/// Its upper face is z = 0; a hole at 40 mm on either side.
+/// A plate whose upper face is z = 0, with a hole at 40 mm on either side.
 inline TriangleMesh plate() {
   Blocks blocks({{{-0.06, -0.05, -0.03, 0.03, 0.05, 0.06}, {-0.025, -0.01, 0.01, 0.025}, {-0.008, 0.0}}});
   for (std::size_t x = 0; x < 5; ++x) {

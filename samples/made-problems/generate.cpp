@@ -1,4 +1,4 @@
-// Writes the problems of our own making: of each a scenario and two meshes.
+// Writes the project's own problems: for each a scenario and two meshes.
 //
 // usage: generate-made-problems FOLDER
 #include <filesystem>

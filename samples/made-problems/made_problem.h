@@ -9,7 +9,7 @@
 
 namespace glissade::made {
 
-/// A problem of our own making. Metres, z up.
+/// One of the project's own problems. Metres, z up.
 struct MadeProblem {
   std::string name;
   std::string description;

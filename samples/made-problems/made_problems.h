@@ -9,7 +9,7 @@
 
 namespace glissade::made {
 
-/// All, with the seeds that were fixed before any of them was planned.
+/// All problems, with seeds that were fixed before any problem was planned.
 inline std::vector<MadeProblem> madeProblems() {
   return {spiralAmongBars(1),   spiralAmongBars(2),    spiralAmongSpirals(1), spiralInEyelet(50),
           spiralInEyelet(25),   flatMaze(1),           flatMaze(2),           cubicMaze(1),

@@ -10,7 +10,7 @@ namespace glissade::made {
 
 using Cell = std::array<int, 3>;
 
-/// Cells of 1 m, joined to a tree by a walk that turns back where it cannot go on.
+/// A maze of cells of 1 m. A random walk joins them to a tree, and turns back at dead ends.
 class Maze {
  public:
   Maze(const Cell& size, std::uint64_t seed) : size_(size), open_(count()), seen_(count()) {
@@ -18,7 +18,7 @@ class Maze {
     walk(stream);
   }
 
-  /// From a cell to the next along an axis.
+  /// Whether a cell is joined to the next one along an axis.
   bool isOpen(const Cell& cell, int axis) const { return open_[indexOf(cell)][static_cast<std::size_t>(axis)]; }
   const Cell& size() const { return size_; }
 
@@ -59,7 +59,7 @@ class Maze {
   std::vector<bool> seen_;
 };
 
-/// Walls of `thick` between cells that are not joined, and around all.
+/// Walls of thickness `thick` between cells that are not joined, and around the maze.
 inline TriangleMesh wallsOf(const Maze& maze, double thick) {
   TriangleMesh walls;
   const Vector3 half = Vector3::Constant(thick / 2.0);
@@ -85,7 +85,7 @@ inline TriangleMesh wallsOf(const Maze& maze, double thick) {
   return walls;
 }
 
-/// An L with arms of equal length, its corner at the origin.
+/// An L with arms of equal length and its corner at the origin.
 inline TriangleMesh angleBar(double arm, double thick) {
   const double half = thick / 2.0;
   TriangleMesh bar = boxBetween({-half, -half, -half}, {arm - half, half, half});

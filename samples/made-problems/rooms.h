@@ -39,10 +39,10 @@ inline TriangleMesh cornerSofa() {
   return mesh;
 }
 
-/// Rooms in a row along x, walls with a door each between them. Doors are `wide`, their places drawn.
+/// Rooms in a row along x, with a wall and a door between neighbours. Doors are `wide`, at random places.
 struct Flat {
   TriangleMesh walls;
-  std::vector<double> doors;  ///< y of the middle of each
+  std::vector<double> doors;  ///< y of the middle of each door
 };
 
 inline Flat flatOf(int rooms, double wide, RandomStream& stream) {
@@ -77,7 +77,7 @@ inline TriangleMesh anyFurniture(RandomStream& stream) {
   return transformed(makeCylinder(0.2 + 0.15 * a, 0.5 + b, 16), Pose::translation({0, 0, 0.25 + 0.5 * b}));
 }
 
-/// Adds furniture where it meets nothing of what is `kept` free, nor other furniture.
+/// Adds furniture that meets neither the boxes in `kept` nor other furniture.
 inline void furnish(int rooms, int perRoom, std::vector<Box3> kept, RandomStream& stream, TriangleMesh& target) {
   for (int room = 0; room < rooms; ++room) {
     for (int placed = 0, tried = 0; placed < perRoom && tried < 200; ++tried) {

@@ -7,10 +7,10 @@
 
 namespace glissade::made {
 
-/// Corners in x and y, counter-clockwise.
+/// Corners of a section in x and y, counter-clockwise.
 using Section = std::vector<Eigen::Vector2d>;
 
-/// Frames along a line: z goes on, sections are in x and y.
+/// Frames along a line: z is the direction of the line, sections are in x and y.
 using Frames = std::vector<Pose>;
 
 namespace swept {
@@ -57,7 +57,8 @@ inline TriangleMesh solidAlong(const Frames& frames, const Section& section) {
   return mesh;
 }
 
-/// What is between two sections of as many corners, swept along the frames: a tube that is open at both ends.
+/// The volume between two sections with equal numbers of corners, swept along the frames: a pipe with a bore that is
+/// open at both ends.
 inline TriangleMesh tubeAlong(const Frames& frames, const Section& inner, const Section& outer) {
   TriangleMesh mesh;
   const auto count = static_cast<std::uint32_t>(inner.size());

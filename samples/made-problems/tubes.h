@@ -6,11 +6,11 @@
 
 namespace glissade::made {
 
-/// How a tube goes: pieces of 1.2 m with a curvature each, in a direction that is drawn, and a twist.
+/// The line of a tube: pieces of 1.2 m with a curvature each in a random direction, and a twist.
 struct Line {
   int pieces = 4;
-  double radius = 1.1;  ///< of the bends
-  double twist = 0.0;   ///< radians a metre
+  double radius = 1.1;  ///< radius of the bends
+  double twist = 0.0;   ///< radians per metre
 };
 
 inline Frames framesAlong(const Line& line, RandomStream& stream) {
@@ -22,7 +22,7 @@ inline Frames framesAlong(const Line& line, RandomStream& stream) {
     const double direction = stream.uniform(0.0, 2.0 * std::acos(-1.0));
     for (int i = 0; i < kSteps; ++i) {
       const Pose& last = frames.back();
-      // Turned back by the twist so far, so that a bend stays in its plane.
+      // The twist so far is subtracted, so that a bend stays in its plane.
       const double twisted = line.twist * kStep * i;
       const Vector3 bend(std::cos(direction - twisted), std::sin(direction - twisted), 0.0);
       const Vector3 turn = kStep * (bend / line.radius + Vector3(0.0, 0.0, line.twist));
@@ -34,7 +34,7 @@ inline Frames framesAlong(const Line& line, RandomStream& stream) {
   return frames;
 }
 
-/// From near one end of a tube, which a plate of half a metre closes, to near the other end.
+/// The object moves from near one end of a tube, which a plate of half a metre closes, to near the other end.
 inline MadeProblem inTube(const std::string& name, const std::string& description, const Frames& frames,
                           const TriangleMesh& tube, const TriangleMesh& object) {
   constexpr std::size_t kFromEnd = 4;
@@ -65,7 +65,7 @@ inline MadeProblem blockInTwistedTube(std::uint64_t seed) {
                 makeBox({0.38, 0.2, 0.3}));
 }
 
-/// A bent rod in a round tube: it turns about the tube from bend to bend.
+/// A bent rod in a round tube: the rod turns about the tube's line from bend to bend.
 inline MadeProblem rodInTube(std::uint64_t seed) {
   constexpr double kRadius = 0.2;
   constexpr double kWall = 0.05;
@@ -74,7 +74,7 @@ inline MadeProblem rodInTube(std::uint64_t seed) {
   const Frames frames = framesAlong({4, 1.0, 0.0}, stream);
   const TriangleMesh tube =
       tubeAlong(frames, regularSection(kRadius, kCorners), regularSection(kRadius + kWall, kCorners));
-  // An arc of 0.6 m with the radius of the bends, its middle at the origin.
+  // An arc of 0.6 m with the radius of the bends and its middle at the origin.
   constexpr int kSteps = 10;
   constexpr double kHalfArc = 0.3;
   Frames arc;

@@ -8,15 +8,15 @@
 
 namespace glissade::nut_and_bolt {
 
-/// Of an M10 thread, metres.
+/// Pitch of an M10 thread, metres.
 inline constexpr double kPitch = 0.0015;
-/// Vertices of a turn, and layers of vertices of a pitch: edges follow the helix.
+/// Vertices in a turn, and layers of vertices in a pitch; edges follow the helix.
 inline constexpr int kSteps = 32;
 
-/// Which threads, metres.
+/// Parameters of the threads, metres.
 struct Shape {
   double pitch = kPitch;  ///< below 0: left-handed
-  double play = 0.0003;   ///< of the radius
+  double play = 0.0003;   ///< radial play
   int boltTurns = 8;
   int nutTurns = 3;
 };
@@ -32,7 +32,7 @@ inline double radiusAt(int step, double play) {
   return kRoot + play + std::clamp(share, 0.0, 1.0) * (kCrest - kRoot);
 }
 
-/// Rings of vertices about z, joined by triangles: a surface of its own for each, outwards where rings go up.
+/// Rings of vertices about z, joined by triangles. Faces point outwards if rings go up.
 class Rings {
  public:
   /// `radius(i)` at angle 2 pi i / kSteps.

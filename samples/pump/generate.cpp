@@ -41,16 +41,16 @@ namespace {
 namespace pmp = CGAL::Polygon_mesh_processing;
 constexpr double kPost = 0.04;          // edge of posts
 constexpr double kRail = 0.036;         // edge of rails
-constexpr double kDeckTop = 0.202;      // what seat, bracket and pipes stand on
-constexpr double kShelfTop = 0.652;     // what closes the pump's room above
-constexpr double kPadTop = 0.25;        // what the pump's feet rest on
-constexpr double kSeatX = -0.2;         // the mounted pump's reference point
+constexpr double kDeckTop = 0.202;      // height on which seat, bracket and pipes stand
+constexpr double kShelfTop = 0.652;     // height of the shelf above the pump's room
+constexpr double kPadTop = 0.25;        // height on which the pump's feet rest
+constexpr double kSeatX = -0.2;         // x of the mounted pump's reference point
 constexpr double kOpeningX = 0.25;      // middle of the front opening
-constexpr double kOpeningWidth = 0.25;  // 0.22 of the flange and 15 mm on each side
-constexpr double kFootBottom = -0.115;  // in the pump
+constexpr double kOpeningWidth = 0.25;  // the flange's 0.22 and 15 mm on each side
+constexpr double kFootBottom = -0.115;  // in the pump's frame
 constexpr double kSeatGap = 0.003;      // between foot and pad when mounted
-constexpr double kJoint = 0.0002;       // between parts that are bolted together
-constexpr double kPiece = 0.12;         // longest triangles along a rail
+constexpr double kJoint = 0.0002;       // gap between bolted parts
+constexpr double kPiece = 0.12;         // longest edge of triangles along a rail
 constexpr std::array<double, 2> kFootX{-0.08, 0.07};
 
 // The pump --------------------------------------------------------------------------------------------------------
@@ -99,7 +99,7 @@ Mesh dischargePort() {
   return placed(revolution(profile, 64), Axis::Z, Point(0.068, 0, 0));
 }
 
-/// Through the flanges of both ports.
+/// Holes through the flanges of both ports.
 Mesh portHoles() {
   Mesh holes;
   for (int i = 0; i < 4; ++i) {
@@ -241,7 +241,7 @@ Mesh frame() {
   return mesh;
 }
 
-// What stands in the way ------------------------------------------------------------------------------------------
+// Obstacles -------------------------------------------------------------------------------------------------------
 
 /// A window with rounded corners through the plate of which `at` is a point.
 Mesh window(Axis normal, const Point& at, double width, double height) {
@@ -290,7 +290,7 @@ Mesh cables() {
   return mesh;
 }
 
-/// The motor's plug, its contacts down.
+/// The motor's plug, with its contacts down.
 Mesh plug() {
   Mesh mesh = extrusion(roundedRectangle(0.05, 0.036, 0.006, 6), -0.02, 0.02);
   Mesh ends = cylinder(Axis::Z, Point(0, 0, 0.015), 0.011, 0.02, 24);
@@ -320,7 +320,7 @@ std::string pose(const Point& at, const std::string& orientation = "0, 0, 0, 1")
   return R"({"position": [)" + numbers(at, ", ") + R"(], "orientation": [)" + orientation + "]}";
 }
 
-/// A part of the scenario whose mesh has its name.
+/// A part of the scenario; its mesh has the part's name.
 struct Part {
   std::string name;
   Mesh (*make)();

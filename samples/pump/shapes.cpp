@@ -45,7 +45,7 @@ Mesh loft(const std::vector<Ring>& rings) {
   return mesh;
 }
 
-/// Takes z to the axis, cyclically, and the origin to `origin`.
+/// Turns z to the axis by a cyclic permutation, and moves the origin to `origin`.
 Mesh placed(Mesh mesh, Axis axis, const Point& origin) {
   const double x = origin.x(), y = origin.y(), z = origin.z();
   pmp::transform(axis == Axis::X   ? Transform(0, 0, 1, x, 1, 0, 0, y, 0, 1, 0, z)
@@ -135,7 +135,8 @@ Mesh tube(const Ring& corners, double bend, double radius, int segments) {
   return loft(rings);
 }
 
-// Boolean operations: parts that do not touch go into one, as one after the other they would cut slivers of slivers.
+// Boolean operations. Parts that do not touch are combined into one operand, because one operation after the other
+// would cut slivers of slivers.
 
 void unite(Mesh& mesh, Mesh part) {
   if (!pmp::corefine_and_compute_union(mesh, part, mesh)) throw std::runtime_error("a union is not a manifold");
@@ -175,7 +176,7 @@ std::string singleNumber(double value) {
   return number == "-0" ? "0" : number;
 }
 
-/// Vertices and triangles are sorted, as corefinement numbers them by address; what rounding merges is welded.
+/// Sorts vertices and triangles, because corefinement numbers them by address, and welds vertices that rounding merges.
 void writeObj(const std::string& path, const Mesh& mesh) {
   if (!CGAL::is_closed(mesh)) throw std::runtime_error(path + " is not closed");
   std::map<std::array<long, 3>, int> numbering;  // by the coordinates in micrometres

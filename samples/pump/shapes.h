@@ -23,11 +23,11 @@ enum class Axis { X, Y, Z };
 std::array<double, 2> onCircle(int i, int n, double phase);
 /// The closed surface through rings of equal size, with an end cap on the first and the last.
 Mesh loft(const std::vector<Ring>& rings);
-/// Takes z to the axis, cyclically, and the origin to `origin`.
+/// Turns z to the axis by a cyclic permutation, and moves the origin to `origin`.
 Mesh placed(Mesh mesh, Axis axis, const Point& origin);
-/// An outline in x and y drawn out along z, in so many pieces.
+/// An outline in x and y, extruded along z in so many pieces.
 Mesh extrusion(const Outline& outline, double from, double to, int pieces = 1);
-/// Between two opposite corners, and about a middle.
+/// Boxes between two opposite corners, and about a middle.
 Mesh box(const Point& a, const Point& b);
 Mesh boxAt(const Point& middle, double x, double y, double z);
 /// A rectangle about the origin with rounded corners of `steps` pieces.
@@ -39,15 +39,14 @@ Mesh cylinder(Axis axis, const Point& foot, double radius, double length, int se
 /// are rounded by parabolas that begin `bend` before them.
 Mesh tube(const Ring& corners, double bend, double radius, int segments);
 
-/// What is not a manifold throws.
+/// Both functions throw if the result is not a manifold.
 void unite(Mesh& mesh, Mesh part);
 void subtract(Mesh& mesh, Mesh part);
 
 /// A point as three numbers of six decimals at most.
 std::string numbers(const Point& p, const char* separator);
 void writeFile(const std::string& path, const std::string& text);
-/// Vertices and triangles are sorted, as corefinement numbers them by address; what rounding merges is
-/// welded.
+/// Sorts vertices and triangles, because corefinement numbers them by address, and welds vertices that rounding merges.
 void writeObj(const std::string& path, const Mesh& mesh);
 
 }  // namespace glissade::sample

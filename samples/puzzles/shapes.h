@@ -22,7 +22,7 @@ inline TriangleMesh boxBetween(const Vector3& least, const Vector3& most) {
   return transformed(makeBox(most - least), Pose::translation((least + most) / 2.0));
 }
 
-/// A bar of 10 mm, bent to a rectangle in x and y that is open by a mouth of 10.5 mm. Metres.
+/// A bar of 10 mm, bent to a rectangle in x and y with an opening of 10.5 mm. Metres.
 inline TriangleMesh bentBar() {
   constexpr double kThick = 0.01;
   constexpr double kMouth = 0.0105;
@@ -36,16 +36,16 @@ inline TriangleMesh bentBar() {
                piece(-kX, kY - kThick, -kMouth / 2.0, kY), piece(kMouth / 2.0, kY - kThick, kX, kY)});
 }
 
-/// The burr is made of cubes in a block of kCubes on each side. All lengths are in cubes but kCube, in metres.
+/// The burr is made of cubes in a block of kCubes on each side. All lengths are in cubes, except kCube in metres.
 inline constexpr double kCube = 0.01;
 inline constexpr int kCubes = 7;
-inline constexpr double kPlay = 0.03;  ///< of the piece on each side
+inline constexpr double kPlay = 0.03;  ///< play of the piece on each side, in cubes
 
 using Cube = std::array<int, 3>;
 
-/// Three cubes in an angle.
+/// Three cubes that form an angle.
 inline const std::vector<Cube> kPiece{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-/// Where the piece goes, one cube after the other, until it has left the block.
+/// Moves of the piece by one cube each, until it has left the block.
 inline const std::vector<Cube> kMoves{{1, 0, 0}, {0, 0, 1}, {0, 1, 0}, {-1, 0, 0}, {0, 1, 0}, {0, 0, -1}, {1, 0, 0},
                                       {1, 0, 0}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1},  {0, 0, 1}, {0, 0, 1},  {0, 0, 1}};
 inline const Cube kStart{2, 2, 2};
@@ -65,7 +65,7 @@ inline TriangleMesh burrPiece() {
   return join(arms);
 }
 
-/// The block without what the piece passes through: rows of cubes along z.
+/// The block without the cubes that the piece passes through, as rows of cubes along z.
 inline TriangleMesh burrBlock() {
   std::array<std::array<std::array<bool, kCubes>, kCubes>, kCubes> open{};
   Cube at = kStart;

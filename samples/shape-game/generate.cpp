@@ -21,13 +21,13 @@ namespace {
 using namespace glissade;
 
 constexpr double kUnit = 0.1;
-constexpr double kSide = 24.0;  ///< of the cubic workspace
+constexpr double kSide = 24.0;  ///< edge of the cubic workspace
 
 struct Point2 {
   double y;
   double z;
 };
-using Polygon = std::vector<Point2>;  ///< counter-clockwise seen against x
+using Polygon = std::vector<Point2>;  ///< counter-clockwise, seen against x
 
 Polygon regular(int corners, double radius, double firstAngle) {
   Polygon polygon;
@@ -75,8 +75,7 @@ void addQuad(TriangleMesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t
   mesh.triangles.push_back({a, c, d});
 }
 
-/// A polygon, star-shaped about the origin, drawn out along x: the object with its reference point
-/// in the middle.
+/// A polygon, star-shaped about the origin, extruded along x: the object with its reference point in the middle.
 TriangleMesh prism(const Polygon& polygon, double depth) {
   TriangleMesh mesh;
   const auto n = static_cast<std::uint32_t>(polygon.size());
@@ -94,8 +93,8 @@ TriangleMesh prism(const Polygon& polygon, double depth) {
   return mesh;
 }
 
-/// The ring between a hole and the rectangle around it: every vertex of the hole goes with the corner
-/// in its direction, so that no triangle reaches into the hole.
+/// The ring between a hole and the rectangle around it. Every vertex of the hole is joined with the corner in its
+/// direction, so that no triangle reaches into the hole.
 void addRing(TriangleMesh& mesh, const std::vector<std::uint32_t>& hole, const std::vector<std::uint32_t>& corners,
              const Point2& centre, bool facingFront) {
   const auto angleOf = [&](std::uint32_t vertex) {
@@ -144,7 +143,7 @@ std::vector<Hole> holesOf(const Preset& preset) {
 constexpr double kPlateFront = 7.2;
 constexpr double kPlateBack = 7.5;
 
-/// O1: the plate with the holes, each in a quarter of its own.
+/// O1: the plate with the holes, each in its own quarter.
 TriangleMesh plate(const Preset& preset) {
   TriangleMesh mesh;
   constexpr double kMiddle = kSide / 2.0;

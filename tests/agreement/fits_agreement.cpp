@@ -1,11 +1,11 @@
-// Compares what the three ways of asking for the fits of a product say of each of its pairs: the table that `fits`
-// shows, a scenario of one moving body as `new` and `plan` load it, and what `sequence` makes its motions of. Kind,
-// status, which body is taken thinner and by how much have to be the same, to a thousandth of the allowance.
+// Compares the fits that three commands find for each pair of a product: the table of `fits`, a scenario of one moving
+// body made by `new` and loaded by `plan`, and the fits that `sequence` uses for its motions. Kind, status, the body
+// that is taken thinner and the amount have to be equal, to a thousandth of the allowance.
 //
 // usage: fits_agreement FILE [MOST]
 //
-// FILE is a STEP file. `plan` is asked for each body with a pair; with MOST for so many of them, spread evenly.
-// Exit code 0: all pairs agree; 1: some differ; 2: something cannot be read.
+// FILE is a STEP file. `plan` is run for each body with a pair; with MOST for that many bodies, spread evenly. Exit
+// code 0: all pairs agree; 1: some differ; 2: a file cannot be read.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -24,10 +24,10 @@ namespace {
 
 using namespace glissade;
 
-/// What is said of a pair while one of its bodies moves.
+/// The statement about a pair while one of its bodies moves.
 struct Said {
   std::string kind;
-  double ofMoving = 0.0;  ///< metres that the moving body is taken thinner
+  double ofMoving = 0.0;  ///< thickness removed from the moving body, metres
   double ofOther = 0.0;
   bool clash = false;
 
@@ -37,8 +37,8 @@ struct Said {
   }
 };
 
-/// Share of the allowance. `plan` has the object in the frame of the file: where a point of an overlap is equally near
-/// to two faces, rounding decides for which of them its depth counts.
+/// Tolerance as a share of the allowance. `plan` has the object in the frame of the file. Where a point of an overlap
+/// is equally near to two faces, rounding decides which face its depth counts for.
 constexpr double kTies = 1e-3;
 constexpr double kRounding = 1e-9;
 
@@ -48,7 +48,7 @@ bool areSame(const Said& a, const Said& b) {
   return a.kind == b.kind && a.clash == b.clash && areSame(a.ofMoving, b.ofMoving) && areSame(a.ofOther, b.ofOther);
 }
 
-/// By the other body.
+/// Statements by the other body.
 using SaidOfOthers = std::map<std::string, Said>;
 
 void add(const Fit& fit, Said& said) {
@@ -79,7 +79,7 @@ class Agreement {
     return std::move(*result);
   }
 
-  /// As runFits() has it.
+  /// Fills the table as runFits() prints it.
   void table() {
     ProductFile loaded = valid(readProduct(file_));
     AssembledProduct product = loaded.product;
@@ -111,7 +111,7 @@ class Agreement {
               << (known == others.end() ? "nothing" : known->second.text()) << "\n";
   }
 
-  /// Every pair of the moving body, in both lists.
+  /// Compares every pair of the moving body in both lists.
   void compare(const std::string& who, const std::string& moving, const SaidOfOthers& found, std::size_t& count) {
     const SaidOfOthers& expected = table_[moving];
     for (const auto& [other, said] : found) {
@@ -138,7 +138,7 @@ class Agreement {
         for (const Fit& fit : fits.fitsOf(moving)) {
           if (fit.obstacle == other) add(fit, said);
         }
-        // What is whole and touches stops the motion: the sequence has no list of clashes.
+        // A whole pair in contact blocks the motion: the sequence has no list of clashes.
         said.clash = isWholeClash(product.bodies[moving].name, product.bodies[other].name, said);
         found[moving][product.bodies[other].name] = said;
       }
@@ -153,7 +153,7 @@ class Agreement {
     return known != table_[moving].end() && known->second.clash && said.ofMoving == 0.0 && said.ofOther == 0.0;
   }
 
-  /// As `new` makes the scenario and `plan` loads it.
+  /// Finds the fits as `new` makes the scenario and `plan` loads it.
   void plan(const std::string& name) {
     PartFile moves = usualPart(file_ + ":" + name);
     moves.role = PartRole::Moves;
@@ -171,7 +171,7 @@ class Agreement {
 
   std::string file_;
   GeometryCache read_;
-  std::map<std::string, SaidOfOthers> table_;  ///< by the moving body
+  std::map<std::string, SaidOfOthers> table_;  ///< statements by the moving body
   std::size_t bodies_ = 0;
   std::size_t pairs_ = 0;
   std::size_t sequenced_ = 0;

@@ -1,4 +1,4 @@
-// Every interactive widget has a name for screen readers and is reached by Tab, in English and in French.
+// Every interactive widget has a name for screen readers and can be reached by Tab, in English and in French.
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
@@ -33,7 +33,7 @@
 namespace glissade {
 namespace {
 
-/// Widgets that a person operates. Parts of other widgets (the field of a spin box, scroll bars) are left out.
+/// Whether a person operates the widget. Parts of other widgets (the field of a spin box, scroll bars) are left out.
 bool isOperated(const QWidget& widget) {
   if (widget.objectName().startsWith(QStringLiteral("qt_"))) return false;
   if (qobject_cast<const QScrollBar*>(&widget) != nullptr || widget.inherits("QLineEditIconButton") ||
@@ -55,7 +55,8 @@ bool isOperated(const QWidget& widget) {
          qobject_cast<const QAbstractSlider*>(&widget) != nullptr;
 }
 
-/// Buttons of tool bars that carry an action of the menus, and those that Qt puts on docks, need no Tab.
+/// Whether the widget needs no Tab: a button of a tool bar with an action of the menus, or a button that Qt puts on
+/// docks.
 bool hasOtherKeys(const QWidget& widget) {
   if (widget.inherits("QDockWidgetTitleButton")) return true;
   return widget.inherits("QToolButton") && qobject_cast<const QToolBar*>(widget.parentWidget()) != nullptr &&
@@ -67,7 +68,7 @@ QString nameOf(QWidget& widget) {
   return face == nullptr ? QString() : face->text(QAccessible::Name).trimmed();
 }
 
-/// "QComboBox 'theme' in QDialog 'preferences'"
+/// Describes a widget and its parents, such as "QComboBox 'theme' < QDialog 'preferences' <".
 std::string whereIs(const QWidget& widget) {
   QString text;
   for (const QWidget* one = &widget; one != nullptr; one = one->parentWidget()) {
@@ -92,7 +93,7 @@ void expectNames(QWidget& root) {
   for (QWidget* widget : operatedIn(root)) EXPECT_FALSE(nameOf(*widget).isEmpty()) << "no name: " << whereIs(*widget);
 }
 
-/// Presses Tab until the focus is where it began, and expects to have been everywhere.
+/// Presses Tab 400 times and expects that every operated widget had the focus.
 void expectReachedByTab(QWidget& root) {
   QWidget* window = root.window();
   window->show();
@@ -106,7 +107,7 @@ void expectReachedByTab(QWidget& root) {
   }
   for (QWidget* widget : operatedIn(root)) {
     if (!widget->isVisible() || !widget->isEnabled() || hasOtherKeys(*widget)) continue;
-    // Radio buttons and tabs of one group are one stop; arrows go on.
+    // Radio buttons and tabs of one group are one stop of Tab; arrow keys reach the others.
     EXPECT_TRUE(reached.count(widget) == 1 || reached.count(widget->focusProxy()) == 1)
         << "not reached by Tab: " << whereIs(*widget);
   }
@@ -121,7 +122,7 @@ double luminance(const QColor& colour) {
   return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) + 0.0722 * linear(colour.blueF());
 }
 
-/// As WCAG 2.1 defines it.
+/// The contrast as WCAG 2.1 defines it.
 double contrast(const QColor& one, const QColor& other) {
   const double a = luminance(one);
   const double b = luminance(other);
@@ -155,7 +156,7 @@ TEST_P(AccessibilityTest, TextsStandOutInBothThemes) {
         EXPECT_GE(contrast(palette.color(text), palette.color(ground)), kLeastContrast) << text << " on " << ground;
       }
     }
-    // Labels whose colours a style sheet of their own sets.
+    // Labels may have their own style sheet with colours.
     for (QLabel* label : window->findChildren<QLabel*>()) {
       label->ensurePolished();
       const QPalette palette = label->palette();
@@ -228,7 +229,7 @@ TEST_P(AccessibilityTest, NoTwoActionsHaveOneShortcut) {
   }
 }
 
-/// A cube between two blocks.
+/// A cube between two blocks; `tail` is added to all names.
 Scenario scenarioWithNames(const std::string& tail) {
   Scenario scenario;
   scenario.object.first().id = "cube";
@@ -248,7 +249,7 @@ Scenario scenarioWithNames(const std::string& tail) {
   return scenario;
 }
 
-/// The least widths of the docks after everything that fills them was done.
+/// The minimum widths of the docks after all of their contents exist.
 std::map<QString, int> leastWidths(MainWindow& window, const Scenario& scenario, const QString& file,
                                    const std::string& pathName) {
   QFile out(file);
@@ -285,7 +286,7 @@ TEST_P(AccessibilityTest, NoNameWidensAPanel) {
   const auto lengthy =
       leastWidths(*window, scenarioWithNames(tail), folder.filePath(QStringLiteral("b.json")), "path" + tail);
   for (const auto& [dock, width] : usual) EXPECT_LE(lengthy.at(dock), width) << dock.toStdString();
-  // 1920 x 1080 pixels at 200 %.
+  // The size of a screen of 1920 x 1080 pixels at 200 %.
   EXPECT_LE(window->minimumSizeHint().width(), 960);
   EXPECT_LE(window->minimumSizeHint().height(), 540);
 }

@@ -31,7 +31,7 @@ TEST(ActionCatalogue, IdsAndShortcutsAreUniqueAndEveryActionExplainsItself) {
   EXPECT_EQ(catalogue.find(QStringLiteral("no.such")), nullptr);
 }
 
-/// Keys that users of such software press without looking.
+/// Users of such software expect these keys.
 TEST(ActionCatalogue, CommonActionsHaveTheirCommonKeys) {
   const std::vector<std::pair<const char*, const char*>> common{
       {"file.new", "Ctrl+N"},     {"file.open", "Ctrl+O"},    {"file.save", "Ctrl+S"},

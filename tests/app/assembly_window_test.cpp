@@ -1,4 +1,4 @@
-// Parts, bodies and the ends of the motion, arranged in the window as a person would.
+// Parts, bodies and the ends of the motion are arranged in the window as a person would.
 #include "tests/app/window_fixture.h"
 #include "tests/engine/support/part_fixture.h"
 #include "tests/engine/support/step_files.h"
@@ -15,7 +15,7 @@ class AssemblyWindow : public WindowTest {
     EXPECT_NE(result.exitCode, 0) << script.toStdString();
     EXPECT_TRUE(result.errors.contains(QLatin1String(why))) << result.errors.toStdString();
   }
-  /// Of the 3D view's middle, where nothing but the scene is.
+  /// The middle of the 3D view, which shows only the scene.
   static QImage middle(const QString& file) { return QImage(file).copy(QRect(380, 120, 540, 500)); }
 
   const QString shapeGame = kSource + QStringLiteral("/samples/shape-game/tight-circle.json");
@@ -64,7 +64,7 @@ TEST_F(AssemblyWindow, AGroupMovesAsOneAndItsBodiesStayBodiesOfTheProduct) {
                                            "select bodies pin#2+plate\naction assembly.moves\n"
                                            "expect-place pin 0,0,0\nexpect-place plate nowhere\n"
                                            "expect-place pin#2 nowhere\n"
-                                           // What was the object joins the group.
+                                           // The earlier object joins the group.
                                            "select bodies pin+pin#2+plate\naction assembly.moves\n"
                                            "expect-place pin nowhere\nsave %2\nopen %2\n"
                                            "plan-sequence all\nexpect-sequence parts 4\n"
@@ -91,7 +91,7 @@ TEST_F(AssemblyWindow, WhatIsLeftOutIsKeptByTheScenarioAndPutBack) {
   EXPECT_TRUE(file.readAll().contains("\"left_out\""));
 }
 
-/// Two boxes in the same place, and one beside them.
+/// Two boxes are in the same place, and one box is beside them.
 TEST_F(AssemblyWindow, VariantsAreSaidAndOneIsChosen) {
   const QString scenario = folder.filePath(QStringLiteral("variants.json"));
   QFile file(scenario);
@@ -121,7 +121,7 @@ TEST_F(AssemblyWindow, AMobileBodyIsDraggedAndTheCellsFollowAsIfItHadAlwaysBeenT
   const QString fresh = folder.filePath(QStringLiteral("fresh.png"));
   const QString back = folder.filePath(QStringLiteral("back.png"));
   const QString before = folder.filePath(QStringLiteral("before.png"));
-  // Selected, the body is gripped behind the wall, too.
+  // A selected body is gripped also behind the wall.
   expectGood(
       run(shapeGame, QStringLiteral("action layer.mobile-cells\nselect body O3\n"
                                     "action assembly.arrange\nscreenshot %1\ndrag 272 316 332 356\nscreenshot %2\n"
@@ -142,16 +142,17 @@ TEST_F(AssemblyWindow, TheGizmoMovesTurnsAndAlignsWhatIsSelected) {
                                 "drag-handle x 70 -20\nexpect-place O5 1875,1575,300\n"
                                 "drag-handle rz 40 0\nexpect-place O5 1875,1575,300\n"
                                 "action edit.undo\naction edit.undo\nexpect-place O5 1375,1575,300\n"
-                                // A drag that Esc takes back is no edit, and does not leave the mode.
+                                // A drag that Esc cancels is no edit, and does not leave the mode.
                                 "hold-handle rz 40 0\nscreenshot %1\nkey tap Esc\nexpect-place O5 1375,1575,300\n"
                                 "expect-arranging yes\n"
-                                // Keys in a row are one edit.
+                                // Consecutive keys are one edit.
                                 "key tap Right\nkey tap Right\nkey tap PgUp\nkey tap Up\nkey tap Shift+Left\n"
                                 "expect-place O5 1475,1625,350\n"
                                 "action edit.undo\nexpect-place O5 1375,1575,300\n"
                                 "drag-handle z 0 -200\nexpect-outside O5\naction assembly.fit-workspace\n"
                                 "expect-outside none\naction edit.undo\naction edit.undo\n"
-                                // Its front onto the front of O3, then the other way round; both are one edit.
+                                // The front of the body is aligned with the front of O3, then flipped; both are one
+                                // edit.
                                 "action assembly.align\nexpect-arranging no\nclick 303 224\nclick 430 278\n"
                                 "expect-arranging yes\naction panel.scene\nexpect-place O5 1393.59,775,300\n"
                                 "action assembly.flip\nexpect-place O5 1375,1025,300\n"
@@ -165,17 +166,19 @@ TEST_F(AssemblyWindow, TheGizmoMovesTurnsAndAlignsWhatIsSelected) {
 
 TEST_F(AssemblyWindow, WhatIsArrangedMeetsFeaturesOfOtherBodies) {
   expectGood(run(QStringLiteral("bolted-brackets"),
-                 // An arrow snaps to a face; the whole drag is one edit. Without, it stays where it was dropped.
+                 // The drag of an arrow snaps to a face and is one edit. Without snapping the body stays where it was
+                 // dropped.
                  QStringLiteral("action view.isometric\nselect body rod-nut-2\naction assembly.arrange\n"
                                 "hold-handle x 25 -12\nexpect-snap bracket-2\nkey tap Esc\nexpect-snap none\n"
                                 "drag-handle x 25 -12\nexpect-place rod-nut-2 -23.5,0,34\naction edit.undo\n"
                                 "action assembly.snap-features\nhold-handle x 25 -12\nexpect-snap none\nkey tap Esc\n"
-                                // What is under the pointer is named. A face of the nut onto the plate.
+                                // The hint names the item under the pointer. A face of the nut is aligned with the
+                                // plate.
                                 "action assembly.align\nhover 205 275\nexpect-hint rod-nut-2\nclick 205 275\n"
                                 "hover 330 330\nexpect-hint plate\nexpect-place rod-nut-2 -30,0,34\n"
                                 "click 330 330\nexpect-arranging yes\nexpect-place rod-nut-2 -30,-8.4944,6.5\n"
                                 "action edit.undo\nexpect-place rod-nut-2 -30,0,34\n"
-                                // Measuring ends it; Esc leaves it.
+                                // Measuring ends the alignment; Esc leaves it.
                                 "action assembly.align\naction measure.distance\nexpect-arranging no\n"
                                 "key tap Esc\naction assembly.align\nkey tap Esc\nexpect-arranging no\n")));
 }

@@ -9,7 +9,7 @@
 namespace glissade {
 namespace {
 
-/// Works until it is stopped.
+/// Work that runs until it is stopped.
 BackgroundTask::Work endless(std::atomic<bool>& stopped, bool& delivered) {
   return [&stopped, &delivered](const WorkWatch& watch) -> BackgroundTask::Delivery {
     watch.report(0.5);

@@ -16,7 +16,7 @@ class Calibration : public testing::Test {
   Calibration() { hand->mouse6d.mailbox.connect("SpaceNavigator"); }
 
   DeviceShaping mouse() const { return hand->mouse6d.shaping.get(); }
-  /// As after a restart of the program.
+  /// The shaping that a restarted program would read.
   DeviceShaping kept() const { return DeviceSettings(file).shaping(hand->mouse6d); }
   template <typename Widget>
   Widget* named(const char* name) const {
@@ -102,7 +102,7 @@ TEST_F(Calibration, AControllerHasButtonsWithNamesAndNoAxes) {
         controller->kind == InputKind::LeftController ? QStringLiteral("run.stop") : QStringLiteral("run.start");
     EXPECT_EQ(named<QComboBox>("button-action")->currentData().toString(), expected);
   }
-  // Of one kind, each has its own.
+  // Two controllers of the same kind have separate actions.
   for (ControllerInput* controller : hand->controllers()) controller->buttons.mailbox.connect("valve/index_controller");
   settings.setAction(hand->leftController.buttons, 1, QStringLiteral("path.play"));
   EXPECT_EQ(settings.action(hand->leftController.buttons, 1), QStringLiteral("path.play"));

@@ -23,7 +23,7 @@ class CameraSteering : public testing::Test {
 TEST_F(CameraSteering, TheSceneFollowsTheHand) {
   const CameraController before = camera;
   steer({1, 0, 0}, Vector3::Zero());
-  EXPECT_LT(camera.focus().x(), before.focus().x());  // the scene goes right as the camera goes left
+  EXPECT_LT(camera.focus().x(), before.focus().x());  // the scene moves to the right as the camera moves to the left
   EXPECT_EQ(camera.distance(), before.distance());
   steer({0, 1, 0}, Vector3::Zero());
   EXPECT_LT(camera.focus().z(), before.focus().z());
@@ -36,7 +36,7 @@ TEST_F(CameraSteering, RollTurnsThePictureWithTheHandAboutTheLineOfSight) {
   const Vector3 right = before.focus() + Vector3::UnitX();
   steer(Vector3::Zero(), {0, 0, 1}, true);
   EXPECT_TRUE(camera.eye().isApprox(before.eye(), 1e-9));
-  // The hand turns counter-clockwise, and so does what is seen.
+  // The hand turns counter-clockwise, and so does the scene.
   EXPECT_GT((camera.R_WV().conjugate() * (right - camera.eye())).y(), 0.05);
   steer(Vector3::Zero(), {0, 0, -1}, true);
   EXPECT_TRUE(camera.R_WV().isApprox(before.R_WV(), 1e-9));

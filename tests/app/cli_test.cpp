@@ -1,4 +1,4 @@
-// glissade-cli as its user runs it: exit codes, messages, JSON, files.
+// Runs glissade-cli as a user would: exit codes, messages, JSON, files.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -72,7 +72,7 @@ class Cli : public testing::Test {
     return test::sourceDirectory() + "/samples/" + name + "/scenario.json";
   }
 
-  /// A scenario of primitives with something about it changed.
+  /// A scenario of primitives, changed by `change`.
   std::string scenario(const std::function<void(Json&)>& change) const {
     Json json = Json::parse(R"({
       "format": "glissade-scenario", "version": 1, "name": "t",
@@ -141,7 +141,7 @@ TEST_F(Cli, AnUnknownCollisionBackendIsOneClearErrorOfUsage) {
 TEST_F(Cli, ReportsWhatSetItself) {
   const std::string file = scenario([](Json& json) { json["planner"] = "contact-birrt"; });
   const Json report = Json::parse(run("plan " + file + " --operator expert --tuning 5 --alpha 0.3 --json").out);
-  EXPECT_EQ(report["parameters"]["alpha"], 0.3);  // the user's own
+  EXPECT_EQ(report["parameters"]["alpha"], 0.3);  // the user's own value
   for (const char* which : {"final", "median"}) {
     EXPECT_GT(report["tuning"][which]["alpha"], 0.5) << which;
     EXPECT_GT(report["tuning"][which]["contact_distance"], 0.0) << which;
@@ -150,7 +150,7 @@ TEST_F(Cli, ReportsWhatSetItself) {
   EXPECT_FALSE(Json::parse(run("plan " + file + " --operator expert --json").out).contains("tuning"));
 }
 
-/// Such a path was called valid.
+/// Such a path was called valid once.
 TEST_F(Cli, APathThatLeavesTheWorkspaceIsInvalidAndTheEdgeIsNamed) {
   const std::string file = scenario([](Json&) {});
   const auto path = [&](const std::string& y) {
@@ -174,7 +174,7 @@ TEST_F(Cli, APathThatLeavesTheWorkspaceIsInvalidAndTheEdgeIsNamed) {
   }
 }
 
-/// It said "undecided" only.
+/// The message was only "undecided" once.
 TEST_F(Cli, APathThatCannotBeDecidedHasAReason) {
   const std::string file = scenario([](Json& json) { json["goal"]["orientation"] = {0, 0, 1, 0}; });
   const std::string turn = write("turn.path", "-1 0 0 0 0 0 1\n-1 1.5 0 0 0 1 0\n1 1.5 0 0 0 1 0\n1 0 0 0 0 1 0\n");
@@ -191,7 +191,7 @@ TEST_F(Cli, APathThatCannotBeDecidedHasAReason) {
   EXPECT_NE(far["certificate"]["why_undecided"].get<std::string>().find("workspace"), std::string::npos);
 }
 
-/// These ended with exit 70.
+/// These inputs ended with exit code 70 once.
 TEST_F(Cli, BytesThatAreNoUtf8AndControlCharactersDoNoHarm) {
   const std::string sound = scenario([](Json& json) { json["name"] = "red\x1b[31m"; });
   const std::string header = "index,s,x,y,z,qx,qy,qz,qw,clearance,contact,author\n";
@@ -223,7 +223,7 @@ TEST_F(Cli, BytesThatAreNoUtf8AndControlCharactersDoNoHarm) {
   EXPECT_NE(made.err.find("UTF-8"), std::string::npos) << made.err;
 }
 
-/// Exit code 70 is for defects of the program.
+/// Exit code 70 is only for defects of the program.
 TEST_F(Cli, ATargetThatTakesNothingEndsWithExitCode3AndItsReason) {
   const std::string file = scenario([](Json&) {});
   ASSERT_EQ(::mkfifo((folder / "pipe.csv").c_str(), 0600), 0);
@@ -248,7 +248,7 @@ TEST_F(Cli, LengthsBeyondTheLimitAreWrongUsage) {
   EXPECT_EQ(run("new " + (folder / "made.json").string() + " --moves a.stl --unit 1e10").exitCode, 2);
 }
 
-/// 24 mm in metres, as a CAD system without a choice of units writes it.
+/// The part has 24 mm in metres, as a CAD system without a choice of units writes it.
 TEST_F(Cli, AUnitIsAnyLengthAndIsGuessedFromTheSizeWhereItIsNotGiven) {
   const std::string made = (folder / "made.json").string();
   const std::string part =
@@ -270,7 +270,7 @@ TEST_F(Cli, AUnitIsAnyLengthAndIsGuessedFromTheSizeWhereItIsNotGiven) {
   }
 }
 
-/// A box without its lid.
+/// The part is a box without its lid.
 TEST_F(Cli, PlanarHolesAreClosedWhereThatIsAskedFor) {
   const std::string made = (folder / "made.json").string();
   const std::string part = write("open.obj",
@@ -332,7 +332,7 @@ TEST_F(Cli, BadInputGetsOneClearMessage) {
     return (folder / name).string();
   };
   std::string stl(84, '\0');
-  stl[83] = '\x28';  // claims 671 million triangles
+  stl[83] = '\x28';  // the file claims 671 million triangles
   write("huge.stl", stl);
   write("broken.urdf",
         "<robot name='x'><link name='a'><collision><geometry><box size='1 1 oops'/></geometry>"
@@ -414,7 +414,7 @@ TEST_F(Cli, AReplayIsComparedBitByBit) {
   EXPECT_GT(report["checkpoints"].get<int>(), 1);
 
   Json altered = Json::parse(read(record));
-  for (std::size_t i = 0; i < 200; ++i) {  // not every pose is looked at
+  for (std::size_t i = 0; i < 200; ++i) {  // not every pose is checked
     Json& x = altered["operator_stream"][i][1];
     x = x.get<double>() + 1e-9;
   }
@@ -453,7 +453,7 @@ TEST_F(Cli, TheRunOfAStrategyWithAPersonSaysWhatTheHandDidAndReplaysBitByBit) {
   EXPECT_EQ(run(plan + "--operator replay:" + record + " --out " + again).exitCode, 0);
   EXPECT_EQ(read(first), read(again));
   EXPECT_EQ(run("check " + sample("environment-1") + " " + first).exitCode, 0);
-  // Nobody there: no word about a hand. A person shows the way of another run's path.
+  // Without a person the report has no hand. In the next run a person follows the path of another run.
   EXPECT_FALSE(Json::parse(run(plan + "--seed 4").out).contains("hand"));
   const Json shown = Json::parse(run(plan + "--operator task-expert --seed 5 --way " + first).out);
   EXPECT_TRUE(shown["solved"].get<bool>());
@@ -483,7 +483,7 @@ TEST_F(Cli, InfoTellsWhatIsThere) {
   EXPECT_NEAR(report["object"]["radius_m"].get<double>(), 1.536, 0.001);
 }
 
-/// Assemblies with their numbers of bodies, what is said of them, and the bodies of a group.
+/// The command lists assemblies with their numbers of bodies and attributes, and the bodies of a group.
 TEST_F(Cli, InfoListsTheAssembliesAndTheBodiesOfAGroup) {
   const std::string product = glissade::test::stepFile("unit.step");
   const Finished file = run("info " + product);
@@ -536,7 +536,7 @@ TEST_F(Cli, AProhibitionOfNoPlaceIsNotDropped) {
   EXPECT_NE(plan.err.find("/places/0: forbids a place that is not there"), std::string::npos) << plan.err;
 }
 
-/// A file that forbids a place and does not say where it is, as a person writes it.
+/// A person has written the file, which forbids a place and does not state its region.
 TEST_F(Cli, AForbiddenPlaceThatTheFileDoesNotLocateIsJudged) {
   Json json = Json::parse(read(sample("teaching")));
   json.erase("checksum");
@@ -561,7 +561,10 @@ TEST_F(Cli, AForbiddenPlaceThatTheFileDoesNotLocateIsJudged) {
   const Finished beside = judged(forbidden, pathOf("beside.path", {{0.35, 0.35, 0.3}, {1.35, 0.5, 0.3}}));
   EXPECT_NE(beside.out.find("forbidden places: the path keeps"), std::string::npos) << beside.out;
 
-  // On the floor of the workspace, which is a face of both places.
+  const Finished sequence = run("sequence " + forbidden + " --time-limit 1");
+  EXPECT_NE(sequence.err.find("forbids places to the path of its object"), std::string::npos) << sequence.err;
+
+  // The path lies on the floor of the workspace, which is a face of both places.
   json["start"]["position"] = {1.35, 0.5, 0.0};
   json["goal"]["position"] = {1.35, 1.2, 0.0};
   const std::string floor = write("floor.json", json.dump());
@@ -739,7 +742,7 @@ TEST_F(Cli, AClashIsAcceptedByAPersonOnly) {
   EXPECT_NE(unknown.err.find("/fits/pairs/0"), std::string::npos) << unknown.err;
 }
 
-/// A plan cannot leave a body out by itself: the check has to be told so, too.
+/// A plan cannot leave a body out by itself: the check needs the same option.
 TEST_F(Cli, WhatAPersonLeavesOutIsNotThere) {
   const std::string product = glissade::test::stepFile("fits.step");
   const std::string plan = (folder / "plan.json").string();
@@ -764,7 +767,7 @@ TEST_F(Cli, WhatAPersonLeavesOutIsNotThere) {
   EXPECT_NE(unknown.err.find("'blok', which is not a body"), std::string::npos) << unknown.err;
 }
 
-/// The smaller body gives way, whichever moves, and the table says so in each form.
+/// The smaller body of a pair is thinned, whichever moves, and each format of the table says so.
 TEST_F(Cli, FitsSayWhichBodyGivesWayAndWhyAPairIsRefused) {
   const std::string product = glissade::test::stepFile("fits.step");
   const Json fits = Json::parse(run("fits " + product + " --json").out);
@@ -835,7 +838,7 @@ TEST_F(Cli, AProductIsTakenApartAndTheCheckAgrees) {
   const std::string product = glissade::test::stepFile("fits.step");
   const std::string plan = (folder / "plan.json").string();
   const std::string command = "sequence " + product + " --accept-clashes 3mm";
-  // The block is 3 mm deep in the plate: it cannot be taken so much thinner, and the plate is taken without it.
+  // The block is 3 mm deep in the plate. It cannot be thinned so much, so it is removed first.
   const Finished found = run(command + " --json --out " + plan);
   ASSERT_EQ(found.exitCode, 0) << found.err << found.out;
   const Json report = Json::parse(found.out);
@@ -873,7 +876,7 @@ TEST_F(Cli, AKilledSequenceGoesOnFromWhatWasFound) {
   const std::string whole = (folder / "whole.json").string();
   ASSERT_EQ(run("sequence " + product + " --out " + whole).exitCode, 1);
   const std::string plan = (folder / "plan.json").string();
-  // Killed as soon as there is a plan, or when it has ended.
+  // The command is killed as soon as the plan file exists, or after its end.
   const std::string program = test::programDirectory() + "/glissade-cli";
   const std::string script =
       write("kill.sh", program + " sequence " + product + " --save-every 0 --out " + plan + " & pid=$!\nwhile [ ! -e " +
@@ -1115,7 +1118,7 @@ TEST_F(Cli, SmoothingShortensAndTheJudgeAgrees) {
 }
 
 TEST_F(Cli, WhereNoPathIsFoundTheDifficultyIsTold) {
-  // Two walls leave a gap 10 mm narrower than the cube, all the way to the workspace's borders.
+  // Two walls leave a gap 10 mm narrower than the cube, up to the workspace's borders.
   const std::string file = scenario([](Json& json) {
     json["bodies"] = Json::parse(R"([
       {"id": "left", "geometry": {"box": [0.2, 2, 5]}, "pose": {"position": [0, -1.095, 0], "orientation": [0, 0, 0, 1]}},

@@ -1,4 +1,4 @@
-// What is refused, paths that are kept, measuring and the log, in the window as a person would use them.
+// Refusals, kept paths, measuring and the log, in the window as a person would use them.
 #include "engine/scenario/scenario_io.h"
 #include "tests/app/window_fixture.h"
 
@@ -11,7 +11,7 @@ class DailyWindow : public WindowTest {
  protected:
   void expectGood(const WindowResult& result) { EXPECT_EQ(result.exitCode, 0) << result.errors.toStdString(); }
 
-  /// A cube of 0.2 m that starts at x, between two blocks that leave it no more than 0.2 m.
+  /// A cube of 0.2 m that starts at x, between two blocks with a gap of 0.4 m.
   QString scenarioWithCubeAt(double x) {
     Scenario scenario;
     scenario.object.first().id = scenario.object.first().name = "cube";
@@ -83,7 +83,7 @@ TEST_F(DailyWindow, ARunAtAPaceIsReplayedWithIt) {
 }
 
 TEST_F(DailyWindow, MeasuresWhatIsClicked) {
-  // From the front, orthographic: the blocks are 0.4 m apart, 0.2 m wide and 1 m high.
+  // The view is from the front and orthographic: the blocks are 0.4 m apart, 0.2 m wide and 1 m high.
   expectGood(run(scenarioWithCubeAt(0.0), QStringLiteral("action layer.object\naction layer.ends\n"
                                                          "action view.orthographic\naction view.front\n"
                                                          "action measure.clearance\nclick 217 470\nclick 388 470\n"

@@ -1,4 +1,4 @@
-// The person's devices in a window in real time, with a daemon that behaves and misbehaves.
+// The person's devices in a window in real time, with a daemon that works or fails.
 #include "app/window/device_controller.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ class Controller : public testing::Test {
     qunsetenv("XDG_CONFIG_HOME");
   }
 
-  /// Lets the window live until the condition holds; remembers its longest pause.
+  /// Runs the window's event loop until the condition holds, and remembers its longest pause.
   bool eventually(const std::function<bool()>& condition, int patience = 20000) {
     QElapsedTimer all;
     all.start();

@@ -1,4 +1,4 @@
-// A script holds the devices: what moves, buttons, the calibration page.
+// A script uses the devices: the steering target, buttons, the calibration page.
 #include "tests/app/window_fixture.h"
 
 namespace {
@@ -23,7 +23,7 @@ TEST_F(DeviceWindow, AMouseMovesTheObjectAndAButtonGivesItTheCamera) {
                                        .arg(folder.path()));
   ASSERT_EQ(outcome.exitCode, 0) << outcome.errors.toStdString();
   EXPECT_GT(changed("none.png", "object.png"), 0.2);
-  EXPECT_GT(changed("object.png", "camera.png"), 0.0);  // what moves is shown
+  EXPECT_GT(changed("object.png", "camera.png"), 0.0);  // the status bar shows the target
   EXPECT_GT(changed("camera.png", "moved.png"), 1.0);
 }
 
@@ -39,7 +39,7 @@ TEST_F(DeviceWindow, TheCalibrationPageShowsTheAxesLive) {
   expectLike(picture("live.png"), QStringLiteral("devices"));
 }
 
-/// A key that is held pushes the object against a wall: it stays there, and the hand is seen beside it.
+/// A held key pushes the object against a wall. The object stays there, and the hand is drawn beside it.
 TEST_F(DeviceWindow, KeysSteerInTheAxesThatAreChosenAndWallsStopTheObject) {
   const WindowResult outcome =
       run(QStringLiteral("environment-1"),

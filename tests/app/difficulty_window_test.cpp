@@ -1,4 +1,4 @@
-// Why no path was found, asked in the window by scripts.
+// Scripts ask the window why no path was found.
 #include "tests/app/window_fixture.h"
 
 namespace {
@@ -64,7 +64,7 @@ TEST_F(DifficultyWindow, OffersPlacesToHelpAndTakesTheHandThere) {
   EXPECT_GT(difference(QImage(offered), QImage(taken)).share, 0.02);
 }
 
-/// The trees stay, and the hand goes from one place to the next one; after the last one they are looked for again.
+/// The trees stay, and the hand is taken from one place to the next. After the last one the places are searched again.
 TEST_F(DifficultyWindow, HelpsInARunThatGoesOnByHand) {
   const WindowResult result = run(
       tooNarrow(), QStringLiteral("select-operator hand\nselect-strategy interactive\naction run.start\n"

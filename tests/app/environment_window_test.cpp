@@ -1,5 +1,5 @@
-// The editor of semantic attributes, the layers of the environment model and the table of topological
-// steps, used as a person would: by scripts on the whole window.
+// Scripts use the editor of semantic attributes, the layers of the environment model and the table of topological steps
+// in the whole window, as a person would.
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -12,7 +12,7 @@ using namespace glissade::test;
 
 class EnvironmentWindow : public WindowTest {
  protected:
-  /// A sample's folder, copied so that it may be written to; the scenario file in it.
+  /// Copies a sample's folder so that it may be written to, and returns the scenario file in it.
   QString copyOf(const QString& sample, const QString& scenario) {
     const QDir from(kSource + QStringLiteral("/samples/") + sample);
     const QDir to(folder.filePath(sample));
@@ -56,13 +56,13 @@ TEST_F(EnvironmentWindow, APlaceIsForbiddenWhileTheRunGoesOn) {
 }
 
 TEST_F(EnvironmentWindow, TheStepThatIsHighlightedIsTheOneThatIsForbidden) {
-  // P9 goes from the plan: no other row takes its highlight, and what is selected is still P9.
+  // The plan loses P9. No other row takes its highlight, and P9 stays selected.
   const QString pentagon = kSource + QStringLiteral("/samples/shape-game/tight-pentagon.json");
   expectGood(run(pentagon, QStringLiteral("select-strategy gts2\naction run.start\nsteps 2\nselect step 2\n"
                                           "expect-step P9\naction place.forbid\nexpect-attribute forbidden yes\n"
                                           "steps 2\nexpect-step -\naction edit.undo\nsteps 2\n"
                                           "select step 2\nexpect-step P9\n")));
-  // Another selection leaves the step; a click on its row selects its place again.
+  // Another selection leaves the step. A click on the step's row selects its place again.
   expectGood(run(pentagon, QStringLiteral("select step 2\nexpect-step P9\nselect place P1\nexpect-step -\n"
                                           "select step 2\nselect step 2\naction place.forbid\n"
                                           "select place P9\nexpect-attribute forbidden yes\n")));
@@ -70,12 +70,12 @@ TEST_F(EnvironmentWindow, TheStepThatIsHighlightedIsTheOneThatIsForbidden) {
 
 TEST_F(EnvironmentWindow, ARunsPlanIsShownOnlyWhereItBelongs) {
   const QString teaching = QStringLiteral("teaching");
-  // By another strategy: what it would do, not what the first one did.
+  // With another strategy the panel shows that strategy's preview, not the plan of the first one.
   expectGood(run(teaching, QStringLiteral("select-strategy gts\naction run.start\nwait solved 20000\n"
                                           "expect-plan tried\nselect-strategy gt\nexpect-plan preview\n"
                                           "select-strategy gts\nexpect-plan tried\nselect-strategy birrt\n"
                                           "expect-plan none\n")));
-  // On other places: its numbers would be those of others.
+  // A plan of other places is not shown, because its place numbers would name the wrong places.
   expectGood(run(QStringLiteral("environment-1"),
                  QStringLiteral("select-strategy gts2\naction environment.build\naction run.start\nsteps 30\n"
                                 "expect-plan tried\nidentify watershed\nexpect-plan preview\n"
@@ -126,7 +126,7 @@ TEST_F(EnvironmentWindow, ABodyThatIsHiddenIsNotDrawnAndComesBack) {
 }
 
 TEST_F(EnvironmentWindow, ABodyThatIsSetMobileShapesNoPlaceAnyMore) {
-  // Without O2 the two walls and the slot are gone: the way is straight up.
+  // Without O2 the two walls and the slot are gone, so the way leads straight up.
   expectGood(run(QStringLiteral("teaching"), QStringLiteral("expect-way P2,P5,P3,P4,P1\nselect body O2\n"
                                                             "attribute mobility mobile\naction edit.undo\n"
                                                             "expect-way P2,P5,P3,P4,P1\n")));
@@ -144,9 +144,9 @@ TEST_F(EnvironmentWindow, AMilestoneIsDraggedPassedThroughAndUndoneInOneStep) {
   const QString drag = QStringLiteral("action run.start\nwait solved 20000\ndrag 408 315 422 290\n");
   EXPECT_EQ(milestonesAfter(drag + QStringLiteral("action run.start\nwait solved 20000\n")), 1);
   EXPECT_EQ(milestonesAfter(drag + QStringLiteral("action edit.undo\n")), 0);
-  // The others of the run stay, to be taken next.
+  // The other milestones of the run stay and can be moved next.
   EXPECT_EQ(milestonesAfter(drag + QStringLiteral("drag 146 269 161 257\n")), 2);
-  // Into the wall: refused, and nothing is changed.
+  // A drag into the wall is refused and changes nothing.
   EXPECT_EQ(milestonesAfter(QStringLiteral("action run.start\nwait solved 20000\ndrag 408 315 345 340\n")), 0);
 }
 

@@ -1,4 +1,4 @@
-// All dialogs of the window, made as the window makes them.
+// Makes all dialogs of the window as the window does.
 #pragma once
 
 #include <QWidget>
@@ -29,7 +29,7 @@ namespace glissade::test {
 
 class EveryDialog {
  public:
-  /// Precondition: the window has a scenario open.
+  /// Precondition: a scenario is open in the window.
   explicit EveryDialog(MainWindow& window) {
     const Workbench& bench = window.workbench();
     const LoadedScenario& loaded = *bench.document.scenario();

@@ -7,12 +7,12 @@
 
 namespace glissade::test {
 
-/// Sends datagrams to a port of this machine, as OpenTrack does, or others.
+/// Sends datagrams to a port of this machine: those of OpenTrack, or any bytes.
 class FakeHeadTracker {
  public:
   explicit FakeHeadTracker(int port) : port_(static_cast<quint16>(port)) {}
 
-  /// Centimetres, degrees.
+  /// Sends centimetres and degrees.
   void send(const std::array<double, 6>& numbers) {
     socket_.writeDatagram(reinterpret_cast<const char*>(numbers.data()), sizeof(numbers), QHostAddress::LocalHost,
                           port_);

@@ -1,4 +1,4 @@
-// Files in the window: saving elsewhere, what was open recently.
+// Files in the window: saving under another name, recent files.
 #include "tests/app/window_fixture.h"
 
 namespace {
@@ -32,7 +32,7 @@ TEST_F(FileWindow, ASecondFileIsAnErrorAndNotForgotten) {
   EXPECT_TRUE(two.errors.contains(QStringLiteral("another.json"))) << two.errors.toStdString();
 }
 
-/// The part that moves does not name the product.
+/// The product's name is not taken from the part that moves.
 TEST_F(FileWindow, TheTitleNamesTheProduct) {
   const QString frame = kSource + QStringLiteral("/samples/pump/frame.obj");
   const QString pump = kSource + QStringLiteral("/samples/pump/pump.obj");

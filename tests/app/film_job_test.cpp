@@ -11,15 +11,15 @@
 namespace glissade {
 namespace {
 
-constexpr int kPictures = 36;  // of 0.2 s, with 0.6 s of standing before and after
+constexpr int kPictures = 36;  // of 0.2 s, and 0.6 s of repeated pictures before and after
 
-/// Films with a program in the place of ffmpeg that writes what it was asked for.
+/// Films with a program in place of ffmpeg, which writes the file that it is given.
 class FilmJobTest : public testing::Test {
  protected:
   void SetUp() override { qputenv("PATH", folder.path().toUtf8() + ":" + path); }
   void TearDown() override { qputenv("PATH", path); }
 
-  /// `body`: of a shell script; $out is the file that it is to write.
+  /// `body`: text of a shell script; $out is the file to write.
   void install(const char* body) {
     const QString file = folder.filePath(QStringLiteral("ffmpeg"));
     std::ofstream(file.toStdString()) << "#!/bin/sh\nfor out; do :; done\nout=${out#file:}\n" << body << "\n";

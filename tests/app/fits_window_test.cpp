@@ -8,7 +8,7 @@ using namespace glissade::test;
 
 class FitsWindow : public WindowTest {
  protected:
-  /// The product with one of its parts as the object; then `script`.
+  /// Opens the product with one of its parts as the object, and runs `script`.
   WindowResult runWith(const char* part, const QString& script) {
     const QString product = QString::fromStdString(stepFile("fits.step"));
     const QString open = QStringLiteral("new-scenario %1:%2 1 Z\nadd-part %1 static 1 Z\naction fits.find\n");
@@ -41,7 +41,7 @@ TEST_F(FitsWindow, WhatAPersonSaysIsUndoneAndKeptByTheFile) {
   EXPECT_EQ(outcome.exitCode, 0) << outcome.errors.toStdString();
 }
 
-/// The table, and the two bodies of the chosen row as the view marks them.
+/// The picture has the table, and the two bodies of the chosen row as the view marks them.
 TEST_F(FitsWindow, TheFitsOfAProductLookAsTheyDid) {
   const QString picture = folder.filePath(QStringLiteral("fits.png"));
   const WindowResult outcome = runWith("bolt", QStringLiteral("select-fit screw plate\nscreenshot %1\n").arg(picture));
@@ -49,7 +49,7 @@ TEST_F(FitsWindow, TheFitsOfAProductLookAsTheyDid) {
   expectLike(picture, QStringLiteral("fits"));
 }
 
-/// A box of 2 x 1 x 1 inch is measured in inches, and one of 10 m that states millimetres in these.
+/// A box of 2 x 1 x 1 inch is measured in inches, and a box of 10 m whose file states millimetres in millimetres.
 TEST_F(FitsWindow, AProductIsShownInTheUnitOfItsFile) {
   const QString measured = QStringLiteral(
       "new-scenario %1 1 Z\naction view.front\naction view.fit\n"

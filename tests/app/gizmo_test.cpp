@@ -14,7 +14,7 @@ using Kind = GizmoHandle::Kind;
 constexpr double kArm = 0.12;
 constexpr double kMargin = 0.012;
 
-/// A camera that looks at somewhere near the origin from anywhere, and a gizmo in its view.
+/// A camera at a random pose that looks near the origin, and a gizmo in its view.
 struct Sight {
   CameraController camera;
   Gizmo gizmo;
@@ -29,7 +29,7 @@ struct Sight {
 
   Ray rayAt(const Eigen::Vector2d& p) const { return rayThrough(camera, p.x(), p.y()); }
   Eigen::Vector2d seen(const Vector3& p_W) const { return *camera.project(p_W); }
-  /// A point of the handle in the world, which the pointer can take.
+  /// A point of the handle in the world at which the pointer can grip it.
   std::optional<Vector3> grip(const GizmoHandle& handle, RandomStream& random) const {
     const std::vector<Vector3> outline = outlineOf(handle, gizmo);
     if (!isUsable(handle, gizmo, camera)) return std::nullopt;
@@ -103,7 +103,7 @@ TEST(GizmoDrag, AnArrowMovesAlongItsAxisOnlyAndStaysUnderThePointer) {
     const double by = random.uniform(-0.5, 0.5);
     drag.moveTo(sight.rayAt(sight.seen(*from + by * along)));
     EXPECT_NEAR(drag.amount().shift[handle.axis], by, 1e-9);
-    // Anywhere: along the axis only.
+    // A pointer anywhere moves the item along the axis only.
     drag.moveTo(sight.rayAt({random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4)}));
     const Pose motion = motionOf(drag.amount(), handle.axis, sight.gizmo.X_WG);
     EXPECT_LT(motion.position.cross(along).norm(), 1e-12);
@@ -184,7 +184,7 @@ TEST(GizmoDrag, ARingSeenFromItsEdgeFollowsThePointerAlongIt) {
   GizmoDrag drag({Kind::Ring, 2}, gizmo, rayThrough(camera, 0.0, 0.0));
   drag.moveTo(rayThrough(camera, 0.05, 0.2));
   EXPECT_NEAR(drag.amount().angle, 0.05 * camera.viewHeight() / ringRadius(gizmo), 1e-9);
-  // The front goes to the right, as the pointer.
+  // The front moves to the right, as the pointer does.
   const Pose motion = motionOf(drag.amount(), 2, gizmo.X_WG);
   EXPECT_GT((motion * Vector3(0, -1, 0)).x(), 0.0);
 }

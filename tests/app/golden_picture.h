@@ -1,4 +1,4 @@
-// Pictures that are compared with those in tests/golden.
+// Compares pictures with those in tests/golden.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -16,8 +16,8 @@ namespace glissade::test {
 inline const QString kSource = QString::fromStdString(test::sourceDirectory());
 
 struct Difference {
-  double mean = 0.0;   ///< of all channels, 0...255
-  double share = 0.0;  ///< of pixels that differ visibly
+  double mean = 0.0;   ///< mean difference of all channels, 0...255
+  double share = 0.0;  ///< share of the pixels that differ visibly
 };
 
 inline Difference difference(const QImage& a, const QImage& b) {

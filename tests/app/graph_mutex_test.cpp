@@ -34,7 +34,7 @@ TEST(GraphMutex, OneAtATimeHasIt) {
   EXPECT_EQ(count, 4000);
 }
 
-/// One thread draws again and again with no time between, as a headset does where drawing is slow.
+/// One thread draws without pause, as a headset does if drawing is slow.
 TEST(GraphMutex, WhoWaitsIsNextHoweverBusyTheOtherIs) {
   GraphMutex mutex;
   std::atomic<int> drawn{0};
@@ -56,11 +56,11 @@ TEST(GraphMutex, WhoWaitsIsNextHoweverBusyTheOtherIs) {
   }
   ends = true;
   drawer.join();
-  // This thread may be stopped between the count and its place in the queue.
+  // The system may stop this thread between reading the count and entering the queue.
   EXPECT_LE(most, 20);
 }
 
-/// What is drawn meanwhile would be taken away from under the headset.
+/// Without the mutex, an edit would remove nodes that the headset is drawing.
 TEST(GraphMutex, AnEditOfTheSceneWaitsForWhoDraws) {
   SceneView view;
   const std::function<void()> edits[] = {[&] { view.setHelp({}); },          [&] { view.setReach({}); },

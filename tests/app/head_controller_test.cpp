@@ -1,4 +1,4 @@
-// A head that is tracked, in the whole window, with a tracker that sends datagrams.
+// A tracked head in the whole window, with a tracker that sends datagrams.
 #include "app/window/head_controller.h"
 
 #include <QElapsedTimer>
@@ -76,7 +76,7 @@ TEST_F(HeadControllerTest, TheViewFollowsTheHeadAndGoesBackWhenDataStop) {
   EXPECT_LE(aside(), 1.001 * expected);
   EXPECT_FALSE(hasSign());
   EXPECT_TRUE(head().state().tracked);
-  // The tracker is silent: a sign, and the way back in many small steps.
+  // The tracker is silent: the sign appears, and the view goes back in many small steps.
   ASSERT_TRUE(wait([&] { return hasSign(); }));
   double before = aside();
   double largest = 0.0;
@@ -99,7 +99,7 @@ TEST_F(HeadControllerTest, WithoutNewDataNothingMoves) {
     tracker.send({5.0, 0.0, 0.0, 0.0, 0.0, 0.0});
     return head().state().tracked;
   }));
-  wait([] { return false; }, 50);  // those that are on their way
+  wait([] { return false; }, 50);  // for datagrams that are still on their way
   const Vector3 before = camera().eye();
   wait([] { return false; }, 200);
   EXPECT_EQ(camera().eye(), before);

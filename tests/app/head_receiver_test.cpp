@@ -24,7 +24,7 @@ class HeadReceiverTest : public testing::Test {
     });
   }
 
-  /// Until it has happened, or for some seconds.
+  /// Waits until it has happened, for at most 5 seconds.
   template <class Happened>
   bool wait(Happened happened) {
     QElapsedTimer since;
@@ -64,7 +64,7 @@ TEST_F(HeadReceiverTest, APortThatIsTakenIsATrouble) {
   EXPECT_FALSE(receiver_.isOpen());
 }
 
-/// GLISSADE_HEAD_DATAGRAMS: another number of them. The kernel may lose some of a flood.
+/// GLISSADE_HEAD_DATAGRAMS sets another number of datagrams. The kernel may drop some of many.
 TEST_F(HeadReceiverTest, HostileDatagramsAreDroppedAndTheNextHeadIsSeen) {
   ASSERT_TRUE(receiver_.open(0, false));
   test::FakeHeadTracker tracker(receiver_.port());
@@ -75,7 +75,7 @@ TEST_F(HeadReceiverTest, HostileDatagramsAreDroppedAndTheNextHeadIsSeen) {
   for (long i = 0; i < count; ++i) {
     bytes.resize(i % 2 == 0 ? kOpentrackBytes : random() % 1400);
     for (char& byte : bytes) byte = static_cast<char>(random());
-    // Never a head: the first number of whole ones is no number.
+    // No datagram of the right size is a head: its first number is a NaN.
     if (bytes.size() == kOpentrackBytes) std::memset(bytes.data(), 0xff, 8);
     tracker.sendBytes(bytes);
     if (i % 100 == 0) QCoreApplication::processEvents();

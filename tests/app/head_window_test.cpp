@@ -1,4 +1,4 @@
-// The tracked head in pictures, with a tracker of scripts.
+// Pictures of the tracked head, with a tracker of scripts.
 #include "tests/app/window_fixture.h"
 
 namespace {
@@ -18,7 +18,7 @@ TEST_F(HeadWindow, TheViewFollowsTheHeadAndIsBackAfterASilence) {
   ASSERT_EQ(outcome.exitCode, 0) << outcome.errors.toStdString();
   const auto picture = [this](const char* name) { return QImage(folder.filePath(QLatin1String(name))); };
   EXPECT_GT(difference(picture("rest.png"), picture("moved.png")).mean, 1.0);
-  // The sign of a silent tracker is the only difference.
+  // The pictures differ only by the sign of a silent tracker.
   EXPECT_NE(picture("back.png"), picture("rest.png"));
   EXPECT_LT(difference(picture("back.png"), picture("rest.png")).share, 0.01);
   const auto expectSame = [](const QImage& a, const QImage& b) { EXPECT_LT(difference(a, b).mean, 0.01); };

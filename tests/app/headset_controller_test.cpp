@@ -1,4 +1,4 @@
-// View > Headset in the whole window, with a headset that says what the test lets it say.
+// View > Headset in the whole window, with a headset whose answers the test sets.
 #include "app/window/headset_controller.h"
 
 #include <QStatusBar>
@@ -93,7 +93,7 @@ TEST_F(HeadsetControllerTest, TheShareOfTheComputerFollowsTheGripThatHoldsTheObj
   const auto alpha = [&session] { return session.snapshot()->parameters[ParameterId::Alpha]; };
   const auto squeeze = [&](double share) {
     const Pose hand = session.snapshot()->device.q_device;
-    for (int i = 0; i < 2; ++i) {  // it is taken, and seen to be held
+    for (int i = 0; i < 2; ++i) {  // one step grips, the next one reports the grip
       headset_.hands()->rightController.place.set({hand, hand, share, 1.0});
       session.advance(1);
       QCoreApplication::processEvents();

@@ -1,5 +1,5 @@
-// What a person with a headset works with besides the object, in the whole window, with a headset that says what the
-// test lets it say.
+// The tools of a person with a headset besides moving the object, in the whole window, with a headset whose answers the
+// test sets.
 #include <QPushButton>
 #include <QTest>
 #include <QToolButton>
@@ -30,14 +30,14 @@ class HeadsetToolsTest : public testing::Test {
   QAction& action(const char* id) { return *bench().actions[QLatin1String(id)]; }
   SceneView& view() { return bench().scene.view(); }
   ControllerInput& left() { return headset_.hands()->leftController; }
-  /// The hand is there and points along its -z.
+  /// Puts the hand to this pose; it points along its -z.
   void put(ControllerInput& controller, const Pose& X_WA, unsigned held = 0) {
     ControllerReading reading;
     reading.X_WG = reading.X_WA = X_WA;
     reading.held = held;
     controller.place.set(reading);
   }
-  /// Before the middle of a body, so far from it.
+  /// A pose at this distance in front of the middle of a body.
   Pose before(const RigidBody& body, double distance) {
     const Vector3 middle = boundingBox(*body.mesh, body.X_WB).center();
     return {middle + distance * Vector3::UnitZ(), Quaternion::Identity()};
@@ -99,7 +99,7 @@ TEST_F(HeadsetToolsTest, TheNearestObstacleIsSaidAtTheHandThatHoldsTheObject) {
     ControllerReading reading;
     reading.X_WG = reading.X_WA = session.snapshot()->device.q_device;
     reading.squeeze = share;
-    for (int i = 0; i < 3; ++i) {  // it is taken, and seen to be held
+    for (int i = 0; i < 3; ++i) {  // the first steps grip, the next one reports the grip
       headset_.hands()->rightController.place.set(reading);
       session.advance(1);
       QCoreApplication::processEvents();
@@ -114,7 +114,7 @@ TEST_F(HeadsetToolsTest, TheNearestObstacleIsSaidAtTheHandThatHoldsTheObject) {
   EXPECT_EQ(headset_.tools().note.get(), nullptr);
 }
 
-/// A product of which every part can be led.
+/// Opens a product each of whose parts can be led, and starts the instruction.
 class InstructionWalkTest : public HeadsetToolsTest {
  protected:
   explicit InstructionWalkTest(const char* sample = "interlocked/turn.json") {
@@ -137,7 +137,7 @@ class InstructionWalkTest : public HeadsetToolsTest {
     QTest::qWait(50);
   }
   bool holds() { return right().place.feedback().holds; }
-  /// The hand takes the part of the step where its motion begins, and leads it back.
+  /// Grips the part of the step at the start of its motion, and leads it back.
   void assemble(const AssemblyStep& step) {
     const auto& way = step.path;
     hold(way.back().q, 0.0);
@@ -213,7 +213,7 @@ TEST_F(HeadsetToolsTest, ThereIsAPanelOnceTheHeadsetIsAskedFor) {
   EXPECT_TRUE(headset_.tools().panelInFront);
 }
 
-/// A message in the window is not seen with the headset on.
+/// A person with a headset on does not see a message in the window.
 TEST_F(HeadsetToolsTest, ErrorsAndQuestionsOfTheWindowAreAskedOnThePanelAndAnsweredThere) {
   HeadsetPage& page = *window_.findChild<HeadsetPanelController*>()->page();
   const auto text = [&page](const char* name) { return page.findChild<QLabel*>(QLatin1String(name))->text(); };

@@ -35,7 +35,7 @@ TEST_F(HelpWindow, TheTourIsDoneFromBeginningToEnd) {
   QString script = QStringLiteral("expect-explained\naction help.tour\n");
   for (int step = 1; step <= 11; ++step) {
     script += QStringLiteral("expect-tour %1\nexpect-tour-mark\ntour do\n").arg(step);
-    // GT tries the slot for long: a run that is stopped is one, too.
+    // GT tries the slot for long. A stopped run also completes the step.
     if (step == 3) script += QStringLiteral("steps 50\naction run.stop\nsteps 1\n");
     if (step == 4 || step == 8) script += QStringLiteral("wait ended 20000\n");
   }
@@ -51,7 +51,8 @@ TEST_F(HelpWindow, TheTourGoesOnWhenAPersonDoesTheStep) {
 }
 
 TEST_F(HelpWindow, TheRightButtonOpensTheMenuOfWhatIsThere) {
-  // The middle of the first wall; with places a place is there; beside everything the menu of the scene.
+  // A click beside everything opens the menu of the scene, one on the first wall the menu of the body, and one on a
+  // shown place the menu of the place.
   expectGood(
       run(QStringLiteral("teaching"), QStringLiteral("action layer.object\naction view.top\n"
                                                      "right-click 10 10\nexpect-menu view.fit\n"

@@ -8,7 +8,7 @@
 
 namespace glissade::test {
 
-/// plate 0, screw 1, block 2, pin 3.
+/// Bodies: plate 0, screw 1, block 2, pin 3.
 inline ProductPtr screwedProduct() {
   ProductOfParts parts;
   parts.add("plate", plateMesh(0.0028, 0.06, -0.006, 0.0))
@@ -51,13 +51,13 @@ inline Joint suggestedUnit() {
   return joint;
 }
 
-/// A screw, an insert, and a unit that is suggested.
+/// A table with a screw, a pin, and a suggested unit.
 inline std::shared_ptr<const JointTable> screwedTable(std::vector<JointEdit> said = {}) {
   const Joints found{suggestedUnit(), screwJoint(), pinJoint()};
   return std::make_shared<const JointTable>(screwedProduct(), std::make_shared<const Joints>(found), std::move(said));
 }
 
-/// The row of this body; fails where there is none.
+/// The row of this body; the test fails if there is none.
 inline const JointRow& rowOf(const JointTable& table, const std::string& body) {
   for (const JointRow& row : table.rows()) {
     if (row.key.body == body) return row;

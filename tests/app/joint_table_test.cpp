@@ -41,7 +41,7 @@ TEST(JointTable, AnInsertThatIsPressedOutKeepsItsRow) {
   EXPECT_TRUE(rowOf(table, "pin").isFound);
 }
 
-/// A scenario may say things of bodies that have gone.
+/// A scenario may have edits of bodies that are gone.
 TEST(JointTable, AWordThatCannotBeIsARowWithTheReasonAndTheOthersCount) {
   const auto found = screwedTable();
   const JointTable table =

@@ -8,7 +8,7 @@ using namespace glissade::test;
 
 class JointsWindow : public WindowTest {
  protected:
-  /// The product with its bolt as the object, its joints found; then `script`.
+  /// Opens the product with its bolt as the object, finds its joints, and runs `script`.
   WindowResult runOnProduct(const QString& script, const QStringList& options = {}) {
     const QString product = QString::fromStdString(stepFile("fits.step"));
     const QString open = QStringLiteral("new-scenario %1:bolt 1 Z\nadd-part %1 static 1 Z\naction joints.find\n");
@@ -54,14 +54,14 @@ TEST_F(JointsWindow, AJointThatCannotBeIsRefusedBeforeAnythingChanges) {
   EXPECT_TRUE(outcome.errors.contains(QStringLiteral("one body only"))) << outcome.errors.toStdString();
 }
 
-/// Bodies that move are others to look at; a fit that is accepted is not.
+/// Joints are found again after bodies have moved, but not after a fit was accepted.
 TEST_F(JointsWindow, JointsAreFoundAgainWhereBodiesHaveMoved) {
   expectGood(
       runOnProduct(QStringLiteral("place screw 0,0,200 0,0,0\nexpect-joint screw screw none\n"
                                   "action edit.undo\nexpect-joint screw screw recognised\n")));
 }
 
-/// Without its joint the screw is pulled out when its turn comes, and no task of two screws any more.
+/// Without its joint, the screw is pulled out at its turn, and no longer unscrewed together with another screw.
 TEST_F(JointsWindow, TheShownPlanFollowsTheJoints) {
   expectGood(run(QStringLiteral("roller-stand"),
                  QStringLiteral("action joints.find\nexpect-joints screw 4\nplan-sequence all\n"
@@ -75,7 +75,7 @@ TEST_F(JointsWindow, AJointThatIsNotThereIsAnError) {
   EXPECT_EQ(runOnProduct(QStringLiteral("select-joint rivet screw\n")).exitCode, 3);
 }
 
-/// The table with a dissolved joint, and the bodies of the chosen row as the view marks them.
+/// The picture has the table with a dissolved joint, and the bodies of the chosen row as the view marks them.
 TEST_F(JointsWindow, TheJointsOfAProductLookAsTheyDid) {
   const QString picture = folder.filePath(QStringLiteral("joints.png"));
   expectGood(runOnProduct(QStringLiteral("select-joint pin rod\naction joints.dissolve\nselect-joint nut nut\n"

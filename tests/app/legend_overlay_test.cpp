@@ -27,7 +27,7 @@ class LegendOverlayTest : public testing::Test {
   }
   ~LegendOverlayTest() override { scene.hide(); }
 
-  /// A run whose trees have a node by the operator.
+  /// Shows a run whose trees have a node of the operator.
   void showRun() {
     auto chunk = std::make_shared<RoadmapChunk>();
     chunk->nodes.resize(3);
@@ -91,7 +91,7 @@ TEST(LabelPlacement, KeepsWhatIsCoveredFree) {
   EXPECT_FALSE(places[0]->intersects(legend));
 }
 
-/// The half width of what is drawn.
+/// Radius of the drawn node.
 double reachOf(const osg::Node* node) { return node == nullptr ? 0.0 : node->getBound().radius(); }
 
 TEST(OperatorMarks, FollowTheObjectAndNeverFillTheView) {

@@ -1,4 +1,4 @@
-// The manual: what it names exists, and nothing of the program is missing in it.
+// The names in the manual exist in the program, and the manual describes all parts of the program.
 #include <gtest/gtest.h>
 
 #include <QRegularExpression>
@@ -27,7 +27,7 @@ QStringList allMatches(const QString& text, const char* pattern) {
   return found;
 }
 
-/// What a page has in every language: its headings, lists, terms, pictures, links and code.
+/// The structure of a page, which is equal in every language: headings, lists, terms, pictures, links and code.
 std::string structureOf(const QString& language, const QString& page) {
   QStringList structure;
   const QString source = manualSource(language, page);
@@ -35,7 +35,7 @@ std::string structureOf(const QString& language, const QString& page) {
     structure << QStringLiteral("{%1:%2}").arg(kind, argument);
     return QStringLiteral("x");
   });
-  structure.sort();  // sentences have another order
+  structure.sort();  // the order of sentences differs between languages
   for (const MarkdownHeading& heading : rendered.headings) {
     structure << QStringLiteral("%1 %2").arg(heading.level).arg(heading.anchor);
   }
@@ -48,7 +48,7 @@ std::string structureOf(const QString& language, const QString& page) {
   return structure.join(QLatin1Char('\n')).toStdString();
 }
 
-/// "Context/text" of every message.
+/// "Context/text" of every message of the window.
 QSet<QString> messagesOfTheWindow() {
   QSet<QString> messages;
   const QString translations = contentOfFile(kSource + QStringLiteral("/resources/i18n/glissade_fr.ts"));

@@ -19,12 +19,12 @@ namespace glissade {
 namespace {
 
 constexpr int kMostEntries = 18;
-/// Of a screen of 1920 x 1080 pixels at 200 %.
+/// Height of a screen of 1920 x 1080 pixels at 200 %.
 constexpr int kLeastScreenHeight = 540;
 
 using MenusTest = test::WholeWindowTest;
 
-/// Without separators, notes ("No file yet"), and texts that have no word, such as "+X".
+/// The entries without separators, notes ("No file yet"), and texts without a word, such as "+X".
 std::vector<QAction*> commandsOf(const QList<QAction*>& actions) {
   std::vector<QAction*> commands;
   for (QAction* action : actions) {
@@ -68,7 +68,7 @@ TEST_P(MenusTest, MnemonicsAreUniqueAndNoMenuIsTooLong) {
   }
 }
 
-/// Alt and a letter does nothing where a menu and a label have it.
+/// Alt and a letter has no effect if both a menu and a label have this letter.
 TEST_P(MenusTest, NoLabelOfAPanelHasTheMnemonicOfAMenu) {
   const auto window = makeWindow();
   QString letters;
@@ -115,7 +115,7 @@ TEST_P(MenusTest, EveryActionIsInOneMenuAndSubmenusAreNoDeeperThanOne) {
   }
 }
 
-/// "View > Layers > Path" of every action and "View > Layers" of every submenu.
+/// The paths "View > Layers > Path" of every action and "View > Layers" of every submenu.
 QStringList pathsOf(MainWindow& window) {
   QStringList paths;
   for (const QMenu* menu : window.menuBar()->findChildren<QMenu*>() + window.findChildren<QMenu*>()) {
@@ -127,7 +127,7 @@ QStringList pathsOf(MainWindow& window) {
   return paths;
 }
 
-/// Of text that begins with "View > ": null where a path of the window is there, else its beginning.
+/// Null if the text begins with a path of the window; else the text's beginning.
 QString unknownPath(const QString& text, const QStringList& paths) {
   for (const QString& path : paths) {
     if (text.startsWith(path) && !text.mid(path.size()).startsWith(QStringLiteral(" > "))) return {};

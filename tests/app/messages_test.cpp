@@ -16,7 +16,7 @@
 namespace glissade {
 namespace {
 
-/// The texts of the next dialog as its labels hold them, each with whether it is shown as plain text.
+/// A text of a dialog's label, and whether it is shown as plain text.
 struct ShownText {
   QString text;
   bool plain;
@@ -62,7 +62,7 @@ TEST(Messages, AFilesNameIsShownAsItIsWhereASaveIsRefused) {
   EXPECT_TRUE(holds(texts, "<b>a</b>.json"));
 }
 
-/// Cancel alone had one.
+/// Only the button Cancel had an icon once.
 TEST(Messages, ButtonsHaveNoIcons) {
   QMainWindow window;
   int buttons = 0;

@@ -7,7 +7,7 @@
 namespace glissade {
 namespace {
 
-/// Two milestones along x, looked at along -z.
+/// Two milestones along x, viewed along -z.
 class MilestoneDragTest : public testing::Test {
  protected:
   MilestoneDragTest() {

@@ -1,4 +1,4 @@
-// The window as a person has it: its time is real, and nothing is done at once. Nobody draws the scene.
+// The window as a person has it: in real time, with work in the background. The scene is not drawn.
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
@@ -23,7 +23,7 @@
 namespace glissade {
 namespace {
 
-/// The longest time between two events that are handled.
+/// Measures the longest time between two handled events.
 class Heartbeat {
  public:
   Heartbeat() {
@@ -52,7 +52,7 @@ class OpenWindow : public testing::Test {
 
   const WorkbenchDocument& document() const { return window.workbench().document; }
 
-  /// No edit and no work in the background is under way, for a while.
+  /// Waits until neither an edit nor background work has run for a while.
   bool isIdle() {
     int quiet = 0;
     return QTest::qWaitFor(
@@ -69,7 +69,7 @@ class OpenWindow : public testing::Test {
     return QString::fromStdString(test::sourceDirectory()) + QStringLiteral("/samples/environment-1/scenario.json");
   }
 
-  /// Answers the next question, and notes its default.
+  /// Answers the next question, and notes its default button.
   void answer(QMessageBox::StandardButton button) {
     auto* look = new QTimer(&window);
     QObject::connect(look, &QTimer::timeout, [this, look, button] {
@@ -125,7 +125,7 @@ TEST_F(OpenWindow, AFilmIsNotEndedWithoutAQuestion) {
   EXPECT_NE(document().scenario(), before);
 }
 
-/// A box with this edge, millimetres, at a place of a grid.
+/// The text of a box with this edge, millimetres, at a place of a grid.
 std::string boxAt(int number, double edge) {
   const int column = number % 32;
   const int row = number / 32;
@@ -149,7 +149,7 @@ class PartsInOpenWindow : public OpenWindow {
     return files;
   }
 
-  /// Presses Create as soon as it may be pressed.
+  /// Opens the dialog of parts and presses Create as soon as it is enabled.
   void createFrom(const QStringList& files) {
     QTimer look;
     QObject::connect(&look, &QTimer::timeout, [&look] {
@@ -182,8 +182,8 @@ TEST_F(PartsInOpenWindow, WhatIsDiscardedLeavesNoStarBehind) {
   EXPECT_EQ(questions, 1);
 }
 
-/// One process for each file, one after the other, is the measure: reading takes a fraction of it, and no event waits
-/// for more than a fraction of that.
+/// The measure is the time of one process for each file, one after the other. Reading takes less time than this, and no
+/// event waits for more than a quarter of it.
 TEST_F(PartsInOpenWindow, AnswersWhileManyFilesAreRead) {
   const QStringList files = writeBoxes(200);
   QElapsedTimer alone;

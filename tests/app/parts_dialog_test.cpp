@@ -33,7 +33,7 @@ class PartsPage : public testing::Test {
   static QComboBox& combo(const PartsDialog& dialog, int row, PartsDialog::Column column) {
     return *table(dialog).cellWidget(row, column)->findChild<QComboBox*>();
   }
-  /// As a person chooses.
+  /// Chooses an entry of a box as a person does.
   static void choose(const PartsDialog& dialog, int row, PartsDialog::Column column, const char* label) {
     QComboBox& box = combo(dialog, row, column);
     const int index = box.findText(QLatin1String(label));
@@ -324,7 +324,7 @@ TEST_F(PartsPage, FilesAreMeasuredOneAfterTheOtherInTheBackground) {
   PartsDialog dialog(Purpose::NewScenario, files() << pin(), false);
   EXPECT_FALSE(mayAccept(dialog));
   EXPECT_EQ(size(dialog, 0), QStringLiteral("…"));
-  table(dialog).selectRow(0);  // what is being read
+  table(dialog).selectRow(0);  // the file that is being read
   dialog.findChild<QPushButton*>(QStringLiteral("remove"))->click();
   dialog.addFiles({write("broken.stl", "solid a\nfacet")});
   ASSERT_TRUE(QTest::qWaitFor([&] { return size(dialog, 2) == QStringLiteral("cannot be read"); }, 20000));
@@ -334,7 +334,7 @@ TEST_F(PartsPage, FilesAreMeasuredOneAfterTheOtherInTheBackground) {
 
 TEST_F(PartsPage, ClosingDoesNotWaitForTheRest) {
   for (int i = 0; i < 5; ++i) PartsDialog(Purpose::NewScenario, files(), false).reject();
-  // No process that imports is left behind.
+  // No import process is left behind.
   EXPECT_EQ(::waitpid(-1, nullptr, WNOHANG), -1);
   EXPECT_EQ(errno, ECHILD);
 }

@@ -18,7 +18,7 @@ class PathPanelTest : public testing::Test {
     scenario.obstacles[1].label = "Cover <11 kW>";
   }
 
-  /// A metre along x, blocked half way along the second of its two edges.
+  /// A path of a metre along x, blocked half way along the second of its two edges.
   std::shared_ptr<const PathExamination> refused() const {
     PathExamination examined;
     for (const double x : {0.0, 0.5, 1.0}) examined.path.points.push_back({Pose::translation({x, 0.0, 0.0})});
@@ -57,7 +57,7 @@ TEST_F(PathPanelTest, TheObjectIsShownWhereThePathIsBlockedFirst) {
   EXPECT_NEAR(shown->position.x(), 0.75, 1e-3);
 }
 
-/// The object is at 0 % again, and so are the slider, the cursor of the curve and its text.
+/// The object is at 0 % again, as are the slider, the cursor of the curve and its text.
 TEST_F(PathPanelTest, ANewPathIsShownFromItsBeginning) {
   const auto profile = [](int atBegin, int atEnd) {
     auto measured = std::make_shared<ClearanceProfile>();

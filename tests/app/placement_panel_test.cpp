@@ -35,7 +35,7 @@ TEST_F(PlacementPanelTest, ShowsMillimetresAndDegreesAndAnnouncesNothingItself) 
 }
 
 TEST_F(PlacementPanelTest, OnlyTheNumberThatIsChangedChanges) {
-  // More digits than are shown.
+  // The numbers have more digits than the panel shows.
   const Pose before{Vector3(1.0 / 3.0, 2.0 / 3.0, 1.0 / 7.0), fromRollPitchYaw(0.1, 0.2, 0.3)};
   panel.show(QStringLiteral("part"), before);
   box("place-y").setValue(500.0);
@@ -49,7 +49,7 @@ TEST_F(PlacementPanelTest, OnlyTheNumberThatIsChangedChanges) {
 }
 
 TEST_F(PlacementPanelTest, NumbersAreAboutThePointThatIsChosen) {
-  const Pose before{Vector3(0.1, 0.2, 0.3), fromRollPitchYaw(0.0, 0.0, std::acos(0.0))};  // a quarter about z
+  const Pose before{Vector3(0.1, 0.2, 0.3), fromRollPitchYaw(0.0, 0.0, std::acos(0.0))};  // a quarter turn about z
   const PlacementPoints points{Vector3(-0.01, 0, 0), Vector3(0, 0.04, 0)};
   panel.show(QStringLiteral("part"), before, points);
   auto& about = *panel.findChild<QComboBox*>(QStringLiteral("place-about"));
@@ -68,7 +68,7 @@ TEST_F(PlacementPanelTest, NumbersAreAboutThePointThatIsChosen) {
   EXPECT_TRUE(about.isHidden());
 }
 
-/// A part is put where its axis or its face is to lie.
+/// The person places the axis or the face of a part.
 TEST_F(PlacementPanelTest, APickedFrameIsPlacedByPositionAndTurn) {
   const Pose before{Vector3(0.1, 0.2, 0.3), fromRollPitchYaw(0.2, -0.3, 0.4)};
   PlacementPoints points;
@@ -92,7 +92,7 @@ TEST_F(PlacementPanelTest, APickedFrameIsPlacedByPositionAndTurn) {
   EXPECT_EQ(panel.chosenPoint(), QStringLiteral("Origin of the file"));
 }
 
-/// As a person does: over what is there, with Enter at the end.
+/// Writes over the box's text as a person does, with Enter at the end.
 void write(QDoubleSpinBox& box, const QString& text) {
   box.setFocus();
   box.selectAll();

@@ -12,7 +12,7 @@
 namespace glissade {
 namespace {
 
-/// Places a cell each in a row, so that models of a different number of them differ.
+/// Places of one cell each in a row, so that models with different numbers of places differ.
 EnvironmentModelPtr placesInARow(int count) {
   auto model = std::make_shared<EnvironmentModel>();
   model->map.grid.counts = {count, 1, 1};

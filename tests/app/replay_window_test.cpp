@@ -1,4 +1,4 @@
-// Recordings in the window, by scripts: a run is steered, changed, saved, opened and replayed.
+// Scripts steer, change, save, open and replay runs in the window.
 #include <QRegularExpression>
 
 #include "tests/app/window_fixture.h"
@@ -55,7 +55,8 @@ TEST_F(ReplayWindow, ARecordingThatWasTamperedWithDiffers) {
   ASSERT_TRUE(file.open(QIODevice::ReadWrite));
   QString text = QString::fromUtf8(file.readAll());
   text.replace(QStringLiteral("\"seed\": 1"), QStringLiteral("\"seed\": 2"));
-  text.remove(QRegularExpression(QStringLiteral(",\\s*\"checksum\": \"[^\"]*\"")));  // else the file counts as damaged
+  text.remove(
+      QRegularExpression(QStringLiteral(",\\s*\"checksum\": \"[^\"]*\"")));  // otherwise the file counts as damaged
   file.resize(0);
   file.write(text.toUtf8());
   file.close();

@@ -8,7 +8,7 @@
 namespace glissade {
 namespace {
 
-/// A run whose tree goes to and fro in a square of a metre, by edges of that length.
+/// A run whose tree goes to and fro in a square of a metre, with edges of a metre.
 SessionSnapshot chain(std::uint64_t run, std::uint32_t edges) {
   SessionSnapshot snapshot;
   snapshot.run = run;
@@ -22,7 +22,7 @@ SessionSnapshot chain(std::uint64_t run, std::uint32_t edges) {
   return snapshot;
 }
 
-/// What shows of the scene behind so many lines or points, were they spread evenly.
+/// Share of the scene that is visible behind this number of evenly spread lines or points.
 double seenBehind(const std::vector<float>& opacities, std::uint32_t count, double coveredByOne) {
   const double inABatch = static_cast<double>(count) / static_cast<double>(opacities.size());
   double seen = 1.0;
@@ -59,7 +59,7 @@ TEST(RoadmapLayer, TheSceneIsSeenThroughPointsOfAnyNumber) {
   }
 }
 
-/// A run whose tree fills a square of a metre by edges of a hundredth of it.
+/// A run whose tree fills a square of a metre with edges of 0.01 m.
 SessionSnapshot fineChain(std::uint32_t edges) {
   SessionSnapshot snapshot = chain(1, edges);
   auto chunk = std::make_shared<RoadmapChunk>(*snapshot.roadmap.front());
@@ -72,7 +72,7 @@ SessionSnapshot fineChain(std::uint32_t edges) {
   return snapshot;
 }
 
-/// A batch of short edges covers little; many of them cover all.
+/// A batch of short edges covers little of the scene, but many batches could cover all of it.
 TEST(RoadmapLayer, TheSceneIsSeenThroughTreesOfShortEdges) {
   constexpr double kPixelsPerMetre = 500.0;
   for (std::uint32_t edges = 4000; edges < 2000000; edges *= 3) {
@@ -83,7 +83,7 @@ TEST(RoadmapLayer, TheSceneIsSeenThroughTreesOfShortEdges) {
   }
 }
 
-/// A node far away makes the box of a tree large, and the tree no thinner.
+/// A node far away makes the box of a tree large, but the tree no thinner.
 TEST(RoadmapLayer, TheSceneIsSeenThroughATreeWithANodeFarAway) {
   constexpr std::uint32_t kEdges = 100000;
   SessionSnapshot snapshot = chain(1, kEdges);

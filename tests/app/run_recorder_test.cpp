@@ -23,7 +23,7 @@ ScenarioPtr closedScenario() {
   return std::make_shared<const LoadedScenario>(std::move(*loaded));
 }
 
-/// Lets the program live until the condition holds, or for half a minute.
+/// Runs the event loop until the condition holds, for at most 30 seconds.
 bool until(const std::function<bool()>& condition) {
   QElapsedTimer timer;
   timer.start();
@@ -46,19 +46,19 @@ TEST(RunRecorder, AKilledProgramLeavesAJournalThatReplays) {
     bridge.open(scenario);
     bridge.setDevice("novice");
     bridge.post(command::Start{});
-    // Two parts of the log: more than a second of it is on disk.
+    // A log of more than two parts means that more than a second of it is on disk.
     ASSERT_TRUE(until([&] { return bridge.snapshot()->log.size() > 2; }));
     recorder.waitUntilJournalled();
     ASSERT_FALSE(recorder.trouble());
     EXPECT_TRUE(abandonedJournals(recordings).empty());
-    // What a killed program leaves is the file as it is now.
+    // A program that was killed now would leave this file.
     const QStringList files = QDir(QString::fromStdString(recordings)).entryList(QDir::Files);
     ASSERT_EQ(files.size(), 1);
     kept = folder.filePath(QStringLiteral("kept.journal")).toStdString();
     ASSERT_TRUE(QFile::copy(QString::fromStdString(recordings) + QLatin1Char('/') + files.front(),
                             QString::fromStdString(kept)));
   }
-  EXPECT_TRUE(QDir(QString::fromStdString(recordings)).entryList(QDir::Files).isEmpty());  // a clean end
+  EXPECT_TRUE(QDir(QString::fromStdString(recordings)).entryList(QDir::Files).isEmpty());  // after a regular end
 
   const auto record = readRunRecord(kept);
   ASSERT_TRUE(record.ok()) << toString(record.error());

@@ -1,4 +1,4 @@
-// A headset that says what the test lets it say.
+// A headset whose answers the test sets.
 #pragma once
 
 #include <QCoreApplication>

@@ -1,4 +1,4 @@
-// The samples are what their generators write.
+// The files of the samples equal the output of their generators.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -23,7 +23,7 @@ TEST(Samples, EveryScenarioIsReadWithoutAWarning) {
   EXPECT_GE(read, 16);
 }
 
-/// Compares what a generator writes with the files of the sample; returns how many there are.
+/// Compares the output of a generator with the files of the sample; returns the number of files.
 int compareWithGenerator(const std::string& sample) {
   const test::TemporaryFolder folder;
   const std::string command = test::programDirectory() + "/generate-" + sample + " " + folder.path();

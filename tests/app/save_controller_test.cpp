@@ -27,7 +27,7 @@ namespace {
 
 using test::TemporaryFolder;
 
-/// Presses a button of the next dialog; gives what the dialog says.
+/// Presses a button of the next dialog, and keeps the dialog's text.
 class NextDialog {
  public:
   explicit NextDialog(const char* button) {
@@ -77,7 +77,7 @@ class SaveControllerTest : public testing::Test {
     saves_->noteContent(file, opened->sha256);
     open_ = std::make_shared<const LoadedScenario>(std::move(opened->scenario));
   }
-  /// What a program leaves that is killed with these edits.
+  /// Leaves the edits of a killed program in the folder.
   void leaveEdits(const std::string& data, const UnsavedEdits& edits) const {
     const pid_t child = ::fork();
     if (child == 0) {
@@ -149,7 +149,7 @@ TEST_F(SaveControllerTest, OpensEarlierVersions) {
   EXPECT_EQ(open_->file, file);
   EXPECT_TRUE(modified_);
   EXPECT_EQ(nameIn(file), "third");
-  EXPECT_TRUE(saves_->save(open_->scenario, file));  // nobody else has changed the file
+  EXPECT_TRUE(saves_->save(open_->scenario, file));  // no other program has changed the file
 }
 
 TEST_F(SaveControllerTest, OffersTheEditsOfAKilledProgram) {
@@ -162,7 +162,7 @@ TEST_F(SaveControllerTest, OffersTheEditsOfAKilledProgram) {
   ASSERT_TRUE(open_);
   EXPECT_EQ(open_->scenario.name, "edited");
   EXPECT_EQ(open_->file, file);
-  EXPECT_EQ(nameIn(file), "opened");  // only a save writes it
+  EXPECT_EQ(nameIn(file), "opened");  // only a save changes the file
   EXPECT_TRUE(saves_->save(open_->scenario, file));
 }
 
@@ -193,12 +193,12 @@ TEST_F(SaveControllerTest, AsksAgainLaterAndForgetsWhatIsDiscardedOrSaved) {
   EXPECT_TRUE(findAbandonedEdits(data).empty());
   const std::string file = folder_.write("a.json", writeScenario(named("saved")));
   leaveEdits(data, {file, "", named("saved")});
-  offer(data);  // no question: the file holds them
+  offer(data);  // no question, because the file holds the edits
   EXPECT_TRUE(findAbandonedEdits(data).empty());
   EXPECT_TRUE(errors_.empty());
 }
 
-/// A step by hand goes on in a scenario without the parts that have left.
+/// During a step by hand the scenario is temporary and lacks the removed parts.
 TEST(SaveControllerOfADocument, WritesThePersonsScenarioWhileTheScenarioIsATemporaryOne) {
   const TemporaryFolder folder;
   const std::string file = folder.write("a.json", writeScenario(test::boxScenario()));

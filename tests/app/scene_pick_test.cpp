@@ -17,7 +17,7 @@ TEST(ScenePick, TheNearestBodyAlongTheRay) {
   EXPECT_EQ(hit->body, 1U);
   EXPECT_NEAR(hit->distance, 1.5, 1e-12);
   EXPECT_FALSE(pickBody(bodies, {Vector3::Zero(), Vector3::UnitY()}));
-  // From inside of a body: its far side.
+  // A ray from inside a body hits its far side.
   const auto inside = pickBody(bodies, {Vector3(2.0, 0.0, 0.0), Vector3::UnitX()});
   ASSERT_TRUE(inside);
   EXPECT_NEAR(inside->distance, 0.5, 1e-12);

@@ -9,11 +9,11 @@
 namespace glissade {
 namespace {
 
-constexpr double kPictureHeight = 0.3;  ///< on the screen, metres
+constexpr double kPictureHeight = 0.3;  ///< height on the screen, metres
 constexpr double kAspect = 1.6;
 const ScreenGeometry kScreen{0.6, 0.7, 0.065};
 
-/// Shows the scene so that a metre of the screen is `scale` metres of the scene, at the focus.
+/// A camera that shows `scale` metres of the scene as one metre of the screen, at the focus.
 CameraController cameraFor(double scale) {
   CameraController camera;
   camera.setStandardView(StandardView::Isometric);
@@ -25,15 +25,15 @@ CameraController cameraFor(double scale) {
   return camera;
 }
 
-/// The oracle: the person looks through the screen as through a window, at a model of the scene behind it that is
-/// smaller by `scale`. Where the line from the eye to the point goes through the screen: metres from its middle, y
-/// down.
+/// The oracle: the person looks through the screen as through a window at a model of the scene, smaller by `scale`,
+/// behind it. Returns the point of the screen on the line from the eye to the point, in metres from the screen's
+/// middle, y down.
 Eigen::Vector2d throughTheScreen(const CameraController& camera, const Vector3& planePoint, double scale,
                                  const Vector3& eye, const Vector3& p_W) {
   const Quaternion toView = camera.R_WV().conjugate();
   const Vector3 point_V = toView * (p_W - camera.focus());
   const double plane = (toView * (planePoint - camera.focus())).z();
-  // What is in the plane of the screen, in the middle of the view, is the middle of the screen.
+  // The middle of the view, in the plane of the screen, is the middle of the screen.
   const Vector3 model(point_V.x() / scale, point_V.y() / scale, (point_V.z() - plane) / scale);
   const double share = eye.z() / (eye.z() - model.z());
   const Vector3 onScreen = eye + share * (model - eye);

@@ -62,7 +62,7 @@ TEST(SectionCaps, LargeBodiesAreLeftForAnotherThread) {
   EXPECT_TRUE(caps.hasLeft()) << "nothing is shown before it is delivered";
   deliver();
   EXPECT_FALSE(caps.hasLeft());
-  // What was made stays while body and section do not move against each other.
+  // Caps stay valid while body and section do not move relative to each other.
   caps.show({{Vector3::UnitZ(), 0.1}}, bodies, palette);
   EXPECT_FALSE(caps.hasLeft());
   caps.show({{Vector3::UnitZ(), 0.2}}, bodies, palette);

@@ -44,7 +44,7 @@ TEST_F(SemanticDocumentTest, AnEditOfSeveralPlacesIsOneStepBack) {
   EXPECT_EQ(complexity(1), 7.0);
 }
 
-/// What is said of an assembly holds for its bodies, until one says otherwise.
+/// The attributes of an assembly hold for its bodies, unless a body has its own value.
 TEST_F(SemanticDocumentTest, AnAssemblysAttributesAreThoseOfItsBodies) {
   LoadedScenario loaded = *scenario;
   ASSERT_GE(loaded.obstacles.size(), 2U);
@@ -117,7 +117,7 @@ TEST_F(SemanticDocumentTest, AnEditStaysWhereABodyComesToStandAndIsAsked) {
   const int place = document.knowledge()->environment->map.placeAt({1.49, 1.49, 0.3});
   ASSERT_TRUE(document.setAttribute(places({place}), "forbidden", AttributeValue(true)).ok());
   SemanticSelection body;
-  body.bodies.insert(QStringLiteral("O5"));  // it stands on the place's widest spot
+  body.bodies.insert(QStringLiteral("O5"));  // the body stands on the widest spot of the place
   ASSERT_TRUE(document.setAttribute(body, "mobility", AttributeValue(std::string("static"))).ok());
   EXPECT_TRUE(document.warnings().empty());
   Problem problem = scenario->problem;
@@ -133,7 +133,7 @@ TEST_F(SemanticDocumentTest, AnEditStaysWhereABodyComesToStandAndIsAsked) {
   ASSERT_EQ(forbidden.size(), 1U);
   ASSERT_EQ(document.warnings().size(), 1U);
   EXPECT_EQ(document.warnings().front().location, "/places/0");
-  // Edited once more it is bound to the place that it counts for.
+  // A second edit binds the attributes to the place for which they count now.
   ASSERT_TRUE(document.setAttribute(places({forbidden[0]}), "preference", AttributeValue(2.0)).ok());
   EXPECT_EQ(document.edits().places.size(), 1U);
   EXPECT_TRUE(document.warnings().empty());
@@ -174,7 +174,7 @@ TEST_F(SemanticDocumentTest, AnotherGestureIsAnotherStepBack) {
   EXPECT_EQ(undo.count(), 3);
   undo.undo();
   EXPECT_EQ(complexity(2), 3.0);
-  // What follows an undo is no part of what came before it.
+  // An edit after an undo is not merged with the edit before.
   ASSERT_TRUE(document.setAttribute(places({2}), "complexity", AttributeValue(8.0)).ok());
   undo.undo();
   EXPECT_EQ(complexity(2), 3.0);

@@ -41,7 +41,7 @@ class SequencePanelTest : public ::testing::Test {
     return names;
   }
 
-  /// Drags the row of one step onto the upper or the lower half of another one's.
+  /// Drags the row of a step onto the upper or the lower half of another row.
   void drag(int from, int to, bool below) {
     table().resize(400, 400);
     table().setCurrentItem(table().topLevelItem(from));

@@ -28,7 +28,7 @@ class SequencePlannerTest : public ::testing::Test {
     return job;
   }
 
-  /// Until the task has ended, for ten seconds at most.
+  /// Waits until the task has ended, for at most 10 seconds.
   void waitForTheEnd() {
     if (!planner.task().isBusy()) return;
     QEventLoop loop;

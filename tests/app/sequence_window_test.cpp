@@ -27,7 +27,7 @@ class SequenceWindow : public WindowTest {
   }
 };
 
-/// Steps of the roller stand that an average hand gets to.
+/// Number of steps of the roller stand that an average hand reaches.
 constexpr int kReached = 9;
 
 TEST_F(SequenceWindow, AProductIsPlannedPlayedAndExploded) {
@@ -46,7 +46,7 @@ TEST_F(SequenceWindow, TimesFollowThePlanAndTheNumberOfStations) {
                                 "times 1\nexpect-times stations 1\n")));
 }
 
-/// Ten parts, one second each.
+/// Each of the ten parts takes one second.
 TEST_F(SequenceWindow, TimesFollowTheTableOfTimesWhichTheReportTakesToo) {
   WorkTimes times;
   for (const WorkTimeRow& row : workTimeRows()) times.*row.value = 0.0;
@@ -56,7 +56,7 @@ TEST_F(SequenceWindow, TimesFollowTheTableOfTimesWhichTheReportTakesToo) {
   ASSERT_TRUE(saveWorkTimes(times, file("second.json").toStdString()));
   expectGood(runOnStand(QStringLiteral("plan-sequence all\ntimes 2\nopen-times %1\nexpect-times sum 10.0\n"
                                        "set-time fetch_s 2.5\nexpect-times sum 25.0\n"
-                                       // What is not taken changes nothing.
+                                       // A value that is refused changes nothing.
                                        "set-time fetch_s -1\nset-time fetch_s soon\nexpect-time fetch_s 2.5\n"
                                        "expect-times sum 25.0\nexpect-times stations 2\n"
                                        "save-times %2\nreport-sequence %3\n")
@@ -78,7 +78,7 @@ TEST_F(SequenceWindow, WhatWasFoundIsKeptWhenPlanningIsStoppedAndGoesOn) {
           .arg(file("begun.json"))));
 }
 
-/// The stand is moved away from what stood on it: steps that state an allowance or a clearance of the two are refuted.
+/// The stand is moved away from the parts on it, so steps that state an allowance or a clearance of both are refuted.
 TEST_F(SequenceWindow, APlanIsProvedAgainWhenItIsOpenedAndWhenTheProductIsRearranged) {
   expectGood(runOnStand(QStringLiteral("plan-sequence all\nexport-sequence %1\nopen-sequence %1\n"
                                        "expect-sequence proved 10\nexpect-sequence refuted 0\n"
@@ -105,7 +105,7 @@ TEST_F(SequenceWindow, ThePlanOfTheCommandLineIsThatOfTheWindow) {
   EXPECT_EQ(commandLine({QStringLiteral("check"), stand, file("window.json")}), 0);
 }
 
-/// What a plan that is opened says itself is a condition, as on the command line.
+/// A statement of the opened plan itself is a condition, as on the command line.
 TEST_F(SequenceWindow, WordsOfAPlanThatIsOpenedAreConditions) {
   expectGood(runOnStand(
       QStringLiteral("plan-sequence all\nexpect-sequence conditions 0\nexport-sequence %1\n").arg(file("plan.json"))));
@@ -135,11 +135,11 @@ TEST_F(SequenceWindow, APersonMovesLocksAndForbidsStepsAndTakesItBack) {
           "expect-row 9 cap_left\nexpect-sequence steps 10\nexport-sequence %1\naction edit.undo\n"
           "expect-row 8 locked\naction edit.undo\naction edit.undo\nexpect-row 7 bar\n"
           "expect-sequence end complete\naction edit.redo\nexpect-row 2 bar\naction edit.undo\n"
-          // What cannot be proved at its place is stuck: its screws hold the cap.
+          // The moved step cannot be proved at its place, so its cap is stuck: screws hold it.
           "move-step 3 1\nexpect-sequence end stuck\nexpect-sequence stuck 1\naction edit.undo\n"
           "show-step 10\nexpect-row 10 up\nforbid-direction +z\nexpect-sequence end complete\n"
           "select-steps 1 2\naction sequence.keep-order\nexpect-sequence steps 10\nset-cost few-tools\n"
-          // The document forbids +z, in which the opened plan leaves.
+          // The document forbids +z, but a step of the opened plan leaves along +z.
           "expect-sequence steps 10\nsave %2\nopen-sequence %1\nexpect-sequence proved 9\nexpect-row 2 placed\n")
           .arg(file("plan.json"), file("demands.json"))));
   EXPECT_TRUE(content("demands.json").contains("\"forbidden\""));
@@ -156,10 +156,10 @@ TEST_F(SequenceWindow, AStepIsMovedByHandAndItsPathComesBack) {
                                       "expect-sequence end complete\nexport-sequence %1\n"
                                       "action edit.undo\nexpect-row 1 certified\n")
                            .arg(file("hand.json"))));
-  // Nobody steered.
+  // No person steered the run.
   EXPECT_FALSE(content("hand.json").contains("\"method\": \"by hand\""));
   EXPECT_TRUE(content("hand.json").contains("\"method\": \"interactive\""));
-  // Links of a URDF come as one.
+  // The links of a URDF move as one body.
   expectGood(
       runOnStand(QStringLiteral("plan-sequence all\nshow-step 7\naction sequence.by-hand\nexpect-log alone\n"
                                 "expect-sequence steps 10\n")));
@@ -174,7 +174,7 @@ TEST_F(SequenceWindow, WhatIsSavedWhileAStepIsMovedByHandIsTheWholeProduct) {
   EXPECT_EQ(content("by-hand.json"), content("before.json"));
 }
 
-/// Two blocks that leave together, in the hand as one.
+/// Two blocks that leave together are moved as one.
 TEST_F(SequenceWindow, AGroupIsMovedByHandAndItsPathComesBack) {
   const auto block = [](const char* id, const char* x) {
     return QStringLiteral(R"({"id": "%1", "geometry": {"box": [0.1, 0.1, 0.1]},
@@ -261,7 +261,7 @@ TEST_F(SequenceWindow, PicturesOfAWorkInstructionDoNotDependOnTheView) {
   EXPECT_EQ(content("one.html"), content("two.html"));
 }
 
-/// The page in a browser: buttons, keys, swipes, and the 3D view where three.js is installed.
+/// The test opens the page in a browser: buttons, keys, swipes, and the 3D view if three.js is installed.
 TEST_F(SequenceWindow, AWorkInstructionWorksInABrowser) {
   const QString browser = QStandardPaths::findExecutable(QStringLiteral("chromium"));
   if (browser.isEmpty()) GTEST_SKIP() << "chromium is not installed";

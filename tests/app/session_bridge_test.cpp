@@ -53,7 +53,7 @@ TEST_P(Bridge, WhoAsksWhileHeIsToldTakesNoNewsFromTheOthers) {
   bridge.post(command::SetParameter{ParameterId::MaxSteps, 3000});
   int notified = 0;
   QObject::connect(&bridge, &SessionBridge::snapshotChanged, [&](const SnapshotPtr& snapshot) {
-    QThread::msleep(notified++ < 5 ? 20 : 0);  // longer than it takes to publish the next one
+    QThread::msleep(notified++ < 5 ? 20 : 0);  // longer than the session takes to publish the next snapshot
     EXPECT_EQ(bridge.snapshot(), snapshot);
   });
   bridge.post(command::Start{});
@@ -85,7 +85,7 @@ TEST_P(Bridge, ARearrangedScenarioKeepsWhatTheUserHasSet) {
   EXPECT_EQ(now->parameters[ParameterId::Alpha], 0.625);
   EXPECT_EQ(now->state, SessionState::Idle);
   EXPECT_EQ(now->device.q_device, other.start);
-  // What fits itself to the object's size does so again.
+  // Parameters that depend on the object's size are computed again.
   EXPECT_NEAR(now->parameters[ParameterId::GrowthStep], larger * before->parameters[ParameterId::GrowthStep], 1e-12);
 }
 
@@ -105,12 +105,12 @@ TEST_P(Bridge, APathThatWasFoundGoesAlongAsFarAsItHolds) {
   ASSERT_TRUE(reach(bridge, SessionState::Solved));
   const std::vector<Pose> found = bridge.snapshot()->path->configurations();
 
-  bridge.rearrange(rearranged({0.0, 0.0, 0.2}));  // into the way
+  bridge.rearrange(rearranged({0.0, 0.0, 0.2}));  // onto the path
   ASSERT_TRUE(reach(bridge, settled));
   ASSERT_NE(bridge.snapshot()->refused, nullptr);
   EXPECT_FALSE(bridge.snapshot()->refused->blocked.empty());
   bridge.rearrange(rearranged({0.0, 0.0, -0.2}));
-  bridge.rearrange(before);  // at once: the examination of the last has hardly begun
+  bridge.rearrange(before);  // at once, while the examination of the path has hardly begun
   ASSERT_TRUE(reach(bridge, SessionState::Solved));
   EXPECT_EQ(bridge.snapshot()->path->configurations(), found);
   bridge.setDevice("novice");

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kRadius = 0.1;
 
-/// A cylinder without lids: smooth round its axis, open at its ends.
+/// A cylinder without lids: smooth around its axis, and open at its ends.
 TriangleMesh tube(std::uint32_t around, std::uint32_t along) {
   TriangleMesh mesh;
   for (std::uint32_t j = 0; j <= along; ++j) {
@@ -57,7 +57,7 @@ TEST(ShapeDetail, CornersAreThoseOfTheMeshAndNormalsLookOutwards) {
       const osg::Vec3& a = (*detail.corners)[i];
       const osg::Vec3& b = (*detail.corners)[i + 1];
       const osg::Vec3& c = (*detail.corners)[i + 2];
-      EXPECT_NEAR(std::hypot(a.x(), a.y()), kRadius, 1e-6);  // vertices are some of the mesh's
+      EXPECT_NEAR(std::hypot(a.x(), a.y()), kRadius, 1e-6);  // the vertices are a subset of the mesh's
       EXPECT_GE(((b - a) ^ (c - a)) * ((*detail.normals)[i] + (*detail.normals)[i + 1] + (*detail.normals)[i + 2]),
                 0.0);
     }

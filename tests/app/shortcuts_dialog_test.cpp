@@ -34,7 +34,7 @@ TEST_F(ShortcutsDialogTest, AShortcutIsTakenFromTheCommandThatHasIt) {
   press("&Assign");
   EXPECT_EQ(dialog_.shortcuts()["view.fit"], QKeySequence("Ctrl+O"));
   EXPECT_TRUE(dialog_.shortcuts()["file.open"].isEmpty());
-  EXPECT_EQ(actions_["file.open"]->shortcut(), QKeySequence("Ctrl+O"));  // the dialog changes nothing itself
+  EXPECT_EQ(actions_["file.open"]->shortcut(), QKeySequence("Ctrl+O"));  // the dialog itself changes nothing
   choose("file.open");
   press("&Default");
   EXPECT_EQ(dialog_.shortcuts()["file.open"], QKeySequence("Ctrl+O"));

@@ -1,4 +1,4 @@
-// The window and its dialogs at 200 %: screens of 1280 x 720 and 1920 x 1080, scaled by the desktop, or with texts of
+// The window and its dialogs on screens of 1280 x 720 and 1920 x 1080, scaled to 200 % by the desktop, or with texts of
 // twice the usual size.
 #include <gtest/gtest.h>
 
@@ -25,10 +25,10 @@ namespace {
 
 struct Screen {
   QSize room;    ///< logical pixels
-  double texts;  ///< beside the usual size
+  double texts;  ///< size of texts as a multiple of the usual size
 };
 const Screen kScreens[] = {{{640, 360}, 1.0}, {{960, 540}, 1.0}, {{1280, 720}, 2.0}, {{1920, 1080}, 2.0}};
-constexpr QSize kFrame{8, 32};  ///< of a window
+constexpr QSize kFrame{8, 32};  ///< size of a window's frame
 
 std::string widgetPath(const QWidget& widget) {
   std::string name;
@@ -41,7 +41,7 @@ std::string widgetPath(const QWidget& widget) {
   return name;
 }
 
-/// Buttons have room for their text, tabs for their names, and fields for their numbers.
+/// Expects that buttons have room for their text, tabs for their names, and fields for their numbers.
 void expectNothingCut(QWidget& root) {
   for (QAbstractButton* button : root.findChildren<QAbstractButton*>()) {
     if (!button->isVisible() || button->text().isEmpty()) continue;
@@ -80,7 +80,7 @@ TEST_P(SmallScreenTest, TheWindowAndItsPanelsHaveRoom) {
     const QSize room = screen.room - kFrame;
     window->show();
     QApplication::processEvents();
-    window->fitInto(room);  // texts that wrap need less room once they are laid out
+    window->fitInto(room);  // wrapped texts need less room after the layout
     QApplication::processEvents();
     auto* welcome = window->findChild<WelcomePage*>();
     ASSERT_TRUE(welcome->isVisible());
@@ -91,7 +91,7 @@ TEST_P(SmallScreenTest, TheWindowAndItsPanelsHaveRoom) {
     for (QDockWidget* dock : window->findChildren<QDockWidget*>()) {
       dock->show();
       dock->raise();
-      for (int round = 0; round < 2; ++round) QApplication::processEvents();  // what has grown goes back
+      for (int round = 0; round < 2; ++round) QApplication::processEvents();  // a window that has grown shrinks again
       SCOPED_TRACE(dock->objectName().toStdString());
       EXPECT_LE(window->minimumSizeHint().width(), room.width());
       EXPECT_LE(window->minimumSizeHint().height(), room.height());
@@ -152,7 +152,7 @@ TEST_P(SmallScreenTest, TheButtonsOfMessagesAreWhole) {
   }
 }
 
-/// A reason with names and advice, as long as the engine's longest, is read by scrolling; its button stays.
+/// A reason with names and advice, as long as the engine's longest, can be read by scrolling; its button stays visible.
 TEST_P(SmallScreenTest, TheLongestMessageIsScrolledAboveItsButtons) {
   const QString details =
       QStringLiteral("/home/somebody/products/an-assembly-with-a-long-name/scenario.json\n") +

@@ -20,7 +20,7 @@ QImage composed(StereoMode mode, const QPoint& corner = {}) {
   return composeStereo(mode, filled(kOfLeft), filled(kOfRight), corner);
 }
 
-/// The pixels of the left eye as 'l', those of the right one as 'r', others as '?'; a row after the other.
+/// The pixels row by row: those of the left eye as 'l', those of the right eye as 'r', others as '?'.
 std::string owners(const QImage& picture) {
   std::string owners;
   for (int y = 0; y < picture.height(); ++y) {
@@ -46,7 +46,7 @@ TEST(StereoPicture, EachModeGivesEachEyeItsPixels) {
   EXPECT_EQ(owners(composed(StereoMode::RightEye)).find('l'), std::string::npos);
 }
 
-/// A window that is moved by a row still gives each eye its rows of the screen.
+/// A window that is moved by one row still gives each eye the screen's rows for it.
 TEST(StereoPicture, WhatIsInterlacedFollowsTheScreen) {
   EXPECT_EQ(composed(StereoMode::Interlaced, {0, 1}).pixel(0, 0), kOfRight);
   EXPECT_EQ(composed(StereoMode::Checkerboard, {1, 0}).pixel(0, 0), kOfRight);
@@ -74,7 +74,7 @@ TEST(StereoPicture, APointBelongsToTheEyeWhosePartItIsIn) {
   EXPECT_EQ(below.eye, Eye::Right);
   EXPECT_EQ(below.at, QPointF(20, 20));
   EXPECT_EQ(eyePointAt(StereoMode::Anaglyph, {70, 50}, size).at, QPointF(70, 50));
-  // A drag that leaves its part goes on in the picture of its eye.
+  // A drag that leaves its part continues in the picture of its eye.
   EXPECT_EQ(pointOfEye(StereoMode::SideBySide, Eye::Left, {70, 30}, size), QPointF(140, 30));
 }
 

@@ -28,7 +28,7 @@ class StereoScreenTest : public test::WholeWindowTest {
   StereoScreen& screen() { return *scene().findChild<StereoScreen*>(); }
   EyePlaceKeeper& keeper() { return *window_->findChild<EyePlaceKeeper*>(); }
 
-  /// Where the mouse goes: to the screen, or through it.
+  /// Sends a mouse event to the stereo screen, or to the scene if the screen is transparent for the mouse.
   void send(QEvent::Type type, const QPointF& at, Qt::MouseButtons buttons) {
     QWidget& target = screen().testAttribute(Qt::WA_TransparentForMouseEvents) ? scene() : screen();
     QMouseEvent event(type, at, type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton, buttons, Qt::NoModifier);
@@ -49,7 +49,7 @@ class StereoScreenTest : public test::WholeWindowTest {
     return body;
   }
 
-  /// A pixel where this eye sees a body that the other eye does not see there.
+  /// A pixel at which this eye sees a body that the other eye does not see there.
   QPointF telling(Eye eye) {
     for (int y = 5; y < scene().height(); y += 10) {
       for (int x = 4; x < scene().width(); x += 4) {
@@ -66,7 +66,7 @@ class StereoScreenTest : public test::WholeWindowTest {
 };
 
 TEST_P(StereoScreenTest, AClickTakesWhatTheEyeSeesThereInWhosePartItIs) {
-  // Where a point of what an eye sees is in the composed picture.
+  // The point of the composed picture that shows this point of an eye's picture.
   const auto part = [this](StereoMode mode, Eye eye, const QPointF& at) {
     const double second = eye == Eye::Right ? 0.5 : 0.0;
     if (mode == StereoMode::SideBySide) return QPointF(at.x() / 2.0 + second * scene().width(), at.y());
@@ -77,7 +77,7 @@ TEST_P(StereoScreenTest, AClickTakesWhatTheEyeSeesThereInWhosePartItIs) {
     if (!bench().actions[QLatin1String(entry.action)]->isEnabled() || entry.mode == StereoMode::Off) continue;
     choose(entry.action);
     for (const Eye eye : {Eye::Left, Eye::Right}) {
-      // Where both eyes share pixels, the pointer is with the left one.
+      // If both eyes share the pixels, the pointer belongs to the left eye.
       if (!hasParts(entry.mode) && (eye == Eye::Right) != (entry.mode == StereoMode::RightEye)) continue;
       if (entry.mode == StereoMode::LeftEye && eye == Eye::Right) continue;
       const QPointF at = telling(eye);
@@ -90,7 +90,7 @@ TEST_P(StereoScreenTest, AClickTakesWhatTheEyeSeesThereInWhosePartItIs) {
   }
 }
 
-/// Where the mouse is for a widget.
+/// Records the positions of the mouse that a widget receives.
 class SeenMouse final : public QObject {
  public:
   explicit SeenMouse(QWidget& widget) { widget.installEventFilter(this); }
@@ -118,7 +118,7 @@ TEST_P(StereoScreenTest, ADragThatLeavesItsPartGoesOn) {
   EXPECT_EQ(seen.places(), (std::vector<QPointF>{{2.0 * middle + 40, y}, {40, y}}));
 }
 
-/// What lies over the scene has the mouse in both parts.
+/// Widgets over the scene receive the mouse in both parts.
 TEST_P(StereoScreenTest, TheViewCubeIsClickedInBothParts) {
   choose("stereo.side-by-side");
   const auto* cube = scene().findChild<ViewCube*>();

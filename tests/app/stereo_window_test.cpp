@@ -1,4 +1,4 @@
-// Stereo in the whole window, run as its user would.
+// Runs stereo in the whole window as a user would.
 #include <map>
 #include <vector>
 
@@ -10,7 +10,7 @@ namespace {
 using namespace glissade;
 using namespace glissade::test;
 
-/// With a section and its arrow, labels, the gizmo of arranging, view cube, legend and scale.
+/// The scene has a section and its arrow, labels, the gizmo of arranging, view cube, legend and scale.
 const QString kScene =
     QStringLiteral("action layer.graph\nsection x 0.55\naction layer.grid\naction assembly.arrange\nselect body O1\n");
 
@@ -24,7 +24,7 @@ class StereoWindow : public WindowTest {
     return QImage(file);
   }
 
-  /// Those of several modes, by one run of the program; before each, `more` is carried out.
+  /// The pictures of several modes by one run of the program; `more` is carried out before each picture.
   std::map<std::string, QImage> picturesOf(const std::vector<const char*>& modes, const QString& more = {},
                                            const QStringList& options = {}) {
     QString script = kScene;
@@ -40,7 +40,7 @@ class StereoWindow : public WindowTest {
 
   QString fileOf(const char* mode) const { return folder.filePath(QLatin1String(mode) + QStringLiteral(".png")); }
 
-  /// Holds all pixels that differ.
+  /// The smallest rectangle that contains all different pixels.
   static QRect differing(const QImage& a, const QImage& b) {
     QRect box;
     for (int y = 0; y < a.height(); ++y) {
@@ -52,7 +52,7 @@ class StereoWindow : public WindowTest {
   }
 };
 
-/// What `mode` shows is made of the single pictures of both eyes: pixel by pixel where it takes pixels as they are.
+/// The picture of each of these modes is composed pixel by pixel of the single pictures of both eyes.
 TEST_F(StereoWindow, EveryModeIsMadeOfTheSinglePicturesOfBothEyes) {
   auto pictures = picturesOf({"left-eye", "right-eye", "anaglyph", "interlaced", "checkerboard"});
   const QImage left = pictures["left-eye"];
@@ -77,7 +77,7 @@ TEST_F(StereoWindow, EveryModeIsMadeOfTheSinglePicturesOfBothEyes) {
              [](QRgb l, QRgb r, int, int) { return qRgb(qRed(r), qGreen(l), qBlue(l)); });
 }
 
-/// On a full screen the picture is the scene alone: its halves are the single pictures, made smaller.
+/// In full screen the picture is the scene alone: its halves are the single pictures, made smaller.
 TEST_F(StereoWindow, HalvesAreThePicturesOfTheEyes) {
   // The full screen is entered once, before the first picture.
   const QString script = kScene + QStringLiteral("action view.full-screen\n");

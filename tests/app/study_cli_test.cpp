@@ -1,4 +1,4 @@
-// glissade-cli study and merge as their user runs them: shards, kills, limits, messages.
+// Runs glissade-cli study and merge as a user would: shards, kills, limits, messages.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -26,7 +26,7 @@ const std::string kCli = test::programDirectory() + "/glissade-cli";
 
 class StudyCli : public testing::Test {
  protected:
-  /// Exit code of a shell command; what it said is in `said`.
+  /// Runs a shell command and returns its exit code; `said` holds its output.
   int shell(const std::string& command) {
     const std::string log = files.folder / "said";
     const int status = std::system(("( " + command + " ) >" + log + " 2>&1").c_str());
@@ -54,13 +54,13 @@ class StudyCli : public testing::Test {
     EXPECT_FALSE(report.empty());
     EXPECT_TRUE(report == reportBeforeTiming(b)) << "reports of " << a << " and " << b;
   }
-  /// All of a report that depends on no machine.
+  /// The part of a report that does not depend on the machine.
   std::string reportBeforeTiming(const std::string& out) const {
     const std::string page = test::readWhole(path(out) + "/report.html");
     const std::size_t timing = page.find("<h2>Time on the machine</h2>");
     return timing == std::string::npos ? "" : page.substr(0, timing);
   }
-  /// Starts the study, and sends it a signal once it has finished some runs. Its exit status.
+  /// Starts the study, sends it a signal when some runs have finished, and returns its exit status.
   int interruptAfter(std::size_t runs, int signal, const std::string& out) {
     const pid_t pid = fork();
     if (pid == 0) {
@@ -75,7 +75,7 @@ class StudyCli : public testing::Test {
     return status;
   }
 
-  /// Interactive runs of some 50 ms each, so that a signal comes in their midst.
+  /// A study with interactive runs of about 50 ms each, so that a signal comes during a run.
   static Json slidingStudy() {
     Json study = test::tinyStudy();
     study["scenarios"] = {test::sourceDirectory() + "/samples/sliding-plane/scenario.json"};
@@ -242,7 +242,7 @@ TEST_F(StudyCli, PublicProblemsAreSoundOrSaidToBeMissing) {
   EXPECT_THAT(said, HasSubstr(there ? "55 cells" : "Easy.cfg"));
 }
 
-/// A peer's run is judged and timed like ours: a study of one box in the way.
+/// A run of a peer is judged and timed like the project's own: a study with one box in the way.
 TEST_F(StudyCli, PeersRunBesideOurs) {
   auto study = test::tinyStudy();
   study["strategies"] = {"auto", "peer-rrtconnect", "peer-rrt", "peer-trrt", "peer-bitrrt", "peer-bkpiece"};

@@ -1,5 +1,4 @@
-// Studies in the window: the browser, a run shown again, pictures, PDF, and the page that the command
-// line writes.
+// Studies in the window: the browser, a run shown again, pictures, PDF, and the page that the command line writes.
 #include <QMouseEvent>
 #include <QTest>
 #include <QTreeWidget>
@@ -125,7 +124,7 @@ TEST_F(StudyWindow, APartOfAPlotIsShownAndLeftAgain) {
   auto* canvas = view.findChild<QFrame*>(QStringLiteral("canvas"));
   const QPoint centre = canvas->rect().center();
   QTest::mousePress(canvas, Qt::LeftButton, {}, centre + QPoint(30, 30));
-  // QTest::mouseMove moves the cursor only, which says nothing to a widget without a display.
+  // QTest::mouseMove only moves the cursor, which sends no event to a widget without a display.
   QMouseEvent dragged(QEvent::MouseMove, centre + QPoint(90, 90), Qt::NoButton, Qt::LeftButton, {});
   QCoreApplication::sendEvent(canvas, &dragged);
   QTest::mouseRelease(canvas, Qt::LeftButton, {}, centre + QPoint(90, 90));
@@ -169,7 +168,7 @@ TEST_F(StudyWindow, WhatIsNotThereIsSaid) {
 }
 
 TEST_F(StudyWindow, PicturesOfTypicalRunsComeIntoTheReports) {
-  // The pictures refuse a run that ends otherwise than in the study, so they prove each cell's.
+  // The command refuses a run that ends otherwise than in the study, so the pictures prove the run of each cell.
   const WindowResult taken =
       run({}, {}, {QStringLiteral("--study-pictures"), out(), QStringLiteral("--report-pdf"), out()});
   EXPECT_EQ(taken.exitCode, 0) << taken.errors.toStdString();

@@ -1,4 +1,4 @@
-// The table of times in the whole window, in both languages: it is remembered, and its edits are undone.
+// The table of times in the whole window, in both languages: it is remembered, and its edits can be undone.
 #include <QLabel>
 #include <QPushButton>
 #include <QTableWidget>
@@ -59,7 +59,7 @@ TEST_P(TimesWindowTest, AFileThatIsNoTableChangesNothing) {
   carryOut(*window, "expect-time", {"fetch_s", "4.5"});
 }
 
-/// Names of rows, of pages and of what is refused.
+/// The texts are the names of rows and pages, and the refusals.
 TEST_P(TimesWindowTest, AllTextsAreInTheLanguage) {
   const auto window = makeWindow();
   carryOut(*window, "set-time", {"hold_s", "-1"});

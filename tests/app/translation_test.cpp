@@ -22,7 +22,7 @@ TEST(Translation, NothingIsLeftUntranslated) {
   EXPECT_GT(text.count(QStringLiteral("<message>")), 150);
 }
 
-/// "Cancel" stood in French dialogs.
+/// French dialogs once had the English "Cancel".
 TEST(Translation, QtsOwnButtonsAreInFrench) {
   QFile file(QString::fromStdString(test::sourceDirectory() + "/resources/i18n/glissade_fr.ts"));
   ASSERT_TRUE(file.open(QIODevice::ReadOnly));
@@ -34,7 +34,7 @@ TEST(Translation, QtsOwnButtonsAreInFrench) {
   EXPECT_TRUE(context.contains(QStringLiteral("<translation>Annuler</translation>")));
 }
 
-/// "Shift+F1" stood in French menus, and "Maj+F1" in French texts.
+/// French menus once had "Shift+F1" and French texts "Maj+F1".
 TEST(Translation, NamesOfKeysAreInFrench) {
   QFile file(QString::fromStdString(test::sourceDirectory() + "/resources/i18n/glissade_fr.ts"));
   ASSERT_TRUE(file.open(QIODevice::ReadOnly));

@@ -1,5 +1,5 @@
-// Automatic tuning in the window, by scripts: it is switched on, parameters are taken back one by one
-// and all together, and a run in which it worked replays.
+// Scripts use automatic tuning in the window: it is switched on, parameters are taken back one by one and all together,
+// and a run with tuning replays.
 #include <QRegularExpression>
 
 #include "tests/app/window_fixture.h"

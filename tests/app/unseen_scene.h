@@ -6,10 +6,10 @@
 
 namespace glissade::test {
 
-/// A scene that nobody draws.
+/// A scene that is not drawn.
 class UnseenScene final : public SceneWidget {
  public:
-  /// Without a headset, unless there is one, which outlives the scene.
+  /// `headset` may be null; it must outlive the scene.
   explicit UnseenScene(Headset* headset = nullptr) : headset_(headset) {}
   SceneView& view() override { return view_; }
   QWidget* widget() override { return &widget_; }

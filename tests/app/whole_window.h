@@ -1,4 +1,4 @@
-// The whole window in this process, in a language, drawn by nobody.
+// The whole window in this process, in a language, without drawing.
 #pragma once
 
 #include <gtest/gtest.h>

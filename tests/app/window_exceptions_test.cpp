@@ -26,7 +26,7 @@ using test::kThrown;
 using test::Thrown;
 using Where = FailingAllocation::Where;
 
-/// What a sender of failed() has said.
+/// Records the diagnostics that a sender announces by failed().
 template <class Sender>
 class Failures {
  public:
@@ -64,7 +64,7 @@ TEST_P(BackgroundExceptions, OfTheWorkAreTold) {
   EXPECT_NE(failures.said().front().reason.find("while reading the parts"), std::string::npos);
   EXPECT_FALSE(task.isBusy());
   EXPECT_FALSE(delivered);
-  // The next work is done as usual.
+  // The next work runs as usual.
   task.start(
       "reading the parts", [&](const WorkWatch&) -> BackgroundTask::Delivery { return [&] { delivered = true; }; },
       atOnce());
@@ -181,7 +181,7 @@ TEST(ReplayExceptions, AreToldOrEndTheReplay) {
 
 class SessionExceptions : public testing::TestWithParam<SessionClock> {};
 
-/// Whatever fails while a session is made, there is a snapshot that says so, and the next call makes the session.
+/// If making a session fails anywhere, a snapshot says so, and the next call makes the session.
 TEST_P(SessionExceptions, OfMakingASessionAreToldAndTheNextCallMakesIt) {
   const auto scenario = std::make_shared<const LoadedScenario>(environment2());
   const command::ExaminePath path{{{scenario->problem.start, Author::Computer}}, {}};
@@ -211,7 +211,8 @@ TEST_P(SessionExceptions, OfMakingASessionAreToldAndTheNextCallMakesIt) {
       ASSERT_NE(bridge.snapshot(), nullptr);
       if (const auto why = bridge.snapshot()->problem) {
         EXPECT_EQ(why->kind, ErrorKind::LimitReached);
-        if (why->reason.find("while preparing the planner") == std::string::npos) continue;  // the session's own
+        if (why->reason.find("while preparing the planner") == std::string::npos)
+          continue;  // the diagnostic is the session's own
         ++failed;
         EXPECT_EQ(bridge.snapshot()->state, SessionState::Failed);
       }

@@ -33,7 +33,7 @@ class WindowTest : public testing::Test {
       arguments << kSource + QStringLiteral("/samples/") + scenario + QStringLiteral("/scenario.json");
     }
     QProcess process;
-    // The user's own settings stay out of it.
+    // The program must not read the user's own settings.
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.insert(QStringLiteral("XDG_CONFIG_HOME"), folder.path());
     process.setProcessEnvironment(environment);

@@ -1,4 +1,4 @@
-// In French numbers have a decimal comma, on screen. Files have none.
+// In French, numbers have a decimal comma on screen, but a decimal point in files.
 #include <clocale>
 
 #include "tests/app/window_fixture.h"

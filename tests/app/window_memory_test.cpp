@@ -149,7 +149,8 @@ TEST_F(Memory, NothingSavedChangesNothing) {
 
 TEST_F(Memory, TheThemeIsTheDesktopsUntilOneIsChosen) {
   EXPECT_EQ(WindowMemory(file()).preferences().theme, ThemeChoice::Desktop);
-  QSettings(file(), QSettings::IniFormat).setValue(QStringLiteral("choices/view.dark"), true);  // of an older version
+  QSettings(file(), QSettings::IniFormat)
+      .setValue(QStringLiteral("choices/view.dark"), true);  // the setting of an older version
   EXPECT_EQ(WindowMemory(file()).preferences().theme, ThemeChoice::Dark);
   Preferences chosen;
   chosen.theme = ThemeChoice::Light;

@@ -1,5 +1,5 @@
-// The whole window without a display, run as its user would, against golden pictures.
-// To make the pictures anew after a wanted change: GLISSADE_UPDATE_GOLDEN=1 ctest -R WindowPictures
+// Compares pictures of the whole window without a display, run as a user would, with golden pictures. After an intended
+// change, GLISSADE_UPDATE_GOLDEN=1 ctest -R WindowPictures writes them again.
 #include "tests/app/window_fixture.h"
 #include "tests/engine/support/directories.h"
 
@@ -13,7 +13,7 @@ TEST_F(WindowPictures, EverySampleIdleGrowingAndSolved) {
   for (const QString& sample :
        {QStringLiteral("environment-1"), QStringLiteral("environment-2"), QStringLiteral("sliding-plane")}) {
     const QString base = folder.filePath(sample);
-    // In several parts, so that the curves of the run have as many places.
+    // The steps are divided into several parts, so that the curves of the run have as many points.
     const QString growing = sample == QStringLiteral("sliding-plane") ? QStringLiteral("steps 1\n").repeated(8)
                                                                       : QStringLiteral("steps 30\n").repeated(10);
     QString script = QStringLiteral(

@@ -1,5 +1,5 @@
-// What a person says holds: every word that there is, in every situation. The rows of kWords are the words, the columns
-// the situations; a cell is looked at here, or says why it does not apply, or names the test that looks at it.
+// Every kind of a person's edit holds in every situation. The rows of kWords are the kinds, the columns the situations.
+// A cell is tested here, or states why it does not apply, or names the test that covers it.
 #include <gtest/gtest.h>
 
 #include <QTemporaryDir>
@@ -39,16 +39,16 @@ constexpr Situation kSituations[] = {Situation::UndoneAndRedone,    Situation::R
 constexpr const char* kSituationNames[] = {"UndoneAndRedone", "Rearranged",     "MovedByHand",        "Reopened",
                                            "CommandLine",     "PathStrategies", "SequenceStrategies", "Check"};
 
-/// A cell that is not looked at here: why, or by which test.
+/// Cells that are not tested here, with the reason or the name of the test.
 using Reasons = std::map<Situation, std::string>;
 
 struct Word {
   std::string name;
   Edit say;
-  Question isSaid;  ///< by the scenario
-  /// By what a strategy of sequences is given, where it is.
+  Question isSaid;  ///< whether the scenario holds the edit
+  /// Whether a strategy of sequences receives the edit, if it should.
   std::function<bool(const SequenceDemands&)> reachesSequences;
-  /// By what a planner of paths is given, where it is.
+  /// Whether a planner of paths receives the edit, if it should.
   std::function<bool(const LoadedScenario&)> reachesPaths;
   Reasons elsewhere;
 };
@@ -101,7 +101,7 @@ Word knowledge(const std::string& name, const AttributeValue& value,
           nullptr, kOfSequences + kPlanIsChecked};
 }
 
-/// The place of the map with this number, by the edits of a scenario.
+/// An edit of the place of the map with this number.
 Edit placeAttribute(const std::string& name, const AttributeValue& value) {
   return [=](WorkbenchDocument& document) {
     SemanticSelection selection;
@@ -274,7 +274,7 @@ void open(WorkbenchDocument& document, const ScenarioPtr& scenario) {
   document.setKnowledge(teachingKnowledge());
 }
 
-/// Saves the document, and loads what the file holds.
+/// Saves the document, and loads the file.
 ScenarioPtr reopened(WorkbenchDocument& document, const QTemporaryDir& folder) {
   const std::string file = folder.filePath(QStringLiteral("saved.json")).toStdString();
   const Scenario content = document.contentFor(file);
@@ -342,7 +342,7 @@ void WordInSituation::look(Situation situation) {
       break;
     }
     case Situation::CommandLine: {
-      // The command line loads the file, and plans with what it loads.
+      // The command line plans with the scenario that it loads from the file.
       const ScenarioPtr loaded = reopened(document, folder);
       EXPECT_TRUE(word.isSaid(loaded->scenario));
       break;
@@ -395,7 +395,7 @@ TEST(Words, ForbiddenRegionsAreSavedWhereThePlacesAre) {
   EXPECT_TRUE(document.contentFor("").forbiddenRegions.empty()) << "what is kept meanwhile may be stale";
 }
 
-/// Random sessions: what a person said is there after whatever comes, until it is undone.
+/// Runs random sessions: an edit holds after all later actions, until it is undone.
 class RandomSession {
  public:
   explicit RandomSession(std::uint64_t seed) : stream_(seed, "a session of edits") {
@@ -437,10 +437,10 @@ class RandomSession {
 
   void note(const std::string& what) { history_ += what + "\n"; }
 
-  /// What is on the undo stack now is said from now on, and settings are said at once and for good.
+  /// Makes an edit. An undoable edit holds from the next state of the undo stack on; a setting holds in all states.
   void say(std::size_t word) {
     note("say " + words()[word].name);
-    if (said_[at_][word]) return;  // it would be another step of the same
+    if (said_[at_][word]) return;  // a second edit of this kind would change nothing
     Said next = said_[at_];
     next[word] = true;
     words()[word].say(document_);
@@ -471,7 +471,7 @@ class RandomSession {
     push(said_[at_]);
   }
 
-  /// A run ends with a path, which is the document's until it is kept.
+  /// Ends a run with a path, which the document has as its result.
   void runEnds() {
     note("a run ends");
     RunResults results;
@@ -499,12 +499,12 @@ class RandomSession {
   RandomStream stream_;
   WorkbenchDocument document_;
   QTemporaryDir folder_;
-  std::vector<Said> said_;  ///< per state of the undo stack
+  std::vector<Said> said_;  ///< for each state of the undo stack
   std::size_t at_ = 0;
   std::string history_;
 };
 
-/// packaging/reliability.sh sets the number and the first seed.
+/// packaging/reliability.sh sets the number of sessions and the first seed.
 std::uint64_t numberFrom(const char* variable, std::uint64_t usual) {
   const char* text = std::getenv(variable);
   return text == nullptr ? usual : std::strtoull(text, nullptr, 10);

@@ -12,7 +12,7 @@ namespace {
 
 class Works : public testing::Test {
  protected:
-  /// Goes on until it is let go or stopped.
+  /// Work that runs until it is released or stopped.
   BackgroundTask::Work work(bool& delivered) {
     return [this, &delivered](const WorkWatch& watch) -> BackgroundTask::Delivery {
       while (!go && !watch.stop.stopRequested()) QThread::msleep(1);
@@ -64,7 +64,7 @@ TEST_F(Works, OneThatTakesLongIsShownAndCancelledAgainAfterOthers) {
 TEST_F(Works, WaitForOneThatIsToBeFinished) {
   works.runToEnd(QStringLiteral("first"), work(first));
   works.run(QStringLiteral("second"), work(second));
-  works.run(QStringLiteral("third"), work(third));  // in place of the second
+  works.run(QStringLiteral("third"), work(third));  // replaces the second one
   go = true;
   ASSERT_TRUE(QTest::qWaitFor([&] { return first && third; }));
   EXPECT_FALSE(second);

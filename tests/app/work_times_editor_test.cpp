@@ -61,7 +61,7 @@ TEST_F(WorkTimesEditorTest, AValueIsEditedWithTheKeyboardAndSeenAsChanged) {
   QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
   QTest::keyClicks(field, QStringLiteral("3.5"));
   QTest::keyClick(field, Qt::Key_Return);
-  QApplication::processEvents();  // the value is taken then
+  QApplication::processEvents();  // the editor takes the value at this event
   EXPECT_EQ(edits, 1);
   EXPECT_EQ(editor.times().fetch, 3.5);
   EXPECT_TRUE(cell(kFetch, kValue)->font().bold());

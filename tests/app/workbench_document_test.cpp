@@ -30,7 +30,7 @@ class WorkbenchDocumentTest : public testing::Test {
     document.open(scenario);
   }
 
-  /// Until all edits are made.
+  /// Waits until all edits are made.
   ::testing::AssertionResult arranged() {
     return QTest::qWaitFor([this] { return !document.isArranging(); }, 20'000) ? ::testing::AssertionSuccess()
                                                                                : ::testing::AssertionFailure();
@@ -123,12 +123,12 @@ TEST_F(WorkbenchDocumentTest, WhatCannotBeLoadedIsRefusedAndChangesNothing) {
   EXPECT_FALSE(document.undoStack().canUndo());
 }
 
-/// What was announced, with the phase: "view 255".
+/// Records each announcement with its phase: "view 255".
 void record(WorkbenchDocument& document, std::vector<std::string>& rounds) {
   const auto note = [&rounds](const char* phase) {
     return [&rounds, phase](Changes what) { rounds.push_back(phase + std::string(" ") + std::to_string(int(what))); };
   };
-  // In another order than that of the phases.
+  // The order of the connections differs from that of the phases.
   QObject::connect(&document, &WorkbenchDocument::changed, &document, note("panels"));
   QObject::connect(&document, &WorkbenchDocument::changedForSession, &document, note("session"));
   QObject::connect(&document, &WorkbenchDocument::changedForView, &document, note("view"));
@@ -240,7 +240,7 @@ TEST_F(WorkbenchDocumentTest, InTheBackgroundEditsAreMadeInTheirOrderOfWhatTheOn
   EXPECT_EQ(wallAt(), Vector3(0, 0, 1));
 }
 
-/// A scenario as it is opened where its fits take long to find.
+/// A scenario as it is opened if finding its fits takes long.
 ScenarioPtr withFitsToFind() {
   auto loaded = loadScenario(test::sourceDirectory() + "/samples/teaching/scenario.json");
   loaded->scenario.fits.on = true;
@@ -316,7 +316,7 @@ TEST_F(WorkbenchDocumentTest, SemanticEditsMadeWhileBodiesAreArrangedStay) {
 TEST_F(WorkbenchDocumentTest, ACancelledOrRefusedEditChangesNothing) {
   document.setAtOnce(false);
   const std::string before = text();
-  std::vector<bool> failures;  // with a reason
+  std::vector<bool> failures;  // whether a failure has a reason
   QObject::connect(&document, &WorkbenchDocument::editFailed,
                    [&](const std::optional<Diagnostic>& why) { failures.push_back(why.has_value()); });
   ASSERT_TRUE(document.place(wall, Pose::translation({0, 0, 1})).ok());
@@ -384,7 +384,6 @@ TEST_F(WorkbenchDocumentTest, AnAssemblyPlanIsUnsavedUntilItIsSaved) {
   EXPECT_TRUE(document.isProblemSaved()) << "a plan is no part of the problem";
 }
 
-/// Bodies that stay are not prepared again, and neither is anything where only the ends move.
 TEST_F(WorkbenchDocumentTest, WhileTheScenarioIsATemporaryOneTheOneOfBeforeIsSaved) {
   ASSERT_TRUE(document.place(wall, Pose::translation({0.1, 0.2, 0.3})).ok());
   const std::string mine = writeScenario(document.contentFor({}));
@@ -419,6 +418,7 @@ TEST_F(WorkbenchDocumentTest, ATemporaryScenarioThatIsUndoneLeavesTheFileAsItWas
   EXPECT_EQ(text(), before);
 }
 
+/// If only an end of the motion is moved, the object is not prepared again.
 TEST_F(WorkbenchDocumentTest, WhatAnEditLeavesAloneIsNotPreparedAgain) {
   const ScenarioPtr before = document.scenario();
   const Pose start = Pose::translation(before->problem.start.position + Vector3(0.001, 0, 0));

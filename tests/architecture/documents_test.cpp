@@ -1,4 +1,4 @@
-// What documents say of the code.
+// Checks the statements of documents about the code.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -21,13 +21,13 @@ std::string contentOf(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// A call that a document names, with the file in which it says it is.
+/// A call that a document names, with its stated file.
 struct NamedCall {
   std::string name;
   std::string file;
 };
 
-/// Lines as "1. `Class::method` ... (`folder/file.cpp`)."
+/// Reads lines of the form "1. `Class::method` ... (`folder/file.cpp`)."
 std::vector<NamedCall> callsIn(const std::string& document) {
   static const std::regex pattern(R"(\n\d\. `([A-Za-z:]+)`[^\n]*\(`([a-z0-9_/]+\.(?:cpp|h))`\)\.)");
   std::vector<NamedCall> calls;
@@ -51,7 +51,7 @@ TEST(Documents, TheWayOfAClickNamesCallsThatAreThere) {
   }
 }
 
-TEST(Documents, EveryRoomIsInTheArchitecturePage) {
+TEST(Documents, EveryModuleIsInTheArchitecturePage) {
   const fs::path root = test::sourceDirectory();
   const std::string page = contentOf(root / "engine/README.md");
   for (const auto& entry : fs::directory_iterator(root / "engine")) {
@@ -60,7 +60,7 @@ TEST(Documents, EveryRoomIsInTheArchitecturePage) {
   }
 }
 
-/// The documents of a folder; of the source folder itself, those that lie in it.
+/// The documents of a folder; for the source folder itself, only the documents directly in it.
 std::vector<fs::path> documentsOf(const fs::path& root, const std::string& folder) {
   std::vector<fs::path> documents;
   const auto add = [&documents](const fs::path& file) {
@@ -74,7 +74,7 @@ std::vector<fs::path> documentsOf(const fs::path& root, const std::string& folde
   return documents;
 }
 
-/// Links to files and pictures, without those to the web. The manual names pages, and has a test of its own.
+/// Links to files and pictures, without those to the web. The manual names pages and has its own test.
 TEST(Documents, LinksLeadToFiles) {
   static const std::regex pattern(R"(\]\(([^)#: ]+)(?:#[^)]*)?\))");
   const fs::path root = test::sourceDirectory();

@@ -1,4 +1,4 @@
-// The edges of DESIGN section 2, read from the includes themselves.
+// Checks which module of the engine may use which, from the include directives.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -43,14 +43,14 @@ std::vector<Include> includesUnder(const std::string& folder) {
   return result;
 }
 
-/// "engine/planning/contact/x.h" lies in room "planning".
-std::string roomOf(const std::string& path) {
+/// The module of a file: "planning" for "engine/planning/contact/x.h".
+std::string moduleOf(const std::string& path) {
   static const std::regex pattern(R"(^engine/([a-z]+)/)");
   std::smatch match;
   return std::regex_search(path, match, pattern) ? match[1].str() : "";
 }
 
-const std::map<std::string, std::set<std::string>>& allowedRooms() {
+const std::map<std::string, std::set<std::string>>& allowedModules() {
   static const std::map<std::string, std::set<std::string>> allowed{
       {"base", {}},
       {"geometry", {"base"}},
@@ -76,7 +76,7 @@ const std::map<std::string, std::set<std::string>>& allowedRooms() {
   return allowed;
 }
 
-/// Headers of the engine that a file includes, and those that they include.
+/// Collects the engine headers that a file includes, directly and indirectly.
 void follow(const std::string& file, std::set<std::string>& seen) {
   static const std::regex pattern(R"re(^\s*#\s*include\s*"(engine/[^"]+)")re");
   std::ifstream stream(fs::path(test::sourceDirectory()) / file);
@@ -88,7 +88,7 @@ void follow(const std::string& file, std::set<std::string>& seen) {
   }
 }
 
-/// What judges plans shares nothing with what makes them, also not through the headers of other rooms.
+/// The judge of plans shares no code with their planners, directly or through the headers of other modules.
 TEST(Architecture, TheJudgeReachesNothingOfThePlanners) {
   const std::set<std::string> allowed{"check", "base", "geometry", "assembly", "import"};
   std::size_t files = 0;
@@ -100,32 +100,32 @@ TEST(Architecture, TheJudgeReachesNothingOfThePlanners) {
   }
   EXPECT_GT(files, 20U);
   EXPECT_GT(reached.size(), 30U);
-  for (const std::string& header : reached) EXPECT_TRUE(allowed.count(roomOf(header))) << header;
+  for (const std::string& header : reached) EXPECT_TRUE(allowed.count(moduleOf(header))) << header;
 }
 
-TEST(Architecture, EngineRoomsOnlyUseTheRoomsBelowThem) {
+TEST(Architecture, EngineModulesOnlyUseTheModulesBelowThem) {
   int seen = 0;
   for (const Include& include : includesUnder("engine")) {
-    const std::string from = roomOf(include.from);
-    const std::string to = roomOf(include.what);
+    const std::string from = moduleOf(include.from);
+    const std::string to = moduleOf(include.what);
     if (to.empty() || to == from) continue;
     ++seen;
-    ASSERT_TRUE(allowedRooms().count(from)) << "a room without rules: " << include.from;
-    EXPECT_TRUE(allowedRooms().at(from).count(to)) << include.from << " includes " << include.what;
+    ASSERT_TRUE(allowedModules().count(from)) << "a module without rules: " << include.from;
+    EXPECT_TRUE(allowedModules().at(from).count(to)) << include.from << " includes " << include.what;
   }
   EXPECT_GT(seen, 10);
 }
 
-/// "engine/planning/contact/x.h" lies in sub-room "contact"; a file of the room itself in "".
-std::optional<std::string> planningRoomOf(const std::string& path) {
+/// The submodule of a file: "contact" for "engine/planning/contact/x.h"; "" for a file of the module itself.
+std::optional<std::string> submoduleOf(const std::string& path) {
   static const std::regex pattern(R"(^engine/planning/(?:([a-z]+)/)?[^/]+$)");
   std::smatch match;
   if (!std::regex_search(path, match, pattern)) return std::nullopt;
   return match[1].str();
 }
 
-/// Every sub-room may use the room itself, which uses none of them.
-const std::map<std::string, std::set<std::string>>& allowedPlanningRooms() {
+/// Every submodule may use the module itself, which uses no submodule.
+const std::map<std::string, std::set<std::string>>& allowedPlanningSubmodules() {
   static const std::map<std::string, std::set<std::string>> allowed{
       {"", {}},
       {"contact", {}},
@@ -140,16 +140,16 @@ const std::map<std::string, std::set<std::string>>& allowedPlanningRooms() {
   return allowed;
 }
 
-TEST(Architecture, PlanningRoomsOnlyUseTheRoomsBelowThem) {
+TEST(Architecture, PlanningSubmodulesOnlyUseTheModulesBelowThem) {
   const std::string registry = "engine/planning/planner_registry.cpp";  // names every planner
   int seen = 0;
   for (const Include& include : includesUnder("engine/planning")) {
-    const auto from = planningRoomOf(include.from);
-    const auto to = planningRoomOf(include.what);
-    ASSERT_TRUE(from && allowedPlanningRooms().count(*from)) << "a room without rules: " << include.from;
+    const auto from = submoduleOf(include.from);
+    const auto to = submoduleOf(include.what);
+    ASSERT_TRUE(from && allowedPlanningSubmodules().count(*from)) << "a module without rules: " << include.from;
     if (!to || to->empty() || to == from || include.from == registry) continue;
     ++seen;
-    EXPECT_TRUE(allowedPlanningRooms().at(*from).count(*to)) << include.from << " includes " << include.what;
+    EXPECT_TRUE(allowedPlanningSubmodules().at(*from).count(*to)) << include.from << " includes " << include.what;
   }
   EXPECT_GT(seen, 10);
 }
@@ -245,7 +245,8 @@ TEST(Architecture, WidgetsDoNotKnowTheApplication) {
   }
 }
 
-/// The document has the scenario; the session has what it runs, the view what it draws, the recorder what it records.
+/// The document keeps the scenario; the session keeps what it runs, the view what it draws, the recorder what it
+/// records.
 TEST(Architecture, NobodyElseKeepsAScenario) {
   const std::set<std::string> holders{"widgets/document/workbench_document.h",
                                       "widgets/document/workbench_document.cpp", "widgets/bridge/session_bridge.h",

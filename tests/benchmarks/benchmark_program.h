@@ -7,7 +7,7 @@
 
 namespace glissade {
 
-/// What the page of results says of where the numbers are from: call before the benchmarks are run.
+/// Adds the origin of the numbers for the page of results. Call it before the benchmarks are run.
 inline void addMachineContext() {
   benchmark::AddCustomContext("glissade", kVersion);
   benchmark::AddCustomContext("machine", describeMachine());
@@ -16,7 +16,7 @@ inline void addMachineContext() {
 
 }  // namespace glissade
 
-/// As BENCHMARK_MAIN, with the machine in the context.
+/// Like BENCHMARK_MAIN, with the machine in the context.
 #define GLISSADE_BENCHMARK_MAIN()        \
   int main(int argc, char** argv) {      \
     benchmark::Initialize(&argc, argv);  \

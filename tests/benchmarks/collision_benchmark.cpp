@@ -1,6 +1,5 @@
-// The kernel against FCL (OBBRSS) in one run: same meshes, same poses, one core. Repetitions of all
-// questions are mixed, so that a load of the machine meets both. Prints the ratios of the medians and
-// their geometric means.
+// The kernel against FCL (OBBRSS) in one run: same meshes, same poses, one core. Repetitions of all queries are mixed,
+// so that a load of the machine affects both. Prints the ratios of the medians and their geometric means.
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -21,7 +20,7 @@ void ask(const std::string& name, std::size_t count, const std::function<void(st
   });
 }
 
-/// Prints as usual, and keeps the medians.
+/// Prints as the console reporter, and keeps the medians.
 class Times : public benchmark::ConsoleReporter {
  public:
   void ReportRuns(const std::vector<Run>& runs) override {

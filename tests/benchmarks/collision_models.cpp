@@ -39,7 +39,7 @@ Pose stepFrom(const Pose& from, const Box3& bounds, RandomStream& stream) {
   return to;
 }
 
-/// Between a free and a colliding pose, down to a thousandth of the object: on the free side.
+/// A free pose between a free and a colliding one, within a thousandth of the object's size of contact.
 Pose nearContact(FclSurfaceQuery& fcl, Pose free, Pose colliding, double size) {
   while ((free.position - colliding.position).norm() > 1e-3 * size) {
     const Pose middle = interpolate(free, colliding, 0.5);
@@ -48,7 +48,7 @@ Pose nearContact(FclSurfaceQuery& fcl, Pose free, Pose colliding, double size) {
   return free;
 }
 
-/// By what they meet, as FCL sees it.
+/// Draws poses and sorts them by their contacts, as FCL sees them.
 Poses drawPoses(FclSurfaceQuery& fcl, const Problem& problem, std::size_t count, RandomStream& stream) {
   Poses poses;
   auto& free = poses["free"];
@@ -88,7 +88,7 @@ void addQuestions(const std::string& model, const LoadedScenario& scenario, std:
     add(
         "distance", [=](std::size_t i) { use(fcl->nearest((*poses)[i], kInfinity)); },
         [=](std::size_t i) {
-          // As the world asks it: a yes/no first, the distance where there is one.
+          // These are the queries that the world makes: yes/no first, then the distance.
           if (!kernel->touches((*poses)[i])) use(kernel->nearest((*poses)[i], kInfinity));
         });
     auto drawnEdges = std::make_shared<std::vector<Edge>>();

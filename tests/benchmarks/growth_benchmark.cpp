@@ -1,5 +1,5 @@
-// How time grows: a planner's iteration with its tree, a collision check with its triangles; ours beside
-// OMPL's and FCL's. Benchmarks are named quantity/who/size; the exponents are printed at the end.
+// Growth of times: a planner's iteration with its tree, a collision check with its triangles, for our code, OMPL and
+// FCL. Benchmarks are named quantity/who/size; the exponents are printed at the end.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -53,7 +53,7 @@ Problem endlessProblem() {
   return problem;
 }
 
-/// Ends a run after so many random configurations.
+/// Ends a run after a number of random configurations.
 class DrawingHost final : public PlannerHost {
  public:
   DrawingHost(const Planner& planner, double radius) : planner_(planner), values_(radius) {}
@@ -74,7 +74,7 @@ class DrawingHost final : public PlannerHost {
 
 using MakePlanner = std::function<std::unique_ptr<Planner>(const Problem&, std::uint64_t seed)>;
 
-/// Trees of the asked size, and how they go on: small ones of several seeds.
+/// Trees of a given size that continue to grow; small ones of several seeds.
 class Growth {
  public:
   Growth(const MakePlanner& make, std::uint64_t nodes) : nodes_(nodes) {
@@ -90,7 +90,7 @@ class Growth {
     }
   }
 
-  /// Seconds of the processor for an iteration, that is a random configuration, over a tenth of the nodes.
+  /// Processor time of an iteration, which is a random configuration, over a tenth of the nodes.
   double secondsPerIteration() {
     const std::uint64_t drawsBefore = draws();
     const std::clock_t before = std::clock();
@@ -158,7 +158,7 @@ void registerPlanners() {
 
 // --- collision checks ---
 
-/// A square sheet with waves, of about so many triangles; open, so that nothing is inside.
+/// A square sheet with waves, with about `triangles` triangles. It is open, so that nothing is inside.
 TriangleMesh wavySheet(double size, std::int64_t triangles) {
   const auto cells =
       static_cast<std::uint32_t>(std::max(1.0, std::round(std::sqrt(static_cast<double>(triangles) / 2.0))));
@@ -181,7 +181,7 @@ TriangleMesh wavySheet(double size, std::int64_t triangles) {
   return mesh;
 }
 
-/// Two sheets with the asked number of triangles together, and poses that nearly touch: the hard ones.
+/// Two sheets with a given number of triangles together, and difficult poses in near contact.
 struct Sheets {
   static constexpr std::size_t kPoses = 64;
 
@@ -206,7 +206,7 @@ struct Sheets {
     }
   }
 
-  /// 5 % of the larger sheet along it.
+  /// A pose moved by 5 % of the larger sheet along it.
   Pose after(std::size_t i) const {
     Pose to = poses[i];
     to.position.x() += 0.15;
@@ -268,9 +268,9 @@ void registerChecks() {
   registerCheck("edge", "fcl", fcl, samples, kMost);
 }
 
-// --- what comes of it ---
+// --- results ---
 
-/// Prints as usual, and keeps what the exponents are fitted to.
+/// Prints as the console reporter, and keeps the points for the exponents.
 class Points : public benchmark::ConsoleReporter {
  public:
   void ReportRuns(const std::vector<Run>& runs) override {

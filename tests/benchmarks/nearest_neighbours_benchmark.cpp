@@ -1,4 +1,4 @@
-// The nearest neighbour in a tree that grows, against the plain scan over all configurations.
+// Compares the nearest neighbour in a growing tree with a plain scan over all configurations.
 #include <limits>
 
 #include "engine/planning/nearest_neighbours.h"

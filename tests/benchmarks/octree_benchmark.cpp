@@ -1,5 +1,5 @@
-// What moving one body costs against building the octree afresh (paper 2, section 5.1.2: only
-// the cells that the body leaves or enters are rebuilt).
+// Compares moving one body with building the octree anew (paper 2, section 5.1.2: only the cells that the body leaves
+// or enters are rebuilt).
 #include "engine/base/random_stream.h"
 #include "engine/environment/octree.h"
 #include "engine/geometry/primitives.h"
@@ -11,7 +11,7 @@ namespace {
 const Box3 kWorkspace(Vector3::Zero(), Vector3::Constant(10.0));
 const OctreeResolution kFine{10.0 / 1024, 0};  // cells of just under 1 cm
 
-/// A hall of tilted boxes, and at the end one part of 10 cm that moves: about two and a half million leaves.
+/// A hall of tilted boxes, and as the last body a part of 10 cm that moves: about two and a half million leaves.
 std::vector<RigidBody> hall() {
   RandomStream stream(1, "hall");
   std::vector<RigidBody> bodies;
@@ -45,7 +45,7 @@ void buildAfresh(benchmark::State& state) {
 }
 BENCHMARK(buildAfresh)->Unit(benchmark::kMillisecond);
 
-/// There and back along an axis, 1 cm each.
+/// Moves the last body 1 cm along an axis and back.
 void move(benchmark::State& state, std::vector<RigidBody> bodies) {
   Octree octree(bodies, kWorkspace, kFine);
   Pose X_WB = bodies.back().X_WB;
@@ -64,7 +64,7 @@ void move(benchmark::State& state, std::vector<RigidBody> bodies) {
 void moveOnePart(benchmark::State& state) { move(state, hall()); }
 BENCHMARK(moveOnePart)->ArgName("axis")->Arg(0)->Unit(benchmark::kMillisecond);
 
-/// A cupboard of 1 x 2 x 3 m, as in the shape game a fourteenth or so of all surfaces.
+/// Moves a cupboard of 1 x 2 x 3 m, which has about a fourteenth of all surfaces, as in the shape game.
 void moveACupboard(benchmark::State& state) {
   std::vector<RigidBody> bodies = hall();
   bodies.back().mesh = std::make_shared<const TriangleMesh>(makeBox({1.0, 2.0, 3.0}));

@@ -1,4 +1,4 @@
-// libFuzzer over one of the targets, which GLISSADE_FUZZ_TARGET names. Run by packaging/fuzz.sh.
+// Runs libFuzzer on the target that GLISSADE_FUZZ_TARGET names. Started by packaging/fuzz.sh.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>

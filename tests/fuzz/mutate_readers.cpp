@@ -1,21 +1,23 @@
-// Gives mutated inputs to the readers of all formats and counts those that a reader does not survive.
-// usage: mutate_readers CORPUS [--target NAME] [--inputs mutations|truncations] [--mutations N] [--seconds S] [--seed
-// S]
-//                       [--keep FOLDER]
-// CORPUS has a folder of sound files for each target. truncations: every beginning of every file instead of
-// mutations. Prints one row for each target:
+// Gives mutated inputs to the readers of all formats and counts the defects.
+//
+// usage: mutate_readers CORPUS [--target NAME] [--inputs mutations|truncations] [--mutations N] [--seconds S]
+//                       [--seed S] [--keep FOLDER]
+//
+// CORPUS has a folder of valid files for each target. truncations: every beginning of every file instead of mutations.
+// --seconds ends each target's run early. --keep writes the inputs that are defects. Prints one row for each target:
 //   name | tried | clean | defects | seconds | peak MB | seed
-// A defect is an input on which the reader crashes, breaks a promise (targets.h), takes more than 10 s or more than 2
-// GB.
-// --seconds ends each target's run early. --keep writes the inputs that are defects. Exit code 1: there are some.
+// A defect is an input on which the reader crashes, breaks the contract (targets.h), takes more than 10 s or more than
+// 2 GB. Exit code 1: there are defects.
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -25,8 +27,10 @@
 #include <memory>
 #include <optional>
 #include <sstream>
+#include <string>
+#include <vector>
 
-#include "tests/fuzz/mutator.h"
+#include "engine/base/random_stream.h"
 #include "tests/fuzz/targets.h"
 
 #ifdef GLISSADE_SANITIZED
@@ -39,8 +43,93 @@ extern "C" const char* __asan_default_options() { return "hard_rss_limit_mb=2048
 namespace {
 
 namespace fs = std::filesystem;
-using glissade::fuzz::Mutator;
+using glissade::RandomStream;
 using glissade::fuzz::Target;
+
+/// Makes malformed inputs out of sound ones: bytes and numbers changed, pieces removed, repeated, moved and taken from
+/// another input, words of the format inserted. The n-th input depends on the seed and n alone.
+class Mutator {
+ public:
+  Mutator(std::uint64_t seed, std::vector<std::string> corpus, std::vector<std::string> words);
+
+  std::string input(std::uint64_t number) const;
+
+ private:
+  void mutateOnce(RandomStream& random, std::string& text) const;
+
+  std::uint64_t seed_;
+  std::vector<std::string> corpus_;
+  std::vector<std::string> words_;
+};
+
+constexpr std::size_t kLongest = 1U << 16;
+
+/// Below `count`, which is not 0.
+std::size_t below(RandomStream& random, std::size_t count) { return random.bits() % count; }
+
+struct Piece {
+  std::size_t begin;
+  std::size_t size;
+};
+
+/// Mostly short.
+Piece pieceOf(RandomStream& random, const std::string& text) {
+  if (text.empty()) return {0, 0};
+  const std::size_t begin = below(random, text.size());
+  const std::size_t most = std::min<std::size_t>(text.size() - begin, below(random, 4) == 0 ? 400 : 12);
+  return {begin, 1 + below(random, most)};
+}
+
+void replaceNumber(RandomStream& random, std::string& text) {
+  static const std::array<const char*, 12> kNumbers{"0",      "-1",    "1e9",        "1e10",
+                                                    "1e19",   "1e308", "1e-9",       "1e-13",
+                                                    "1e-320", "nan",   "4294967296", "18446744073709551616"};
+  const std::size_t from = text.empty() ? 0 : below(random, text.size());
+  const std::size_t begin = text.find_first_of("0123456789", from);
+  if (begin == std::string::npos) return;
+  const std::size_t end = std::min(text.find_first_not_of("0123456789.eE+-", begin), text.size());
+  text.replace(begin, end - begin, kNumbers[below(random, kNumbers.size())]);
+}
+
+Mutator::Mutator(std::uint64_t seed, std::vector<std::string> corpus, std::vector<std::string> words)
+    : seed_(seed), corpus_(std::move(corpus)), words_(std::move(words)) {}
+
+std::string Mutator::input(std::uint64_t number) const {
+  RandomStream random(seed_, "mutation " + std::to_string(number));
+  std::string text = corpus_[below(random, corpus_.size())];
+  for (std::size_t left = 1 + below(random, 5); left > 0; --left) mutateOnce(random, text);
+  if (text.size() > kLongest) text.resize(kLongest);
+  return text;
+}
+
+void Mutator::mutateOnce(RandomStream& random, std::string& text) const {
+  const Piece piece = pieceOf(random, text);
+  const std::size_t at = text.empty() ? 0 : below(random, text.size() + 1);
+  switch (below(random, 9)) {
+    case 0:
+      if (!text.empty()) text[piece.begin] = static_cast<char>(random.bits());
+      break;
+    case 1:
+      if (!text.empty()) text[piece.begin] = static_cast<char>(text[piece.begin] ^ (1 << below(random, 8)));
+      break;
+    case 2: text.erase(piece.begin, piece.size); break;
+    case 3: text.insert(at, text.substr(piece.begin, piece.size)); break;
+    case 4: {
+      const std::string repeated = text.substr(piece.begin, std::min<std::size_t>(piece.size, 16));
+      for (std::size_t left = below(random, 200); left > 0; --left) text.insert(piece.begin, repeated);
+      break;
+    }
+    case 5: text.resize(at); break;
+    case 6: replaceNumber(random, text); break;
+    case 7: text.insert(at, words_[below(random, words_.size())]); break;
+    default: {
+      const std::string& other = corpus_[below(random, corpus_.size())];
+      const Piece taken = pieceOf(random, other);
+      text.replace(piece.begin, piece.size, other, taken.begin, taken.size);
+    }
+  }
+}
+
 using Clock = std::chrono::steady_clock;
 
 constexpr unsigned kPatienceSeconds = 10;
@@ -62,12 +151,12 @@ struct Count {
   long peakKilobytes = 0;
 };
 
-/// What parent and child both see.
+/// Memory that parent and child share.
 struct Shared {
-  std::uint64_t next = 0;  ///< the input that is tried, or the first not tried
+  std::uint64_t next = 0;  ///< index of the present input, or of the first one not tried
 };
 
-/// What is given to a reader, by number.
+/// Inputs of a reader, by number.
 struct Inputs {
   std::uint64_t count;
   std::function<std::string(std::uint64_t)> at;
@@ -119,7 +208,7 @@ void keepInput(const std::string& folder, const std::string& name, std::uint64_t
   std::ofstream(fs::path(folder) / (name + "-" + std::to_string(number)), std::ios::binary) << input;
 }
 
-/// Each defect ends a child; the next one goes on behind it.
+/// Runs the inputs. Each defect ends a child; the next child continues behind it.
 Count run(const Target& target, const Inputs& inputs, const Options& options, Shared& shared) {
   const auto begin = Clock::now();
   const auto deadline =

@@ -34,7 +34,7 @@ void require(bool holds, const char* promise) {
   std::abort();
 }
 
-/// The text of a sound error.
+/// The text of a valid error; aborts where it is invalid.
 std::string requireError(const Diagnostic& error) {
   const std::string text = toString(error);
   require(error.kind != ErrorKind::Internal, "an input is no fault of ours");
@@ -44,7 +44,7 @@ std::string requireError(const Diagnostic& error) {
   return text;
 }
 
-/// The bytes as a file, for readers that take one. One file serves all calls.
+/// The bytes as a file, for readers that need one. One file is used for all calls.
 class MemoryFile {
  public:
   MemoryFile() : descriptor_(::memfd_create("fuzz", MFD_CLOEXEC)) { require(descriptor_ >= 0, "memfd_create"); }
@@ -143,11 +143,11 @@ std::string cfg(const std::string& bytes) {
   return {};
 }
 
-/// What a captured importer could send.
+/// Reads a message that a compromised importer could send.
 std::string stepProtocol(const std::string& bytes) {
   const ImporterCall call{"glissade-import-step", {"0"}, "part.step", import_protocol::kStepLimits, "Export it again."};
   ImporterAnswer answer{{}, ImportMessage(bytes)};
-  constexpr std::uint32_t kFew = 100'000;  // larger counts take time and are refused for want of bytes
+  constexpr std::uint32_t kFew = 100'000;  // larger counts take time and are refused because the bytes are missing
   if (!answer.message.take(&answer.header, 1) || answer.header.vertices > kFew || answer.header.triangles > kFew)
     return "is no message";
   const auto product = decodeStepAnswer(call, answer);

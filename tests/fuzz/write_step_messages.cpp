@@ -1,5 +1,5 @@
-// Writes sound messages of the STEP importer, as engine/import/import_protocol.h has them: the corpus of step-protocol.
-// usage: write_step_messages FOLDER
+// Writes valid messages of the STEP importer by engine/import/import_protocol.h: the corpus of step-protocol. usage:
+// write_step_messages FOLDER
 #include <array>
 #include <filesystem>
 #include <fstream>
@@ -68,7 +68,7 @@ protocol::Face faceOf(Kind kind, std::uint32_t triangles) {
   return face;
 }
 
-/// A tetrahedron; `kinds` of its faces, which have two triangles each.
+/// Adds a tetrahedron with `kinds` for its faces, which have two triangles each.
 void addShape(Message& message, const Kinds& kinds) {
   message.add(protocol::Shape{kCorners.size(), kTriangles.size(), std::tuple_size_v<Kinds>, 0})
       .add(kCorners)

@@ -1,5 +1,4 @@
-// Attacks `glissade-cli check` with parts that are trapped and with paths and plans that were changed. Links nothing of
-// the engine.
+// Attacks `glissade-cli check` with trapped parts and with changed paths and plans. It uses no code of the engine.
 #include <exception>
 #include <iostream>
 #include <string>

@@ -29,7 +29,7 @@ constexpr std::size_t kMostKept = 1U << 20;
   ::_exit(127);
 }
 
-/// False at the end of the stream.
+/// Reads available bytes; false at the end of the stream.
 bool drain(int stream, std::string& into) {
   std::array<char, 65536> block;
   const ssize_t count = ::read(stream, block.data(), block.size());
@@ -69,7 +69,7 @@ ChildEnd runChild(const std::vector<std::string>& command, const ChildLimits& li
   ::close(output[0]);
   ::close(errors[0]);
   end.seconds = seconds();
-  end.megabytes = usage.ru_maxrss / 1024;  // of the child and of what it waited for
+  end.megabytes = usage.ru_maxrss / 1024;  // largest of the child and its collected children
   if (WIFEXITED(status)) end.exitCode = WEXITSTATUS(status);
   if (WIFSIGNALED(status)) end.signal = WTERMSIG(status);
   return end;

@@ -7,20 +7,20 @@ namespace glissade::oracle {
 
 struct ChildLimits {
   double seconds = 30.0;
-  long megabytes = 2048;  ///< largest resident memory of the child or of a child of its own
+  long megabytes = 2048;  ///< largest resident memory of the child or of its children
 };
 
 struct ChildEnd {
   int exitCode = -1;  ///< -1: a signal ended it
   int signal = 0;
-  bool hung = false;  ///< it was killed at the limit
+  bool hung = false;  ///< it was killed at the time limit
   double seconds = 0.0;
-  long megabytes = 0;  ///< the largest resident memory
+  long megabytes = 0;  ///< largest resident memory
   std::string output;
-  std::string errors;  ///< both cut off at 1 MB
+  std::string errors;  ///< both streams are cut off at 1 MB
 };
 
-/// Runs a program with the streams going to memory; kills it and all that it started when the time is up.
+/// Runs a program with its output in memory. Kills it and its children when the time is up.
 ChildEnd runChild(const std::vector<std::string>& command, const ChildLimits& limits);
 
 }  // namespace glissade::oracle

@@ -14,7 +14,7 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-/// The sense of a turn is open where this is the cosine of half of it: rounding decides.
+/// Largest cosine of half the angle at which the sense of a turn is decided by rounding.
 constexpr double kOpenSense = 1e-14;
 
 double cosineOfHalfTheTurn(const Placement& a, const Placement& b) {
@@ -60,9 +60,9 @@ bool trianglesMeet(const Triangle& a, const Triangle& b) {
                             Kernel::Triangle_3(exact(b[0]), exact(b[1]), exact(b[2])));
 }
 
-/// +1 or -1 where the segment crosses the triangle's inside, 0 where it misses it, nothing where it touches its
-/// border, begins on it, or ends in its plane. A segment that begins elsewhere in the plane leaves it for ever: walls
-/// that coincide put many corners into the planes of triangles that are far away.
+/// +1 or -1 if the segment crosses the triangle's inside, 0 if it misses the triangle, nothing if it touches the
+/// border, begins on the triangle, or ends in its plane. A segment that begins elsewhere in the plane does not meet the
+/// plane again; coincident walls put many corners into the planes of distant triangles.
 std::optional<int> crossing(const Point& from, const Point& to, const Triangle& t) {
   const auto p = exact(from), q = exact(to), a = exact(t[0]), b = exact(t[1]), c = exact(t[2]);
   const auto sideOfFrom = CGAL::orientation(a, b, c, p);
@@ -102,7 +102,7 @@ double pointTriangle(const Point& p, const Triangle& t) {
   return above ? std::abs(dot(normal, p - t[0])) / length(normal) : nearest;
 }
 
-/// One corner of every connected part of the surface; corners are the same where their coordinates are.
+/// One corner of every connected part of the surface; corners with equal coordinates are identical.
 std::vector<Point> partPoints(const Triangles& triangles) {
   std::map<Point, std::size_t> index;
   std::vector<std::size_t> parent;
@@ -139,7 +139,7 @@ struct ExactJudge::Solid {
     }
   }
 
-  /// The winding number of the surface about the point is not 0. Not meaningful on the surface.
+  /// True if the winding number of the surface about the point is not 0. Undefined on the surface.
   bool contains(const Point& p) const {
     if (!box.contains(p)) return false;
     const double size = length(box.high - box.low);

@@ -14,16 +14,16 @@ using Json = nlohmann::json;
 using Ids = std::set<std::string>;
 
 constexpr double kPi = 3.14159265358979323846;
-/// Share of the pitch by which the axis may be off the exact screw motion.
+/// Largest deviation of the axis from the exact screw motion, as a share of the pitch.
 constexpr double kPlay = 0.02;
-/// Radians: an axis that is tilted by less is not tilted.
+/// Largest angle of an axis that does not count as tilted, radians.
 constexpr double kTilt = 1e-4;
 
 bool hasAny(const Ids& bodies, const std::vector<std::string>& wanted) {
   return std::any_of(wanted.begin(), wanted.end(), [&](const std::string& id) { return bodies.count(id) != 0; });
 }
 
-/// Of the step's motion from its beginning: X(t) X(0)^-1.
+/// The step's motion from its beginning: X(t) X(0)^-1.
 Placement since(const Placement& start, const Placement& now) {
   const Rotation& a = now.orientation;
   const Rotation b{-start.orientation[0], -start.orientation[1], -start.orientation[2], start.orientation[3]};
@@ -33,13 +33,13 @@ Placement since(const Placement& start, const Placement& now) {
   return {now.position - rotated(turn, start.position), turn};
 }
 
-/// Follows the turn about an axis from placement to placement; none may turn by half a circle or more.
+/// Adds up the turn about an axis from placement to placement; none may turn by half a circle or more.
 class TurnFollower {
  public:
   TurnFollower(const StatedJoint& joint, double sense)
       : point_(joint.point), axis_(sense / length(joint.direction) * joint.direction), pitch_(joint.pitch) {}
 
-  /// Empty while the motion is the screw motion of the joint.
+  /// The violation at a placement; empty while the motion is the screw motion of the joint.
   std::string follow(const Placement& moved) {
     const auto [x, y, z, w] = moved.orientation;
     const Point vector{x, y, z};
@@ -112,7 +112,7 @@ class LineJudge {
     present_ = left;
   }
 
-  /// Whatever joints are known.
+  /// Judges pulled threads, independent of the known joints.
   void judgePulled(const StatedStep& step, const Ids& left) {
     double turned = 0.0;
     for (std::size_t i = 1; i < step.path.size(); ++i) {
@@ -132,7 +132,7 @@ class LineJudge {
     if (!flexible) say("'" + step.bodies.front() + "' leaves without a proof, and is not flexible");
   }
 
-  /// Its two sides part.
+  /// True if the two sides of the joint part.
   static bool opens(const StatedJoint& joint, const Ids& leaving, const Ids& left) {
     return leaving.count(joint.body) != 0 ? hasAny(left, joint.others)
                                           : left.count(joint.body) != 0 && hasAny(leaving, joint.others);
@@ -152,7 +152,7 @@ class LineJudge {
     }
   }
 
-  /// The joint's direction is that in which its fastener leaves.
+  /// Judges the opening of a joint. The joint's direction is that in which its fastener leaves.
   void judgeOpening(const StatedJoint& joint, const StatedStep& step, const Ids& leaving) {
     if (joint.pitch == 0.0) return;
     const std::string what = "the thread of " + joint.kind + " '" + joint.body + "' opens, and ";
@@ -191,7 +191,7 @@ class LineJudge {
   const std::vector<StatedJoint>& joints_;
   std::vector<std::string>& violations_;
   Ids present_;
-  std::map<std::string, Ids> late_;  ///< of each fastener: what it clamped and has left while the thread was closed
+  std::map<std::string, Ids> late_;  ///< for each fastener: clamped bodies that have left while the thread was closed
   std::size_t number_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// joint_oracle PLAN JOINTS [suggested]: what the plan does that a fitter would refuse.
+// Prints the violations for which an assembler would refuse a plan. usage: joint_oracle PLAN JOINTS [suggested]
 #include <exception>
 #include <iostream>
 #include <string>

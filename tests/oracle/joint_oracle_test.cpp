@@ -1,4 +1,4 @@
-// The checker of plans by joints refuses what a fitter would refuse.
+// The checker of plans by joints refuses the plans that an assembler would refuse.
 #include "tests/oracle/joint_oracle.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kPitch = 0.001;
 
-/// Turns about z by the pitch, then goes straight on.
+/// A motion that turns about z by the pitch, then goes straight on.
 std::vector<Placement> turnedOut(double turns, double pitch = kPitch, int perTurn = 4) {
   std::vector<Placement> path;
   const int count = static_cast<int>(turns * perTurn);
@@ -115,7 +115,7 @@ TEST(JointOracle, JudgesTheLinesOfGroups) {
   EXPECT_TRUE(isSaid(violationsOf(plan, {inCover}), "a line has other bodies than its step"));
 }
 
-/// Plans a product by the program, and judges the plan by the joints that the program finds.
+/// Plans a product with the program, and judges the plan by the joints that the program finds.
 std::vector<std::string> violationsOfProduct(const std::string& product, const std::string& name, bool suggested) {
   const std::filesystem::path folder = std::filesystem::temp_directory_path() / ("joint_oracle_" + name);
   std::filesystem::create_directories(folder);
@@ -141,7 +141,7 @@ TEST(JointOracle, AcceptsThePlanOfAProductWithScrewsAndNuts) {
   EXPECT_EQ(violationsOfProduct(product, "suggested", true), std::vector<std::string>());
 }
 
-/// A plan that pulls is valid only where it says that a person uses no joints.
+/// A plan that pulls threads is valid only if it states that a person uses no joints.
 TEST(JointOracle, TheJudgeRefusesAPullThatNobodyAskedFor) {
   const std::filesystem::path folder = std::filesystem::temp_directory_path() / "joint_oracle_pulled";
   std::filesystem::create_directories(folder);
@@ -172,8 +172,8 @@ TEST(JointOracle, TheJudgeRefusesAPullThatNobodyAskedFor) {
   std::filesystem::remove_all(folder);
 }
 
-/// Its parts are meshes without stated faces: nothing is allowed for other angles than the assembled one, unless a
-/// person calls the pairs threads. So threads may be pulled, and everything else holds.
+/// The sample's parts are meshes without stated faces. Allowances hold only for the assembled angle, unless a person
+/// marks the pairs as threads. So threads may be pulled, and all other rules hold.
 TEST(JointOracle, AcceptsTheOrderOfASampleOfMeshes) {
   const std::string product = test::sourceDirectory() + "/samples/bolted-brackets/scenario.json";
   for (const std::string& each : violationsOfProduct(product, "brackets", false)) {

@@ -16,7 +16,7 @@ Json beyondLimits(MutationDice& dice) {
   }
 }
 
-/// A pose is shifted, turned, given numbers beyond limits, removed, doubled, or put between others.
+/// Shifts or turns a pose, sets numbers beyond limits, removes it, doubles it, or inserts one.
 std::string mutatePoses(Json& poses, MutationDice& dice) {
   Json& pose = poses[dice.below(poses.size())];
   switch (dice.below(8)) {
@@ -55,7 +55,7 @@ Json inventedAllowance(const std::string& body, MutationDice& dice) {
   return allowance;
 }
 
-/// `bodies`: that the allowance may be moved to.
+/// `bodies`: bodies to which the allowance may be moved.
 std::string mutateAllowances(Json& list, const std::vector<std::string>& bodies, MutationDice& dice) {
   const std::string& body = bodies[dice.below(bodies.size())];
   if (list.empty() || dice.below(5) == 0) {
@@ -77,7 +77,7 @@ std::string mutateAllowances(Json& list, const std::vector<std::string>& bodies,
   }
 }
 
-/// Numbers of steps in `after` that are beyond `from` go down by one; the step itself is taken out.
+/// Removes a step, and reduces the numbers of steps in `after` that are beyond `from` by one.
 void forgetStep(Json& steps, std::size_t from) {
   for (Json& step : steps) {
     if (!step.contains("after")) continue;

@@ -21,7 +21,7 @@ void appendFloats(std::string& bytes, const Point& p) {
   for (const double coordinate : p) append(bytes, static_cast<float>(coordinate));
 }
 
-/// Corners that are equal are one vertex.
+/// Triangles with shared vertices: equal corners are one vertex.
 struct Indexed {
   std::vector<Point> vertices;
   std::vector<std::uint32_t> indices;

@@ -9,7 +9,7 @@ namespace glissade::oracle {
 enum class MeshFormat { TextStl, BinaryStl, Obj, Glb };
 
 std::string endingOf(MeshFormat format);
-/// Text holds every digit; binary STL and GLB hold what single precision can.
+/// The content of a mesh file. Text has every digit; binary STL and GLB have single precision.
 std::string meshFile(const Triangles& triangles, MeshFormat format);
 
 }  // namespace glissade::oracle

@@ -44,10 +44,10 @@ struct Sound {
   Json file;
   bool isPlan = false;
   std::vector<PlanBody> bodies;
-  double fit = 0.0;      ///< metres: what the pair of a path overlaps by
-  double radius = 0.0;   ///< metres, of the object
+  double fit = 0.0;      ///< overlap of the pair of a path, metres
+  double radius = 0.0;   ///< radius of the object, metres
   double clearOf = 0.0;  ///< height of the block's top, metres
-  double corner = 1.0;   ///< as of TrappedPair
+  double corner = 1.0;   ///< as TrappedPair::corner
 };
 
 class Mutations {
@@ -86,7 +86,7 @@ class Mutations {
     return folder_;
   }
 
-  /// Two blocks with a pocket each, and prisms in them, one upon the other, with gaps.
+  /// A plan for two blocks with a pocket each and prisms in them, stacked with gaps.
   Sound somePlan(std::uint64_t product) {
     MutationDice dice(options_.seed, 1'000'000'007U + product);
     const std::string folder = newFolder(product);
@@ -130,7 +130,7 @@ class Mutations {
     return sound;
   }
 
-  /// A body that leaves its block upwards, with a fit.
+  /// A path of a body that leaves its block upwards, with a fit.
   Sound somePath(std::uint64_t product) {
     for (std::uint64_t number = 1000 * product;; ++number) {
       TrappedPair pair = trappedPair(options_.seed, number, 3e-3);
@@ -189,7 +189,7 @@ class Mutations {
     require(runCli({"check", sound.scenario, folder_ + "/sound.json"}), folder_ + "/sound.json");
   }
 
-  /// What an allowance for the pair can rest on, metres: twice as much is not given.
+  /// An upper bound of the allowances, metres, that the evidence for the pair supports.
   static double mostOf(const Sound& sound) { return 1.5 * sound.fit + 5e-4 * sound.radius + 5e-6; }
 
   std::string whyFalsePath(const Sound& sound, const Json& path) const {

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of the object's size between two samples, and samples of one edge at the most.
+/// Distance between two samples as a share of the object's size, and maximum number of samples of an edge.
 constexpr double kStep = 0.02;
 constexpr int kMostSamples = 300;
 constexpr std::uint64_t kScenesOfABatch = 24;

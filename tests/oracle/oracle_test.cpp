@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 Placement at(double x, double y, double z) { return {{x, y, z}, {0, 0, 0, 1}}; }
 
-/// A whole slide along a plate of a thousandth of the size.
+/// A whole slide along a plate with a thickness of a thousandth of the size.
 Verdict slideAt(double height, double size) {
   const auto sized = [&](Triangles triangles) {
     for (Triangle& triangle : triangles) {
@@ -54,7 +54,7 @@ TEST(Oracle, SeesSolidsInsideSolids) {
   EXPECT_FALSE(ExactJudge({{box(1, 1, 1)}, small}).penetrates(at(0.2, 0.9, 0.0)));
 }
 
-/// Corners of the box lie in the planes of triangles that are far from them, and in no solid.
+/// Corners of the box lie in the planes of distant triangles, and in no solid.
 TEST(Oracle, WhatIsFlushWithADistantFaceIsNotInside) {
   const Triangles corner = lShape(1.0, 0.25, 1.0);
   const Triangles part = box(0.5, 0.5, 0.5);
@@ -82,7 +82,7 @@ TEST(Oracle, ReadsEveryFormatThatItWrites) {
   }
 }
 
-/// The path maker uses the engine; what judges includes nothing of it.
+/// The path maker uses the engine; the judge includes no code of it.
 TEST(Oracle, SharesNothingWithTheEngine) {
   int seen = 0;
   for (const auto& entry : fs::directory_iterator(test::sourceDirectory() + "/tests/oracle")) {
@@ -96,7 +96,7 @@ TEST(Oracle, SharesNothingWithTheEngine) {
   EXPECT_GT(seen, 10);
 }
 
-/// Ten thousand are judged by packaging/reliability.sh.
+/// packaging/reliability.sh judges ten thousand paths.
 TEST(Oracle, NoCertifiedPathPenetrates) {
   const test::TemporaryFolder folder;
   const std::string programs = test::programDirectory();
@@ -111,7 +111,7 @@ ChildEnd attack(const char* campaign, const std::string& folder, const char* see
   return runChild({programs + "/check_attack", campaign, programs + "/glissade-cli", folder, seed, count}, {100, 4096});
 }
 
-/// A thousand are tried by packaging/reliability.sh.
+/// packaging/reliability.sh tries a thousand pairs.
 TEST(Oracle, NoTrappedPartLeaves) {
   const test::TemporaryFolder folder;
   const ChildEnd end = attack("trapped", folder.path(), "11", "6");
@@ -124,21 +124,21 @@ TEST(Oracle, NoTrappedPartWithAnOpenSurfaceLeaves) {
   EXPECT_EQ(end.exitCode, 0) << end.errors << end.output;
 }
 
-/// A thousand are tried by packaging/reliability.sh.
+/// packaging/reliability.sh tries a thousand cases.
 TEST(Oracle, NoOverlapFreesABodyElsewhere) {
   const test::TemporaryFolder folder;
   const ChildEnd end = attack("overlaps", folder.path(), "11", "4");
   EXPECT_EQ(end.exitCode, 0) << end.errors << end.output;
 }
 
-/// Ten thousand are tried by packaging/reliability.sh.
+/// packaging/reliability.sh tries ten thousand mutants.
 TEST(Oracle, NoFalsePathOrPlanIsValid) {
   const test::TemporaryFolder folder;
   const ChildEnd end = attack("mutants", folder.path(), "11", "60");
   EXPECT_EQ(end.exitCode, 0) << end.errors << end.output;
 }
 
-/// Ten thousand are tried by packaging/reliability.sh.
+/// packaging/reliability.sh tries ten thousand mutants.
 TEST(Oracle, NoPlanIsValidByItsOwnWords) {
   const test::TemporaryFolder folder;
   const std::string programs = test::programDirectory();

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 constexpr double kSeconds = 120.0;
-/// Millimetres: at the end of a way the boxes of the solids are apart.
+/// Millimetres; after a motion of this length the boxes of the solids are apart.
 constexpr double kFar = 500.0;
 /// Exact volumes take a second each.
 constexpr std::uint64_t kExactEvery = 4;
@@ -83,7 +83,7 @@ class Overlaps {
     return runCli(std::move(arguments));
   }
 
-  /// The direction of the first motion of the one step, of the object against the block.
+  /// The direction of the first motion of the plan's only step, of the object relative to the block.
   Direction wayOf(const std::string& plan) const {
     std::ifstream stream(plan);
     const Json json = Json::parse(stream);
@@ -163,7 +163,7 @@ class Overlaps {
     }
   }
 
-  /// On its way out the object shares a volume with the block, away from where it was assembled.
+  /// Checks that the object shares a volume with the block on blocked ways, away from its assembled pose.
   void checkVolumes(const OverlapCase& pair) {
     for (const Direction& way : pair.blocked) {
       ++tried_["volumes"];

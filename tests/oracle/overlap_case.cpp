@@ -32,12 +32,12 @@ constexpr Direction kLeft{-1.0, 0.0, 0.0};
 constexpr Direction kFront{0.0, -1.0, 0.0};
 constexpr Direction kBack{0.0, 1.0, 0.0};
 
-/// Between two opposite corners.
+/// A box between two opposite corners.
 TopoDS_Shape box(double x0, double y0, double z0, double x1, double y1, double z1) {
   return BRepPrimAPI_MakeBox(gp_Pnt(x0, y0, z0), gp_Pnt(x1, y1, z1)).Shape();
 }
 
-/// About the z-axis.
+/// A cylinder about the z-axis.
 TopoDS_Shape rod(double radius, double z0, double z1) {
   return BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0.0, 0.0, z0), gp_Dir(0, 0, 1)), radius, z1 - z0).Shape();
 }
@@ -76,14 +76,15 @@ class CaseMaker {
     return made;
   }
 
-  /// By how much a boss overlaps, and whether that has to be accepted.
+  /// The depth of a boss's overlap. `accepts`: the depth has to be accepted.
   double overlapOf(OverlapCase& made, bool accepts) {
     const double depth = accepts ? between(1.1, 1.6) : between(0.2, 0.95);
     made.accepted = accepts ? depth + 0.05 : 0.0;
     return depth;
   }
 
-  /// A slab under a boss, and a lip over the way out in its plane. The top may be a part of a cylinder as a spline.
+  /// A slab under a boss, and a lip in its plane over the way out. The top may be a part of a cylinder, written as a
+  /// spline.
   OverlapCase slab(bool isSpline) {
     const double width = between(20.0, 40.0);
     const double length = between(60.0, 100.0);
@@ -115,7 +116,7 @@ class CaseMaker {
     return made;
   }
 
-  /// About an axis along x, of 60 mm radius.
+  /// A part of a cylinder of 60 mm radius about an axis along x.
   static TopoDS_Shape barrel(double top, double x0, double x1) {
     constexpr double kRadius = 60.0;
     return BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(x0, 0.0, top - kRadius), gp_Dir(1, 0, 0)), kRadius, x1 - x0).Shape();
@@ -179,7 +180,7 @@ class CaseMaker {
     return made;
   }
 
-  /// A disc that has the outline of the rod that it is in.
+  /// A disc with the outline of the rod around it.
   OverlapCase discInRod() {
     const double radius = between(4.0, 10.0);
     const double thickness = between(2.0, 8.0);
@@ -226,7 +227,7 @@ class CaseMaker {
 };
 
 void write(const TopoDS_Shape& shape, const std::string& file) {
-  Message::DefaultMessenger()->ChangePrinters().Clear();  // statistics on the standard output
+  Message::DefaultMessenger()->ChangePrinters().Clear();  // prevents statistics on the standard output
   STEPControl_Writer writer;
   const bool written =
       writer.Transfer(shape, STEPControl_AsIs) == IFSelect_RetDone && writer.Write(file.c_str()) == IFSelect_RetDone;

@@ -10,15 +10,17 @@ namespace glissade::oracle {
 
 using Direction = std::array<double, 3>;
 
-/// Two exact solids that overlap where they are assembled, millimetres, and on which straight ways the object leaves.
+/// Two exact solids that overlap in their assembled poses, millimetres, and the straight ways on which the object
+/// leaves.
 struct OverlapCase {
   struct Solids;
 
-  std::string name;  ///< what it is, for people
+  std::string name;  ///< description for people
   std::shared_ptr<const Solids> solids;
-  double accepted = 0.0;             ///< clashes up to this depth are accepted; 0: none is
-  std::vector<Direction> blocked{};  ///< unit: the object meets the block at another place, or the wall of its cut
-  std::vector<Direction> free{};     ///< unit
+  double accepted = 0.0;  ///< clashes up to this depth are accepted; 0: no clash is accepted
+  std::vector<Direction>
+      blocked{};                  ///< unit vectors: the object meets the block at another place, or the wall of its cut
+  std::vector<Direction> free{};  ///< unit vectors
 
   bool leaves() const { return !free.empty(); }
 };
@@ -30,7 +32,7 @@ OverlapCase overlapCase(std::uint64_t seed, std::uint64_t number);
 /// STEP files of the object and of the block. Throws std::runtime_error.
 void writeCase(const OverlapCase& pair, const std::string& object, const std::string& block);
 
-/// The volume that the exact solids share when the object has moved so far, cubic millimetres.
+/// The common volume of the exact solids after the object has moved by `way`, cubic millimetres.
 double sharedVolume(const OverlapCase& pair, const Direction& direction, double way);
 
 }  // namespace glissade::oracle

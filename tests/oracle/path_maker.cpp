@@ -1,5 +1,5 @@
-// Produces certified paths for path_oracle, with the engine: planned ones, and many straight motions close to
-// surfaces that the certificate accepts.
+// Produces certified paths for path_oracle, with the engine: planned paths, and many straight motions near surfaces
+// that the certificate accepts.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Tries for one certified motion before the scene is given up.
+/// Most attempts at a certified motion in a scene.
 constexpr int kMostTries = 60;
 constexpr double kMostSteps = 300;
 
@@ -26,8 +26,8 @@ struct Counts {
   int scenes = 0;
   int planned = 0;
   int motions = 0;
-  int refusedByJudge = 0;  ///< certified, but the independent check does not agree
-  int undecided = 0;       ///< of turns by half a circle, which the check leaves open
+  int refusedByJudge = 0;  ///< certified paths with which the independent check does not agree
+  int undecided = 0;       ///< paths with turns by half a circle, which the check does not decide
   int unloadable = 0;
 };
 
@@ -95,7 +95,7 @@ class PathMaker {
     return good;
   }
 
-  /// Near the start or the goal, between them, or anywhere.
+  /// A free configuration near the start or the goal, between them, or anywhere.
   std::optional<Pose> freePose() {
     const Box3& bounds = loaded_.problem.bounds;
     const Pose* goal = std::get_if<Pose>(&loaded_.problem.goal);
@@ -114,7 +114,7 @@ class PathMaker {
     return std::nullopt;
   }
 
-  /// Moved by up to `reach` radii and turned by any angle, often by none or by half a circle.
+  /// A pose moved by up to `reach` radii and turned by any angle, often by none or by half a circle.
   Pose neighbourOf(const Pose& pose, double reach = 1.0) {
     Pose other = pose;
     const double way = radius() * reach * std::exp(stream_.uniform(-7.0, 0.0));

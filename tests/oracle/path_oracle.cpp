@@ -1,4 +1,4 @@
-// Writes scenes, and judges the paths that path_maker found in them. Links nothing of the engine.
+// Writes scenes, and judges the paths that path_maker found in them. It uses no code of the engine.
 #include <exception>
 #include <filesystem>
 #include <iostream>

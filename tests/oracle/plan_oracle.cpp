@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Metres: what is shallower is left undecided.
+/// Metres; shallower penetrations are left undecided.
 constexpr double kDeep = 2e-6;
 constexpr int kSamples = 24;
 
@@ -106,7 +106,7 @@ class PlanOracle {
     return plan_.at("certified").get<bool>() ? "" : "not certified";
   }
 
-  /// Bodies of steps that are carried out before in any order that keeps `after`.
+  /// The bodies of earlier steps. With `all` false, only of steps that come before in every order that keeps `after`.
   std::set<std::string> goneBefore(std::size_t number, bool all) const {
     std::set<std::string> gone;
     std::set<std::size_t> before;

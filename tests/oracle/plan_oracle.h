@@ -8,13 +8,14 @@
 
 namespace glissade::oracle {
 
-/// A body of a product that is assembled with gaps: nothing touches. Metres, in the world.
+/// A body of a product that is assembled with gaps, so that no bodies touch. Metres, in the world.
 struct PlanBody {
   std::string id;
   Triangles triangles;
 };
 
-/// Why the plan is false; empty: nothing was found. Counts, names and ends are compared with the steps, and exact
+/// Why the plan is false; empty if no reason was found. Counts, names and ends are compared with the steps, and exact
+/// predicates decide about poses of each step.
 /// predicates decide about poses of each step.
 std::string whyFalse(const nlohmann::json& plan, const std::vector<PlanBody>& product);
 

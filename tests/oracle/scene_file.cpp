@@ -48,7 +48,7 @@ std::vector<Placement> readPath(const std::string& file) {
   std::ifstream stream(file);
   std::vector<Placement> path;
   std::string line;
-  std::getline(stream, line);  // the names of the columns
+  std::getline(stream, line);  // skips the names of the columns
   while (std::getline(stream, line)) {
     std::vector<double> numbers;
     std::istringstream cells(line);

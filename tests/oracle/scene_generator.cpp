@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// The same numbers with every standard library.
+/// Random numbers that are equal with every standard library.
 class Dice {
  public:
   Dice(std::uint64_t seed, std::uint64_t index) : engine_(seed * 1'000'003U + index) {}
@@ -42,7 +42,7 @@ struct Body {
   Placement X;
 };
 
-/// In units of the scene's size.
+/// A scene in units of its size.
 struct Draft {
   std::string kind;
   std::vector<Body> bodies;
@@ -70,7 +70,7 @@ Draft clutter(Dice& dice) {
   return draft;
 }
 
-/// A window, seldom larger than it has to be, in a wall that may be as thin as a foil.
+/// A window with a small clearance, in a wall that may be as thin as a foil.
 Draft window(Dice& dice) {
   const double thickness = std::pow(10.0, dice.uniform(-6.0, -1.0));
   const double width = dice.uniform(0.2, 0.6);
@@ -85,7 +85,7 @@ Draft window(Dice& dice) {
           2.0};
 }
 
-/// A pin in a round hole, both of as many corners.
+/// A pin in a round hole, both with the same number of corners.
 Draft hole(Dice& dice) {
   const int corners = 4 * (3 + static_cast<int>(dice.below(8)));
   const double radius = dice.uniform(0.05, 0.3);
@@ -98,7 +98,8 @@ Draft hole(Dice& dice) {
           2.0};
 }
 
-/// Blocks with common planes; the object stands a small gap above one of them, its sides in planes of theirs.
+/// Blocks with common planes. The object is a small gap above a block, with its sides in the planes of the block's
+/// sides.
 Draft coplanar(Dice& dice) {
   const double gap = std::pow(10.0, dice.uniform(-4.0, -2.0));
   return {"coplanar",
@@ -112,7 +113,7 @@ Draft coplanar(Dice& dice) {
           2.0};
 }
 
-/// The object is in the cavity; another solid is in the cavity too.
+/// The object and another solid are in the cavity of a solid.
 Draft hollow(Dice& dice) {
   Draft draft{"hollow",
               {{hollowBox(2.0 + std::pow(10.0, dice.uniform(-5.0, 0.0)), 2.0), {}},
@@ -129,7 +130,7 @@ Draft hollow(Dice& dice) {
   return draft;
 }
 
-/// Half a circle exactly, about an axis of the frame or any other.
+/// Turns by exactly half a circle, about an axis of the frame or any other.
 Draft halfTurn(Dice& dice) {
   Draft draft = dice.flip() ? hollow(dice) : clutter(dice);
   draft.kind = "half turn";
@@ -139,7 +140,7 @@ Draft halfTurn(Dice& dice) {
     draft.goal.orientation = turns[dice.below(3)];
   } else {
     const auto [x, y, z, w] = draft.start.orientation;
-    draft.goal.orientation = {w, z, -y, -x};  // times (1, 0, 0, 0)
+    draft.goal.orientation = {w, z, -y, -x};  // multiplied by (1, 0, 0, 0)
   }
   return draft;
 }
@@ -155,7 +156,7 @@ Draft draftOf(Dice& dice) {
   }
 }
 
-/// Sizes, the place of the scene, and the units of its files.
+/// Chooses the size and place of the scene and the units of its files, and writes it.
 class SceneWriter {
  public:
   SceneWriter(std::string folder, Dice& dice)

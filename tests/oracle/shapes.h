@@ -8,20 +8,20 @@ namespace glissade::oracle {
 using Corner = std::array<double, 2>;
 using Outline = std::vector<Corner>;
 
-/// Counter-clockwise, about the origin.
+/// A counter-clockwise rectangle about the origin.
 Outline rectangle(double width, double depth);
 Outline regularPolygon(int corners, double radius);
-/// A regular polygon's directions on the border of a square.
+/// The directions of a regular polygon on the border of a square.
 Outline squareOf(int corners, double side);
 
-/// A solid between z = -height / 2 and height / 2. The outline is a star about its corner `centre`.
+/// A solid between z = -height / 2 and height / 2. The outline is star-shaped about its corner `centre`.
 Triangles extruded(const Outline& outline, double height, std::size_t centre = 0);
-/// The same between an outer and an inner outline with as many corners.
+/// A solid between an outer and an inner outline with equal numbers of corners, of the given height.
 Triangles extrudedRing(const Outline& outer, const Outline& inner, double height);
 Triangles box(double width, double depth, double height);
 /// An L of the given arms; its corner is at the origin of the plane.
 Triangles lShape(double arm, double thickness, double height);
-/// A box of the given outer edge around an empty one of the inner edge.
+/// A box of the given outer edge around an empty box of the inner edge.
 Triangles hollowBox(double outer, double inner);
 
 Triangles moved(const Triangles& triangles, const Point& by);

@@ -9,14 +9,14 @@
 
 namespace glissade::oracle {
 
-/// Poses of a path in JSON. Nothing where a number is missing, is not finite, is beyond 1e9 m, or an orientation is not
-/// a unit quaternion.
+/// Poses of a path in JSON. Nothing if a number is missing, not finite or beyond 1e9 m, or if an orientation is not a
+/// unit quaternion.
 std::optional<std::vector<Placement>> statedPoses(const nlohmann::json& poses);
 
-/// Nothing where it is not a number from 0 to 1e9.
+/// An allowance; nothing if it is not a number from 0 to 1e9.
 std::optional<double> statedAllowance(const nlohmann::json& allowance);
 
-/// Metres that the list states against the body, for the moving body and for the other one.
+/// Allowances in the list against the body, in metres, for the moving body and for the other one.
 struct StatedSum {
   double moving = 0.0;
   double yielding = 0.0;

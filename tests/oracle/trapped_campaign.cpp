@@ -1,30 +1,102 @@
 #include "tests/oracle/trapped_campaign.h"
 
+#include <BRepAlgoAPI_Common.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_MakeSolid.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
+#include <BRepGProp.hxx>
+#include <BRepLib.hxx>
+#include <BRepPrimAPI_MakeRevol.hxx>
+#include <GProp_GProps.hxx>
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <STEPControl_Writer.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopLoc_Location.hxx>
+#include <TopoDS.hxx>
+#include <gp_Ax1.hxx>
+#include <gp_Trsf.hxx>
+
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <random>
+#include <stdexcept>
 
 #include "tests/oracle/campaign_row.h"
 #include "tests/oracle/child_run.h"
 #include "tests/oracle/mesh_writer.h"
 #include "tests/oracle/ring_solid.h"
-#include "tests/oracle/step_writer.h"
 #include "tests/oracle/text_file.h"
 #include "tests/oracle/trapped_pair.h"
 
 namespace glissade::oracle {
 namespace {
 
+TopoDS_Face planeFace(const std::vector<Point>& corners) {
+  BRepBuilderAPI_MakePolygon border;
+  for (const Point& p : corners) border.Add(gp_Pnt(p[0], p[1], p[2]));
+  border.Close();
+  return BRepBuilderAPI_MakeFace(border.Wire(), true);
+}
+
+TopoDS_Shape faceted(const std::vector<Ring>& rings) {
+  BRepBuilderAPI_Sewing sewing(1e-7);
+  for (const Polygon& polygon : ringSolid(rings)) sewing.Add(planeFace(polygon.corners));
+  sewing.Perform();
+  TopExp_Explorer shells(sewing.SewedShape(), TopAbs_SHELL);
+  if (!shells.More()) throw std::runtime_error("the faces make no shell");
+  TopoDS_Solid solid = BRepBuilderAPI_MakeSolid(TopoDS::Shell(shells.Current()));
+  BRepLib::OrientClosedSolid(solid);
+  return solid;
+}
+
+TopoDS_Shape revolved(const std::vector<Ring>& rings) {
+  std::vector<Point> profile{{0.0, 0.0, rings.front().z}};
+  for (const Ring& ring : rings) profile.push_back({std::hypot(ring.outline[0][0], ring.outline[0][1]), 0.0, ring.z});
+  profile.push_back({0.0, 0.0, rings.back().z});
+  TopoDS_Shape solid = BRepPrimAPI_MakeRevol(planeFace(profile), gp_Ax1(gp_Pnt(), gp_Dir(0, 0, 1))).Shape();
+  TopExp_Explorer solids(solid, TopAbs_SOLID);
+  if (!solids.More()) throw std::runtime_error("the profile makes no solid");
+  TopoDS_Solid one = TopoDS::Solid(solids.Current());
+  BRepLib::OrientClosedSolid(one);
+  return one;
+}
+
+TopoDS_Shape solidOf(const std::vector<Ring>& rings, bool round) { return round ? revolved(rings) : faceted(rings); }
+
+/// Writes a solid of rings (millimetres) as a STEP file by OpenCASCADE: plane faces, or surfaces of revolution through
+/// the rings' radii. Throws std::runtime_error.
+void writeStep(const std::string& file, const std::vector<Ring>& rings, bool round) {
+  Message::DefaultMessenger()->ChangePrinters().Clear();  // prevents statistics on the standard output
+  STEPControl_Writer writer;
+  const bool written = writer.Transfer(solidOf(rings, round), STEPControl_AsIs) == IFSelect_RetDone &&
+                       writer.Write(file.c_str()) == IFSelect_RetDone;
+  if (!written) throw std::runtime_error(file + ": cannot be written");
+}
+
+/// The volume that the exact solids share when the object is lifted, cubic millimetres.
+double commonVolume(const TrappedPair& pair, double lifted) {
+  gp_Trsf up;
+  up.SetTranslation(gp_Vec(0.0, 0.0, lifted));
+  const TopoDS_Shape object = solidOf(pair.object, pair.round).Moved(TopLoc_Location(up));
+  BRepAlgoAPI_Common common(object, solidOf(pair.block, pair.round));
+  if (!common.IsDone()) throw std::runtime_error("the common volume was not found");
+  GProp_GProps properties;
+  BRepGProp::VolumeProperties(common.Shape(), properties);
+  return properties.Mass();
+}
+
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-/// Millimetres over what the judge may allow for bodies that touch: a micrometre for the attack, and two that rounding
-/// and fitting leave.
+/// Millimetres above the judge's allowance for bodies that touch: a micrometre for the attack, and two for rounding and
+/// fitting.
 constexpr double kLeastLip = 3e-3;
-/// Of curved surfaces: triangles of both are off by up to this, millimetres.
+/// Deflection of curved surfaces, millimetres: triangles of both bodies deviate by up to this.
 constexpr double kDeflection = 0.01;
 constexpr const char* kPlanSeconds = "2";
 /// Exact volumes take a second each.
@@ -107,7 +179,7 @@ class Trapped {
 
   bool isStep(std::uint64_t number) const { return number % 2 == 0 && !options_.open; }
 
-  /// All of them, or without up to three. At least one body of two is open.
+  /// All faces, or all except up to three. At least one body of a pair is open.
   std::vector<Polygon> facesOf(const std::vector<Ring>& rings, std::mt19937_64& random) {
     std::vector<Polygon> faces = ringSolid(rings);
     if (!options_.open) return faces;
@@ -121,7 +193,7 @@ class Trapped {
 
   std::string scenario() const { return folder_ + "/scenario.json"; }
 
-  /// Straight up and out.
+  /// Writes a path straight up and out.
   std::string writePath(const std::string& name, double allowance, bool yields) {
     std::ifstream stream(scenario());
     const Json json = Json::parse(stream);
@@ -144,7 +216,7 @@ class Trapped {
     return folder_ + "/" + name;
   }
 
-  /// A format that states no allowances: the judge applies what it finds.
+  /// Writes the path in a format that states no allowances, so that the judge applies its own.
   std::string writeTable() {
     const std::string json = writePath("straight.json", 0.0, false);
     std::ifstream stream(json);
@@ -193,9 +265,9 @@ class Trapped {
     if (end.exitCode == 0) find("planned", "the planner finds a way out");
   }
 
-  /// The exact solids share a volume where the flange is in the lip, and a free body shares none but that of its fit.
-  /// Where the body is in the lip depends on its shape: a dovetail is as wide as the lip near
-  /// its bottom only, and meets a thin lip just before it leaves.
+  /// Checks that the exact solids of a trapped pair share a volume when the flange is in the lip. The position of the
+  /// body in the lip depends on its shape: a dovetail is as wide as the lip only near its bottom, and meets a thin lip
+  /// just before it leaves. So the check tries several positions.
   void checkVolume(const TrappedPair& pair) {
     ++tried_["volumes"];
     bool shared = false;
@@ -211,7 +283,7 @@ class Trapped {
   std::map<std::string, std::uint64_t> defects_;
   std::uint64_t found_ = 0;
   std::uint64_t left_ = 0;  ///< free parts
-  bool isSecond_ = false;   ///< the next body is the second one of its pair
+  bool isSecond_ = false;   ///< whether the next body is the second one of its pair
 };
 
 }  // namespace

@@ -10,8 +10,8 @@ namespace glissade::oracle {
 namespace {
 
 enum class Shape { Prism, Knob, Dovetail, Gear, Insert };
-/// Where the pair fits besides: nowhere; a pin below, too thick for its hole by the overlap or as thick as it; the
-/// same, where the pin goes over into the flange by slopes below 36 degrees; one wall of the cavity, pressed in.
+/// Additional fits of the pair: none; a pin below, thicker than its hole by the overlap or of equal thickness; a pin
+/// with a transition to the flange by slopes below 36 degrees; one wall of the cavity that is pressed in.
 enum class FitPlace { None, ThickPin, EqualPin, SmoothPin, Bump };
 
 constexpr const char* kShapes[] = {"prism", "knob", "dovetail", "gear", "insert"};
@@ -54,7 +54,7 @@ class PairMaker {
     corners_ = static_cast<int>(std::exp(uniform(std::log(few), std::log(200.99))));
     if (shape_ == Shape::Gear) corners_ = 4 * std::max(3, corners_ / 4);
     pair_.round = shape_ != Shape::Gear && fit_ != FitPlace::Bump && corners_ >= 48;
-    // Teeth are steep: a corner of a thinned body moves by two allowances at most.
+    // Teeth are steep: a corner of a thinned body moves by at most two allowances.
     pair_.corner = shape_ == Shape::Gear ? 2.0 : 1.0 / std::cos(std::numbers::pi / corners_);
     const double least = leastLip_ + 2e-4 * radius_;
     const double most = 0.01 * radius_;
@@ -65,7 +65,7 @@ class PairMaker {
 
   Outline polygon(double radius) const { return polarOutline(corners_, {radius}); }
 
-  /// Of a gear: teeth of this tip radius, where the other half of the corners is lower.
+  /// The outline of a gear: teeth with this tip radius, and the lower corners between them.
   Outline teeth(double radius, double lower) const { return polarOutline(corners_, {radius, radius, lower, lower}); }
 
   Outline flange(double more = 0.0) const {
@@ -86,13 +86,14 @@ class PairMaker {
       return outline;
     }
     if (shape_ != Shape::Gear) return polygon(radius_ - pair_.lip);
-    const double tip = radius_ - pair_.lip;  // the teeth of the body are under what is between the teeth of the lip
+    const double tip = radius_ - pair_.lip;  // the teeth of the body lie under the gaps between the teeth of the lip
     return teeth(tip, std::max(tip, radius_ + clear_));
   }
 
   bool hasPin() const { return fit_ != FitPlace::None && fit_ != FitPlace::Bump; }
 
-  /// The block is written from its outer bottom to the bottom of its cavity; what follows the opening is kept first.
+  /// Adds the pin. The rings of the block go from its outer bottom to the bottom of its cavity; the rings after the
+  /// opening are saved first.
   void addPin() {
     if (!hasPin()) return;
     const double pin = 0.5 * radius_;

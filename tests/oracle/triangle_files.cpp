@@ -40,7 +40,7 @@ Triangles binaryStl(const std::string& bytes) {
   return triangles;
 }
 
-/// Every three lines "vertex x y z" are a triangle.
+/// Reads every three lines "vertex x y z" as a triangle.
 Triangles textStl(const std::string& text) {
   std::istringstream words(text);
   std::vector<Point> corners;
@@ -59,7 +59,7 @@ Triangles textStl(const std::string& text) {
   return triangles;
 }
 
-/// Polygons are fans about their first corner.
+/// Reads polygons as fans about their first corner.
 Triangles obj(const std::string& text) {
   std::istringstream lines(text);
   std::vector<Point> vertices;

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <vector>
 
-/// The oracle shares no code with the engine, so it has vectors of its own.
+/// Vectors of the oracle, which shares no code with the engine.
 namespace glissade::oracle {
 
 using Point = std::array<double, 3>;
 using Triangle = std::array<Point, 3>;
 using Triangles = std::vector<Triangle>;
-/// x, y, z, w.
+/// A quaternion in the order x, y, z, w.
 using Rotation = std::array<double, 4>;
 
 struct Placement {
@@ -27,7 +27,7 @@ inline Point cross(const Point& a, const Point& b) {
 }
 inline double length(const Point& a) { return std::sqrt(dot(a, a)); }
 
-/// The rotation matrix's rows times the point.
+/// The point rotated by the rows of the rotation matrix.
 inline Point rotated(const Rotation& q, const Point& p) {
   const double n = 2.0 / (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
   const auto [x, y, z, w] = q;

@@ -45,7 +45,7 @@ Json soundPlan(const WordOptions& options) {
   return plan;
 }
 
-/// The fault of the answer; empty: it has none.
+/// The defect of the answer; empty: none.
 std::string defectOf(const ChildEnd& end, MutantTruth truth) {
   if (end.hung) return "hangs";
   const int code = end.exitCode;

@@ -13,9 +13,9 @@ struct WordOptions {
   std::uint64_t mutants = 60;
 };
 
-/// Changes the words and the numbers of a sound plan of the product, and gives it to `check`. Prints a row
-/// "name | tried | clean | defects | seconds | peak MB | seed". Returns 0 where no false plan is called valid, and each
-/// plan that rests on its own words has a condition, or is refused.
+/// Changes the words and the numbers of a sound plan of the product, and gives it to `check`. Prints a row "name |
+/// tried | clean | defects | seconds | peak MB | seed". Returns 0 if no false plan is called valid, and each plan that
+/// depends on its own words has a condition, or is refused.
 int runWordMutations(const WordOptions& options);
 
 }  // namespace glissade::oracle

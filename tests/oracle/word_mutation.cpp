@@ -16,7 +16,7 @@ WordMutant byWords(const std::string& what) { return {what, MutantTruth::ByWords
 
 Json& anyOf(Json& list, MutationDice& dice) { return list[dice.below(list.size())]; }
 
-/// A step with a joint of a thread that it turns out of; null: there is none.
+/// A random step that turns out of the thread of a joint; null if there is none.
 Json* screwedStep(Json& plan, MutationDice& dice) {
   std::vector<Json*> steps;
   for (Json& step : plan["steps"]) {
@@ -126,7 +126,7 @@ WordMutant mutateAllowanceNumbers(Json& plan, MutationDice& dice) {
   }
 }
 
-/// What stays and what does not leave is one.
+/// Drops steps and makes their bodies staying ones, so that the base has several bodies.
 WordMutant mutateBase(Json& plan, MutationDice& dice) {
   Json& steps = plan["steps"];
   if (steps.size() < 2) return mutateCounts(plan, dice);
@@ -141,7 +141,7 @@ WordMutant mutateBase(Json& plan, MutationDice& dice) {
   return byWords("base of several bodies");
 }
 
-/// The last steps become one step of a group, or of what the plan calls a unit.
+/// Makes the last steps one step of a group, or of a unit that the plan states.
 WordMutant mutateGroup(Json& plan, MutationDice& dice) {
   Json& steps = plan["steps"];
   if (steps.size() < 2) return mutateCounts(plan, dice);
@@ -183,7 +183,7 @@ WordMutant mutateFlexible(Json& plan, MutationDice& dice) {
   return byWords("a flexible body");
 }
 
-/// A demand that the order does not keep, which the step says or not.
+/// Adds a demand that the order does not keep; the step may state it or not.
 WordMutant mutateDemand(Json& plan, MutationDice& dice) {
   Json& steps = plan["steps"];
   if (steps.size() < 2) return mutateCounts(plan, dice);
@@ -198,7 +198,7 @@ WordMutant mutateDemand(Json& plan, MutationDice& dice) {
 
 Point positionOf(const Json& point) { return point["position"].get<Point>(); }
 
-/// A turn by the angle about the unit axis, after the rotation x y z w.
+/// The rotation `q` (x y z w), followed by a turn by the angle about the unit axis.
 Rotation turned(const Point& axis, double angle, const Rotation& q) {
   const double s = std::sin(0.5 * angle);
   const Rotation a{s * axis[0], s * axis[1], s * axis[2], std::cos(0.5 * angle)};
@@ -206,7 +206,7 @@ Rotation turned(const Point& axis, double angle, const Rotation& q) {
           a[3] * q[2] + a[0] * q[1] - a[1] * q[0] + a[2] * q[3], a[3] * q[3] - a[0] * q[0] - a[1] * q[1] - a[2] * q[2]};
 }
 
-/// The body is turned out with another pitch, or of the other hand; or it is pulled, as its words allow.
+/// Turns the body out with another pitch or in the other sense, or pulls it, as the plan's words allow.
 WordMutant mutateThread(Json& plan, MutationDice& dice) {
   Json* step = screwedStep(plan, dice);
   if (step == nullptr) return mutateCounts(plan, dice);
@@ -222,7 +222,7 @@ WordMutant mutateThread(Json& plan, MutationDice& dice) {
   const std::size_t kind = dice.below(4);
   double pitch = joint["pitch_m"].get<double>();
   if (kind == 0) pitch = -pitch;
-  // Steeper than any standard thread of the diameter.
+  // The pitch is steeper than that of any standard thread of this diameter.
   if (kind == 1) pitch = joint["diameter_m"].get<double>() * dice.uniform(0.4, 0.48);
   const auto pointAt = [&](double advance, double turn) {
     Point position = positionOf(first);
@@ -263,7 +263,7 @@ WordMutant mutateThread(Json& plan, MutationDice& dice) {
   return byWords("pulled out of a joint that is dissolved");
 }
 
-/// A bend that makes room where no hook is.
+/// Adds a bend that makes room although there is no hook.
 WordMutant mutateBend(Json& plan, MutationDice& dice) {
   Json* step = stepWithAllowance(plan, dice);
   if (step == nullptr) return mutateCounts(plan, dice);

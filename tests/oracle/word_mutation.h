@@ -7,21 +7,21 @@
 
 namespace glissade::oracle {
 
-/// What is known of a changed plan because of how it was changed.
+/// The known truth of a plan after a change.
 enum class MutantTruth {
-  False,    ///< a number or a name is wrong: it must be refused
-  ByWords,  ///< it rests on words of its own, if it holds at all: it must not be called valid without a condition
-  Unknown   ///< it must be answered
+  False,    ///< a number or a name is wrong: the plan must be refused
+  ByWords,  ///< the plan depends on its own words, if it holds at all: it must not be called valid without a condition
+  Unknown   ///< the plan must get an answer
 };
 
 struct WordMutant {
-  std::string what;  ///< was done, for people
+  std::string what;  ///< description of the change for people
   MutantTruth truth = MutantTruth::Unknown;
-  bool clashesAreAccepted = true;  ///< by the person who checks it
+  bool clashesAreAccepted = true;  ///< whether the person who checks it accepts clashes
 };
 
-/// Changes the words, joints, groups, numbers, yields or hosts of an assembly plan whose steps all have one body, and
-/// whose product has screws.
+/// Changes the words, joints, groups, numbers, yields or hosts of an assembly plan. Precondition: all steps of the plan
+/// have one body, and the product has screws.
 WordMutant mutateWords(Json& plan, MutationDice& dice);
 
 }  // namespace glissade::oracle

@@ -1,6 +1,6 @@
-// A library that is preloaded into a program and counts what the program's heap is asked for. The counts are two
-// numbers of 64 bits, allocations and largest sum of live bytes, in the file that GLISSADE_HEAP_REPORT names. The file
-// is mapped before main() begins, so that a process that gives up its rights goes on counting.
+// A library that is preloaded into a program and counts the program's requests to the heap. The counts are two numbers
+// of 64 bits, allocations and largest sum of live bytes, in the file that GLISSADE_HEAP_REPORT names. The file is
+// mapped before main() begins, so that counting continues after a process has given up its rights.
 #include <fcntl.h>
 #include <malloc.h>
 #include <sys/mman.h>
@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-// The heap of glibc under the names that it has for programs with a malloc of their own.
+// The heap functions of glibc under the names for programs with their own malloc.
 // NOLINTBEGIN(bugprone-reserved-identifier)
 extern "C" {
 void* __libc_malloc(std::size_t size);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kColumns = 3 + kMeasures.size() + 1;
 
-/// Small counts vary by ones for reasons that cost nothing: they are compared as if they were this large.
+/// Smaller counts are compared as if they were this large, because they vary by ones without a reason of cost.
 constexpr double kSmallest = 100.0;
 
 auto keyOf(const WorkRow& row) { return std::tie(row.family, row.name, row.seed); }
@@ -26,7 +26,7 @@ std::string header() {
   return text + ",reason";
 }
 
-/// The cells of a line; commas belong to the last one.
+/// The cells of a line; the last cell may contain commas.
 std::vector<std::string> cellsOf(const std::string& line) {
   std::vector<std::string> cells;
   std::size_t at = 0;
@@ -69,7 +69,7 @@ std::string times(double factor) {
   return text.str();
 }
 
-/// Sum of logarithms of ratios, and how many.
+/// Sum of logarithms of ratios, and their number.
 struct Mean {
   double logarithms = 0.0;
   int count = 0;

@@ -18,8 +18,8 @@ Result<std::vector<WorkRow>> readTable(const std::string& text, const std::strin
 inline constexpr double kMostOfFamily = 1.05;
 inline constexpr double kMostOfCase = 1.5;
 
-/// What has risen by more than it may, one sentence for each; cases of `now` without a row in `before`, and rows whose
-/// measures are others, are named, too. Rows of `before` that were not carried out do not count.
+/// One sentence for each value that has risen by more than its limit, for each case of `now` without a row in `before`,
+/// and for each row with other measures. Rows of `before` that were not carried out are ignored.
 std::vector<std::string> risen(const std::vector<WorkRow>& before, const std::vector<WorkRow>& now);
 
 /// The table after a change: rows whose values differ are replaced and carry the reason, new ones are added.

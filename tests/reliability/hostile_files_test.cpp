@@ -1,4 +1,4 @@
-// Files that hung or misled importers elsewhere, given to glissade-cli as a stranger would give them.
+// Gives files that hung or misled other importers to glissade-cli.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -21,7 +21,7 @@ using testing::HasSubstr;
 
 constexpr int kMalformed = 3;
 
-/// An object from a mesh file, and a wall.
+/// A scenario with an object from a mesh file, and a wall.
 std::string scenarioWith(const std::string& asset) {
   return R"({"format": "glissade-scenario", "version": 1, "name": "t",
     "assets": [{"id": "part", "path": ")" +
@@ -57,7 +57,7 @@ TEST(HostileFiles, WhatIsNoRegularFileIsRefusedAndNeverWaitedFor) {
   }
 }
 
-/// An importer that opened what the file names would wait for the FIFO's writer.
+/// An importer that opened the references of the file would wait for the FIFO's writer.
 TEST(HostileFiles, WhatAMeshFileNamesIsNotOpened) {
   const TemporaryFolder folder;
   ASSERT_EQ(::mkfifo((folder / "fifo").c_str(), 0600), 0);
@@ -75,7 +75,7 @@ TEST(HostileFiles, WhatAMeshFileNamesIsNotOpened) {
   EXPECT_EQ(withBuffer.exitCode, kMalformed) << withBuffer.errors;
 }
 
-/// In the C locale "1,5" would end a number; where the comma is decimal "1.5" would.
+/// "1,5" ends a number in the C locale, and "1.5" in a locale with a decimal comma.
 TEST(HostileFiles, NumbersDoNotDependOnTheLocale) {
   const TemporaryFolder folder;
   folder.write("part.stl", somePart(oracle::MeshFormat::TextStl));

@@ -21,7 +21,7 @@ using Clock = std::chrono::steady_clock;
 constexpr const char* kSamples[] = {"environment-1", "environment-2", "sliding-plane", "teaching"};
 constexpr const char* kPlanners[] = {"contact-birrt", "auto", "gts", "ompl-rrtconnect"};
 constexpr std::chrono::milliseconds kPlanning{1500};
-/// Of a machine that does something else; device_latency_test measures how soon a session stops.
+/// Time limit of a stop on a loaded machine; device_latency_test measures how soon a session stops.
 constexpr std::chrono::milliseconds kStopping{30'000};
 
 struct Failure {

@@ -1,8 +1,8 @@
 #pragma once
 
-/// Entities of a ring of 4 mm with a countersink. The vertex of the countersink's seam is 1e-15 mm off
-/// its line, as the rounding of a CAD system leaves it, so that the seam's parameters are pi to 3 pi but for the last
-/// digit. OpenCASCADE 7.6 makes no triangles for this cone.
+/// Entities of a ring of 4 mm with a countersink. The vertex of the countersink's seam deviates from its line by 1e-15
+/// mm, as the rounding of a CAD system leaves it. The seam's parameters are then pi to 3 pi except for the last digit.
+/// OpenCASCADE 7.6 makes no triangles for this cone.
 inline constexpr const char* kCountersunkRing = R"(#9001 = CARTESIAN_POINT('',(-1.9,1.E-15,0.0));
 #9002 = VERTEX_POINT('',#9001);
 #9003 = CARTESIAN_POINT('',(-0.9,0.0,1.0));
@@ -95,5 +95,5 @@ inline constexpr const char* kCountersunkRing = R"(#9001 = CARTESIAN_POINT('',(-
 #9090 = ADVANCED_FACE('',(#9084),#9089,.T.);
 )";
 
-/// Its faces.
+/// Names of the faces of kCountersunkRing.
 inline constexpr const char* kCountersunkRingFaces = "#9054,#9066,#9078,#9090";

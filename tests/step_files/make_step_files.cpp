@@ -56,7 +56,7 @@ TopLoc_Location at(double x, double y, double z) {
   return place;
 }
 
-/// Turned by a quarter about the x-axis, then put there.
+/// A location with a quarter turn about the x-axis, at this position.
 TopLoc_Location turnedAt(double x, double y, double z) {
   gp_Trsf turn;
   turn.SetRotation(gp_Ax1(gp_Pnt(), gp_Dir(1, 0, 0)), kQuarterTurn);
@@ -64,7 +64,7 @@ TopLoc_Location turnedAt(double x, double y, double z) {
 }
 
 TopoDS_Shape box(double x, double y, double z) { return BRepPrimAPI_MakeBox(gp_Pnt(-x / 2, -y / 2, -z / 2), x, y, z); }
-/// Along z, about the origin.
+/// A cylinder along z with its middle at the origin.
 TopoDS_Shape cylinder(double radius, double length) {
   return BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0, 0, -length / 2), gp_Dir(0, 0, 1)), radius, length);
 }
@@ -85,7 +85,7 @@ TopoDS_Shape twoSolids() {
 }
 
 TopoDS_Shape coneAt(const gp_Ax2& axes) { return BRepPrimAPI_MakeCone(axes, 12.0, 4.0, 30.0); }
-/// A solid for each kind of surface, none of them along the axes. The last one is an ellipsoid.
+/// A solid for each kind of surface, none of them along the axes. The last solid is an ellipsoid.
 TopoDS_Shape kindsOfFaces() {
   const gp_Ax2 axes(gp_Pnt(5, -3, 7), gp_Dir(1, 2, 3));
   gp_GTrsf stretched;
@@ -102,7 +102,7 @@ TopoDS_Shape kindsOfFaces() {
   return all;
 }
 
-/// A disc with a hole that leaves 0.001 mm of its rim: the polygons of both circles cross.
+/// A disc with a hole that leaves 0.001 mm of its rim, so that the polygons of both circles cross.
 TopoDS_Shape discWithThinRim() {
   constexpr double kAngle = 1.0;
   constexpr double kDistance = 17.999;
@@ -139,11 +139,11 @@ class Product {
     shapes_->AddComponent(assembly, part, place);
   }
 
-  /// `partFiles`: how the names of files begin that hold a part each; null: all is in one file.
+  /// `partFiles`: the beginning of the names of the files that hold one part each; null: one file holds all parts.
   void write(const std::string& file, const char* unit = "MM", const char* partFiles = nullptr) {
     shapes_->UpdateAssemblies();
     STEPCAFControl_Controller::Init();
-    Interface_Static::SetCVal("write.step.unit", unit);  // counts for writers that are made from now on
+    Interface_Static::SetCVal("write.step.unit", unit);  // has effect on writers that are made later
     STEPCAFControl_Writer writer;
     writer.SetColorMode(true);
     writer.SetNameMode(true);
@@ -165,7 +165,7 @@ void writePart(const std::string& file, const char* name, const TopoDS_Shape& sh
   product.write(file, unit);
 }
 
-/// The box's file with other faces.
+/// Writes the box's file with other faces.
 void writeCountersunkRing(const std::string& box, const std::string& file) {
   std::ifstream in(box, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(in), {}};
@@ -176,7 +176,7 @@ void writeCountersunkRing(const std::string& box, const std::string& file) {
   if (!(std::ofstream(file, std::ios::binary) << text)) throw std::string("cannot write " + file);
 }
 
-/// A plate with a hole and two pins: one in the hole, one lying beside it; and a pump of two parts.
+/// A plate with a hole and two pins (one in the hole, one beside it), and a pump of two parts.
 void writeAssembly(const std::string& file) {
   Product product;
   const TDF_Label plate = product.part("plate", plateWithHole(), 0.8, 0.2, 0.1);
@@ -194,7 +194,7 @@ void writeAssembly(const std::string& file) {
   product.write(file);
 }
 
-/// Axis along z, from `bottom` up.
+/// A cylinder with its axis along z, from `bottom` up.
 TopoDS_Shape shaft(double x, double y, double bottom, double radius, double length) {
   return BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(x, y, bottom), gp_Dir(0, 0, 1)), radius, length);
 }
@@ -202,9 +202,9 @@ TopoDS_Shape blockAt(double x, double y, double bottom, double width, double dep
   return BRepPrimAPI_MakeBox(gp_Pnt(x - width / 2, y - depth / 2, bottom), width, depth, height);
 }
 
-/// Parts that fit as products have them, all where they are assembled: a bolt of its holes' radius through bracket,
-/// plate and nut; a screw thicker than its tapped hole; a dowel thicker by a hundredth; a rod that stands free in a
-/// wide hole; a block 3 mm deep in the plate.
+/// Parts with usual fits in their assembled poses: a bolt of its holes' radius through bracket, plate and nut; a screw
+/// thicker than its tapped hole; a dowel thicker than its hole by a hundredth; a rod that is free in a wide hole; a
+/// block 3 mm deep in the plate.
 void writeFits(const std::string& file) {
   TopoDS_Shape plate = blockAt(0, 0, 0, 120, 60, 10);
   plate = BRepAlgoAPI_Cut(plate, shaft(-40, 0, -5, 4, 20));
@@ -231,9 +231,9 @@ void writeFits(const std::string& file) {
   product.write(file);
 }
 
-/// A large plate with holes of 8, 6.01, 12 and 20 mm radius; in the first a pin of its radius, in the second a pin of
-/// 6 mm that is written as B-splines and turned upside down, in the third a pin that is 1.5 mm thinner. Beside it two
-/// rods of one radius end to end.
+/// A large plate with holes of 8, 6.01, 12 and 20 mm radius. The first hole has a pin of its radius; the second a pin
+/// of 6 mm that is written as B-splines and turned upside down; the third a pin that is 1.5 mm thinner. Beside the
+/// plate, two rods of equal radius lie end to end.
 void writeCloseFits(const std::string& file) {
   TopoDS_Shape plate = blockAt(0, 0, 0, 240, 100, 20);
   plate = BRepAlgoAPI_Cut(plate, shaft(-80, 0, -5, 8, 30));
@@ -253,7 +253,7 @@ void writeCloseFits(const std::string& file) {
   product.write(file);
 }
 
-/// A screw along z whose head is a cone of 90 degrees, with its end at this height.
+/// A screw along z whose head is a cone of 90 degrees, with its upper end at this height.
 TopoDS_Shape countersunkScrew(double x, double top) {
   const TopoDS_Shape head = BRepPrimAPI_MakeCone(gp_Ax2(gp_Pnt(x, 0, top - 2), gp_Dir(0, 0, 1)), 2.0, 4.0, 2.0);
   return BRepAlgoAPI_Fuse(shaft(x, 0, top - 14, 2, 12), head);
@@ -263,8 +263,9 @@ TopoDS_Shape ballAt(double x, double radius) {
   return BRepPrimAPI_MakeSphere(gp_Ax2(gp_Pnt(x, 0, 60), gp_Dir(0, 0, 1)), radius);
 }
 
-/// What fits by round surfaces: three screws in countersinks of a plate that their shafts do not touch, one seated, one
-/// 0.1 mm too deep, one 0.05 mm too high; above them balls in a groove that is a torus, of its radius and 0.05 mm less.
+/// A product with fits of round surfaces. Three screws are in countersinks of a plate that their shafts do not touch:
+/// one seated, one 0.1 mm too deep, one 0.05 mm too high. Above them, balls are in a groove with the shape of a torus:
+/// of its radius, and 0.05 mm smaller.
 void writeRoundFits(const std::string& file) {
   TopoDS_Shape plate = blockAt(0, 0, 0, 80, 30, 6);
   for (const double x : {-25.0, 0.0, 25.0}) {
@@ -288,8 +289,8 @@ void writeRoundFits(const std::string& file) {
   product.write(file);
 }
 
-/// A plate and a unit of two of them, with the validation properties that OpenCASCADE measures; the volume of the plate
-/// is stated as `share` of the true one, and its centroid is `aside` mm off.
+/// A plate and a unit of two plates, with the validation properties that OpenCASCADE measures. The stated volume of the
+/// plate is `share` of the true one, and its stated centroid deviates by `aside` mm.
 void writeValidated(const std::string& file, double share, double aside) {
   const TopoDS_Shape shape = BRepAlgoAPI_Cut(blockAt(5, 0, 0, 40, 30, 10), shaft(0, 5, -5, 6, 20));
   GProp_GProps volume;
@@ -308,7 +309,7 @@ void writeValidated(const std::string& file, double share, double aside) {
   product.write(file);
 }
 
-/// A plate, two pins, and a pump of two parts, each in a file of its own beside the product's.
+/// A plate, two pins, and a pump of two parts, each in its own file beside the product's file.
 void writeSplit(const std::string& folder) {
   Product product;
   const TDF_Label plate = product.part("plate", plateWithHole());
@@ -337,7 +338,7 @@ TopoDS_Shape sheetAt(double height, bool upwards = true) {
   return BRepBuilderAPI_MakeFace(plane, -20.0, 20.0, -10.0, 10.0);
 }
 
-/// Of the two sides of one sheet.
+/// A solid made of the two sides of one sheet.
 TopoDS_Shape flatSolid() {
   BRepBuilderAPI_Sewing sewing;
   sewing.Add(sheetAt(200));
@@ -346,7 +347,7 @@ TopoDS_Shape flatSolid() {
   return BRepBuilderAPI_MakeSolid(TopoDS::Shell(sewing.SewedShape()));
 }
 
-/// Two sheets; a box beside three lonely edges; a solid of two sides of one sheet; the shell of a box.
+/// Two sheets; a box beside three single edges; a solid of two sides of one sheet; the shell of a box.
 void writeOddShapes(const std::string& file) {
   Product product;
   const TDF_Label odd = product.assembly("odd");
@@ -361,7 +362,7 @@ void writeOddShapes(const std::string& file) {
   product.write(file);
 }
 
-/// A frame of two blocks that touch, twice, and a pad: the frame is one product of two solids.
+/// A frame of two blocks that touch, placed twice, and a pad. The frame is one product of two solids.
 void writeFrames(const std::string& file) {
   Product product;
   const TDF_Label frame =
@@ -373,7 +374,7 @@ void writeFrames(const std::string& file) {
   product.write(file);
 }
 
-/// Shapes as IGES text: as trimmed surfaces that nothing joins, or as solids.
+/// Writes shapes as IGES: as separate trimmed surfaces, or as solids.
 void writeIges(const std::string& file, const std::vector<TopoDS_Shape>& shapes, bool asSolids,
                const char* unit = "MM") {
   IGESControl_Controller::Init();

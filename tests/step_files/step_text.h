@@ -7,7 +7,7 @@
 
 namespace glissade::test {
 
-/// Writes a STEP text entity by entity, in millimetres unless a context of another unit is asked for. It shares no code
+/// Writes a STEP text entity by entity, in millimetres unless a context of another unit is requested. It shares no code
 /// with the importer and needs no OpenCASCADE.
 class StepText {
  public:
@@ -22,7 +22,7 @@ class StepText {
     origin_ = placement({0, 0, 0});
   }
 
-  /// "#12".
+  /// Adds an entity and returns its name, such as "#12".
   std::string add(const std::string& entity) {
     const std::string name = "#" + std::to_string(++last_);
     text_ += name + "=" + entity + ";\n";
@@ -85,7 +85,7 @@ class StepText {
     return made;
   }
 
-  /// The use of a part in an assembly.
+  /// Adds the use of a part in an assembly.
   std::string place(const Product& assembly, const Product& part, const Triple& at, const Triple& z = {0, 0, 1},
                     const Triple& x = {1, 0, 0}) {
     const std::string use =
@@ -99,7 +99,7 @@ class StepText {
     return use;
   }
 
-  /// A MANIFOLD_SOLID_BREP with polygons as faces, from its corner nearest to the origin.
+  /// Adds a MANIFOLD_SOLID_BREP with polygons as faces, from the corner nearest to the origin.
   std::string box(const Triple& corner, const Triple& size, const std::string& name = "") {
     std::vector<std::string> at;
     for (int i = 0; i < 8; ++i) {
@@ -130,7 +130,7 @@ class StepText {
     return add("COORDINATES_LIST('',8,(" + points + "))");
   }
 
-  /// A TRIANGULATED_FACE with all sides of a box; its list of indices is empty.
+  /// Adds a TRIANGULATED_FACE with all sides of a box; its list of indices is empty.
   std::string triangulatedBox(const std::string& coordinates, const std::string& link = "$") {
     std::string triangles;
     for (const auto& [c, normal] : sides()) {
@@ -144,7 +144,7 @@ class StepText {
     return add("TESSELLATED_SOLID('" + name + "',(" + triangulatedBox(coordinates(corner, size)) + ")," + link + ")");
   }
 
-  /// Each side of a box as a strip or, every other one, as a fan; their corners are indices of a list that runs
+  /// Adds each side of a box, alternately as a strip and as a fan. The corners are indices of a list that runs
   /// backwards through the coordinates.
   std::string stripsAndFansOfBox(const Triple& corner, const Triple& size) {
     std::string strips;
@@ -161,7 +161,7 @@ class StepText {
                "),(" + fans + "))");
   }
 
-  /// A whole sphere as one face, whose boundary runs along a great circle and back.
+  /// Adds a whole sphere as one face, whose boundary runs along a great circle and back.
   std::string slitSphere(double radius, const Triple& normal = {0, 1, 0}, const Triple& first = {0, 0, -1}) {
     const std::string vertex =
         add("VERTEX_POINT(''," + point({radius * first[0], radius * first[1], radius * first[2]}) + ")");
@@ -180,7 +180,7 @@ class StepText {
  private:
   using Side = std::pair<std::array<int, 4>, Triple>;
 
-  /// Corners counter-clockwise from outside, and the normal.
+  /// The sides of a box: corners counter-clockwise from outside, and the normal.
   static std::vector<Side> sides() {
     return {{{0, 2, 3, 1}, {0, 0, -1}}, {{4, 5, 7, 6}, {0, 0, 1}},  {{0, 1, 5, 4}, {0, -1, 0}},
             {{2, 6, 7, 3}, {0, 1, 0}},  {{0, 4, 6, 2}, {-1, 0, 0}}, {{1, 3, 7, 5}, {1, 0, 0}}};

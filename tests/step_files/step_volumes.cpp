@@ -1,5 +1,6 @@
-// Compares the volumes of the triangles that an import makes with those that OpenCASCADE computes exactly from the same
-// file. usage: step_volumes FILE... Exit code 0: every solid of every file is within deflection times area.
+// Compares the volumes of the triangles of an import with the volumes that OpenCASCADE computes exactly from the same
+// file. usage: step_volumes FILE... Exit code 0: for every solid of every file, the difference is at most deflection
+// times area.
 #include <BRepGProp.hxx>
 #include <GProp_GProps.hxx>
 #include <Interface_Static.hxx>
@@ -25,7 +26,7 @@ using glissade::TriangleMesh;
 using glissade::Vector3;
 
 constexpr double kMillimetre = 1e-3;
-/// Relative error that OpenCASCADE is asked for.
+/// Relative error requested from OpenCASCADE.
 constexpr double kAccuracy = 1e-5;
 
 struct Solid {
@@ -86,7 +87,7 @@ Part measured(const Occurrence& occurrence) {
   return part;
 }
 
-/// The part that is where the solid is, and whose volume is nearest.
+/// The part at the place of the solid whose volume is nearest.
 Part* partAt(const Solid& solid, std::vector<Part>& parts) {
   Part* best = nullptr;
   double least = std::numeric_limits<double>::infinity();
@@ -101,7 +102,7 @@ Part* partAt(const Solid& solid, std::vector<Part>& parts) {
   return best;
 }
 
-/// Whether every solid is as it should be.
+/// Compares every solid of the file; returns whether all differences are within their limits.
 bool compare(const std::string& file) {
   const auto product = glissade::importStep(file, 0.0);
   if (!product) throw glissade::toString(product.error());

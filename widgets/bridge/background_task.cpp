@@ -15,7 +15,7 @@ BackgroundTask::BackgroundTask(QObject* parent) : QObject(parent) {
   look_.setInterval(kLookMilliseconds);
   connect(&look_, &QTimer::timeout, this, [this] {
     emit progressed(share_->load());
-    announceEnd();  // where a worker had no memory to do so
+    announceEnd();  // announces an end that a worker had no memory to announce
   });
 }
 
@@ -63,7 +63,7 @@ void BackgroundTask::startWorker(const std::string& doing, const Work& work) {
   const auto run = [this, &worker, work, watch] {
     worker.found.problem = guarded(worker.doing, [&] { worker.found.delivery = work(watch); });
     worker.done = true;
-    announceEnd();  // where this fails, the timer notices that the worker is done
+    announceEnd();  // if this fails, the timer notices that the worker is done
   };
   if (auto why = guarded(doing, [&] { worker.thread = std::thread(run); })) {
     workers_.pop_back();
@@ -71,7 +71,7 @@ void BackgroundTask::startWorker(const std::string& doing, const Work& work) {
   }
 }
 
-/// Behind all that the worker has announced before.
+/// Queues the call behind everything that the worker has announced before.
 void BackgroundTask::announceEnd() {
   (void)guarded("announcing a result", [this] {
     QMetaObject::invokeMethod(
@@ -79,7 +79,7 @@ void BackgroundTask::announceEnd() {
   });
 }
 
-/// Joins the workers that are done and delivers what the last request has found.
+/// Joins the workers that are done, and delivers the result of the last request.
 void BackgroundTask::collect() {
   std::list<Worker> done;
   for (auto worker = workers_.begin(); worker != workers_.end();) {

@@ -15,33 +15,33 @@
 
 namespace glissade {
 
-/// Does one thing at a time in a thread of its own, or at once where time is not real. start() and
-/// cancel() ask what is under way to stop and forget it, without waiting; the end of this object waits.
+/// Does one thing at a time in a thread of its own, or at once where time is not real. start() and cancel() ask the
+/// work under way to stop and forget it, without waiting; the destructor waits.
 class BackgroundTask final : public QObject {
   Q_OBJECT
 
  public:
-  /// What is to happen on this object's thread with what was found.
+  /// Hands over what the work found; called on this object's thread.
   using Delivery = std::function<void()>;
-  /// Runs on another thread and holds values of its own.
+  /// The work, which runs on another thread. It holds copies of its input.
   using Work = std::function<Delivery(const WorkWatch&)>;
 
   explicit BackgroundTask(QObject* parent = nullptr);
   ~BackgroundTask() override;
 
-  /// `doing` names the work in the diagnostic of an exception, for example "reading the parts".
-  /// `atOnce`: delivered before this returns.
+  /// `doing` names the work in the diagnostic of an exception, for example "reading the parts". `atOnce`: the result is
+  /// delivered before this function returns.
   void start(const std::string& doing, const Work& work, bool atOnce);
   void cancel();
   bool isBusy() const { return busy_; }
 
  signals:
   void started();
-  /// A few times a second, in [0, 1].
+  /// Emitted a few times a second; `share` is in [0, 1].
   void progressed(double share);
-  /// Delivered, failed or cancelled.
+  /// The result was delivered, or the work failed or was cancelled.
   void ended();
-  /// After ended(): an exception has left the work or its delivery, or no thread could be started.
+  /// Emitted after ended(): an exception has left the work or its delivery, or no thread could be started.
   void failed(const glissade::Diagnostic& why);
 
  private:
@@ -53,7 +53,7 @@ class BackgroundTask final : public QObject {
     std::uint64_t request = 0;
     std::string doing;
     std::thread thread;
-    Found found;  ///< the thread's until it is done
+    Found found;  ///< belongs to the thread until `done`
     std::atomic<bool> done{false};
   };
 

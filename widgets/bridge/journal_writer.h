@@ -13,15 +13,15 @@
 
 namespace glissade {
 
-/// Writes the journal of one run on a thread of its own, because a line takes milliseconds to reach the disk.
-/// After the first line that the disk does not take nothing more is written; what is there stays.
+/// Writes the journal of one run on a separate thread, because a line takes milliseconds to reach the disk. After the
+/// first line that cannot be written nothing more is written; the lines before it stay.
 class JournalWriter {
  public:
   using Part = std::shared_ptr<const RunLog>;
 
-  /// `head` is what the journal begins with.
+  /// The journal begins with `head`.
   JournalWriter(RunRecord head, std::string folder);
-  /// Removes the journal: who ends cleanly does not need it.
+  /// Removes the journal, which only a killed program needs.
   ~JournalWriter();
   JournalWriter(const JournalWriter&) = delete;
   JournalWriter& operator=(const JournalWriter&) = delete;
@@ -29,7 +29,7 @@ class JournalWriter {
   void append(Part part);
   /// Waits until all that was appended is on the disk, or cannot be written.
   void waitUntilWritten();
-  /// Why the journal is not complete on the disk.
+  /// The reason why the journal is not complete on the disk.
   std::optional<Diagnostic> trouble() const;
 
  private:

@@ -5,9 +5,8 @@
 
 namespace glissade {
 
-/// Builds the environment model in a thread of its own, or at once where time is not real. A new
-/// request or cancel() asks the one under way to stop and forgets it, without waiting; the end of
-/// this object waits.
+/// Builds the environment model in a thread of its own, or at once where time is not real. A new request or cancel()
+/// asks the request under way to stop and forgets it, without waiting; the destructor waits.
 class KnowledgeBuilder final : public QObject {
   Q_OBJECT
 
@@ -16,7 +15,8 @@ class KnowledgeBuilder final : public QObject {
     connect(&task_, &BackgroundTask::failed, this, &KnowledgeBuilder::failed);
   }
 
-  /// `before`: what was known before bodies were moved, or null. `atOnce`: finished before this returns.
+  /// `before`: the knowledge from before bodies were moved, or null. `atOnce`: the model is finished before this
+  /// function returns.
   void build(const Problem& problem, double requiredClearance, const SceneKnowledgePtr& before, bool atOnce);
   bool isBusy() const { return task_.isBusy(); }
   void cancel() { task_.cancel(); }
@@ -24,7 +24,7 @@ class KnowledgeBuilder final : public QObject {
  signals:
   void started();
   void finished(const glissade::SceneKnowledgePtr& knowledge);
-  /// Also where an exception has ended the work.
+  /// The model could not be built, or an exception has ended the work.
   void failed(const glissade::Diagnostic& why);
 
  private:

@@ -9,8 +9,9 @@
 
 namespace glissade {
 
-/// For any thread: makes the call on the receiver's thread, once for all that ask until then. Copies ask for the same
-/// call. Nobody asks after the receiver is gone; what waits then is dropped.
+/// Returns a function for any thread that makes the call on the receiver's thread, once for all requests until then.
+/// Copies request the same call. Precondition: nobody requests a call after the receiver was destroyed. A call that
+/// waits then is dropped.
 inline std::function<void()> queuedOnce(QObject* receiver, std::function<void()> call) {
   const auto pending = std::make_shared<std::atomic<bool>>(false);
   return [receiver, pending, call = std::move(call)] {

@@ -7,7 +7,7 @@ namespace glissade {
 namespace {
 
 constexpr std::chrono::milliseconds kReportInterval{50};
-/// Session steps between two looks at the clock.
+/// Session steps between two readings of the clock.
 constexpr std::uint64_t kSlice = 200;
 
 using Report = std::function<void(const Result<ReplayProgress>&)>;
@@ -51,7 +51,7 @@ void ReplayRunner::deliver(std::uint64_t request, const Result<ReplayProgress>& 
 
 void ReplayRunner::run(const Problem& problem, const std::shared_ptr<const RunLog>& log, ReplayEnd end, bool atOnce) {
   cancel();
-  // What it tells on the way counts, not what it delivers at its end.
+  // The work reports its progress and result while it runs; the delivery at its end is empty.
   const auto work = [this, problem, log, end, atOnce, request = request_](const WorkWatch& watch) {
     replay(problem, log, end, watch.stop, [this, atOnce, request](const Result<ReplayProgress>& result) {
       QMetaObject::invokeMethod(

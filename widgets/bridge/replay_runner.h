@@ -5,15 +5,15 @@
 
 namespace glissade {
 
-/// How far a replay has come. The roadmap only grows, so any step replayed so far can be shown.
+/// Progress of a replay. The roadmap only grows, so any step replayed so far can be shown.
 struct ReplayProgress {
   SnapshotPtr latest;
   std::shared_ptr<const ReplayTrack> track;
   bool ended = false;
 };
 
-/// Replays a recorded run in a thread of its own, or at once where time is not real. A new request or
-/// cancel() asks the one under way to stop and forgets it; the end of this object waits.
+/// Replays a recorded run in a thread of its own, or at once where time is not real. A new request or cancel() asks the
+/// replay under way to stop and forgets it; the destructor waits.
 class ReplayRunner final : public QObject {
   Q_OBJECT
 
@@ -22,14 +22,14 @@ class ReplayRunner final : public QObject {
     connect(&task_, &BackgroundTask::failed, this, &ReplayRunner::failed);
   }
 
-  /// `atOnce`: ended before this returns.
+  /// `atOnce`: the replay has ended before this function returns.
   void run(const Problem& problem, const std::shared_ptr<const RunLog>& log, ReplayEnd end, bool atOnce);
   void cancel();
 
  signals:
-  /// Some twenty times a second, and at the end.
+  /// Emitted some twenty times a second, and at the end.
   void progressed(const glissade::ReplayProgress& progress);
-  /// Also where an exception has ended the replay.
+  /// The replay failed, or an exception has ended it.
   void failed(const glissade::Diagnostic& why);
 
  private:

@@ -9,27 +9,27 @@
 
 namespace glissade {
 
-/// Keeps the recording of the last run: what the session publishes of it anyway. While journals are
-/// kept, a killed program leaves it on disk; a thread of its own writes there. Used on the GUI thread only.
+/// Keeps the recording of the last run, which consists of data that the session publishes. While journals are kept, the
+/// recording of a killed program is left on disk; a separate thread writes there. Used on the GUI thread only.
 class RunRecorder {
  public:
-  /// From now on runs are journalled in this folder.
+  /// Runs from now on are journalled in this folder.
   void keepJournals(const std::string& folder) { folder_ = folder; }
   void open(const ScenarioPtr& scenario);
-  /// The next run is of this scenario; the recording of the last one stays until then.
+  /// Sets the scenario of the next run; the recording of the last one stays until then.
   void rearrange(const ScenarioPtr& scenario) { next_ = scenario; }
-  /// True where another run has begun.
+  /// Takes the snapshot into the recording. True if another run has begun.
   bool follow(const SessionSnapshot& snapshot);
 
-  /// Nothing until a run has begun.
+  /// False until a run has begun.
   bool hasRecording() const { return !parts_.empty(); }
   /// The recording so far. Precondition: hasRecording(). Errors: an asset can no longer be read.
   Result<RunRecord> record();
-  /// Why the disk holds no complete journal, where one is needed.
+  /// The reason why the disk holds no complete journal; nothing if it is complete or none is needed.
   std::optional<Diagnostic> trouble() const;
-  /// The same, once for each run.
+  /// Returns trouble() once for each run.
   std::optional<Diagnostic> takeTrouble();
-  /// Waits until the disk holds what was followed so far.
+  /// Waits until the disk holds everything that was followed so far.
   void waitUntilJournalled();
 
  private:
@@ -38,14 +38,14 @@ class RunRecorder {
   void closeJournal();
 
   std::string folder_;
-  ScenarioPtr scenario_;           ///< of the recording
-  ScenarioPtr next_;               ///< of the next one, where it is another
-  std::optional<RunRecord> head_;  ///< of this scenario's records; hashing its assets takes time
+  ScenarioPtr scenario_;           ///< the scenario of the recording
+  ScenarioPtr next_;               ///< the scenario of the next run, if it is another one
+  std::optional<RunRecord> head_;  ///< the head of this scenario's records; hashing the assets takes time
   RunLogParts parts_;
   std::unique_ptr<JournalWriter> journal_;
   std::size_t journalled_ = 0;
   bool troubleTaken_ = false;
-  std::optional<Diagnostic> headTrouble_;  ///< why no journal was begun
+  std::optional<Diagnostic> headTrouble_;  ///< the reason why no journal was begun
 };
 
 }  // namespace glissade

@@ -14,10 +14,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Finding the fits of the product, as a share of all work.
+/// Share of finding the product's fits in all work.
 constexpr double kFitsShare = 0.1;
 
-/// Passes on what the strategy tells, on the worker's thread.
+/// Passes on the messages of the strategy, on the worker's thread.
 class AnnouncingHost final : public SequenceHost {
  public:
   using Announce = std::function<void(const GrownPlan&)>;
@@ -63,12 +63,12 @@ class AnnouncingHost final : public SequenceHost {
   }
 
  private:
-  /// Steps are found in waves. Those that are too many wait.
+  /// Steps are found in waves, which may exceed `most`. The surplus steps become waiting steps.
   static void keepFirst(std::size_t most, AssemblyPlan& plan) {
     if (plan.steps.size() <= most) return;
     const auto rest = plan.steps.begin() + static_cast<std::ptrdiff_t>(most);
     for (auto step = rest; step != plan.steps.end(); ++step) {
-      if (step->proof.afterSteps > most) continue;  // proved when other bodies had left
+      if (step->proof.afterSteps > most) continue;  // its proof needs other bodies to have left
       plan.waiting.push_back(*step);
       plan.waiting.back().after.clear();
     }
@@ -96,7 +96,7 @@ class AnnouncingHost final : public SequenceHost {
 std::size_t helpers() { return std::max(1U, std::thread::hardware_concurrency()) - 1; }
 
 using FitsPtr = std::shared_ptr<const ProductFits>;
-/// What is found of a product before it is planned.
+/// Finds the fits of a product before it is planned.
 using FindFits = std::function<Result<FitsPtr>(const Joints& joints, ThreadTeam& team, const WorkWatch& watch)>;
 using FindJoints = std::function<Result<Joints>()>;
 
@@ -131,14 +131,14 @@ SequencePlanner::~SequencePlanner() {
   drop();
 }
 
-/// What was asked before another request is not announced any more.
+/// Drops the signal if another request has come since.
 void SequencePlanner::deliver(const std::function<void()>& signal, std::uint64_t request) {
   QMetaObject::invokeMethod(this, [this, signal, request] {
     if (request == request_) signal();
   });
 }
 
-/// Of the product with the bends of the joints that count.
+/// The fits of the product with the bends of the joints that count.
 Result<FitsPtr> SequencePlanner::fitsOf(KnownProduct& known, const SequenceJob& job, const Joints& joints,
                                         ThreadTeam& team, const WorkWatch& watch) {
   AssembledProduct bent = *job.product;
@@ -154,7 +154,7 @@ Result<FitsPtr> SequencePlanner::fitsOf(KnownProduct& known, const SequenceJob& 
   return found;
 }
 
-/// Of another product nothing is known.
+/// Forgets the fits and joints if the product is another one.
 void SequencePlanner::know(KnownProduct& known, const ProductPtr& product) {
   const std::lock_guard lock(known.mutex);
   if (known.product == product) return;
@@ -163,7 +163,7 @@ void SequencePlanner::know(KnownProduct& known, const ProductPtr& product) {
   known.joints.reset();
 }
 
-/// None where the demands use none. After a stop they are incomplete, and not remembered.
+/// Returns no joints if the demands use none. Joints after a stop are incomplete, and not remembered.
 Result<Joints> SequencePlanner::jointsOf(KnownProduct& known, const SequenceJob& job, const StopToken& stop) {
   know(known, job.product);
   if (job.demands.jointUse == JointUse::Off) return Joints();

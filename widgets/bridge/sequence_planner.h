@@ -20,34 +20,34 @@ namespace glissade {
 using ProductPtr = std::shared_ptr<const AssembledProduct>;
 using PlanPtr = std::shared_ptr<const AssemblyPlan>;
 
-/// What is planned.
+/// The input of a search for a plan.
 struct SequenceJob {
   ProductPtr product;
   BodySet staying;
   SequenceDemands demands;
   std::string strategy = kUsualStrategy;
   std::uint64_t seed = 1;
-  PlanPtr resumed;                       ///< goes on from this plan; null: begins anew
-  PlanPtr known;                         ///< of the same product with other demands: its motions need not be searched
-  std::optional<std::size_t> mostSteps;  ///< stops once the plan has so many
-  std::vector<std::string> classes{};    ///< of the bodies, for joints; empty: not known
+  PlanPtr resumed;                       ///< planning continues this plan; null: it begins anew
+  PlanPtr known;                         ///< a plan of this product for other demands: its motions need not be searched
+  std::optional<std::size_t> mostSteps;  ///< planning stops once the plan has this many steps
+  std::vector<std::string> classes{};    ///< the classes of the bodies, for joints; empty: not known
 };
 
-/// A plan as far as it is there.
+/// A plan as far as it has been found.
 struct GrownPlan {
   PlanPtr plan;
   std::vector<double>
-      foundAfter;          ///< seconds since planning began, of the steps that were found since then, the last ones
-  std::size_t asking = 0;  ///< parts that are asked now
+      foundAfter;          ///< seconds since planning began, for each of the last steps, which were found since then
+  std::size_t asking = 0;  ///< number of parts whose removal is being searched now
   int effort = 0;          ///< 0: straight motions; above: searches
 };
 
-/// What the independent check says of the plan, where a person has said this of the product.
+/// Verdict of the independent check on the plan; `said` are a person's statements about the product.
 PlanCheck checkOf(const AssemblyPlan& plan, const AssembledProduct& product, const SequenceDemands& said,
                   const WorkWatch& watch);
 
-/// Plans a sequence on a worker, with all cores, and judges plans there. Steps are announced while they are found. A
-/// class that crosses between the GUI thread and the engine.
+/// Plans a sequence on a worker, with all cores, and judges plans there. Steps are announced while they are found. The
+/// class connects the GUI thread with the engine.
 class SequencePlanner final : public QObject {
   Q_OBJECT
 
@@ -55,21 +55,21 @@ class SequencePlanner final : public QObject {
   explicit SequencePlanner(QObject* parent = nullptr);
   ~SequencePlanner() override;
 
-  /// `atOnce`: before this returns.
+  /// `atOnce`: planning ends before this function returns.
   void plan(const SequenceJob& job, bool atOnce);
-  /// Judges the plan by the independent check. `said`: by a person of the product; what else the plan says is a
-  /// condition.
+  /// Judges the plan by the independent check. `said`: a person's statements about the product; other statements of the
+  /// plan become conditions of the verdict.
   void judge(const ProductPtr& product, const PlanPtr& plan, const SequenceDemands& said, bool atOnce);
-  /// Planning ends with the plan so far, which is announced by planned(). Judging is forgotten.
+  /// Ends planning; the plan so far is announced by planned(). A judgement under way is forgotten.
   void stop();
-  /// Forgets what is under way.
+  /// Forgets the work under way.
   void drop();
   bool isPlanning() const { return planning_; }
   BackgroundTask& task() { return task_; }
 
  signals:
   void grown(const glissade::GrownPlan& plan);
-  /// Complete, stuck or stopped.
+  /// Planning ended: the plan is complete, stuck or stopped.
   void planned(const glissade::GrownPlan& plan);
   void judged(const glissade::PlanPtr& plan, const glissade::PlanCheck& check);
   void failed(const glissade::Diagnostic& why);
@@ -77,15 +77,15 @@ class SequencePlanner final : public QObject {
  private:
   void deliver(const std::function<void()>& signal, std::uint64_t request);
 
-  /// Of the product that was planned last: its fits and the joints that are found do not depend on demands. Used on the
+  /// The fits and joints of the product that was planned last, which do not depend on demands. It is used on the
   /// worker.
   struct KnownProduct {
     std::mutex mutex;
     ProductPtr product;
-    std::shared_ptr<const ProductFits> fits;  ///< with these bends; null: not looked for yet
+    std::shared_ptr<const ProductFits> fits;  ///< found with `bends`; null: not searched yet
     std::vector<check::SnapWord> bends;
     std::vector<std::string> classes;
-    std::shared_ptr<const Joints> joints;  ///< with these classes; null: not looked for yet
+    std::shared_ptr<const Joints> joints;  ///< found with `classes`; null: not searched yet
   };
   static Result<std::shared_ptr<const ProductFits>> fitsOf(KnownProduct& known, const SequenceJob& job,
                                                            const Joints& joints, ThreadTeam& team,

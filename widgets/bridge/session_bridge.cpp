@@ -9,10 +9,10 @@
 namespace glissade {
 namespace {
 
-/// A fixed run on screen: 250 planner steps a second, some six times the operator's own time.
+/// Pace of a fixed run on screen: 250 planner steps a second, some six times the operator's own time.
 constexpr int kPaceMilliseconds = 16;
 constexpr std::uint64_t kStepsAtOnce = 4;
-/// What an exception is said to have interrupted.
+/// The work that an exception is said to have interrupted.
 constexpr const char* kBeginning = "preparing the planner";
 
 }  // namespace
@@ -44,12 +44,12 @@ void SessionBridge::open(const ScenarioPtr& scenario) {
 
 namespace {
 
-/// Values that somebody chose, for an object of another size; the rest fits itself to it.
+/// Values that a person has set, for an object of another size; the other values follow that size.
 ParameterValues carriedOver(const ParameterValues& values, double objectRadius) {
   const ParameterValues usual(values.objectRadius());
   ParameterValues carried(objectRadius);
   for (const ParameterSpec& spec : parameterTable()) {
-    // What is out of range for this object goes back to what is usual for it.
+    // A value that is out of range for this object falls back to its default.
     if (values[spec.id] != usual[spec.id]) (void)carried.set(spec.id, values[spec.id]);
   }
   return carried;
@@ -81,7 +81,7 @@ void SessionBridge::givePath(command::ExaminePath path) {
   });
 }
 
-/// Of the same scenario, with the path that was there.
+/// Begins a new session on the same scenario, with the present path.
 void SessionBridge::restart() {
   beginAnew([this] {
     keepPath(idOf(scenario_->scenario.object));
@@ -89,14 +89,14 @@ void SessionBridge::restart() {
   });
 }
 
-/// The last session's; those that were there before where it could not be made.
+/// Takes the settings of the last session. If that could not be made, the settings from before it stay.
 void SessionBridge::takeSettings() {
   if (!session_) return;
   const SnapshotPtr last = session_->snapshot();
   settings_ = {last->parameters, last->seed, last->plannerId};
 }
 
-/// One that is still being examined is kept already.
+/// Keeps the path for the next session. A path that is still being examined has been kept already.
 void SessionBridge::keepPath(const std::string& objectId) {
   const bool forgets = std::exchange(forgets_, false);
   if (!session_ || fixed_) return;
@@ -109,7 +109,7 @@ void SessionBridge::keepPath(const std::string& objectId) {
   if (path != nullptr) kept_[objectId] = {path->points, last->provenance};
 }
 
-/// Ends the session and begins another. `prepare` takes from the old one what the new one needs.
+/// Ends the session and begins another. `prepare` takes the data from the old one that the new one needs.
 template <class Prepare>
 void SessionBridge::beginAnew(const Prepare& prepare) {
   const auto why = guarded(kBeginning, [&] {
@@ -132,7 +132,7 @@ void SessionBridge::beginAnew(const Prepare& prepare) {
   if (kept != kept_.end()) post(kept->second);
 }
 
-/// There is no session, and the snapshot says why.
+/// Leaves no session; the snapshot states the reason.
 void SessionBridge::fail(const Diagnostic& why) {
   end();
   auto snapshot = std::make_shared<SessionSnapshot>();
@@ -162,7 +162,7 @@ void SessionBridge::startFixed(const FixedRun& run) {
   if (clock_ == SessionClock::RealTime) pace_.start();
 }
 
-/// Before a new session begins.
+/// Ends the session, before a new one begins.
 void SessionBridge::end() {
   if (session_) session_->setWakeUp({});
   pace_.stop();
@@ -204,14 +204,14 @@ void SessionBridge::begin(SessionConfig config, SessionClock clock) {
 void SessionBridge::post(Command command) {
   if (const auto* semantics = std::get_if<command::SetSemantics>(&command)) edits_ = semantics->edits;
   if (const auto* known = std::get_if<command::SetKnowledge>(&command)) knowledge_ = known->knowledge;
-  if (scenario_ && !session_) restart();  // it could not be made
+  if (scenario_ && !session_) restart();  // it could not be made before
   if (!session_) return;
   if (std::holds_alternative<command::Start>(command)) {
     kept_.erase(idOf(scenario_->scenario.object));
     startedRun_ = announced_ ? announced_->run + 1 : 1;
   }
   session_->post(std::move(command));
-  // In lockstep commands are carried out at once; in real time the planner thread does it.
+  // Commands are carried out at once in lockstep; in real time the planner thread carries them out.
   advance(0);
 }
 

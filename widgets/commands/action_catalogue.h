@@ -10,12 +10,12 @@
 
 namespace glissade {
 
-/// One row of the catalogue: everything that can be done has an id, for scripts and shortcuts.
+/// One row of the catalogue. Every action has an id, for scripts and shortcuts.
 struct ActionSpec {
   const char* id;        ///< "run.start"
   const char* text;      ///< English, with mnemonic; translated in the context "Actions"
   const char* shortcut;  ///< portable text; may be empty
-  const char* tip;       ///< what it does, one sentence
+  const char* tip;       ///< the effect, in one sentence
   bool checkable;
 };
 
@@ -27,7 +27,7 @@ inline QString withoutMnemonic(QString text) {
   return text;
 }
 
-/// The same without the dots of "opens a dialog": as people name the command.
+/// The text of an action without its mnemonic and without the dots that announce a dialog.
 inline QString commandName(QString text) {
   text = withoutMnemonic(std::move(text));
   if (text.endsWith(QStringLiteral("..."))) text.chop(3);
@@ -46,16 +46,17 @@ class ActionCatalogue final : public QObject {
 
   /// Precondition: the id is in actionSpecs().
   QAction* operator[](const QString& id) const { return actions_.value(id); }
-  /// Null where there is none.
+  /// Null if no action has this id.
   QAction* find(const QString& id) const { return actions_.value(id, nullptr); }
-  /// Another shortcut for an action, as long as the window is there; empty: none. Precondition: as above.
+  /// Sets another shortcut for an action, as long as the window exists; empty: none. Precondition: the id is in
+  /// actionSpecs().
   void setShortcut(const QString& id, const QKeySequence& keys);
-  /// The one that it has in actionSpecs().
+  /// The shortcut in actionSpecs().
   static QKeySequence usualShortcut(const QString& id);
   /// "Ctrl+O  Open a scenario" lines as HTML table rows, for the help page.
   QString shortcutTable() const;
-  /// Actions that are there for a while and in no catalogue, such as the named views of a scenario. They are found by
-  /// their name as the others are.
+  /// Temporary actions that are in no catalogue, such as the named views of a scenario. They are found by their name as
+  /// the others are.
   void setPassing(const QList<QAction*>& actions) { passing_ = actions; }
   const QList<QAction*>& passing() const { return passing_; }
 
@@ -66,7 +67,7 @@ class ActionCatalogue final : public QObject {
 
 /// A row of flat buttons for actions, reached with Tab.
 QHBoxLayout* makeActionRow(const ActionCatalogue& actions, const std::vector<const char*>& ids, QWidget* parent);
-/// The same in as many rows as the width of the panel asks for.
+/// The buttons of makeActionRow() in as many rows as the width of the panel needs.
 QLayout* makeActionFlow(const ActionCatalogue& actions, const std::vector<const char*>& ids, QWidget* parent);
 
 }  // namespace glissade

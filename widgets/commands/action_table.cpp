@@ -7,13 +7,13 @@
 namespace glissade {
 namespace {
 
-/// In front of the command of this id.
+/// Inserts the rows in front of the command with this id.
 void insertBefore(const std::string& id, const std::vector<ActionSpec>& more, std::vector<ActionSpec>& specs) {
   const auto at = std::find_if(specs.begin(), specs.end(), [&](const ActionSpec& spec) { return id == spec.id; });
   specs.insert(at, more.begin(), more.end());
 }
 
-/// With the commands of files of their own.
+/// Adds the commands that are defined in files of their own.
 std::vector<ActionSpec> complete(std::vector<ActionSpec> specs) {
   insertBefore("run.start", sequenceActionSpecs(), specs);
   insertBefore("panel.scene", layerActionSpecs(), specs);

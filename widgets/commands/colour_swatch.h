@@ -5,8 +5,8 @@
 
 namespace glissade {
 
-/// A square of one colour, for rows of trees and tables. It is painted each time it is needed, so many swatches that
-/// come and go leave nothing in Qt's cache of pixmaps.
+/// A square of one colour, for rows of trees and tables. It is painted each time it is needed, so that temporary
+/// swatches leave nothing in Qt's cache of pixmaps.
 QIcon colourSwatch(const QColor& colour);
 
 }  // namespace glissade

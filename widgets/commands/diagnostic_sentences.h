@@ -4,7 +4,7 @@
 
 namespace glissade {
 
-/// Sentences of the engine that people meet in the window; %1 and %2 stand for what differs.
+/// Sentences of the engine that people meet in the window; %1 and %2 stand for the parts that differ.
 // NOLINTBEGIN(bugprone-suspicious-missing-comma): a long text is several literals.
 inline constexpr const char* kDiagnosticSentences[] = {
     QT_TRANSLATE_NOOP("Diagnostics", "the object penetrates '%1'"),

@@ -22,11 +22,11 @@ const QRegularExpression& placeholder() {
   return pattern;
 }
 
-/// A sentence of the engine, and what texts of it look like: what %1 and %2 stand for is captured.
+/// A sentence of the engine, and the pattern of its texts, which captures the parts for %1 and %2.
 struct Sentence {
   const char* english;
   QRegularExpression pattern;
-  int letters;  ///< without the places for names
+  int letters;  ///< without the placeholders
 };
 
 Sentence sentenceOf(const char* english) {
@@ -38,7 +38,7 @@ Sentence sentenceOf(const char* english) {
           QString(text).remove(placeholder()).size()};
 }
 
-/// Those with the most letters first: what is said in particular before what is said in general.
+/// All sentences. The longest ones come first, so that specific sentences are tried before general ones.
 std::vector<Sentence> allSentences() {
   std::vector<Sentence> all;
   const auto take = [&all](const auto& texts) {
@@ -57,7 +57,8 @@ std::vector<Sentence> allSentences() {
 
 QString translated(const QString& text);
 
-/// The sentence in the user's language. What it captured may be a sentence, too, unless it is in quotes: a name.
+/// The sentence in the user's language. A captured part may be a sentence, too, unless it is in quotes: then it is a
+/// name.
 QString filled(const Sentence& sentence, const QRegularExpressionMatch& match) {
   const QString pattern = QCoreApplication::translate("Diagnostics", sentence.english);
   const QString english = QString::fromUtf8(sentence.english);

@@ -6,14 +6,14 @@
 
 namespace glissade {
 
-/// A text of the engine in the user's language: where it is, or is made from, one of those that are known, else as it
-/// is. What it says of names and numbers stays.
+/// A text of the engine in the user's language. A text that is not made from a known sentence is returned as it is.
+/// Names and numbers in it stay.
 QString engineText(const std::string& text);
 
-/// The same of a reason and the advice, as sentences. File and place are left out.
+/// The reason and the advice in the user's language, as sentences, without file and place.
 QString diagnosticText(const Diagnostic& why);
 
-/// All of it on one line, as toString() has it: file, place, reason, advice.
+/// The whole diagnostic on one line, as toString() writes it: file, place, reason, advice.
 QString diagnosticLine(const Diagnostic& why);
 
 }  // namespace glissade

@@ -7,8 +7,8 @@
 
 namespace glissade {
 
-/// Puts its items beside each other, and into further rows where the width does not suffice: buttons with texts do
-/// not widen a panel.
+/// Puts its items beside each other, and into further rows if the width does not suffice. Rows of buttons then do not
+/// widen a panel.
 class FlowLayout final : public QLayout {
  public:
   FlowLayout();
@@ -19,9 +19,10 @@ class FlowLayout final : public QLayout {
   QLayoutItem* itemAt(int index) const override;
   QLayoutItem* takeAt(int index) override;
   Qt::Orientations expandingDirections() const override { return {}; }
-  /// As wide as the widest item, as high as all rows at the present width: panels keep room for them.
+  /// The minimum is as wide as the widest item, and as high as all rows at the present width: panels keep room for the
+  /// rows.
   QSize minimumSize() const override;
-  /// As wide as all items in one row.
+  /// The hint is as wide as all items in one row.
   QSize sizeHint() const override;
   void setGeometry(const QRect& area) override;
 
@@ -31,7 +32,7 @@ class FlowLayout final : public QLayout {
   int arrange(const QRect& area, Place place) const;
 
   std::vector<std::unique_ptr<QLayoutItem>> items_;
-  int height_ = 0;  ///< of all rows at the present width; 0: not arranged yet
+  int height_ = 0;  ///< height of all rows at the present width; 0: not arranged yet
 };
 
 }  // namespace glissade

@@ -4,7 +4,7 @@
 
 namespace glissade {
 
-/// What joints are concluded from, and why a person's words about them are refused (engine/product); see
+/// Sentences on the evidence for joints, and on refused statements about joints (engine/product); see
 /// diagnostic_sentences.h.
 inline constexpr const char* kJointSentences[] = {
     QT_TRANSLATE_NOOP("Diagnostics", "a person says so"),

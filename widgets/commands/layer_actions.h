@@ -4,7 +4,7 @@
 
 namespace glissade {
 
-/// The actions that show and hide what the scene draws, a part of actionSpecs().
+/// The actions that show and hide layers of the scene, a part of actionSpecs().
 const std::vector<ActionSpec>& layerActionSpecs();
 
 }  // namespace glissade

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kSignificantDigits = 3;
 constexpr int kMostDecimals = 9;
-/// Metres: a field that shows less than this is in micrometres where the unit is chosen as it fits.
+/// Metres. A field that shows smaller differences is in micrometres if the unit is fitting.
 constexpr double kFinestInMillimetres = 1e-7;
 constexpr double kRounding = 1e-9;
 
@@ -35,7 +35,7 @@ std::atomic<LengthUnit>& chosenUnit() {
   return unit;
 }
 
-/// The unit of a length of this size; `smallestInMillimetres`: below it lengths are in micrometres.
+/// The unit of a length of this size. Lengths below `smallestInMillimetres` are in micrometres if the unit is fitting.
 UnitEntry unitFor(double metres, double smallestInMillimetres) {
   switch (chosenUnit().load()) {
     case LengthUnit::Millimetres: return kMillimetre;
@@ -47,7 +47,7 @@ UnitEntry unitFor(double metres, double smallestInMillimetres) {
   return metres >= smallestInMillimetres ? kMillimetre : kMicrometre;
 }
 
-/// Decimals that leave the significant digits of a number below 1,000.
+/// Number of decimals that leaves the significant digits of a number below 1,000.
 int decimalsOf(double value) {
   constexpr double kRoundsUp = 1.0 + 0.5e-3;  // 9.996 is written as 10.0
   const int before = static_cast<int>(std::floor(std::log10(value * kRoundsUp))) + 1;
@@ -58,7 +58,7 @@ QString nameOf(const UnitEntry& unit) { return QString::fromUtf8(unit.name); }
 
 QString textIn(const UnitEntry& unit, double metres) {
   if (!std::isfinite(metres)) return QStringLiteral("∞");
-  constexpr double kLeast = 0.5e-9;  // less has no digit but zeros
+  constexpr double kLeast = 0.5e-9;  // smaller values have only zeros
   const double value = std::abs(metres / unit.metres) < kLeast ? 0.0 : metres / unit.metres;
   const int decimals = value == 0.0 ? 0 : decimalsOf(std::abs(value));
   return QLocale().toString(value, 'f', decimals) + QLatin1Char(' ') + nameOf(unit);

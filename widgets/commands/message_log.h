@@ -16,14 +16,14 @@ struct LogEntry {
   QString text;  ///< one line
 };
 
-/// What the window has told the user since it was opened: the last 2,000 messages. Used on the GUI thread only.
+/// The last 2,000 messages that the window has shown since it was opened. Used on the GUI thread only.
 class MessageLog final : public QObject {
   Q_OBJECT
 
  public:
   using QObject::QObject;
 
-  /// Line breaks become spaces; the same text again, right after itself, is not added.
+  /// Adds a message. Line breaks become spaces; a message that repeats the one before is not added.
   void add(LogLevel level, const QString& text);
   const std::deque<LogEntry>& entries() const { return entries_; }
 
@@ -34,7 +34,7 @@ class MessageLog final : public QObject {
   std::deque<LogEntry> entries_;
 };
 
-/// "Error", in the user's language.
+/// Name of the level in the user's language, such as "Error".
 QString levelText(LogLevel level);
 
 }  // namespace glissade

@@ -6,7 +6,7 @@
 
 namespace glissade {
 
-/// The language of the window, for what the engine writes.
+/// The language of the window, for texts that the engine writes.
 inline Language windowLanguage() {
   return QLocale().language() == QLocale::French ? Language::French : Language::English;
 }

@@ -4,12 +4,19 @@
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QGroupBox>
+#include <QPainter>
+#include <QPainterPath>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace glissade {
 namespace {
+
+constexpr int kPoints = 200;
+constexpr double kMargin = 6.0;
 
 constexpr int kRefreshInterval = 33;  ///< ms
 constexpr int kWidth = 960;
@@ -21,6 +28,51 @@ bool isController(const HandInput& input) {
 QString text(const std::string& value) { return QString::fromStdString(value); }
 
 }  // namespace
+
+ResponseCurve::ResponseCurve(QWidget* parent) : QWidget(parent) {
+  setToolTip(tr("How the device's deflection (across) is answered (up); the dot is where it is now"));
+}
+
+void ResponseCurve::setAxis(const QString& title, const AxisShaping& axis) {
+  title_ = title;
+  axis_ = axis;
+  update();
+}
+
+void ResponseCurve::setRaw(double raw) {
+  if (raw == raw_) return;
+  raw_ = raw;
+  update();
+}
+
+void ResponseCurve::paintEvent(QPaintEvent* /*event*/) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const int line = fontMetrics().height();
+  painter.setPen(palette().color(QPalette::WindowText));
+  painter.drawText(QRect(0, 0, width(), line), Qt::AlignCenter, title_);
+  const double side = std::min<double>(width(), height() - line) - 2.0 * kMargin;
+  const QRectF area(0.5 * (width() - side), line + kMargin, side, side);
+  const auto at = [&](double raw, double shaped) {
+    return QPointF(area.center().x() + 0.5 * side * raw, area.center().y() - 0.5 * side * shaped);
+  };
+  painter.setBrush(palette().base());
+  painter.setPen(palette().color(QPalette::Mid));
+  painter.drawRect(area);
+  painter.drawLine(at(-1, 0), at(1, 0));
+  painter.drawLine(at(0, -1), at(0, 1));
+  QPainterPath curve(at(-1, shapeAxis(axis_, -1)));
+  for (int i = 1; i <= kPoints; ++i) {
+    const double raw = -1.0 + 2.0 * i / kPoints;
+    curve.lineTo(at(raw, shapeAxis(axis_, raw)));
+  }
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(palette().color(QPalette::Highlight), 2.0));
+  painter.drawPath(curve);
+  painter.setBrush(palette().color(QPalette::WindowText));
+  painter.setPen(Qt::NoPen);
+  painter.drawEllipse(at(std::clamp(raw_, -1.0, 1.0), shapeAxis(axis_, raw_)), 4.0, 4.0);
+}
 
 CalibrationDialog::CalibrationDialog(HandInputsPtr hand, DeviceSettings& settings, const ActionCatalogue& actions,
                                      QWidget* parent)
@@ -166,7 +218,7 @@ QWidget* CalibrationDialog::makeButtons() {
   return box;
 }
 
-/// The buttons of a controller have places that all of them share.
+/// Names the buttons of controllers, which all controllers have in the same places.
 void CalibrationDialog::nameButtons() {
   const QStringList names{tr("Trigger"), tr("Menu"), tr("Lower button"), tr("Upper button"), tr("Stick")};
   const int named = isController(input()) ? names.size() : 0;
@@ -175,7 +227,7 @@ void CalibrationDialog::nameButtons() {
   }
 }
 
-/// A controller has buttons only: the object goes with its place.
+/// Settings of axes are disabled for a controller: it has buttons only, and the object follows its pose.
 void CalibrationDialog::chooseDevice(int /*index*/) {
   for (QWidget* ofAxes : {axes_, motion_, static_cast<QWidget*>(preset_)}) ofAxes->setEnabled(!isController(input()));
   nameButtons();

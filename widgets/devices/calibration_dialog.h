@@ -5,19 +5,42 @@
 #include <QDialog>
 #include <QLabel>
 #include <QTimer>
+#include <QWidget>
 
 #include <vector>
 
+#include "engine/operator/device_shaping.h"
 #include "engine/operator/hand_inputs.h"
 #include "widgets/commands/action_catalogue.h"
 #include "widgets/devices/axis_row.h"
 #include "widgets/devices/device_settings.h"
-#include "widgets/devices/response_curve.h"
 
 namespace glissade {
 
-/// The calibration page: the six axes of a device live, raw and shaped, and everything that shapes them.
-/// A change counts at once and is kept for the device of that name.
+/// Plots shaped against raw deflection of one axis, with a dot at the present deflection.
+class ResponseCurve final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ResponseCurve(QWidget* parent);
+
+  void setAxis(const QString& title, const AxisShaping& axis);
+  void setRaw(double raw);
+
+  QSize sizeHint() const override { return {190, 190}; }
+  QSize minimumSizeHint() const override { return {150, 150}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  QString title_;
+  AxisShaping axis_;
+  double raw_ = 0.0;
+};
+
+/// The calibration page: the six axes of a device, raw and shaped, live, and the settings of their shaping. A change
+/// takes effect at once and is kept for the device of that name.
 class CalibrationDialog final : public QDialog {
   Q_OBJECT
 
@@ -26,7 +49,7 @@ class CalibrationDialog final : public QDialog {
 
   /// Shows the devices as they are now.
   void refresh();
-  /// A button was pressed: shows what it does.
+  /// Shows the action of the button that was pressed.
   void showButton(const HandInput& input, std::size_t button);
 
  protected:
@@ -41,7 +64,7 @@ class CalibrationDialog final : public QDialog {
   void chooseDevice(int index);
   void choosePreset(int index);
   void resetDevice();
-  /// The editors' values count and are kept.
+  /// Applies and keeps the editors' values.
   void apply();
   void showShaping(const DeviceShaping& shaping);
   void showAction();

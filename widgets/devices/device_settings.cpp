@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::array<const char*, 3> kFrames{"view", "world", "object"};
 
-/// Both controllers of a headset have one name.
+/// Prefix that tells apart both controllers of a headset, which have one name.
 QString handOf(const HandInput& input) {
   switch (input.kind) {
     case InputKind::LeftController: return QStringLiteral("left-");
@@ -19,7 +19,7 @@ QString handOf(const HandInput& input) {
   }
 }
 
-/// The device's name while it is there, else its kind.
+/// The device's name while it is connected, else its kind.
 QString groupOf(const HandInput& input) {
   const std::string name = input.mailbox.reading().name;
   if (!name.empty()) {
@@ -43,7 +43,7 @@ QString buttonKey(const QString& group, std::size_t button) {
   return QStringLiteral("%1/button-%2").arg(group).arg(button);
 }
 
-/// NaN where the text is no number: inRange() then takes the default.
+/// NaN if the text is no number: inRange() then takes the default.
 double number(const QSettings& settings, const QString& key, double otherwise) {
   if (!settings.contains(key)) return otherwise;
   bool ok = false;
@@ -51,7 +51,7 @@ double number(const QSettings& settings, const QString& key, double otherwise) {
   return ok ? value : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// It has one button, which is the grip: closing the hand is to do nothing else.
+/// The simple controller has one button, which is also its grip: closing the hand must trigger no action.
 bool hasOneButton(const HandInput& input) { return input.mailbox.reading().name == "khr/simple_controller"; }
 
 QString standardAction(const HandInput& input, std::size_t button) {

@@ -6,7 +6,7 @@
 
 namespace glissade {
 
-/// The axes that a person steers in.
+/// Name of the axes along which a person steers.
 inline QString frameName(MotionFrame frame) {
   switch (frame) {
     case MotionFrame::View: return QCoreApplication::translate("FrameName", "axes of the view");

@@ -17,7 +17,7 @@ constexpr double kCentimetre = 0.01;
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kMillisecond = 1e-3;
 
-/// Centimetres or degrees, as trackers show them.
+/// The value in centimetres or degrees, as trackers show them.
 QString valueText(double value, std::size_t axis) {
   const bool isLength = axis < 3;
   const QString number = QLocale().toString(value / (isLength ? kCentimetre : kDegree), 'f', 1);

@@ -15,33 +15,33 @@
 
 namespace glissade {
 
-/// What a page about the head shows of it.
+/// State of the head tracker that the calibration page shows.
 struct HeadState {
   bool on = false;       ///< the head is followed
-  bool tracked = false;  ///< data come
+  bool tracked = false;  ///< data arrive
   HeadReading reading{};
   HeadMotion motion;
-  double delay = 0.0;  ///< seconds, as it is now
+  double delay = 0.0;  ///< present delay, seconds
   std::uint64_t dropped = 0;
 };
 
-/// The calibration page of a head tracker: what it sends, live, and everything that turns it into the motion of a
-/// head. A change counts at once.
+/// The calibration page of a head tracker: its live data, and the settings that turn them into the motion of a head. A
+/// change takes effect at once and is kept.
 class HeadDialog final : public QDialog {
   Q_OBJECT
 
  public:
-  /// `state` is asked for while the page is seen.
+  /// `state` is called while the page is visible.
   HeadDialog(const HeadPreferences& present, std::function<HeadState()> state, QWidget* parent);
 
   void setPreferences(const HeadPreferences& present);
   void refresh();
-  /// The file of the settings cannot be written.
+  /// Says that the file of the settings cannot be written.
   void showTrouble(const QString& file);
 
  signals:
   void changed(const glissade::HeadPreferences& preferences);
-  /// The person sits straight before the screen now.
+  /// The person asks to take the present pose of the head as the rest pose.
   void restAsked();
 
  protected:

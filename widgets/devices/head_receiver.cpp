@@ -5,7 +5,7 @@
 namespace glissade {
 namespace {
 
-/// Datagrams that are read before the window has its turn again.
+/// Most datagrams that are read before the window's other events.
 constexpr int kMostAtOnce = 200;
 
 }  // namespace
@@ -27,7 +27,7 @@ bool HeadReceiver::open(int port, bool fromAnywhere) {
 
 void HeadReceiver::read() {
   std::optional<HeadReading> newest;
-  // One byte more than a whole one, so that longer ones are noticed.
+  // The buffer is one byte longer than a datagram of opentrack, so that longer datagrams are noticed.
   std::array<std::byte, kOpentrackBytes + 1> datagram;
   for (int i = 0; i < kMostAtOnce && hasMore(); ++i) {
     const qint64 size = socket_->readDatagram(reinterpret_cast<char*>(datagram.data()), datagram.size());

@@ -10,29 +10,29 @@
 
 namespace glissade {
 
-/// Receives what a tracker sends of a head. Without open() there is no socket. On the thread that it lives in.
+/// Receives the data of a head tracker. There is no socket before open(). Used on the thread that it lives in.
 class HeadReceiver final : public QObject {
   Q_OBJECT
 
  public:
   using QObject::QObject;
 
-  /// Only what this machine sends is received, or what any machine sends. Port 0: one that is free. False, and
-  /// trouble() says why, where the port cannot be had.
+  /// `fromAnywhere`: data of any machine are received, else only data of this one. Port 0 selects a free one. Returns
+  /// false if the port cannot be opened; trouble() then gives the reason.
   bool open(int port, bool fromAnywhere);
   void close() { socket_.reset(); }
   bool isOpen() const { return socket_ != nullptr; }
-  /// Of the open socket; 0: there is none.
+  /// Port of the open socket; 0: no socket is open.
   int port() const { return socket_ ? socket_->localPort() : 0; }
   QHostAddress address() const { return socket_ ? socket_->localAddress() : QHostAddress(); }
   QString trouble() const { return trouble_; }
-  /// Something has come that was not read yet.
+  /// Whether a datagram has come that was not read yet.
   bool hasMore() const { return socket_ && socket_->hasPendingDatagrams(); }
-  /// Datagrams that were no place of a head, since open().
+  /// Number of datagrams since open() that held no pose of a head.
   std::uint64_t dropped() const { return dropped_; }
 
  signals:
-  /// The newest of those that have come.
+  /// The newest reading of the datagrams that have come.
   void received(const glissade::HeadReading& reading);
 
  private:

@@ -6,7 +6,7 @@
 
 namespace glissade {
 
-/// How the head is tracked.
+/// Settings of head tracking.
 struct HeadPreferences {
   HeadShaping shaping;
   int port = kOpentrackPort;
@@ -15,18 +15,18 @@ struct HeadPreferences {
   friend bool operator==(const HeadPreferences&, const HeadPreferences&) = default;
 };
 
-/// What a person has set about the tracked head, kept in the file of the devices. What the file does not hold, or
-/// holds out of range, is the standard.
+/// A person's settings of the tracked head, kept in the file of the devices. A value that is missing in the file, or
+/// out of range, is the standard.
 class HeadSettings {
  public:
-  /// The user's file, in the place where the desktop keeps configurations.
+  /// Reads the user's file, in the desktop's folder for configurations.
   HeadSettings();
-  /// A file of one's own, for tests.
+  /// Reads another file, for tests.
   explicit HeadSettings(const QString& file);
 
   HeadPreferences preferences() const;
   void save(const HeadPreferences& preferences);
-  /// False where the file cannot be written.
+  /// False if the file cannot be written.
   bool writable() const;
   QString file() const { return settings_.fileName(); }
 

@@ -31,7 +31,7 @@ void ArrangementQueue::cancel() {
   task_.cancel();
 }
 
-/// Jobs without anything to load are done on the way.
+/// Begins the next job that has a scenario to load; jobs without one are done on the way.
 void ArrangementQueue::beginNext() {
   while (!jobs_.empty()) {
     const Job& job = jobs_.front();

@@ -5,7 +5,7 @@
 
 namespace glissade {
 
-/// Who did what, in the scene's path and in the bars of the panels; Okabe and Ito's hues.
+/// Colours of the authors of a path, in the scene and in the bars of the panels; Okabe and Ito's hues.
 inline Colour authorColour(Author author) {
   switch (author) {
     case Author::Computer: return {0.34, 0.71, 0.91};

@@ -6,8 +6,8 @@
 
 namespace glissade {
 
-/// Colours of places as in paper 2, figure 6: from green (easy) over orange to red (hard), yellow
-/// where mobile bodies clutter the place. Okabe and Ito's hues, which do not rely on red against green.
+/// Colours of places as in paper 2, figure 6: from green (easy) over orange to red (hard), and yellow if mobile bodies
+/// clutter the place. Okabe and Ito's hues do not rely on red against green.
 inline Colour complexityColour(int complexity, bool cluttered) {
   if (cluttered) return {0.94, 0.89, 0.26};
   constexpr std::array<Colour, 5> kScale{

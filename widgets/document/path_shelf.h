@@ -10,26 +10,26 @@
 
 namespace glissade {
 
-/// The paths that are kept in the scenario that is open. Every change is a command on the document's undo stack. Used
-/// on the GUI thread only; the paths themselves never change.
+/// The paths that are kept in the open scenario. Every change is a command on the document's undo stack. Used on the
+/// GUI thread only; the paths themselves never change.
 class PathShelf final : public QObject {
   Q_OBJECT
 
  public:
   explicit PathShelf(QUndoStack& undo, QObject* parent = nullptr);
 
-  /// Of another scenario.
+  /// Takes the paths of another scenario.
   void open(const KeptPaths& paths);
-  /// Pinned ones first, else in the order in which they were kept.
+  /// The kept paths: pinned ones first, in the order in which they were kept.
   const KeptPaths& paths() const { return paths_; }
-  /// Null: there is none of this name.
+  /// Null if no path has this name.
   KeptPathPtr find(const std::string& name) const;
   /// Whether a kept path has these configurations.
   bool holds(const std::vector<PathPoint>& points) const;
 
-  /// Under its name, or a free one that begins with it.
+  /// Keeps the path under its name, or under a free name that begins with it.
   void keep(KeptPath path);
-  /// Refused (Usage): an empty name, one that another path has, no such path.
+  /// Refused (Usage): an empty name, the name of another path, or no path of this name.
   Outcome rename(const std::string& name, const std::string& newName);
   Outcome pin(const std::string& name, bool pinned);
   Outcome remove(const std::string& name);

@@ -73,7 +73,7 @@ void SemanticDocument::push(const QString& text, const SemanticEdits& after, con
   undo_.push(new ValueCommand<SemanticEdits>(text, edits_, after, take, mergeKey));
 }
 
-/// Null where nothing is said.
+/// Null if no edit sets the attribute.
 const AttributeValue* SemanticDocument::said(const std::string& id, const std::string& attribute) const {
   const auto edited = edits_.bodies.find(id);
   if (edited == edits_.bodies.end()) return nullptr;
@@ -90,13 +90,13 @@ ProvenValue SemanticDocument::bodyValue(const QString& bodyId, const std::string
   }
   const auto body = std::find_if(bodies_.begin(), bodies_.end(), [&](const RigidBody& b) { return b.id == id; });
   if (attribute == "mobility" && body != bodies_.end()) {
-    return {std::string(body->mobility == Mobility::Static ? "static" : "mobile"), Provenance::Computed};
+    return {std::string(kMobilityNames.of(body->mobility)), Provenance::Computed};
   }
   return {table_.find(AttributeOwner::Body, attribute)->initial, Provenance::Initial};
 }
 
-/// The one edit of a place, made where there is none yet. Several become one, in which the later ones count; what lies
-/// only near the place comes to its anchor.
+/// The edit of a place, made if there is none yet. Several edits become one, in which the later values count; an edit
+/// that lies only near the place moves to its anchor.
 PlaceEdit& SemanticDocument::editOf(SemanticEdits& edits, int place) const {
   const TopologicalMap& map = knowledge_->environment->map;
   const auto isBound = [&](const PlaceEdit& edit) { return boundPlace(map, edit.at) == place; };
@@ -148,7 +148,7 @@ Outcome SemanticDocument::setAttribute(const SemanticSelection& targets, const s
     if (!outcome) return outcome;
     key += QStringLiteral(" b") + body;
   }
-  // What says nothing any more goes.
+  // Edits that set nothing are removed.
   after.places.erase(std::remove_if(after.places.begin(), after.places.end(),
                                     [](const PlaceEdit& edit) { return edit.name.empty() && edit.attributes.empty(); }),
                      after.places.end());

@@ -8,7 +8,7 @@
 
 namespace glissade {
 
-/// Puts one value for another, and back. Commands with the same merge key become one, which leaves the undo stack where
+/// Replaces one value by another, and back. Commands with the same merge key become one, which leaves the undo stack if
 /// nothing has changed in the end.
 template <class Value>
 class ValueCommand final : public QUndoCommand {

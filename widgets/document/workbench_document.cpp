@@ -14,7 +14,7 @@
 
 namespace glissade {
 
-/// The scenario before and after an edit, as values, with the file that their assets are named from.
+/// The scenario before and after an edit, as values, with the file that their assets are named relative to.
 class ArrangementCommand final : public QUndoCommand {
  public:
   ArrangementCommand(WorkbenchDocument& document, const QString& text, Scenario after, ScenarioPtr loaded,
@@ -39,7 +39,7 @@ class ArrangementCommand final : public QUndoCommand {
       document_.applyArrangement(after_, file_);
     }
   }
-  /// What undo() (or, forth, redo()) makes of the scenario.
+  /// The scenario after redo() (`forth`) or undo().
   const Scenario& assembly(bool forth) const { return forth ? after_ : before_; }
   const std::string& file() const { return file_; }
   int id() const override { return mergeKey_.isEmpty() ? -1 : 2; }
@@ -55,7 +55,7 @@ class ArrangementCommand final : public QUndoCommand {
   std::string file_;
   Scenario before_;
   Scenario after_;
-  ScenarioPtr loaded_;  ///< until it is done for the first time
+  ScenarioPtr loaded_;  ///< null once the command was done for the first time
   bool temporary_;
   QString mergeKey_;
 };
@@ -80,7 +80,7 @@ WorkbenchDocument::WorkbenchDocument(QObject* parent)
 }
 
 WorkbenchDocument::~WorkbenchDocument() {
-  // The undo stack signals its own end, when its observers may be gone.
+  // Disconnects the undo stack, which signals its own end when its observers may be destroyed.
   undo_.disconnect();
 }
 
@@ -119,7 +119,7 @@ void WorkbenchDocument::open(const ScenarioPtr& scenario) {
     unkept_ = false;
     aside_.reset();
     undo_.clear();
-    undo_.setClean();  // an empty stack that was not clean stays so otherwise
+    undo_.setClean();  // setClean() has no effect on an empty stack that was not clean
     paths_.open(scenario->scenario.paths);
     if (scenario->file.empty()) undo_.resetClean();
     semantics_.open(*scenario);
@@ -128,7 +128,7 @@ void WorkbenchDocument::open(const ScenarioPtr& scenario) {
   if (!queue_.isAtOnce()) finishOpening();
 }
 
-/// The fits of the scenario as it is, with its world prepared.
+/// Finds the fits of the present scenario and prepares its world.
 void WorkbenchDocument::finishOpening() {
   const auto isFinished = [this] { return !scenario_->fitsPending && scenario_->problem.world->isPrepared(); };
   if (isFinished()) return;
@@ -145,21 +145,21 @@ void WorkbenchDocument::finishOpening() {
 
 Scenario WorkbenchDocument::current() const {
   Scenario scenario = scenario_->scenario;
-  scenario.sequence = demands_;  // attributes of parts are edits, which come over it
+  scenario.sequence = demands_;  // attributes of parts are semantic edits, which are set next
   setSemanticEdits(semantics_.edits(), scenario);
   scenario.paths = paths_.paths();
   scenario.plan = plan_;
   return scenario;
 }
 
-/// `assembly` in the scenario as it is now, its assets named from `file`.
+/// The present scenario with this assembly, whose assets are named relative to `file`.
 Scenario WorkbenchDocument::assembled(const Scenario& assembly, const std::string& file) const {
   Scenario scenario = scenario_->scenario;
   takeAssembly(movedTo(scenario_->file, assembly, file), scenario);
   return scenario;
 }
 
-/// What the scenario that is open has prepared is not prepared again.
+/// Returns a loader that reuses the preparation of the open scenario.
 ArrangementQueue::Load WorkbenchDocument::loader() const {
   return [before = scenario_, known = geometry_](Scenario scenario, const StopToken& stop) -> Result<ScenarioPtr> {
     const std::string& file = before->file;
@@ -182,7 +182,7 @@ void WorkbenchDocument::endTemporary() {
   for (int index = undo_.index(); index > aside_->index; --index) undo();
 }
 
-/// The scenario that was set aside is there again.
+/// Notes that the undo stack has restored the scenario that was set aside.
 void WorkbenchDocument::followUndo() {
   if (!aside_ || undo_.index() > aside_->index) return;
   const bool saved = aside_->saved;
@@ -210,7 +210,7 @@ Outcome WorkbenchDocument::addEdit(const QString& text, ScenarioChange change, c
   return queue_.add(std::move(job));
 }
 
-/// A step of the undo stack. The scenario of an edit of the arrangement is loaded before.
+/// Undoes or redoes a step of the undo stack. The scenario of an edit of the arrangement is loaded before.
 void WorkbenchDocument::stepBack(bool forth) {
   const auto step = [this, forth] { forth ? undo_.redo() : undo_.undo(); };
   ArrangementQueue::Job job;
@@ -355,7 +355,7 @@ Scenario WorkbenchDocument::contentFor(const std::string& file) const {
 
 Scenario WorkbenchDocument::savedContentFor(const std::string& file) const {
   Scenario scenario = contentFor(file);
-  // Where an edit forbids a place that is not there, the file states no places, and who checks a path says so.
+  // If an edit forbids a place that does not exist, the file states no regions, and the check of a path reports that.
   if (auto places = forbiddenPlacesOf(aside_ ? *aside_->loaded : *scenario_, scenario))
     scenario.forbiddenRegions = std::move(*places);
   return scenario;

@@ -14,7 +14,7 @@ bool isNumber(AttributeType type) { return type == AttributeType::Integer || typ
 
 std::string textOf(const QLineEdit& line) { return line.text().trimmed().toStdString(); }
 
-/// Leaves the number as it is where nothing is written.
+/// Reads the number; an empty line leaves `number` as it is.
 Outcome readNumber(const QLineEdit& line, double& number) {
   const std::string text = textOf(line);
   if (text.empty()) return Done{};
@@ -73,7 +73,7 @@ AttributeDialog::AttributeDialog(AttributeOwner owner, Add add, QWidget* parent)
   enable();
 }
 
-/// As wide as its hint.
+/// Adds a line that is as wide as its hint.
 QLineEdit* AttributeDialog::addLine(const char* name, const QString& hint) {
   auto* line = new QLineEdit(this);
   line->setObjectName(QLatin1String(name));
@@ -97,7 +97,7 @@ void AttributeDialog::accept() {
     return;
   }
   refusal_->setText(diagnosticText(added.error()));
-  adjustSize();  // a label that wraps does not ask for its room
+  adjustSize();  // a label that wraps does not request its height
 }
 
 Result<AttributeDefinition> AttributeDialog::definition() const {
@@ -117,7 +117,7 @@ Result<AttributeDefinition> AttributeDialog::definition() const {
       if (!choice.trimmed().isEmpty()) definition.choices.push_back(choice.trimmed().toStdString());
     }
   }
-  if (definition.minimum > definition.maximum) return definition;  // is refused, and has no initial value
+  if (definition.minimum > definition.maximum) return definition;  // is refused, without an initial value
   definition.initial = initialValue(definition);
   if (isNumber(type())) {
     const Outcome read = readNumber(*initial_, std::get<double>(definition.initial));

@@ -10,7 +10,7 @@
 
 namespace glissade {
 
-/// Asks what an attribute of the user's is to be, until it can be added or is given up.
+/// Asks for the definition of a new attribute, until it can be added or the person cancels.
 class AttributeDialog final : public QDialog {
   Q_OBJECT
 
@@ -18,7 +18,7 @@ class AttributeDialog final : public QDialog {
   using Add = std::function<Outcome(const AttributeDefinition& definition)>;
   AttributeDialog(AttributeOwner owner, Add add, QWidget* parent = nullptr);
 
-  /// Stays open where what was given is refused, and says why.
+  /// If the definition is refused, the dialog stays open and shows the reason.
   void accept() override;
 
  private:

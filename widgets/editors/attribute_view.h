@@ -1,15 +1,83 @@
 #pragma once
 
+#include <QAbstractSpinBox>
 #include <QTreeWidget>
+#include <QWidget>
+
+#include <functional>
+#include <optional>
 #include <vector>
 
+#include "engine/environment/attribute.h"
 #include "widgets/document/semantic_document.h"
-#include "widgets/editors/attribute_editor.h"
 
 namespace glissade {
 
-/// The attributes of what is selected: value with an editor for its type, where it comes from, and a
-/// button that takes an edit back. F2, Enter and Space on a row lead to its editor.
+/// A spin box (`Box`: QSpinBox or QDoubleSpinBox) whose minimum lies one step below its least value and is shown as its
+/// special text: neither steps nor typing reach it.
+template <class Box, class Number>
+class RangeBox final : public Box {
+ public:
+  RangeBox(Number least, QWidget* parent) : Box(parent), least_(least) {}
+
+  bool isInRange() const { return this->value() >= least_; }
+  void stepBy(int steps) override {
+    if (isInRange() && this->value() + steps * this->singleStep() >= least_) {
+      Box::stepBy(steps);
+    } else if (isInRange() || steps > 0) {
+      this->setValue(least_);
+    }
+  }
+
+ protected:
+  QAbstractSpinBox::StepEnabled stepEnabled() const override {
+    const auto enabled = Box::stepEnabled();
+    return this->value() > least_ ? enabled
+                                  : enabled & ~QAbstractSpinBox::StepEnabled(QAbstractSpinBox::StepDownEnabled);
+  }
+  QValidator::State validate(QString& text, int& position) const override {
+    const QValidator::State state = Box::validate(text, position);
+    const bool number = state == QValidator::Acceptable && text != this->specialValueText();
+    return number && this->valueFromText(text) < least_ ? QValidator::Intermediate : state;
+  }
+
+ private:
+  Number least_;
+};
+
+/// The editor of one attribute's value, made for its type: check box, spin box with unit, combo box or line of text.
+/// Different values of several owners are shown as "—" until one is set. The wheel changes only an editor that has the
+/// focus, and undoing is left to the window.
+class AttributeEditor final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit AttributeEditor(const AttributeDefinition& definition, QWidget* parent = nullptr);
+
+  /// Shows the value, without a signal. Nothing: the owners have different values.
+  void setValue(const std::optional<AttributeValue>& value);
+
+ signals:
+  void edited(const glissade::AttributeValue& value);
+  void finished();  ///< the next change is a separate edit
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  QWidget* makeCheckBox();
+  QWidget* makeSpinBox(const AttributeDefinition& definition);
+  QWidget* makeNumberBox(const AttributeDefinition& definition);
+  template <class Box, class Number>
+  QWidget* connected(RangeBox<Box, Number>* box, const std::string& unit, double scale = 1.0);
+  QWidget* makeComboBox(const AttributeDefinition& definition);
+  QWidget* makeLine();
+
+  std::function<void(const std::optional<AttributeValue>&)> show_;
+};
+
+/// The attributes of the selection: value with an editor for its type, source, and a button that removes an edit. F2,
+/// Enter and Space on a row lead to its editor.
 class AttributeView final : public QTreeWidget {
   Q_OBJECT
 
@@ -18,7 +86,7 @@ class AttributeView final : public QTreeWidget {
 
   /// The attribute of the current row; empty: none.
   std::string currentAttribute() const;
-  /// Whose attributes are shown.
+  /// The owner of the attributes that are shown.
   AttributeOwner owner() const { return document_.selection().owner(); }
 
  signals:

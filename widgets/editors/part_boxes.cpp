@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kGap = 4;
 
-/// Lets the wheel scroll the table instead of changing what it happens to be over.
+/// Lets the wheel scroll the table instead of changing the box under the pointer.
 class CellCombo final : public QComboBox {
  public:
   using QComboBox::QComboBox;

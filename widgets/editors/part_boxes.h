@@ -5,17 +5,17 @@
 
 namespace glissade {
 
-// Boxes of the rows of PartsDialog. `part` is for who hears them. The wheel scrolls the table instead of changing what
-// it happens to be over.
+// Boxes of the rows of PartsDialog. `part` is the name that screen readers say. The wheel scrolls the table instead of
+// changing the box under the pointer.
 
 QComboBox* makeRoleBox(const QString& part, bool mayMove);
 QComboBox* makeUnitBox(const QString& part);
 QComboBox* makeUpBox(const QString& part);
 
-/// Says that the file itself states both; nobody may choose them. Each STEP file has a unit of its own.
+/// Shows that the file itself states unit and axis, and disables the boxes. Each STEP file has its own unit.
 void leaveToFile(const std::string& file, QComboBox& unit, QComboBox& up);
 
-/// Room about a box, which has to be filled: the column is measured with it.
+/// Puts the box into a widget with a margin, which must be filled: the column is measured with it.
 QWidget* cellOf(QComboBox* box);
 
 }  // namespace glissade

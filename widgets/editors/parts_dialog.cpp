@@ -9,6 +9,7 @@
 #include <QScrollBar>
 #include <QShortcut>
 #include <QVBoxLayout>
+
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
@@ -30,14 +31,14 @@ constexpr double kSmaller = 1.0 - 1e-6;
 constexpr int kWidth = 760;
 constexpr int kHeight = 400;
 
-/// Rows that have their boxes also where fewer are in sight, as while nothing is shown yet.
+/// Rows that get their boxes even if fewer are in sight, for example before the table is shown.
 constexpr int kFirstRows = 16;
-/// Rows that the widths of columns are measured with.
+/// Number of rows by which the widths of columns are measured.
 constexpr int kMeasuredRows = 50;
-/// Files that are read together, so that the list tells how far it is.
+/// Files that are read together; the list shows progress after each group.
 constexpr std::size_t kFilesAtOnce = 128;
 
-/// Three digits of the largest edge, in the unit that suits it.
+/// The sizes with three digits of the largest edge, in the unit that suits it.
 QString sizeText(const Box3& box) {
   const Vector3 size = box.sizes();
   const bool metres = size.maxCoeff() >= 1.0;
@@ -50,13 +51,28 @@ QString sizeText(const Box3& box) {
       .arg(text(shown.x()), text(shown.y()), text(shown.z()), metres ? QStringLiteral("m") : QStringLiteral("mm"));
 }
 
-/// The file's folder is left to the row's tooltip.
+/// The reason without the file's folder, which the row's tooltip states.
 QString reasonText(Diagnostic why) {
   why.file = QFileInfo(QString::fromStdString(why.file)).fileName().toStdString();
   return diagnosticLine(why);
 }
 
 }  // namespace
+
+FinenessBox::FinenessBox(QWidget* parent) : QDoubleSpinBox(parent) {
+  constexpr double kMostMillimetres = 5.0;
+  setObjectName(QStringLiteral("fineness"));
+  setAccessibleName(tr("Fineness of STEP surfaces"));
+  setToolTip(
+      tr("By how much triangles may be off the surfaces of STEP files. Finer ones allow smaller gaps and take longer; "
+         "by its size, a part has a thousandth of its diagonal, from 0.01 to 0.5 mm"));
+  setRange(0.0, kMostMillimetres);
+  setDecimals(3);
+  setSingleStep(0.01);
+  setSuffix(tr(" mm"));
+  setPrefix(tr("STEP within "));
+  setSpecialValueText(tr("STEP by size"));
+}
 
 PartsDialog::PartsDialog(Purpose purpose, const QStringList& files, bool atOnce, QWidget* parent)
     : QDialog(parent),
@@ -117,7 +133,7 @@ void PartsDialog::resizeEvent(QResizeEvent* event) {
 QLayout* PartsDialog::makeFileButtons() {
   auto* add = new QPushButton(tr("Add &files…"), this);
   add->setObjectName(QStringLiteral("add-files"));
-  for (QPushButton* button : {add, remove_}) button->setAutoDefault(false);  // Return creates
+  for (QPushButton* button : {add, remove_}) button->setAutoDefault(false);  // Return accepts
   add->setToolTip(tr("Meshes (STL, OBJ, Collada, glTF), STEP or URDF files"));
   remove_->setObjectName(QStringLiteral("remove"));
   remove_->setEnabled(false);
@@ -171,7 +187,7 @@ void PartsDialog::fillTable() {
   makeBoxesInSight();
 }
 
-/// A row has its boxes from when it is first seen: those of a thousand rows take a second.
+/// Makes the boxes of rows that are in sight for the first time: the boxes of a thousand rows take a second.
 void PartsDialog::makeBoxesInSight() {
   const QHeaderView& rows = *table_->verticalHeader();
   const int first = std::max(0, rows.visualIndexAt(0));
@@ -251,7 +267,7 @@ QString partFilePatterns() {
       "*.glb *.urdf");
 }
 
-/// Each OBJ and CAD file is one row again, which is measured anew.
+/// Makes one row of each OBJ and CAD file again, which is measured anew.
 void PartsDialog::takeApart(bool wanted) {
   std::vector<Row> rows;
   for (Row& row : rows_) {
@@ -288,7 +304,7 @@ void PartsDialog::removeSelected() {
   refresh();
 }
 
-/// A role is given to all selected rows together; what else has moved before does not move any more.
+/// Sets the role of all selected rows together; other parts that moved before become static.
 void PartsDialog::chooseRole(int row, PartRole role) {
   if (role == PartRole::Moves) {
     for (Row& other : rows_) {
@@ -300,7 +316,7 @@ void PartsDialog::chooseRole(int row, PartRole role) {
   refresh();
 }
 
-/// The row alone, or with the others selected where it is one of them.
+/// The row alone, or all selected rows if it is one of them.
 std::vector<int> PartsDialog::rowsWith(int row) const {
   const QItemSelectionModel& selection = *table_->selectionModel();
   if (!selection.isRowSelected(row, QModelIndex())) return {row};
@@ -317,13 +333,13 @@ int PartsDialog::rowOf(const QObject* combo, Column column) const {
   return row;
 }
 
-/// -1 where the file is not listed.
+/// -1 if the file is not listed.
 int PartsDialog::rowOf(const std::string& path) const {
   const auto same = std::find_if(rows_.begin(), rows_.end(), [&](const Row& row) { return row.part.path == path; });
   return same == rows_.end() ? -1 : static_cast<int>(same - rows_.begin());
 }
 
-/// The next ones of which nothing is known; a STEP file alone, because it takes its time.
+/// The next files that were not measured yet; a CAD file alone, because it takes long.
 std::vector<std::string> PartsDialog::filesToMeasure() const {
   std::vector<std::string> paths;
   for (const Row& row : rows_) {
@@ -358,7 +374,7 @@ void PartsDialog::measureNext() {
   measuring_.start("reading the parts", measure, atOnce_);
 }
 
-/// The row of the file becomes one a part.
+/// Replaces the row of the file by one row for each of its parts.
 void PartsDialog::setMeasured(const std::string& path, const Measured& measured) {
   const int row = rowOf(path);
   if (row < 0) return;
@@ -390,7 +406,7 @@ bool PartsDialog::hasMoving() const {
   return std::any_of(rows_.begin(), rows_.end(), [](const Row& row) { return row.part.role == PartRole::Moves; });
 }
 
-/// Of the files that do not say theirs, as long as nobody has chosen.
+/// Guesses the unit of files that state none, as long as nobody has chosen.
 void PartsDialog::guessUnits() {
   unitGuess_.reset();
   if (!isMeasured()) return;
@@ -406,7 +422,7 @@ void PartsDialog::guessUnits() {
   for (Row* row : guessed) row->part.unit = unitGuess_->unit;
 }
 
-/// The first of the smallest parts, as long as nobody has chosen.
+/// Lets the first of the smallest parts move, as long as nobody has chosen.
 void PartsDialog::guessWhatMoves() {
   if (purpose_ != Purpose::NewScenario || roleChosen_ || !isMeasured()) return;
   Row* smallest = nullptr;
@@ -430,7 +446,7 @@ void PartsDialog::refresh() {
   accept_->setEnabled(isComplete());
 }
 
-/// What its boxes and its name say.
+/// Shows the part's name and the state of its boxes.
 void PartsDialog::showRow(int row) {
   const PartFile& part = rows_[row].part;
   QTableWidgetItem& item = *table_->item(row, kPart);
@@ -462,7 +478,7 @@ void PartsDialog::showSize(int row) {
   }
 }
 
-/// What is missing, in one sentence.
+/// The next thing that is missing, in one sentence.
 QString PartsDialog::hint() const {
   if (rows_.empty()) return tr("Add the files of the parts.");
   for (const Row& row : rows_) {

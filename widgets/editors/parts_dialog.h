@@ -3,24 +3,37 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialog>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QTableWidget>
+
 #include <optional>
 #include <vector>
 
 #include "engine/scenario/part_files.h"
 #include "engine/scenario/unit_guess.h"
 #include "widgets/bridge/background_task.h"
-#include "widgets/editors/fineness_box.h"
 
 namespace glissade {
 
-/// Names of part files, as file dialogs want them.
+/// Asks for the largest distance of triangles from the surfaces of STEP files; by default it follows the size of each
+/// part.
+class FinenessBox final : public QDoubleSpinBox {
+  Q_OBJECT
+
+ public:
+  explicit FinenessBox(QWidget* parent = nullptr);
+
+  /// 0: the distance follows the size of each part.
+  double metres() const { return value() / 1e3; }
+};
+
+/// Patterns of the names of part files, for file dialogs.
 QString partFilePatterns();
 
-/// Asks how the files of a product's parts are to be taken, and which part moves. Files are measured in
-/// the background, so that a wrong unit is seen at once; the parts of a STEP file become rows of their own.
+/// Asks for unit, axis and role of the files of a product's parts. Files are measured in the background, so that a
+/// wrong unit is seen at once; the parts of a STEP file become rows of their own.
 class PartsDialog final : public QDialog {
   Q_OBJECT
 
@@ -31,15 +44,15 @@ class PartsDialog final : public QDialog {
   /// `atOnce`: files are measured before the constructor and addFiles() return.
   PartsDialog(Purpose purpose, const QStringList& files, bool atOnce, QWidget* parent = nullptr);
 
-  /// Where the dialog that adds files begins while none is listed.
+  /// Folder in which the dialog that adds files begins if no file is listed.
   void setFolder(const QString& folder) { folder_ = folder; }
-  /// Files that are listed already stay as they are.
+  /// Adds files; files that are listed already stay as they are.
   void addFiles(const QStringList& files);
 
   std::vector<PartFile> parts() const;
-  /// What was read to measure them, and need not be read again.
+  /// Geometry that was read for measuring, and need not be read again.
   const GeometryCache& read() const { return read_; }
-  /// All files were read, and one part moves where one has to.
+  /// Whether all files were read, and one part moves if one has to.
   bool isComplete() const;
 
  protected:
@@ -48,8 +61,8 @@ class PartsDialog final : public QDialog {
  private:
   struct Row {
     PartFile part;
-    std::optional<Result<Box3>> inFile;  ///< none: not measured yet
-    bool unitChosen = false;             ///< by a person
+    std::optional<Result<Box3>> inFile;  ///< nothing: not measured yet
+    bool unitChosen = false;             ///< a person has chosen the unit
   };
 
   void setUpTable();
@@ -88,8 +101,8 @@ class PartsDialog final : public QDialog {
   bool atOnce_;
   QString folder_;
   bool roleChosen_ = false;
-  std::vector<Row> rows_;               ///< as in the table
-  std::optional<UnitGuess> unitGuess_;  ///< of the files that say none, where nobody has chosen
+  std::vector<Row> rows_;               ///< in the order of the table
+  std::optional<UnitGuess> unitGuess_;  ///< guess for files that state no unit, if nobody has chosen
   GeometryCache read_;
   QTableWidget* table_;
   QPushButton* remove_;
@@ -99,7 +112,7 @@ class PartsDialog final : public QDialog {
   QLabel* hint_;
   QPushButton* accept_ = nullptr;
   BackgroundTask measuring_;
-  std::vector<std::string> measuredPaths_;  ///< of the files that measuring_ reads
+  std::vector<std::string> measuredPaths_;  ///< the files that measuring_ reads
 };
 
 }  // namespace glissade

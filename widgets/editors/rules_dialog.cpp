@@ -66,7 +66,7 @@ RulesDialog::RulesDialog(const StrategyRules& own, AttributeTable table, QWidget
   show(own);
 }
 
-/// Two lines of an expression; Tab goes on.
+/// A field with two lines for an expression; Tab moves the focus.
 QPlainTextEdit* RulesDialog::makeFunction(const char* id, const QString& tip) {
   auto* text = new QPlainTextEdit(this);
   text->setObjectName(QLatin1String(id));
@@ -201,7 +201,7 @@ StrategyRules RulesDialog::rules() const {
 bool RulesDialog::isSound() const { return parseRules(rules(), table_, idsOf(makeLocalPlannerRegistry())).ok(); }
 
 void RulesDialog::check() {
-  if (accept_ == nullptr) return;  // not all there yet
+  if (accept_ == nullptr) return;  // the dialog is not complete yet
   const auto parsed = parseRules(rules(), table_, idsOf(makeLocalPlannerRegistry()));
   accept_->setEnabled(parsed.ok());
   trouble_->setText(parsed ? QString() : diagnosticLine(parsed.error()));

@@ -12,13 +12,13 @@
 
 namespace glissade {
 
-/// Shows the rules of a strategy, the functions f and g of paper 2, equation (1), and the choice of planners,
-/// and lets a person change them into rules of his own. What does not hold together is said while one writes.
+/// Shows the rules of a strategy, the functions f and g of paper 2, equation (1), and the choice of planners, and lets
+/// a person change them into own rules. Errors are shown while the person types.
 class RulesDialog final : public QDialog {
   Q_OBJECT
 
  public:
-  /// `own`: the scenario's rules, or those to begin with. `table`: the attributes that rules may name.
+  /// `own`: the scenario's rules, or initial ones. `table`: the attributes that rules may name.
   RulesDialog(const StrategyRules& own, AttributeTable table, QWidget* parent = nullptr);
 
   StrategyRules rules() const;

@@ -103,7 +103,7 @@ void SemanticsPanel::enableActions() {
   actions_[QStringLiteral("attribute.remove-strays")]->setEnabled(document_.hasStrays());
 }
 
-/// The first one; all of them where the pointer rests.
+/// Shows the first warning; the tooltip shows all of them.
 void SemanticsPanel::showWarnings() {
   const Warnings& warnings = document_.warnings();
   warning_->setVisible(!warnings.empty());

@@ -12,8 +12,8 @@
 
 namespace glissade {
 
-/// The editor of semantic attributes: places and bodies in a tree, the attributes of what is selected
-/// below, attributes of the user's own.
+/// The editor of semantic attributes: a tree of places and bodies, the attributes of the selection below it, and
+/// attributes of the user's own.
 class SemanticsPanel final : public QWidget {
   Q_OBJECT
 
@@ -21,9 +21,9 @@ class SemanticsPanel final : public QWidget {
   SemanticsPanel(SemanticDocument& document, const ActionCatalogue& actions, QWidget* parent = nullptr);
 
   void setBusy(bool busy);
-  /// The way in which places are found (an id of the registry).
+  /// Selects the method that finds places (an id of the registry).
   void setIdentifier(const std::string& id);
-  /// Carry out attribute.add, attribute.rename and attribute.remove.
+  /// The following carry out attribute.add, attribute.rename and attribute.remove.
   void addAttribute();
   void renameAttribute();
   void removeAttribute();
@@ -44,7 +44,7 @@ class SemanticsPanel final : public QWidget {
   SemanticsTree* tree_;
   AttributeView* attributes_;
   QLabel* warning_;
-  QToolButton* removeStrays_;  ///< edits that count nowhere, as long as there are any
+  QToolButton* removeStrays_;  ///< removes edits that have no effect; visible if there are any
   QLabel* refusal_;
 };
 

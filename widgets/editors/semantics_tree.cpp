@@ -13,7 +13,7 @@ namespace glissade {
 namespace {
 
 constexpr int kKeyRole = Qt::UserRole;         // number of the place, or id of the body
-constexpr int kSearchRole = Qt::UserRole + 1;  // what the filter looks at
+constexpr int kSearchRole = Qt::UserRole + 1;  // text that the filter searches
 
 QIcon swatch(const Colour& colour) { return colourSwatch(QColor::fromRgbF(colour[0], colour[1], colour[2])); }
 
@@ -28,7 +28,7 @@ QTreeWidgetItem* makeGroup(QTreeWidget* tree) {
   return group;
 }
 
-/// What stands beside a place's complexity, with what it means.
+/// A sign beside a place's complexity, with its meaning.
 struct Mark {
   QString sign;
   QString meaning;
@@ -149,7 +149,7 @@ void SemanticsTree::showBodies() {
   }
 }
 
-/// Takes the id, and what the filter looks at.
+/// Sets the row's id and the text that the filter searches.
 void SemanticsTree::describe(QTreeWidgetItem& item, const QString& id) {
   item.setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
   item.setData(0, kKeyRole, id);
@@ -162,7 +162,7 @@ void SemanticsTree::describe(QTreeWidgetItem& item, const QString& id) {
   item.setData(0, kSearchRole, search);
 }
 
-/// What is said of an assembly holds for its bodies.
+/// Attributes of an assembly hold for its bodies.
 void SemanticsTree::showAssemblies() {
   std::vector<const Product::Node*> nodes;
   std::vector<std::string> ids;
@@ -185,7 +185,7 @@ void SemanticsTree::showAssemblies() {
   }
 }
 
-/// What is hidden is selected no more: nobody edits what is not seen.
+/// Deselects rows that become hidden, so that nobody edits hidden rows.
 void SemanticsTree::setFilter(const QString& text) {
   filter_ = text;
   hideUnwanted();

@@ -7,15 +7,15 @@
 
 namespace glissade {
 
-/// Places, assemblies and bodies; what is selected here is selected in the scene, and the other way round. Places
-/// can be renamed in place (F2).
+/// A tree of places, assemblies and bodies, which shares its selection with the scene. Places can be renamed in place
+/// (F2).
 class SemanticsTree final : public QTreeWidget {
   Q_OBJECT
 
  public:
   explicit SemanticsTree(SemanticDocument& document, QWidget* parent = nullptr);
 
-  /// Hides, and deselects, what does not hold the text in its name or its values.
+  /// Hides and deselects the rows whose name and values do not contain the text.
   void setFilter(const QString& text);
 
  signals:
@@ -37,7 +37,7 @@ class SemanticsTree final : public QTreeWidget {
 
   SemanticDocument& document_;
   QTreeWidgetItem* places_;
-  QTreeWidgetItem* assemblies_;  ///< hidden where there are none
+  QTreeWidgetItem* assemblies_;  ///< hidden if there are none
   QTreeWidgetItem* bodies_;
   QString filter_;
   bool updating_ = false;

@@ -13,7 +13,7 @@
 namespace glissade {
 namespace {
 
-/// Of the button that leaves all variants of a place where they are.
+/// Id of the button that leaves all variants of a place in the scenario.
 constexpr int kAll = -2;
 
 }  // namespace
@@ -71,7 +71,7 @@ QWidget* VariantsDialog::makeVariant(const Variant& variant, int index, QButtonG
   picture->setFrameShape(QFrame::StyledPanel);
   auto* button = new QRadioButton(tile);
   const QFontMetrics metrics(button->font());
-  // Room for the mark of the button.
+  // Width of the button's mark.
   constexpr int kMark = 28;
   button->setText(metrics.elidedText(variant.name, Qt::ElideMiddle, variant.picture.width() - kMark));
   button->setToolTip(variant.name);

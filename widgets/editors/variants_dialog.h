@@ -9,14 +9,15 @@
 
 namespace glissade {
 
-/// A body that fills the place of others.
+/// A body that fills the same place as others.
 struct Variant {
   std::string id;
   QString name;
   QImage picture;
 };
 
-/// Asks which of several bodies that fill the same place is built: a picture of each, one choice for each place.
+/// Asks for the one that is built among several bodies that fill the same place. Each body has a picture, and each
+/// place one choice.
 class VariantsDialog final : public QDialog {
   Q_OBJECT
 
@@ -24,7 +25,7 @@ class VariantsDialog final : public QDialog {
   /// `places`: the variants of each place.
   VariantsDialog(std::vector<std::vector<Variant>> places, QWidget* parent);
 
-  /// Ids of those that were not chosen, of the places where one was.
+  /// Ids of the bodies that were not chosen, at places where one was.
   std::set<std::string> leftOut() const;
 
  private:
@@ -32,7 +33,7 @@ class VariantsDialog final : public QDialog {
   QWidget* makeVariant(const Variant& variant, int index, QButtonGroup& choice);
 
   std::vector<std::vector<Variant>> places_;
-  std::vector<QButtonGroup*> choices_;  ///< of each place; the button of a variant has its index
+  std::vector<QButtonGroup*> choices_;  ///< one for each place; the button of a variant has the variant's index
 };
 
 }  // namespace glissade

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::array kHandPaths{"/user/hand/left", "/user/hand/right"};
 constexpr const char* kProfiles = "/interaction_profiles/";
-/// Nanoseconds: longer than a picture, so that a push is felt without gaps.
+/// Duration of a pulse in nanoseconds. It is longer than a picture, so that a push is felt without gaps.
 constexpr XrDuration kPulse = 30'000'000;
 
 void copyName(char* target, std::size_t size, const char* name) { std::strncpy(target, name, size - 1); }
@@ -34,7 +34,7 @@ ControllerActions::ControllerActions(const HeadsetRuntime& runtime, const Headse
 
 ControllerActions::~ControllerActions() { destroy(); }
 
-/// The actions go with their set.
+/// Destroys the spaces and the set, and with the set its actions.
 void ControllerActions::destroy() {
   for (const Hand& hand : hands_) {
     for (XrSpace space : {hand.grip, hand.aim}) {
@@ -76,7 +76,7 @@ void ControllerActions::makeAction(ControllerAction action, const char* name, Xr
   checkXr(xrCreateAction(set_, &info, &actions_[static_cast<std::size_t>(action)]), "xrCreateAction");
 }
 
-/// A runtime need not know every kind of controllers.
+/// Suggests bindings of a profile, which the runtime need not know.
 void ControllerActions::suggest(const ControllerProfile& profile) {
   std::vector<XrActionSuggestedBinding> bindings;
   for (const ControllerBinding& binding : profile.bindings) {
@@ -174,7 +174,7 @@ XrActionStateGetInfo ControllerActions::question(ControllerAction action, const 
   return info;
 }
 
-/// A place that the runtime only guesses is none.
+/// The pose of a space; nothing if the runtime does not track it but guesses.
 std::optional<Pose> ControllerActions::locate(ControllerAction action, const Hand& hand, XrSpace space,
                                               XrTime time) const {
   const XrActionStateGetInfo info = question(action, hand);

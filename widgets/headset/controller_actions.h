@@ -12,7 +12,7 @@
 
 namespace glissade {
 
-/// The actions of OpenXR that the controllers of a session are read with. Used on the thread of the session, and
+/// The actions of OpenXR by which the controllers of a session are read. Used on the thread of the session, and
 /// destroyed before it. Functions throw HeadsetFailure.
 class ControllerActions {
  public:
@@ -21,19 +21,20 @@ class ControllerActions {
   ControllerActions(const ControllerActions&) = delete;
   ControllerActions& operator=(const ControllerActions&) = delete;
 
-  /// Where the controllers are at that time, and what is pressed now. Nothing while another program has them.
+  /// The poses of the controllers at this time, and the present state of their components. Both are empty while another
+  /// program has the controllers.
   BothControllers read(XrTime time);
-  /// Shakes the hand until the next picture; in [0, 1] of the strongest.
+  /// Vibrates the controller until the next picture; strength in [0, 1] of the strongest.
   void pulse(ControllerSide side, double strength);
 
  private:
-  /// Of one hand.
+  /// The spaces and the profile of one hand.
   struct Hand {
     XrPath path = XR_NULL_PATH;
     XrSpace grip = XR_NULL_HANDLE;
     XrSpace aim = XR_NULL_HANDLE;
     XrPath profile = XR_NULL_PATH;
-    std::string name;  ///< of the profile
+    std::string name;  ///< name of the profile
   };
 
   void make();

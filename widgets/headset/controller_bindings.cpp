@@ -3,13 +3,13 @@
 namespace glissade {
 namespace {
 
-/// An action of both hands.
+/// An action and its component, the same for both hands.
 struct Component {
   ControllerAction action;
   const char* name;
 };
 
-/// With the poses and the pulse, which all controllers have.
+/// A profile with poses and pulse, which all controllers have.
 ControllerProfile profile(const char* path, std::vector<Component> ofBoth) {
   ofBoth.insert(ofBoth.end(), {{ControllerAction::Grip, "/input/grip/pose"},
                                {ControllerAction::Aim, "/input/aim/pose"},
@@ -27,7 +27,7 @@ ControllerProfile simple() {
                                                                  {ControllerAction::Menu, "/input/menu/click"}});
 }
 
-/// The menu of its right hand is the runtime's.
+/// The profile of Oculus Touch. The menu button of its right hand belongs to the runtime.
 ControllerProfile touch() {
   ControllerProfile made = profile("/interaction_profiles/oculus/touch_controller",
                                    {{ControllerAction::Squeeze, "/input/squeeze/value"},

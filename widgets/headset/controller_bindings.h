@@ -6,25 +6,25 @@
 
 namespace glissade {
 
-/// What the program asks of each controller.
+/// The inputs and outputs that the program uses of each controller.
 enum class ControllerAction { Grip, Aim, Squeeze, Trigger, Stick, Menu, Lower, Upper, StickClick, Pulse };
 inline constexpr std::size_t kControllerActions = 10;
 
-/// An action and what of a controller it is bound to, below the path of its hand.
+/// An action and the component of a controller that it is bound to, below the path of its hand.
 struct ControllerBinding {
   ControllerSide side;
   ControllerAction action;
   const char* component;
 };
 
-/// What is suggested to a runtime for a kind of controllers.
+/// The bindings that are suggested to a runtime for one kind of controllers.
 struct ControllerProfile {
-  const char* path;  ///< of the interaction profile
+  const char* path;  ///< path of the interaction profile
   std::vector<ControllerBinding> bindings;
 };
 
-/// Those of the simple controller of OpenXR, of Oculus Touch, Valve Index, HTC Vive and Windows Mixed Reality. Where a
-/// controller has no squeeze, its only button is the squeeze, too.
+/// The profiles of OpenXR's simple controller, of Oculus Touch, Valve Index, HTC Vive and Windows Mixed Reality. If a
+/// controller has no squeeze, its only button is also the squeeze.
 std::vector<ControllerProfile> controllerProfiles();
 
 }  // namespace glissade

@@ -49,7 +49,7 @@ void ControllerLink::connect(ControllerSide side, const std::string& name) {
   }
 }
 
-/// The trigger has a way of its own.
+/// The state of the buttons; that of the trigger follows from its squeeze.
 ControllerLink::Buttons ControllerLink::pressedOf(ControllerSide side, const ControllerState& state) const {
   constexpr auto kTrigger = static_cast<std::size_t>(ControllerButton::Trigger);
   Buttons now = state.pressed;

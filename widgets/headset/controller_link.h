@@ -6,14 +6,14 @@
 
 namespace glissade {
 
-/// Brings what the controllers of a headset say to the devices of the person, and says what their hands are to feel.
-/// Knows nothing of OpenXR. The controllers are away before the first state and after the end of the link.
+/// Passes states of a headset's controllers to the person's devices, and feedback from them to the hands. It knows
+/// nothing of OpenXR. The controllers are disconnected before the first state and after the end of the link.
 class ControllerLink {
  public:
-  /// Squeeze of the trigger from which on it is pressed, and below which it is released.
+  /// Squeeze of the trigger above which it is pressed, and below which it is released.
   static constexpr double kTriggerPressed = 0.7;
   static constexpr double kTriggerReleased = 0.4;
-  /// A weaker push is not felt.
+  /// A weaker push is not passed on.
   static constexpr double kLeastPush = 0.02;
 
   explicit ControllerLink(HandInputsPtr hand) : hand_(std::move(hand)) {}
@@ -22,12 +22,12 @@ class ControllerLink {
   ControllerLink& operator=(const ControllerLink&) = delete;
 
   void take(const BothControllers& states, const RoomPlacement& room);
-  /// Both controllers as they were said last, and what came of it.
+  /// The last state of both controllers, with the feedback to them.
   ShownControllers shown() const;
   ControllerSide mainHand() const { return hand_->mainHand; }
-  /// By ControllerSide: which hand holds the object.
+  /// Whether each hand holds the object, by ControllerSide.
   std::array<bool, 2> holds() const;
-  /// What the hand is to feel now, in [0, 1]; 0: nothing.
+  /// Strength of the vibration that the hand is to feel now, in [0, 1]; 0: none.
   double push(ControllerSide side) const;
 
  private:

@@ -8,20 +8,20 @@
 
 namespace glissade {
 
-/// What a controller says, in the room R.
+/// The state of a controller, in the room R.
 struct ControllerState {
-  std::string name;                                 ///< what the runtime takes it for; empty where there is none
-  std::optional<Pose> X_RG;                         ///< grip G; nothing while it is not tracked
-  std::optional<Pose> X_RA;                         ///< aim A, along -z; nothing while it is not tracked
-  double squeeze = 0.0;                             ///< in [0, 1]
-  double trigger = 0.0;                             ///< in [0, 1]
+  std::string name;          ///< name of the profile by the runtime; empty if there is no controller
+  std::optional<Pose> X_RG;  ///< grip G; nothing while it is not tracked
+  std::optional<Pose> X_RA;  ///< aim A, along -z; nothing while it is not tracked
+  double squeeze = 0.0;      ///< in [0, 1]
+  double trigger = 0.0;      ///< in [0, 1]
   Eigen::Vector2d stick = Eigen::Vector2d::Zero();  ///< each in [-1, 1]; right and up
-  std::array<bool, kControllerButtons> pressed{};   ///< by ControllerButton; the trigger is left out
+  std::array<bool, kControllerButtons> pressed{};   ///< by ControllerButton, without the trigger
 
   bool isPressed(ControllerButton button) const { return pressed[static_cast<std::size_t>(button)]; }
 };
 
-/// By ControllerSide.
+/// The states by ControllerSide.
 using BothControllers = std::array<ControllerState, 2>;
 inline constexpr std::array kBothSides{ControllerSide::Left, ControllerSide::Right};
 

@@ -15,7 +15,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kSamples = 4;              ///< of a pixel, as in the window
+constexpr int kSamples = 4;              ///< samples of a pixel, as in the window
 constexpr double kLongestFree = 0.0005;  ///< s
 
 const osg::GLExtensions& functionsOf(osg::GraphicsContext& context) {
@@ -29,7 +29,7 @@ osg::ref_ptr<osgUtil::SceneView> makeView(osg::GraphicsContext& context, osg::No
   view->setFrameStamp(new osg::FrameStamp);
   view->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
   view->setCullMask(~kWindowOnly);
-  // Of a framebuffer object; OSG's own choice is an error there.
+  // The draw buffer is one of a framebuffer object; OSG's default is an error there.
   view->setDrawBufferValue(GL_COLOR_ATTACHMENT0_EXT);
   view->setSceneData(scene);
   return view;
@@ -92,7 +92,7 @@ void EyePainter::draw(const EyeSight& sight, const EyeDetail& detail) {
   drawSeconds_ = std::chrono::duration<double>(Clock::now() - culled).count();
 }
 
-/// What OpenGL has of parts of the scene that are gone.
+/// Frees objects of OpenGL whose parts of the scene are gone.
 void EyePainter::freeDeleted() {
   double seconds = kLongestFree;
   view_->flushDeletedGLObjects(seconds);

@@ -10,15 +10,15 @@
 
 namespace glissade {
 
-/// What a graphics card is given for a picture of an eye.
+/// Amount of work for a picture of an eye.
 struct EyeFigures {
   int drawCalls = 0;
   std::int64_t triangles = 0;
-  double cullSeconds = 0.0;  ///< of the processor's choice of what is drawn
-  double drawSeconds = 0.0;  ///< of OpenGL's calls; with software drawing, part of the drawing is in them
+  double cullSeconds = 0.0;  ///< time in which the processor selects what to draw
+  double drawSeconds = 0.0;  ///< time of OpenGL's calls; software drawing does a part of its work in them
 };
 
-/// Draws what an eye sees into textures. Used on the thread of its context, while that is current.
+/// Draws the view of an eye into textures. Used on the thread of its context, while the context is current.
 class EyePainter {
  public:
   EyePainter(osg::GraphicsContext& context, osg::Node* scene);
@@ -26,13 +26,13 @@ class EyePainter {
   EyePainter(const EyePainter&) = delete;
   EyePainter& operator=(const EyePainter&) = delete;
 
-  /// The size and OpenGL's format of the textures from now on.
+  /// Sets the size and OpenGL's format of the textures from now on.
   void setTarget(int width, int height, std::int64_t format);
-  /// The graph's mutex is held.
+  /// Draws the picture. Precondition: the caller holds the graph's mutex.
   void draw(const EyeSight& sight, const EyeDetail& detail);
-  /// What was drawn; waits for it where drawing is in software. The graph may change meanwhile.
+  /// Copies the picture into the texture, and waits for software drawing. The graph may change meanwhile.
   void copyTo(unsigned texture);
-  /// Of the last picture. The graph's mutex is held.
+  /// Figures of the last picture. Precondition: the caller holds the graph's mutex.
   EyeFigures figures();
 
  private:
@@ -44,7 +44,7 @@ class EyePainter {
   int width_ = 0;
   int height_ = 0;
   unsigned smooth_ = 0;  ///< framebuffer of several samples for each pixel
-  unsigned colour_ = 0;  ///< its buffers
+  unsigned colour_ = 0;  ///< buffers of `smooth_`
   unsigned depth_ = 0;
   unsigned copied_ = 0;  ///< framebuffer of the texture
   double cullSeconds_ = 0.0;

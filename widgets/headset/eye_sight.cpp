@@ -3,7 +3,7 @@
 namespace glissade {
 namespace {
 
-/// Metres of the room.
+/// Distances of the planes, in metres of the room.
 constexpr double kNear = 0.05;
 constexpr double kFar = 1000.0;
 

@@ -4,8 +4,8 @@
 
 namespace glissade {
 
-/// The sides of a picture as an eye sees them: tangents of the angles from its line of sight; left and down are
-/// negative where the line of sight meets the picture.
+/// The sides of an eye's picture, as tangents of the angles from its line of sight; left and down are negative if the
+/// line of sight meets the picture.
 struct EyeSides {
   double left = -1.0;
   double right = 1.0;
@@ -13,7 +13,8 @@ struct EyeSides {
   double up = 1.0;
 };
 
-/// From where and how an eye E sees the world W. E: x right, y up, z from what is seen to the eye; metres of the world.
+/// The pose of an eye E in the world W, and its projection. E: x right, y up, z towards the viewer; metres of the
+/// world.
 struct EyeSight {
   Pose X_WE;
   EyeSides sides;
@@ -21,8 +22,7 @@ struct EyeSight {
   double farPlane = 1000.0;
 };
 
-/// Of an eye that is in the room. The planes are those of the room: nothing nearer than 5 cm or farther than 1 km is
-/// seen.
+/// The sight of an eye in the room. Its planes are fixed in the room: it sees from 5 cm to 1 km.
 EyeSight sightOf(const RoomPlacement& room, const Pose& X_RE, const EyeSides& sides);
 
 }  // namespace glissade

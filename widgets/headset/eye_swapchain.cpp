@@ -6,7 +6,7 @@
 
 #include "widgets/headset/headset_failure.h"
 
-// Last: their macros are words of everyone.
+// These headers come last, because their macros are common words.
 #define XR_USE_PLATFORM_XLIB
 #define XR_USE_GRAPHICS_API_OPENGL
 #include <GL/glx.h>
@@ -15,8 +15,8 @@
 namespace glissade {
 namespace {
 
-/// The scene's colours are sRGB and are written as they are, so that both formats have the same bytes; the runtime
-/// reads only the first as sRGB for certain.
+/// The scene's colours are sRGB and are written unchanged, so that both formats have the same bytes. A runtime is
+/// certain to read only the first format as sRGB.
 constexpr std::int64_t kFormats[] = {GL_SRGB8_ALPHA8, GL_RGBA8};
 
 }  // namespace

@@ -10,7 +10,7 @@
 
 namespace glissade {
 
-/// Pictures of one eye, in turn: textures of the runtime. Functions throw HeadsetFailure.
+/// The pictures of one eye, in turn, as textures of the runtime. Functions throw HeadsetFailure.
 class EyeSwapchain {
  public:
   EyeSwapchain(const HeadsetSession& session, std::int64_t format, const XrViewConfigurationView& size);
@@ -20,11 +20,11 @@ class EyeSwapchain {
 
   int width() const { return width_; }
   int height() const { return height_; }
-  /// The texture to draw into next, once the runtime does not read it any more. May wait.
+  /// Returns the texture to draw into next, and waits until the runtime does not read it any more.
   unsigned acquire();
-  /// It is drawn.
+  /// Gives the drawn texture back to the runtime.
   void release();
-  /// The whole of the picture, as a layer names it.
+  /// The whole picture, as a layer refers to it.
   XrSwapchainSubImage picture() const;
 
  private:
@@ -36,9 +36,9 @@ class EyeSwapchain {
   std::vector<unsigned> textures_;
 };
 
-/// A format of colours that the runtime takes and that the scene is drawn in: of OpenGL, sRGB where there is one.
+/// A colour format of OpenGL that both the runtime and the program support; sRGB if possible.
 std::int64_t chooseColourFormat(XrSession session);
-/// The size that the runtime wants for each eye.
+/// The sizes that the runtime recommends for the eyes.
 std::array<XrViewConfigurationView, 2> sizesOfEyes(const HeadsetRuntime& runtime);
 
 }  // namespace glissade

@@ -16,7 +16,7 @@ struct FlatPicture {
 };
 using FlatPicturePtr = std::shared_ptr<const FlatPicture>;
 
-/// A text at a point of the scene. Null is no picture.
+/// A text at a point of the scene. A null picture shows nothing.
 struct FlatLabel {
   Vector3 p_W = Vector3::Zero();
   FlatPicturePtr picture;

@@ -9,7 +9,7 @@
 namespace glissade {
 namespace {
 
-/// Metres of the room.
+/// Sizes in metres of the room.
 const Vector3 kHandle(0.028, 0.036, 0.11);
 constexpr double kGuardRadius = 0.03;
 constexpr double kGuardLength = 0.012;
@@ -18,7 +18,7 @@ constexpr double kTargetRadius = 0.2;
 constexpr double kTargetHeight = 0.005;  ///< above the floor
 constexpr float kRayWidth = 2.0F;        ///< pixels
 
-/// Of Okabe and Ito's palette (2008).
+/// Colours of Okabe and Ito's palette (2008).
 const osg::Vec4 kOpen(0.34F, 0.71F, 0.91F, 1.0F);
 const osg::Vec4 kClosed(0.90F, 0.62F, 0.0F, 1.0F);
 
@@ -32,18 +32,18 @@ osg::ref_ptr<osg::Node> makeHandle(const osg::Vec4& colour) {
   return handle;
 }
 
-/// Of length 1 along -z.
+/// A ray of length 1 along -z.
 osg::ref_ptr<osg::Node> makeRay() {
   const osg::ref_ptr<osg::Geometry> line =
       makeLines({Vector3::Zero(), -Vector3::UnitZ()}, LineKind::Strip, kOpen, kRayWidth);
   makeUnlit(*line);
-  line->getOrCreateStateSet()->setRenderBinDetails(PanelModel::kBin + 1, "RenderBin");  // before the panel, too
+  line->getOrCreateStateSet()->setRenderBinDetails(PanelModel::kBin + 1, "RenderBin");  // after the panel
   return line;
 }
 
 osg::ref_ptr<osg::Node> makeHit() { return makeFlatSurface(makeSphere(kHitRadius, 2), kOpen); }
 
-/// Lengths are times so much.
+/// The pose with lengths multiplied by `length`.
 osg::Matrixd scaled(double length, const Pose& X_WP) {
   return osg::Matrixd::scale(length, length, length) * toOsg(X_WP);
 }
@@ -75,7 +75,7 @@ HandModels::Model HandModels::makeModel() {
   model.grip->addChild(model.closed);
   model.ray->addChild(makeRay());
   model.hit->addChild(makeHit());
-  // They are larger or smaller than they were made, with the scale of the room.
+  // Normals need normalizing, because the models are scaled with the room.
   for (osg::Node* part : {model.grip.get(), model.hit.get()}) part->getOrCreateStateSet()->setMode(GL_NORMALIZE, 1);
   return model;
 }

@@ -10,25 +10,25 @@
 
 namespace glissade {
 
-/// The controllers as the person sees them: a handle in each hand, and a ray from it. Where the ray meets the object,
-/// it ends in a point; there a squeeze takes the object. A hand that holds the object has another colour, and no ray. A
-/// disc on the floor is where the person would stand.
+/// Models of the controllers: a handle in each hand, and a ray from it. A ray that meets the object ends in a ball; a
+/// squeeze then takes the object. A hand that holds the object has another colour, and no ray. A disc on the floor
+/// marks the place where the person would stand.
 class HandModels {
  public:
-  /// Of a ray that meets nothing, metres of the room.
+  /// Length of a ray that meets nothing, metres of the room.
   static constexpr double kRayLength = 1.0;
 
   HandModels();
 
   osg::Node* node() const { return group_; }
-  /// Before a picture.
+  /// Shows the hands, before a picture.
   void show(const ShownHands& hands);
 
  private:
   struct Model {
     osg::ref_ptr<osg::MatrixTransform> grip;
     osg::ref_ptr<osg::Node> open;    ///< the handle of a hand that holds nothing
-    osg::ref_ptr<osg::Node> closed;  ///< of one that holds the object
+    osg::ref_ptr<osg::Node> closed;  ///< the handle of a hand that holds the object
     osg::ref_ptr<osg::MatrixTransform> ray;
     osg::ref_ptr<osg::MatrixTransform> hit;
   };

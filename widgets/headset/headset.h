@@ -12,36 +12,37 @@
 
 namespace glissade {
 
-/// What the pictures of the headset cost; some pictures old.
+/// Costs of the headset's pictures, a few pictures old.
 struct HeadsetFigures {
-  int detailStep = 0;          ///< how simple the scene is; 0: in full detail (PictureRate)
+  int detailStep = 0;          ///< simplification of the scene; 0: full detail (PictureRate)
   int drawCalls = 0;           ///< for each eye
   std::int64_t triangles = 0;  ///< for each eye
-  double cullSeconds = 0.0;    ///< for an eye: of the processor's choice of what is drawn
-  double drawSeconds = 0.0;    ///< for an eye: of OpenGL's calls
+  double cullSeconds = 0.0;    ///< for an eye: time in which the processor selects what to draw
+  double drawSeconds = 0.0;    ///< for an eye: time of OpenGL's calls
 };
 
-/// Shows a scene in a headset, from a thread of its own. All functions are called on one thread, the window's, and
-/// return at once, whatever the headset does.
+/// Shows a scene in a headset, on a thread of its own. All functions are called on the window's thread and return at
+/// once, whatever the headset does.
 class Headset {
  public:
-  /// Waits for the end of the thread, a second at most: a runtime that does not answer is left alone.
+  /// Waits for the end of the thread, a second at most; a thread whose runtime does not answer is abandoned.
   virtual ~Headset() = default;
 
-  /// Searches a headset and shows the scene in it, until stop() is called or the person leaves.
+  /// Searches for a headset and shows the scene in it, until stop() is called or the person leaves.
   virtual void start() = 0;
   virtual void stop() = 0;
   virtual HeadsetStatus status() const = 0;
   virtual HeadsetFigures figures() const = 0;
-  /// From the next picture on.
+  /// Takes effect with the next picture.
   virtual void setPlacement(const RoomPlacement& room) = 0;
-  /// sRGB; above and below the horizon.
+  /// Sets the sRGB colours above and below the horizon.
   virtual void setBackground(const Colour& above, const Colour& below) = 0;
-  /// Whose hands have the controllers. Set before start().
+  /// Sets the devices that receive the controllers' states. Called before start().
   virtual void setHands(HandInputsPtr hands) = 0;
-  /// What the panel in the scene shows, and who is told what hands do at it. Set before start().
+  /// Sets the panel and texts in the scene, and the receiver of pointing at the panel. Called before start().
   virtual void setTools(HeadsetToolsPtr tools) = 0;
-  /// Called when the status is another one, on the thread of the headset; must return at once. Set before start().
+  /// Sets a function that is called on the thread of the headset when the status has changed; it must return at once.
+  /// Called before start().
   virtual void onChanged(std::function<void()> callback) = 0;
 };
 

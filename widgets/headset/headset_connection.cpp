@@ -14,10 +14,10 @@ EyeSides sidesOf(const XrFovf& angles) {
           std::tan(angles.angleUp)};
 }
 
-/// Metres of the room, of a text from the hand.
+/// Height of a text over the hand, metres of the room.
 constexpr double kOverHand = 0.09;
 
-/// Between the eyes.
+/// The pose of the head: the middle of the eyes' poses.
 Pose headOf(const EyeViews& views) { return interpolate(poseOf(views[0].pose), poseOf(views[1].pose), 0.5); }
 
 }  // namespace
@@ -36,7 +36,7 @@ HeadsetConnection::HeadsetConnection(HeadsetScene& scene, HandInputsPtr hands, H
   }
 }
 
-/// Nobody points at the panel any more.
+/// Clears the pointer at the panel.
 HeadsetConnection::~HeadsetConnection() { tools_->pointer.set(std::nullopt); }
 
 void HeadsetConnection::showPicture(RoomWalk& walk) {
@@ -61,8 +61,8 @@ void HeadsetConnection::showPicture(RoomWalk& walk) {
   session_.endFrame(frame.predictedDisplayTime, isShown ? &layer : nullptr);
 }
 
-/// What the hands do at the panel they do nowhere else. What they have of the world goes with them: the person walks
-/// before the hands are where they are.
+/// Input that the panel takes has no other effect. The walk comes before the hands' poses are converted to the world,
+/// so that the hands move with the room.
 void HeadsetConnection::readControllers(XrTime time, const EyeViews& views, RoomWalk& walk) {
   BothControllers states = actions_.read(time);
   const Pose X_RH = headOf(views);
@@ -91,7 +91,7 @@ void HeadsetConnection::draw(const EyeViews& views, const RoomWalk& walk,
   for (auto& swapchain : swapchains_) swapchain->release();
 }
 
-/// The ray of a hand that points at the panel ends there.
+/// Models, panel and texts to draw. The ray of a hand that points at the panel ends there.
 ShownHands HeadsetConnection::shownHands(const Pose& X_RH, const RoomPlacement& room,
                                          const std::optional<Vector3>& p_WT) const {
   ShownHands hands{controllers_.shown(), p_WT, room.scale};
@@ -107,7 +107,7 @@ ShownHands HeadsetConnection::shownHands(const Pose& X_RH, const RoomPlacement& 
   return hands;
 }
 
-/// Those of the scene, and the one at the main hand.
+/// The texts of the scene, and the note at the main hand.
 std::vector<ShownPicture> HeadsetConnection::textsInRoom(const Vector3& p_RH, const RoomPlacement& room) const {
   std::vector<ShownPicture> texts;
   if (const FlatLabelsPtr labels = tools_->labels.get()) {

@@ -16,11 +16,11 @@
 
 namespace glissade {
 
-/// Runtime, session, controllers and pictures of both eyes together: all that ends when one of them is lost. Functions
+/// Runtime, session, controllers and pictures of both eyes, which end together when one of them is lost. Functions
 /// throw HeadsetFailure.
 class HeadsetConnection {
  public:
-  /// `scene` outlives the connection.
+  /// Precondition: `scene` outlives the connection.
   HeadsetConnection(HeadsetScene& scene, HandInputsPtr hands, HeadsetToolsPtr tools);
   ~HeadsetConnection();
   HeadsetConnection(const HeadsetConnection&) = delete;
@@ -28,9 +28,9 @@ class HeadsetConnection {
 
   const std::string& name() const { return runtime_.name(); }
   SessionNews poll() { return session_.poll(); }
-  /// Waits until the runtime wants a picture, reads the controllers, lets the person walk, and shows it.
+  /// Waits until the runtime wants a picture, reads the controllers, moves the person, and shows the picture.
   void showPicture(RoomWalk& walk);
-  /// How simple the scene is, as PictureRate counts it.
+  /// Simplification of the scene, as PictureRate counts it.
   int detailStep() const { return rate_.step(); }
 
  private:

@@ -9,7 +9,7 @@
 
 namespace glissade {
 
-/// Thrown by whatever speaks with the runtime; caught in one place of the headset's thread. The text is the detail.
+/// Thrown by all code that calls the runtime, and caught at one place of the headset's thread. The text is the detail.
 class HeadsetFailure : public std::runtime_error {
  public:
   HeadsetFailure(HeadsetTrouble trouble, const std::string& detail) : std::runtime_error(detail), trouble_(trouble) {}
@@ -19,7 +19,7 @@ class HeadsetFailure : public std::runtime_error {
   HeadsetTrouble trouble_;
 };
 
-/// Throws where `call` has failed. What is not known by its result is this trouble.
+/// Throws if `call` has failed. A result that names no trouble of its own gives `otherwise`.
 void checkXr(XrResult result, const char* call, HeadsetTrouble otherwise = HeadsetTrouble::Failed);
 
 }  // namespace glissade

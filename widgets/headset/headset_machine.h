@@ -8,13 +8,13 @@ namespace glissade {
 enum class HeadsetState {
   Off,
   Searching,  ///< there is no connection; it is tried again
-  Idle,       ///< connected; nobody wears the headset, or another program has it
+  Idle,       ///< connected; nobody wears the headset, or another program uses it
   Running,    ///< pictures are shown
-  Lost,       ///< the connection has ended and is being taken down; then it is searched for
-  Left        ///< the person has left the program in the headset: it waits until it is asked for again
+  Lost,       ///< the connection has ended and is being taken down; a search follows
+  Left        ///< the person has left the program in the headset, which waits until it is started again
 };
 
-/// Why there is no connection.
+/// The reason why there is no connection.
 enum class HeadsetTrouble {
   None,
   NoDisplay,    ///< no X display, or no OpenGL on it
@@ -23,44 +23,44 @@ enum class HeadsetTrouble {
   NoHeadset,    ///< the runtime runs, and no headset is connected
   SessionLost,  ///< the runtime has ended the session
   RuntimeLost,  ///< the runtime has ended
-  Failed        ///< anything else; the detail names it
+  Failed        ///< another failure, which the detail names
 };
 
-/// What is known about the headset.
+/// State of the connection, trouble, and the headset's name.
 struct HeadsetStatus {
   HeadsetState state = HeadsetState::Off;
   HeadsetTrouble trouble = HeadsetTrouble::None;
-  std::string detail;  ///< of a failure: which call of OpenXR returned what
-  std::string name;    ///< of the headset, as its runtime calls it; empty where none is connected
+  std::string detail;  ///< the call of OpenXR that failed, and its result
+  std::string name;    ///< name of the headset by its runtime; empty if none is connected
 
   friend bool operator==(const HeadsetStatus&, const HeadsetStatus&) = default;
 };
 
-/// The states of the connection with a headset, and when it is tried again. It knows nothing of OpenXR; whoever owns it
-/// gives the time.
+/// The states of the connection with a headset, and the times of its searches. It knows nothing of OpenXR and reads no
+/// clock.
 class HeadsetMachine {
  public:
   using Time = std::chrono::steady_clock::time_point;
-  /// The first wait after a search without success; each further one is twice as long, up to the longest.
+  /// The wait after the first search without success; each further wait is twice as long, up to the longest.
   static constexpr std::chrono::milliseconds kFirstWait{500};
   static constexpr std::chrono::milliseconds kLongestWait{8000};
 
   const HeadsetStatus& status() const { return status_; }
-  /// While it is searching: when to try next.
+  /// Time of the next search, while searching.
   Time nextSearch() const { return nextSearch_; }
 
-  /// The headset is asked for: it is searched at once.
+  /// The headset is requested: a search begins at once.
   void ask(Time now);
   void switchOff() { status_ = {}; }
   void failSearch(HeadsetTrouble trouble, const std::string& detail, Time now);
   void connect(const std::string& name);
-  /// Pictures are asked for, or no more.
+  /// The runtime asks for pictures (begin) or stops asking (end).
   void begin();
   void end();
   void lose(HeadsetTrouble trouble, const std::string& detail);
-  /// What was lost is taken down. One that had shown pictures is searched at once.
+  /// The lost connection was taken down. If it had shown pictures, a search begins at once.
   void release(Time now);
-  /// The person has left.
+  /// The person has left the program.
   void leave();
 
  private:

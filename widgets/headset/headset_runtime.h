@@ -6,7 +6,7 @@
 
 namespace glissade {
 
-/// The connection with the OpenXR runtime of this machine, and the headset that it has. Functions throw HeadsetFailure.
+/// The connection with the OpenXR runtime of this machine and with its headset. Functions throw HeadsetFailure.
 class HeadsetRuntime {
  public:
   HeadsetRuntime();
@@ -16,9 +16,9 @@ class HeadsetRuntime {
 
   XrInstance instance() const { return instance_; }
   XrSystemId system() const { return system_; }
-  /// Of the headset, as the runtime calls it.
+  /// Name of the headset by the runtime.
   const std::string& name() const { return name_; }
-  /// Of an extension; null where the runtime has none.
+  /// Function of an extension; null if the runtime does not have it.
   PFN_xrVoidFunction function(const char* name) const;
 
  private:

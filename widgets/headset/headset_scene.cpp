@@ -11,7 +11,7 @@ namespace glissade {
 HeadsetScene::HeadsetScene(SharedGraph graph) : graph_(std::move(graph)), lit_(makeLights()) {
   const std::lock_guard lock(*graph_.mutex);
   graph_.root->resizeGLObjectBuffers(osg::DisplaySettings::instance()->getMaxNumberOfGraphicsContexts());
-  // Depth test and colours of materials, as a viewer sets them for its camera.
+  // Sets depth test and colours of materials, as a viewer sets them for its camera.
   lit_->getOrCreateStateSet()->setGlobalDefaults();
   lit_->addChild(horizon_.node());
   lit_->addChild(hands_.node());
@@ -20,7 +20,7 @@ HeadsetScene::HeadsetScene(SharedGraph graph) : graph_(std::move(graph)), lit_(m
   for (auto& painter : painters_) painter = std::make_unique<EyePainter>(context_.osgContext(), lit_);
 }
 
-/// The shared graph is given back without the objects of this context.
+/// Frees the objects of this context in the shared graph.
 HeadsetScene::~HeadsetScene() {
   const std::lock_guard lock(*graph_.mutex);
   graph_.root->releaseGLObjects(context_.osgContext().getState());

@@ -20,8 +20,8 @@ struct SharedGraph {
   std::shared_ptr<GraphMutex> mutex;
 };
 
-/// What both eyes see of the shared graph, and the OpenGL context that it is drawn with. Used on one thread, on which
-/// the context is current; takes the graph's mutex for each eye.
+/// The view of both eyes of the shared graph, and the OpenGL context that draws it. Used on one thread, on which the
+/// context is current; locks the graph's mutex for each eye.
 class HeadsetScene {
  public:
   /// Throws HeadsetFailure.
@@ -32,13 +32,13 @@ class HeadsetScene {
 
   PrivateContext& context() { return context_; }
   void setBackground(const Colour& above, const Colour& below);
-  /// Size and format of the textures of an eye, 0 the left one.
+  /// Sets size and format of the textures of an eye; 0 is the left one.
   void setTarget(std::size_t eye, int width, int height, std::int64_t format);
-  /// One picture for each eye: textures of the context. An edit that falls between the two is seen by one eye a picture
-  /// earlier.
+  /// Draws one picture for each eye into textures of the context. An edit between the two pictures is seen by one eye a
+  /// picture earlier.
   void draw(const std::array<EyeSight, 2>& eyes, const EyeDetail& detail, const ShownHands& hands,
             const std::array<unsigned, 2>& textures);
-  /// Of the last picture of the left eye.
+  /// Figures of the last picture of the left eye.
   EyeFigures figures();
 
  private:
@@ -49,7 +49,7 @@ class HeadsetScene {
   Horizon horizon_;
   HandModels hands_;
   PanelModel panel_{PanelModel::Kind::Panel};
-  std::vector<PanelModel> texts_;  ///< as many as were shown at once
+  std::vector<PanelModel> texts_;  ///< as many as the most texts shown at once
   osg::ref_ptr<osg::Group> lit_;
   std::array<std::unique_ptr<EyePainter>, 2> painters_;
 };

@@ -4,7 +4,7 @@
 
 #include "widgets/headset/headset_failure.h"
 
-// Last: their macros are words of everyone.
+// These headers come last, because their macros are common words.
 #define XR_USE_PLATFORM_XLIB
 #define XR_USE_GRAPHICS_API_OPENGL
 #include <GL/glx.h>
@@ -14,7 +14,7 @@ namespace glissade {
 namespace {
 
 constexpr XrViewConfigurationType kBothEyes = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
-/// Metres from the floor to the head, where the runtime does not know the floor: of a person who sits.
+/// Height of a seated person's head above the floor in metres, for runtimes that do not know the floor.
 constexpr float kSeatedHeight = 1.2F;
 
 bool knowsFloor(XrSession session) {
@@ -42,7 +42,7 @@ HeadsetSession::~HeadsetSession() {
   xrDestroySession(session_);
 }
 
-/// The runtime wants to be asked for its requirements first. Any context of this program meets them.
+/// Asks for the runtime's requirements, as OpenXR demands. Each context of this program meets them.
 void HeadsetSession::create(const GlxHandles& handles) {
   const auto requirements =
       reinterpret_cast<PFN_xrGetOpenGLGraphicsRequirementsKHR>(runtime_.function("xrGetOpenGLGraphicsRequirementsKHR"));

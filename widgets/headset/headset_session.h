@@ -10,10 +10,10 @@
 
 namespace glissade {
 
-/// What has happened to a session since it was asked last.
+/// Change of a session since the last poll().
 enum class SessionNews { Nothing, Began, Ended, Left, Lost };
 
-/// Both eyes of a moment, in the room.
+/// Both eyes at one time, in the room.
 using EyeViews = std::array<XrView, 2>;
 
 /// A session with the runtime: its states, its times, and the space of the room. Used on one thread, on which the
@@ -26,17 +26,17 @@ class HeadsetSession {
   HeadsetSession& operator=(const HeadsetSession&) = delete;
 
   XrSession handle() const { return session_; }
-  /// y up, the origin on the floor.
+  /// The space of the room: y up, the origin on the floor.
   XrSpace room() const { return room_; }
-  /// Takes events until one is news.
+  /// Takes events until one of them changes the session.
   SessionNews poll();
 
-  /// Waits for the time of the next picture, as long as the runtime likes.
+  /// Waits for the time of the next picture, which the runtime decides.
   XrFrameState waitFrame();
   void beginFrame();
-  /// Nothing where the head is not tracked.
+  /// Fills `views`; false if the head is not tracked.
   bool locate(XrTime time, EyeViews& views) const;
-  /// Null: nothing is shown.
+  /// Ends the picture; null: nothing is shown.
   void endFrame(XrTime time, const XrCompositionLayerProjection* layer);
 
  private:

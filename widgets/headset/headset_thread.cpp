@@ -10,9 +10,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Between two looks for events while nobody wears the headset.
+/// Time between two polls for events while nobody wears the headset.
 constexpr std::chrono::milliseconds kIdleWait{20};
-/// Pictures.
+/// Number of pictures between two counts.
 constexpr int kBetweenCounts = 20;
 
 }  // namespace
@@ -78,7 +78,7 @@ void HeadsetThread::run() {
   }
 }
 
-/// Until it is not wanted any more, or the person has left.
+/// Serves until the headset is not wanted any more, or the person has left.
 void HeadsetThread::serve() {
   left_ = false;
   machine_.ask(Clock::now());
@@ -133,7 +133,7 @@ void HeadsetThread::follow(SessionNews news) {
   }
 }
 
-/// It is not wanted any more before anybody is told: who asks for it then is served anew.
+/// Clears the request before the listener is called, so that a new request by the listener is served.
 void HeadsetThread::leave() {
   machine_.leave();
   left_ = true;
@@ -162,7 +162,7 @@ void HeadsetThread::show() {
   if (++sinceCount_ >= kBetweenCounts) count();
 }
 
-/// It takes a pass over all that is drawn.
+/// Updates the figures, which takes a traversal of the whole scene.
 void HeadsetThread::count() {
   sinceCount_ = 0;
   const EyeFigures eye = scene_->figures();
@@ -181,13 +181,13 @@ void HeadsetThread::fail(HeadsetTrouble trouble, const std::string& detail) {
   machine_.release(Clock::now());
 }
 
-/// The context is left for the next thread.
+/// Releases the context for the next thread.
 void HeadsetThread::disconnect() {
   connection_.reset();
   if (scene_) scene_->context().release();
 }
 
-/// What comes after the end that was asked for is not said any more.
+/// Announces a new status, unless the headset is not wanted any more.
 void HeadsetThread::publish() {
   std::function<void()> listener;
   {

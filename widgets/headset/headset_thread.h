@@ -12,13 +12,13 @@
 
 namespace glissade {
 
-/// What the thread of the headset does, and what others ask it for. Shared by both, so that a thread that a runtime
-/// does not give back harms nobody. The OpenGL context and the scene's objects in it stay across losses.
+/// The work of the headset's thread, and the requests to it. It is shared, so that a thread that is stuck in a runtime
+/// can be abandoned safely. The OpenGL context and the scene's objects in it survive losses of the connection.
 class HeadsetThread : public std::enable_shared_from_this<HeadsetThread> {
  public:
   explicit HeadsetThread(SharedGraph graph) : graph_(std::move(graph)) {}
 
-  // On any thread; they return at once.
+  // The following may be called on any thread, and return at once.
   void setWanted(bool wanted);
   HeadsetStatus status() const;
   HeadsetFigures figures() const;
@@ -27,9 +27,9 @@ class HeadsetThread : public std::enable_shared_from_this<HeadsetThread> {
   void setHands(HandInputsPtr hands);
   void setTools(HeadsetToolsPtr tools);
   void setListener(std::function<void()> listener);
-  /// Whether no thread is left after so long.
+  /// Waits for the end of the thread; false if it still runs after this time.
   bool waitForEnd(std::chrono::milliseconds longest);
-  /// Gives the graph back. After the end of the thread.
+  /// Gives the graph back. Precondition: the thread has ended.
   void forgetScene();
 
  private:
@@ -57,20 +57,20 @@ class HeadsetThread : public std::enable_shared_from_this<HeadsetThread> {
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   bool wanted_ = false;
-  bool alive_ = false;  ///< there is a thread
+  bool alive_ = false;  ///< a thread exists
   HeadsetStatus status_;
   HeadsetFigures figures_;
-  std::optional<RoomPlacement> placed_;   ///< where the thread has not placed the person yet
-  std::optional<Background> background_;  ///< that the thread has not taken yet
+  std::optional<RoomPlacement> placed_;   ///< placement that the thread has not taken yet
+  std::optional<Background> background_;  ///< colours that the thread has not taken yet
   HandInputsPtr hands_ = std::make_shared<HandInputs>();
   HeadsetToolsPtr tools_ = std::make_shared<HeadsetTools>();
   std::function<void()> listener_;
 
-  // Of the thread alone.
+  // The following are used by the thread only.
   HeadsetMachine machine_;
-  bool left_ = false;  ///< the person has ended what was wanted
+  bool left_ = false;  ///< the person has left the program
   RoomWalk walk_;
-  int sinceCount_ = 0;  ///< pictures
+  int sinceCount_ = 0;  ///< pictures since the last count
   std::unique_ptr<HeadsetScene> scene_;
   std::unique_ptr<HeadsetConnection> connection_;
 };

@@ -8,14 +8,14 @@
 
 namespace glissade {
 
-/// What a person with a headset works with beside the object: shared by the window, which paints it and does what is
-/// asked, and the thread of the headset.
+/// The panel and the texts of a person with a headset. The window, which paints them and carries out requests, shares
+/// them with the thread of the headset.
 struct HeadsetTools {
   Mailbox<FlatPicturePtr> panel;          ///< the panel in the scene; null: there is none
-  PointerMailbox pointer;                 ///< what a hand does at it
-  std::atomic<bool> panelInFront{false};  ///< it stays before the person, and not in the other hand
+  PointerMailbox pointer;                 ///< the hand that points at the panel
+  std::atomic<bool> panelInFront{false};  ///< the panel stays before the person instead of in the other hand
   Mailbox<FlatPicturePtr> note;           ///< a text at the main hand; null: there is none
-  Mailbox<FlatLabelsPtr> labels;          ///< of the scene; null: there are none
+  Mailbox<FlatLabelsPtr> labels;          ///< texts of the scene; null: there are none
 };
 using HeadsetToolsPtr = std::shared_ptr<HeadsetTools>;
 

@@ -14,12 +14,12 @@ namespace glissade {
 namespace {
 
 constexpr int kSegments = 32;
-/// Radians above the horizon: rings of corners, the lower two of the ground, the upper two of the sky.
+/// Elevations of the rings of corners, radians: the lower two rings belong to the ground, the upper two to the sky.
 constexpr std::array kRings{-0.5 * std::numbers::pi, 0.0, 0.25, 0.5 * std::numbers::pi};
 constexpr int kGroundRings = 2;
-/// Drawn before everything.
+/// Number of the render bin, which is drawn before everything.
 constexpr int kFirst = -100;
-/// Near planes that the sphere is away; it has no depth.
+/// Radius of the sphere, in distances of the near plane. It writes no depth.
 constexpr double kRadius = 100.0;
 
 osg::Vec3 corner(double elevation, int segment) {
@@ -28,7 +28,7 @@ osg::Vec3 corner(double elevation, int segment) {
           static_cast<float>(std::cos(elevation) * std::sin(azimuth)), static_cast<float>(std::sin(elevation))};
 }
 
-/// One strip of quads between each two rings.
+/// A sphere with one strip of quads between neighbouring rings.
 osg::ref_ptr<osg::Geometry> makeSphere() {
   osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array;
   osg::ref_ptr<osg::Geometry> sphere = new osg::Geometry;

@@ -9,15 +9,15 @@
 
 namespace glissade {
 
-/// Ground and sky behind everything, infinitely far: they do not move with the head, and their border is level.
+/// Ground and sky behind everything, infinitely far: they do not shift with the head, and their border is level.
 class Horizon {
  public:
   Horizon();
 
   osg::Node* node() const { return sphere_; }
-  /// sRGB.
+  /// Sets the colours, in sRGB.
   void setColours(const Colour& above, const Colour& below);
-  /// Before a picture of this eye.
+  /// Moves the sphere to this eye, before its picture.
   void moveTo(const EyeSight& sight);
 
  private:

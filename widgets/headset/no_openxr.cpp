@@ -1,4 +1,4 @@
-// In the place of openxr_headset.cpp, where the program is built without OpenXR.
+// Replaces openxr_headset.cpp in a program that is built without OpenXR.
 #include "widgets/headset/openxr_headset.h"
 
 namespace glissade {

@@ -5,7 +5,7 @@
 namespace glissade {
 namespace {
 
-/// A runtime that does not answer is left alone after so long.
+/// Longest wait for a runtime that does not answer; its thread is abandoned then.
 constexpr std::chrono::milliseconds kLongestEnd{1000};
 
 class OpenXrHeadset final : public Headset {

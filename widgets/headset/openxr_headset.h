@@ -8,7 +8,8 @@ namespace glissade {
 
 class SceneView;
 
-/// A headset through OpenXR, or null where the program was built without it. Library glissade_openxr; needs a display.
+/// Makes a headset that uses OpenXR; null if the program was built without OpenXR. It is in the library glissade_openxr
+/// and needs a display.
 std::unique_ptr<Headset> makeHeadset(SceneView& view);
 
 }  // namespace glissade

@@ -8,12 +8,12 @@
 namespace glissade {
 namespace {
 
-/// Over the hand, and leaned back so that a person who looks down at it sees it straight.
+/// Pose over the hand, leaned back so that a person who looks down at the panel sees it straight.
 const Pose kInHand{Vector3(0.0, 0.21, -0.08), Quaternion(Eigen::AngleAxisd(-0.5, Vector3::UnitX()))};
-/// Below the eyes, where a desk has its papers.
+/// Height of the eyes above the panel, metres of the room.
 constexpr double kBelow = 0.2;
 
-/// Straight before a head that looks this way, upright, and leaned to the eyes.
+/// The pose before a head that looks this way: upright, and leaned towards the eyes.
 Pose beforeHead(const Pose& X_RH) {
   const Vector3 forward = X_RH.orientation * -Vector3::UnitZ();
   const double azimuth = std::atan2(-forward.x(), -forward.z());
@@ -56,7 +56,7 @@ void PanelInRoom::place(const BothControllers& states, const PanelInput& input) 
   isInFront_ = input.isInFront;
 }
 
-/// A hand that has pressed it points at it until it releases.
+/// The point at which the hand points. A hand that has pressed the panel points at it until it releases.
 std::optional<PanelTouch> PanelInRoom::touchOf(const ControllerState& state, ControllerSide side) const {
   if (!X_RP_ || !state.X_RA) return std::nullopt;
   const bool drags = touch_ && touch_->side == side && touch_->pointer.pressed;

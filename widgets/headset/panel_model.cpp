@@ -25,7 +25,7 @@ osg::ref_ptr<osg::Texture2D> makeTexture() {
   return texture;
 }
 
-/// 1 by 1 about the origin, in x and y. Its picture has its first row above.
+/// A square of side 1 about the origin, in x and y. The first row of the picture is at the top.
 osg::ref_ptr<osg::Geometry> makeSheet(osg::Texture2D* texture, PanelModel::Kind kind) {
   osg::ref_ptr<osg::Geometry> sheet = osg::createTexturedQuadGeometry(
       osg::Vec3(-0.5F, -0.5F, 0.0F), osg::Vec3(1.0F, 0.0F, 0.0F), osg::Vec3(0.0F, 1.0F, 0.0F), 0.0F, 1.0F, 1.0F, 0.0F);
@@ -54,7 +54,7 @@ void PanelModel::show(const ShownPicture& shown, double metre) {
   placed_->setMatrix(osg::Matrixd::scale(shown.width * metre, shown.height * metre, metre) * toOsg(*shown.X_WP));
   if (shown.picture == picture_) return;
   picture_ = shown.picture;
-  // The image is read while it is drawn; the picture is kept until another one is in its place.
+  // The image refers to the picture's pixels, which `picture_` keeps until the next picture.
   const osg::ref_ptr<osg::Image> image = new osg::Image;
   image->setImage(picture_->width, picture_->height, 1, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE,
                   const_cast<unsigned char*>(picture_->rgba.data()), osg::Image::NO_DELETE);

@@ -9,9 +9,9 @@ namespace {
 
 constexpr std::array<EyeDetail, PictureRate::kSteps> kDetails{
     {{1.0, 2.0}, {2.0, 2.0}, {4.0, 2.0}, {8.0, 4.0}, {8.0, 12.0}}};
-/// The times of a runtime are not exact.
+/// Tolerance for times of a runtime, which are not exact.
 constexpr double kSlack = 1.05;
-/// So many pictures are looked at together; a single one that is late, as after a stall, changes nothing.
+/// Intervals that are judged together. A single late picture, as after a stall, changes nothing.
 constexpr int kLooked = 12;
 constexpr int kMostLate = 3;
 constexpr int kLongestPatience = 16 * PictureRate::kPatience;

@@ -5,7 +5,7 @@ namespace {
 
 bool isPressed(const PointerMailbox::Moment& moment) { return moment && moment->pressed; }
 
-/// The second one is only a motion since the first one.
+/// Whether the second moment differs from the first by a motion only.
 bool isMotion(const PointerMailbox::Moment& from, const PointerMailbox::Moment& to) {
   return from && to && isPressed(from) == isPressed(to);
 }
@@ -16,7 +16,7 @@ void PointerMailbox::set(const Moment& now) {
   heard_.change([&](Heard& heard) { return add(now, heard); });
 }
 
-/// The last moment may go where it was a motion itself.
+/// Adds a moment. It replaces the last one if both are motions.
 bool PointerMailbox::add(const Moment& now, Heard& heard) {
   auto& [last, moments] = heard;
   if (now == last) return false;

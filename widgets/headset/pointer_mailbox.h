@@ -13,25 +13,25 @@ namespace glissade {
 /// A hand that points at the panel.
 struct PanelPointer {
   Eigen::Vector2d at = Eigen::Vector2d::Zero();  ///< shares of width and height, from the upper left corner
-  bool pressed = false;                          ///< the trigger
+  bool pressed = false;                          ///< whether the trigger is pressed
 
   friend bool operator==(const PanelPointer& a, const PanelPointer& b) {
     return a.at == b.at && a.pressed == b.pressed;
   }
 };
 
-/// Between the thread of the headset and the window: what a hand does at the panel, one moment after the other. No
-/// press and no release is lost; of motions between them the latest is left. All functions may be called on any thread
-/// and return at once.
+/// Passes the pointing of a hand at the panel from the thread of the headset to the window, as a sequence of moments.
+/// No press and no release is lost; of successive motions only the latest is kept. All functions may be called on any
+/// thread and return at once.
 class PointerMailbox {
  public:
   using Moment = std::optional<PanelPointer>;  ///< nothing: no hand points at the panel
 
   void set(const Moment& now);
-  /// What has happened since it was asked last.
+  /// The moments since the last take().
   std::vector<Moment> take();
-  /// Called after a set() that says something new, on the thread that made it; must return at once. After
-  /// setListener({}) has returned no call is under way.
+  /// Sets a function that is called after a set() with a new value, on the thread of that set(); it must return at
+  /// once. After setListener({}) has returned no call is under way.
   void setListener(std::function<void()> listener) { heard_.setListener(std::move(listener)); }
 
  private:

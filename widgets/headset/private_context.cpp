@@ -2,13 +2,13 @@
 
 #include "widgets/headset/headset_failure.h"
 
-// Last: its macros are words of everyone.
+// This header comes last, because its macros are common words.
 #include <GL/glx.h>
 
 namespace glissade {
 namespace {
 
-/// Of the context that is current.
+/// The handles of the current context.
 GlxHandles currentHandles() {
   Display* display = glXGetCurrentDisplay();
   GLXContext context = glXGetCurrentContext();

@@ -5,7 +5,7 @@
 
 namespace glissade {
 
-/// What a runtime is told about an OpenGL context of X: handles as Xlib and GLX have them, without their headers.
+/// Handles of an OpenGL context of X, with the types of Xlib and GLX but without their headers.
 struct GlxHandles {
   void* display = nullptr;
   unsigned long visual = 0;
@@ -14,18 +14,18 @@ struct GlxHandles {
   void* context = nullptr;
 };
 
-/// An OpenGL context of a thread's own, with a connection to the display of its own. It draws into framebuffer objects.
+/// An OpenGL context for one thread, with its own connection to the display. It draws into framebuffer objects.
 class PrivateContext {
  public:
   /// Makes the context current. Throws HeadsetFailure: NoDisplay.
   PrivateContext();
-  /// On any thread, where it is not current on another one.
+  /// May run on any thread, if the context is not current on another one.
   ~PrivateContext();
   PrivateContext(const PrivateContext&) = delete;
   PrivateContext& operator=(const PrivateContext&) = delete;
 
   void makeCurrent();
-  /// Another thread may make it current then.
+  /// Releases the context; another thread may then make it current.
   void release();
   osg::GraphicsContext& osgContext() { return *context_; }
   const GlxHandles& handles() const { return handles_; }

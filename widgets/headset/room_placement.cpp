@@ -6,14 +6,14 @@
 namespace glissade {
 namespace {
 
-/// Metres of the room.
+/// Lengths in metres of the room.
 constexpr double kTableHeight = 0.75;
-constexpr double kTableSize = 0.6;      ///< what stands on it is not larger in any direction
-constexpr double kTableDistance = 0.5;  ///< from the person to what stands on it
-constexpr double kFloorDistance = 1.2;  ///< from the person to what stands on the floor
-constexpr double kLowest = 1.0;         ///< what is lower does not stand on the floor
+constexpr double kTableSize = 0.6;      ///< largest size of a product on the table
+constexpr double kTableDistance = 0.5;  ///< from the person to a product on the table
+constexpr double kFloorDistance = 1.2;  ///< from the person to a product on the floor
+constexpr double kLowest = 1.0;         ///< least height of a product that stands on the floor
 
-/// y up to z up: what is before the person is along the y axis of the world.
+/// Turns y up into z up: the direction before the person is the y axis of the world.
 Quaternion roomToWorld() { return Quaternion(Eigen::AngleAxisd(std::numbers::pi / 2.0, Vector3::UnitX())); }
 
 }  // namespace

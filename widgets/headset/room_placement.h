@@ -4,25 +4,25 @@
 
 namespace glissade {
 
-/// How the room R of the person lies in the world W. R is OpenXR's: x right, y up, z to the person, the origin on the
-/// floor where they stand at first. The world is z up.
+/// The pose and scale of the person's room R in the world W. R is OpenXR's: x right, y up, z towards the person, the
+/// origin on the floor where they stand at first. The world is z up.
 struct RoomPlacement {
   Pose X_WR;           ///< lengths in metres of the world
   double scale = 1.0;  ///< metres of the room for each metre of the world
 };
 
-/// How large the product is shown.
+/// The size in which the product is shown.
 enum class ProductSize { True, OnTable };
 
-/// The person stands before the front of what lies in `box`, which stands on the floor, or on a table where it is low.
-/// On a table, `ProductSize::OnTable`, it is as large as the table has room for. An empty box: the origin of the world
-/// is on the floor before the person.
+/// Places the person before the front of `box`, which stands on the floor, or on a table if it is low.
+/// `ProductSize::OnTable` scales it to the size of the table. If the box is empty, the origin of the world is on the
+/// floor before the person.
 RoomPlacement placeRoom(const Box3& box, ProductSize size);
 
-/// A pose in the room, in the world.
+/// Converts a pose from the room to the world.
 Pose inWorld(const RoomPlacement& room, const Pose& X_RP);
 
-/// A point of the world, in the room.
+/// Converts a point from the world to the room.
 Vector3 inRoom(const RoomPlacement& room, const Vector3& p_W);
 
 }  // namespace glissade

@@ -6,13 +6,13 @@
 namespace glissade {
 namespace {
 
-/// Hands that are nearer neither turn nor scale, metres of the room.
+/// Distance of the hands below which they neither turn nor scale, metres of the room.
 constexpr double kLeastBetween = 0.05;
 
-/// About the vertical axis of the world.
+/// Angle about the vertical axis of the world.
 double azimuth(const Vector3& v_W) { return std::atan2(v_W.y(), v_W.x()); }
 
-/// On the floor of the room, where the hand points; nothing where that is too far away.
+/// The point on the floor of the room at which the hand points; nothing if it is too far away.
 std::optional<Vector3> pointOnFloor(const Pose& X_RA) {
   const Vector3 direction = X_RA.orientation * -Vector3::UnitZ();
   if (direction.y() >= 0.0) return std::nullopt;
@@ -76,12 +76,12 @@ void RoomWalk::pull(const WalkInput& input) {
   keep(pull_->p_W, p_R);
 }
 
-/// A point of the room is at this one of the world from now on.
+/// Moves the room so that its point p_R is at p_W.
 void RoomWalk::keep(const Vector3& p_W, const Vector3& p_R) {
   room_.X_WR.position += p_W - inWorld(room_, Pose::translation(p_R)).position;
 }
 
-/// The room turns about the vertical axis through a point of it.
+/// Turns the room about the vertical axis through its point p_R.
 void RoomWalk::turn(double angle, const Vector3& p_R) {
   const Vector3 p_W = inWorld(room_, Pose::translation(p_R)).position;
   const Quaternion turned(Eigen::AngleAxisd(angle, Vector3::UnitZ()));

@@ -8,42 +8,43 @@
 
 namespace glissade {
 
-/// What a person moves through the world with.
+/// The input by which a person moves through the world.
 struct WalkInput {
   BothControllers controllers;
-  Vector3 p_RH = Vector3::Zero();  ///< of the head, in the room
+  Vector3 p_RH = Vector3::Zero();  ///< head in the room
   ControllerSide mainHand = ControllerSide::Right;
-  std::array<bool, 2> holds{};  ///< the object; by ControllerSide
+  std::array<bool, 2> holds{};  ///< whether each hand holds the object, by ControllerSide
 };
 
-/// Moves the room of a person through the world, by their hands alone; nothing goes on by itself.
+/// Moves a person's room through the world by the hands alone; nothing moves by itself.
 ///
-/// The other hand, closed, pulls the world. Both hands closed, where none holds the object, also turn and scale it:
-/// what each hand has stays in that hand. The world stays upright. A stick that is pushed forward shows where the hand
-/// points at the floor; released, the person stands there. A stick to the side turns them by a step.
+/// The closed other hand pulls the world. Both closed hands, if neither holds the object, also turn and scale it: the
+/// point that each hand has grasped stays in that hand. The world stays upright. A stick that is pushed forward shows
+/// the point of the floor at which the hand points; when it is released, the person stands there. A stick to the side
+/// turns the person by a step.
 class RoomWalk {
  public:
-  static constexpr double kClosed = 0.6;     ///< squeeze of a hand that pulls
-  static constexpr double kOpened = 0.3;     ///< of one that has let go
-  static constexpr double kPushed = 0.7;     ///< of a stick
-  static constexpr double kReleased = 0.3;   ///< likewise
-  static constexpr double kFarthest = 10.0;  ///< of a step, metres of the room
+  static constexpr double kClosed = 0.6;     ///< squeeze above which a hand is closed
+  static constexpr double kOpened = 0.3;     ///< squeeze below which a closed hand is open
+  static constexpr double kPushed = 0.7;     ///< deflection above which a stick is pushed
+  static constexpr double kReleased = 0.3;   ///< deflection below which a pushed stick is released
+  static constexpr double kFarthest = 10.0;  ///< longest step, metres of the room
   static constexpr double kTurn = std::numbers::pi / 6.0;
   static constexpr double kLeastScale = 1e-3;  ///< metres of the room for each metre of the world
   static constexpr double kLargestScale = 1e3;
 
-  /// The person was placed there.
+  /// Sets the person's placement.
   void place(const RoomPlacement& room);
   const RoomPlacement& room() const { return room_; }
-  /// Another moment.
+  /// Moves the room by the present input.
   void advance(const WalkInput& input);
-  /// Where the person would stand, in the world, while a stick is pushed forward.
+  /// The place in the world where the person will stand when the pushed stick is released.
   std::optional<Vector3> target() const;
 
  private:
-  /// What hands have of the world.
+  /// The points of the world that the hands have grasped.
   struct Pull {
-    Vector3 p_W;                         ///< in the one hand, or in the middle of both
+    Vector3 p_W;                         ///< at the hand, or in the middle of both hands
     std::optional<Vector3> between_W{};  ///< from the left hand to the right one
   };
 

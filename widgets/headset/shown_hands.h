@@ -8,14 +8,14 @@
 
 namespace glissade {
 
-/// What is drawn of a controller.
+/// The state of a controller that is drawn.
 struct ShownController {
   ControllerReading reading;
   ControllerFeedback feedback;
 };
 using ShownControllers = std::array<ShownController, 2>;  ///< by ControllerSide
 
-/// A picture that stands in the scene: P x right, y up, z to who sees it, the origin in its middle.
+/// A picture in the scene: P x right, y up, z towards the viewer, the origin in its middle.
 struct ShownPicture {
   std::optional<Pose> X_WP{};  ///< nothing: it is not drawn
   double width = 0.0;          ///< metres of the room
@@ -23,13 +23,13 @@ struct ShownPicture {
   FlatPicturePtr picture{};  ///< null: it is not drawn
 };
 
-/// What is drawn of the hands of a person.
+/// The hands, the panel and the texts that are drawn for a person.
 struct ShownHands {
   ShownControllers controllers;
-  std::optional<Vector3> p_WT{};  ///< where the person would stand; nothing: they do not ask for it
+  std::optional<Vector3> p_WT{};  ///< place where the person would stand; nothing: no stick is pushed
   double scale = 1.0;             ///< metres of the room for each metre of the world
   ShownPicture panel{};
-  std::vector<ShownPicture> texts{};  ///< over everything that is seen
+  std::vector<ShownPicture> texts{};  ///< drawn over everything
 };
 
 }  // namespace glissade

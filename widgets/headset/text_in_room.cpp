@@ -3,10 +3,10 @@
 namespace glissade {
 namespace {
 
-/// Radians of a pixel.
+/// Angle of a pixel, radians.
 constexpr double kPixel = 0.4e-3 / 0.6;
 
-/// Facing, upright; z of the room where the head is straight above.
+/// The upright orientation that faces this direction. If that is vertical, x is the room's x.
 Quaternion towards(const Vector3& direction) {
   const Vector3 z = direction.normalized();
   Vector3 x = Vector3::UnitY().cross(z);

@@ -53,7 +53,7 @@ class PagePainter {
   }
 
  private:
-  /// Letters become smaller, down to the least, where the words need it.
+  /// Paints a text. Letters become smaller, down to a least size, if the text needs it.
   void paint(const PageText& text) {
     const QRectF rect = dots(text.rect);
     const QString words = QString::fromStdString(text.text);

@@ -10,13 +10,13 @@
 
 namespace glissade {
 
-/// Writes an instruction as PDF: pages of instructionPages(), text that can be searched. Any thread; needs a
-/// QGuiApplication for its fonts. Errors: Interrupted where it was asked to stop; those of writing; a logo that cannot
+/// Writes an instruction as PDF: pages of instructionPages(), with searchable text. May be called on any thread; needs
+/// a QGuiApplication for its fonts. Errors: Interrupted after a stop; a file that cannot be written; a logo that cannot
 /// be read.
 SaveResult writeInstructionPdf(const WorkInstruction& instruction, const InstructionTemplate& look, Paper paper,
                                const StepDrawer& drawer, const QString& file, const WorkWatch& watch = {});
 
-/// The pictures of an instruction as HTML; fewer where it was asked to stop.
+/// The pictures of an instruction as HTML; fewer after a stop.
 InstructionPictures instructionPictures(const WorkInstruction& instruction, const StepDrawer& drawer,
                                         const WorkWatch& watch = {});
 

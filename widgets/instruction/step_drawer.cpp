@@ -6,11 +6,64 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <vector>
 
-#include "widgets/instruction/step_motion_picture.h"
+#include "engine/sequence/assembly_plan.h"
+#include "engine/sequence/body_group.h"
+#include "engine/sequence/plan_bodies.h"
+#include "engine/sequence/step_motion.h"
 
 namespace glissade {
 namespace {
+
+/// The place on their way where the coming parts of a step are drawn, not far from their final place.
+struct StepMotionPicture {
+  Pose moved;                ///< a body stands at moved * X_WB
+  std::vector<Vector3> way;  ///< of the middle of the coming parts, world frame, from the drawn to the final place
+  double along = 0.0;        ///< size of the coming parts in the direction of their motion, metres
+};
+
+/// Least distance of the drawn from the final place, in lengths of the coming parts.
+constexpr double kClear = 1.1;
+
+/// `apart`: least distance of the drawn from the final place, metres, if the way is that long. Precondition: the
+/// product has the bodies of the step.
+StepMotionPicture stepMotionPicture(const AssemblyStep& step, const AssembledProduct& product, double apart) {
+  StepMotionPicture picture;
+  const Vector3 direction = exitDirection(step.path);
+  Box3 box;
+  double least = 0.0;
+  double most = 0.0;
+  bool isFirst = true;
+  for (const std::size_t index : bodiesOf(step, product)) {
+    const RigidBody& body = product.bodies[index];
+    for (const Vector3& vertex : body.mesh->vertices) {
+      const Vector3 p_W = body.X_WB * vertex;
+      const double along = direction.dot(p_W);
+      box.extend(p_W);
+      least = isFirst ? along : std::min(least, along);
+      most = isFirst ? along : std::max(most, along);
+      isFirst = false;
+    }
+  }
+  picture.along = most - least;
+  const Vector3 middle = box.center();
+  const double wanted = std::max(apart, kClear * picture.along);
+  const Pose X_PW = inverse(step.path.front().q);  // the path's frame at the final place
+  picture.way = {middle};
+  double length = 0.0;
+  for (std::size_t i = 1; i < step.path.size() && length < wanted; ++i) {
+    const Pose& from = step.path[i - 1].q;
+    const Pose& to = step.path[i].q;
+    const double leg = ((to * X_PW) * middle - (from * X_PW) * middle).norm();
+    const double share = leg > 0.0 ? std::min(1.0, (wanted - length) / leg) : 1.0;
+    picture.moved = interpolate(from, to, share) * X_PW;
+    picture.way.push_back(picture.moved * middle);
+    length += leg;
+  }
+  std::reverse(picture.way.begin(), picture.way.end());
+  return picture;
+}
 
 const QColor kPaleFill(0xf3, 0xf4, 0xf6);
 const QColor kPaleLine(0x9a, 0xa2, 0xac);
@@ -18,29 +71,30 @@ const QColor kComingFill(0xff, 0xb0, 0x2e);
 const QColor kComingLine(0x1d, 0x23, 0x29);
 const QColor kPartFill(0xdb, 0xe4, 0xee);
 const QColor kArrow(0xc8, 0x3c, 0x00);
-constexpr double kBorder = 0.03;  // of the picture
-/// What comes is drawn apart by these shares of the sizes of the whole and of itself.
+constexpr double kBorder = 0.03;  // share of the picture
+/// Distances of the coming parts from their place, as shares of the sizes of the whole and of these parts.
 constexpr double kApartOfWhole = 0.06;
 constexpr double kApartOfPart = 0.25;
-constexpr double kApartOfPartNear = 0.6;  // in a close-up
-/// A close-up is drawn where it is larger by this factor than the picture.
+constexpr double kApartOfPartNear = 0.6;  // the share in a close-up
+/// A close-up is drawn if it magnifies the picture by this factor.
 constexpr double kLeastMagnification = 1.6;
-constexpr double kInsetShare = 0.46;   // of the lower side of the picture
-constexpr double kMostCovered = 0.02;  // of a corner that a close-up may hide
-constexpr double kMostlySeen = 0.5;    // of what comes
-constexpr double kCloseMargin = 1.5;   // of what a close-up shows
+constexpr double kInsetShare = 0.46;   // share of the picture's shorter side
+constexpr double kMostCovered = 0.02;  // share of a corner that a close-up may hide
+constexpr double kMostlySeen = 0.5;    // share of the coming parts
+constexpr double kCloseMargin = 1.5;   // size of the close-up, in sizes of the first step's parts
 
 QRectF shrunk(const QRectF& rect, double by) { return rect.adjusted(by, by, -by, -by); }
 
-/// Everything of a picture, with what comes at some distance from its place.
+/// All bodies of a picture, with the coming ones at some distance from their place.
 struct Scene {
   std::vector<DrawnBody> bodies;
   std::vector<StepMotionPicture> motions;
-  Box3 box_V;    ///< of all
-  Box3 first_V;  ///< of what comes first, on its way and at its place
+  Box3 box_V;    ///< box of all bodies
+  Box3 first_V;  ///< box of the first step's parts, on their way and at their place
 };
 
-/// From where something is seen in the direction of an arrow.
+/// Draws an arrow along the way. It begins at the edge of the drawn parts; an arrow that would be too short is left
+/// out.
 void drawArrow(QPainter& painter, const std::vector<QPointF>& way, double alongPixels, double size) {
   if (way.size() < 2) return;
   QPainterPath line(way.front());
@@ -94,7 +148,7 @@ double covered(const QImage& picture, const QRect& rect) {
   return all > 0 ? static_cast<double>(count) / all : 1.0;
 }
 
-/// Where the picture and its close-up are.
+/// The rectangles of the picture and its close-up.
 struct Places {
   QRectF whole;
   QRectF inset;
@@ -190,7 +244,7 @@ class PanelPicture {
     return picture;
   }
 
-  /// Where the greater part of what comes is behind other parts, it is seen through them.
+  /// If the greater part of the coming parts is hidden by other parts, they show through these.
   void showHidden(const Scene& scene, const Projection& view, QImage& picture) const {
     if (panel_.steps.empty()) return;
     std::vector<DrawnBody> coming;
@@ -219,14 +273,15 @@ class PanelPicture {
     });
   }
 
-  /// A square about what comes first.
+  /// A square about the parts of the first step.
   static Box3 closeBox(const Scene& scene) {
     const Vector3 middle = scene.first_V.center();
     const double half = 0.5 * kCloseMargin * std::max(scene.first_V.sizes().x(), scene.first_V.sizes().y());
     return {middle - Vector3::Constant(half), middle + Vector3::Constant(half)};
   }
 
-  /// The corner that hides least; where each hides something, the picture makes room at its side or below.
+  /// The rectangles of the picture and its close-up, in the corner where it hides least. If it hides something in each
+  /// corner, the picture makes room at its side or below.
   Places placesFor(const QImage& picture, const Scene& scene) const {
     const double side = kInsetShare * std::min(frame_.width(), frame_.height());
     double least = 1.0;
@@ -250,7 +305,7 @@ class PanelPicture {
     return scaleIn(beside) >= scaleIn(below) ? beside : below;
   }
 
-  /// The close-up in its frame, and a ring about its place in the picture.
+  /// Adds the close-up in its frame, and a ring about its place in the picture.
   void addCloseUp(QImage& picture, const Scene& near, const Box3& close_V, const QRectF& inset,
                   const Projection& whole) const {
     const QRect rect = inset.toAlignedRect();
@@ -275,7 +330,7 @@ class PanelPicture {
   const InstructionPanel& panel_;
   const AssembledProduct& product_;
   QSize pixels_;
-  double size_;  ///< of arrows, pixels
+  double size_;  ///< size of arrows, pixels
   QRectF frame_;
 };
 

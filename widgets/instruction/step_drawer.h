@@ -7,20 +7,20 @@
 
 namespace glissade {
 
-/// Draws the pictures of work instructions from the product itself: what the window shows and hides, its sections and
-/// its camera have no part in them. Any thread. Refers to the product.
+/// Draws the pictures of work instructions from the product itself, independently of hidden bodies, sections and camera
+/// of the window. May be used on any thread. It refers to the product.
 class StepDrawer {
  public:
   explicit StepDrawer(const AssembledProduct& product) : product_(product) {}
 
-  /// What is there is pale, all that comes is on its way with an arrow, and a close-up is in a corner where the panel
-  /// asks for one.
+  /// Draws present parts pale and the coming ones on their way, with arrows. A close-up is in a corner if the panel
+  /// requests one.
   QImage panel(const InstructionPanel& panel, const QSize& pixels) const;
-  /// Bodies where they are assembled, in their colours.
+  /// Draws the bodies at their assembled poses, in their colours.
   QImage finished(const std::vector<std::string>& bodies, const QSize& pixels) const;
-  /// Parts to be fetched.
+  /// Draws the parts to be fetched.
   QImage parts(const std::vector<std::string>& bodies, const QSize& pixels) const;
-  /// The whole product, each body at its pose times where it is assembled.
+  /// Draws the whole product. Each body is at `moved` times its assembled pose.
   QImage exploded(const std::vector<Pose>& moved, const QSize& pixels) const;
 
  private:

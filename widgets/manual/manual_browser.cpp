@@ -36,7 +36,7 @@ QString plainText(const ManualPage& page) { return QTextDocumentFragment::fromHt
 }  // namespace
 
 ManualView::ManualView(const QString& folder, QWidget* parent) : QTextBrowser(parent), folder_(folder) {
-  setOpenLinks(false);  // no page is anywhere else
+  setOpenLinks(false);  // there are no pages outside the manual
   setAccessibleName(tr("Page of the manual"));
   document()->setDocumentMargin(kPageMargin);
   connect(this, &QTextBrowser::anchorClicked, this, [this](const QUrl& url) {
@@ -66,13 +66,13 @@ QVariant ManualView::loadResource(int type, const QUrl& url) {
   if (type != QTextDocument::HtmlResource) return {};
   for (const ManualPage& page : pages_) {
     if (page.name != name) continue;
-    // The number of a list item would be as bold as the first word of the item.
+    // A zero-width space keeps the number of a list item from being as bold as the item's first word.
     return QString(page.content.html).replace(QStringLiteral("<li><"), QStringLiteral("<li>&#8203;<"));
   }
   return {};
 }
 
-/// Scaled here: the document draws scaled pictures without smoothing.
+/// Scales the picture, because the document draws scaled pictures without smoothing.
 QVariant ManualView::picture(const QString& name) const {
   QImageReader reader(folder_ + QStringLiteral("/pictures/") + name + QStringLiteral(".png"));
   QImage image = reader.read();
@@ -87,7 +87,7 @@ QVariant ManualView::picture(const QString& name) const {
   return image;
 }
 
-/// The part of manual.css that QTextDocument knows, in the colours of the theme.
+/// Applies the part of manual.css that QTextDocument supports, in the colours of the theme.
 void ManualView::applyStyle() {
   const QColor text = palette().color(QPalette::Text);
   const QColor ground = palette().color(QPalette::Base);
@@ -194,7 +194,7 @@ void ManualBrowser::connectView() {
   connect(view_, &QTextBrowser::historyChanged, this, &ManualBrowser::showPlaceInContents);
   back_->setEnabled(false);
   forward_->setEnabled(false);
-  // Return goes to the next place; a dialog would press one of its buttons.
+  // The Return key continues the search, and the dialog must not press a button for it.
   for (QToolButton* button : findChildren<QToolButton*>()) button->setFocusPolicy(Qt::TabFocus);
   connect(wanted_, &QLineEdit::returnPressed, this, [this] { search(true); });
   connect(wanted_, &QLineEdit::textChanged, wanted_, [this] {

@@ -11,7 +11,7 @@
 
 namespace glissade {
 
-/// Shows pages of the manual, whose pictures are FOLDER/pictures/NAME.png, not wider than the view.
+/// Shows pages of the manual. Their pictures are FOLDER/pictures/NAME.png, and never wider than the view.
 class ManualView final : public QTextBrowser {
   Q_OBJECT
 
@@ -20,7 +20,7 @@ class ManualView final : public QTextBrowser {
 
   void setPages(std::vector<ManualPage> pages);
   const std::vector<ManualPage>& pages() const { return pages_; }
-  /// Precondition: there are pages.
+  /// Index of the page. Precondition: there are pages.
   std::size_t currentPage() const;
   void openPage(const QString& page, const QString& anchor);
 
@@ -41,19 +41,19 @@ class ManualView final : public QTextBrowser {
   int laidOutWidth_ = 0;
 };
 
-/// The manual in a window: contents, pages, search through all of them.
+/// The manual in a window, with contents, pages, and a search through all of them.
 class ManualBrowser final : public QDialog {
   Q_OBJECT
 
  public:
-  /// `folder`: of pictures and pages on the disk; may be absent.
+  /// `folder`: the pictures, and the pages on the disk; may be absent.
   ManualBrowser(const QString& folder, QWidget* parent);
 
   void setManual(const QString& language, std::vector<ManualPage> pages);
   void openPage(const QString& page, const QString& anchor = {}) { view_->openPage(page, anchor); }
-  /// "panels#panel-run"; without "#" at the beginning of a page.
+  /// The place that is shown, such as "panels#panel-run"; without "#" at the beginning of a page.
   QString place() const;
-  /// Goes to the next place of the text, or to the one before, through all pages. False: there is none.
+  /// Goes to the next occurrence of the text, or to the one before, through all pages. False if there is none.
   bool find(const QString& text, bool forward);
 
   QSize sizeHint() const override { return {1120, 760}; }

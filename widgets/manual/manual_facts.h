@@ -6,11 +6,11 @@
 
 namespace glissade {
 
-/// An action as the window has it, in the language of the window.
+/// An action of the window, in the language of the window.
 struct ManualAction {
   QString id;
   QString text;
-  QString menu;  ///< "View > Layers"; empty where no menu has it
+  QString menu;  ///< "View > Layers"; empty if no menu has the action
   QString keys;  ///< empty: none
   QString tip;
 };
@@ -21,12 +21,12 @@ struct ManualPanel {
   QString keys;
 };
 
-/// What the manual says about the window is taken from the window itself.
+/// Facts about the window, which the manual takes from the window itself.
 struct ManualFacts {
   QString language;  ///< "en" or "fr"
   std::vector<ManualAction> actions;
   std::vector<ManualPanel> panels;
-  QString steeringRows;  ///< of an HTML table: keys, what they do
+  QString steeringRows;  ///< rows of an HTML table: keys and their effects
 };
 
 }  // namespace glissade

@@ -4,7 +4,7 @@
 
 #include "widgets/manual/manual_terms.h"
 
-/// Resources of a static library have to be asked for, outside of any namespace.
+/// Resources of a static library have to be initialised outside of any namespace.
 static void takeManualResources() { Q_INIT_RESOURCE(manual); }
 
 namespace glissade {

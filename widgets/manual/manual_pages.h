@@ -18,10 +18,10 @@ struct ManualPage {
 
 /// Names of the pages, in the order of the contents.
 const QStringList& manualPageNames();
-/// The Markdown that a page is made of; null where the language has no such page.
+/// The Markdown source of a page; null if the language has no such page.
 QString manualSource(const QString& language, const QString& page);
 
-/// All pages in the language of the facts. An error names the page and what it names that does not exist.
+/// All pages in the language of the facts. An error names the page and the unknown term or link in it.
 Result<std::vector<ManualPage>> manualPages(const ManualFacts& facts);
 
 }  // namespace glissade

@@ -38,7 +38,7 @@ QString rowOf(const QStringList& cells) {
   return QStringLiteral("<tr>%1</tr>\n").arg(row);
 }
 
-/// The column of sentences is the widest; -1: there is none.
+/// An HTML table. `sentences`: its widest column, which holds sentences; -1: none.
 QString tableOf(const QStringList& header, const QString& rows, int sentences = -1) {
   QString heads;
   for (int i = 0; i < header.size(); ++i) {
@@ -77,7 +77,7 @@ QString panelTable(const ManualFacts& facts) {
 
 QString number(double value) { return QLocale().toString(value, 'g', 6); }
 
-/// A value of the table with its unit, or as so many times the object's radius.
+/// A value of the table with its unit, or as a multiple of the object's radius.
 QString valueOf(const ParameterSpec& spec, double value) {
   if (spec.scale == ParameterScale::ObjectRadius) return number(value) + QStringLiteral(" r");
   if (spec.unit.empty()) return number(value);

@@ -7,7 +7,7 @@
 namespace glissade {
 
 /// The tables that the manual takes from the program, as HTML: "actions", "steering", "panels", "parameters",
-/// "strategies", "operators", "attributes", "path-formats". Null where there is no such table.
+/// "strategies", "operators", "attributes", "path-formats". Null if there is no such table.
 QString manualTable(const QString& name, const ManualFacts& facts);
 
 }  // namespace glissade

@@ -11,7 +11,7 @@
 namespace glissade {
 namespace {
 
-/// A text of the window as it is read.
+/// A text of the window without its mnemonic.
 QString readText(const QString& text) { return commandName(text).toHtmlEscaped(); }
 
 QString uiHtml(const QString& text) { return QStringLiteral("<span class=\"ui\">%1</span>").arg(readText(text)); }
@@ -20,7 +20,7 @@ QString windowText(const char* context, const std::string& text) {
   return uiHtml(QCoreApplication::translate(context, text.c_str()));
 }
 
-/// "PathPanel/Speed". Contexts of classes with Q_OBJECT have the namespace.
+/// The text for an argument such as "PathPanel/Speed". Contexts of classes with Q_OBJECT include the namespace.
 QString anyWindowText(const QString& argument) {
   const int slash = argument.indexOf(QLatin1Char('/'));
   if (slash < 0) return {};

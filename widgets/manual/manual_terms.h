@@ -7,7 +7,7 @@
 
 namespace glissade {
 
-/// Makes HTML of what the sources of the manual name. A name that does not exist is a problem, not a text.
+/// Makes the HTML of terms in the sources of the manual. A term that does not exist is a problem, not a text.
 /// - `{action:run.start}`: its menu, name and keys; `{name:run.start}` its name, `{keys:run.start}` its keys
 /// - `{panel:run}`: its title, a link to its section
 /// - `{parameter:alpha}`: its label, a link to its row
@@ -19,7 +19,7 @@ class ManualTerms {
   explicit ManualTerms(const ManualFacts& facts) : facts_(facts) {}
 
   QString html(const QString& kind, const QString& argument);
-  /// The terms that do not exist, as they stand in the sources.
+  /// The terms that do not exist, as the sources write them.
   const QStringList& problems() const { return problems_; }
 
  private:

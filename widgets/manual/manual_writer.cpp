@@ -18,7 +18,7 @@ QString linkTo(const ManualPage& page, const QString& relation, const QString& t
   return QStringLiteral("<a rel=\"%1\" href=\"%2.html\">%3</a>").arg(relation, page.name, text.toHtmlEscaped());
 }
 
-/// All pages, and the sections of this one.
+/// The list of all pages, with the sections of this one.
 QString contentsOf(const std::vector<ManualPage>& pages, const ManualPage& here) {
   QString list;
   for (const ManualPage& page : pages) {

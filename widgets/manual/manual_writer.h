@@ -7,8 +7,9 @@
 
 namespace glissade {
 
-/// Writes the manual as HTML: FOLDER/LANGUAGE/PAGE.html and FOLDER/manual.css. Pictures are FOLDER/pictures/NAME.png,
-/// which the build puts there. Folders are made. Errors: as manualPages(), and files that cannot be written.
+/// Writes the manual as HTML: FOLDER/LANGUAGE/PAGE.html and FOLDER/manual.css. The build puts the pictures into
+/// FOLDER/pictures/NAME.png. Missing folders are made. Errors: those of manualPages(), and files that cannot be
+/// written.
 Outcome writeManual(const ManualFacts& facts, const QString& folder);
 
 }  // namespace glissade

@@ -74,7 +74,7 @@ class MarkdownRenderer {
     ++at_;
   }
 
-  /// The first row is the header, the second is the line below it.
+  /// Renders a table. The first row is the header, the second one separates it from the others.
   void renderTable() {
     page_.html += QStringLiteral("<div class=\"wide\"><table>\n");
     for (int row = 0; more() && line().startsWith(QLatin1Char('|')); ++row, ++at_) {
@@ -89,7 +89,7 @@ class MarkdownRenderer {
     add(QStringLiteral("</table></div>"));
   }
 
-  /// What follows the mark of a list item; null where the line is none.
+  /// The text after the mark of a list item; null if the line is none.
   static QString itemText(const QString& line) {
     static const QRegularExpression item(QStringLiteral("^(?:-|\\d+\\.) +(.*)$"));
     const auto match = item.match(line);

@@ -10,18 +10,18 @@ namespace glissade {
 
 struct MarkdownHeading {
   int level = 1;
-  QString anchor;  ///< empty where the source gives none
+  QString anchor;  ///< empty if the source gives none
   QString title;   ///< plain text
 };
 
 struct MarkdownPage {
-  QString html;  ///< what stands in the body
+  QString html;  ///< content of the body
   std::vector<MarkdownHeading> headings;
-  QStringList pictures;  ///< names, without folder and ending
-  QStringList links;     ///< as the source has them
+  QStringList pictures;  ///< names, without folder and extension
+  QStringList links;     ///< as the source writes them
 };
 
-/// Makes HTML of `{kind:argument}`.
+/// Makes the HTML of a term `{kind:argument}`.
 using MarkdownTerm = std::function<QString(const QString& kind, const QString& argument)>;
 
 /// The part of Markdown that the manual uses, as HTML: headings `# Title {#anchor}` of three levels, paragraphs, lists

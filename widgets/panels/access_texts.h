@@ -10,12 +10,12 @@ namespace glissade {
 
 // Texts about the access of a hand, in the user's language.
 
-/// What a table says of a step: "reached", "no hand", "not seen".
+/// The short text about a step in a table: "reached", "no hand", "not seen".
 QString accessMark(const MotionAccess& motion);
-/// "The hand is blocked by plate, 11 % of the way from the place; 81 % of the place is seen". The bodies are those of
-/// the answer.
+/// "The hand is blocked by plate, 11 % of the way from the place; 81 % of the place is seen". `bodies`: the bodies that
+/// the answer refers to.
 QString accessText(const MotionAccess& motion, const std::vector<RigidBody>& bodies);
-/// "5th percentile of women".
+/// Name of a size, such as "5th percentile of women".
 QString handSizeText(HandSize size);
 
 }  // namespace glissade

@@ -110,7 +110,7 @@ QuantityBox* ArrangeBar::addStep(QuantityBox::Quantity quantity, const QString& 
   return box;
 }
 
-/// The number stays in metres, whatever unit it is shown in.
+/// Changes the unit of the field; the distance in metres stays.
 void ArrangeBar::showUnit() {
   const LengthField field = lengthField(kLeastStep);
   const double metres = distance_->value() / perMetre_;
@@ -164,8 +164,8 @@ double ArrangeBar::distanceStep() const { return distance_->value() / perMetre_;
 
 double ArrangeBar::angleStep() const { return angle_->value() / kRadian; }
 
-/// In the middle of the lower border. Where they have no room beside what is arranged, the buttons stand below it, in
-/// as many rows as they need.
+/// Places the bar in the middle of the lower border. The buttons stand below the item's name if there is no room beside
+/// it, in as many rows as they need.
 void ArrangeBar::fit() {
   const QSize scene = parentWidget()->size();
   const int width = std::min(kWidestBar, scene.width() - 2 * kArrangeMargin);
@@ -183,10 +183,10 @@ void ArrangeBar::fit() {
     grid_->addWidget(controls_, 1, 0, 1, 3);
   }
   const int room = beside ? row.width() : inner;
-  controls_->layout()->setGeometry(QRect(0, 0, room, 0));  // how high its rows are
+  controls_->layout()->setGeometry(QRect(0, 0, room, 0));  // computes the height of the rows
   controls_->setFixedSize(room, controls_->layout()->minimumSize().height());
   setFixedWidth(width);
-  // A shorter text in the place of the keys moves no button.
+  // The keys keep their height, so that a shorter text in their place moves no button.
   if (snap_.isEmpty()) keys_->setMinimumHeight(keys_->heightForWidth(inner));
   layout()->activate();
   const int height = layout()->totalHeightForWidth(width);

@@ -10,18 +10,18 @@
 
 namespace glissade {
 
-/// A bar over the scene while things are arranged: what is arranged, snapping with its steps, what else can be done,
-/// and the keys. Esc in it leaves the mode.
+/// A bar over the scene while things are arranged: the selected item, snapping with its steps, further actions, and the
+/// keys. Esc in it leaves the mode.
 class ArrangeBar final : public QFrame {
   Q_OBJECT
 
  public:
-  /// Stays at the bottom of `scene`; hidden at first.
+  /// The bar stays at the bottom of `scene`; hidden at first.
   ArrangeBar(const ActionCatalogue& actions, QWidget* scene);
 
-  /// What is arranged; empty: nothing is selected.
+  /// Shows the name of the selected item; empty: nothing is selected.
   void showItem(const QString& name);
-  /// What the item meets while it is dragged, instead of the keys; empty: nothing.
+  /// Shows the snap of the dragged item in place of the keys; empty: shows the keys.
   void showSnap(const QString& what);
   const QString& snap() const { return snap_; }
   void setSteps(double metres, double radians);
@@ -31,7 +31,7 @@ class ArrangeBar final : public QFrame {
  signals:
   void stepsChanged();
   void left();
-  /// It covers so many pixels of the scene from its lower border; 0: it is hidden.
+  /// The bar covers this height of the scene from its lower border, in pixels; 0: it is hidden.
   void covered(int height);
 
  protected:
@@ -56,8 +56,8 @@ class ArrangeBar final : public QFrame {
   QuantityBox* distance_;
   QuantityBox* angle_;
   QWidget* controls_;
-  QString snap_;           ///< as of showSnap()
-  double perMetre_ = 1.0;  ///< what is shown of a metre
+  QString snap_;           ///< the text of showSnap()
+  double perMetre_ = 1.0;  ///< the number that the field shows for a metre
 };
 
 }  // namespace glissade

@@ -47,7 +47,7 @@ void AuthorBar::paintEvent(QPaintEvent* /*event*/) {
     done += shares_[i];
     painter.fillRect(from, 0, static_cast<int>(width() * done / sum) - from, kBarHeight, colourOf(i));
   }
-  // One column each: name over number, whatever their lengths.
+  // Each author has one column, with the name over the number, whatever their lengths.
   const int top = kBarHeight + kGap;
   const int line = fontMetrics().height();
   const int side = fontMetrics().ascent() - 2;

@@ -6,7 +6,8 @@
 
 namespace glissade {
 
-/// Who did what, as a thin stacked bar over its legend, with the numbers. The colours are those of the scene.
+/// The shares of the authors as a thin stacked bar over its legend with the numbers. The colours are those of the
+/// scene.
 class AuthorBar final : public QWidget {
   Q_OBJECT
 

@@ -18,7 +18,7 @@ BusyBar::BusyBar(QAction* cancel, QWidget* parent)
   setObjectName(QStringLiteral("busy"));
   progress_->setRange(0, kProgressSteps);
   progress_->setFixedWidth(kWidth);
-  // No higher than the text beside it, so that the status bar does not grow by it.
+  // The bar is no higher than the text beside it, so that the status bar does not grow.
   const int height = fontMetrics().height() + 4;
   progress_->setMaximumHeight(height);
   auto* button = new QToolButton(this);

@@ -9,8 +9,8 @@
 
 namespace glissade {
 
-/// What is being done in the background, for how long and how far it is, and a button that ends it. What is done at
-/// once does not make it flash.
+/// The work in the background, its duration and progress, and a button that ends it. Work that is done at once does not
+/// make the bar flash.
 class BusyBar final : public QWidget {
   Q_OBJECT
 
@@ -20,7 +20,7 @@ class BusyBar final : public QWidget {
   void begin(const QString& what, const QElapsedTimer& since);
   void setShare(double share);
   void end();
-  /// Since the work began.
+  /// Seconds since the work began.
   double elapsedSeconds() const { return static_cast<double>(clock_.elapsed()) / 1000.0; }
 
  private:

@@ -16,11 +16,11 @@ namespace {
 constexpr int kPlotHeight = 72;
 constexpr double kCurveGap = 4.0;
 constexpr double kKeyStep = 0.01;
-/// Distances below are drawn at the bottom of the axis, metres.
+/// Metres; smaller distances are drawn at the bottom of the axis.
 constexpr double kSmallestDrawn = 1e-9;
-/// At most so many decades have a label.
+/// Largest number of decades with a label.
 constexpr int kMostLabels = 4;
-/// Okabe and Ito's hues.
+/// Colours of the bodies, in Okabe and Ito's hues.
 constexpr std::array<QRgb, 7> kColours{0xff0072b2, 0xffd55e00, 0xff009e73, 0xffcc79a7,
                                        0xffe69f00, 0xff56b4e9, 0xff8c8c8c};
 

@@ -9,19 +9,20 @@
 
 namespace glissade {
 
-/// The distance to the nearest body along a path, on a logarithmic axis; its colour tells which body is nearest. A
-/// click or a drag goes to that place of the path, the pointer over the curve tells distance and body; Left and Right
-/// go along it.
+/// The distance to the nearest body along a path, on a logarithmic axis, in the colour of the nearest body. A click or
+/// a drag selects a place of the path; the pointer over the curve shows distance and body; Left and Right move along
+/// the path.
 class ClearanceCurve final : public QWidget {
   Q_OBJECT
 
  public:
   explicit ClearanceCurve(QWidget* parent = nullptr);
 
-  /// `bodies`: the names of the obstacles by index. `required`: the required clearance, metres. Null: not known.
+  /// `bodies`: the names of the obstacles by index. `required`: the required clearance, metres. A null profile is not
+  /// known.
   void setProfile(std::shared_ptr<const ClearanceProfile> profile, const QStringList& bodies, double required);
   const std::shared_ptr<const ClearanceProfile>& profile() const { return profile_; }
-  /// The place of the path that is shown, as a share of its length.
+  /// Shows this place of the path, as a share of its length.
   void setPlace(double share);
 
   QSize sizeHint() const override;
@@ -47,9 +48,9 @@ class ClearanceCurve final : public QWidget {
 
   std::shared_ptr<const ClearanceProfile> profile_;
   QStringList bodies_;
-  std::vector<int> bodyOrder_;  ///< nearest bodies in the order in which they appear: the order of their colours
+  std::vector<int> bodyOrder_;  ///< nearest bodies in the order in which they appear, which determines their colours
   double required_ = 0.0;
-  double least_ = 0.0;  ///< of the axis, metres
+  double least_ = 0.0;  ///< least distance of the axis, metres
   double most_ = 1.0;
   double place_ = 0.0;
 };

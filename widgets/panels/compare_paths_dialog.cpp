@@ -22,7 +22,7 @@ constexpr int kColumnWidth = 230;
 struct Figure {
   QString title;
   std::function<QString(const KeptPathRow&)> text;
-  std::function<double(const KeptPathRow&)> less;  ///< the path where this is least is marked; empty: none
+  std::function<double(const KeptPathRow&)> less;  ///< the path with the least value is marked; empty: none
 };
 
 std::vector<Figure> figures() {
@@ -77,7 +77,7 @@ std::vector<Figure> figures() {
   };
 }
 
-/// The best of a row is bold; where all are alike, none is.
+/// Makes the best figure of a row bold, unless all are equal.
 void markBest(QTableWidget& table, int row, const Figure& figure, const std::vector<ComparedPath>& paths) {
   if (!figure.less) return;
   double best = figure.less(paths.front().row);

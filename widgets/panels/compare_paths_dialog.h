@@ -10,13 +10,13 @@
 
 namespace glissade {
 
-/// What is compared of a path.
+/// A path of the comparison.
 struct ComparedPath {
   KeptPathRow row;
-  std::shared_ptr<const ClearanceProfile> profile;  ///< null: not known, because it does not hold here
+  std::shared_ptr<const ClearanceProfile> profile;  ///< null: not known, because the path is not valid here
 };
 
-/// Paths side by side: a column each, with their figures and their clearance as curves with one scale each.
+/// Compares paths side by side: one column for each path with its figures, and their clearance curves on common scales.
 class ComparePathsDialog final : public QDialog {
   Q_OBJECT
 

@@ -17,28 +17,28 @@ namespace glissade {
 using DifficultyPtr = std::shared_ptr<const Difficulty>;
 using HelpPlacesPtr = std::shared_ptr<const std::vector<HelpPlace>>;
 
-/// Why no path was found: where the trees came nearest, the tightest passage that they reached, the
-/// way of least penetration, and the places where a hand helps. A row shows the object at that place, the slider moves
-/// it along the way.
+/// The reasons why no path was found: the place where the trees came nearest, the tightest passage that they reached,
+/// the path of least penetration, and the places where a hand helps. A row shows the object at its place, the slider
+/// moves it along the path of least penetration.
 class DifficultyPanel final : public QWidget {
   Q_OBJECT
 
  public:
   DifficultyPanel(const ActionCatalogue& actions, QWidget* parent);
 
-  /// Null: nothing is known yet.
+  /// Null: no difficulty is known yet.
   void setDifficulty(const DifficultyPtr& difficulty, const HelpPlacesPtr& help, const LoadedScenario& scenario);
-  /// Chooses the row "least", "tightest", "frontier" or "help-1", the first place to help. False: there is none.
+  /// Selects the row "least", "tightest", "frontier" or "help-1", the first place to help. False if there is none.
   bool showPart(const QString& id);
   void setPlaying(bool playing) { slider_->setPlaying(playing); }
 
  signals:
-  /// Lengths have another unit: what is shown has to be written again.
+  /// The unit of lengths has changed, so that the texts have to be written again.
   void lengthUnitChanged();
-  /// The pose to show the object at; nothing: the hand is shown again.
+  /// The pose to show the object at; nothing: the operator's pose is shown again.
   void poseShown(const std::optional<glissade::Pose>& pose);
   void playbackEnded();
-  /// The row of this place to help was chosen.
+  /// The row of this place to help was selected.
   void helpChosen(std::size_t place);
 
  protected:
@@ -51,7 +51,7 @@ class DifficultyPanel final : public QWidget {
   void offer(const std::vector<HelpPlace>& help, const LoadedScenario& scenario);
   void choose(int row);
 
-  std::vector<Pose> places_;  ///< of the rows
+  std::vector<Pose> places_;  ///< poses of the rows
   int firstHelp_ = 0;         ///< row of the first place to help
   QLabel* summary_;
   QTreeWidget* rows_;

@@ -15,7 +15,7 @@ namespace {
 
 enum Column { Kind, Amount, BodyA, BodyB, Allowance, Status, ColumnCount };
 
-constexpr int kIndexRole = Qt::UserRole;  // of the pair
+constexpr int kIndexRole = Qt::UserRole;  // index of the pair
 
 QString statusText(FitStatus status) {
   switch (status) {
@@ -33,7 +33,7 @@ void setLength(QTreeWidgetItem& item, int column, double sortedBy, const QString
   item.setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
 }
 
-/// An overlap sorts before a gap.
+/// The value by which gaps are sorted; an overlap is a negative gap.
 double signedGap(const Contact& contact) { return contact.overlap > 0.0 ? -contact.overlap : contact.gap; }
 
 QString signedLengthText(double metres) {
@@ -47,7 +47,7 @@ QString amountText(const Contact& contact) {
   return contact.uncertainty > 0.0 ? amount + QStringLiteral(" ± ") + lengthText(contact.uncertainty) : amount;
 }
 
-/// Which body gives way, or why nothing passes.
+/// The bodies that give way, or the reason why none can pass.
 QString wayText(const PairFit& fit) {
   if (!fit.way().refused.empty()) return engineText(fit.way().refused);
   QStringList lines;

@@ -24,19 +24,19 @@ class FitsPanel final : public QWidget {
  public:
   explicit FitsPanel(const ActionCatalogue& actions, QWidget* parent = nullptr);
 
-  /// Null: not analysed yet, or not any more.
+  /// Null: not analysed yet, or not valid any more.
   void setFits(const PairFitsPtr& fits);
   const PairFitsPtr& fits() const { return fits_; }
   /// The pair of the current row; null: none.
   const PairFit* chosen() const;
-  /// Makes the row of this pair the current one. False: there is none.
+  /// Makes the row of this pair the current one. False if there is none.
   bool choose(const QString& a, const QString& b);
-  /// Goes to the first row about one of these bodies, which were chosen elsewhere; emits nothing about it.
+  /// Goes to the first row about one of these bodies, which were selected elsewhere; emits no signal.
   void showBodies(const QSet<QString>& ids);
 
  signals:
   void chosenChanged();
-  /// Double click or Enter on a row.
+  /// A row was double-clicked, or Enter was pressed on it.
   void activated();
 
  protected:

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kIconPixels = 28;
 
-/// A hand that points trembles by half a degree, which is 13 pixels.
+/// Sizes of the controls allow for the tremor of a pointing hand: half a degree, which is 13 pixels.
 const char* const kPointedAt =
     "#headset-page QWidget { font-size: %1px; }"
     "#headset-page { border: 3px solid palette(highlight); }"
@@ -41,7 +41,7 @@ QLabel* makeLabel(const char* name, QWidget* parent) {
   return label;
 }
 
-/// As large as hands need it, in as many rows as the texts of the language ask for.
+/// Makes buttons that are large enough for hands, in as many rows as their texts need.
 QLayout* makeButtons(const ActionCatalogue& actions, const std::vector<const char*>& ids, QWidget* parent) {
   QLayout* row = makeActionFlow(actions, ids, parent);
   row->setSpacing(12);
@@ -104,7 +104,7 @@ HeadsetPage::HeadsetPage(const ActionCatalogue& actions, QWidget* parent)
   ask({}, {}, {});
 }
 
-/// It lies over what it keeps hands from.
+/// The question lies over the whole page, and keeps hands from its controls.
 void HeadsetPage::makeQuestion() {
   question_->setObjectName(QStringLiteral("headset-question"));
   question_->setAttribute(Qt::WA_StyledBackground);
@@ -120,7 +120,7 @@ void HeadsetPage::makeQuestion() {
   column->addStretch();
 }
 
-/// Those for daily use. Another one keeps its name above them.
+/// Makes a button for each main strategy. The name of another strategy is shown above them.
 QLayout* HeadsetPage::makeStrategies() {
   auto* row = new QHBoxLayout;
   row->setSpacing(12);
@@ -201,7 +201,7 @@ void HeadsetPage::ask(const QString& what, const QString& why, const QStringList
   details_->setText(why);
   details_->setVisible(!why.isEmpty());
   while (QLayoutItem* item = answers_->takeAt(0)) {
-    item->widget()->deleteLater();  // it may be what was pressed
+    item->widget()->deleteLater();  // deleted later, because it may be the widget that was pressed
     item->widget()->hide();
     delete item;
   }

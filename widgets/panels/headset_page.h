@@ -10,15 +10,15 @@
 
 namespace glissade {
 
-/// What the panel in the scene of a headset shows: strategy, run, the parameters of interaction, undo, the steps of the
-/// sequence, and why something was refused. It has the actions and the parameters of the window. Everything is large
+/// The content of the panel in the scene of a headset: strategy, run, the parameters of interaction, undo, the steps of
+/// the sequence, and reasons of refusals. It has the actions and the parameters of the window. Everything is large
 /// enough to be pointed at with a hand, and nothing needs a keyboard or opens a window.
 class HeadsetPage final : public QWidget {
   Q_OBJECT
 
  public:
-  /// Pixels, of the page and of its texts. Where the panel is 40 cm wide and 60 cm from the eyes, a capital letter is
-  /// 0.6 degrees high.
+  /// Width of the page in pixels. If the panel is 40 cm wide and 60 cm from the eyes, a capital letter is 0.6 degrees
+  /// high.
   static constexpr int kWidth = 1000;
   static constexpr int kHeight = 800;
   static constexpr int kTextPixels = 22;
@@ -26,20 +26,20 @@ class HeadsetPage final : public QWidget {
   explicit HeadsetPage(const ActionCatalogue& actions, QWidget* parent = nullptr);
 
   void setScenario(const LoadedScenario& scenario);
-  /// `status`: what happens, in words.
+  /// `status`: the state of the run, in words.
   void setSnapshot(const SessionSnapshot& snapshot, const QString& status);
-  /// What is shown is a replay: nothing can be steered.
+  /// Sets whether a replay is shown, which cannot be steered.
   void setReplayed(bool replayed);
-  /// Where in the sequence the scene is; empty: there is none.
+  /// Shows the place in the sequence; empty: there is none.
   void setStep(const QString& place);
-  /// What was refused and why; empty: nothing.
+  /// Shows a refusal and its reason; empty: none.
   void setRefusal(const QString& what, const QString& why);
-  /// What is asked or said before anything else can be done, over the whole page; without answers: nothing.
+  /// Shows a question or a message over the whole page, which blocks everything else. Without answers it is removed.
   void ask(const QString& what, const QString& why, const QStringList& answers);
 
  signals:
   void commanded(const glissade::Command& command);
-  /// By its place among the answers.
+  /// The person has chosen this answer, by its index.
   void answered(int answer);
 
  private:

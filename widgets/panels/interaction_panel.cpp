@@ -20,7 +20,7 @@ void select(QComboBox& box, const std::string& id) {
   box.setCurrentIndex(box.findData(text(id)));
 }
 
-/// All live ones but those that have a box or a button of their own.
+/// All live parameters, except those with a box or a button of their own.
 std::vector<ParameterId> steeringParameters() {
   std::vector<ParameterId> ids;
   for (const ParameterSpec& spec : parameterTable()) {
@@ -98,7 +98,7 @@ InteractionPanel::InteractionPanel(QWidget* parent)
   connect(seed_, &SeedBox::seedChosen, this, [this](quint64 seed) { emit commanded(command::SetSeed{seed}); });
 }
 
-/// Those for daily use, and a row that shows the others.
+/// Lists the main strategies, and a row that shows the others.
 void InteractionPanel::fillStrategies() {
   addStrategies(true);
   planner_->insertSeparator(planner_->count());

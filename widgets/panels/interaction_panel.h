@@ -11,8 +11,8 @@
 
 namespace glissade {
 
-/// What steers a run: strategy, who holds the object, pace, seed, the live parameters that have an effect, and who has
-/// the authority now.
+/// The controls of a run: strategy, operator, pace, seed, the live parameters that have an effect, and the present
+/// authority.
 class InteractionPanel final : public QWidget {
   Q_OBJECT
 
@@ -22,7 +22,7 @@ class InteractionPanel final : public QWidget {
   void setScenario(const LoadedScenario& scenario);
   void setSnapshot(const SessionSnapshot& snapshot);
   void setDevice(const std::string& deviceId);
-  /// What is shown is a replay: nothing can be steered, and it says so.
+  /// Sets whether a replay is shown, which cannot be steered; the panel states this.
   void setReplayed(bool replayed);
 
  signals:
@@ -32,15 +32,15 @@ class InteractionPanel final : public QWidget {
  private:
   void fillStrategies();
   void addStrategies(bool main);
-  /// The list has all strategies from now on.
+  /// Lists all strategies from now on.
   void showAdvanced();
   void chooseStrategy();
-  /// The sentence about the strategy, and the sliders that it uses.
+  /// Shows the sentence about the strategy, and the sliders that it uses.
   void showUse();
 
   PlannerRegistry planners_ = makePlannerRegistry();
   QComboBox* planner_;
-  int advancedRow_ = 0;  ///< of planner_: shows all strategies, and is then their title
+  int advancedRow_ = 0;  ///< row of planner_ that shows all strategies, and is their title then
   QLabel* about_;
   QComboBox* device_;
   PaceBox* pace_;
@@ -49,8 +49,8 @@ class InteractionPanel final : public QWidget {
   QLabel* authority_;
   QLabel* replayed_;
   ParameterSliders* sliders_;
-  std::string shownStrategy_;  ///< of the last snapshot
-  std::string shownUse_;       ///< strategy and device that showUse() was called for last
+  std::string shownStrategy_;  ///< strategy of the last snapshot
+  std::string shownUse_;       ///< strategy and device of the last showUse()
 };
 
 }  // namespace glissade

@@ -18,11 +18,11 @@
 namespace glissade {
 namespace {
 
-constexpr double kFinest = 1e-5;  ///< metres: what is seen of a length
-constexpr int kShownBodies = 4;   ///< of what is clamped, without scrolling
+constexpr double kFinest = 1e-5;  ///< metres: finest difference that fields show
+constexpr int kShownBodies = 4;   ///< clamped bodies that are visible without scrolling
 constexpr int kLeastWidth = 360;  ///< pixels
 
-/// What can be chosen beside the proposed direction and its opposite.
+/// A direction that can be selected besides the proposed one and its opposite.
 struct AxisDirection {
   const char* name;
   int axis;
@@ -106,7 +106,7 @@ QuantityBox* JointDialog::addLength(const char* name, double least, double most)
 void JointDialog::addKinds() {
   for (int i = 0; i <= static_cast<int>(JointKind::Unit); ++i) {
     const auto kind = static_cast<JointKind>(i);
-    // A flexible body needs no other one.
+    // A flexible joint needs only one body.
     if (bodies_.size() > 1 || kind == JointKind::Flexible) kind_->addItem(jointKindText(kind), i);
   }
   kind_->setCurrentIndex(std::max(0, kind_->findData(static_cast<int>(draft_.kind))));
@@ -168,7 +168,7 @@ void JointDialog::showDirections() {
   for (const AxisDirection& axis : kAxes) direction_->addItem(QString::fromUtf8(axis.name));
 }
 
-/// What is not checked holds the thread.
+/// Bodies that are not checked hold the thread.
 void JointDialog::showClamped() {
   clamped_->clear();
   for (const std::size_t body : bodies_) {
@@ -180,7 +180,7 @@ void JointDialog::showClamped() {
   }
 }
 
-/// Another body leaves: its axis and thread are proposed. The kind is the person's.
+/// Proposes axis and thread for another body that leaves. The kind stays as selected.
 void JointDialog::draftAgain() {
   draft_ = draftJoint(*product_, bodies_, static_cast<std::size_t>(body_->currentData().toULongLong()));
   showDraft();
@@ -196,7 +196,7 @@ void JointDialog::enable() {
   }
   setRowShown(*form_, bend_, kind() == JointKind::Snap);
   setRowShown(*form_, designation_, turns || kind() == JointKind::Insert || kind() == JointKind::Pin);
-  layout()->activate();  // fields that are hidden give their room back
+  layout()->activate();  // gives the room of hidden fields back
   adjustSize();
 }
 
@@ -236,7 +236,7 @@ void JointDialog::accept() {
 
 void JointDialog::refuse(const QString& why) {
   refusal_->setText(why);
-  // A label that wraps does not ask for its room.
+  // A label that wraps does not request its height.
   refusal_->setMinimumHeight(refusal_->heightForWidth(std::max(refusal_->width(), kLeastWidth / 2)));
   adjustSize();
 }

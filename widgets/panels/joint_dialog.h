@@ -17,14 +17,15 @@
 
 namespace glissade {
 
-/// Asks what a joint of some bodies is: its kind, which of the bodies leaves, and, where the kind needs it, direction,
-/// thread, what is clamped, bend. Stays open where what was given is refused, and says why.
+/// Asks for a joint of some bodies: its kind, the body that leaves, and, if the kind needs them, direction, thread,
+/// clamped bodies and bend. If the joint is refused, the dialog stays open and shows the reason.
 class JointDialog final : public QDialog {
   Q_OBJECT
 
  public:
   using Accept = std::function<Outcome(const Joint& joint)>;
-  /// `draft`: of this product; its bodies, others and what it clamps are those that a person can choose of.
+  /// `draft`: a joint of this product; a person can choose among its body, its other bodies and the bodies that it
+  /// clamps.
   JointDialog(ProductPtr product, const Joint& draft, Accept accept, QWidget* parent = nullptr);
 
   void accept() override;
@@ -49,7 +50,7 @@ class JointDialog final : public QDialog {
   std::vector<std::size_t> bodies_;
   Joint draft_;
   Accept accept_;
-  double perMetre_ = 1e3;  ///< what fields show of a metre
+  double perMetre_ = 1e3;  ///< the number that fields show for a metre
   QComboBox* kind_;
   QComboBox* body_;
   QListWidget* clamped_;

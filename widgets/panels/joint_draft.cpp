@@ -10,11 +10,11 @@
 namespace glissade {
 namespace {
 
-constexpr double kUsualDiameter = 5e-3;  ///< metres, of a body without a shaft and a hole
-/// A thread is engaged by so many diameters where the shape does not say it.
+constexpr double kUsualDiameter = 5e-3;  ///< metres, for a body without a shaft and a hole
+/// Engaged length of a thread in diameters, if the shape does not give it.
 constexpr double kUsualEngaged = 1.5;
 
-/// The bodies alone, the one that leaves first: shapes of a whole product take longer.
+/// A product of these bodies only, with the leaving body first: shapes of a whole product take longer.
 AssembledProduct partOf(const AssembledProduct& product, const std::vector<std::size_t>& bodies, std::size_t body) {
   AssembledProduct part;
   part.bodies.push_back(product.bodies[body]);
@@ -56,14 +56,14 @@ JointThread threadOf(const TurnedShape* shape) {
   return thread;
 }
 
-/// From the middle of the others to the body's.
+/// The vector from the middle of the others to the middle of the body.
 Vector3 awayFromOthers(const ProductShapes& shapes) {
   Box3 box;
   for (std::size_t other = 1; other < shapes.size(); ++other) box.extend(shapes.box(other));
   return shapes.size() > 1 ? Vector3(shapes.box(0).center() - box.center()) : Vector3(Vector3::UnitZ());
 }
 
-/// The main direction of a way.
+/// The axis nearest to a direction.
 Vector3 alongAnAxis(const Vector3& way) {
   Eigen::Index axis = 2;
   way.cwiseAbs().maxCoeff(&axis);

@@ -29,12 +29,12 @@ JointRowState stateOf(const JointEdit& edit) {
   return JointRowState::Opened;
 }
 
-/// The word that confirms a bend says it, and changes nothing.
+/// Whether the bends are equal. A statement that confirms a bend repeats it, and changes nothing.
 bool hasSameBend(const Joint& found, const Joint& joint) {
   return joint.kind == JointKind::Snap && found.bend == joint.bend && found.direction == joint.direction;
 }
 
-/// An insert that is pressed out is a pin from then on.
+/// The key of the joint after the edit: an insert that is pressed out becomes a pin.
 JointKey keyAfter(const JointEdit& edit) {
   JointKey key = edit.key;
   if (edit.word == JointEdit::Word::PressedOut) key.kind = JointKind::Pin;
@@ -49,7 +49,7 @@ bool JointRow::counts() const {
   return state != JointRowState::Dissolved && state != JointRowState::Opened && state != JointRowState::Refused;
 }
 
-/// A word that cannot be does not take the others with it.
+/// An impossible statement is refused alone; the others take effect.
 JointTable::JointTable(ProductPtr product, std::shared_ptr<const Joints> found, std::vector<JointEdit> said)
     : product_(std::move(product)), found_(std::move(found)), said_(std::move(said)) {
   Result<Joints> joints = applied(*found_, said_, *product_);

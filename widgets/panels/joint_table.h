@@ -10,48 +10,48 @@
 
 namespace glissade {
 
-/// Who says what of a joint.
+/// The source of a joint, and a person's statement about it.
 enum class JointRowState {
-  Recognised,  ///< the shapes do
-  Suggested,   ///< shape, name or class hint at it; it does not count in a plan
-  Confirmed,   ///< a person does, as it was found
-  Made,        ///< a person has made or changed it
-  PressedOut,  ///< a person says that the insert comes out along its axis
-  Dissolved,   ///< a person says that it is not there
-  Opened,      ///< a person says that the unit is taken apart
-  Refused      ///< what a person says of it cannot be in this product
+  Recognised,  ///< recognised from the shapes
+  Suggested,   ///< suggested by shape, name or class; it has no effect on a plan
+  Confirmed,   ///< confirmed by a person as it was found
+  Made,        ///< made or changed by a person
+  PressedOut,  ///< a person states that the insert comes out along its axis
+  Dissolved,   ///< a person states that the joint does not exist
+  Opened,      ///< a person states that the unit is taken apart
+  Refused      ///< a person's statement about it is impossible in this product
 };
 
-/// "recognised", "suggested", "confirmed", "made", "pressed-out", "dissolved", "opened", "refused".
+/// Name of the state: "recognised", "suggested", "confirmed", "made", "pressed-out", "dissolved", "opened", "refused".
 const char* jointRowStateName(JointRowState state);
 
 /// One joint as the panel shows it.
 struct JointRow {
-  Joint joint;   ///< as it counts; of one that does not count, as it was found
-  JointKey key;  ///< what a person's word about it names
+  Joint joint;   ///< the joint with its edits; a joint without effect as it was found
+  JointKey key;  ///< key by which a person's statement names the joint
   JointRowState state = JointRowState::Recognised;
-  bool isFound = true;                  ///< by the program; else only a person has made it
-  std::optional<Diagnostic> refusal{};  ///< of a refused word: why
+  bool isFound = true;                  ///< found by the program; else only a person has made it
+  std::optional<Diagnostic> refusal{};  ///< reason why a statement was refused
 
-  /// It is a joint of the product, be it only suggested.
+  /// Whether it is a joint of the product, including suggested ones.
   bool counts() const;
-  /// A person says something of it.
+  /// Whether a person has made a statement about it.
   bool isSaid() const { return state != JointRowState::Recognised && state != JointRowState::Suggested; }
 };
 
-/// The joints of a product: what was found, and what a person says of it. Immutable.
+/// The joints of a product: found joints, and a person's statements about them. Immutable.
 class JointTable {
  public:
   JointTable(ProductPtr product, std::shared_ptr<const Joints> found, std::vector<JointEdit> said);
 
   const AssembledProduct& product() const { return *product_; }
   const std::vector<JointEdit>& said() const { return said_; }
-  /// By body, then by kind; refused words last.
+  /// Sorted by body, then by kind; refused statements come last.
   const std::vector<JointRow>& rows() const { return rows_; }
   std::size_t count(JointRowState state) const;
-  /// The same found joints with other words of a person.
+  /// This table with other statements about the same found joints.
   JointTable with(std::vector<JointEdit> said) const { return {product_, found_, std::move(said)}; }
-  /// What people see of the name of the body; the id where there is no such body.
+  /// The displayed name of the body; its id if there is no such body.
   QString shown(const std::string& id) const;
 
  private:
@@ -66,14 +66,15 @@ class JointTable {
   std::vector<JointRow> rows_;
 };
 
-/// The order of the others makes no difference.
+/// Whether both keys name the same joint; the order of the other bodies makes no difference.
 bool isSameJoint(JointKey one, JointKey other);
 
-/// What a person says, with this word in place of what they said of the same joint.
+/// The statements with this one in place of the statement on the same joint.
 std::vector<JointEdit> withWord(std::vector<JointEdit> said, const JointEdit& word);
-/// What a person says, without a word about this joint.
+/// The statements without those on this joint.
 std::vector<JointEdit> withoutWord(std::vector<JointEdit> said, const JointKey& key);
-/// The joint of the row is not there: one that only a person has made needs no word for that.
+/// The statements by which the joint of the row does not exist. A joint that only a person has made needs no statement
+/// for that.
 std::vector<JointEdit> withoutJoint(std::vector<JointEdit> said, const JointRow& row);
 
 }  // namespace glissade

@@ -21,7 +21,8 @@ struct Joined {
   Q_DECLARE_TR_FUNCTIONS(Joints)
 };
 
-/// "M5", "M5 x 0.500 mm" where the pitch is another than the coarse one, "Ø 5.30 mm" where it is no nominal size.
+/// The size of a thread: "M5"; "M5 x 0.500 mm" if the pitch is not the coarse one; "Ø 5.30 mm" if it is no nominal
+/// size.
 QString threadSizeText(const JointThread& thread) {
   const std::string nominal = nominalSize(thread.diameter);
   const double coarse = isoCoarsePitch(0.5 * thread.diameter).pitch;

@@ -14,9 +14,9 @@ namespace {
 
 enum JointColumn { JointType, JointBody, JointWith, JointSize, JointWho, JointColumns };
 
-constexpr double kBodyShare = 0.4;  // of the names' width: what the body is joined with are several
+constexpr double kBodyShare = 0.4;  // share of the names' width; the column of joined bodies holds several names
 
-constexpr int kJointIndexRole = Qt::UserRole;  // of the row
+constexpr int kJointIndexRole = Qt::UserRole;  // index of the row
 
 QString idsText(const JointRow& row, const JointTable& table) {
   QStringList ids;
@@ -63,7 +63,7 @@ JointsPanel::JointsPanel(const ActionCatalogue& actions, QWidget* parent)
   setTable(nullptr);
 }
 
-/// Little room is left for the table on a small screen, so the filter is beside the first buttons.
+/// The filter is beside the first buttons, because small screens leave little room for the table.
 void JointsPanel::layOut(const ActionCatalogue& actions) {
   for (const char* id : {"joints.isolate", "joints.confirm", "joints.dissolve", "joints.change", "joints.press-out",
                          "joints.open", "joints.as-found"}) {
@@ -114,7 +114,7 @@ void JointsPanel::addRow(std::size_t index) {
   markRow(*item, row);
 }
 
-/// What is doubtful or refused is bold; what a person has dissolved is grey and struck out.
+/// Doubtful and refused joints are bold; dissolved joints are grey and struck out.
 void JointsPanel::markRow(QTreeWidgetItem& item, const JointRow& row) const {
   QFont font = rows_->font();
   if (row.state == JointRowState::Refused || (row.counts() && row.joint.isDoubtful)) {
@@ -179,7 +179,7 @@ void JointsPanel::changeEvent(QEvent* event) {
   if (event->type() == QEvent::LocaleChange || event->type() == QEvent::PaletteChange) setTable(table_);
 }
 
-/// The evidence of the one row that is chosen; else how many joints there are.
+/// Shows the evidence of the only selected row, or else the number of joints.
 void JointsPanel::showDetails() {
   const std::vector<const JointRow*> rows = chosen();
   if (!table_) {

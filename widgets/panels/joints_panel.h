@@ -16,28 +16,28 @@ namespace glissade {
 
 using JointTablePtr = std::shared_ptr<const JointTable>;
 
-/// The joints of the product: kind, body, what it is joined with, thread, who says so. Joints that a person has
-/// dissolved stay in the table, so that this can be taken back. The table can be sorted by every column and filtered by
-/// a text. Several rows can be chosen at once.
+/// The joints of the product: kind, body, the bodies that it is joined with, thread, state. Joints that a person has
+/// dissolved stay in the table, so that this can be undone. The table can be sorted by every column and filtered by a
+/// text. Several rows can be selected at once.
 class JointsPanel final : public QWidget {
   Q_OBJECT
 
  public:
   explicit JointsPanel(const ActionCatalogue& actions, QWidget* parent = nullptr);
 
-  /// Null: not looked for yet, or not any more. Rows of the same joints stay chosen.
+  /// Sets the table. Null: not searched yet, or not valid any more. Rows of the same joints stay selected.
   void setTable(const JointTablePtr& table);
   const JointTablePtr& table() const { return table_; }
-  /// The chosen rows, in the order of the table.
+  /// The selected rows, in the order of the table.
   std::vector<const JointRow*> chosen() const;
-  /// Makes the row of this body's joint of this kind the only chosen one. False: there is none.
+  /// Selects only the row of this body's joint of this kind. False if there is none.
   bool choose(JointKind kind, const std::string& body);
-  /// Goes to the first row about one of these bodies, which were chosen elsewhere; emits nothing about it.
+  /// Goes to the first row about one of these bodies, which were selected elsewhere; emits no signal.
   void showBodies(const QSet<QString>& ids);
 
  signals:
   void chosenChanged();
-  /// Double click or Enter on a row.
+  /// A row was double-clicked, or Enter was pressed on it.
   void activated();
 
  protected:

@@ -210,7 +210,7 @@ void KeptPathsPanel::editName() {
   table_->editItem(items.front(), PathName);
 }
 
-/// A check box, or a name that was typed.
+/// Takes a check box that was clicked, or a name that was typed.
 void KeptPathsPanel::takeChange(QTreeWidgetItem* item, int column) {
   if (column != PathName) return;
   const std::string name = nameOf(*item).toStdString();

@@ -15,40 +15,40 @@ namespace glissade {
 struct KeptPathRow {
   KeptPathPtr path;
   KeptPathProof proof;
-  bool shown = false;    ///< drawn beside the others
+  bool shown = false;    ///< drawn besides the others
   bool current = false;  ///< it is the path that is played and exported
 };
 
-/// The colour of the path at this index, where several are shown.
+/// The colour of the path at this index, if several are shown.
 QColor keptPathColour(std::size_t index);
-/// "Automatic", as the strategy is called in the window.
+/// Name of the strategy in the window, such as "Automatic".
 QString strategyName(const std::string& plannerId);
-/// What became of a kept path, in a few words.
+/// The state of a kept path's proof, in a few words.
 QString proofText(const KeptPathProof& proof);
 
-/// The paths that are kept: what they are, whether they hold in the scenario as it is, and which are shown.
+/// The kept paths: their figures, whether they are valid in the present scenario, and which of them are shown.
 class KeptPathsPanel final : public QWidget {
   Q_OBJECT
 
  public:
   KeptPathsPanel(const ActionCatalogue& actions, QWidget* parent = nullptr);
 
-  /// `unkept`: the path that was found last is not among them.
+  /// `unkept`: the path that was found last is not kept.
   void setRows(const std::vector<KeptPathRow>& rows, bool unkept);
   /// Names of the selected rows, from the top.
   std::vector<std::string> selected() const;
-  /// False: there is no such row.
+  /// False if there is no such row.
   bool select(const std::string& name);
-  /// Lets the user type another name into the selected row.
+  /// Starts editing the name of the selected row.
   void editName();
 
  signals:
-  /// Lengths have another unit: what is shown has to be written again.
+  /// The unit of lengths has changed, so that the texts have to be written again.
   void lengthUnitChanged();
   void selectionChanged();
   void shownChanged(const std::string& name, bool shown);
   void renamed(const std::string& name, const std::string& newName);
-  /// A double click, or Enter.
+  /// A row was double-clicked, or Enter was pressed on it.
   void activated(const std::string& name);
 
  protected:

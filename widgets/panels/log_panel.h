@@ -8,14 +8,14 @@
 
 namespace glissade {
 
-/// The messages of the window, the newest last, from a level on.
+/// The messages of the window from a level on; the newest is the last.
 class LogPanel final : public QWidget {
   Q_OBJECT
 
  public:
   LogPanel(const MessageLog& log, const ActionCatalogue& actions, QWidget* parent = nullptr);
 
-  /// What is shown, a line a message.
+  /// The messages that are shown, one line each.
   QStringList lines() const;
   void setLevel(LogLevel least);
 

@@ -6,7 +6,8 @@
 
 namespace glissade {
 
-/// Of a row's column: the number that it is sorted by. Columns without one, and equal numbers, are sorted as texts.
+/// Role of the number by which a row's column is sorted. Columns without such a number, and equal numbers, are sorted
+/// as texts.
 inline constexpr int kSortRole = Qt::UserRole + 1;
 
 /// A row that sorts numbers by their values.
@@ -17,25 +18,25 @@ class SortedRow final : public QTreeWidgetItem {
   bool operator<(const QTreeWidgetItem& other) const override;
 };
 
-/// A table with names of bodies. The names are long: their columns share the width that the other columns leave, and
-/// show the ends of the names. Rows can be sorted by every column and filtered by a text.
+/// A table with names of bodies. The columns of the long names share the width that the other columns leave, and show
+/// the ends of the names. Rows can be sorted by every column and filtered by a text.
 class NameTable final : public QTreeWidget {
  public:
   struct Names {
     int column;
-    double share;  ///< of the width that is left
+    double share;  ///< share of the width that the other columns leave
   };
 
   NameTable(std::vector<Names> names, QWidget* parent);
 
-  /// Makes the other columns as wide as what they show.
+  /// Makes the other columns as wide as their contents.
   void fitColumns();
-  /// Hides the rows of which no column, and no tool tip of a name, holds the text. They are not selected any more:
-  /// nothing is done to what is not seen.
+  /// Hides and deselects the rows in which no column, and no tool tip of a name, contains the text, so that nobody
+  /// edits hidden rows.
   void filterRows(const QString& text);
 
  protected:
-  /// Also where a scroll bar appears or goes.
+  /// Called also when a scroll bar appears or disappears.
   void resizeEvent(QResizeEvent* event) override;
 
  private:

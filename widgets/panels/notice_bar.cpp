@@ -77,7 +77,7 @@ void NoticeBar::showNotice(const Notice& notice) {
 void NoticeBar::makeButtons() {
   while (QLayoutItem* item = buttons_->takeAt(0)) {
     if (QWidget* widget = item->widget()) {
-      widget->hide();  // it may be the one whose click this is: deleted later
+      widget->hide();  // deleted later, because it may be the widget that was clicked
       widget->deleteLater();
     }
     delete item;
@@ -94,8 +94,8 @@ void NoticeBar::makeButtons() {
   buttons_->addStretch();
 }
 
-/// Beside the view cube, or over it where the scene is narrow; buttons that have no room in a row stand below each
-/// other.
+/// Places the bar beside the view cube, or over it if the scene is narrow; buttons without room in a row stand below
+/// each other.
 void NoticeBar::fitWidth() {
   const int whole = parentWidget()->width() - 2 * kNoticeMargin;
   const int width = std::min(kWidestNotice, whole - rightMargin_ < kNarrowNotice ? whole : whole - rightMargin_);

@@ -8,22 +8,22 @@
 
 namespace glissade {
 
-/// What a notice says, and what can be done about it.
+/// A message, and the actions that a person can take.
 struct Notice {
   QString title;                     ///< one sentence
   QString details;                   ///< the facts, plain text; may have lines
   std::vector<const char*> actions;  ///< ids of the catalogue, as buttons
 };
 
-/// Pixels beside a bar at the top of the scene: room for the view cube.
+/// Pixels beside a bar at the top of the scene that leave room for the view cube.
 inline constexpr int kRoomForViewCube = 104;
 
-/// A bar over the scene: what was refused, why, and buttons for what can be done. Its buttons are reached by Tab.
+/// A bar over the scene with a refusal, its reason, and buttons for possible actions. Its buttons are reached by Tab.
 class NoticeBar final : public QFrame {
   Q_OBJECT
 
  public:
-  /// Stays at the top of `scene`; hidden until there is something to say. `rightMargin` pixels are left free.
+  /// The bar stays at the top of `scene`; hidden until there is a notice. `rightMargin` pixels are left free.
   NoticeBar(const ActionCatalogue& actions, QWidget* scene, int rightMargin);
 
   void showNotice(const Notice& notice);
@@ -31,7 +31,7 @@ class NoticeBar final : public QFrame {
 
  signals:
   void closed();
-  /// It says something else, or it was shown or hidden.
+  /// The notice has changed, or the bar was shown or hidden.
   void changed();
 
  protected:

@@ -4,14 +4,14 @@
 
 namespace glissade {
 
-/// How many planner steps a second a run makes: full speed, one of the usual paces, or a number that is typed.
+/// The number of planner steps a second of a run: full speed, one of the usual paces, or a number that is typed.
 class PaceBox final : public QComboBox {
   Q_OBJECT
 
  public:
   explicit PaceBox(QWidget* parent = nullptr);
 
-  /// Shows a pace without announcing it; 0 is full speed.
+  /// Shows a pace without a signal; 0 is full speed.
   void setPace(double stepsPerSecond);
   double pace() const { return pace_; }
 
@@ -19,7 +19,7 @@ class PaceBox final : public QComboBox {
   void paceChosen(double stepsPerSecond);
 
  private:
-  /// What is chosen or typed; what is no pace changes nothing.
+  /// Takes the selected or typed pace; any other text changes nothing.
   void takeText(const QString& text);
 
   double pace_ = 0.0;

@@ -16,13 +16,13 @@ namespace glissade {
 namespace {
 
 constexpr int kSliderSteps = 1000;
-/// Pixels: the borders and the arrows of a field.
+/// Width of a field's borders and arrows, pixels.
 constexpr int kNumberBorder = 30;
-/// Metres, of what is usually set: below the first, numbers need a thousandth of a micrometre, below the second one of
-/// a millimetre.
+/// Thresholds of the default value: below the first one (metres), numbers need a thousandth of a micrometre; below the
+/// second one (the table's unit), a thousandth of a millimetre.
 constexpr double kMinute = 1e-5;
 constexpr double kSmall = 1e-3;
-/// Of what sets itself: Okabe and Ito's orange, which nothing else in the panels has.
+/// Colour of tuned parameters: Okabe and Ito's orange, which nothing else in the panels has.
 constexpr QRgb kTunedColour = 0xffe69f00;
 
 QString text(std::string_view view) { return QString::fromUtf8(view.data(), static_cast<int>(view.size())); }
@@ -44,7 +44,7 @@ ParameterSlider::ParameterSlider(ParameterId id, QWidget* parent)
   const QString symbol = spec.symbol.empty() ? QString() : text(spec.symbol) + QStringLiteral("  ");
   auto* label = new QLabel(symbol + parameterLabel(spec), this);
   label->setBuddy(number_);
-  label->setWordWrap(true);  // a long name does not widen the panel
+  label->setWordWrap(true);  // long names do not widen the panel
   slider_->setRange(0, kSliderSteps);
   slider_->setAccessibleName(parameterLabel(spec));
   number_->setAccessibleName(parameterLabel(spec));
@@ -83,7 +83,7 @@ void ParameterSlider::setObjectRadius(double radius) {
   number_->setSingleStep(specOf(id_).integer ? 1.0 : step);
 }
 
-/// So fine that the usual value is not shown as 0.
+/// Chooses a unit in which the default value is not shown as 0.
 void ParameterSlider::showUnit() {
   const ParameterSpec& spec = specOf(id_);
   if (spec.unit != "m") return;
@@ -94,7 +94,8 @@ void ParameterSlider::showUnit() {
   number_->setSuffix(QLatin1Char(' ') + field.unit);
 }
 
-/// As wide as its longest number. In most units one width suffices for all, which stand below each other.
+/// Makes the field as wide as its longest number. In most units one width suffices for all fields, which are below each
+/// other.
 void ParameterSlider::fitNumber() {
   const QString longest = number_->textFromValue(number_->maximum()) + number_->suffix();
   const QFontMetrics metrics = number_->fontMetrics();

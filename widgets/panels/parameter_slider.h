@@ -9,9 +9,9 @@
 
 namespace glissade {
 
-/// One live parameter of the table as a slider with a number beside it. Lengths are shown in
-/// millimetres; ranges over more than two decades are logarithmic. One that can set itself has a
-/// button that gives it to the tuner or takes it back, and the tuner's colour while it does.
+/// One live parameter of the table as a slider with a number beside it. Lengths are shown in millimetres; ranges over
+/// more than two decades are logarithmic. A parameter that the tuner can set has a button that switches the tuner on or
+/// off, and the tuner's colour while it is on.
 class ParameterSlider final : public QWidget {
   Q_OBJECT
 
@@ -19,22 +19,23 @@ class ParameterSlider final : public QWidget {
   explicit ParameterSlider(ParameterId id, QWidget* parent = nullptr);
 
   ParameterId id() const { return id_; }
-  /// The range for an object of this size; keeps the value where it fits.
+  /// Sets the range for an object of this size; keeps the value if it fits.
   void setObjectRadius(double radius);
-  /// Shows a value (engine units) without announcing it.
+  /// Shows a value (engine units) without a signal.
   void setValue(double value);
   double value() const;
-  /// It sets itself; `own` is the user's value, which comes back when he takes it back.
+  /// Sets whether the tuner sets the parameter; `own` is the user's value, which is restored when the tuner is switched
+  /// off.
   void setTuned(bool tuned, double own);
-  /// The number is only read: where there is no keyboard.
+  /// Makes the number read-only, for use without a keyboard.
   void setNumberReadOnly();
-  /// The user has the slider or the number in hand: what is shown is his.
+  /// Whether the user is changing the slider or the number, which then keep the user's value.
   bool isBeingEdited() const;
 
  signals:
-  /// The user chose another value (engine units).
+  /// The user has set another value (engine units).
   void valueChosen(double value);
-  /// The user gave the parameter to the tuner, or took it back.
+  /// The user has switched the tuner on or off.
   void tuningChosen(bool tuned);
 
  protected:
@@ -50,14 +51,14 @@ class ParameterSlider final : public QWidget {
   QToolButton* makeTuningButton();
 
   ParameterId id_;
-  double shownPerUnit_;  ///< of lengths: what is shown of a metre; 1 else
-  double radius_ = 1.0;  ///< of the object, in metres
+  double shownPerUnit_;  ///< for lengths: the number that is shown for a metre; else 1
+  double radius_ = 1.0;  ///< radius of the object, metres
   ParameterRange range_{0.0, 1.0};
   bool logarithmic_ = false;
   QSlider* slider_;
   QDoubleSpinBox* number_;
   bool tuned_ = false;
-  QToolButton* tuning_;  ///< null where the parameter never sets itself
+  QToolButton* tuning_;  ///< null if the tuner never sets the parameter
 };
 
 /// The table's label in the window's language.

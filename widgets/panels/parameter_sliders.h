@@ -10,7 +10,7 @@
 
 namespace glissade {
 
-/// Live parameters of the table below each other, in step with a run.
+/// Sliders of live parameters, one below the other, which follow a run.
 class ParameterSliders final : public QWidget {
   Q_OBJECT
 
@@ -19,7 +19,7 @@ class ParameterSliders final : public QWidget {
 
   void setScenario(const LoadedScenario& scenario);
   void setSnapshot(const SessionSnapshot& snapshot);
-  /// The others are hidden.
+  /// Shows only these parameters.
   void showOnly(const std::set<ParameterId>& ids);
   const std::vector<ParameterSlider*>& all() const { return sliders_; }
 
@@ -30,7 +30,7 @@ class ParameterSliders final : public QWidget {
   void chooseTuning(ParameterId id, bool tuned);
 
   std::vector<ParameterSlider*> sliders_;
-  int tuned_ = 0;  ///< what sets itself: bits of TunedSetting
+  int tuned_ = 0;  ///< parameters that the tuner sets: bits of TunedSetting
 };
 
 }  // namespace glissade

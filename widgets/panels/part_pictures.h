@@ -11,16 +11,18 @@
 
 namespace glissade {
 
-/// Pictures of the bodies of a product, drawn on a worker and kept: twins are drawn once.
+/// Pictures of the bodies of a product, drawn on a worker and cached. Bodies with the same mesh, orientation and colour
+/// share one.
 class PartPictures final : public QObject {
   Q_OBJECT
 
  public:
   explicit PartPictures(QObject* parent = nullptr) : QObject(parent) {}
 
-  /// Draws what is missing, then drawn() is announced. `atOnce`: before this returns. `pixels`: width and height.
+  /// Draws missing pictures; drawn() announces them. `atOnce`: they are drawn before this function returns. `pixels`:
+  /// width and height.
   void draw(const ProductPtr& product, int pixels, bool atOnce);
-  /// Empty where it is not drawn yet.
+  /// Empty if it is not drawn yet.
   QIcon of(const RigidBody& body) const;
 
  signals:

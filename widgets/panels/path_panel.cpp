@@ -3,6 +3,7 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLocale>
+#include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -16,12 +17,16 @@
 namespace glissade {
 namespace {
 
-/// Of playing: 1 shows the whole path in the seconds of WaySlider.
+/// Range of the ghosts' distance, metres.
+constexpr double kLeastGhostDistance = 1e-5;
+constexpr double kMostGhostDistance = 1e4;
+
+/// Speeds of playing: 1 shows the whole path in the seconds of WaySlider.
 constexpr std::array<double, 6> kSpeeds{0.1, 0.25, 0.5, 1.0, 2.0, 4.0};
 
 QString number(double value, int decimals) { return QLocale().toString(value, 'f', decimals); }
 
-/// As it can stand in rich text.
+/// The name of a body, escaped for rich text.
 QString nameOf(int body, const LoadedScenario& scenario) {
   return QString::fromStdString(scenario.obstacles[static_cast<std::size_t>(body)].shown()).toHtmlEscaped();
 }
@@ -78,13 +83,13 @@ QString certificateText(const Path& path, const LoadedScenario& scenario) {
   return text;
 }
 
-/// Texts would widen the panel.
+/// Shows buttons without their texts, which would widen the panel.
 void showIconsOnly(const QHBoxLayout& row) {
   for (int i = 0; i < row.count(); ++i) {
     auto* button = qobject_cast<QToolButton*>(row.itemAt(i)->widget());
     if (button == nullptr) continue;
     button->setToolButtonStyle(Qt::ToolButtonIconOnly);
-    button->setMinimumWidth(2 * button->iconSize().width());  // icons come later
+    button->setMinimumWidth(2 * button->iconSize().width());  // icons are set later
   }
 }
 
@@ -111,6 +116,86 @@ QString refusalText(const PathExamination& refused, const WaySlider& slider, con
 }
 
 }  // namespace
+
+GhostRow::GhostRow(QWidget* parent)
+    : QWidget(parent),
+      by_(new QComboBox(this)),
+      number_(new QSpinBox(this)),
+      distance_(new QuantityBox(QuantityBox::Quantity::Length, this)) {
+  // The items are in the order of PathSpacing::By.
+  by_->addItems({tr("none"), tr("number"), tr("every")});
+  by_->setObjectName(QStringLiteral("ghosts"));
+  by_->setAccessibleName(tr("Ghosts of the object along the path"));
+  by_->setToolTip(
+      tr("Draw the object along the path: not at all, at a number of places, or every so many millimetres"));
+  number_->setRange(1, kMostPathPoses);
+  number_->setAccessibleName(tr("Number of ghosts"));
+  number_->setToolTip(tr("Number of ghosts between start and goal"));
+  distance_->setAccessibleName(tr("Spacing of ghosts"));
+  distance_->setToolTip(tr("Spacing of ghosts, in any unit: 25.4 mm, 1 in. Turns count as far as they move the object. "
+                           "At most %1 are drawn.")
+                            .arg(kMostPathPoses));
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(new QLabel(tr("Ghosts"), this));
+  row->addWidget(by_);
+  row->addWidget(number_);
+  row->addWidget(distance_);
+  row->addStretch();
+  connectWidgets();
+  showUnit();
+}
+
+void GhostRow::connectWidgets() {
+  connect(by_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this](int index) {
+    PathSpacing spacing = spacing_;
+    spacing.by = static_cast<PathSpacing::By>(index);
+    setSpacing(spacing);
+  });
+  connect(number_, QOverload<int>::of(&QSpinBox::valueChanged), this, [this](int number) {
+    PathSpacing spacing = spacing_;
+    spacing.number = number;
+    setSpacing(spacing);
+  });
+  connect(distance_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this](double value) {
+    PathSpacing spacing = spacing_;
+    spacing.distance = value / perMetre_;
+    setSpacing(spacing);
+  });
+}
+
+void GhostRow::setSpacing(const PathSpacing& spacing) {
+  spacing_ = spacing;
+  showSpacing();
+  emit changed(spacing_);
+}
+
+void GhostRow::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::LocaleChange) showUnit();
+}
+
+void GhostRow::showUnit() {
+  const LengthField field = lengthField(kLeastGhostDistance);
+  perMetre_ = field.perMetre;
+  const QSignalBlocker block(distance_);
+  distance_->setUnit(1.0 / perMetre_, field.decimals);
+  distance_->setSuffix(QLatin1Char(' ') + field.unit);
+  distance_->setRange(kLeastGhostDistance * perMetre_, kMostGhostDistance * perMetre_);
+  distance_->setFixedWidth(distance_->fontMetrics().horizontalAdvance(QStringLiteral("00000.00 mm ")) + 12);
+  showSpacing();
+}
+
+void GhostRow::showSpacing() {
+  const QSignalBlocker blockBy(by_);
+  const QSignalBlocker blockNumber(number_);
+  const QSignalBlocker blockDistance(distance_);
+  by_->setCurrentIndex(static_cast<int>(spacing_.by));
+  number_->setValue(spacing_.number);
+  distance_->setValue(perMetre_ * spacing_.distance);
+  number_->setVisible(spacing_.by == PathSpacing::By::Number);
+  distance_->setVisible(spacing_.by == PathSpacing::By::Distance);
+}
 
 PathPanel::PathPanel(const ActionCatalogue& actions, QWidget* parent)
     : QWidget(parent),
@@ -218,7 +303,7 @@ void PathPanel::showTightest() {
   slider_->showAt(profile->samples[*profile->tightest()].share);
 }
 
-/// Speed, loop, backwards.
+/// The row of speed, loop and direction.
 QHBoxLayout* PathPanel::makePlaybackRow(const ActionCatalogue& actions) {
   speed_->setAccessibleName(tr("Speed of playing"));
   speed_->setToolTip(tr("Speed of playing"));

@@ -2,22 +2,54 @@
 
 #include <QComboBox>
 #include <QLabel>
+#include <QSpinBox>
 #include <QWidget>
+
 #include <memory>
 #include <optional>
 
 #include "engine/planning/path_examination.h"
+#include "engine/planning/path_spacing.h"
 #include "engine/scenario/scenario.h"
 #include "widgets/commands/action_catalogue.h"
 #include "widgets/panels/author_bar.h"
 #include "widgets/panels/clearance_curve.h"
-#include "widgets/panels/ghost_row.h"
+#include "widgets/panels/quantity_box.h"
 #include "widgets/panels/way_slider.h"
 
 namespace glissade {
 
-/// The path found or given: its certificate or what is in its way, its figures, its clearance as a curve, and a slider
-/// that moves the object along it.
+/// Spacing of the ghosts of the object along the path: none, a number of them, or a distance in millimetres.
+class GhostRow final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit GhostRow(QWidget* parent);
+
+  const PathSpacing& spacing() const { return spacing_; }
+  /// Sets and announces the spacing.
+  void setSpacing(const PathSpacing& spacing);
+
+ signals:
+  void changed(const glissade::PathSpacing& spacing);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void connectWidgets();
+  void showUnit();
+  void showSpacing();
+
+  PathSpacing spacing_;
+  double perMetre_ = 1e3;
+  QComboBox* by_;
+  QSpinBox* number_;
+  QuantityBox* distance_;
+};
+
+/// The present path: its certificate or its obstruction, its figures, its clearance as a curve, and a slider that moves
+/// the object along it.
 class PathPanel final : public QWidget {
   Q_OBJECT
 
@@ -25,7 +57,7 @@ class PathPanel final : public QWidget {
   PathPanel(const ActionCatalogue& actions, QWidget* parent = nullptr);
 
   GhostRow& ghosts() { return *ghosts_; }
-  /// Both null: there is no path.
+  /// Null pointers: there is no path.
   void setPath(const std::shared_ptr<const Path>& path, const std::shared_ptr<const PathExamination>& refused,
                const LoadedScenario& scenario);
   /// Writes all texts again.
@@ -33,17 +65,17 @@ class PathPanel final : public QWidget {
   /// The clearance along the path that is shown; null: not known yet.
   void setProfile(const std::shared_ptr<const ClearanceProfile>& profile, const LoadedScenario& scenario);
   void setPlaying(bool playing);
-  /// For films: what playing shows (PlaySlider).
+  /// The slider that plays the path, for films.
   const WaySlider& slider() const { return *slider_; }
   void showAt(double share) { slider_->showAt(share); }
   void showFirstBlocked();
-  /// The object at the place of the smallest clearance.
+  /// Shows the object at the place of the smallest clearance.
   void showTightest();
 
  signals:
-  /// Lengths have another unit: what is shown has to be written again.
+  /// The unit of lengths has changed, so that the texts have to be written again.
   void lengthUnitChanged();
-  /// The pose to show, or nothing when playback is over and the hand is shown again.
+  /// The pose to show, or nothing when playback is over and the operator's pose is shown again.
   void poseShown(const std::optional<glissade::Pose>& pose);
   void playbackEnded();
 

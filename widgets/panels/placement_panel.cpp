@@ -14,9 +14,9 @@ namespace {
 constexpr double kDegrees = 180.0 / 3.14159265358979323846;
 constexpr int kSides = 12;  // margins of the panel, pixels
 enum About { kFile, kMiddle, kReference, kPicked };
-/// Metres: whatever is assembled is smaller.
+/// Largest coordinate, metres; products are smaller.
 constexpr double kFarthest = 1000.0;
-/// Metres: what the fields show, which is finer than parts are placed.
+/// Finest difference that the fields show, metres; parts are placed less finely.
 constexpr double kFinestPlace = 1e-5;
 
 }  // namespace
@@ -32,7 +32,7 @@ PlacementPanel::PlacementPanel(QWidget* parent) : QWidget(parent), name_(new QLa
   grid->setHorizontalSpacing(6);
   grid->setVerticalSpacing(3);
   grid->addWidget(name_, 0, 0, 1, 6);
-  grid->addWidget(refused_, 0, 0, 1, 6);  // in the place of the title: the fields stay where they are
+  grid->addWidget(refused_, 0, 0, 1, 6);  // in place of the title, so that the fields do not move
   for (int axis = 0; axis < 3; ++axis) {
     const QString letter(QLatin1Char("XYZ"[axis]));
     position_[axis] = addBox(QuantityBox::Quantity::Length, axis,
@@ -80,7 +80,7 @@ void PlacementPanel::addPickAction(QAction* action) {
   static_cast<QGridLayout*>(layout())->addWidget(pick_, 3, 4, 1, 2);
 }
 
-/// The last of the choices, where there is one.
+/// Offers the picked frame as the last choice, if there is one.
 void PlacementPanel::offerPicked() {
   const QSignalBlocker block(about_);
   const int at = about_->findData(kPicked);
@@ -93,7 +93,7 @@ void PlacementPanel::offerPicked() {
   }
 }
 
-/// X_BF of what the numbers are of.
+/// X_BF of the frame that the numbers describe.
 Pose PlacementPanel::frame() const {
   switch (about_->currentData().toInt()) {
     case kFile: return Pose::translation(points_.fileOrigin);

@@ -12,32 +12,32 @@
 
 namespace glissade {
 
-/// Where one thing is, as numbers that can be changed: millimetres along the world's axes, and degrees
-/// about them (URDF's roll, pitch and yaw), or in any unit that is written with them. They are about a point that
-/// people choose: the origin of the file's coordinates, the middle, or the reference point, which poses of path files
-/// are about. It stays where it is when the angles change. Where a face or an axis was picked, the numbers may be those
-/// of its frame. A coordinate that nobody touches stays as exact as it is.
+/// The pose of one item, as numbers that can be changed: millimetres along the world's axes, and degrees about them
+/// (URDF's roll, pitch and yaw), or in any unit that is typed with them. They describe a point that the person selects:
+/// the origin of the file's coordinates, the middle, or the reference point, to which poses of path files refer. This
+/// point stays in place when the angles change. If a face or an axis was picked, the numbers can describe its frame. A
+/// coordinate that nobody changes keeps its exact value.
 class PlacementPanel final : public QWidget {
   Q_OBJECT
 
  public:
   explicit PlacementPanel(QWidget* parent = nullptr);
 
-  /// Beside the choice of the point.
+  /// Adds the action beside the choice of the point.
   void addPickAction(QAction* action);
 
-  /// The frame of a face or an axis that the numbers are of, X_BF; nothing where they are of a point.
+  /// The frame of a face or an axis that the numbers describe, X_BF; nothing if they describe a point.
   std::optional<Pose> chosenFrame() const;
-  /// What the numbers are about, as people read it.
+  /// The displayed name of the point that the numbers describe.
   QString chosenPoint() const { return about_->currentText(); }
 
-  /// What is placed, and where it is; without a pose there is nothing to change. A frame
-  /// that was not there before is chosen. Announces nothing.
+  /// Shows the item and its pose; without a pose nothing can be changed. A new picked frame becomes selected. Emits no
+  /// signal.
   void show(const QString& name, const std::optional<Pose>& X_WB, const PlacementPoints& points = {});
 
  signals:
   void placed(const glissade::Pose& X_WB);
-  /// Somebody has chosen what the numbers are about.
+  /// The person has selected another point.
   void pointChosen();
 
  protected:
@@ -45,7 +45,7 @@ class PlacementPanel final : public QWidget {
 
  private:
   QuantityBox* addBox(QuantityBox::Quantity quantity, int axis, const QString& tip);
-  /// In the place of the title, shortly; the whole reason is its tool tip.
+  /// Shows a short refusal in place of the title; its tool tip has the whole reason.
   void showRefused(QuantityBox::Quantity quantity, const QString& text);
   void hideRefused();
   QComboBox* makePoints();
@@ -63,11 +63,11 @@ class PlacementPanel final : public QWidget {
   QuantityBox* position_[3] = {};
   QuantityBox* turn_[3] = {};
   QLabel* refused_;
-  double perMetre_ = 1.0;  ///< what is shown of a metre
+  double perMetre_ = 1.0;  ///< the number that fields show for a metre
   QString placedName_;
   bool isPlaced_ = false;
   Pose X_WB_;
-  PlacementPoints points_;                  ///< in B
+  PlacementPoints points_;                  ///< in the frame B
   Vector3 rollPitchYaw_ = Vector3::Zero();  ///< radians
 };
 

@@ -40,7 +40,7 @@ bool solvedAsAWhole(const CoarsePlan& plan) {
          plan.steps.back().result == StepResult::Solved;
 }
 
-/// The step of another plan that crosses the same place to the same border, or else the same place.
+/// The step of another plan that crosses the same place to the same border, or else a step through the same place.
 std::optional<std::size_t> sameStep(const CoarsePlan& before, const TopologicalStep& step, const CoarsePlan& plan) {
   if (!samePlaces(before.basis.environment, plan.basis.environment)) return std::nullopt;
   std::optional<std::size_t> found;
@@ -67,7 +67,7 @@ PlanPanel::PlanPanel(const ActionCatalogue& actions, QWidget* parent)
   for (int column = 0; column < 5; ++column) {
     steps_->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
   }
-  // Where room is short the planner's name is cut: a tool tip has it in full.
+  // The planner's name is cut if there is little room; a tool tip shows it in full.
   steps_->header()->setStretchLastSection(false);
   steps_->header()->setSectionResizeMode(2, QHeaderView::Stretch);
   steps_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -88,7 +88,7 @@ PlanPanel::PlanPanel(const ActionCatalogue& actions, QWidget* parent)
     showWhy();
     emit stepChosen();
   });
-  // The row may be chosen already, and its place not selected any more.
+  // A press on the current row counts, too: its place may have been deselected.
   connect(steps_, &QTreeWidget::itemPressed, this, [this] { emit stepChosen(); });
   setPlan(nullptr);
 }
@@ -106,7 +106,7 @@ void PlanPanel::setPlan(const CoarsePlanPtr& plan, const QString& whyNone) {
   if (plan == plan_ && plan != nullptr) return;
   const auto step = currentStep();
   const auto stays = step && plan ? sameStep(*plan_, plan_->steps[*step], *plan) : std::nullopt;
-  // Rows are used again: what is looked at goes with its step, unseen by those who listen for choices.
+  // Rows are reused: the current row follows its step, without a signal.
   const QSignalBlocker quiet(steps_);
   plan_ = plan;
   const std::size_t rows = plan_ ? plan_->steps.size() : 0;

@@ -8,24 +8,24 @@
 
 namespace glissade {
 
-/// The topological steps of the coarse plan: which planner was chosen and why, what it has spent, what
-/// became of it. A click shows the step in the scene.
+/// The topological steps of the coarse plan: the selected planner with the reason, its costs, and its result. A click
+/// shows the step in the scene.
 class PlanPanel final : public QWidget {
   Q_OBJECT
 
  public:
   explicit PlanPanel(const ActionCatalogue& actions, QWidget* parent = nullptr);
 
-  /// The step that was looked at stays so where the plan has it still. Null: none, with the reason where there is
-  /// one to tell.
+  /// Shows the plan. The current step stays current if the new plan has it. Null: there is no plan; `whyNone` gives the
+  /// reason, if known.
   void setPlan(const CoarsePlanPtr& plan, const QString& whyNone = {});
-  /// The step that is looked at; nothing: none.
+  /// The current step; nothing: none.
   std::optional<std::size_t> currentStep() const;
-  /// No step is looked at any more.
+  /// Leaves no step current.
   void leaveStep();
 
  signals:
-  /// A step was chosen, perhaps the same again, or none any more.
+  /// A step was selected, possibly the same one again, or none any more.
   void stepChosen();
 
  private:

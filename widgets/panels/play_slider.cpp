@@ -34,7 +34,7 @@ void PlaySlider::setPlaying(bool playing) {
 
 void PlaySlider::tick() {
   const double passed = static_cast<double>(clock_.restart()) / 1000.0 * playback_.speed / seconds_;
-  if (std::lround(played_ * maximum()) != value()) played_ = share();  // dragged
+  if (std::lround(played_ * maximum()) != value()) played_ = share();  // the slider was dragged
   played_ += playback_.backwards ? -passed : passed;
   const bool atEnd = played_ < 0.0 || played_ > 1.0;
   played_ = playback_.loop ? played_ - std::floor(played_) : std::clamp(played_, 0.0, 1.0);
@@ -45,7 +45,7 @@ void PlaySlider::tick() {
 void PlaySlider::showAt(double share) {
   setPlaying(false);
   const int place = static_cast<int>(std::lround(share * maximum()));
-  if (place == value()) emit shareShown(this->share());  // the slider would say nothing
+  if (place == value()) emit shareShown(this->share());  // the slider emits no signal for an equal value
   setValue(place);
 }
 

@@ -6,9 +6,9 @@
 
 namespace glissade {
 
-/// How a slider plays.
+/// The settings of playing.
 struct Playback {
-  double speed = 1.0;  ///< 1: the whole passes in the slider's seconds
+  double speed = 1.0;  ///< 1: the whole is played in the slider's seconds
   bool loop = false;   ///< begins again at the end
   bool backwards = false;
 };
@@ -19,18 +19,18 @@ class PlaySlider : public QSlider {
   Q_OBJECT
 
  public:
-  /// So many places, and seconds in which all of them pass at speed 1.
+  /// A slider with this many places, which are played in `seconds` at speed 1.
   PlaySlider(int places, double seconds, QWidget* parent);
 
   void setPlaying(bool playing);
   void setPlayback(const Playback& playback) { playback_ = playback; }
   void setSeconds(double seconds) { seconds_ = seconds; }
-  /// In which playing passes all of it.
+  /// Seconds in which the whole is played.
   double playedSeconds() const { return seconds_ / playback_.speed; }
-  /// What playing shows when a share of that time has passed.
+  /// The share that playing shows when a share of playedSeconds() has passed.
   double playedShare(double share) const { return playback_.backwards ? 1.0 - share : share; }
   double share() const { return static_cast<double>(value()) / maximum(); }
-  /// Says shareShown(), also where it is there already.
+  /// Emits shareShown(), also if this share is shown already.
   void showAt(double share);
 
  signals:
@@ -44,7 +44,7 @@ class PlaySlider : public QSlider {
   QElapsedTimer clock_;
   Playback playback_;
   double seconds_;
-  double played_ = 0.0;  ///< the place that playing has reached, in [0, 1]
+  double played_ = 0.0;  ///< the share that playing has reached
 };
 
 }  // namespace glissade

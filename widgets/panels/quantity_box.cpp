@@ -20,7 +20,7 @@ QuantityBox::QuantityBox(Quantity quantity, QWidget* parent)
       unit_(quantity == Quantity::Length ? kMillimetre : kDegree),
       decimals_(kShownDecimals) {
   setDecimals(kKeptDecimals);
-  setKeyboardTracking(false);  // a number counts when it is written
+  setKeyboardTracking(false);  // a number takes effect when its typing ends
   setButtonSymbols(QAbstractSpinBox::NoButtons);
   setAlignment(Qt::AlignRight);
 }
@@ -30,7 +30,7 @@ void QuantityBox::setUnit(double unit, int decimals) {
   decimals_ = decimals;
 }
 
-/// Without the unit that the box shows by itself.
+/// The text without the unit that the box shows.
 QString QuantityBox::bare(const QString& text) const {
   return !suffix().isEmpty() && text.endsWith(suffix()) ? text.chopped(suffix().size()) : text;
 }
@@ -45,7 +45,7 @@ std::optional<double> QuantityBox::quantityOf(const QString& text) const {
   return *read / unit_;
 }
 
-/// What is shown is what is there, with all its digits.
+/// If the text is the displayed one, the value keeps all its digits.
 double QuantityBox::valueFromText(const QString& text) const {
   if (bare(text) == textFromValue(value())) return value();
   return quantityOf(text).value_or(value());

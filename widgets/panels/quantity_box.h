@@ -6,9 +6,9 @@
 
 namespace glissade {
 
-/// A length (at first in millimetres) or an angle in degrees, which people may write in any unit: 25.4 mm, 1 in, 0.1
-/// rad. A number without a unit is in the unit that is shown. It keeps more digits than it shows. What cannot be read
-/// changes nothing and is announced.
+/// A length (at first in millimetres) or an angle in degrees, which people may type in any unit: 25.4 mm, 1 in, 0.1
+/// rad. A number without a unit is in the unit that is shown. It keeps more digits than it shows. A text that cannot be
+/// read changes nothing and is announced.
 class QuantityBox final : public QDoubleSpinBox {
   Q_OBJECT
 
@@ -17,7 +17,8 @@ class QuantityBox final : public QDoubleSpinBox {
 
   QuantityBox(Quantity quantity, QWidget* parent);
 
-  /// The unit that is shown, in metres or radians, and so many decimals of it. The value is to be set anew.
+  /// Sets the unit that is shown, in metres or radians, and its number of decimals. The value has to be set again
+  /// afterwards.
   void setUnit(double unit, int decimals);
 
   double valueFromText(const QString& text) const override;
@@ -26,7 +27,7 @@ class QuantityBox final : public QDoubleSpinBox {
   void fixup(QString& text) const override;
 
  signals:
-  /// Somebody has written what is no number of this quantity, or one outside of the range; the value stays.
+  /// The text is no number of this quantity, or one outside of the range; the value stays.
   void refused(const QString& text) const;
 
  private:

@@ -4,9 +4,8 @@
 
 namespace glissade {
 
-/// A view without a current row makes its first row the current one when it gets the focus. With this it does so only
-/// for a person who goes to the view with Tab or a shortcut, and not when a dialog or another window closes: nobody has
-/// chosen a row then.
+/// A view without a current row makes its first row current when it gets the focus. This function prevents that if the
+/// view gets the focus because a dialog, a popup or another window has closed.
 void keepUnchosen(QAbstractItemView& view);
 
 }  // namespace glissade

@@ -9,19 +9,19 @@
 
 namespace glissade {
 
-/// The recorder's front: step, play, speed, the time slider, and what is being seen. Clearly marked,
-/// so that nobody takes a replay for a run.
+/// The controls of a replay: step, play, speed, and the time slider. The bar is clearly marked, so that nobody takes a
+/// replay for a run.
 class ReplayBar final : public QToolBar {
   Q_OBJECT
 
  public:
   explicit ReplayBar(const ActionCatalogue& actions, QWidget* parent = nullptr);
 
-  /// Where the replay is shown, of how many steps, and in the run's own time.
+  /// Shows the step of the replay, the number of steps, and the run's own time.
   void setPlace(std::uint64_t step, std::uint64_t steps, double seconds);
-  /// What there is to say about the whole replay, in two words; `alarming`: it is not as recorded.
+  /// Shows a verdict on the whole replay, in two words; `alarming`: the replay differs from the recording.
   void setVerdict(const QString& verdict, const QString& tip, bool alarming);
-  /// Times real time; 0: as fast as it can be seen.
+  /// Multiple of real time; 0: as fast as the steps can be seen.
   double speed() const;
 
  signals:

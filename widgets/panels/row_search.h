@@ -5,8 +5,8 @@
 
 namespace glissade {
 
-/// Makes the first row that is about something chosen elsewhere the current one and scrolls to it; the current row
-/// stays where it is about it, too. The table emits no signal. Returns whether there is such a row.
+/// Makes the first row about something selected elsewhere the current one and scrolls to it; the current row stays
+/// current if it is about that, too. The table emits no signal. Returns whether there is such a row.
 template <class IsAbout>
 bool goToRow(QTreeWidget& table, const IsAbout& isAbout) {
   const auto fits = [&isAbout](const QTreeWidgetItem* row) {

@@ -6,20 +6,21 @@
 
 namespace glissade {
 
-/// A run at one moment.
+/// The state of a run at one time.
 struct RunSample {
-  double seconds = 0.0;  ///< of planning
+  double seconds = 0.0;  ///< time of planning
   double nodes = 0.0;
   double authority = 0.0;           ///< α in force
-  std::optional<double> clearance;  ///< of the object in the operator's hand, metres; nothing: not known
+  std::optional<double> clearance;  ///< clearance of the operator's object, metres; nothing: not known
 };
 
-/// What a run has been like so far, thinned so that it never has more than kMost samples. The latest is always there.
+/// The history of a run, thinned to at most kMost samples. It always contains the latest sample.
 class RunHistory {
  public:
   static constexpr std::size_t kMost = 400;
 
-  /// Another `run` begins anew. Samples that are later than this one are dropped: a replay went back.
+  /// Adds a sample. Another `run` clears the history. Samples that are not before this one are dropped, because a
+  /// replay went back.
   void add(std::uint64_t run, const RunSample& sample);
   const std::vector<RunSample>& samples() const { return samples_; }
 
@@ -27,7 +28,7 @@ class RunHistory {
   void thinOut();
 
   std::uint64_t run_ = 0;
-  double interval_ = 0.0;  ///< samples that are nearer to each other than this replace each other
+  double interval_ = 0.0;  ///< samples that are nearer to each other replace each other
   std::vector<RunSample> samples_;
 };
 

@@ -12,10 +12,10 @@
 namespace glissade {
 namespace {
 
-constexpr int kBodyRole = Qt::UserRole;     // of bodies
-constexpr int kEndRole = Qt::UserRole + 1;  // of start and goal: AssemblyItem::Kind
+constexpr int kBodyRole = Qt::UserRole;     // id of a body
+constexpr int kEndRole = Qt::UserRole + 1;  // AssemblyItem::Kind of start or goal
 constexpr int kObstacleRole = Qt::UserRole + 2;
-constexpr int kLeftOutRole = Qt::UserRole + 3;  // of what is left out: its id
+constexpr int kLeftOutRole = Qt::UserRole + 3;  // id of a body that is left out
 
 QIcon swatch(const Colour& colour) { return colourSwatch(QColor::fromRgbF(colour[0], colour[1], colour[2])); }
 
@@ -28,7 +28,7 @@ QString place(const Pose& pose) {
 
 bool isObstacle(const QTreeWidgetItem* item) { return item->data(0, kObstacleRole).toBool(); }
 
-/// Hides what has no obstacle of that name; the whole of an assembly whose own name matches stays.
+/// Hides items without an obstacle of that name; an assembly whose own name matches is shown as a whole.
 bool filterUnder(QTreeWidgetItem& item, const QString& text, bool matched) {
   const bool matches = matched || item.text(0).contains(text, Qt::CaseInsensitive);
   bool any = item.childCount() == 0 && matches;
@@ -37,7 +37,7 @@ bool filterUnder(QTreeWidgetItem& item, const QString& text, bool matched) {
   return any;
 }
 
-/// The bodies of an item: its own, or all under an assembly.
+/// Collects the body of an item, or all bodies under an assembly.
 void collectBodies(const QTreeWidgetItem& item, QSet<QString>& bodies) {
   const QVariant id = item.data(0, kBodyRole);
   if (id.isValid()) bodies.insert(id.toString());
@@ -143,7 +143,7 @@ std::vector<std::string> ScenePanel::chosenLeftOut() const {
   return ids;
 }
 
-/// Under the nodes of the product that have an obstacle below them. A body that is no node is at the top.
+/// Adds the obstacles under the nodes of the product that contain them. A body that is no node is at the top.
 void ScenePanel::addObstacles(const LoadedScenario& scenario) {
   const std::vector<Product::Node>& nodes = scenario.product.nodes();
   const std::vector<std::string> names = scenario.product.shownNames();
@@ -198,7 +198,7 @@ void ScenePanel::setFilter(const QString& text) {
   }
 }
 
-/// How exactly the triangles of STEP parts stand for their surfaces.
+/// Shows the distance of the triangles of STEP parts from their surfaces.
 void ScenePanel::showDeflections(const LoadedScenario& scenario) {
   for (QTreeWidgetItemIterator item(this); *item != nullptr; ++item) {
     const auto known = scenario.deflections.find((*item)->data(0, kBodyRole).toString().toStdString());
@@ -224,7 +224,7 @@ void ScenePanel::showSelection(const QSet<QString>& bodyIds, const std::optional
     const QVariant end = (*item)->data(0, kEndRole);
     const bool isChosenEnd = end.isValid() && chosen && static_cast<int>(chosen->kind) == end.toInt();
     (*item)->setSelected(isChosenEnd || (id.isValid() && bodyIds.contains(id.toString())));
-    // An assembly counts as selected where all of its bodies are.
+    // An assembly counts as selected if all of its bodies are.
     if (id.isValid() || end.isValid() || (*item)->parent() == nullptr) continue;
     QSet<QString> bodies;
     collectBodies(**item, bodies);
@@ -238,7 +238,7 @@ void ScenePanel::showSelection(const QSet<QString>& bodyIds, const std::optional
   viewport()->update();
 }
 
-/// Start and goal are placed one at a time: of several rows they count before the bodies.
+/// Takes the selection. A start or goal in it wins over the bodies, because ends are placed one at a time.
 void ScenePanel::takeSelection() {
   QSet<QString> bodies;
   for (const QTreeWidgetItem* item : selectedItems()) {

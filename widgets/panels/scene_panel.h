@@ -11,9 +11,9 @@
 
 namespace glissade {
 
-/// What is in the scene: the object's bodies, its ends, the obstacles with their colour, mobility and triangles, and
-/// what is left out. Obstacles stand under the assemblies of the product. To select, hide or show an assembly is to do
-/// so with all of its bodies.
+/// The content of the scene: the object's bodies, its ends, the obstacles with their colour, mobility and triangles,
+/// and the bodies that are left out. Obstacles stand under the assemblies of the product. Selecting, hiding or showing
+/// an assembly applies to all of its bodies.
 class ScenePanel final : public QTreeWidget {
   Q_OBJECT
 
@@ -21,21 +21,21 @@ class ScenePanel final : public QTreeWidget {
   explicit ScenePanel(QWidget* parent = nullptr);
 
   void setScenario(const LoadedScenario& scenario);
-  /// Leaves the obstacles whose names contain this text; empty: all.
+  /// Keeps only the obstacles whose names contain this text visible; empty: all.
   void setFilter(const QString& text);
-  /// The obstacles, by id, whose boxes are not checked. Announces nothing.
+  /// Unchecks the boxes of these obstacles, by id. Emits no signal.
   void setHiddenBodies(const std::set<std::string>& bodyIds);
-  /// What is selected: rigid bodies by id, or the start or the goal. Announces nothing.
+  /// Shows the selection: rigid bodies by id, or the start or the goal. Emits no signal.
   void showSelection(const QSet<QString>& bodyIds, const std::optional<AssemblyItem>& chosen);
-  /// Selects this row of what is left out alone. False: there is none.
+  /// Selects only the row of this body that is left out. False if there is none.
   bool chooseLeftOut(const std::string& bodyId);
-  /// Ids of the selected rows of what is left out.
+  /// Ids of the selected bodies that are left out.
   std::vector<std::string> chosenLeftOut() const;
 
  signals:
-  /// The user wants an obstacle to be shown, or not.
+  /// The user shows or hides an obstacle.
   void bodyChecked(const QString& bodyId, bool visible);
-  /// The user has selected these rigid bodies, the object among them or not.
+  /// The user has selected these rigid bodies, which may be the object's.
   void bodiesChosen(const QSet<QString>& bodyIds);
   void endChosen(glissade::AssemblyItem::Kind end);
 

@@ -5,7 +5,7 @@
 
 namespace glissade {
 
-/// A number box for seeds: whole numbers of 64 bits, which no box of Qt holds.
+/// A number box for seeds: whole numbers of 64 bits, which no box of Qt supports.
 class SeedBox final : public QAbstractSpinBox {
   Q_OBJECT
 
@@ -13,7 +13,7 @@ class SeedBox final : public QAbstractSpinBox {
   explicit SeedBox(QWidget* parent = nullptr);
 
   std::uint64_t seed() const { return seed_; }
-  /// Shows a seed without announcing it.
+  /// Shows a seed without a signal.
   void setSeed(std::uint64_t seed);
 
   void stepBy(int steps) override;
@@ -21,7 +21,7 @@ class SeedBox final : public QAbstractSpinBox {
   void fixup(QString& input) const override;
 
  signals:
-  /// The user chose another seed.
+  /// The user has set another seed.
   void seedChosen(quint64 seed);
 
  protected:

@@ -17,13 +17,13 @@
 namespace glissade {
 namespace {
 
-/// Of the slider that plays: fine enough for the steps of large products.
+/// Places of the slider that plays, which are fine enough for the steps of large products.
 constexpr int kPlayPlaces = 100000;
 constexpr int kExplodePlaces = 200;
 constexpr double kExplodeSeconds = 4.0;
 constexpr double kSecondsPerStep = 1.5;
 constexpr double kLongestPlay = 90.0;
-/// A step that is chosen is shown with its part on the way.
+/// A selected step is shown with its part at this share of its motion.
 constexpr double kOnTheWay = 0.5;
 
 void onlyIcons(const QLayout& row) {
@@ -31,7 +31,7 @@ void onlyIcons(const QLayout& row) {
     auto* button = qobject_cast<QToolButton*>(row.itemAt(i)->widget());
     if (button == nullptr) continue;
     button->setToolButtonStyle(Qt::ToolButtonIconOnly);
-    button->setMinimumWidth(2 * button->iconSize().width());  // icons come later
+    button->setMinimumWidth(2 * button->iconSize().width());  // icons are set later
   }
 }
 
@@ -77,7 +77,7 @@ SequencePanel::SequencePanel(const ActionCatalogue& actions, QWidget* parent)
   setPlan({});
 }
 
-/// What a person can do to a step: the menu of the table, and of a button.
+/// Fills the menu of edits of a step, which the table and a button show.
 void SequencePanel::addEditing(const ActionCatalogue& actions) {
   auto* forbid = new QMenu(tr("&Forbid a direction"), this);
   forbid->addAction(actions["sequence.forbid-way"]);
@@ -144,7 +144,7 @@ QLayout* SequencePanel::makeExplodingRow() {
   for (const StepCostPreset& preset : stepCostPresets()) {
     const QString id = QString::fromStdString(preset.id);
     const QString shown = QCoreApplication::translate("Diagnostics", preset.label.c_str());
-    cost_->addItem(shown, cost_->count() == 0 ? QString() : id);  // the first one is the usual one
+    cost_->addItem(shown, cost_->count() == 0 ? QString() : id);  // the first one is the default
     cost_->setItemData(cost_->count() - 1, QString::fromStdString(preset.expression), Qt::ToolTipRole);
   }
   cost_->setMinimumContentsLength(10);
@@ -199,7 +199,7 @@ void SequencePanel::setPlan(const ShownPlan& shown) {
   emit selectionChanged();
 }
 
-/// What leaves, and what of it is proved.
+/// The number of parts that leave, and of certified motions.
 QString SequencePanel::leaving(const AssemblyPlan& plan) {
   const auto removed = static_cast<int>(plan.removed());
   const auto open = static_cast<int>(plan.removedWithoutProof());
@@ -279,12 +279,12 @@ QString SequencePanel::placeText() const {
   return tr("Step %1 of %2: %3").arg(row + 1).arg(steps).arg(partsText(*step));
 }
 
-/// Where the slider is: "3 / 17".
+/// Shows the place of the slider, such as "3 / 17", and makes its row the current one.
 void SequencePanel::markRow() {
   const std::size_t steps = shown_.plan ? shown_.plan->steps.size() : 0;
   const int current = shownRow();
   place_->setText(QStringLiteral("%1 / %2").arg(current + 1).arg(steps));
-  // A stuck part is shown when all that leave have left.
+  // A stuck part is shown when all removable parts have left.
   if (!chosenStuck().empty() && time() > static_cast<double>(steps) - 1e-3) return;
   if (current < 0 || current >= table_->topLevelItemCount()) return;
   const auto before = selectedSteps();

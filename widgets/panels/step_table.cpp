@@ -27,18 +27,18 @@ namespace {
 
 enum StepColumn { StepNumber, StepPart, StepGaps, StepTools, StepState, StepColumns };
 
-constexpr int kStepRole = Qt::UserRole;         // counted in the plan
+constexpr int kStepRole = Qt::UserRole;         // index in the plan
 constexpr int kStuckRole = Qt::UserRole + 1;    // id of a stuck part
-constexpr int kPictureRole = Qt::UserRole + 2;  // id of the body that the picture is of
+constexpr int kPictureRole = Qt::UserRole + 2;  // id of the body in the picture
 constexpr int kPartColumn = 184;
 constexpr int kLeastPartColumn = 120;
 constexpr int kLeastToolColumn = 48;
 constexpr int kPictureSize = 32;
-constexpr int kWrappedMargin = 16;  ///< about the text beside a picture, and between them
+constexpr int kWrappedMargin = 16;  ///< about the text beside a picture, and between both
 
 QString twoLines(const QString& upper, const QString& lower) { return upper + QLatin1Char('\n') + lower; }
 
-/// "no motion was found" as "No motion was found."
+/// The text as a sentence: "No motion was found." for "no motion was found".
 QString sentence(const QString& text) {
   return text.left(1).toUpper() + text.mid(1) + (text.endsWith(QLatin1Char('.')) ? QString() : QStringLiteral("."));
 }
@@ -73,7 +73,7 @@ QString checkTip(StepCheck check) {
   return StepTable::tr("does not hold in this arrangement");
 }
 
-/// Texts of which the beginning counts.
+/// Shows the beginning of texts that are too long.
 class BeginningDelegate final : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
@@ -85,7 +85,7 @@ class BeginningDelegate final : public QStyledItemDelegate {
   }
 };
 
-/// Rows of stuck parts: their text has as many lines as it needs.
+/// Shows rows of stuck parts, whose texts have as many lines as they need.
 class WrappedDelegate final : public QStyledItemDelegate {
  public:
   explicit WrappedDelegate(QTreeView* table) : QStyledItemDelegate(table), table_(table) {}
@@ -109,7 +109,7 @@ class WrappedDelegate final : public QStyledItemDelegate {
   QTreeView* table_;
 };
 
-/// What a person has done to the step: "locked", "by hand".
+/// A person's changes of the step: "locked", "by hand".
 QString markOf(const StepDemands& demands, const AssemblyStep& step) {
   QStringList marks;
   if (step.method == kByHand) marks << StepTable::tr("by hand");
@@ -158,7 +158,7 @@ QString StepTable::nameOf(const std::string& id) const {
   return QString::fromStdString(body ? shown_.product->bodies[*body].name : id);
 }
 
-/// A line each.
+/// The names of the bodies, one on each line.
 QString StepTable::allNames(const std::vector<std::string>& ids) const {
   QStringList names;
   for (const std::string& id : ids) names << nameOf(id);
@@ -187,10 +187,10 @@ void StepTable::show(const ShownPlan& shown, PlanOrder order) {
   setDragEnabled(!shown.growing);
 }
 
-/// The state is seen without scrolling: where there is little room, names of parts and tools are cut.
+/// Makes the state visible without scrolling; names of parts and tools are cut if there is little room.
 void StepTable::fitColumns() {
   for (const int column : {StepNumber, StepGaps}) resizeColumnToContents(column);
-  // The last column is as wide as what is left: its width says nothing of its contents.
+  // The last column takes the remaining width, which says nothing about its contents.
   const int state = std::max(sizeHintForColumn(StepState), header()->sectionSizeHint(StepState));
   const int used = columnWidth(StepNumber) + columnWidth(StepGaps) + state;
   const int inside = width() - 2 * frameWidth() - style()->pixelMetric(QStyle::PM_ScrollBarExtent);
@@ -223,7 +223,7 @@ void StepTable::addStep(std::size_t place) {
   auto* row = new QTreeWidgetItem(this);
   row->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsDragEnabled);
   row->setData(StepNumber, kStepRole, static_cast<qulonglong>(i));
-  // While the plan grows, the number in the order of assembly is not known.
+  // The number in the order of assembly is not known while the plan grows.
   if (!shown_.growing) {
     row->setText(StepNumber, QString::fromStdString(stepNumber(steps.size() - 1 - i)));
   }
@@ -270,7 +270,7 @@ void StepTable::addStep(std::size_t place) {
   row->setToolTip(StepState, tips.join(QLatin1Char('\n')));
 }
 
-/// A line for each step of the groups of a step that the hand does not reach, or that is not seen.
+/// A line for each step inside the groups of a step that the hand does not reach, or that cannot be seen.
 QStringList StepTable::unreachedInside(std::size_t step) const {
   QStringList texts;
   const auto& lines = shown_.plan->lines;
@@ -290,7 +290,7 @@ void StepTable::addUnreached(const SubassemblyLine& line, const LineAccess& acce
   for (std::size_t i = 0; i < access.lines.size(); ++i) addUnreached(line.lines[i], access.lines[i], texts);
 }
 
-/// The reason in full, and what to do next, over all columns.
+/// Adds a row with the full reason and the next action, over all columns.
 void StepTable::addStuck(const StuckBody& stuck) {
   auto* row = new QTreeWidgetItem(this);
   row->setFirstColumnSpanned(true);
@@ -308,7 +308,7 @@ void StepTable::addStuck(const StuckBody& stuck) {
 void StepTable::resizeEvent(QResizeEvent* event) {
   QTreeWidget::resizeEvent(event);
   fitColumns();
-  scheduleDelayedItemsLayout();  // texts of stuck parts are wrapped
+  scheduleDelayedItemsLayout();  // wraps the texts of stuck parts
 }
 
 std::optional<std::size_t> StepTable::stepOf(const QTreeWidgetItem* row) {
@@ -343,7 +343,7 @@ std::vector<std::size_t> StepTable::selectedSteps() const {
   return steps;
 }
 
-/// The rows stay as they are: the plan is made anew.
+/// Shows the plan again with new texts and colours.
 void StepTable::changeEvent(QEvent* event) {
   QTreeWidget::changeEvent(event);
   const bool isRead = event->type() == QEvent::LocaleChange || event->type() == QEvent::PaletteChange;
@@ -356,14 +356,14 @@ void StepTable::dropEvent(QDropEvent* event) {
   dropAt(event->pos());
 }
 
-/// Keys of the commands never move the selection. The table would get them while a command is off, and from the keypad,
-/// whose keys carry a modifier that shortcuts do not match.
+/// Keys of commands never move the selection. The table would receive them while a command is disabled, and from the
+/// keypad, whose keys have a modifier that shortcuts do not match.
 void StepTable::keyPressEvent(QKeyEvent* event) {
   const int modifiers = static_cast<int>(event->modifiers() & ~Qt::KeypadModifier);
   const QKeySequence keys(event->key() | modifiers);
   for (QAction* action : actions()) {
     if (modifiers == 0 || action->shortcut() != keys) continue;
-    if (action->isEnabled()) action->trigger();  // trigger() itself does not ask
+    if (action->isEnabled()) action->trigger();  // trigger() does not ask for this
     return;
   }
   QTreeWidget::keyPressEvent(event);
@@ -376,7 +376,7 @@ void StepTable::dropAt(const QPoint& place) {
   const bool below = target != nullptr && place.y() > visualItemRect(target).center().y();
   const int row = target == nullptr ? topLevelItemCount() : indexOfTopLevelItem(target);
   const int own = indexOfTopLevelItem(currentItem());
-  int to = row + (below ? 1 : 0);  // the row that it comes before
+  int to = row + (below ? 1 : 0);  // row before which it is inserted
   if (to > own) --to;
   const auto steps = static_cast<int>(shown_.plan->steps.size());
   const auto there = stepOf(topLevelItem(std::clamp(to, 0, steps - 1)));

@@ -15,18 +15,18 @@ namespace glissade {
 
 using PlanAccessPtr = std::shared_ptr<const PlanAccess>;
 
-/// What the panel shows of an assembly plan.
+/// An assembly plan, with everything that the panel shows of it.
 struct ShownPlan {
-  ProductPtr product;  ///< null: there is none
+  ProductPtr product;  ///< null: there is no product
   PlanPtr plan;        ///< null: not planned yet
   bool growing = false;
-  std::vector<std::optional<double>> foundAfter;  ///< seconds, of each step; nothing: not found here
-  PlanCheck check{};                              ///< of the independent check
-  PlanAccessPtr access{};                         ///< of a hand, to each step; null: not asked
+  std::vector<std::optional<double>> foundAfter;  ///< seconds, for each step; nothing: not found here
+  PlanCheck check{};                              ///< result of the independent check
+  PlanAccessPtr access{};                         ///< access of a hand to each step; null: not analysed
 };
 
-/// Steps of an assembly plan, two lines a row, and stuck parts with the whole reason. Steps can be dragged to another
-/// row.
+/// Steps of an assembly plan, two lines for each row, and stuck parts with the whole reason. Steps can be dragged to
+/// another row.
 class StepTable final : public QTreeWidget {
   Q_OBJECT
 
@@ -36,23 +36,23 @@ class StepTable final : public QTreeWidget {
   StepTable(IconOf iconOf, QWidget* parent);
 
   void show(const ShownPlan& shown, PlanOrder order);
-  /// Pictures have been drawn.
+  /// Takes pictures that were drawn meanwhile.
   void takeIcons();
-  /// The step (its index in the plan), or the stuck part (its id), of a row or the current one.
+  /// The step (its index in the plan), or the stuck part (its id), of a row.
   static std::optional<std::size_t> stepOf(const QTreeWidgetItem* row);
   static std::string stuckOf(const QTreeWidgetItem* row);
   QTreeWidgetItem* rowOf(std::size_t step) const;
-  /// What all columns of the step's row say; empty where there is none.
+  /// The texts of all columns of the step's row; empty if there is none.
   QString textOf(std::size_t step) const;
-  /// Of the rows that are selected, in the order of removal.
+  /// The steps of the selected rows, in the order of removal.
   std::vector<std::size_t> selectedSteps() const;
-  /// The current row was dropped there.
+  /// The current row was dropped at this place.
   void dropAt(const QPoint& place);
   QString nameOf(const std::string& id) const;
   QString shortNames(const std::vector<std::string>& ids) const;
 
  signals:
-  /// A person has dragged the step to where the other one is; indices in the plan.
+  /// A person has dragged a step to the place of another one; indices in the plan.
   void stepDragged(int from, int to);
 
  protected:
@@ -75,7 +75,7 @@ class StepTable final : public QTreeWidget {
   PlanOrder order_ = PlanOrder::Removal;
 };
 
-/// What people read of plans in this window.
+/// The words for plans in the language of the window.
 PlanWords windowPlanWords();
 
 }  // namespace glissade

@@ -3,12 +3,14 @@
 namespace glissade {
 namespace {
 
-/// Samples on the tangent plane of an obstacle; strategies in a loop may choose such a planner for a place.
+/// Whether the strategy samples on the tangent plane of an obstacle; strategies in a loop may select such a planner for
+/// a place.
 bool samplesContacts(const PlannerEntry& strategy) {
   return strategy.usesOperator && strategy.id != "interactive-birrt";
 }
 
-/// A hand that feels or sees the guidance: a person's, or the haptic one's. The others follow their way-points.
+/// Whether the operator feels or sees the guidance: a person, or the simulated haptic hand. The other simulated
+/// operators follow their way-points.
 bool isGuided(const std::string& deviceId) {
   return deviceId != "expert" && deviceId != "default" && deviceId != "novice" && deviceId != "none";
 }

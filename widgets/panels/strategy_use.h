@@ -8,14 +8,13 @@
 
 namespace glissade {
 
-/// For daily use: it is listed first. The others are listed under "Advanced".
+/// Whether the strategy is for daily use: it is listed first. The others are listed under "Advanced".
 bool isMainStrategy(const std::string& plannerId);
 
-/// The strategy that a run has once somebody holds the object: automatic planners would not ask for the hand.
+/// The strategy of a run while a device is held: automatic planners would not ask for the hand.
 std::string strategyWithHand(const std::string& plannerId, const std::string& deviceId);
 
-/// The live parameters that have an effect with this strategy while this device holds the object, apart from the pace,
-/// which every run has.
+/// The live parameters that affect this strategy with this device, apart from the pace, which every run has.
 std::set<ParameterId> parametersInUse(const PlannerEntry& strategy, const std::string& deviceId);
 
 }  // namespace glissade

@@ -8,7 +8,7 @@ namespace glissade {
 namespace {
 
 constexpr int kWayPlaces = 2000;
-/// At speed 1 the whole way passes in a time between these: so many seconds for each radius of the object.
+/// Bounds of the time of the whole path at speed 1, and seconds for each radius of the object.
 constexpr double kLeastSeconds = 3.0;
 constexpr double kMostSeconds = 12.0;
 constexpr double kSecondsPerRadius = 0.5;

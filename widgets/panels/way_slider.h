@@ -8,25 +8,25 @@
 
 namespace glissade {
 
-/// A place on a way, as a slider that can play: the whole way passes in three to twelve
-/// seconds, in twelve where it is twenty-four radii of the object or longer.
+/// A place on a path, as a slider that can play: the whole path is played in three to twelve seconds, and in twelve if
+/// it is twenty-four radii of the object or longer.
 class WaySlider final : public PlaySlider {
   Q_OBJECT
 
  public:
   explicit WaySlider(QWidget* parent);
 
-  /// Its first configuration; empty: there is none. Says nothing.
+  /// Sets the path and shows its first configuration; empty: there is none. Emits no signal.
   void setWay(std::vector<Pose> way, const Se3Metric& metric);
-  /// In the metric, metres.
+  /// Length in the metric, metres.
   double length() const { return arrival_.empty() ? 0.0 : arrival_.back(); }
-  /// The share of the whole way that lies before a place on the way from one configuration to the next.
+  /// The share of the path before a place between a configuration and the next; `at` is in [0, 1].
   double shareAt(std::size_t configuration, double at) const;
-  /// Where the object is once this share of the metric length is done; nothing where there is no way.
+  /// The pose of the object at this share of the metric length; nothing if there is no path.
   std::optional<Pose> poseAt(double share) const;
 
  signals:
-  /// `share` of the way's metric length lies before the pose.
+  /// `share` of the path's metric length lies before the pose.
   void poseShown(const glissade::Pose& pose, double share);
 
  private:

@@ -39,14 +39,14 @@ namespace glissade {
 namespace {
 
 constexpr double kReach = 14.0;     ///< pixels within which the pointer finds a point
-constexpr double kMargin = 0.025;   ///< of an axis: keeps points at its ends whole
+constexpr double kMargin = 0.025;   ///< share of an axis that keeps points at its ends whole
 constexpr int kLeastBand = 6;       ///< pixels
-constexpr double kSmallest = 0.01;  ///< part of an axis
+constexpr double kSmallest = 0.01;  ///< least part of an axis
 constexpr double kZoomStep = 1.25;
-constexpr double kPanStep = 0.1;  ///< of the part that is shown
-constexpr int kSavedScale = 2;    ///< pixels of a saved picture for each one seen
+constexpr double kPanStep = 0.1;  ///< share of the part that is shown
+constexpr int kSavedScale = 2;    ///< pixels of a saved picture for each pixel on screen
 
-/// Labels where the plot's scale has them.
+/// A scale with labels at the plot's ticks.
 class TickLabels final : public QwtScaleDraw {
  public:
   explicit TickLabels(const std::vector<PlotTick>& ticks) : ticks_(ticks) {}
@@ -69,13 +69,13 @@ QwtScaleDiv divisionOf(const std::vector<PlotTick>& ticks, double from, double t
   return QwtScaleDiv(from, to, minor, {}, major);
 }
 
-/// Draws the rectangle that will be shown; a click is none.
+/// Draws the rectangle that will be shown; a click draws none.
 class ZoomBand final : public QwtPlotPicker {
  public:
   explicit ZoomBand(QWidget* canvas)
       : QwtPlotPicker(QwtPlot::xBottom, QwtPlot::yLeft, QwtPicker::RectRubberBand, QwtPicker::AlwaysOff, canvas) {
     setStateMachine(new QwtPickerDragRectMachine);
-    for (const KeyPatternCode key : {KeyLeft, KeyRight, KeyUp, KeyDown}) setKeyPattern(key, 0);  // ours
+    for (const KeyPatternCode key : {KeyLeft, KeyRight, KeyUp, KeyDown}) setKeyPattern(key, 0);  // see steer()
   }
 
  protected:
@@ -85,7 +85,7 @@ class ZoomBand final : public QwtPlotPicker {
   }
 };
 
-/// The engine's words; names of strategies and titles of a study's columns stay as they are.
+/// The engine's text in the user's language; names of strategies and titles of a study's columns stay as they are.
 QString translated(const std::string& words) { return QCoreApplication::translate("Plots", words.c_str()); }
 
 QwtSymbol::Style symbolOf(const PlotSeries& series) {
@@ -187,7 +187,7 @@ void PlotView::zoomAbout(double factor, const QPointF& centre) {
   zoom({from, part_.size() / factor});
 }
 
-/// False: the key means nothing here.
+/// Zooms or moves the part that is shown; false if the key has no effect.
 bool PlotView::steer(int key) {
   const QPointF step(kPanStep * part_.width(), kPanStep * part_.height());
   switch (key) {
@@ -220,7 +220,7 @@ SaveResult PlotView::save(const QString& file) const {
   if (!file.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive)) return savePicture(image(), file);
   constexpr double kMillimetresAPixel = 25.4 / 96.0;
   constexpr std::size_t kMostBytes = 256U << 20;
-  const QTemporaryDir folder;  // Qwt writes SVG into files only
+  const QTemporaryDir folder;  // Qwt writes SVG only into files
   const QString drawn = folder.filePath(QStringLiteral("plot.svg"));
   QwtPlotRenderer().renderDocument(view_, drawn, QStringLiteral("svg"), QSizeF(view_->size()) * kMillimetresAPixel, 96);
   const auto content = readFile(drawn.toStdString(), kMostBytes);

@@ -10,20 +10,20 @@ class QwtPlot;
 
 namespace glissade {
 
-/// A plot of a study, drawn by Qwt in the colours of the palette: the same scales, ticks and intervals
-/// as the report's. The pointer over a point shows what it says; a click picks its cell. A rubber band,
-/// the wheel or + and - show a part of it, the arrow keys move that, Esc shows the whole again.
+/// A plot of a study, drawn by Qwt in the colours of the palette: the same scales, ticks and intervals as the report's.
+/// The pointer over a point shows the point's text; a click selects its cell. A rubber band, the wheel or + and - show
+/// a part of it, the arrow keys move that part, Esc shows the whole again.
 class PlotView final : public QWidget {
   Q_OBJECT
 
  public:
   explicit PlotView(const Plot& plot, QWidget* parent = nullptr);
 
-  /// The part that is shown; both axes go from 0 to 1, y up. Kept within the plot, and not too small.
+  /// Shows this part; both axes go from 0 to 1, y up. It is kept within the plot and above a least size.
   void zoom(const QRectF& part);
   void zoomOut();
   bool isZoomed() const { return part_ != whole(); }
-  /// As it is seen, PNG or SVG by the ending of the name. False: it cannot be written.
+  /// Saves the plot as it is shown, as PNG or SVG by the extension of the name.
   SaveResult save(const QString& file) const;
   void copy() const;
 
@@ -49,9 +49,9 @@ class PlotView final : public QWidget {
   void addPoints(const PlotSeries& series, bool inLegend);
   void addIntervals(const PlotSeries& series);
   QColor colourOf(const PlotSeries& series) const;
-  /// Where a point is: both axes go from 0 to 1.
+  /// The place of a point; both axes go from 0 to 1.
   QPointF placeOf(const PlotSeries& series, const PlotPoint& point) const;
-  /// The nearest point within reach of the pointer; null: none.
+  /// The nearest point within reach of the pointer; null if there is none.
   const PlotPoint* pointAt(const QPoint& pixel) const;
 
   Plot plot_;

@@ -7,7 +7,7 @@
 
 namespace glissade {
 
-/// A vertical gradient behind everything.
+/// Makes a vertical gradient behind everything.
 osg::ref_ptr<osg::Camera> makeBackdrop(const ScenePalette& palette);
 
 }  // namespace glissade

@@ -17,19 +17,19 @@
 namespace glissade {
 namespace {
 
-/// A ghost of more edges fades, or it would hide what it stands beside.
+/// A ghost of more edges fades, because it would hide the bodies beside it.
 constexpr double kPlainEdges = 400.0;
 constexpr double kLeastShown = 0.03;
 constexpr double kLeastFilled = 0.25;
 constexpr float kGhostFill = 0.16F;
-/// More ghosts than these fade.
+/// Ghosts fade if there are more than kPlainGhosts.
 constexpr double kPlainGhosts = 6.0;
 constexpr double kFaintestGhost = 0.12;
-/// Of the part of the moved object that other bodies hide, and of a ghost.
+/// Opacities of the hidden part of the moved object, and of a ghost.
 constexpr float kHiddenFill = 0.45F;
 constexpr float kHiddenGhostFill = 0.40F;
 constexpr float kHiddenEdges = 0.30F;
-/// OSG draws bins by their number: opaque bodies are in 0, transparent ones in 10.
+/// Render bins. OSG draws bins by their number: opaque bodies are in 0, transparent ones in 10.
 constexpr int kHiddenSilhouetteBin = 1;
 constexpr int kMovedBodyBin = 2;
 constexpr float kEdgeWidth = 1.2F;
@@ -45,7 +45,7 @@ osg::ref_ptr<osg::Geode> geodeOf(const osg::ref_ptr<osg::Geometry>& geometry) {
   return geode;
 }
 
-/// The surface in all details, in one colour.
+/// The surface with all details, in one colour.
 osg::ref_ptr<osg::Group> surfaceOf(const BodyShape& shape, const osg::Vec4& colour) {
   osg::ref_ptr<DetailNode> surface = new DetailNode;
   osg::ref_ptr<osg::Geometry> finest = makeSurface(shape, colour);
@@ -59,7 +59,7 @@ osg::ref_ptr<osg::Group> surfaceOf(const BodyShape& shape, const osg::Vec4& colo
   return surface;
 }
 
-/// Edges lie on the surface: the surface is pushed back so that they are not torn.
+/// The surface is pushed back, so that edges on it are drawn whole.
 osg::ref_ptr<osg::Group> pushedBackSurfaceOf(const BodyShape& shape, const osg::Vec4& colour) {
   osg::ref_ptr<osg::Group> surface = surfaceOf(shape, colour);
   surface->getOrCreateStateSet()->setAttributeAndModes(new osg::PolygonOffset(1.0F, 1.0F));
@@ -79,7 +79,7 @@ osg::ref_ptr<osg::Group> edgesOf(const BodyShape& shape, const osg::Vec4& colour
   return edges;
 }
 
-/// The edges that a surface hides, dashed.
+/// The edges that the surface hides, dashed.
 osg::ref_ptr<osg::Geode> hiddenEdgesOf(const BodyShape& shape, const ScenePalette& palette) {
   const osg::Vec4 colour = withOpacity(palette.lines, 0.5F * palette.lines.a());
   osg::ref_ptr<osg::Geometry> lines = makeLines(shape.edges, LineKind::Segments, colour, palette.pixelScale);
@@ -89,7 +89,7 @@ osg::ref_ptr<osg::Geode> hiddenEdgesOf(const BodyShape& shape, const ScenePalett
   return geodeOf(lines);
 }
 
-/// What other bodies hide of a body: flat, drawn before the body's own surface is.
+/// The part of a body that other bodies hide: flat, drawn before the body's own surface.
 osg::ref_ptr<osg::Group> hiddenSilhouetteOf(const BodyShape& shape, const osg::Vec4& colour,
                                             const ScenePalette& palette, float opacity = kHiddenFill) {
   osg::ref_ptr<osg::Group> group = new osg::Group;
@@ -107,18 +107,18 @@ osg::ref_ptr<osg::Group> hiddenSilhouetteOf(const BodyShape& shape, const osg::V
   return group;
 }
 
-/// The one that all details share.
+/// The array of colours that all details share.
 osg::Vec4Array* coloursOf(osg::Group& surface) {
   return static_cast<osg::Vec4Array*>(surface.getChild(0)->asGeode()->getDrawable(0)->asGeometry()->getColorArray());
 }
 
-/// Null where a body is drawn by itself: it is seen through, or has coarser details, which go by its distance.
+/// Null if the body is drawn alone: it is see-through, or has coarser details, which depend on its own distance.
 osg::ref_ptr<MergeableBody> mergeableOf(const BodyShape& shape, osg::Group& surface, DisplayMode mode,
                                         const ScenePalette& palette) {
   const bool isOpaque = mode == DisplayMode::Shaded || mode == DisplayMode::ShadedWithEdges;
   if (!isOpaque || shape.corners->size() >= 3 * kFewestTrianglesOfDetails) return nullptr;
   osg::ref_ptr<MergeableBody> body = new MergeableBody;
-  body->shape = static_cast<const ShapeDetail&>(shape);  // of the whole mesh
+  body->shape = static_cast<const ShapeDetail&>(shape);  // the arrays of the whole mesh
   body->colour = coloursOf(surface);
   if (mode == DisplayMode::ShadedWithEdges) body->edgeColour = palette.lines;
   body->edgeWidth = kEdgeWidth * palette.pixelScale;
@@ -189,7 +189,7 @@ osg::ref_ptr<osg::Group> makeGhosts(const BodyShape& shape, const std::vector<Po
 osg::ref_ptr<osg::MatrixTransform> makeHighlight(const BodyShape& shape, const Pose& X_WB, const osg::Vec4& colour,
                                                  const ScenePalette& palette) {
   osg::ref_ptr<osg::MatrixTransform> transform = new osg::MatrixTransform(toOsg(X_WB));
-  // Not pushed back: it lies before the body's own surface.
+  // The skin is not pushed back, because it lies before the body's own surface.
   osg::ref_ptr<osg::Group> skin = surfaceOf(shape, withOpacity(colour, kHighlightFill));
   makeTransparent(*skin);
   transform->addChild(skin);

@@ -12,32 +12,33 @@
 
 namespace glissade {
 
-/// A body's surface and feature edges under one transform.
+/// Makes a body's surface and feature edges under one transform.
 osg::ref_ptr<osg::MatrixTransform> makeBody(const BodyShape& shape, const Pose& X_WB, const osg::Vec4& colour,
                                             DisplayMode mode, const ScenePalette& palette);
 
-/// The object at a pose where it is not: start, goal, a pose of the path. Fainter where the body has many edges.
+/// Makes a ghost of the object at a pose where it is not: start, goal, a pose of the path. It is fainter if the body
+/// has many edges.
 osg::ref_ptr<osg::MatrixTransform> makeGhost(const BodyShape& shape, const Pose& X_WB, const osg::Vec4& colour,
                                              const ScenePalette& palette);
 
-/// A ghost whose silhouette shows through the bodies before it.
+/// Makes a ghost whose silhouette shows through the bodies before it.
 osg::ref_ptr<osg::MatrixTransform> makeSeenGhost(const BodyShape& shape, const Pose& X_WB, const osg::Vec4& colour,
                                                  const ScenePalette& palette);
 
-/// Ghosts at many poses, all of one drawing: each is fainter the more there are, so that they do not hide what they
-/// stand beside.
+/// Makes ghosts at many poses, all of one drawing: each is fainter the more there are, so that they do not hide the
+/// bodies beside them.
 osg::ref_ptr<osg::Group> makeGhosts(const BodyShape& shape, const std::vector<Pose>& poses, const osg::Vec4& colour,
                                     const ScenePalette& palette);
 
-/// Over a body that is drawn: a bright skin and its edges, to mark it. It shows through the bodies before it.
+/// Makes a mark over a body that is drawn: a bright skin and its edges. It shows through the bodies before it.
 osg::ref_ptr<osg::MatrixTransform> makeHighlight(const BodyShape& shape, const Pose& X_WB, const osg::Vec4& colour,
                                                  const ScenePalette& palette);
 
-/// The object that moves: shaded with edges, and its silhouette shows through the bodies before it.
+/// Makes the object that moves: shaded with edges; its silhouette shows through the bodies before it.
 osg::ref_ptr<osg::MatrixTransform> makeMovedBody(const BodyShape& shape, const Pose& X_WB, const osg::Vec4& colour,
                                                  const ScenePalette& palette);
 
-/// Another colour for a body that one of these functions made; its transparency stays.
+/// Changes the colour of a body that one of these functions made; its transparency stays.
 void setBodyColour(osg::MatrixTransform& body, const osg::Vec4& colour);
 
 }  // namespace glissade

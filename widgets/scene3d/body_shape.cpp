@@ -15,13 +15,13 @@ namespace {
 
 /// Faces that meet at less than this angle are one smooth surface: 30 degrees.
 const double kFeatureCosine = std::cos(std::acos(-1.0) / 6.0);
-/// A corner of more triangles keeps the normal of its face: comparing all pairs would take too long.
+/// A corner with more triangles keeps the normal of its face, because comparing all pairs would take too long.
 constexpr std::size_t kMostTrianglesAtCorner = 64;
-/// Triangles that a thread takes at once.
+/// Triangles that a thread takes at a time.
 constexpr std::size_t kAtOnce = 1U << 16;
 
 /// The corners of triangles at each vertex: those of vertex v are corners[begin[v]] to corners[begin[v + 1] - 1].
-/// Corner i of triangle t has the number 3 t + i. In the order of the triangles.
+/// Corner i of triangle t has the number 3 t + i. They are in the order of the triangles.
 struct CornersAtVertices {
   std::vector<std::size_t> begin;
   std::vector<std::uint32_t> corners;
@@ -51,7 +51,7 @@ osg::ref_ptr<osg::Vec3Array> featureEdges(const TriangleMesh& mesh, const std::v
     std::uint32_t triangle;
   };
   osg::ref_ptr<osg::Vec3Array> ends = new osg::Vec3Array;
-  std::vector<EdgeUse> uses;  // of the edges from a vertex to higher ones
+  std::vector<EdgeUse> uses;  // uses of the edges from a vertex to higher ones
   for (std::uint32_t vertex = 0; vertex < mesh.vertices.size(); ++vertex) {
     uses.clear();
     for (std::size_t i = at.begin[vertex]; i < at.begin[vertex + 1]; ++i) {
@@ -85,7 +85,7 @@ std::vector<Vector3> faceNormals(const TriangleMesh& mesh) {
   return normals;
 }
 
-/// Of each corner, by its number.
+/// The angle of each corner, by the corner's number.
 std::vector<double> cornerAngles(const TriangleMesh& mesh) {
   std::vector<double> angles;
   reserveFilled(angles, 3 * mesh.triangles.size());

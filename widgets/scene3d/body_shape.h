@@ -10,20 +10,20 @@
 
 namespace glissade {
 
-/// What is uploaded of a mesh: shared by all bodies that have this mesh, whatever their colour and display mode. The
-/// arrays of the shape itself are those of the whole mesh.
+/// The uploaded arrays of a mesh, shared by all bodies that have this mesh, whatever their colour and display mode. The
+/// arrays of the base are those of the whole mesh.
 struct BodyShape : ShapeDetail {
   std::shared_ptr<LateDetails> coarser;  ///< for bodies that are small on the screen; null: there are none
 };
 
 BodyShape makeBodyShape(const TriangleMesh& mesh);
 
-/// The shapes of the meshes that a scene shows. GUI thread only.
+/// The shapes of the meshes that a scene shows. Used on the GUI thread only.
 class BodyShapes {
  public:
-  /// The shape of this mesh; made at the first call.
+  /// The shape of this mesh, made by the first call.
   const BodyShape& of(const MeshPtr& mesh);
-  /// Forgets the shapes of meshes that nobody else holds any more.
+  /// Forgets the shapes of meshes that nothing else refers to.
   void dropUnused();
 
  private:

@@ -8,14 +8,14 @@ namespace glissade {
 namespace {
 
 constexpr double kFieldOfView = 35.0 * std::numbers::pi / 180.0;
-/// Drag over the view's height turns by this much.
+/// Angle by which a drag over the view's height turns.
 constexpr double kCameraTurnPerHeight = std::numbers::pi;
 /// The eye comes no nearer to the focus than this share of the scene's radius.
 constexpr double kNearestShare = 1e-3;
-/// Of the way to a point that is followed, at each picture.
+/// Share of its way to a followed point that the focus moves at each picture.
 constexpr double kFollowShare = 0.1;
-/// The picture and the eye before it come no nearer to the eye straight before it than this share of the distance of
-/// the focus.
+/// Least distance of the picture from the eye straight before it, as a share of the focus's distance. It is also the
+/// least distance of an eye from the picture, as a share of the picture's distance.
 constexpr double kNearestPicture = 0.1;
 
 /// The view frame that looks along -z_V with y_V up.
@@ -49,7 +49,7 @@ void CameraController::zoomTo(const Box3& box) {
   distance_ = std::max(distanceFor(box), kNearestShare * sceneRadius_);
 }
 
-/// The nearest from which every corner of a box about the focus is in view.
+/// The least distance from which every corner of a box about the focus is in view.
 double CameraController::distanceFor(const Box3& box) const {
   const double tanV = std::tan(0.5 * fieldOfView_);
   const double tanH = tanV * aspect_;
@@ -125,7 +125,7 @@ void CameraController::enclose(const Box3& box) {
 
 void CameraController::orbit(double dx, double dy) {
   fitted_.reset();
-  // About the world's vertical and the view's own horizontal: the horizon stays level.
+  // The camera turns about the world's vertical and the view's own horizontal, so that the horizon stays level.
   const Quaternion yaw(Eigen::AngleAxisd(-dx * kCameraTurnPerHeight, Vector3::UnitZ()));
   const Quaternion pitch(Eigen::AngleAxisd(-dy * kCameraTurnPerHeight, Vector3::UnitX()));
   orientation_ = (yaw * orientation_ * pitch).normalized();
@@ -152,7 +152,7 @@ void CameraController::zoom(double factor, double x, double y) {
   fitted_.reset();
   const double before = distance_;
   distance_ = std::clamp(distance_ / factor, kNearestShare * sceneRadius_, 50.0 * sceneRadius_);
-  // The point of the focal plane under the pointer stays there.
+  // Keeps the point of the focal plane under the pointer in place.
   const double moved = 2.0 * (before - distance_) * std::tan(0.5 * fieldOfView_);
   focus_ += orientation_ * Vector3(x * moved, -y * moved, 0.0);
 }
@@ -170,22 +170,22 @@ void CameraController::setAspect(double widthOverHeight) {
 
 Quaternion CameraController::R_WV() const { return orientation_; }
 
-/// Straight before the middle of the picture.
+/// The eye straight before the middle of the picture.
 Vector3 CameraController::middleEye() const { return focus_ + orientation_ * Vector3(0.0, 0.0, distance_); }
 
-/// From there to the plane in which the picture lies.
+/// Distance from middleEye() to the plane of the picture.
 double CameraController::pictureDistance() const {
   if (!eyePlace_.plane_W) return distance_;
   const double depth = -(orientation_.conjugate() * (*eyePlace_.plane_W - middleEye())).z();
   return std::max(depth, kNearestPicture * distance_);
 }
 
-/// What the picture's height measures in its plane.
+/// Height of the picture in its plane, metres.
 double CameraController::pictureHeight() const {
   return orthographic_ ? viewHeight() : 2.0 * pictureDistance() * std::tan(0.5 * fieldOfView_);
 }
 
-/// In the view frame, metres of the scene.
+/// The eye from middleEye(), in the view frame, metres of the scene.
 Vector3 CameraController::eyeOffset() const {
   Vector3 offset = pictureHeight() * (eyePlace_.head + eyePlace_.eye);
   offset.z() = std::max(offset.z(), (kNearestPicture - 1.0) * pictureDistance());
@@ -223,7 +223,7 @@ double CameraController::farPlane() const {
   return (eye() - sceneCentre_).norm() + 2.0 * sceneRadius_;
 }
 
-/// From the eye to the middle of the scene, along the line of sight.
+/// Distance from the eye to the middle of the scene, along the line of sight.
 double CameraController::toCentre() const { return (orientation_.conjugate() * (eye() - sceneCentre_)).z(); }
 
 std::optional<Eigen::Vector2d> CameraController::project(const Vector3& p_W) const {

@@ -8,7 +8,7 @@
 namespace glissade {
 namespace {
 
-/// At full deflection, a second: heights of the view, natural logarithms of the zoom, half turns.
+/// Speeds at full deflection, for each second: heights of the view, natural logarithms of the zoom, half turns.
 constexpr double kHeights = 0.6;
 constexpr double kZooms = 1.0;
 constexpr double kHalfTurns = 0.4;

@@ -10,7 +10,7 @@ namespace {
 /// The faces of one plane, by their two in-plane coordinates.
 using Mask = std::set<std::pair<int, int>>;
 
-/// Takes rectangles out of a mask: as long as possible along v, then as many rows along u.
+/// Takes rectangles out of a mask. Each is as long as possible along v, and has as many rows as possible along u.
 template <class Emit>
 void mergeRectangles(Mask& mask, Emit&& emit) {
   while (!mask.empty()) {

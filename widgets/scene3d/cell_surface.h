@@ -14,9 +14,8 @@ struct CellFace {
   Vector3 normal;
 };
 
-/// Where `inside` changes to something else between neighbouring cells, or the grid ends: the faces
-/// of the cells in `cells` (ascending), neighbours in a plane merged into rectangles. `across`
-/// decides for a face of a cell in the set whether it is drawn, given the cell beyond (or nothing).
+/// The faces of the cells in `cells` (ascending) for which `across` is true; neighbours in a plane are merged into
+/// rectangles. `across` gets a cell of the set and the cell beyond its face (nothing at the end of the grid).
 std::vector<CellFace> surfaceOf(const CellGrid& grid, const std::vector<std::size_t>& cells,
                                 const std::function<bool(std::size_t cell, std::optional<std::size_t> beyond)>& across);
 

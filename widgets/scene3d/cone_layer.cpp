@@ -13,7 +13,7 @@ constexpr std::uint32_t kConeSides = 48;
 constexpr float kConeOpacity = 0.3F;
 constexpr float kConeRimWidth = 1.5F;
 
-/// The apex, then the rim.
+/// A cone: the vertices are the apex, then the rim.
 TriangleMesh coneOf(const ForbiddenCone& cone) {
   const double radius = cone.length * std::sqrt(1.0 - tolerance::kForbiddenCone * tolerance::kForbiddenCone);
   const Vector3 across = cone.direction.unitOrthogonal();

@@ -10,7 +10,7 @@
 
 namespace glissade {
 
-/// A see-through cone for each direction that is forbidden, with its rim.
+/// Makes a see-through cone with its rim for each forbidden direction.
 osg::ref_ptr<osg::Group> makeForbiddenCones(const std::vector<ForbiddenCone>& cones, const ScenePalette& palette);
 
 }  // namespace glissade

@@ -10,8 +10,8 @@ namespace glissade {
 namespace {
 
 constexpr float kPointSize = 8.0F;
-constexpr double kDiscRadii = 1.2;    ///< of the object
-constexpr double kDiscOfView = 0.10;  ///< at most this share of the view's height
+constexpr double kDiscRadii = 1.2;    ///< radii of the object
+constexpr double kDiscOfView = 0.10;  ///< largest share of the view's height
 
 }  // namespace
 
@@ -34,7 +34,7 @@ osg::ref_ptr<osg::Group> makeContact(const SessionSnapshot& snapshot, const Mark
   const std::vector<Vector3> pair{nearest.p_WPo, nearest.p_WPn};
   marks->addDrawable(makeLines(pair, LineKind::Segments, colour, (near ? 3.0F : 1.5F) * palette.pixelScale));
   marks->addDrawable(makePoints(pair, colour, kPointSize * palette.pixelScale));
-  // Seen through whatever lies in front: it tells where contact is.
+  // The marks show through all bodies, because they show where contact is.
   makeOverlay(*marks);
   group->addChild(marks);
   if (!near) return group;

@@ -9,13 +9,13 @@
 
 namespace glissade {
 
-/// What the operator's marks say of the nearest obstacle.
+/// The marks of the nearest obstacle that are shown.
 enum class ContactShown { Nothing, Nearest, Contact };
 ContactShown contactShown(const SessionSnapshot& snapshot);
 
-/// The nearest obstacle as the operator needs it: P_o, P_n and the gap between them; nearer than d
-/// also a disc of the tangent plane on which contact samples are shot, filled while contact mode is on. The disc shows
-/// the plane, not how far samples go: it has the size of a mark.
+/// Makes the marks of the nearest obstacle for the operator: P_o, P_n and the gap between them. Nearer than d there is
+/// also a disc of the tangent plane on which contact samples are drawn, filled while contact mode is on. The disc shows
+/// the plane and has the size of a mark; it does not show how far samples go.
 osg::ref_ptr<osg::Group> makeContact(const SessionSnapshot& snapshot, const MarkScale& scale,
                                      const ScenePalette& palette);
 

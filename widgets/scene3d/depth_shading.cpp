@@ -12,17 +12,17 @@
 namespace glissade {
 namespace {
 
-/// OSG draws bins by their number: opaque bodies are in 0 to 2, transparent ones in 10.
+/// The render bin. OSG draws bins by their number: opaque bodies are in 0 to 2, transparent ones in 10.
 constexpr int kAfterOpaque = 5;
-/// Pixels from which a place is darkened, at most.
+/// Largest distance in pixels from which a place is darkened.
 constexpr double kReach = 18.0;
-/// Pairs of places that are looked at for each device pixel: fewer give bands, unless several pixels become one.
+/// Pairs of places that are sampled for each device pixel. Fewer pairs give bands, unless several pixels become one.
 constexpr int kPairs = 32;
 constexpr int kPairsOversampled = 12;
-/// Of them, these are looked at first, over the whole reach: where none of them darkens, nothing does.
+/// Pairs that are sampled first, over the whole reach: if none of them darkens, the others are skipped.
 constexpr int kFirst = 8;
 constexpr int kFirstOversampled = 6;
-/// Between the directions of two pairs: directions are spread evenly however many there are.
+/// Angle between the directions of two pairs, which spreads any number of directions evenly.
 constexpr double kGoldenAngle = 2.399963;
 
 constexpr const char* kVertexShader = R"(#version 120
@@ -31,8 +31,8 @@ void main() {
 }
 )";
 
-// The depth of a plane is linear on the screen: the mean of two opposite places less the middle is 0 on it, and says
-// how concave the surface is elsewhere.
+// The depth of a plane is linear on the screen: the mean of two opposite places less the middle is 0 on a plane, and
+// measures concavity elsewhere.
 constexpr const char* kFragmentShader = R"(#version 120
 uniform sampler2D depths;
 uniform vec4 planes;  // near, far, 1 where there is no perspective, pixels per metre
@@ -68,7 +68,7 @@ void main() {
 }
 )";
 
-/// A state variable of OpenGL. Looked up by OSG: this library is linked with no OpenGL of its own.
+/// A state variable of OpenGL. OSG looks the function up, because this library is linked with no OpenGL of its own.
 GLint numberOf(GLenum name) {
   using GetNumber = void (*)(GLenum, GLint*);
   GetNumber getNumber = nullptr;
@@ -83,7 +83,7 @@ class CopyDepthFirst final : public osg::Drawable::DrawCallback {
   explicit CopyDepthFirst(const osg::ref_ptr<osg::Texture2D>& depth) : depth_(depth) {}
 
   void drawImplementation(osg::RenderInfo& info, const osg::Drawable* drawable) const override {
-    if (depth_->getTextureWidth() <= 0) return;  // the window has drawn nothing: no size yet
+    if (depth_->getTextureWidth() <= 0) return;  // the window has not drawn, so that there is no size yet
     osg::State& state = *info.getState();
     state.applyTextureAttribute(0, depth_);
     if (numberOf(GL_SAMPLES) > 0) {
@@ -95,7 +95,7 @@ class CopyDepthFirst final : public osg::Drawable::DrawCallback {
   }
 
  private:
-  /// A buffer of several samples per pixel is copied by a blit only.
+  /// Resolves the depth of a buffer with several samples per pixel, which only a blit can copy.
   void resolve(osg::State& state) const {
     const auto* gl = state.get<osg::GLExtensions>();
     const auto target = static_cast<GLuint>(numberOf(GL_FRAMEBUFFER_BINDING_EXT));
@@ -176,7 +176,7 @@ void DepthShading::prepare(int width, int height, double nearPlane, double farPl
   }
 }
 
-/// Each pair has a direction and a distance of its own. Every n-th of them comes first.
+/// Sets the pairs. Each has its own direction and distance; every n-th pair comes first.
 void DepthShading::setPairs(int count, int first) {
   counts_->set(osg::Vec2(static_cast<float>(count), static_cast<float>(first)));
   const int stride = count / first;

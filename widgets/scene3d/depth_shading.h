@@ -9,16 +9,16 @@
 
 namespace glissade {
 
-/// Darkens the opaque bodies where the depth buffer is concave: in corners, holes and gaps, and beside what stands
-/// before something else (unsharp masking of the depth buffer, Luft, Colditz and Deussen 2006). Lines and transparent
-/// surfaces are drawn after it and are not darkened.
+/// Darkens the opaque bodies where the depth buffer is concave: in corners, holes and gaps, and beside bodies in front
+/// of others (unsharp masking of the depth buffer, Luft, Colditz and Deussen 2006). Lines and transparent surfaces are
+/// drawn after it and are not darkened.
 class DepthShading {
  public:
   DepthShading();
 
   osg::Node* node() const { return quad_; }
   void setEnabled(bool enabled) { quad_->setNodeMask(enabled ? kWindowOnly : 0U); }
-  /// Before a picture of this size in device pixels. `pixelsPerMetre`: across the view, at the distance 1 with
+  /// Prepares a picture of this size in device pixels. `pixelsPerMetre`: across the view, at distance 1 with
   /// perspective, at any distance without. `pixelScale`: device pixels per pixel.
   void prepare(int width, int height, double nearPlane, double farPlane, bool orthographic, double pixelsPerMetre,
                double pixelScale);

@@ -9,14 +9,14 @@
 namespace glissade {
 namespace {
 
-/// A coarser child is taken when its error is within this share of the tolerance.
+/// A coarser child is drawn if its error is within this share of the tolerance.
 constexpr double kClearlyBetter = 0.75;
-/// Edges that cover more than this share of the faces fade, so that they cover no more.
+/// Edges that cover more than this share of the faces fade to cover this share.
 constexpr double kMostCovered = 0.15;
-/// Less than this share of its opacity is not worth the time of drawing it.
+/// Edges with less than this share of their opacity are not drawn.
 constexpr double kLeastOpacity = 0.4;
 
-/// Of the point of the sphere that is nearest to the eye; infinite where the eye is inside.
+/// Device pixels per metre at the point of the sphere that is nearest to the eye; infinite if the eye is inside.
 double pixelsPerMetreAt(osgUtil::CullVisitor& visitor, const osg::BoundingSphere& sphere) {
   const osg::Matrixd& projection = *visitor.getProjectionMatrix();
   const double atDistanceOne = 0.5 * visitor.getViewport()->height() * projection(1, 1);
@@ -45,7 +45,7 @@ void DetailNode::addMade() {
   late_.reset();
 }
 
-/// The children are the same body: the first one holds the others, nearly.
+/// The bound of the first child, which nearly contains the other ones: all show the same body.
 osg::BoundingSphere DetailNode::computeBound() const {
   return getNumChildren() == 0 ? osg::BoundingSphere() : getChild(0)->getBound();
 }

@@ -14,21 +14,22 @@
 namespace glissade {
 
 /// Draws one of its children: the coarsest whose error is within the picture's tolerance, which is the LOD scale of the
-/// camera in device pixels. A tolerance of 0 draws the first child. A child stays until another one is better by a
-/// quarter, so that bodies do not flicker between two.
+/// camera in device pixels. A tolerance of 0 draws the first child. A finer child is replaced only when the coarser
+/// one's error is below three quarters of the tolerance, so that bodies do not flicker between two.
 class DetailNode : public osg::Group {
  public:
-  /// The finest child first. Error in metres, more than that of the child before.
+  /// Adds a child, the finest first. Its error in metres is greater than that of the child before.
   void addDetail(osg::Node* child, double error);
-  /// Calls `add` for each of these once they are made and a picture may be coarse. `details` may be null.
+  /// Calls `add` for each of the details once they are made and a picture may be coarse. `details` may be null.
   void addLater(const std::shared_ptr<LateDetails>& details, std::function<void(const ShapeDetail&)> add);
-  /// Its distance is that of this sphere, and not of its bound.
+  /// Measures the distance to this sphere instead of the bound.
   void measureAt(const osg::BoundingSphere& sphere) { measured_ = sphere; }
   void traverse(osg::NodeVisitor& visitor) override;
   osg::BoundingSphere computeBound() const override;
 
  protected:
-  /// What is about to be drawn, with the size of a metre on the screen in device pixels. False: nothing is.
+  /// Prepares the child that is drawn next, with the size of a metre on the screen in device pixels. False if nothing
+  /// is to be drawn.
   virtual bool prepare(unsigned detail, double pixelsPerMetre);
 
  private:
@@ -36,17 +37,17 @@ class DetailNode : public osg::Group {
 
   void addMade();
 
-  std::shared_ptr<LateDetails> late_;  ///< null: nothing is to be added any more
+  std::shared_ptr<LateDetails> late_;  ///< null: no more details will be added
   std::function<void(const ShapeDetail&)> add_;
   std::vector<double> errors_;
   std::optional<osg::BoundingSphere> measured_;
   unsigned drawn_ = 0;
 };
 
-/// Edges of a body. They fade where they would cover its faces, and are not drawn where little of them is left.
+/// Edges of a body. They fade if they would cover its faces, and are not drawn if they have faded too far.
 class FadingEdges final : public DetailNode {
  public:
-  /// Each child's lines have this colour as a whole. Width in device pixels.
+  /// All lines have this colour. `width`: device pixels.
   FadingEdges(const osg::ref_ptr<osg::Vec4Array>& colour, double width);
   /// `density`: metres of edges for each square metre of faces.
   void addEdges(osg::Node* lines, double error, double density);

@@ -10,7 +10,7 @@ constexpr float kWayWidth = 4.0F;
 constexpr float kGapWidth = 2.0F;
 constexpr float kMarkSize = 12.0F;
 
-/// What blocks the object: at the deepest place, else between the trees.
+/// The body that blocks the object at the deepest place, or else between the trees.
 int blockingBody(const Difficulty& difficulty) {
   if (difficulty.leastPenetration) return difficulty.leastPenetration->body;
   return difficulty.frontier ? difficulty.frontier->body : -1;
@@ -48,7 +48,7 @@ osg::ref_ptr<osg::Group> makeDifficulty(const Difficulty& difficulty, const Load
     group->addChild(makeMovedBody(object, least->q, palette.penetration, palette));
     addWay(*least, palette, *marks);
   }
-  // Seen through whatever lies in front: it tells where to look.
+  // The marks show through all bodies, because they show where to look.
   makeOverlay(*marks);
   group->addChild(marks);
   return group;

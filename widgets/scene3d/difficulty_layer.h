@@ -9,12 +9,12 @@
 
 namespace glissade {
 
-/// Why no path was found: the way of least penetration with the object at its deepest place and what
+/// Shows why no path was found: the path of least penetration with the object at its deepest place and the body that
 /// blocks it there, the gap between the trees, and the object in the tightest passage.
 osg::ref_ptr<osg::Group> makeDifficulty(const Difficulty& difficulty, const LoadedScenario& scenario,
                                         BodyShapes& shapes, const ScenePalette& palette);
 
-/// How deep and how tight, where that is.
+/// Labels of depth and tightness at their places.
 std::vector<SceneLabel> difficultyLabels(const Difficulty& difficulty);
 
 }  // namespace glissade

@@ -2,7 +2,7 @@
 
 namespace glissade {
 
-/// How rigid bodies are drawn. A property of the view: planning does not know it.
+/// How rigid bodies are drawn. It is a property of the view, independent of planning.
 enum class DisplayMode {
   ShadedWithEdges,  ///< opaque surfaces and their feature edges
   Shaded,           ///< opaque surfaces only

@@ -86,7 +86,7 @@ osg::ref_ptr<osg::Group> makePlaces(const EnvironmentPicture& picture, const Sce
   osg::ref_ptr<osg::Group> group = new osg::Group;
   const TopologicalMap& map = picture.knowledge->environment->map;
   for (std::size_t i = 0; i < map.places.size(); ++i) {
-    // Rooms are only tinted, or they would hide the passages.
+    // Rooms are only tinted, because they would hide the passages.
     const double alpha = map.places[i].passage ? 0.55 : 0.07;
     const auto faces = outerSurface(map.grid, map.places[i].cells);
     group->addChild(transparentFaces(faces, toOsg(picture.placeColours[i], alpha)));

@@ -88,7 +88,7 @@ osg::ref_ptr<osg::Geometry> makePoints(const std::vector<Vector3>& points, const
   geometry->removePrimitiveSet(0);
   geometry->addPrimitiveSet(new osg::DrawArrays(GL_POINTS, 0, static_cast<int>(points.size())));
   geometry->getOrCreateStateSet()->setAttributeAndModes(new osg::Point(size));
-  geometry->setCullingActive(false);  // a single point has no extent, and OSG leaves out what is so small
+  geometry->setCullingActive(false);  // OSG would cull a single point, which has no extent
   return geometry;
 }
 

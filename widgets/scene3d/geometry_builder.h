@@ -22,19 +22,19 @@ osg::ref_ptr<osg::Geometry> makeSurface(const ShapeDetail& shape, const osg::Vec
 enum class LineKind { Segments, Strip };
 osg::ref_ptr<osg::Geometry> makeLines(const std::vector<Vector3>& points, LineKind kind, const osg::Vec4& colour,
                                       float width);
-/// The same of points that are shared.
+/// Makes lines of points that are shared.
 osg::ref_ptr<osg::Geometry> makeLines(const osg::ref_ptr<osg::Vec3Array>& points, LineKind kind,
                                       const osg::Vec4& colour, float width);
 
-/// Opacity of what bodies hide, where it is seen through them.
+/// Opacity of hidden parts that show through bodies.
 inline constexpr float kSeenThrough = 0.4F;
-/// What is fainter where a body hides it. Its parent is transparent.
+/// Adds a geometry that is fainter where a body hides it. Precondition: its parent is transparent.
 void addSeenThrough(const std::function<osg::ref_ptr<osg::Geometry>(float opacity)>& make, osg::Geode& geode);
-/// Lines of makeLines(), the same.
+/// Adds lines that are fainter where a body hides them.
 void addLinesSeenThrough(const std::vector<Vector3>& points, LineKind kind, const osg::Vec4& colour, float width,
                          osg::Geode& geode);
 
-/// Points of a size in pixels.
+/// Points with a size in pixels.
 osg::ref_ptr<osg::Geometry> makePoints(const std::vector<Vector3>& points, const osg::Vec4& colour, float size);
 
 /// A filled disc about `centre` with the given normal.
@@ -44,13 +44,13 @@ osg::ref_ptr<osg::Geometry> makeDisc(const Vector3& centre, const Vector3& norma
 /// The twelve edges of a box as segment ends.
 std::vector<Vector3> boxEdges(const Box3& box);
 
-/// For lines and points: unlit, and drawn after the see-through surfaces, which would paint over them.
+/// Makes lines or points unlit, and draws them after the see-through surfaces, which would paint over them.
 void makeDrawing(osg::Node& node);
-/// Drawn over everything that was drawn before it: the depth tests of its parts are overridden.
+/// Draws the node over everything that was drawn before: the depth tests of its parts are overridden.
 void makeOverlay(osg::Node& node);
-/// For surfaces that are seen through: blended, hiding nothing.
+/// Blends a see-through surface, which then hides nothing.
 void makeTransparent(osg::Node& node);
-/// Without lighting: the colour as it is.
+/// Switches lighting off, so that the colour is unchanged.
 void makeUnlit(osg::Node& node);
 
 }  // namespace glissade

@@ -10,21 +10,22 @@ namespace {
 
 using Kind = GizmoHandle::Kind;
 
-/// Shares of the arm.
+/// Lengths as shares of the arm.
 constexpr double kArrowFrom = 0.16;
 constexpr double kSquareFrom = 0.30;
 constexpr double kSquareTo = 0.50;
 constexpr double kRingRadius = 0.78;
 constexpr double kLetter = 1.14;
-/// Share of the margin that lines come nearer than before a square that they cross.
+/// Distance to a square from its inside, as a share of the margin. Lines across the square that are nearer are taken
+/// before it.
 constexpr double kInsideSquare = 0.4;
 constexpr int kRingSteps = 72;
 /// Sine of the angle between an arrow and the line of sight below which the arrow cannot be taken.
 constexpr double kLeastArrowSine = 0.17;
-/// The same between a square and the line of sight.
+/// Sine of the angle between a square and the line of sight below which the square cannot be taken.
 constexpr double kLeastSquareSine = 0.17;
 
-/// From the eye to the gizmo, unit.
+/// Direction from the eye to the gizmo, unit.
 Vector3 sightOf(const Gizmo& gizmo, const CameraController& camera) {
   if (camera.isOrthographic()) return camera.R_WV() * -Vector3::UnitZ();
   return (gizmo.X_WG.position - camera.eye()).normalized();
@@ -37,7 +38,7 @@ double distanceToSegment(const Eigen::Vector2d& p, const Eigen::Vector2d& a, con
   return (p - a - t * along).norm();
 }
 
-/// Of a convex polygon, whichever way it turns.
+/// Whether the point is inside a convex polygon of either orientation.
 bool isInside(const Eigen::Vector2d& p, const std::vector<Eigen::Vector2d>& corners) {
   int left = 0;
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -48,8 +49,8 @@ bool isInside(const Eigen::Vector2d& p, const std::vector<Eigen::Vector2d>& corn
   return left == 0 || left == static_cast<int>(corners.size());
 }
 
-/// On the screen, in fractions of the view's height; endless where the handle cannot be taken. Inside a square it is
-/// `inside`, so that lines that cross it can be taken there.
+/// Distance on the screen, in fractions of the view's height; infinite if the handle cannot be taken. It is `inside`
+/// within a square, so that lines across the square can be taken there.
 double distanceTo(const GizmoHandle& handle, const Gizmo& gizmo, const CameraController& camera,
                   const Eigen::Vector2d& pointer, double inside) {
   double least = std::numeric_limits<double>::infinity();
@@ -103,7 +104,7 @@ Vector3 letterOf(const Gizmo& gizmo, int axis) {
 double ringRadius(const Gizmo& gizmo) { return kRingRadius * gizmo.arm; }
 
 bool isBeforeCentre(const Vector3& p_W, const Gizmo& gizmo, const CameraController& camera) {
-  // A ring that is seen from straight above is before its centre all round.
+  // All points of a ring that is seen from straight above are before its centre.
   constexpr double kSlack = 0.02;
   return (p_W - gizmo.X_WG.position).dot(sightOf(gizmo, camera)) <= kSlack * gizmo.arm;
 }

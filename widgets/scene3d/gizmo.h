@@ -18,7 +18,7 @@ struct GizmoHandle {
   friend bool operator==(const GizmoHandle&, const GizmoHandle&) = default;
 };
 
-/// All of them. Where two are equally near to the pointer, the earlier one is meant.
+/// All handles. If two are equally near to the pointer, the earlier one is taken.
 inline constexpr std::array<GizmoHandle, 9> kGizmoHandles{{{GizmoHandle::Kind::Arrow, 0},
                                                            {GizmoHandle::Kind::Arrow, 1},
                                                            {GizmoHandle::Kind::Arrow, 2},
@@ -29,7 +29,7 @@ inline constexpr std::array<GizmoHandle, 9> kGizmoHandles{{{GizmoHandle::Kind::A
                                                            {GizmoHandle::Kind::Ring, 1},
                                                            {GizmoHandle::Kind::Ring, 2}}};
 
-/// Handles at a frame of the world, as large as the view needs them: `arm` metres long.
+/// Handles at a frame of the world, sized for the view: `arm` metres long.
 struct Gizmo {
   Pose X_WG;
   double arm = 1.0;
@@ -38,22 +38,22 @@ struct Gizmo {
 /// The gizmo at a frame whose arrows measure `arm` on the screen, in fractions of the view's height.
 Gizmo gizmoAt(const Pose& X_WG, const CameraController& camera, double arm);
 
-/// The directions of the gizmo's axes in the world, unit.
+/// The direction of a gizmo's axis in the world, unit.
 Vector3 axisOf(const Gizmo& gizmo, int axis);
-/// Where an arrow begins and where its tip is; the corners of a square; a ring, closed, its first point again at the
-/// end. In the world.
+/// The outline in the world: start and tip of an arrow; the corners of a square; a closed ring, whose last point is its
+/// first one.
 std::vector<Vector3> outlineOf(const GizmoHandle& handle, const Gizmo& gizmo);
-/// The tip of an arrow: behind it the letter of its axis has room.
+/// The place of the axis' letter, behind the tip of its arrow.
 Vector3 letterOf(const Gizmo& gizmo, int axis);
 
 double ringRadius(const Gizmo& gizmo);
 /// Whether the point of a ring is on the side of the eye.
 bool isBeforeCentre(const Vector3& p_W, const Gizmo& gizmo, const CameraController& camera);
-/// False for what points at the eye or is seen from its edge: a drag there would be a leap.
+/// False for a handle that points at the eye or is seen from its edge: a small drag would move it far.
 bool isUsable(const GizmoHandle& handle, const Gizmo& gizmo, const CameraController& camera);
 
-/// The handle that a pointer means: the nearest one on the screen within `margin`. Both in fractions of the view's
-/// height, the pointer from the centre, y down. Of rings the front half counts.
+/// The nearest handle on the screen within `margin` of the pointer. Both are in fractions of the view's height, the
+/// pointer from the centre, y down. Of rings only the front half counts.
 std::optional<GizmoHandle> handleAt(const Gizmo& gizmo, const CameraController& camera, const Eigen::Vector2d& pointer,
                                     double margin);
 

@@ -13,7 +13,7 @@ constexpr double kEdgeSine = 0.2;
 /// Squared sine of the angle between the ray and a line below which they are parallel.
 constexpr double kParallelSquared = 1e-6;
 
-/// The point of a line that is nearest to the ray; nothing where they are parallel, or it lies behind the eye.
+/// The point of a line that is nearest to the ray; nothing if they are parallel, or it lies behind the eye.
 std::optional<Vector3> nearestOnLine(const Vector3& origin, const Vector3& direction, const Ray& ray) {
   const double c = direction.dot(ray.direction);
   const double denominator = 1.0 - c * c;
@@ -78,14 +78,14 @@ void GizmoDrag::moveTo(const Ray& ray) {
     turnTo(*point);
   } else {
     amount_.shift = gizmo_.X_WG.orientation.conjugate() * Vector3(*point - *grip_);
-    // Exactly along the axis, or exactly across it.
+    // The shift is exactly along the axis of an arrow, or exactly across that of a square.
     for (int axis = 0; axis < 3; ++axis) {
       if ((axis == handle_.axis) != (handle_.kind == Kind::Arrow)) amount_.shift[axis] = 0.0;
     }
   }
 }
 
-/// The angle since the last time is the short way round.
+/// Adds the angle since the last call, by the short way round.
 void GizmoDrag::turnTo(const Vector3& p_W) {
   const Vector3 to = p_W - gizmo_.X_WG.position;
   const double angle = std::atan2(axis_.cross(grippedAt_).dot(to), grippedAt_.dot(to));

@@ -16,7 +16,7 @@ namespace {
 using Kind = GizmoHandle::Kind;
 
 constexpr double kArmPixels = 92.0;
-/// The pointer takes a handle that is nearer than this.
+/// Distance of the pointer below which it takes a handle.
 constexpr double kMarginPixels = 9.0;
 constexpr double kLineWidth = 2.5;
 constexpr double kMarkedWidth = 5.0;
@@ -86,7 +86,7 @@ void GizmoOverlay::paintEvent(QPaintEvent* /*event*/) {
   if (picture_->held) HandlePainter(painter, palette()).amount(picture_->held->amount, picture_->held->pointer, size());
 }
 
-/// The half behind its centre is faint: it cannot be taken.
+/// Paints a ring. The half behind its centre is faint, because it cannot be taken.
 void GizmoOverlay::paintRing(QPainter& painter, const GizmoHandle& handle) const {
   const Gizmo gizmo = this->gizmo();
   QPolygonF back;
@@ -110,7 +110,7 @@ void GizmoOverlay::paintRing(QPainter& painter, const GizmoHandle& handle) const
   }
 }
 
-/// In the colour of the axis that it does not move along.
+/// Paints a square in the colour of the axis that it does not move along.
 void GizmoOverlay::paintSquare(QPainter& painter, const GizmoHandle& handle) const {
   QPolygonF corners;
   for (const Vector3& p_W : outlineOf(handle, gizmo())) {
@@ -150,7 +150,7 @@ void GizmoOverlay::paintLetter(QPainter& painter, int axis, bool marked) const {
   painter.drawText(QRectF(at->x() - size, at->y() - size, 2.0 * size, 2.0 * size), Qt::AlignCenter, letter);
 }
 
-/// The sector that the ring has turned by.
+/// Paints the sector by which the ring has turned.
 void GizmoOverlay::paintTurn(QPainter& painter, const GizmoPicture::Held& held) const {
   const Gizmo from = gizmoOf(held.from);
   const Vector3 aside = axisOf(from, held.handle.axis).cross(held.grippedAt);

@@ -5,15 +5,15 @@
 
 namespace glissade {
 
-/// What is drawn of the gizmo.
+/// The gizmo that is drawn.
 struct GizmoPicture {
-  /// A handle in the pointer's grip.
+  /// A handle that is dragged.
   struct Held {
     GizmoHandle handle;
-    Pose from;          ///< X_WG when it was gripped
-    Vector3 grippedAt;  ///< of a ring, as GizmoDrag::grippedAt()
-    double angle;       ///< of a ring, radians
-    QString amount;     ///< how far it was dragged, beside the pointer
+    Pose from;          ///< X_WG at the beginning of the drag
+    Vector3 grippedAt;  ///< for a ring, as GizmoDrag::grippedAt()
+    double angle;       ///< for a ring, radians
+    QString amount;     ///< text of the amount, beside the pointer
     QPointF pointer;
   };
   Pose X_WG;
@@ -21,24 +21,24 @@ struct GizmoPicture {
   std::optional<Held> held{};
 };
 
-/// The gizmo, painted over the widget that shows the scene: it has one size on the screen, nothing hides it, and
-/// pictures and films of the scene do not have it. Takes no part in mouse and keys: what is under the pointer is for
-/// its owner to ask.
+/// The gizmo, painted over the widget that shows the scene: it has a constant size on the screen, nothing hides it, and
+/// pictures and films of the scene do not contain it. It ignores mouse and keys; its owner asks for the handle under
+/// the pointer.
 class GizmoOverlay final : public SceneOverlay {
   Q_OBJECT
 
  public:
-  /// Covers `scene`, which shows `view`, and follows its size.
+  /// The overlay covers `scene`, which shows `view`, and follows its size.
   GizmoOverlay(const SceneView& view, QWidget* scene);
 
-  /// Nothing: no gizmo is drawn.
+  /// Sets the gizmo; nothing: no gizmo is drawn.
   void setPicture(const std::optional<GizmoPicture>& picture);
   const std::optional<GizmoPicture>& picture() const { return picture_; }
 
-  /// The gizmo as it is drawn. Precondition: there is a picture.
+  /// The drawn gizmo. Precondition: there is a picture.
   Gizmo gizmo() const;
   std::optional<GizmoHandle> handleAt(const QPointF& position) const;
-  /// A point of the widget where this handle can be taken; nothing where it cannot.
+  /// A point of the widget at which this handle can be taken; nothing if there is none.
   std::optional<QPointF> pointOn(const GizmoHandle& handle) const;
 
  protected:

@@ -9,11 +9,11 @@
 namespace glissade {
 namespace {
 
-/// The grid reaches so much farther than the product.
+/// Reach of the grid, as a multiple of the product's.
 constexpr double kGridReach = 1.6;
-/// Lines from the centre to the end, at least.
+/// Least number of lines from the centre to the end.
 constexpr double kLeastLines = 12.0;
-/// Share of the product's size that the grid is below it, so that the faces it stands on are not striped.
+/// Depth of the grid below the product, as a share of the product's size, so that it does not stripe the lowest faces.
 constexpr double kBelowProduct = 2e-3;
 /// Lines are drawn in parts, each fainter than the part before.
 constexpr int kFadeParts = 24;
@@ -36,7 +36,7 @@ osg::Vec4 axisColour(int axis) {
   return {share(16), share(8), share(0), kAxisLine};
 }
 
-/// Full in the middle, nothing at the end.
+/// Opacity of the grid: full in the middle, 0 at the end.
 float fadeAt(double distance, double reach) {
   const double t = std::clamp(1.0 - distance / reach, 0.0, 1.0);
   return static_cast<float>(t * t * (3.0 - 2.0 * t));
@@ -47,7 +47,7 @@ struct GridLines {
   std::vector<Vector3> ends;
 };
 
-/// The line along an axis whose other coordinate is `across`.
+/// Adds the line along an axis whose other coordinate is `across`.
 void addGridLine(const GroundGrid& grid, int along, double across, const osg::Vec4& colour, GridLines& lines) {
   const double off = across - grid.centre[1 - along];
   const double half = std::sqrt(std::max(0.0, grid.reach * grid.reach - off * off));

@@ -11,14 +11,14 @@ namespace glissade {
 struct GroundGrid {
   Vector3 centre = Vector3::Zero();
   double spacing = 1.0;  ///< metres between two lines
-  double reach = 10.0;   ///< metres from the centre: there it has faded
+  double reach = 10.0;   ///< metres from the centre, at which it has faded
 };
 
-/// Under the box of a product: its lines are at whole multiples of the spacing, which is 1, 2 or 5 times a power of
-/// ten in a unit of so many metres. Precondition: the box is not empty.
+/// A grid under the box of a product. Its lines are at whole multiples of the spacing, which is 1, 2 or 5 times a power
+/// of ten in a unit of `unit` metres. Precondition: the box is not empty.
 GroundGrid groundGridUnder(const Box3& box, double unit);
 
-/// Every tenth line is stronger. The lines through the origin have the colours of the axes.
+/// Draws the grid. Every tenth line is stronger; the lines through the origin have the colours of the axes.
 osg::ref_ptr<osg::Group> makeGrid(const GroundGrid& grid, const ScenePalette& palette);
 
 }  // namespace glissade

@@ -14,17 +14,17 @@ namespace glissade {
 namespace {
 
 constexpr double kLeastForceShown = 0.01;  ///< weaker forces are not shown
-constexpr double kRadiiAtFull = 2.0;       ///< of the object: length of the arrow at full strength
-constexpr double kMostOfView = 0.20;       ///< of the view's height: the same
-constexpr double kWeakest = 0.15;          ///< of the full length, so that weak forces have a direction
-constexpr double kShaft = 0.017;           ///< these are shares of the full length
+constexpr double kRadiiAtFull = 2.0;       ///< length of the arrow at full strength, radii of the object
+constexpr double kMostOfView = 0.20;       ///< largest length at full strength, shares of the view's height
+constexpr double kWeakest = 0.15;          ///< share of the full length that weak forces have, to show their direction
+constexpr double kShaft = 0.017;           ///< this and the following are shares of the full length
 constexpr double kHeadRadius = 0.05;
 constexpr double kHeadLength = 0.12;
-constexpr float kStrongestTint = 0.75F;  ///< the object's own colour stays recognisable
-constexpr float kTints = 32.0F;          ///< so many are distinguished: a new one is uploaded with the surface
+constexpr float kStrongestTint = 0.75F;  ///< share that keeps the object's own colour recognisable
+constexpr float kTints = 32.0F;          ///< number of tints: each new one is uploaded with the surface
 constexpr std::uint32_t kSegments = 24;
 
-/// Points to +z from the origin.
+/// An arrow from the origin along +z.
 TriangleMesh makeArrow(double length, double full) {
   const double shaft = length - kHeadLength * full;
   TriangleMesh arrow =
@@ -43,7 +43,7 @@ TriangleMesh makeArrow(double length, double full) {
   return arrow;
 }
 
-/// Seen through whatever lies in front.
+/// An arrow that shows through bodies.
 osg::ref_ptr<osg::MatrixTransform> arrowAlong(const Vector3& from, const Vector3& way, double full,
                                               const ScenePalette& palette) {
   osg::ref_ptr<osg::Geode> geode = new osg::Geode;

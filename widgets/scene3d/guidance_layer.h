@@ -12,18 +12,17 @@ namespace glissade {
 /// Strength of the guidance, in [0, 1]: the larger of force and torque.
 float guidanceStrength(const Wrench& guidance);
 
-/// The force that guides the hand as an arrow from the object's reference point, seen through whatever
-/// lies in front: as long as two radii of the object at full strength, and never longer than a part of the view. Null
-/// where there is none to speak of.
+/// The force that guides the hand, as an arrow from the object's reference point. It shows through bodies, is two radii
+/// of the object long at full strength, and never longer than a share of the view. Null if the force is too weak.
 osg::ref_ptr<osg::MatrixTransform> makeGuidance(const OperatorSample& device, const MarkScale& scale,
                                                 const ScenePalette& palette);
 
-/// The same arrow from one point towards another: as long as the way, and no longer than at full strength. Null where
-/// they are one.
+/// An arrow from one point towards another: as long as their distance, and no longer than at full strength. Null if the
+/// points are equal.
 osg::ref_ptr<osg::MatrixTransform> makeGuideArrow(const Vector3& from, const Vector3& to, const MarkScale& scale,
                                                   const ScenePalette& palette);
 
-/// The colour of an object that is guided so strongly.
+/// The colour of an object that is guided with this strength.
 osg::Vec4 guidanceTint(const osg::Vec4& objectColour, float strength, const ScenePalette& palette);
 
 }  // namespace glissade

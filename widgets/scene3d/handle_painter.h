@@ -6,17 +6,17 @@
 
 namespace glissade {
 
-/// Draws handles over the scene: with a border that sets them off from whatever is behind them.
+/// Draws handles over the scene, with a border that sets them off from the background.
 class HandlePainter {
  public:
   HandlePainter(QPainter& painter, const QPalette& palette) : painter_(painter), palette_(palette) {}
 
   void line(const QPolygonF& line, const QColor& colour, double width) const;
-  /// `marked`: under the pointer, or held.
+  /// `marked`: the handle is under the pointer, or dragged.
   void arrow(const QPointF& from, const QPointF& tip, const QColor& colour, bool marked) const;
-  /// A disc.
+  /// Draws a disc.
   void knob(const QPointF& at, const QColor& colour, bool marked) const;
-  /// How far something was dragged, beside the pointer, inside a widget of this size.
+  /// Draws the amount of a drag beside the pointer, inside a widget of this size.
   void amount(const QString& text, const QPointF& pointer, const QSize& widget) const;
 
  private:

@@ -14,18 +14,18 @@
 
 namespace glissade {
 
-/// Where the hand is to go: to the place that was chosen or, from there, through its passage.
+/// Target of the hand: the selected place or, once the hand was moved there, the far end of its passage.
 const Pose& helpTarget(const HelpPicture& help);
 
-/// The object where the hand is to go, the passage there, and the beginnings of the other places.
+/// Draws the object at the target of the hand, the passage there, and the beginnings of the other places.
 osg::ref_ptr<osg::Group> makeHelp(const HelpPicture& help, const LoadedScenario& scenario, BodyShapes& shapes,
                                   const ScenePalette& palette);
 
-/// An arrow from where the object is to where the hand is to go. Null where it is there.
+/// Draws an arrow from the object to the target of the hand. Null if the object is there.
 osg::ref_ptr<osg::Group> makeHelpArrow(const HelpPicture& help, const Pose& q_device, const MarkScale& scale,
                                        const ScenePalette& palette);
 
-/// What the object lacks at each place that is not open, the chosen one's strong.
+/// Labels of the missing clearance at each place that is not open; that of the selected one is strong.
 std::vector<SceneLabel> helpLabels(const HelpPicture& help, double objectRadius);
 
 }  // namespace glissade

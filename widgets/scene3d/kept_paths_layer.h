@@ -9,7 +9,7 @@
 
 namespace glissade {
 
-/// The ways of several paths, each in its colour; they show through the bodies.
+/// Draws several paths, each in its colour; they show through the bodies.
 osg::ref_ptr<osg::Group> makeKeptPaths(const std::vector<KeptPathPicture>& paths, const ScenePalette& palette);
 
 }  // namespace glissade

@@ -14,11 +14,10 @@
 namespace glissade {
 namespace {
 
-/// Where a point of the scene is in a widget of the given size; nothing behind the eye.
 constexpr int kDigits = 3;
-constexpr double kSmall = 0.85;  ///< of the usual size
+constexpr double kSmall = 0.85;  ///< share of the usual size
 
-/// Labels are placed for the middle between two eyes, so that both see them at one height.
+/// The camera between both eyes. Labels are placed for it, so that both eyes see them at one height.
 CameraController betweenTheEyes(const CameraController& camera) {
   CameraController middle = camera;
   EyePlace eyePlace = camera.eyePlace();

@@ -8,16 +8,15 @@ namespace glissade {
 
 class LegendOverlay;
 
-/// What a label says, as the user's language and unit write it.
+/// The text of a label in the user's language and unit.
 QString labelText(const SceneLabel& label);
 
-/// The scene's labels, painted over the widget that shows it, none on another; takes no part in mouse and keys.
+/// The scene's labels, painted over the widget that shows it, without overlaps. They ignore mouse and keys.
 class LabelOverlay final : public SceneOverlay {
   Q_OBJECT
 
  public:
-  /// Covers `scene`, which shows `view`, and follows its size.
-  /// No label is put on what `legend` covers.
+  /// The overlay covers `scene`, which shows `view`, and follows its size. No label is placed on the area of `legend`.
   LabelOverlay(const SceneView& view, const LegendOverlay& legend, QWidget* scene);
 
  protected:
@@ -25,7 +24,7 @@ class LabelOverlay final : public SceneOverlay {
 
  private:
   QFont fontOf(const SceneLabel& label) const;
-  /// Where a label wants to be whose point is drawn there.
+  /// The preferred box of a label whose point is drawn at `at`.
   QRectF boxOf(const SceneLabel& label, const QPointF& at) const;
   void paint(QPainter& painter, const SceneLabel& label, const QRectF& box) const;
 

@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kGap = 2.0;  ///< between two labels, in pixels
 
-/// Steps of a label's own size from where it wants to be, nearest first.
+/// Steps from a label's preferred place, in its own sizes, the nearest first.
 constexpr double kSteps[][2] = {{0, 0}, {0, 1}, {0, -1}, {1, 0}, {-1, 0}, {1, 1}, {-1, 1}, {1, -1}, {-1, -1}};
 
 class Placement {

@@ -42,7 +42,7 @@ void DetailWorker::run() {
   }
 }
 
-/// Waits for it; null at the end.
+/// Waits for the next shape; null at the end.
 std::shared_ptr<LateDetails> DetailWorker::next() {
   std::unique_lock lock(mutex_);
   while (!stop_.token().stopRequested()) {

@@ -15,12 +15,12 @@ namespace glissade {
 
 class DetailWorker;
 
-/// The coarser arrays of one shape. They are made on a worker when they are first asked for, so that a body can be
-/// drawn before; pictures in full detail never ask. get() is called by whoever draws, one at a time.
+/// The coarser arrays of one shape. A worker makes them after the first call of get(), so that a body can be drawn
+/// before; pictures in full detail never call it. Only one thread at a time may call get().
 class LateDetails : public std::enable_shared_from_this<LateDetails> {
  public:
   LateDetails(ShapeDetail finest, std::shared_ptr<DetailWorker> worker);
-  /// Null until they are made.
+  /// Null until the arrays are made.
   const std::vector<ShapeDetail>* get();
 
  private:
@@ -28,13 +28,13 @@ class LateDetails : public std::enable_shared_from_this<LateDetails> {
   void make(const StopToken& stop);
 
   ShapeDetail finest_;
-  std::shared_ptr<DetailWorker> worker_;  ///< null: they have been asked for
-  std::vector<ShapeDetail> details_;      ///< written before isMade_
+  std::shared_ptr<DetailWorker> worker_;  ///< null: the arrays have been requested
+  std::vector<ShapeDetail> details_;      ///< written before isMade_ is set
   std::atomic<bool> isMade_{false};
 };
 
-/// Makes coarser arrays, one shape after the other. Those that nobody holds any more are left out. The destructor ends
-/// it without making the rest.
+/// Makes coarser arrays, one shape after the other. Shapes that nothing refers to any more are left out. The destructor
+/// ends the work without making the rest.
 class DetailWorker {
  public:
   DetailWorker() = default;

@@ -11,7 +11,7 @@ namespace glissade {
 namespace {
 
 constexpr int kLegendMargin = 10;  ///< to the border of the scene
-constexpr int kLegendPadding = 6;  ///< of its own
+constexpr int kLegendPadding = 6;  ///< inside the legend
 constexpr double kMostOfWidth = 0.45;
 constexpr double kMostOfHeight = 0.6;
 constexpr double kLineHeight = 3.0;
@@ -79,7 +79,7 @@ int LegendOverlay::rowHeight() const { return fontMetrics().height() + 2; }
 
 int LegendOverlay::swatchWidth() const { return 2 * fontMetrics().height(); }
 
-/// Lines of text and bars along the lower border, but not the scale in its other corner.
+/// The lower limit, above texts and bars at the lower border. The scale is in the other corner and does not count.
 int LegendOverlay::floor() const {
   int lowest = height();
   for (const QWidget* other : parentWidget()->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
@@ -91,7 +91,7 @@ int LegendOverlay::floor() const {
   return lowest - kLegendMargin;
 }
 
-/// Messages and the cube of views at the upper border.
+/// The upper limit, below messages and the view cube at the upper border.
 int LegendOverlay::ceiling() const {
   int highest = 0;
   for (const QWidget* other : parentWidget()->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {

@@ -4,27 +4,27 @@
 
 namespace glissade {
 
-/// What the colours of the scene mean: a row for each thing that is drawn now, in the lower right corner of the widget
-/// that shows the scene. It has no rows for which there is no room, and takes no part in mouse and keys.
+/// The legend of the scene's colours: a row for each kind of thing that is drawn now, in the lower right corner of the
+/// widget that shows the scene. Rows without room are left out. It ignores mouse and keys.
 class LegendOverlay final : public SceneOverlay {
   Q_OBJECT
 
  public:
-  /// Covers `scene`, which shows `view`, and follows its size.
+  /// The overlay covers `scene`, which shows `view`, and follows its size.
   LegendOverlay(const SceneView& view, QWidget* scene);
 
-  /// What it covers of the scene; empty: nothing is shown.
+  /// The area of the scene that it covers; empty: nothing is shown.
   QRect box() const;
-  /// The rows that are shown, as people read them.
+  /// The texts of the rows that are shown.
   QStringList texts() const;
 
  protected:
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  /// The rows for which there is room.
+  /// The rows that have room.
   std::vector<LegendRow> rows() const;
-  /// The lowest and the highest place that other widgets leave free at the right border.
+  /// The lower and the upper limit that other widgets leave free at the right border.
   int floor() const;
   int ceiling() const;
   int rowHeight() const;

@@ -4,12 +4,12 @@
 
 namespace glissade {
 
-/// What marks about the object are measured by: they follow the object, and never fill the view.
+/// The lengths that determine the size of marks about the object: marks follow the object, and never fill the view.
 struct MarkScale {
   double objectRadius = 0.0;  ///< metres
-  double viewHeight = 0.0;    ///< metres that the view shows at the depth of its focus
+  double viewHeight = 0.0;    ///< height of the view at the focus, metres
 
-  /// So many radii of the object, at most this share of the view; metres.
+  /// This number of radii of the object, at most this share of the view; metres.
   double length(double radii, double mostOfView) const {
     return std::min(radii * objectRadius, mostOfView * viewHeight);
   }

@@ -7,7 +7,7 @@
 
 namespace glissade {
 
-/// Lines and points of a measurement, which show through everything.
+/// Draws lines and points of a measurement, which show through everything.
 osg::ref_ptr<osg::Group> makeMeasure(const MeasurePicture& measure, const ScenePalette& palette);
 
 }  // namespace glissade

@@ -10,10 +10,11 @@
 
 namespace glissade {
 
-/// What an opaque body of few triangles is drawn with, so that several can be drawn as one: user data of its transform.
+/// The arrays and colours of an opaque body of few triangles, by which several bodies can be drawn as one. It is user
+/// data of the body's transform.
 struct MergeableBody final : osg::Referenced {
-  ShapeDetail shape;                    ///< of the body's frame
-  osg::ref_ptr<osg::Vec4Array> colour;  ///< one, that of the surface; it may be changed
+  ShapeDetail shape;                    ///< in the body's frame
+  osg::ref_ptr<osg::Vec4Array> colour;  ///< one colour, that of the surface; it may be changed
   std::optional<osg::Vec4> edgeColour;  ///< nothing: it has no edges
   float edgeWidth = 0.0F;               ///< device pixels
 };

@@ -24,7 +24,7 @@ osg::ref_ptr<osg::Geode> geodeOf(const osg::ref_ptr<osg::Geometry>& geometry) {
   return geode;
 }
 
-/// Arrays of several bodies, in the frame of the group.
+/// Joins the arrays of several bodies, in the frame of the group.
 class Joiner {
  public:
   Joiner() {
@@ -52,7 +52,7 @@ class Joiner {
     edgeWidth_ = body.edgeWidth;
   }
 
-  /// As makeBody() has them.
+  /// Surface and edges in the form of makeBody().
   osg::ref_ptr<osg::Group> drawing() const {
     osg::ref_ptr<osg::Group> drawing = new osg::Group;
     osg::ref_ptr<osg::Geometry> surface = makeSurface(shape_, osg::Vec4());
@@ -65,7 +65,7 @@ class Joiner {
     lines->setColorArray(colour, osg::Array::BIND_OVERALL);
     osg::ref_ptr<FadingEdges> edges = new FadingEdges(colour, edgeWidth_);
     edges->addEdges(geodeOf(lines), 0.0, edgeDensity(shape_));
-    edges->measureAt({box_.center(), largest_});  // they fade as those of a body in the middle
+    edges->measureAt({box_.center(), largest_});  // they fade as edges of a body in the middle
     drawing->addChild(edges);
     return drawing;
   }
@@ -76,7 +76,7 @@ class Joiner {
   osg::Vec4 edgeColour_;
   float edgeWidth_ = 0.0F;
   osg::BoundingBox box_;
-  float largest_ = 0.0F;  ///< radius of a body
+  float largest_ = 0.0F;  ///< radius of the largest body
 };
 
 }  // namespace
@@ -142,7 +142,8 @@ void MergedBodies::divide() {
   }
 }
 
-/// Halves along the longest side of the box of their origins, so that those of a cell are near each other.
+/// Divides the bodies along the longest side of the box of their origins, so that the bodies of a cell are near each
+/// other.
 void MergedBodies::divide(std::vector<osg::MatrixTransform*> bodies) {
   if (bodies.size() <= kTogether) {
     Cell cell;
@@ -164,7 +165,7 @@ void MergedBodies::divide(std::vector<osg::MatrixTransform*> bodies) {
   divide({middle, bodies.end()});
 }
 
-/// Whatever changes is drawn at once, by its own drawing.
+/// Compares the bodies with the last picture. A change is drawn at once, because a changed cell is not merged any more.
 void MergedBodies::look(Cell& cell) {
   bool isStill = true;
   for (std::size_t i = 0; i < cell.bodies.size(); ++i) {

@@ -10,16 +10,16 @@
 
 namespace glissade {
 
-/// Bodies, a transform each. A headset draws neighbours that stand still as one, because a thousand bodies are
+/// Bodies, each with its transform. A headset draws neighbours that do not move as one, because a thousand bodies are
 /// thousands of draw calls, and its pictures have no time for them. A window draws each of them. Children are added and
-/// changed as those of any group.
+/// changed as in any group.
 class MergedBodies final : public osg::Group {
  public:
-  /// Pictures of an eye in which nothing of them changes, before bodies are merged.
+  /// Pictures of an eye without a change of a cell before its bodies are merged.
   static constexpr int kStill = 20;
-  /// Fewer bodies stay as they are.
+  /// Fewer bodies are never merged.
   static constexpr std::size_t kFewest = 50;
-  /// Bodies that are drawn as one.
+  /// Largest number of bodies that are drawn as one.
   static constexpr std::size_t kTogether = 32;
 
   void traverse(osg::NodeVisitor& visitor) override;
@@ -28,7 +28,7 @@ class MergedBodies final : public osg::Group {
   void resizeGLObjectBuffers(unsigned size) override;
 
  private:
-  /// What of a body can change while the group has it.
+  /// The properties of a body that can change while the group contains it.
   struct Seen {
     osg::Matrix X_WB;
     osg::Vec4 colour;
@@ -39,8 +39,8 @@ class MergedBodies final : public osg::Group {
   struct Cell {
     std::vector<osg::MatrixTransform*> bodies;
     std::vector<Seen> seen;
-    int stillFor = 0;                 ///< pictures
-    osg::ref_ptr<osg::Group> merged;  ///< null: each is drawn
+    int stillFor = 0;                 ///< pictures without a change
+    osg::ref_ptr<osg::Group> merged;  ///< null: each body is drawn alone
   };
 
   void childInserted(unsigned place) override;
@@ -51,9 +51,9 @@ class MergedBodies final : public osg::Group {
   static osg::ref_ptr<osg::Group> merge(const Cell& cell);
 
   bool isDivided_ = false;
-  std::vector<osg::Node*> single_;  ///< those that are never merged
+  std::vector<osg::Node*> single_;  ///< children that are never merged
   std::vector<Cell> cells_;
-  bool mayMerge_ = false;  ///< one cell a picture, so that no picture is late
+  bool mayMerge_ = false;  ///< limits merging to one cell for each picture, so that no picture is late
 };
 
 }  // namespace glissade

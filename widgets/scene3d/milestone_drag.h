@@ -8,11 +8,11 @@
 
 namespace glissade {
 
-/// A milestone of the coarse plan in the pointer's grip, kept inside a region. Plain geometry.
+/// A drag of a milestone of the coarse plan, kept inside a region. It is plain geometry.
 class MilestoneDrag {
  public:
-  /// Grips the nearest milestone along the ray, up to `farthest`; nothing where there is none.
-  /// `R_WV` is the orientation of the view.
+  /// Grips the nearest milestone along the ray, up to `farthest`; nothing if there is none. `R_WV` is the orientation
+  /// of the view.
   static std::optional<MilestoneDrag> grip(const CoarsePlan& plan, const MeshPtr& object, const Ray& ray,
                                            double farthest, const Quaternion& R_WV);
 
@@ -20,16 +20,16 @@ class MilestoneDrag {
   std::size_t step() const { return step_; }
   const Pose& pose() const { return pose_; }
 
-  /// Follows the pointer inside the region; beyond it, the milestone stays where it was last.
+  /// Follows the pointer inside the region; beyond it, the milestone stays at its last place.
   void moveTo(const Ray& ray, const SamplingRegion& region);
-  /// As PoseDrag::turn().
+  /// Turns the milestone as PoseDrag::turn() does.
   void turn(double dx, double dy);
 
  private:
   MilestoneDrag(std::size_t step, const PoseDrag& drag) : step_(step), drag_(drag), pose_(drag.pose()) {}
 
   std::size_t step_;
-  PoseDrag drag_;  ///< as if there were no region
+  PoseDrag drag_;  ///< the drag without a region
   Pose pose_;
 };
 

@@ -7,11 +7,11 @@
 namespace glissade {
 namespace {
 
-/// One notch of a wheel (120 eighths of a degree) comes nearer by this factor.
+/// Factor by which one notch of a wheel (120 eighths of a degree) comes nearer.
 constexpr double kPerNotch = 1.15;
-/// A drag over the whole height zooms by this factor.
+/// Factor by which a drag over the view's height zooms.
 constexpr double kPerHeight = 8.0;
-/// A drag of that length to the side rolls by this angle, radians.
+/// Angle in radians by which a drag to the side by the view's height rolls.
 constexpr double kRollPerHeight = 3.0;
 
 }  // namespace

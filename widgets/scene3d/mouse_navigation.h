@@ -10,8 +10,8 @@
 
 namespace glissade {
 
-/// What the mouse does in a scene widget: drags move the camera as the navigation style has it, the wheel zooms, a
-/// double click fits. Each returns whether the camera has moved.
+/// Moves the camera by the mouse: drags as the navigation style defines them, the wheel zooms, a double click fits.
+/// Each function returns whether the camera has moved.
 class MouseNavigation {
  public:
   void setStyle(NavigationStyle style) { style_ = style; }

@@ -8,7 +8,7 @@ CameraDrag dragOfMiddle(bool pans, bool zooms) {
   return zooms ? CameraDrag::Zoom : CameraDrag::Orbit;
 }
 
-/// `orbit`: what the left button does alone.
+/// `orbit`: the motion by the left button alone.
 CameraDrag dragOfLeft(Qt::MouseButtons buttons, Qt::KeyboardModifiers keys, CameraDrag orbit) {
   const bool left = buttons.testFlag(Qt::LeftButton);
   if (buttons.testFlag(Qt::MiddleButton) || (left && keys.testFlag(Qt::ShiftModifier))) return CameraDrag::Pan;

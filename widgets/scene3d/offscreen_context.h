@@ -5,19 +5,18 @@
 
 namespace glissade {
 
-/// An OpenGL context without a display. OSMesa today; an EGL surfaceless one fits behind it.
+/// An OpenGL context without a display. OSMesa implements it; a surfaceless context of EGL could.
 class OffscreenContext {
  public:
   virtual ~OffscreenContext() = default;
 
   /// Makes the context current with a framebuffer of this size (pixels).
   virtual bool makeCurrent(int width, int height) = 0;
-  /// The framebuffer after everything drawn has arrived.
+  /// The framebuffer, after all drawing is finished.
   virtual QImage read() = 0;
 };
 
-/// Throws std::runtime_error where the process's OpenGL is not OSMesa's (wrong link order) or no
-/// context can be had.
+/// Throws std::runtime_error if the process's OpenGL is not OSMesa's (wrong link order) or no context can be made.
 std::unique_ptr<OffscreenContext> makeOsMesaContext();
 
 }  // namespace glissade

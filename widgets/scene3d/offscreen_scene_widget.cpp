@@ -10,7 +10,7 @@
 namespace glissade {
 namespace {
 
-/// Smoothing: rendered larger by this factor, then scaled down.
+/// Factor of smoothing: pictures are rendered larger by this factor, then scaled down.
 constexpr int kOversampling = 2;
 
 class OffscreenSceneWidget final : public QWidget, public SceneWidget {
@@ -23,7 +23,7 @@ class OffscreenSceneWidget final : public QWidget, public SceneWidget {
 
   SceneView& view() override { return view_; }
   QWidget* widget() override { return this; }
-  /// Nobody looks at the window: the scene is drawn when a picture of it is taken.
+  /// The scene is drawn when a picture of it is taken, because nobody sees the window.
   void refresh() override { stale_ = true; }
   QImage picture() override {
     if (stale_ || image_.size() != size()) {
@@ -91,7 +91,7 @@ class OffscreenSceneWidget final : public QWidget, public SceneWidget {
   QImage image_;
   bool stale_ = true;
   bool covered_ = false;
-  QImage covering_;  ///< what the covering widget was given last
+  QImage covering_;  ///< last picture given to the covering widget
   std::function<void()> cameraMoved_;
 };
 

@@ -14,11 +14,11 @@
 namespace glissade {
 namespace {
 
-constexpr int kSamples = 4;  ///< of a pixel, against jagged edges
+constexpr int kSamples = 4;  ///< samples of a pixel, against jagged edges
 /// Milliseconds after a picture at which a finer one is drawn, unless something changes.
 constexpr int kRefineAfter = 150;
 
-/// With a depth buffer. The context must be current.
+/// A framebuffer with depth. Precondition: the context is current.
 std::unique_ptr<QOpenGLFramebufferObject> makeBuffer(const QSize& size, int samples) {
   QOpenGLFramebufferObjectFormat format;
   format.setSamples(samples);
@@ -46,7 +46,7 @@ class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
 
   SceneView& view() override { return view_; }
   QWidget* widget() override { return this; }
-  /// What lies over an OpenGL widget is not painted with it.
+  /// Updates the widgets over this one, too, because they are not painted with an OpenGL widget.
   void refresh() override {
     changed_ = true;
     update();
@@ -61,7 +61,8 @@ class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
   QImage picture(const QSize& pixels) override {
     const CameraController before = view_.camera();
     makeCurrent();
-    // Widths of lines and sizes of texts are those of this screen: at another scale the scene would be built anew.
+    // Widths of lines and sizes of texts are those of this screen; for another scale the scene would have to be built
+    // again.
     const auto buffer = makeBuffer(pixels.expandedTo(QSize(1, 1)) * devicePixelRatioF(), kSamples);
     QOpenGLFramebufferObject& target = *buffer;
     target.bind();
@@ -139,12 +140,12 @@ class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
 
   void paint(const PictureDetail& detail) { show(draw(detail)); }
 
-  /// Draws into a buffer of the picture's own: this widget has one sample for each pixel.
+  /// Draws into a separate buffer, because this widget has one sample for each pixel.
   QOpenGLFramebufferObject& draw(const PictureDetail& detail) {
     const QSize drawn = (QSizeF(shownSize()) * detail.resolution).toSize().expandedTo(QSize(1, 1));
     std::unique_ptr<QOpenGLFramebufferObject>& buffer = detail.smooth ? smoothBuffer_ : quickBuffer_;
     if (!buffer || buffer->size() != drawn) buffer = makeBuffer(drawn, detail.smooth ? kSamples : 0);
-    buffer->bind();  // OSG binds its target only after passes into buffers of its own
+    buffer->bind();  // OSG binds its target only after passes into other buffers
     renderer_.render(buffer->handle(), drawn.width(), drawn.height(), detail);
     drawn_ = buffer.get();
     return *buffer;
@@ -162,11 +163,11 @@ class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
   SceneRenderer renderer_;
   MouseNavigation mouse_;
   DetailControl detail_;
-  std::unique_ptr<QOpenGLFramebufferObject> smoothBuffer_;  ///< of several samples for each pixel
-  std::unique_ptr<QOpenGLFramebufferObject> quickBuffer_;   ///< of one, often smaller than the picture
-  QOpenGLFramebufferObject* drawn_ = nullptr;               ///< that of the two which was drawn last
+  std::unique_ptr<QOpenGLFramebufferObject> smoothBuffer_;  ///< with several samples for each pixel
+  std::unique_ptr<QOpenGLFramebufferObject> quickBuffer_;   ///< with one sample, often smaller than the picture
+  QOpenGLFramebufferObject* drawn_ = nullptr;               ///< the buffer that was drawn last
   bool covered_ = false;
-  bool exact_ = false;   ///< the next picture is to be in full detail
+  bool exact_ = false;   ///< the next picture has full detail
   bool changed_ = true;  ///< the next picture shows something new
   QTimer refine_;
   std::function<void()> cameraMoved_;

@@ -18,7 +18,7 @@ inline osg::Vec4 toOsg(const Colour& colour, double alpha = 1.0) {
           static_cast<float>(alpha)};
 }
 
-/// OSG multiplies row vectors from the left: p' = p * M, translation in the last row.
+/// Converts a pose. OSG multiplies row vectors from the left: p' = p * M, with the translation in the last row.
 inline osg::Matrixd toOsg(const Pose& X_WB) {
   const Eigen::Matrix3d R = X_WB.orientation.toRotationMatrix();
   const Vector3& p = X_WB.position;

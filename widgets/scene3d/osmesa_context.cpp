@@ -10,8 +10,7 @@
 
 namespace osg {
 
-/// Replaces OSG's own look-up, which would find libGL's empty functions for what OSMesa does not
-/// export by name.
+/// Replaces OSG's own look-up, which would find libGL's empty functions for those that OSMesa does not export by name.
 void* getGLExtensionFuncPtr(const char* name) { return reinterpret_cast<void*>(OSMesaGetProcAddress(name)); }
 
 }  // namespace osg
@@ -19,7 +18,7 @@ void* getGLExtensionFuncPtr(const char* name) { return reinterpret_cast<void*>(O
 namespace glissade {
 namespace {
 
-/// OSG finds gl* by symbol order: OSMesa must come before libGL in this executable.
+/// Checks that OSMesa comes before libGL in this executable: OSG finds gl* by symbol order.
 void checkSymbolOrder() {
   Dl_info info{};
   void* clear = dlsym(RTLD_DEFAULT, "glClear");

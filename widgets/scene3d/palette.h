@@ -12,8 +12,8 @@
 
 namespace glissade {
 
-/// The colours of the scene. What must be distinguishable comes from Okabe and Ito's palette (2008), which
-/// does not rely on red against green.
+/// The colours of the scene. Colours that must be distinguishable are from Okabe and Ito's palette (2008), which does
+/// not rely on red against green.
 struct ScenePalette {
   float pixelScale = 1.0F;  ///< device pixels per pixel: line widths and point sizes follow
   osg::Vec4 backgroundTop;
@@ -28,7 +28,7 @@ struct ScenePalette {
   osg::Vec4 goal;
   osg::Vec4 contact;
   osg::Vec4 nearest;
-  osg::Vec4 penetration;  ///< what is in the way
+  osg::Vec4 penetration;  ///< bodies in the way
   osg::Vec4 guidance;
 };
 
@@ -59,7 +59,7 @@ inline ScenePalette paletteOf(Theme theme) {
   return palette;
 }
 
-/// Puts what a person has chosen in the place of the theme's colours.
+/// Replaces the theme's colours by those that a person has chosen.
 inline void applyColours(const SceneColours& chosen, ScenePalette& palette) {
   if (chosen.background) {
     palette.backgroundTop = palette.backgroundBottom = toOsg(*chosen.background);
@@ -72,7 +72,7 @@ inline void applyColours(const SceneColours& chosen, ScenePalette& palette) {
   if (chosen.goal) palette.goalTree = bytesOf(palette.goal = toOsg(*chosen.goal));
 }
 
-/// Colour of a node: its author where a person had a hand in it, its tree otherwise.
+/// Colour of a node: its author if a person took part in it, else its tree.
 inline osg::Vec4ub colourOf(const RoadmapNode& node, const ScenePalette& palette) {
   if (node.author == Author::Operator) return palette.operatorNode;
   if (node.author == Author::Contact) return palette.contactNode;

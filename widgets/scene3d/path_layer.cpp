@@ -2,34 +2,112 @@
 
 #include <osg/CullFace>
 #include <osg/Depth>
+#include <osg/Geometry>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
+#include <numbers>
+#include <vector>
 
+#include "engine/geometry/pose.h"
 #include "engine/geometry/primitives.h"
 #include "widgets/document/author_colour.h"
 #include "widgets/scene3d/body_layer.h"
 #include "widgets/scene3d/geometry_builder.h"
 #include "widgets/scene3d/osg_convert.h"
-#include "widgets/scene3d/path_tube.h"
 #include "widgets/scene3d/scene_view.h"
 
 namespace glissade {
 namespace {
 
+/// A point of a tube, with its colour there.
+struct TubePoint {
+  Vector3 p_W;
+  osg::Vec4 colour;
+};
+
+constexpr int kSides = 8;
+
+/// The mean directions of the segments before and after each point.
+std::vector<Vector3> tangentsOf(const std::vector<TubePoint>& points) {
+  std::vector<Vector3> tangents(points.size(), Vector3::Zero());
+  Vector3 before = Vector3::Zero();
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const Vector3 way = points[i].p_W - points[i - 1].p_W;
+    if (way.norm() > 0.0) before = way.normalized();
+    tangents[i] += before;
+  }
+  Vector3 after = Vector3::Zero();
+  for (std::size_t i = points.size() - 1; i-- > 0;) {
+    const Vector3 way = points[i + 1].p_W - points[i].p_W;
+    if (way.norm() > 0.0) after = way.normalized();
+    tangents[i] += after;
+  }
+  return tangents;
+}
+
+/// Adds one ring about a point.
+void addRing(const TubePoint& point, const Vector3& u, const Vector3& v, double radius, osg::Vec3Array& corners,
+             osg::Vec3Array& normals, osg::Vec4Array& colours) {
+  for (int side = 0; side < kSides; ++side) {
+    const double angle = 2.0 * std::numbers::pi * side / kSides;
+    const Vector3 normal = std::cos(angle) * u + std::sin(angle) * v;
+    corners.push_back(toOsg(Vector3(point.p_W + radius * normal)));
+    normals.push_back(toOsg(normal));
+    colours.push_back(point.colour);
+  }
+}
+
+/// Triangles between successive rings.
+osg::ref_ptr<osg::DrawElementsUInt> joinRings(std::size_t rings) {
+  osg::ref_ptr<osg::DrawElementsUInt> triangles = new osg::DrawElementsUInt(GL_TRIANGLES);
+  for (unsigned ring = 0; ring + 1 < rings; ++ring) {
+    for (unsigned side = 0; side < kSides; ++side) {
+      const unsigned a = ring * kSides + side;
+      const unsigned b = ring * kSides + (side + 1) % kSides;
+      for (const unsigned corner : {a, b, b + kSides, a, b + kSides, a + kSides}) triangles->push_back(corner);
+    }
+  }
+  return triangles;
+}
+
+/// A lit tube along the points; its colours run from one point to the next. Successive equal points change the colour
+/// at once.
+osg::ref_ptr<osg::Geometry> makeTube(const std::vector<TubePoint>& points, double radius) {
+  osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array;
+  osg::ref_ptr<osg::Vec3Array> normals = new osg::Vec3Array;
+  osg::ref_ptr<osg::Vec4Array> colours = new osg::Vec4Array;
+  const std::vector<Vector3> tangents = tangentsOf(points);
+  Vector3 u = Vector3::Zero();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vector3 tangent = tangents[i].norm() > 0.0 ? Vector3(tangents[i].normalized()) : Vector3::UnitZ();
+    // The rings turn as little as possible, so that the tube is not twisted.
+    u -= u.dot(tangent) * tangent;
+    u = u.norm() > 1e-6 ? Vector3(u.normalized()) : tangent.unitOrthogonal();
+    addRing(points[i], u, tangent.cross(u), radius, *corners, *normals, *colours);
+  }
+  osg::ref_ptr<osg::Geometry> tube = new osg::Geometry;
+  tube->setVertexArray(corners);
+  tube->setNormalArray(normals, osg::Array::BIND_PER_VERTEX);
+  tube->setColorArray(colours, osg::Array::BIND_PER_VERTEX);
+  tube->addPrimitiveSet(joinRings(points.size()));
+  tube->setUseVertexBufferObjects(true);
+  return tube;
+}
+
 constexpr float kPathWidth = 4.0F;
 /// A dark rim keeps the path legible before bodies of any colour.
 constexpr float kRimWidth = 7.0F;
 constexpr float kRimOpacity = 0.55F;
-/// Of the object where a path is blocked.
+/// Number and opacity of the object's ghosts where a path is blocked.
 constexpr std::size_t kBlockedGhosts = 7;
 constexpr float kFaded = 0.45F;
-/// Of the ball at the tightest place, in radii of the tube.
+/// Radius of the ball at the tightest place, in radii of the tube.
 constexpr double kTightestBall = 2.5;
 
-/// Where each sample is between the tightest place and the widest, by the logarithm of its clearance.
+/// The share of each sample between the tightest place and the widest, by the logarithm of its clearance.
 std::vector<double> sharesOf(const ClearanceProfile& profile) {
   const auto [least, most] =
       std::minmax_element(profile.samples.begin(), profile.samples.end(),
@@ -100,7 +178,7 @@ std::vector<TubePoint> tubePointsOf(const PathPicture& picture, const ScenePalet
   return points;
 }
 
-/// Where a body hides it, it is faint, as a line of the window is.
+/// Adds a faint geometry for the parts that bodies hide, as lines of the window have.
 void addHidden(const osg::ref_ptr<osg::Geometry>& faint, osg::Geode& geode) {
   makeUnlit(*faint);
   makeTransparent(*faint);
@@ -110,7 +188,7 @@ void addHidden(const osg::ref_ptr<osg::Geometry>& faint, osg::Geode& geode) {
   geode.addDrawable(faint);
 }
 
-/// The way as a headset shows it: lines have no depth there. The tightest place is a ball.
+/// The path in a headset, as a tube, because lines have no depth there. A ball marks the tightest place.
 osg::ref_ptr<osg::Geode> makeSpatialWay(const PathPicture& picture, const ScenePalette& palette) {
   osg::ref_ptr<osg::Geode> way = new osg::Geode;
   way->setNodeMask(kHeadsetOnly);

@@ -10,22 +10,21 @@
 
 namespace glissade {
 
-/// A path, and how it is coloured.
+/// A path and its colouring.
 struct PathPicture {
   const Path& path;
   const BodyShape& object;
   const ClearanceProfile* profile = nullptr;  ///< null: the path has one colour
-  const std::vector<Pose>& ghosts;            ///< where the object is drawn beside it
-  double tubeRadius;                          ///< metres: of the way as a headset shows it
-  bool byAuthor = false;                      ///< each segment in the colour of who made it, instead of by clearance
+  const std::vector<Pose>& ghosts;            ///< poses at which the object is drawn along it
+  double tubeRadius;                          ///< metres: radius of the path in a headset
+  bool byAuthor = false;                      ///< each segment in its author's colour, instead of by clearance
 };
 
-/// The way of the reference point and ghosts of the object along it. The way is coloured by clearance: from orange at
+/// Draws the path of the reference point and ghosts of the object along it. It is coloured by clearance: from orange at
 /// the tightest place to blue at the widest.
 osg::ref_ptr<osg::Group> makePath(const PathPicture& picture, const ScenePalette& palette);
 
-/// A path that does not hold here: what is blocked of it, with the object at the places that are blocked; the rest is
-/// faint.
+/// Draws a path that is not valid here: its blocked parts, with the object at the blocked places; the rest is faint.
 osg::ref_ptr<osg::Group> makeRefusedPath(const PathExamination& refused, const BodyShape& object,
                                          const ScenePalette& palette);
 

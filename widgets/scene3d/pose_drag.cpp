@@ -6,7 +6,7 @@
 namespace glissade {
 namespace {
 
-/// As the camera's orbit: half a turn over the height of the view.
+/// The angle of the camera's orbit: half a turn over the height of the view.
 constexpr double kBodyTurnPerHeight = std::numbers::pi;
 
 }  // namespace

@@ -4,18 +4,18 @@
 
 namespace glissade {
 
-/// A body in the pointer's grip: it moves in the plane of the view through the point that was gripped, or
-/// turns about the view's axes. Plain geometry.
+/// A drag of a body: it moves in the plane of the view through the gripped point, or turns about the view's axes. It is
+/// plain geometry.
 class PoseDrag {
  public:
-  /// `grip_W` is the point that was gripped, `R_WV` the orientation of the view.
+  /// `grip_W` is the gripped point, `R_WV` the orientation of the view.
   PoseDrag(const Pose& X_WB, const Vector3& grip_W, const Quaternion& R_WV) : X_WB_(X_WB), grip_(grip_W), R_WV_(R_WV) {}
 
   const Pose& pose() const { return X_WB_; }
 
   /// Follows the pointer.
   void moveTo(const Ray& ray);
-  /// The pointer went by (dx, dy), in fractions of the view's height, y down: half a turn a height.
+  /// Turns by a motion (dx, dy) of the pointer, in fractions of the view's height, y down: half a turn for each height.
   void turn(double dx, double dy);
 
  private:

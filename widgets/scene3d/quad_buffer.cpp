@@ -59,7 +59,7 @@ class QuadBufferWindow final : public QuadBuffer {
     gl.glDrawPixels(pixels.width(), pixels.height(), GL_BGRA, GL_UNSIGNED_BYTE, pixels.constBits());
   }
 
-  QPointer<QWindow> window_;  ///< the container's, once there is one
+  QPointer<QWindow> window_;  ///< the container's, once it exists
   QPointer<QWidget> container_;
   QOpenGLContext context_;
 };

@@ -5,7 +5,7 @@
 namespace glissade {
 namespace {
 
-/// A glove: no colour of the scene, and no colour of skin.
+/// The colour of a glove, which is neither a colour of the scene nor of skin.
 const osg::Vec4 kGlove(0.80F, 0.72F, 0.58F, 1.0F);
 const osg::Vec4 kSteel(0.48F, 0.52F, 0.57F, 1.0F);
 

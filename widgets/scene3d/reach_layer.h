@@ -8,10 +8,10 @@
 
 namespace glissade {
 
-/// Hand, forearm and tool as bodies; in the colour of what is in the way where they do not get there.
+/// Draws hand, forearm and tool as bodies, in the colour of penetration if they do not reach their place.
 osg::ref_ptr<osg::Group> makeReach(const ReachPicture& reach, BodyShapes& shapes, const ScenePalette& palette);
 
-/// Empty where nothing is shown.
+/// Empty if nothing is shown.
 Box3 boxOfReach(const ReachPicture& reach);
 
 /// The colour of a hand.

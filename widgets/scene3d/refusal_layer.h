@@ -11,12 +11,12 @@
 
 namespace glissade {
 
-/// The object at the end that is refused, the bodies that it meets there, and the curve where their surfaces meet,
-/// which shows through everything.
+/// Draws the object at the refused end, the bodies that it meets there, and the curve where their surfaces meet, which
+/// shows through everything.
 osg::ref_ptr<osg::Group> makeRefusal(const EndConflicts& refusal, const LoadedScenario& scenario, BodyShapes& shapes,
                                      const ScenePalette& palette);
 
-/// How deep, at the curve of each body.
+/// Labels of the depth, at the curve of each body.
 std::vector<SceneLabel> refusalLabels(const EndConflicts& refusal);
 
 }  // namespace glissade

@@ -15,17 +15,17 @@
 namespace glissade {
 namespace {
 
-/// Vertices in a batch: uploads stay small, draw calls few.
+/// Vertices of a batch, for small uploads and few draw calls.
 constexpr int kBatch = 8192;
 constexpr float kLineWidth = 1.2F;
 constexpr float kPointSize = 4.0F;
-/// Lines that would cover more of their area than this fade, and so do points.
+/// Lines that would cover more of their area than this share fade, and so do points.
 constexpr double kMostCovered = 0.5;
-/// Of a batch, beside the next younger one.
+/// Opacity of a batch relative to the next younger one.
 constexpr double kAgeing = 0.7;
-/// Fainter lines cannot be told from what is behind them, and are not drawn.
+/// Fainter lines cannot be distinguished from the background, and are not drawn.
 constexpr double kFaintest = 0.02;
-/// What is left of the roadmap once the path is the picture.
+/// Opacity of the roadmap while a path is shown.
 constexpr double kFadedShare = 0.12;
 
 }  // namespace
@@ -57,7 +57,7 @@ void RoadmapLayer::update(const SessionSnapshot& snapshot) {
     clear();
     run_ = snapshot.run;
   }
-  // The last chunk taken may have been cut, and be longer now: only those before it are done with.
+  // The last chunk that was taken may have grown since; only the chunks before it are complete.
   for (; chunksTaken_ < snapshot.roadmap.size(); ++chunksTaken_) {
     const RoadmapChunk& chunk = *snapshot.roadmap[chunksTaken_];
     while (nodes_.size() < nodesBefore_ + chunk.nodes.size()) takeNode(chunk.nodes[nodes_.size() - nodesBefore_]);
@@ -76,7 +76,8 @@ void RoadmapLayer::fade() {
   fade(points_, [&](const Batch& batch) { return batch.used * kPointSize * kPointSize * pixel * pixel; });
 }
 
-/// A batch has one opacity, blended by a constant colour: the colours of its vertices need not be uploaded again.
+/// Each batch has one opacity, blended by a constant colour, so that the colours of its vertices need not be uploaded
+/// again.
 void RoadmapLayer::fade(std::vector<Batch>& batches, const std::function<double(const Batch&)>& pixelsOf) {
   const double area = pixelsOfTrees();
   double covered = 0.0;
@@ -99,21 +100,21 @@ void RoadmapLayer::fade(std::vector<Batch>& batches, const std::function<double(
   }
 }
 
-/// The area in which most nodes are. Nodes crowd in some places, and a few are far away: what counts is how they are
-/// spread, not their box. Infinite while the scale of the picture is not known.
+/// The area in which most nodes are, measured by the spread of the nodes. Their box would be misleading, because nodes
+/// crowd in some places, and a few are far away. Infinite while the scale of the picture is not known.
 double RoadmapLayer::pixelsOfTrees() const {
   if (pixelsPerMetre_ <= 0.0 || nodes_.empty()) return std::numeric_limits<double>::infinity();
   const double count = static_cast<double>(nodes_.size());
   const Vector3 mean = sum_ / count;
   const Vector3 variance = (sumOfSquares_ / count - mean.cwiseAbs2()).cwiseMax(0.0);
-  // A box that is filled evenly has the sides sqrt(12 variance).
+  // An evenly filled box has the sides sqrt(12 variance).
   Vector3 sides = (12.0 * variance).cwiseSqrt().cwiseMin(box_.diagonal()) * pixelsPerMetre_;
   std::sort(sides.data(), sides.data() + 3);
   const double least = kPointSize * palette_.pixelScale;
   return std::max(least, sides[1]) * std::max(least, sides[2]);
 }
 
-/// While faded, lines do not hide each other.
+/// Faded lines do not hide each other.
 void RoadmapLayer::setOpacity(Batch& batch, float opacity) {
   if (opacity == batch.opacity) return;
   batch.opacity = opacity;
@@ -163,7 +164,7 @@ void RoadmapLayer::clear() {
   content_ = {};
 }
 
-/// What is drawn is the beginning of what is to be shown.
+/// Whether the drawn trees are the beginning of those in the snapshot.
 bool RoadmapLayer::isPrefixOf(const SessionSnapshot& snapshot) const {
   std::size_t nodes = 0;
   std::size_t edges = 0;
@@ -196,7 +197,7 @@ void RoadmapLayer::takeEdge(const RoadmapEdge& edge) {
   ++segmentsDrawn_;
 }
 
-/// A dropped edge shrinks to a point.
+/// Shrinks a dropped edge to a point.
 void RoadmapLayer::drop(const RoadmapEdge& edge) {
   const auto found = std::find_if(edges_.rbegin(), edges_.rend(), [&](const RoadmapEdge& drawn) {
     return drawn.from == edge.from && drawn.to == edge.to;
@@ -235,7 +236,7 @@ RoadmapLayer::Batch RoadmapLayer::makeBatch(GLenum mode) {
   batch.geometry->setUseDisplayList(false);
   batch.geometry->setUseVertexBufferObjects(true);
   batch.geometry->setDataVariance(osg::Object::DYNAMIC);
-  // The unused vertices lie at the origin: culling by their bound would be wrong.
+  // Culling by the bound would be wrong, because unused vertices lie at the origin.
   batch.geometry->setCullingActive(false);
   geode_->addDrawable(batch.geometry);
   return batch;

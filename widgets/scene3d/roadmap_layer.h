@@ -13,12 +13,12 @@
 
 namespace glissade {
 
-/// The two trees, growing: segments live in preallocated chunks of which only the last is uploaded
-/// again; operator and contact nodes are points besides. Lines and points fade where they would cover much of what lies
-/// behind them, the older ones first.
+/// The two growing trees. Segments are in preallocated chunks, of which only the last one is uploaded again; operator
+/// and contact nodes are also drawn as points. Lines and points fade if they would cover much of the scene behind them,
+/// the older ones first.
 class RoadmapLayer {
  public:
-  /// What is drawn of the trees.
+  /// The parts of the trees that are drawn.
   struct Content {
     bool startTree = false;
     bool goalTree = false;
@@ -30,22 +30,23 @@ class RoadmapLayer {
 
   osg::Group* node() const { return root_; }
   void setPalette(const ScenePalette& palette);
-  /// Takes in what is new; another run begins anew, and so does one that is shown at an earlier step.
+  /// Draws new nodes and edges. It begins anew for another run, and for an earlier step of a replay.
   void update(const SessionSnapshot& snapshot);
   void clear();
-  /// Faint lines: something else is the picture.
+  /// Draws faint lines, because the path is the main content.
   void setFaded(bool faded);
 
-  /// The scale of the next picture: lines have a width in pixels.
+  /// Sets the scale of the next picture, because lines have a width in pixels.
   void setScale(double pixelsPerMetre);
 
   const Content& content() const { return content_; }
   std::size_t segments() const { return segmentsDrawn_; }
-  /// 1: these lines cover what is behind them; 0: they are not drawn. Batches are ordered by age, the oldest first.
+  /// Opacities of the batches of lines: 1 hides the scene behind them, 0 is not drawn. Batches are ordered by age, the
+  /// oldest first.
   std::vector<float> opacities() const { return opacitiesOf(lines_); }
-  /// The same of the points.
+  /// Opacities of the batches of points.
   std::vector<float> pointOpacities() const { return opacitiesOf(points_); }
-  /// How many chunk uploads there have been: grows with what is new, not with what is there.
+  /// Number of chunk uploads, which grows with new nodes and edges only.
   std::size_t uploads() const { return uploads_; }
 
  private:
@@ -56,7 +57,7 @@ class RoadmapLayer {
     osg::ref_ptr<osg::Vec4ubArray> colours;
     osg::ref_ptr<osg::DrawArrays> range;
     int used = 0;
-    double length = 0.0;  ///< of the lines, metres
+    double length = 0.0;  ///< total length of the lines, metres
     float opacity = 1.0F;
   };
 
@@ -65,7 +66,7 @@ class RoadmapLayer {
   void takeEdge(const RoadmapEdge& edge);
   void drop(const RoadmapEdge& edge);
   void fade();
-  /// `pixelsOf` a batch: what its lines or points cover, were they side by side.
+  /// `pixelsOf` a batch: the area of its lines or points if they did not overlap.
   void fade(std::vector<Batch>& batches, const std::function<double(const Batch&)>& pixelsOf);
   double pixelsOfTrees() const;
   static std::vector<float> opacitiesOf(const std::vector<Batch>& batches);
@@ -77,7 +78,7 @@ class RoadmapLayer {
   osg::ref_ptr<osg::Geode> geode_;
   ScenePalette palette_;
   std::uint64_t run_ = 0;
-  std::size_t chunksTaken_ = 0;  ///< whole ones, and what they held:
+  std::size_t chunksTaken_ = 0;  ///< number of chunks that are complete
   std::size_t nodesBefore_ = 0;
   std::size_t edgesBefore_ = 0;
   std::size_t droppedTaken_ = 0;
@@ -85,12 +86,12 @@ class RoadmapLayer {
   std::size_t uploads_ = 0;
   bool faded_ = false;
   double pixelsPerMetre_ = 0.0;             ///< 0: not known yet
-  Box3 box_;                                ///< of the nodes
-  Vector3 sum_ = Vector3::Zero();           ///< of the nodes' positions, metres
-  Vector3 sumOfSquares_ = Vector3::Zero();  ///< of each coordinate
+  Box3 box_;                                ///< box of the nodes
+  Vector3 sum_ = Vector3::Zero();           ///< sum of the nodes' positions, metres
+  Vector3 sumOfSquares_ = Vector3::Zero();  ///< sum of squares for each coordinate
   Content content_;
   std::vector<RoadmapNode> nodes_;
-  std::vector<RoadmapEdge> edges_;  ///< in the order drawn
+  std::vector<RoadmapEdge> edges_;  ///< in the order of drawing
   std::vector<Batch> lines_;
   std::vector<Batch> points_;
 };

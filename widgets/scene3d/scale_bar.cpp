@@ -18,7 +18,7 @@ namespace {
 constexpr double kMostBarPixels = 130.0;
 constexpr int kBarMargin = 10;
 constexpr int kAxesSize = 64;
-/// Between the bar and the spacing of the grid beside it.
+/// Distance between the bar and the spacing of the grid beside it.
 constexpr double kGridGap = 14.0;
 constexpr int kGridTextWidth = 130;
 constexpr double kAxisPixels = 22.0;
@@ -76,7 +76,7 @@ void ScaleBar::paintEvent(QPaintEvent* /*event*/) {
   paintAxes(painter);
 }
 
-/// Those that point to the viewer are drawn last.
+/// Paints the axes; those that point to the viewer are drawn last.
 void ScaleBar::paintAxes(QPainter& painter) const {
   painter.setRenderHint(QPainter::Antialiasing);
   const Quaternion toView = view_.camera().R_WV().conjugate();

@@ -6,24 +6,24 @@
 
 namespace glissade {
 
-/// A bar of a round length at the scale of the scene; with perspective it holds at the depth of the camera's focus.
+/// A bar of a round length at the scale of the scene; with perspective it is valid at the depth of the camera's focus.
 struct ScaleLength {
   double metres = 0.0;
-  double pixels = 0.0;  ///< at most those that were asked for
+  double pixels = 0.0;  ///< length on the screen
 };
 
 /// The longest length of 1, 2 or 5 times a power of ten of units that is drawn with at most `mostPixels`. `unit`:
 /// metres.
 ScaleLength roundScale(double metresPerPixel, double mostPixels, double unit = 1.0);
 
-/// The axes of the world and the scale of the scene, in its lower left corner; takes no part in mouse and keys.
+/// The axes of the world and the scale of the scene, in its lower left corner. They ignore mouse and keys.
 class ScaleBar final : public QWidget {
   Q_OBJECT
 
  public:
   ScaleBar(const SceneView& view, QWidget* scene);
 
-  /// Pixels at the lower border of the scene that something else covers: it stays above them.
+  /// Sets the height in pixels that another widget covers at the lower border of the scene; the bar stays above it.
   void setRoomBelow(int pixels);
 
  protected:

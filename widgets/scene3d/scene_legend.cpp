@@ -13,7 +13,7 @@ Colour colourOf(const osg::Vec4& colour) { return {colour.r(), colour.g(), colou
 
 Colour colourOf(const osg::Vec4ub& colour) { return {colour.r() / 255.0, colour.g() / 255.0, colour.b() / 255.0}; }
 
-/// Collects the rows of what is drawn, in the order in which they are listed.
+/// Collects the rows of the drawn things, in the order of the legend.
 class LegendMaker {
  public:
   explicit LegendMaker(const SceneView::Impl& impl) : impl_(impl), palette_(impl.palette) {}
@@ -50,7 +50,7 @@ class LegendMaker {
   }
   void add(LegendItem item, LegendMark mark, const Colour& colour) { rows_.push_back({item, mark, {colour}}); }
 
-  /// The layer is visible and has content.
+  /// Whether the layer is visible and has content.
   bool isDrawn(SceneLayer id) const {
     return impl_.visible(id) && impl_.layers[static_cast<std::size_t>(id)]->getNumChildren() > 0;
   }

@@ -6,7 +6,7 @@
 
 namespace glissade {
 
-/// What a row of the legend explains.
+/// The kinds of things that rows of the legend explain.
 enum class LegendItem {
   Object,
   Start,
@@ -54,13 +54,13 @@ enum class LegendItem {
   ReachBlocked
 };
 
-/// How the thing is drawn in the scene.
+/// The mark of a thing in the legend, as it is drawn in the scene.
 enum class LegendMark { Line, Fill, Dot };
 
 struct LegendRow {
   LegendItem item;
   LegendMark mark;
-  std::vector<Colour> colours;  ///< from left to right; one where the thing has one colour
+  std::vector<Colour> colours;  ///< from left to right; one colour if the thing has one
 
   friend bool operator==(const LegendRow& a, const LegendRow& b) { return a.item == b.item; }
 };

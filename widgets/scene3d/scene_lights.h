@@ -5,8 +5,8 @@
 
 namespace glissade {
 
-/// A group that lights its children. The lights turn with the view: faces of different directions differ in brightness
-/// from wherever one looks.
+/// A group that lights its children. The lights turn with the view, so that faces of different directions differ in
+/// brightness from each viewpoint.
 osg::ref_ptr<osg::Group> makeLights();
 
 }  // namespace glissade

@@ -7,7 +7,7 @@
 namespace glissade {
 namespace {
 
-/// Distance along the ray to a triangle (Moller and Trumbore 1997); nothing where it misses.
+/// Distance along the ray to a triangle (Moller and Trumbore 1997); nothing if it misses.
 std::optional<double> hit(const Ray& ray, const Vector3& a, const Vector3& b, const Vector3& c) {
   const Vector3 e1 = b - a;
   const Vector3 e2 = c - a;
@@ -24,7 +24,7 @@ std::optional<double> hit(const Ray& ray, const Vector3& a, const Vector3& b, co
   return t > 0.0 ? std::optional<double>(t) : std::nullopt;
 }
 
-/// Distance along the ray to a box, 0 from inside; nothing where it misses.
+/// Distance along the ray to a box, 0 from inside; nothing if it misses.
 std::optional<double> hit(const Ray& ray, const Box3& box) {
   double from = 0.0;
   double to = HUGE_VAL;
@@ -43,7 +43,7 @@ bool isCutAway(const Vector3& p_W, const std::vector<Plane>& sections) {
                      [&](const Plane& section) { return section.normal.dot(p_W) > section.offset; });
 }
 
-/// The boxes of meshes in their own frames, each computed once: many bodies have one mesh.
+/// The boxes of meshes in their own frames. Each is computed once, because many bodies share a mesh.
 class MeshBoxes {
  public:
   const Box3& of(const MeshPtr& mesh) {
@@ -61,7 +61,7 @@ class MeshBoxes {
 Ray rayThrough(const CameraController& camera, double x, double y) {
   const Eigen::Vector2d shift = camera.shift();
   if (camera.isOrthographic()) {
-    // From the near plane, which may lie behind the eye.
+    // The ray begins at the near plane, which may lie behind the eye.
     const double depth = camera.nearPlane();
     const Vector3 origin_V((x - depth * shift.x()) * camera.viewHeight(),
                            (-y - depth * shift.y()) * camera.viewHeight(), -depth);

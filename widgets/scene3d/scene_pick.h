@@ -19,18 +19,18 @@ struct Ray {
 /// The ray through a pixel; (x, y) in fractions of the view's height from its centre, y down.
 Ray rayThrough(const CameraController& camera, double x, double y);
 
-/// Where the ray first meets a body that is not hidden: index into `bodies`; nothing where it meets none. What lies on
-/// the side of the normal of a plane of `sections` is not there.
+/// The first meeting of the ray with a body that is not hidden: index into `bodies`; nothing if it meets none. Parts on
+/// the side of the normal of a plane of `sections` are cut away and do not count.
 struct BodyHit {
   std::size_t body;
   double distance;
-  std::size_t triangle;  ///< of the body's mesh
+  std::size_t triangle;  ///< index in the body's mesh
 };
 std::optional<BodyHit> pickBody(const std::vector<RigidBody>& bodies, const Ray& ray,
                                 const std::set<std::string>& hidden = {}, const std::vector<Plane>& sections = {});
 
-/// The place that one means who points there: of all places along the ray, up to the given distance,
-/// the narrowest; kNoPlace where there is none. Rooms lie around everything, holes are pointed at.
+/// The place that a person means by pointing there: the narrowest of all places along the ray, up to the given
+/// distance; kNoPlace if there is none. Rooms lie around everything, so that people point at holes.
 int pickPlace(const TopologicalMap& map, const Ray& ray, double farthest);
 
 }  // namespace glissade

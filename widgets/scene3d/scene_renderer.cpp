@@ -10,7 +10,7 @@
 namespace glissade {
 namespace {
 
-/// Bodies of fewer device pixels are not drawn (OSG's measure and default), or of this share of the tolerance.
+/// Size in device pixels (OSG's measure and default), or share of the tolerance, below which bodies are not drawn.
 constexpr double kLeastBody = 2.0;
 constexpr double kLeastBodyShare = 0.5;
 

@@ -7,17 +7,16 @@
 
 namespace glissade {
 
-/// Draws a SceneView into the OpenGL context that is current: the part that the on-screen and the
-/// offscreen widget share.
+/// Draws a SceneView into the current OpenGL context; the on-screen and the offscreen widget share it.
 class SceneRenderer {
  public:
   explicit SceneRenderer(SceneView& view);
 
-  /// Size in device pixels; the camera takes its ratio.
+  /// Sets the size in device pixels; the camera takes its ratio.
   void resize(int width, int height);
   /// Renders one frame into the framebuffer object `target` (0: the context's own), in full detail.
   void render(unsigned int target);
-  /// The same in this detail, into a target of another size.
+  /// Renders one frame in this detail, into a target of another size.
   void render(unsigned int target, int width, int height, const PictureDetail& detail);
 
  private:

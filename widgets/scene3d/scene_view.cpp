@@ -11,7 +11,7 @@
 namespace glissade {
 namespace {
 
-/// A picture that may be off by more pixels is one of a camera that moves.
+/// Largest error in pixels of a picture of a resting camera.
 constexpr double kQuickTolerance = 1.0;
 
 Colour sRgbOf(const osg::Vec4& colour) { return {colour.r(), colour.g(), colour.b()}; }
@@ -24,7 +24,7 @@ SceneView::SceneView() : impl_(std::make_unique<Impl>()) {
   lightModel->setTwoSided(true);
   state->setAttributeAndModes(lightModel);
   state->setAttributeAndModes(new osg::BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA));
-  // Blending would leave the framebuffer's alpha below one and the picture whitish.
+  // Alpha is not written, because blending would leave it below one and the picture whitish.
   state->setAttribute(new osg::ColorMask(true, true, true, false));
   state->setMode(GL_NORMALIZE, osg::StateAttribute::ON);
   state->setMode(GL_LINE_SMOOTH, osg::StateAttribute::ON);
@@ -169,7 +169,7 @@ bool SceneView::depthShading() const { return impl_->depthShadingWanted; }
 void SceneView::beginPicture(int width, int height, const PictureDetail& detail) {
   const std::lock_guard lock(*impl_->graphMutex);
   impl_->quick = detail.tolerance > kQuickTolerance;
-  // Of one sample for each pixel, smooth lines take longer than the bodies.
+  // Smooth lines are off in pictures with one sample for each pixel, because they would take longer than the bodies.
   impl_->root->getStateSet()->setMode(GL_LINE_SMOOTH,
                                       detail.smooth ? osg::StateAttribute::ON : osg::StateAttribute::OFF);
   impl_->showDepthShading();

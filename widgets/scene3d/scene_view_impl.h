@@ -35,20 +35,20 @@
 
 namespace glissade {
 
-/// Share of the scene's size, for SectionClip: more than single precision leaves out.
+/// Slack of SectionClip as a share of the scene's size, larger than the error of single precision.
 inline constexpr double kSectionSlack = 1e-5;
 
-/// Of a path as a headset shows it, in radii of the object.
+/// Radius of a path in a headset, in radii of the object.
 inline constexpr double kPathTubeRadii = 0.06;
 
-/// What a SceneView holds and how it draws it. Private to scene_view.cpp and scene_labels.cpp.
+/// State and drawing of a SceneView. Private to scene_view.cpp and scene_labels.cpp.
 struct SceneView::Impl {
   std::shared_ptr<GraphMutex> graphMutex = std::make_shared<GraphMutex>();
   osg::ref_ptr<osg::Group> root = new osg::Group;
   osg::ref_ptr<osg::Group> backdrop = new osg::Group;
   std::array<osg::ref_ptr<osg::Group>, kSceneLayerCount> layers;
   osg::ref_ptr<osg::MatrixTransform> object;
-  osg::ref_ptr<osg::MatrixTransform> hand;  ///< the object where the hand leads to
+  osg::ref_ptr<osg::MatrixTransform> hand;  ///< the object at the hand's pose
   RoadmapLayer roadmap;
   bool roadmapKept = false;
   CameraController camera;
@@ -63,7 +63,7 @@ struct SceneView::Impl {
   PathSpacing ghosts;
   std::shared_ptr<const ClearanceProfile> pathProfile;
   std::optional<Pose> playback;
-  double markedViewHeight = 0.0;  ///< that the operator's marks were made for
+  double markedViewHeight = 0.0;  ///< view height for which the operator's marks were made
   EnvironmentPicture environment;
   CoarsePlanPtr drawnPlan;
   std::optional<std::size_t> shownStep;
@@ -77,22 +77,22 @@ struct SceneView::Impl {
   ReachPicture reach;
   BodyShapes shapes;
   DisplayMode mode = DisplayMode::ShadedWithEdges;
-  std::vector<DisplayMode> drawnModes;          ///< of the obstacles, as they are drawn
-  std::map<std::string, DisplayMode> ownModes;  ///< of obstacles, by id
+  std::vector<DisplayMode> drawnModes;          ///< drawn modes of the obstacles
+  std::map<std::string, DisplayMode> ownModes;  ///< set modes of obstacles, by id
   DepthShading depthShading;
   bool depthShadingWanted = true;
-  bool quick = false;  ///< the next picture is one of a camera that moves
+  bool quick = false;  ///< the camera moves in the next picture
   SectionClip sectionClip;
   SectionCaps caps;
   std::function<void()> capsLeft;
   std::vector<Plane> sections;
   double gridUnit = 1.0;
-  std::optional<GroundGrid> grid;  ///< that is drawn
+  std::optional<GroundGrid> grid;  ///< nothing: it is not drawn
   std::set<std::string> hidden;    ///< obstacles, by id
-  std::set<std::size_t> inHand;    ///< obstacles that are not drawn where the scenario has them
+  std::set<std::size_t> inHand;    ///< obstacles that are dragged
   SequencePicture sequence;
-  osg::ref_ptr<osg::Group> plainObjects = new osg::Group;  ///< the object's bodies as those of the product; cut open
-  osg::ref_ptr<osg::Group> motionLayers = new osg::Group;  ///< what is about the motion of the object
+  osg::ref_ptr<osg::Group> plainObjects = new osg::Group;  ///< the object as bodies of the product, cut by sections
+  osg::ref_ptr<osg::Group> motionLayers = new osg::Group;  ///< layers about the motion of the object
 
   osg::Group& layer(SceneLayer id) { return *layers[static_cast<std::size_t>(id)]; }
 
@@ -103,7 +103,7 @@ struct SceneView::Impl {
 
   bool visible(SceneLayer id) const { return layers[static_cast<std::size_t>(id)]->getNodeMask() != 0U; }
 
-  /// Layers that are hidden stay empty: some take time to make.
+  /// Shows the visible layers. Hidden layers stay empty, because some take time to make.
   void showEnvironment() {
     const auto show = [&](SceneLayer id, const std::function<osg::ref_ptr<osg::Group>()>& make) {
       fill(id, environment.knowledge && visible(id) ? make() : nullptr);
@@ -141,12 +141,12 @@ struct SceneView::Impl {
     if (sequence.way.size() > 1) layer(SceneLayer::Selection).addChild(makeWay());
   }
 
-  /// A body of the object where the plan has it.
+  /// A body of the object as the plan has it.
   const SequenceBody& inSequence(std::size_t objectBody) const {
     return sequence.bodies[scenario->obstacles.size() + objectBody];
   }
 
-  /// Of an obstacle, or of the object's bodies behind the last one.
+  /// `body`: index of an obstacle, or of one of the object's bodies, which follow the obstacles.
   bool isMarked(std::size_t body) const { return body < sequence.bodies.size() && sequence.bodies[body].marked; }
 
   bool isDrawn(std::size_t obstacle) const {
@@ -166,7 +166,7 @@ struct SceneView::Impl {
     return geode;
   }
 
-  /// Bodies where the plan has them, or back where the scenario has them.
+  /// Places bodies as the plan has them, or as the scenario has them without a plan.
   void showSequence() {
     motionLayers->setNodeMask(sequence.bodies.empty() ? ~0U : 0U);
     if (!scenario) return;
@@ -177,7 +177,7 @@ struct SceneView::Impl {
     placeObject();
   }
 
-  /// The children of these layers are the bodies in their order.
+  /// Precondition: the children of the layer are the bodies in their order.
   void place(SceneLayer id, std::size_t child, const Pose& X_WB) {
     auto* body = static_cast<osg::MatrixTransform*>(layer(id).getChild(static_cast<unsigned>(child)));
     body->setMatrix(toOsg(X_WB));
@@ -206,7 +206,7 @@ struct SceneView::Impl {
     layer(SceneLayer::Help).addChild(helpArrow);
   }
 
-  /// While the hand is shown.
+  /// Shows the arrow to the place to help while the hand is shown.
   void showHelpArrow(bool shown) {
     helpArrow->removeChildren(0, helpArrow->getNumChildren());
     if (!help.places || !shown) return;
@@ -228,7 +228,8 @@ struct SceneView::Impl {
     return mode != DisplayMode::Wireframe && showsSpace() ? DisplayMode::SeeThrough : mode;
   }
 
-  /// Places and cells lie behind obstacles and in their holes: opaque obstacles would hide them.
+  /// Whether places or cells are shown. They lie behind obstacles and in their holes, so that opaque obstacles would
+  /// hide them.
   bool showsSpace() const {
     constexpr std::array kSpace{SceneLayer::FreeCells, SceneLayer::MobileCells, SceneLayer::StaticCells,
                                 SceneLayer::Places, SceneLayer::Borders};
@@ -236,7 +237,7 @@ struct SceneView::Impl {
            std::any_of(kSpace.begin(), kSpace.end(), [this](SceneLayer id) { return visible(id); });
   }
 
-  /// Draws the obstacles anew whose display mode is another one now.
+  /// Draws obstacles again whose display mode has changed.
   void showModes() {
     if (!scenario) return;
     osg::Group& bodies = layer(SceneLayer::Bodies);
@@ -245,7 +246,7 @@ struct SceneView::Impl {
       if (wanted == drawnModes[i]) continue;
       osg::ref_ptr<osg::MatrixTransform> drawn = drawBody(i);
       auto* before = static_cast<osg::MatrixTransform*>(bodies.getChild(static_cast<unsigned>(i)));
-      drawn->setMatrix(before->getMatrix());  // it may be in somebody's hand
+      drawn->setMatrix(before->getMatrix());  // it may be dragged
       drawn->setNodeMask(before->getNodeMask());
       bodies.setChild(static_cast<unsigned>(i), drawn);
       drawnModes[i] = wanted;
@@ -253,7 +254,7 @@ struct SceneView::Impl {
     showDepthShading();
   }
 
-  /// Surfaces of a wireframe are not seen, but they are in the depth buffer.
+  /// Depth shading is off in wireframes: their surfaces are invisible, but they are in the depth buffer.
   void showDepthShading() {
     const bool wires = std::count(drawnModes.begin(), drawnModes.end(), DisplayMode::Wireframe) > 0;
     depthShading.setEnabled(depthShadingWanted && !quick && mode != DisplayMode::Wireframe && !wires);
@@ -285,8 +286,8 @@ struct SceneView::Impl {
     if (capsLeft && caps.hasLeft()) capsLeft();
   }
 
-  /// The obstacles in their order, and the object's bodies where a plan has them among those. A body in somebody's hand
-  /// has no caps.
+  /// The obstacles in their order; while a plan is shown, the object's bodies follow them. A body that is dragged has
+  /// no caps.
   std::vector<CapBody> capBodies() const {
     std::vector<CapBody> bodies;
     for (std::size_t i = 0; i < scenario->obstacles.size(); ++i) {
@@ -300,7 +301,7 @@ struct SceneView::Impl {
     return bodies;
   }
 
-  /// The layer's children are the obstacles in their order.
+  /// Shows or hides the layer's children, which are the obstacles in their order.
   void showHidden() {
     for (std::size_t i = 0; scenario && i < scenario->obstacles.size(); ++i) {
       layer(SceneLayer::Bodies).getChild(static_cast<unsigned>(i))->setNodeMask(isDrawn(i) ? ~0U : 0U);
@@ -309,7 +310,7 @@ struct SceneView::Impl {
     showSections();
   }
 
-  /// Under the product as it is arranged.
+  /// Shows the grid under the arranged product.
   void showGrid() {
     grid.reset();
     Box3 box;
@@ -409,7 +410,7 @@ struct SceneView::Impl {
 
   MarkScale markScale() const { return {scenario->problem.world->objectRadius(), camera.viewHeight()}; }
 
-  /// What is about the operator: its size depends on the view.
+  /// Shows the marks about the operator, whose size depends on the view.
   void showMarks() {
     if (!object || !snapshot) return;
     markedViewHeight = camera.viewHeight();
@@ -420,14 +421,14 @@ struct SceneView::Impl {
     showGuidance();
   }
 
-  /// Where obstacles keep the object from coming after the hand, both are seen.
+  /// Shows the object at the hand's pose besides its own pose, where obstacles keep it.
   void showHand(bool shown) {
     const std::optional<Pose>& q = snapshot->device.hand;
     hand->setNodeMask(shown && q && sequence.bodies.empty() ? ~0U : 0U);
     if (q) hand->setMatrix(toOsg(*q));
   }
 
-  /// The arrow, and the object's tint.
+  /// Shows the arrow of guidance and the object's tint.
   void showGuidance() {
     if (!object || !snapshot) return;
     const bool shown = visible(SceneLayer::Guidance) && !playback && !snapshot->path;
@@ -467,7 +468,7 @@ struct SceneView::Impl {
     }
   }
 
-  /// Of the bodies that are drawn.
+  /// The box of the bodies that the plan shows.
   Box3 extentOfSequence() const {
     Box3 box;
     for (std::size_t i = 0; i < scenario->obstacles.size(); ++i) {

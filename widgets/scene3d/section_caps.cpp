@@ -13,10 +13,10 @@
 namespace glissade {
 namespace {
 
-/// Cut faces are darker than the surface, so that they are told apart from it.
+/// Cut faces are darker than the surface, to distinguish them from it.
 constexpr float kCapShade = 0.72F;
 constexpr float kOutlineWidth = 1.8F;
-/// So many triangles are cut at once, which takes some milliseconds; the rest is left for another thread.
+/// Largest number of triangles that is cut at once, which takes some milliseconds; the rest is left for another thread.
 constexpr std::size_t kAtOnceTriangles = 60'000;
 
 using Polygons = std::vector<std::vector<Vector3>>;
@@ -43,7 +43,7 @@ osg::ref_ptr<osg::Geometry> fillOf(const Polygons& polygons, const osg::Vec4& co
   return geometry;
 }
 
-/// All outlines in one drawing: a body may have thousands.
+/// All outlines in one drawing, because a body may have thousands.
 osg::ref_ptr<osg::Geometry> outlinesOf(const Polygons& polygons, const ScenePalette& palette) {
   std::vector<Vector3> segments;
   for (const std::vector<Vector3>& polygon : polygons) {
@@ -83,7 +83,7 @@ void SectionCaps::show(const std::vector<Plane>& sections, const std::vector<Cap
   for (std::size_t i = 0; i < sections_.size(); ++i) {
     Section& section = sections_[i];
     root_->addChild(section.group);
-    // The caps of one section are cut by the others.
+    // The other sections cut the caps of this one.
     for (std::size_t other = 0; other < kMostSections; ++other) {
       const bool cuts = other < sections_.size() && other != i;
       section.group->getOrCreateStateSet()->setMode(GL_CLIP_PLANE0 + static_cast<GLenum>(other),
@@ -159,7 +159,7 @@ SectionCaps::Work SectionCaps::work() {
   };
 }
 
-/// What was moved meanwhile is left for the next work.
+/// Takes a cut face. If its body or section has moved meanwhile, it is left for the next work.
 void SectionCaps::take(const Order& order, osg::Group* face) {
   if (order.section >= sections_.size() || order.body >= sections_[order.section].caps.size()) return;
   Cap& cap = sections_[order.section].caps[order.body];

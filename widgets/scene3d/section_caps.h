@@ -14,12 +14,12 @@
 
 namespace glissade {
 
-/// The cut face of a mesh in one section, filled and outlined, both in the frame of the mesh; null where the section
-/// does not meet it. On any thread.
+/// The cut face of a mesh in one section, filled and outlined, both in the frame of the mesh; null if the section does
+/// not meet it. May be called on any thread.
 osg::ref_ptr<osg::Group> makeCap(const TriangleMesh& mesh, const Plane& section, const osg::Vec4& colour,
                                  const ScenePalette& palette);
 
-/// A body that is cut open, where it is drawn.
+/// A body that is cut open, at its drawn pose.
 struct CapBody {
   MeshPtr mesh;
   Pose X_WB;
@@ -27,26 +27,26 @@ struct CapBody {
   bool shown = true;
 };
 
-/// The cut faces of all bodies in all sections. A cut face is made again only where its body and its section have
-/// moved against each other. Those of large bodies are left for another thread. GUI thread only, but for the work that
-/// work() gives.
+/// The cut faces of all bodies in all sections. A cut face is made again only if its body and its section have moved
+/// relative to each other. Cut faces of large bodies are left for another thread. Used on the GUI thread only, apart
+/// from the result of work().
 class SectionCaps {
  public:
-  /// On any thread; what it returns belongs to the GUI thread.
+  /// Called on any thread; its result is called on the GUI thread.
   using Work = std::function<std::function<void()>(const WorkWatch&)>;
 
   osg::Node* node() const { return root_; }
   /// Sections beyond kMostSections are not drawn.
   void show(const std::vector<Plane>& sections, const std::vector<CapBody>& bodies, const ScenePalette& palette);
-  /// Makes all again at the next show(): lines or colours are others.
+  /// Makes all cut faces again at the next show(), for other lines or colours.
   void forget();
   bool hasLeft() const;
-  /// Makes the cut faces that are left; null: none is.
+  /// The work that makes the remaining cut faces; null: none is left.
   Work work();
 
  private:
   struct Cap {
-    MeshPtr mesh;  ///< null: nothing is known
+    MeshPtr mesh;  ///< null: the cap was never made
     Plane plane_B;
     bool isLeft = false;
     osg::ref_ptr<osg::MatrixTransform> node = new osg::MatrixTransform;
@@ -55,7 +55,7 @@ class SectionCaps {
     osg::ref_ptr<osg::Group> group = new osg::Group;
     std::vector<Cap> caps;  ///< per body
   };
-  /// What is left to be made.
+  /// A cut face that has to be made.
   struct Order {
     std::size_t section;
     std::size_t body;

@@ -5,23 +5,23 @@
 
 namespace glissade {
 
-/// The handle of a section: an arrow from the middle of its outline to the side that is cut away. Where it points at
-/// the eye it is a knob, which is dragged up and down.
+/// The handle of a section: an arrow from the middle of its outline to the side that is cut away. If the arrow points
+/// at the eye, it is a knob, which is dragged up and down.
 struct SectionHandle {
   Vector3 middle = Vector3::Zero();
   Vector3 normal = Vector3::UnitX();  ///< unit, to the side that is cut away
 };
 
-/// Where the handle of a section is in the box of what is drawn. A section beside the box has its handle beside it.
+/// The handle of a section in the box of the drawn scene. A section beside the box has its handle beside it.
 SectionHandle handleOf(const SectionPlane& section, const Box3& box);
 
-/// `length` in fractions of the view's height.
+/// The tip of the arrow; `length` in fractions of the view's height.
 Vector3 tipOf(const SectionHandle& handle, const CameraController& camera, double length);
-/// The arrow points at the eye, or away from it.
+/// Whether the arrow points at the eye, or away from it.
 bool isKnob(const SectionHandle& handle, const CameraController& camera);
 
-/// A handle in the pointer's grip. What was gripped stays under the pointer; a knob moves away from the eye as far as
-/// the pointer moves up.
+/// A drag of a handle. The gripped point stays under the pointer; a knob moves away from the eye as far as the pointer
+/// moves up.
 class SectionDrag {
  public:
   SectionDrag(const SectionPlane& section, const SectionHandle& handle, const CameraController& camera,

@@ -23,7 +23,7 @@ void SectionClip::setSections(const std::vector<Plane>& sections, const std::vec
       layer->getOrCreateStateSet()->setMode(GL_CLIP_PLANE0 + static_cast<GLenum>(i), osg::StateAttribute::ON);
     }
   }
-  // The planes are set for the layers only: what is beside them is not cut.
+  // The planes are switched on for the layers only; nodes beside them are not cut.
   clip_->setLocalStateSetModes(osg::StateAttribute::OFF);
 }
 

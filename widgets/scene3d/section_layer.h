@@ -13,15 +13,15 @@ namespace glissade {
 /// OpenGL guarantees six clip planes; more sections are not drawn.
 inline constexpr std::size_t kMostSections = 6;
 
-/// Cuts away what lies on the side of a section's normal, of those layers that it is applied to.
+/// Cuts away the parts of some layers that are on the side of a section's normal.
 class SectionClip {
  public:
   SectionClip();
 
-  /// Belongs into the scene, beside the layers.
+  /// The node that has to be in the scene, beside the layers.
   osg::Node* node() const { return clip_; }
-  /// `layers` are cut by these sections, and by no others any more. A face that lies in a section is cut away, too:
-  /// `slack` metres are for the rounding of the graphics card.
+  /// Cuts only `layers` by these sections. A face that lies in a section is cut away, too; `slack` metres allow for the
+  /// rounding of the graphics card.
   void setSections(const std::vector<Plane>& sections, const std::vector<osg::Group*>& layers, double slack);
 
  private:

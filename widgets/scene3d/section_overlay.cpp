@@ -13,7 +13,7 @@ namespace glissade {
 namespace {
 
 constexpr double kSectionArrowPixels = 58.0;
-/// The pointer takes a handle that is nearer than this.
+/// Distance of the pointer below which it takes a handle.
 constexpr double kHandleMargin = 10.0;
 /// A section whose direction differs less from an axis has the axis' colour.
 constexpr double kAlongAxis = 0.9999;

@@ -20,18 +20,18 @@ constexpr int kCoarsestCells = 4;
 constexpr double kWorthwhile = 0.6;
 /// The error is at least this share of a cell.
 constexpr double kLeastError = 0.1;
-/// Of the corners, the share that moved most: a few do not make a level unfit.
+/// Share of the corners that moved most and are not counted: a few corners do not make a level unfit.
 constexpr double kNotCounted = 0.02;
 
 using Index = std::uint32_t;
 
-/// Triangles and edges by the numbers of vertices. Corner i of triangle t has the normal 3 t + i.
+/// Triangles and edges by the numbers of their vertices. Corner i of triangle t has the normal 3 t + i.
 struct IndexedShape {
   std::vector<osg::Vec3> vertices;
   std::vector<std::array<Index, 3>> triangles;
   std::vector<std::array<osg::Vec3, 3>> normals;
   std::vector<std::array<Index, 2>> edges;
-  std::vector<Index> vertexOfOriginal;  ///< of each vertex of the finest shape
+  std::vector<Index> vertexOfOriginal;  ///< for each vertex of the finest shape
 };
 
 /// The numbers from 0 to size - 1 in the order of `isBefore`.
@@ -43,7 +43,7 @@ std::vector<Index> sortedNumbers(std::size_t size, const IsBefore& isBefore) {
   return order;
 }
 
-/// Equal points become one vertex.
+/// The shape in which equal points are one vertex.
 IndexedShape indexed(const ShapeDetail& detail) {
   std::vector<osg::Vec3> points(detail.corners->begin(), detail.corners->end());
   points.insert(points.end(), detail.edges->begin(), detail.edges->end());
@@ -91,7 +91,7 @@ osg::Vec3d crossOf(const IndexedShape& shape, const std::array<Index, 3>& triang
   return (osg::Vec3d(shape.vertices[triangle[1]]) - a) ^ (osg::Vec3d(shape.vertices[triangle[2]]) - a);
 }
 
-/// Of each vertex the number of its cell; cells are numbered from 0, and only those that have vertices.
+/// The number of the cell of each vertex; only cells with vertices are numbered, from 0.
 std::vector<Index> cellsOf(const std::vector<osg::Vec3>& vertices, const osg::Vec3& origin, double cellSize,
                            std::size_t& cellCount) {
   std::vector<std::array<int, 3>> keys;
@@ -131,7 +131,8 @@ std::vector<osg::Vec3> representatives(const IndexedShape& shape, const std::vec
   return chosen;
 }
 
-/// The same numbers in any order are one triangle or edge; the first of them stays.
+/// The indices of the entries without repetitions. Entries with equal numbers in any order are one triangle or edge;
+/// the first one stays.
 template <std::size_t N>
 std::vector<Index> firstOfEach(const std::vector<std::array<Index, N>>& all) {
   std::vector<std::array<Index, N>> keys = all;
@@ -165,7 +166,7 @@ IndexedShape clustered(const IndexedShape& shape, const osg::Vec3& origin, doubl
   for (const Index i : firstOfEach(triangles)) {
     coarser.triangles.push_back(triangles[i]);
     coarser.normals.push_back(shape.normals[i]);
-    // The order of the corners says which side is lit.
+    // The order of the corners determines the lit side.
     const osg::Vec3d normal = shape.normals[i][0] + shape.normals[i][1] + shape.normals[i][2];
     if (crossOf(coarser, triangles[i]) * normal >= 0.0) continue;
     std::swap(coarser.triangles.back()[1], coarser.triangles.back()[2]);
@@ -193,8 +194,8 @@ ShapeDetail detailOf(const IndexedShape& shape) {
   return detail;
 }
 
-/// How far the corners of the finest shape have moved along its normals: what moves within a face is not seen. Of all
-/// corners but the share that moved most.
+/// The distance by which the corners of the finest shape have moved along its normals; motion within a face is
+/// invisible. The share of corners that moved most is not counted.
 double errorOf(const IndexedShape& coarser, const IndexedShape& finest) {
   std::vector<double> moves;
   moves.reserve(3 * finest.triangles.size());
@@ -240,7 +241,8 @@ std::vector<ShapeDetail> coarserDetails(const ShapeDetail& finest, const StopTok
     if (static_cast<double>(shape.triangles.size()) > kWorthwhile * static_cast<double>(triangles)) continue;
     triangles = shape.triangles.size();
     details.push_back(detailOf(shape));
-    // Where nearly all corners stay where they are, as on planes, small features may be gone all the same.
+    // The error has a lower bound, because small features may be gone even if nearly all corners stay in place, as on
+    // planes.
     const double least = std::max(kLeastError * side / cells, details.size() > 1 ? details.end()[-2].error : 0.0);
     details.back().error = std::max(errorOf(shape, original), least);
   }

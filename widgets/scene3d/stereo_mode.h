@@ -6,7 +6,7 @@
 
 namespace glissade {
 
-/// How the pictures of two eyes become one.
+/// The ways to compose one picture from the pictures of two eyes.
 enum class StereoMode {
   Off,
   Anaglyph,      ///< red of the left eye, green and blue of the right one
@@ -14,8 +14,8 @@ enum class StereoMode {
   TopBottom,     ///< each at half its height
   Interlaced,    ///< rows of the screen in turn, the uppermost of the left eye
   Checkerboard,  ///< pixels of the screen in turn, the first one of the left eye
-  QuadBuffer,    ///< each in a buffer of its own
-  LeftEye,       ///< of one eye only
+  QuadBuffer,    ///< each in a separate buffer of the driver
+  LeftEye,       ///< one eye only
   RightEye
 };
 
@@ -26,10 +26,10 @@ constexpr Eye otherEye(Eye eye) { return eye == Eye::Left ? Eye::Right : Eye::Le
 struct StereoModeEntry {
   StereoMode mode;
   const char* name;    ///< on the command line and in settings
-  const char* action;  ///< of the action catalogue
+  const char* action;  ///< id in the action catalogue
 };
 
-/// In the order of StereoMode.
+/// The modes in the order of StereoMode.
 inline constexpr std::array kStereoModes{
     StereoModeEntry{StereoMode::Off, "off", "stereo.off"},
     StereoModeEntry{StereoMode::Anaglyph, "anaglyph", "stereo.anaglyph"},
@@ -43,7 +43,7 @@ inline constexpr std::array kStereoModes{
 
 constexpr const StereoModeEntry& entryOf(StereoMode mode) { return kStereoModes[static_cast<std::size_t>(mode)]; }
 
-/// Nothing where no mode has this name.
+/// Nothing if no mode has this name.
 constexpr std::optional<StereoMode> stereoModeNamed(std::string_view name) {
   for (const StereoModeEntry& entry : kStereoModes) {
     if (name == entry.name) return entry.mode;

@@ -9,7 +9,7 @@ constexpr QRgb kRed = 0x00ff0000U;
 constexpr QRgb kGreenAndBlue = 0x0000ffffU;
 constexpr QRgb kOpaque = 0xff000000U;
 
-/// Each pixel is made of those of both eyes.
+/// Merges the pixels of both eyes.
 template <class Merge>
 QImage merged(const QImage& left, const QImage& right, Merge merge) {
   QImage picture(left.size(), QImage::Format_RGB32);
@@ -26,7 +26,7 @@ QImage anaglyph(const QImage& left, const QImage& right) {
   return merged(left, right, [](QRgb l, QRgb r, int, int) { return kOpaque | (l & kRed) | (r & kGreenAndBlue); });
 }
 
-/// Those of the left eye where `isLeft` says so of the column and the row of the screen.
+/// Takes the pixels of the left eye where `isLeft` is true for the column and the row of the screen.
 template <class IsLeft>
 QImage inTurn(const QImage& left, const QImage& right, const QPoint& corner, IsLeft isLeft) {
   return merged(left, right,

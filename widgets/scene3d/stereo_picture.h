@@ -7,24 +7,24 @@
 
 namespace glissade {
 
-/// The pictures of two eyes, of one size, as one picture of that size. `corner`: where its upper left pixel is on the
-/// screen, in device pixels: what is interlaced follows the screen. Modes that compose
-/// nothing have the left one.
+/// Composes the pictures of two eyes, of one size, into a picture of that size. `corner`: its upper left pixel on the
+/// screen, in device pixels, because interlaced pictures follow the screen. RightEye gives the right picture, the other
+/// modes that compose nothing the left one.
 QImage composeStereo(StereoMode mode, const QImage& left, const QImage& right, const QPoint& corner);
 
-/// A point of what an eye sees.
+/// A point of the picture of an eye.
 struct EyePoint {
   Eye eye;
   QPointF at;
 };
 
-/// Both eyes have their own part of the picture, so that a point of it belongs to one of them.
+/// Whether each eye has its own part of the picture, so that a point of it belongs to one of them.
 constexpr bool hasParts(StereoMode mode) { return mode == StereoMode::SideBySide || mode == StereoMode::TopBottom; }
 
-/// What a point of a composed picture of this size shows. Where both eyes see the same pixels, it is that of the left
-/// eye.
+/// The eye's point that is shown at a point of a composed picture of this size. If both eyes see the same pixels, it is
+/// that of the left eye.
 EyePoint eyePointAt(StereoMode mode, const QPointF& at, const QSizeF& size);
-/// The same of a known eye, also for points beyond its part.
+/// The point that is shown there to a known eye, also for points beyond its part.
 QPointF pointOfEye(StereoMode mode, Eye eye, const QPointF& at, const QSizeF& size);
 
 }  // namespace glissade

@@ -24,7 +24,7 @@ void paintPointer(QPainter& painter, const QPointF& at) {
   painter.drawPolygon(kArrow.translated(at));
 }
 
-/// The camera of a view is in the place of an eye as long as this lives.
+/// Puts the camera of a view at the place of an eye during its lifetime.
 class AtEyePlace {
  public:
   AtEyePlace(SceneView& view, const EyePlace& eyePlace) : view_(view), before_(view.camera().eyePlace()) {
@@ -76,7 +76,7 @@ void StereoScreen::setMode(StereoMode mode, bool swapped) {
   scene_.refresh();
 }
 
-/// It stays on top of what lies over the scene.
+/// Keeps this widget on top of the widgets over the scene.
 bool StereoScreen::eventFilter(QObject* watched, QEvent* event) {
   if (watched == scene_.widget()) {
     if (event->type() == QEvent::Resize) {
@@ -104,7 +104,7 @@ std::array<QImage, 2> StereoScreen::picturesOfEyes() {
   return pictures;
 }
 
-/// All that lies over the scene, as this eye sees it.
+/// Paints all widgets over the scene, as this eye sees them.
 void StereoScreen::paintOver(QImage& picture, const EyePlace& eyePlace) {
   const AtEyePlace at(scene_.view(), eyePlace);
   QPainter painter(&picture);
@@ -116,7 +116,7 @@ void StereoScreen::paintOver(QImage& picture, const EyePlace& eyePlace) {
   if (hasParts(mode_) && (underMouse() || pressedIn_)) paintPointer(painter, pointer_);
 }
 
-/// What lies under this widget is painted before it. Where it is not all of it, all is painted next.
+/// The widgets under this one are painted before it. If only a part of it is painted, the whole is painted next.
 void StereoScreen::paintEvent(QPaintEvent* event) {
   if (event->rect().contains(rect()) || composed_.isNull()) {
     std::array<QImage, 2> pictures = picturesOfEyes();
@@ -130,7 +130,7 @@ void StereoScreen::paintEvent(QPaintEvent* event) {
   QPainter(this).drawImage(0, 0, composed_);
 }
 
-/// Moves the pointer, and the camera to the eye that sees it: what is under it is what this eye sees there.
+/// Moves the pointer, and puts the camera at the eye that sees it, so that the scene is picked from this eye.
 EyePoint StereoScreen::point(const QPointF& at) {
   EyePoint seen = eyePointAt(mode_, at, size());
   if (pressedIn_) seen = {*pressedIn_, pointOfEye(mode_, *pressedIn_, at, size())};
@@ -140,7 +140,7 @@ EyePoint StereoScreen::point(const QPointF& at) {
   return seen;
 }
 
-/// What would have the mouse there if this widget were not.
+/// The widget that would get the mouse there without this one.
 QWidget* StereoScreen::widgetAt(const QPointF& at) const {
   const QObjectList& children = scene_.widget()->children();
   for (auto child = children.rbegin(); child != children.rend(); ++child) {

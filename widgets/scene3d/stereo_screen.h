@@ -14,19 +14,19 @@ class QMouseEvent;
 
 namespace glissade {
 
-/// Covers the widget of a scene with a picture for two eyes: the scene as each eye sees it, with all that lies over
-/// it, composed by a mode. Where each eye has a part of the picture, the mouse works in both parts.
+/// Covers the widget of a scene with a picture for two eyes: the scene as each eye sees it, with all widgets over it,
+/// composed by a mode. If each eye has a part of the picture, the mouse works in both parts.
 class StereoScreen final : public QWidget {
   Q_OBJECT
 
  public:
-  /// The places of the left and of the right eye, asked for before each picture.
+  /// The places of the left and of the right eye, called before each picture.
   using Eyes = std::function<std::array<EyePlace, 2>()>;
 
   StereoScreen(SceneWidget& scene, Eyes eyes);
 
-  /// Off hides it. `swapped`: the picture of the left eye is shown to the right one.
-  /// QuadBuffer does nothing where the driver has none.
+  /// Sets the mode; off hides the widget. `swapped`: the picture of the left eye is shown to the right one. QuadBuffer
+  /// does nothing if the driver has no such buffers.
   void setMode(StereoMode mode, bool swapped);
   StereoMode mode() const { return mode_; }
 
@@ -52,11 +52,11 @@ class StereoScreen final : public QWidget {
   StereoMode mode_ = StereoMode::Off;
   bool swapped_ = false;
   QImage composed_;
-  std::unique_ptr<QuadBuffer> quadBuffer_;  ///< in that mode only
-  Eye pointerEye_ = Eye::Left;    ///< which the pointer is shown to; the camera of the scene is where this eye is
-  QPointF pointer_;               ///< in what the eyes see
-  QPointer<QWidget> under_;       ///< the pointer
-  std::optional<Eye> pressedIn_;  ///< a button is held: it was pressed in the part of this eye
+  std::unique_ptr<QuadBuffer> quadBuffer_;  ///< in QuadBuffer only
+  Eye pointerEye_ = Eye::Left;    ///< the eye to which the pointer is shown; the camera of the scene is at this eye
+  QPointF pointer_;               ///< in the picture of the eye
+  QPointer<QWidget> under_;       ///< the widget under the pointer
+  std::optional<Eye> pressedIn_;  ///< while a button is held: the eye in whose part it was pressed
 };
 
 }  // namespace glissade

@@ -18,7 +18,7 @@ osg::ref_ptr<osg::Group> makeSweep(const TriangleMesh& surface_W, const ScenePal
   colour.a() = kSweepFill;
   osg::ref_ptr<osg::Geode> surface = new osg::Geode;
   surface->addDrawable(makeSurface(makeBodyShape(surface_W), colour));
-  // Its inner side would be blended over its outer one in the order of the triangles.
+  // The inner side is culled, because it would be blended over the outer one in the order of the triangles.
   surface->getOrCreateStateSet()->setAttributeAndModes(new osg::CullFace(osg::CullFace::BACK));
   makeTransparent(*surface);
   osg::ref_ptr<osg::Group> group = new osg::Group;

@@ -8,7 +8,7 @@
 
 namespace glissade {
 
-/// A swept volume: a see-through surface, so that the path and the bodies in it are seen.
+/// Draws a swept volume as a see-through surface, so that the path and the bodies in it are visible.
 osg::ref_ptr<osg::Group> makeSweep(const TriangleMesh& surface_W, const ScenePalette& palette);
 
 }  // namespace glissade

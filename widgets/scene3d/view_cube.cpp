@@ -19,27 +19,27 @@ namespace {
 
 constexpr int kCubeSize = 92;
 constexpr int kCubeMargin = 8;
-/// Pixels of half an edge of the cube.
+/// Half an edge of the cube in pixels.
 constexpr double kHalfEdge = 26.0;
-/// Beyond this share of a half edge from the middle of a face, its edge or corner is meant.
+/// Share of a half edge from the middle of a face beyond which a point belongs to its edge or corner.
 constexpr double kInnerShare = 0.58;
 constexpr double kStep = std::numbers::pi / 4.0;
 
-/// The name of a face: what one looks at from there.
+/// The name of the face on this side.
 QString faceName(int axis, double side) {
   if (axis == 0) return side < 0.0 ? ViewCube::tr("Left") : ViewCube::tr("Right");
   if (axis == 1) return side < 0.0 ? ViewCube::tr("Front") : ViewCube::tr("Back");
   return side < 0.0 ? ViewCube::tr("Bottom") : ViewCube::tr("Top");
 }
 
-/// The axes in the plane of a face that its text runs along: to the right and upwards.
+/// The axes of a face's text: to the right and upwards.
 std::array<Vector3, 2> textAxes(int axis, double side) {
   if (axis == 0) return {Vector3(0.0, side, 0.0), Vector3::UnitZ()};
   if (axis == 1) return {Vector3(-side, 0.0, 0.0), Vector3::UnitZ()};
   return {Vector3::UnitX(), Vector3(0.0, side, 0.0)};
 }
 
-/// -1, 0 or 1: which third of the face a coordinate lies in.
+/// The third of the face in which a coordinate lies: -1, 0 or 1.
 double thirdOf(double coordinate) {
   if (std::abs(coordinate) < kInnerShare) return 0.0;
   return coordinate < 0.0 ? -1.0 : 1.0;

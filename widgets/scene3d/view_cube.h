@@ -10,19 +10,19 @@
 namespace glissade {
 
 /// A cube in a corner of the scene that turns with it. A click on a face, an edge or a corner looks from there; the
-/// arrow keys go round in steps of 45 degrees, Home looks from the usual corner.
+/// arrow keys turn the view in steps of 45 degrees, Home looks from the usual corner.
 class ViewCube final : public QWidget {
   Q_OBJECT
 
  public:
-  /// Stays in the upper right corner of `scene`, which shows `view`.
+  /// The cube stays in the upper right corner of `scene`, which shows `view`.
   ViewCube(const SceneView& view, QWidget* scene);
 
-  /// What a point of the widget means: -1, 0 or 1 along each axis of the world; nothing beside the cube.
+  /// The direction for a point of the widget: -1, 0 or 1 along each axis of the world; nothing beside the cube.
   std::optional<Vector3> directionAt(const QPointF& at) const;
 
  signals:
-  /// Somebody wants to look from this direction.
+  /// The user wants to look from this direction.
   void lookFrom(const glissade::Vector3& towardsEye);
 
  protected:

@@ -10,7 +10,7 @@
 
 namespace glissade {
 
-/// An SVG picture of a plan's order in a window of its own, with scroll bars where it is larger.
+/// Shows an SVG picture of a plan's order in a separate window, with scroll bars if it is larger.
 class PlanGraphView final : public QDialog {
   Q_OBJECT
 
@@ -20,10 +20,11 @@ class PlanGraphView final : public QDialog {
   void setPicture(const std::string& svg);
 };
 
-/// Those of the window.
+/// The colours of the window.
 GraphColours graphColours(const QPalette& palette);
 
-/// The SVG as pixels, so many for each of its units; smaller where it would have more than the side's most pixels.
+/// The SVG as an image with `scale` pixels for each of its units. It is smaller if a side would exceed the largest
+/// size.
 QImage imageOfSvg(const std::string& svg, double scale);
 
 }  // namespace glissade

@@ -27,14 +27,14 @@ constexpr double kFooterMm = 8.0;
 constexpr double kBodyPoints = 8.5;
 constexpr double kTablePoints = 6.8;
 constexpr double kWideTablePoints = 5.6;
-constexpr double kHighestPicture = 0.55;  ///< of the height of a page
-constexpr double kBelowHeadingMm = 35.0;  ///< what a page has to hold of a heading and what follows
+constexpr double kHighestPicture = 0.55;  ///< share of the height of a page
+constexpr double kBelowHeadingMm = 35.0;  ///< least room on a page for a heading and its content
 constexpr std::size_t kManyColumns = 10;  ///< tables with more have smaller letters
 constexpr int kLongestLabel = 28;         ///< characters of a row's label that stay on one line
 
 QString text(const std::string& words) { return QString::fromStdString(words); }
 double dots(double millimetres) { return millimetres / 25.4 * kDotsPerInch; }
-/// Text formats count in pixels of a screen and are scaled to the paper.
+/// Text formats use pixels of a screen, which are scaled to the paper.
 constexpr double kScreenDotsPerInch = 96.0;
 double pixels(double millimetres) { return millimetres / 25.4 * kScreenDotsPerInch; }
 
@@ -48,7 +48,8 @@ class Composer {
     cursor_.insertText(text(words));
   }
 
-  /// Figures are large: their heading begins a page, or it might stay behind alone.
+  /// The heading of a figure begins a page, because the large figure could leave it alone at the end of the page
+  /// before.
   void onNewPage(const ReportHeading& heading) {
     insertHeading(heading);
     QTextBlockFormat format = cursor_.blockFormat();
@@ -57,11 +58,11 @@ class Composer {
   }
 
   void operator()(const ReportHeading& heading) {
-    // The block behind a table has no margin above, whatever its format says: it is filled by next to nothing.
+    // The block behind a table ignores its top margin. Almost empty text fills it.
     if (cursor_.block().length() <= 1) cursor_.insertText(QStringLiteral(" "), font(1.0));
     insertHeading(heading);
-    // Where little room is left it goes to the next page by its margin: behind a table, a page break of
-    // QTextDocument's leaves an empty page.
+    // If little room is left, a top margin moves the heading to the next page. A page break of QTextDocument behind a
+    // table would leave an empty page.
     const double left = millimetresLeft();
     if (left > kBelowHeadingMm) return;
     QTextBlockFormat format = cursor_.blockFormat();
@@ -79,7 +80,7 @@ class Composer {
     const int rows = static_cast<int>(table.rows.size()) + (titled ? 1 : 0);
     const double points = table.columns.size() > kManyColumns ? kWideTablePoints : kTablePoints;
     newBlock(0.0, 0.0);
-    cursor_.setBlockCharFormat(font(1.0));  // a table follows a block, which is to be low
+    cursor_.setBlockCharFormat(font(1.0));  // the block before the table has to be low
     QTextTableFormat format;
     format.setHeaderRowCount(titled ? 1 : 0);
     format.setCellPadding(pixels(0.7));
@@ -156,7 +157,7 @@ class Composer {
     cursor_.insertText(text(heading.text), font(12.0, QFont::Bold));
   }
 
-  /// On the page, from the top of the present block.
+  /// Height left on the page, from the top of the present block.
   double millimetresLeft() const {
     const double height = cursor_.document()->pageSize().height();
     const double top = cursor_.document()->documentLayout()->blockBoundingRect(cursor_.block()).top();
@@ -168,7 +169,7 @@ class Composer {
                        [](const ReportColumn& column) { return !column.title.empty(); });
   }
 
-  /// Goes on in the empty block that follows a table, elsewhere in a new one.
+  /// Continues in the empty block that follows a table, or else in a new block.
   void newBlock(double above, double below) {
     QTextBlockFormat format;
     format.setTopMargin(above);
@@ -178,7 +179,7 @@ class Composer {
     cursor_.setBlockCharFormat(font(kBodyPoints));
   }
 
-  /// A number keeps to one line, its spread in brackets to another.
+  /// Fills a cell. A number stays on one line, its spread in brackets on the next.
   static void fill(const QTextTableCell& cell, const std::string& words, bool number, const QTextCharFormat& letters) {
     QTextCursor cursor = cell.firstCursorPosition();
     QTextBlockFormat block;
@@ -255,7 +256,7 @@ SaveResult writeReportPdf(const StudyReport& report, const QString& file) {
   font.setPointSizeF(kBodyPoints);
   document.setDefaultFont(font);
   QTextOption wrapping;
-  wrapping.setWrapMode(QTextOption::WordWrap);  // no word is broken, in a narrow column neither
+  wrapping.setWrapMode(QTextOption::WordWrap);  // words are not broken, in narrow columns either
   document.setDefaultTextOption(wrapping);
   document.setPageSize({static_cast<double>(writer.width()), writer.height() - dots(kFooterMm)});
   Composer composer(document);

@@ -7,8 +7,8 @@
 
 namespace glissade {
 
-/// Writes a report as A4 pages: text that can be searched, plots as vectors, page numbers. Needs a
-/// QGuiApplication for its fonts.
+/// Writes a report as A4 pages with searchable text, plots as vectors, and page numbers. Needs a QGuiApplication for
+/// its fonts.
 SaveResult writeReportPdf(const StudyReport& report, const QString& file);
 
 }  // namespace glissade

@@ -18,9 +18,8 @@ namespace glissade {
 
 class PlotView;
 
-/// A study's results in a window of their own: its cells with the paper's numbers, the plots of the
-/// report, the findings, and the runs of the chosen cell. Asks for a run to be shown when it is
-/// double-clicked.
+/// Shows a study's results in a separate window: its cells with the paper's numbers, the plots of the report, the
+/// findings, and the runs of the selected cell. A double click on a run asks to show it.
 class StudyBrowser final : public QWidget {
   Q_OBJECT
 
@@ -33,17 +32,17 @@ class StudyBrowser final : public QWidget {
   const StudyFolder* folder() const { return folder_.get(); }
   const StudyResults& results() const { return results_; }
 
-  /// False: there is no such cell (from 0).
+  /// False if there is no such cell (from 0).
   bool selectCell(int cell);
-  /// Null: the findings are in front.
+  /// The plot in front; null: the findings are in front.
   PlotView* plot() const;
-  /// Puts what can be done with a plot under it.
+  /// Puts buttons for a plot's actions under it.
   void addPlotActions(const ActionCatalogue& actions);
-  /// Says something about the run that was shown.
+  /// Shows a message about the run that was shown.
   void setMessage(const QString& text);
 
  signals:
-  /// Another plot is in front, or another part of it is shown.
+  /// Another plot, or another part of it, is shown.
   void plotChanged();
   void runWanted(const glissade::StudyRun& run);
 

@@ -11,25 +11,25 @@
 
 namespace glissade {
 
-/// How long an assembly plan takes people: the sum, the longest chain, and a division over as many stations as are
-/// chosen, with a bar chart. A second page is the table of times that these follow from.
+/// The work times of an assembly plan: the sum, the longest chain, and a division over a number of stations, with a bar
+/// chart. A second page is the table of times from which they follow.
 class TimesView final : public QDialog {
   Q_OBJECT
 
  public:
   explicit TimesView(QWidget* parent);
 
-  /// Nothing: there is no plan.
+  /// Sets the times; nothing: there is no plan.
   void setTiming(const std::optional<PlanTiming>& timing, const GraphColours& colours);
-  /// Of the chart; 0: there is none.
+  /// Number of bars of the chart; 0: there is no chart.
   std::size_t shownBars() const { return bars_; }
-  /// Of one person; 0: there is no plan.
+  /// Seconds for one person; 0: there is no plan.
   double shownSeconds() const { return seconds_; }
   WorkTimesEditor& table() { return *table_; }
   void showTable() { pages_->setCurrentWidget(table_); }
-  /// 1: one person does all.
+  /// Number of stations; 1: one person does all.
   int stations() const { return stations_->value(); }
-  /// At least 1; what the box cannot hold becomes the nearest that it can.
+  /// Sets the number of stations, limited to the range of the box (at least 1).
   void setStations(int count) { stations_->setValue(count); }
 
  signals:

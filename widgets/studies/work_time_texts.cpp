@@ -6,7 +6,7 @@
 namespace glissade {
 namespace {
 
-/// The meanings of workTimeRows(), for the translators.
+/// The meanings of workTimeRows(), listed for the translators.
 [[maybe_unused]] constexpr const char* kMeanings[] = {
     QT_TRANSLATE_NOOP("WorkTimes", "a part is small below this length"),
     QT_TRANSLATE_NOOP("WorkTimes", "a part is large above this length"),

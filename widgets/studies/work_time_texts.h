@@ -8,16 +8,16 @@
 
 namespace glissade {
 
-/// "Fetch a small part", in the language of the window.
+/// Name in the language of the window, such as "Fetch a small part".
 QString workTimeName(const WorkTimeRow& row);
-/// "s", "m" or "kg".
+/// Unit: "s", "m" or "kg".
 QString workTimeUnit(const WorkTimeRow& row);
-/// "Default: 2.7 s", where it comes from, and the range.
+/// The default ("Default: 2.7 s"), its source, and the range.
 QString workTimeHelp(const WorkTimeRow& row);
 
-/// The number with the decimal sign of the language, without signs between thousands; all its digits.
+/// The number with all its digits and the decimal sign of the language, without signs between thousands.
 QString workTimeText(double value);
-/// The same back; a decimal point is understood in every language. Nothing: it is no number.
+/// The number that the text states; a decimal point is understood in every language. Nothing: it is no number.
 std::optional<double> workTimeIn(const QString& text);
 
 }  // namespace glissade

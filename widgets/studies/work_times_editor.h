@@ -2,13 +2,37 @@
 
 #include <QLabel>
 #include <QPushButton>
+#include <QTableWidget>
 
-#include "widgets/studies/work_time_table.h"
+#include <vector>
+
+#include "engine/sequence/work_times.h"
 
 namespace glissade {
 
+/// The rows of a table of work times: name, value, unit, default. Values that differ from their defaults are bold. A
+/// person's input is announced and not kept; setTimes() changes the rows.
+class WorkTimeTable final : public QTableWidget {
+  Q_OBJECT
+
+ public:
+  explicit WorkTimeTable(QWidget* parent);
+
+  void setTimes(const WorkTimes& times);
+  /// Selected indices of workTimeRows(), ascending.
+  std::vector<std::size_t> selectedTimes() const;
+  /// Writes the text into the value of this row, as a person does.
+  void write(std::size_t row, const QString& text);
+
+ signals:
+  void written(std::size_t row, const QString& text);
+
+ private:
+  void addRow(int row, const WorkTimeRow& time);
+};
+
 /// A table of work times that a person edits, reads from a file and saves. The owner keeps the table and its earlier
-/// states; this shows what it is given.
+/// states; the editor shows the table that it is given.
 class WorkTimesEditor final : public QWidget {
   Q_OBJECT
 
@@ -19,13 +43,13 @@ class WorkTimesEditor final : public QWidget {
   const WorkTimes& times() const { return times_; }
   void setCanUndo(bool can) { undo_->setEnabled(can); }
   void setCanRedo(bool can) { redo_->setEnabled(can); }
-  /// As a person writes it into the value of this row.
+  /// Writes the text into the value of this row, as a person does.
   void write(std::size_t row, const QString& text) { table_->write(row, text); }
-  /// Why the last value was not taken; empty: it was.
+  /// The reason why the last value was refused; empty: it was accepted.
   QString trouble() const { return trouble_->text(); }
 
  signals:
-  /// A person wants this table.
+  /// A person asks for this table.
   void edited(const glissade::WorkTimes& times);
   void undoAsked();
   void redoAsked();

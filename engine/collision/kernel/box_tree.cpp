@@ -12,9 +12,9 @@ namespace glissade {
 namespace {
 
 constexpr std::size_t kBins = 16;
-/// Trees with more triangles are large.
+/// Largest number of triangles of a tree whose boxes are fitted by fitBox(); larger trees use fitBoxQuickly().
 constexpr std::size_t kMostFittedWithCare = 200'000;
-/// Trees with more triangles are built by several threads.
+/// Largest number of triangles of a tree that one thread builds.
 constexpr std::size_t kMostOfOneThread = 20'000;
 
 /// Smallest float not below the value.
@@ -44,7 +44,7 @@ struct Bin {
     box.extend(other.box);
     count += other.count;
   }
-  /// Surface times count: what it costs to look into it.
+  /// Surface times count: the expected cost of a search in it.
   double cost() const {
     if (count == 0) return 0.0;
     const Vector3 s = box.sizes();
@@ -52,7 +52,7 @@ struct Bin {
   }
 };
 
-/// Where a box is best cut.
+/// The best cut of a part.
 struct Cut {
   int axis = -1;
   double at = 0.0;
@@ -93,8 +93,8 @@ struct Part {
   std::size_t size() const { return last - first; }
 };
 
-/// Builds a tree, or a part of it, over a run of triangles, which it puts into the order of the leaves. Several may
-/// work at the same time on runs of their own.
+/// Builds a tree, or a part of it, over a range of triangles, which it sorts into the order of the leaves. Several
+/// builders may work at the same time on different ranges.
 class TreeBuilder {
  public:
   TreeBuilder(std::vector<OwnedTriangle>& triangles, const Vector3& centre, std::size_t mostInALeaf)
@@ -106,7 +106,7 @@ class TreeBuilder {
   Part partOf(std::size_t first, std::size_t last);
   std::vector<Part> divided(const Part& whole);
   void build(const Part& whole) { fillNode(made_.addNode(), {whole}); }
-  /// The same in several threads. The whole is no leaf.
+  /// Builds the tree in several threads. Precondition: `whole` is no leaf.
   void buildInThreads(const Part& whole);
 
   BoxTreeNodes takeNodes() && { return std::move(made_); }
@@ -124,7 +124,7 @@ class TreeBuilder {
   std::size_t mostInALeaf_;
   bool withCare_;
   BoxTreeNodes made_;
-  // Of the part at hand; kept, because new memory costs time.
+  // Corners of the present part; a member, because allocation takes time.
   std::vector<const Triangle*> corners_;
   std::vector<Extent> extents_;
   std::vector<OwnedTriangle> behind_;
@@ -173,7 +173,8 @@ void TreeBuilder::buildInThreads(const Part& whole) {
   }
 }
 
-/// Lanes without a box repeat the last one: their arithmetic stays finite, their answers are not read.
+/// Sets the boxes of a node. Lanes without a box repeat the last one, so that their arithmetic stays finite; their
+/// answers are not read.
 void TreeBuilder::setBoxes(std::uint32_t node, const std::vector<Part>& parts) {
   made_.counts[node] = static_cast<std::uint32_t>(parts.size());
   const auto first = static_cast<BoxTree::Box>(node * lanes::kWidth);
@@ -191,7 +192,7 @@ void TreeBuilder::setBoxes(std::uint32_t node, const std::vector<Part>& parts) {
   }
 }
 
-/// Cuts the part with the largest surface again and again until there are eight.
+/// Divides the part with the largest surface repeatedly until there are eight.
 std::vector<Part> TreeBuilder::divided(const Part& whole) {
   std::vector<Part> parts{whole};
   while (parts.size() < lanes::kWidth) {
@@ -209,7 +210,7 @@ std::vector<Part> TreeBuilder::divided(const Part& whole) {
   return parts;
 }
 
-/// Leaves the extents of the part in `extents_`.
+/// The best cut of a part. Leaves the extents of the part in `extents_`.
 Cut TreeBuilder::bestCut(const Part& part) {
   extents_.clear();
   for (std::size_t i = part.first; i < part.last; ++i) extents_.push_back(extentIn(part.box, triangles_[i].corners));
@@ -218,7 +219,7 @@ Cut TreeBuilder::bestCut(const Part& part) {
   return cut;
 }
 
-/// Puts the triangles before the cut to the front, in their order, and returns where those behind it begin.
+/// Moves the triangles before the cut to the front, in their order, and returns the index of the first one behind it.
 std::size_t TreeBuilder::split(const Part& part, const Cut& cut) {
   const std::size_t half = part.first + part.size() / 2;
   if (cut.axis < 0) return half;
@@ -249,7 +250,8 @@ void TreeBuilder::setBox(BoxTree::Box box, const Part& part) {
       axes(i, k) = node.axis[k][i][lane];
     }
   }
-  // Extents about the rounded centre along the rounded axes: nothing sticks out of what is stored.
+  // The extents are computed about the rounded centre along the rounded axes, so that the stored box contains all
+  // triangles.
   Vector3 half = Vector3::Zero();
   double farthest = 0.0;
   int lowest = std::numeric_limits<int>::max();

@@ -8,7 +8,7 @@
 
 namespace glissade {
 
-/// A triangle of a tree, with the body that it belongs to.
+/// A triangle of a tree, with its body.
 struct OwnedTriangle {
   Triangle corners;
   int body = 0;
@@ -17,35 +17,35 @@ struct OwnedTriangle {
 /// The nodes and leaves of a tree.
 struct BoxTreeNodes {
   struct Leaf {
-    std::uint32_t first = 0;  ///< in `triangles`
+    std::uint32_t first = 0;  ///< index in `triangles`
     std::uint32_t count = 0;
     lanes::TriangleLanes lanes{};
   };
 
   std::vector<lanes::BoxLanes> nodes;
-  std::vector<std::uint32_t> counts;  ///< boxes of each node
+  std::vector<std::uint32_t> counts;  ///< number of boxes of each node
   std::vector<Leaf> leaves;
-  /// For each box: node below it, or -1 - leaf; radius about its centre; lowest body in it.
+  /// One entry for each box: the node below it, or -1 - leaf; the radius about its centre; the lowest body in it.
   std::vector<std::int32_t> child;
   std::vector<float> radius;
   std::vector<std::int32_t> lowestBody;
 
   /// Adds a node without boxes.
   std::uint32_t addNode();
-  /// Adds those of a part of the same tree.
+  /// Appends the nodes and leaves of a part of the same tree.
   void append(const BoxTreeNodes& part);
 };
 
-/// A wide hierarchy of oriented boxes: a node holds up to eight, each around a node or a leaf of up to
-/// four triangles. A box is named by node * 8 + lane; box 0 is around everything. Bounds are single
-/// precision, about `centre`, and hold what they say after rounding; the triangles themselves stay in
-/// double. Immutable, shared by threads.
+/// A wide hierarchy of oriented boxes. A node holds up to eight boxes, each around a node or a leaf of up to four
+/// triangles. A box has the number node * 8 + lane; box 0 contains everything. Bounds are single precision, relative to
+/// `centre`, and conservative with respect to rounding; the triangles themselves are stored in double precision.
+/// Immutable, shared by threads.
 class BoxTree : public BoxTreeNodes {
  public:
   using Box = std::uint32_t;
 
-  /// Large trees are built by several threads, and the boxes of the largest are fitted with less care. The tree is a
-  /// function of the triangles alone.
+  /// Builds the tree. Large trees are built by several threads, and the boxes of the largest are fitted less closely.
+  /// The tree depends on the triangles only.
   BoxTree(std::vector<OwnedTriangle> triangles, std::size_t mostInALeaf);
 
   bool empty() const { return triangles.empty(); }

@@ -2,21 +2,72 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <utility>
+#include <vector>
 
-#include "engine/collision/kernel/repeated_triangles.h"
+#include "engine/collision/kernel/box_tree.h"
 
 namespace glissade {
 namespace {
 
+/// Hash of a corner. Both signs of zero give the same hash.
+std::uint64_t mixed(const Vector3& corner) {
+  std::uint64_t key = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    key = (key ^ std::bit_cast<std::uint64_t>(corner[axis] + 0.0)) * 0x9E3779B97F4A7C15U;
+    key ^= key >> 32U;
+  }
+  return key;
+}
+
+/// Hash of a triangle, which does not depend on the order of its corners.
+std::uint64_t keyOf(const OwnedTriangle& triangle) {
+  return mixed(triangle.corners[0]) + mixed(triangle.corners[1]) + mixed(triangle.corners[2]);
+}
+
+bool sameCorners(const Triangle& a, const Triangle& b) {
+  constexpr std::array<std::array<std::size_t, 3>, 6> kOrders{
+      {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}};
+  return std::any_of(kOrders.begin(), kOrders.end(), [&](const auto& order) {
+    return a[0] == b[order[0]] && a[1] == b[order[1]] && a[2] == b[order[2]];
+  });
+}
+
+/// Drops each triangle that has the corners of an earlier one of the same body, in whatever order. Files for display
+/// have every face twice, once for each side: as sets of points the bodies are the same, with a quarter of the pairs.
+void dropRepeated(std::vector<OwnedTriangle>& triangles) {
+  std::vector<std::pair<std::uint64_t, std::size_t>> keys;
+  keys.reserve(triangles.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i) keys.emplace_back(keyOf(triangles[i]), i);
+  std::sort(keys.begin(), keys.end());
+  std::vector<bool> repeated(triangles.size(), false);
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const OwnedTriangle& first = triangles[keys[i].second];
+    if (repeated[keys[i].second]) continue;
+    for (std::size_t k = i + 1; k < keys.size() && keys[k].first == keys[i].first; ++k) {
+      const OwnedTriangle& other = triangles[keys[k].second];
+      if (other.body == first.body && sameCorners(first.corners, other.corners)) repeated[keys[k].second] = true;
+    }
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    if (!repeated[i]) triangles[kept++] = triangles[i];
+  }
+  triangles.resize(kept);
+}
+
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
 constexpr BoxPair kRoots{};
-/// Two of the object's triangles with four of the obstacles' fill the lanes; larger leaves fit badly.
+/// Most triangles in a leaf of the obstacles. Two of the object's triangles and four of the obstacles' fill the lanes;
+/// larger leaves do not.
 constexpr std::size_t kMostInALeafOfObstacles = 4;
 constexpr std::size_t kMostInALeafOfObject = 2;
-/// A motion that meets something is mostly found to at one of these, far apart first.
+/// Places of a motion that are tested first, because most colliding motions collide at one of them.
 constexpr std::array<double, 3> kTriedFirst{0.0, 1.0, 0.5};
 
 Box3 boxAround(const std::vector<RigidBody>& bodies) {
@@ -48,7 +99,7 @@ std::vector<OwnedTriangle> trianglesOf(const TriangleMesh& mesh, double scale) {
   return triangles;
 }
 
-/// A float bound that rules nothing out that the double would keep.
+/// A float bound that excludes nothing that the double bound would keep.
 float widenedBound(double value) {
   return value < std::numeric_limits<float>::max() ? static_cast<float>(value) * 1.000001F + 1e-37F
                                                    : std::numeric_limits<float>::infinity();
@@ -96,7 +147,7 @@ bool KernelQuery::moveTo(const Pose& X_WB, double bound) {
   return traversal_.placed.sphereGap() <= bound;
 }
 
-/// Two leaves meet in an obstacle below `bodiesBelow`: which is the lowest.
+/// True if two leaves meet in an obstacle below `bodiesBelow`, whose lowest index is stored in `body`.
 bool KernelQuery::leavesMeet(const BoxPair& leaves, int bodiesBelow, int& body) {
   const std::uint32_t firstObstacle = traversal_.obstacles().leafOf(leaves.obstacle).first;
   const std::uint32_t firstObject = traversal_.object.leafOf(leaves.object).first;
@@ -114,7 +165,7 @@ bool KernelQuery::leavesMeet(const BoxPair& leaves, int bodiesBelow, int& body) 
   return found;
 }
 
-/// The opened pairs that may be at `reach` or nearer, the deepest on top.
+/// Pushes the opened pairs that may be within `reach`, the deepest on top.
 void KernelQuery::pushWithin(const PairTraversal::Opened& opened, float reach) {
   alignas(32) std::array<float, lanes::kWidth> separation;
   unsigned mask = traversal_.within(opened, reach, separation.data());
@@ -162,7 +213,7 @@ std::optional<int> KernelQuery::touchingBody(const Pose& X_WB) {
   return lowest < std::numeric_limits<int>::max() ? std::optional<int>(lowest) : std::nullopt;
 }
 
-/// Adds the opened pairs that may still matter to the heap.
+/// Adds the opened pairs that may be within `bound` to the heap.
 void KernelQuery::push(const PairTraversal::Opened& opened, float bound) {
   alignas(32) std::array<float, lanes::kWidth> squared;
   traversal_.distances(opened, squared.data());
@@ -174,7 +225,7 @@ void KernelQuery::push(const PairTraversal::Opened& opened, float bound) {
   }
 }
 
-/// Takes the nearest from the heap.
+/// Removes the nearest pair from the heap.
 KernelQuery::Candidate KernelQuery::pop() {
   std::pop_heap(candidates_.begin(), candidates_.end(), farther);
   const Candidate nearest = candidates_.back();
@@ -182,8 +233,8 @@ KernelQuery::Candidate KernelQuery::pop() {
   return nearest;
 }
 
-/// Gathers in `triangles_` every pair of triangles that may be the nearest or as near as `bound`
-/// (squared). With estimates the bound shrinks on the way; returns what it came to.
+/// Collects in `triangles_` every pair of triangles that may be the nearest or within `bound` (squared). With estimates
+/// the bound decreases meanwhile. Returns the last bound.
 float KernelQuery::collect(float bound, bool byEstimates) {
   triangles_.clear();
   candidates_.assign(1, {kRoots, 0.0F});
@@ -204,7 +255,7 @@ float KernelQuery::collect(float bound, bool byEstimates) {
   return bound;
 }
 
-/// Improves `best` by what was gathered, in double precision.
+/// Improves `best` by the collected pairs, in double precision.
 void KernelQuery::decide(Best& best) {
   std::sort(triangles_.begin(), triangles_.end(),
             [](const TriangleCandidate& a, const TriangleCandidate& b) { return a.squared < b.squared; });
@@ -236,7 +287,7 @@ NearestObstacle KernelQuery::nearest(const Pose& X_WB, double enough) {
   const float left = collect(widenedBound(best.squared), true);
   decide(best);
   if (widenedBound(best.squared) > left) {
-    // Estimates are wrong for slivers: what was left out by them has to be looked at.
+    // Estimates are wrong for slivers, so that the pairs that they excluded are tested again.
     collect(widenedBound(best.squared), false);
     decide(best);
   }
@@ -244,7 +295,7 @@ NearestObstacle KernelQuery::nearest(const Pose& X_WB, double enough) {
   remember(best.pair);
   const TriangleDistance distance =
       triangleDistance(traversal_.obstacleTriangle(best.pair.obstacle), traversal_.placed.triangle(best.pair.object));
-  // Surfaces that do not touch are apart, by however little.
+  // The distance of surfaces that do not touch is positive, however small.
   result.distance = std::max(std::sqrt(distance.squared) / scale, std::numeric_limits<double>::min());
   result.body = traversal_.obstacles().triangles[best.pair.obstacle].body;
   result.p_WPo = distance.onA / scale;
@@ -252,8 +303,8 @@ NearestObstacle KernelQuery::nearest(const Pose& X_WB, double enough) {
   return result;
 }
 
-/// Two leaves meet, or are at `bound` or nearer. Of triangles that pierce each other all edges may be far
-/// apart: distances do not see that they meet.
+/// True if two leaves meet, or are within `bound`. Triangles that pierce each other may have distant edges, so that
+/// distances alone do not detect their contact.
 bool KernelQuery::leavesWithin(const BoxPair& leaves, double bound) {
   unsigned mask = traversal_.within(leaves, widenedBound(bound));
   if (mask == 0) return false;
@@ -273,18 +324,18 @@ bool KernelQuery::leavesWithin(const BoxPair& leaves, double bound) {
   return true;
 }
 
-/// One of the pairs that were near of late is at `bound` or nearer.
+/// True if one of the recently near pairs is within `bound`.
 bool KernelQuery::recentlyWithin(double bound) {
   if (recentCount_ == 0) return false;
   const auto squared = traversal_.exactDistances(std::span(recent_).first(recentCount_));
   const auto nearest = std::min_element(squared.begin(), squared.end());
   if (*nearest > bound * bound) return false;
-  // Lanes beyond the count repeat the last.
+  // Lanes beyond the count repeat the last pair.
   remember(recent_[std::min<std::size_t>(static_cast<std::size_t>(nearest - squared.begin()), recentCount_ - 1)]);
   return true;
 }
 
-/// Puts a pair in front of those that were near of late; the oldest is forgotten.
+/// Puts a pair at the front of the recently near pairs; the oldest is dropped.
 void KernelQuery::remember(const TrianglePair& pair) {
   const auto end = recent_.begin() + static_cast<std::ptrdiff_t>(recentCount_);
   auto at = std::find_if(recent_.begin(), end, [&](const TrianglePair& other) {

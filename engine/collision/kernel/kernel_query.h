@@ -9,37 +9,37 @@
 
 namespace glissade {
 
-/// The geometry of a world as the kernel wants it. Immutable, shared by threads. All lengths are multiplied
-/// by `scale`, a power of two that brings the obstacles to a size near one: single precision neither overflows
-/// nor underflows, and geometry in micrometres gives the same answers as geometry in kilometres.
+/// The geometry of a world for the kernel. Immutable, shared by threads. All lengths are multiplied by `scale`, a power
+/// of two that brings the obstacles to a size near one. So single precision neither overflows nor underflows, and
+/// geometry in micrometres gives the same answers as geometry in kilometres.
 struct KernelGeometry {
   KernelGeometry(const std::vector<RigidBody>& obstacles, const TriangleMesh& object);
-  /// Another object among the same obstacles.
+  /// Makes the geometry of another object among the same obstacles.
   KernelGeometry(const KernelGeometry& other, const TriangleMesh& object);
-  /// Of trees that were made for this scale.
+  /// Makes the geometry from trees of this scale.
   KernelGeometry(double commonScale, std::shared_ptr<const BoxTree> obstacleTree,
                  std::shared_ptr<const BoxTree> objectTree);
 
   double scale;
-  std::shared_ptr<const BoxTree> obstacles;  ///< world frame
-  std::shared_ptr<const BoxTree> object;     ///< frame B
+  std::shared_ptr<const BoxTree> obstacles;  ///< tree in the world frame
+  std::shared_ptr<const BoxTree> object;     ///< tree in frame B
 };
 
-/// One over the size of the obstacles, as a power of two.
+/// Scale of the kernel: one over the size of the obstacles, as a power of two.
 double kernelScale(const Box3& obstacles);
 /// The tree of an obstacle in the frame of its mesh. The body has the number 0.
 std::shared_ptr<const BoxTree> kernelObstacle(const TriangleMesh& mesh, double scale);
 std::shared_ptr<const BoxTree> kernelObject(const TriangleMesh& mesh, double scale);
 
-/// Our own kernel: wide hierarchies searched on vector units in single precision, which only ever rule
-/// pairs out; what remains is decided in double precision, yes/no by exact predicates. So every answer
-/// is a function of the pose alone: not of the instruction set, nor of what was asked before.
+/// Our own kernel: wide hierarchies that are searched on vector units in single precision, which only excludes pairs.
+/// The remaining pairs are decided in double precision, yes/no queries by exact predicates. So every answer depends on
+/// the pose only, not on the instruction set nor on earlier queries.
 class KernelQuery final : public SurfaceQuery {
  public:
   explicit KernelQuery(std::shared_ptr<const KernelGeometry> geometry,
                        const lanes::LaneFunctions& functions = lanes::best());
 
-  /// Asks another tree in place of the obstacles'; of the same scale. It has to outlive the query.
+  /// Queries another tree instead of the obstacles', which has the same scale. The tree must outlive the query.
   void setObstacles(const BoxTree& obstacles);
 
   bool touches(const Pose& X_WB) override;
@@ -60,14 +60,15 @@ class KernelQuery final : public SurfaceQuery {
     TrianglePair pair;
     float squared;  ///< lower bound
   };
-  /// The nearest pair of triangles so far; of equal ones the lowest.
+  /// The nearest pair of triangles so far; the lowest among equals.
   struct Best {
     double squared;
     TrianglePair pair;
   };
 
   Pose scaled(const Pose& X_WB) const { return {geometry_->scale * X_WB.position, X_WB.orientation}; }
-  /// False where there is nothing, or spheres around all are farther apart than `bound` (scaled).
+  /// Moves the object. False where there are no triangles, or spheres around all are farther apart than `bound`
+  /// (scaled).
   bool moveTo(const Pose& X_WB, double bound);
   bool leavesMeet(const BoxPair& leaves, int bodiesBelow, int& body);
   bool leavesWithin(const BoxPair& leaves, double bound);
@@ -83,10 +84,10 @@ class KernelQuery final : public SurfaceQuery {
   PairTraversal traversal_;
   std::vector<BoxPair> stack_;
   MotionSearch::Stacks motionStacks_;
-  std::vector<Candidate> candidates_;  ///< a heap, the nearest first: no more is opened than has to be
+  /// Heap with the nearest pair first, so that no more pairs are opened than necessary.
+  std::vector<Candidate> candidates_;
   std::vector<TriangleCandidate> triangles_;
-  std::array<TrianglePair, 4>
-      recent_;  ///< pairs that were near of late, the last first; as many as are looked at at once
+  std::array<TrianglePair, 4> recent_;  ///< recently near pairs, the last first; as many as are tested at once
   std::size_t recentCount_ = 0;
 };
 

@@ -1,22 +1,51 @@
 #pragma once
 
-#include "engine/collision/kernel/lane_vector.h"
+#include "engine/collision/kernel/lanes.h"
 
-/// What LaneFunctions promise, over a vector of eight floats `F` (`F::tiny()` is below any squared area
-/// or product of squared lengths met, and keeps divisions defined). Each instruction set instantiates
-/// this with a type of its own, so that no two files share a symbol.
+/// Implementation of LaneFunctions over a vector of eight floats `F` (`F::tiny()` is smaller than any squared area or
+/// product of squared lengths in the computation, and keeps divisions defined). Each instruction set instantiates it
+/// with its own type, so that no two files share a symbol.
 namespace glissade::lanes {
 
-/// Upper bound on the error of a squared distance of triangles per squared length of what enters it
-/// (edges and gap), for nearly parallel edges and slivers too: there the point found may be a poor
-/// one, but the function is so flat that it costs no more than the rounding of its coefficients. The
-/// largest met in 6.4 million nasty pairs was 2.3e-6.
+/// Eight (or four) vectors over a vector `F` of numbers.
+template <class F>
+struct Vec3 {
+  F x, y, z;
+
+  static Vec3 load(const float (&rows)[3][kWidth]) { return {F::load(rows[0]), F::load(rows[1]), F::load(rows[2])}; }
+  static Vec3 broadcast(const float (&rows)[3][kWidth], std::size_t lane) {
+    return {F::all(rows[0][lane]), F::all(rows[1][lane]), F::all(rows[2][lane])};
+  }
+  void store(float (&rows)[3][kWidth]) const {
+    x.store(rows[0]);
+    y.store(rows[1]);
+    z.store(rows[2]);
+  }
+
+  friend Vec3 operator-(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+  friend Vec3 operator+(const Vec3& a, const Vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+  friend Vec3 operator*(F s, const Vec3& a) { return {s * a.x, s * a.y, s * a.z}; }
+  friend F dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+  friend Vec3 cross(const Vec3& a, const Vec3& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  }
+  friend Vec3 absolute(const Vec3& a) { return {abs(a.x), abs(a.y), abs(a.z)}; }
+  friend Vec3 select(F mask, const Vec3& yes, const Vec3& no) {
+    return {select(mask, yes.x, no.x), select(mask, yes.y, no.y), select(mask, yes.z, no.z)};
+  }
+  friend F sumOfAbsolutes(const Vec3& a) { return abs(a.x) + abs(a.y) + abs(a.z); }
+};
+
+/// Upper bound on the error of a squared distance of triangles per squared length of its inputs (edges and gap),
+/// including nearly parallel edges and slivers. There the point may be inaccurate, but the function is so flat that the
+/// error is no larger than the rounding of its coefficients. The largest error in 6.4 million difficult pairs was
+/// 2.3e-6.
 inline constexpr float kSquaredDistanceError = 1.6e-5F;
-/// More than any squared length, and still finite when multiplied.
+/// Larger than any squared length, and finite when multiplied.
 inline constexpr float kALot = 1e30F;
 /// Squared sine below which two edges count as nearly parallel.
 inline constexpr float kNearlyParallel = 1e-8F;
-/// Takes the rounding of a few products away.
+/// Factor that removes the rounding of a few products.
 inline constexpr float kRoundedDown = 0.999999F;
 inline constexpr float kRoundedUp = 1.000002F;
 
@@ -53,7 +82,7 @@ struct Arithmetic {
     }
   }
 
-  /// What a point (one in each lane) goes in a sweep besides the way of the pivot.
+  /// Motion of a point (one in each lane) in a sweep relative to the pivot's motion.
   static V turned(const FloatSweep& X, const V& p) {
     const V arm = p - V{F::all(X.pivot[0]), F::all(X.pivot[1]), F::all(X.pivot[2])};
     const auto row = [&](int i) {
@@ -64,7 +93,7 @@ struct Arithmetic {
 
   static V wayOfPivot(const FloatSweep& X) { return {F::all(X.way[0]), F::all(X.way[1]), F::all(X.way[2])}; }
 
-  /// A point at distance r from the axis leaves its tangent by at most r angle^2 / 2.
+  /// Sweeps boxes. A point at distance r from the axis leaves its tangent by at most r angle^2 / 2.
   static void sweepBoxes(const BoxLanes& placed, const float* radius, const FloatSweep& X, SweepLanes& sweep) {
     const V turn = turned(X, V::load(placed.centre));
     const V way = turn + wayOfPivot(X);
@@ -89,11 +118,11 @@ struct Arithmetic {
 
   static F largest(const V& v) { return max(max(v.x, v.y), v.z); }
 
-  /// Eight boxes against one: what all separating axes need.
+  /// Data of eight boxes against one box that all separating axes need.
   struct BoxPairs {
     V halfA, halfB;
-    V gapA, gapB;  ///< between the centres, along the axes of each
-    V axes[3];     ///< axes[k]: axis k of each of the eight in terms of the one's axes
+    V gapA, gapB;  ///< vectors between the centres, along the axes of each box
+    V axes[3];     ///< axes[k]: axis k of each of the eight boxes in the frame of the single box
     V absolute[3];
 
     BoxPairs(const BoxLanes& boxes, const BoxLanes& other, std::size_t lane)
@@ -123,8 +152,8 @@ struct Arithmetic {
       const V reach = halfA.x * absolute[0] + halfA.y * absolute[1] + halfA.z * absolute[2];
       return {abs(gapB.x) - halfB.x - reach.x, abs(gapB.y) - halfB.y - reach.y, abs(gapB.z) - halfB.z - reach.z};
     }
-    /// Lower bounds on squared distances along the products of axis k of the eight and the one's axes:
-    /// separations over the length of these axes, the squared sine of their angles.
+    /// Lower bounds on squared distances along the products of axis k of the eight and the single box's axes:
+    /// separations divided by the length of these axes, which is the sine of their angles.
     F squaredByEdges(int k, F slack) const {
       const F zero = F::all(0.0F);
       const V gap = separationByEdges(k);
@@ -134,8 +163,8 @@ struct Arithmetic {
       };
       return max(max(squared(gap.x, axes[k].x), squared(gap.y, axes[k].y)), squared(gap.z, axes[k].z));
     }
-    /// Bits of the pairs that some product of axis k of the eight and an axis of the one separates.
-    /// These axes are shorter than one: so is the slack along them.
+    /// Bits of the pairs that a product of axis k of the eight and an axis of the single box separates. These axes are
+    /// shorter than one, and so is the slack along them.
     unsigned separatedByEdges(int k, F limit) const { return bits(less(limit, largest(separationByEdges(k)))); }
     V separationByEdges(int k) const {
       const int k1 = (k + 1) % 3;
@@ -153,8 +182,8 @@ struct Arithmetic {
               separation(gap.y, a1.y, a2.y, a0.z, halfB.z, a0.x, halfB.x),
               separation(gap.z, a1.z, a2.z, a0.x, halfB.x, a0.y, halfB.y)};
     }
-    /// How long a vector, given along the axes of the eight, is along the products of their axis k and
-    /// the one's axes.
+    /// Length of a vector, given along the axes of the eight, along the products of their axis k and the single box's
+    /// axes.
     V alongEdges(const V& v, int k) const {
       const F v1 = k == 0 ? v.y : k == 1 ? v.z : v.x;
       const F v2 = k == 0 ? v.z : k == 1 ? v.x : v.y;
@@ -192,7 +221,7 @@ struct Arithmetic {
     return ~separated & 0xFFU;
   }
 
-  /// Squared length of what is left of a separation along three perpendicular axes.
+  /// Squared length of a separation along three perpendicular axes, where it is positive.
   static F squaredGap(const V& separation, F slack) {
     const F zero = F::all(0.0F);
     const V gap{max(separation.x - slack, zero), max(separation.y - slack, zero), max(separation.z - slack, zero)};
@@ -210,10 +239,10 @@ struct Arithmetic {
 
   /// Pairs of triangles, one in each lane.
   struct TrianglePairs {
-    V a[3], b[3];    ///< corners
+    V a[3], b[3];    ///< corners of both triangles
     V ea[3], eb[3];  ///< edges from corner i to corner i + 1
 
-    /// The four of `la` with triangle `first` of `lb`, and with the next.
+    /// Pairs the four triangles of `la` with triangle `first` of `lb`, and with the next one.
     static TrianglePairs ofLeaves(const TriangleLanes& la, const TriangleLanes& lb, std::size_t first) {
       TrianglePairs pairs;
       for (std::size_t corner = 0; corner < 3; ++corner) {
@@ -234,7 +263,7 @@ struct Arithmetic {
       }
     }
 
-    /// Both triangles on an axis, from the first corner of a.
+    /// Intervals of both triangles on an axis, relative to the first corner of a.
     struct Extents {
       F lowA, highA;
       F b[3];
@@ -255,7 +284,7 @@ struct Arithmetic {
       const Extents on = along(axis);
       return on.gap(min(min(on.b[0], on.b[1]), on.b[2]), max(max(on.b[0], on.b[1]), on.b[2]));
     }
-    /// The same while the corners of b go their ways to both sides.
+    /// The gap between a and the interval of b that its corners sweep to both sides.
     F gapAlong(const V& axis, const V (&ways)[3]) const {
       const Extents on = along(axis);
       const F w0 = abs(dot(ways[0], axis));
@@ -264,13 +293,13 @@ struct Arithmetic {
       return on.gap(min(min(on.b[0] - w0, on.b[1] - w1), on.b[2] - w2),
                     max(max(on.b[0] + w0, on.b[1] + w1), on.b[2] + w2));
     }
-    /// Bits of the pairs that this axis separates: any axis is right, whatever its own rounding.
+    /// Bits of the pairs that this axis separates. Any axis is valid, whatever its own rounding.
     unsigned separatedBy(const V& axis, F slack) const {
       return bits(less(slack * sumOfAbsolutes(axis), gapAlong(axis)));
     }
   };
 
-  /// Bits of the pairs that none of their axes separates; `apart`: of those that an axis does.
+  /// Bits of the pairs that none of their axes separates; `apart`: computes the bits that an axis separates.
   template <class Apart>
   static unsigned unseparated(const TrianglePairs& pairs, const Apart& apart) {
     unsigned separated = apart(cross(pairs.ea[0], pairs.ea[1]));
@@ -309,7 +338,7 @@ struct Arithmetic {
     return within(a, b, 0, s, r) | (count > 2 ? within(a, b, 2, s, r) << kWidth : 0U);
   }
 
-  /// Triangles `b` of the pairs go `ways` to both sides, corner by corner.
+  /// Triangles `b` of the pairs move by `ways` to both sides, corner by corner.
   static unsigned mayMeetInSweep(const TriangleLanes& la, const TriangleLanes& lb, const TriangleLanes& lways,
                                  std::size_t first, F slack, F reach, bool byNearest) {
     const TrianglePairs pairs = TrianglePairs::ofLeaves(la, lb, first);
@@ -336,10 +365,10 @@ struct Arithmetic {
 
   static F clamped(F value) { return min(max(value, F::all(0.0F)), F::all(1.0F)); }
 
-  /// An edge with what all questions about it share.
+  /// An edge with the values that all computations share.
   struct Edge {
     V from, along;
-    F squared, inverse;  ///< length
+    F squared, inverse;  ///< squared length, and its inverse
 
     Edge(const V& p, const V& u) : from(p), along(u), squared(dot(u, u)), inverse(inverseOf(squared)) {}
   };
@@ -376,7 +405,7 @@ struct Arithmetic {
       const V gap = shortest();
       return dot(gap, gap);
     }
-    /// Where some are nearly parallel the ends of the first are tried besides.
+    /// The squared distance. Where segments are nearly parallel the ends of the first one are tried, too.
     F squaredRefined() const {
       const F found = squared();
       if (bits(less(F::all(kNearlyParallel) * first.squared * second.squared, determinant())) == F::kAllBits) {
@@ -386,7 +415,7 @@ struct Arithmetic {
     }
   };
 
-  /// From triangle a of each pair to b, between the points of their edges that are nearest.
+  /// Shortest vector from triangle a of each pair to b, between the nearest points of their edges.
   static V shortestBetweenEdges(const TrianglePairs& pairs) {
     F best = F::all(kALot);
     V shortest = pairs.b[0] - pairs.a[0];
@@ -402,13 +431,13 @@ struct Arithmetic {
     return shortest;
   }
 
-  /// A triangle's inside: where the products with the three inward normals of its edges are positive.
+  /// Interior of a triangle: the points whose products with the inward normals of its three edges are positive.
   struct Face {
     V corners[3];
     V normal;
     V inward[3];
     F inverseArea;
-    F faceless;  ///< a lot where it has no area
+    F faceless;  ///< kALot where the triangle has no area
 
     Face(const V (&c)[3], const V (&edges)[3]) : corners{c[0], c[1], c[2]}, normal(cross(edges[0], edges[1])) {
       for (int i = 0; i < 3; ++i) inward[i] = cross(normal, edges[i]);
@@ -416,7 +445,7 @@ struct Arithmetic {
       inverseArea = inverseOf(area);
       faceless = select(less(F::tiny(), area), F::all(0.0F), F::all(kALot));
     }
-    /// Squared distance of p where its foot lies on the face, else a lot.
+    /// Squared distance of p if its foot lies on the face, else kALot.
     F squaredFrom(const V& p) const {
       const V arm = p - corners[0];
       const F least = min(min(dot(inward[0], arm), dot(inward[1], p - corners[1])), dot(inward[2], arm));
@@ -425,7 +454,7 @@ struct Arithmetic {
     }
   };
 
-  /// Squared distances, and the squared lengths that their errors grow with.
+  /// Squared distances, and the squared lengths to which their errors are proportional.
   struct SquaredDistances {
     F squared;
     F scale;
@@ -467,7 +496,7 @@ struct Arithmetic {
   }
 };
 
-/// The one question asked in double precision: `D` holds four.
+/// Squared distances in double precision; `D` holds four.
 template <class D>
 void exactDistances(const TrianglePairLanes& lanes, double* squared) {
   typename Arithmetic<D>::TrianglePairs pairs;

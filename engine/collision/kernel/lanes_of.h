@@ -4,7 +4,7 @@
 
 namespace glissade::lanes {
 
-/// One file each. Those of an instruction set may only be called where the machine has it.
+/// The implementations, one in each file. That of an instruction set may only be called where the machine has it.
 const LaneFunctions& portable();
 const LaneFunctions& sse2();
 const LaneFunctions& avx2();

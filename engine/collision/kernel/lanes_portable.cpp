@@ -4,7 +4,7 @@
 namespace glissade::lanes {
 namespace {
 
-/// `kCount` numbers in a loop: for any machine, and the reference for the others.
+/// A vector of `kCount` numbers with loops: for any machine, and the reference for the others.
 template <class Real, std::size_t kCount>
 struct Portable {
   static constexpr unsigned kAllBits = (1U << kCount) - 1U;

@@ -6,7 +6,7 @@
 namespace glissade::lanes {
 namespace {
 
-/// Eight floats in two registers: what every x86-64 has.
+/// Eight floats in two registers, which every x86-64 processor has.
 struct Sse2Float8 {
   static constexpr unsigned kAllBits = 0xFF;
   using F = Sse2Float8;

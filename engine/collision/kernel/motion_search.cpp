@@ -7,7 +7,7 @@
 namespace glissade {
 namespace {
 
-/// As in the certificate: less than this share above the requirement counts as below it.
+/// Least margin as a share of the requirement, as in the certificate. A smaller margin counts as below the requirement.
 constexpr double kSlimmestMargin = 1e-3;
 /// The first violation is found to within this way, as a share of the object's size.
 constexpr double kLocated = 1e-3;
@@ -180,7 +180,7 @@ bool MotionSearch::keptApart(const TrianglePair& pair, const TriangleDistance& d
   for (const Vector3& corner : traversal_.placed.triangle(pair.object)) {
     const Vector3 arm = corner - middle_.position;
     const double towards = std::abs(normal.dot(velocity_.translation_W + spin_W_.cross(arm)));
-    // What a circle leaves its tangent by.
+    // The deviation of a circle from its tangent.
     const double bend = 0.5 * turned * turned * arm.norm();
     lowest = std::min(lowest, normal.dot(corner - distance.onA) - (half * towards + bend) * (1.0 + 1e-9));
   }

@@ -47,8 +47,8 @@ class MotionSearch {
 
   /// False where it is not: then `check_` says why.
   bool prove(const Interval& interval, const Doubts& doubts, const StopToken& stop);
-  /// What of the doubts is left in this interval, or has not been looked at, goes to the end of `doubts_`. False where
-  /// the requirement is violated in its middle.
+  /// Appends to `doubts_` the doubts that remain in this interval or were not examined. Returns false if the middle of
+  /// the interval violates the requirement.
   bool examine(const Interval& interval, const Doubts& doubts);
   bool examine(Opened opened, double half);
   Finding examine(const BoxPair& leaves, double half);

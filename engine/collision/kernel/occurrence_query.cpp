@@ -8,10 +8,10 @@
 namespace glissade {
 namespace {
 
-/// Boxes are widened by this share of their coordinates: more than placing a corner rounds.
+/// Relative widening of boxes, larger than the rounding of a placed corner.
 constexpr double kBoxRounding = 1e-14;
-/// A turn with a smaller cosine of half its angle is taken in two halves: its sense is a matter of rounding, and each
-/// frame rounds in its own way.
+/// A motion is halved if the cosine of half its angle is smaller. Near half a turn the sense of rotation is decided by
+/// rounding, which differs between frames.
 constexpr double kNearlyHalfATurn = 1e-6;
 
 Box3 widenedBox(const Box3& box) {
@@ -57,7 +57,7 @@ void OccurrenceGeometry::setObject(std::shared_ptr<const BoxTree> tree, const Bo
 OccurrenceQuery::OccurrenceQuery(std::shared_ptr<const OccurrenceGeometry> geometry)
     : geometry_(std::move(geometry)), one_(ofOneOccurrence(*geometry_)) {}
 
-/// Holds the object at this pose.
+/// A box around the object at this pose.
 Box3 OccurrenceQuery::boxAt(const Pose& X_WB) const {
   const Box3& box = geometry_->objectBox;
   if (box.isEmpty()) return box;
@@ -66,7 +66,7 @@ Box3 OccurrenceQuery::boxAt(const Pose& X_WB) const {
   return widenedBox({centre - half, centre + half});
 }
 
-/// Holds the object all the way. The reference point stays in the box of its ends.
+/// A box around the object on the whole motion. The reference point stays in the box of its ends.
 Box3 OccurrenceQuery::boxOfMotion(const Pose& from, const Pose& to) const {
   if (from.orientation.coeffs() == to.orientation.coeffs()) return boxAt(from).merged(boxAt(to));
   const Vector3 reach = Vector3::Constant(geometry_->objectReach);
@@ -78,7 +78,8 @@ KernelQuery& OccurrenceQuery::ask(std::uint32_t occurrence) {
   return one_;
 }
 
-/// The object's pose in the frame of the mesh. Positions are subtracted first: far from the origin nothing is lost.
+/// The object's pose in the frame of the mesh. Positions are subtracted first, so that no precision is lost far from
+/// the origin.
 Pose OccurrenceQuery::seenFrom(std::uint32_t occurrence, const Pose& X_WB) const {
   const Pose& X_WM = geometry_->occurrences[occurrence].X_WM;
   const Quaternion turn = X_WM.orientation.conjugate();

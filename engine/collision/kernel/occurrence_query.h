@@ -8,31 +8,31 @@
 
 namespace glissade {
 
-/// The geometry of a world in two levels: a hierarchy of boxes over the obstacles in place, and a tree for each mesh,
-/// in the frame of the mesh, that all of its occurrences share. Immutable, shared by threads.
+/// The geometry of a world in two levels: a hierarchy of boxes over the placed obstacles, and a tree for each mesh, in
+/// the frame of the mesh, which all its occurrences share. Immutable, shared by threads.
 struct OccurrenceGeometry {
   struct Occurrence {
-    std::shared_ptr<const BoxTree> tree;  ///< of the mesh, made for `scale`; its body has the number 0
-    Pose X_WM;                            ///< of the mesh's frame
+    std::shared_ptr<const BoxTree> tree;  ///< tree of the mesh with this `scale`; its body has the number 0
+    Pose X_WM;                            ///< pose of the mesh's frame
   };
 
   /// `boxes`: around the occurrences in the world. `objectBox`: in frame B.
   OccurrenceGeometry(double scale, std::vector<Occurrence> occurrences, const std::vector<Box3>& boxes,
                      std::shared_ptr<const BoxTree> object, const Box3& objectBox);
 
-  /// Another object among the same obstacles.
+  /// Replaces the object; the obstacles stay.
   void setObject(std::shared_ptr<const BoxTree> tree, const Box3& box);
 
-  double scale;  ///< as KernelGeometry
+  double scale;  ///< as in KernelGeometry
   std::vector<Occurrence> occurrences;
-  BoxHierarchy boxes;  ///< of the occurrences, by their number
+  BoxHierarchy boxes;  ///< boxes of the occurrences, by their number
   std::shared_ptr<const BoxTree> object;
-  Box3 objectBox;            ///< metres, frame B
-  double objectReach = 0.0;  ///< of the box from the reference point
+  Box3 objectBox;            ///< bounding box of the object, metres, frame B
+  double objectReach = 0.0;  ///< largest distance of the box from the reference point
 };
 
-/// Asks the kernel about each occurrence that the object may reach, in the frame of its mesh, and unites the answers.
-/// Answers depend on the pose alone.
+/// Queries the kernel for each occurrence that the object may reach, in the frame of its mesh, and combines the
+/// answers. Answers depend on the pose only.
 class OccurrenceQuery final : public SurfaceQuery {
  public:
   explicit OccurrenceQuery(std::shared_ptr<const OccurrenceGeometry> geometry);
@@ -54,7 +54,7 @@ class OccurrenceQuery final : public SurfaceQuery {
                                const StopToken& stop);
 
   std::shared_ptr<const OccurrenceGeometry> geometry_;
-  KernelQuery one_;  ///< of one occurrence at a time
+  KernelQuery one_;  ///< query of one occurrence at a time
 };
 
 }  // namespace glissade

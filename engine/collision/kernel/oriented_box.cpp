@@ -10,8 +10,8 @@
 namespace glissade {
 namespace {
 
-/// The box along these axes, unless its surface is `most` or more: with those that stick out farthest first,
-/// few triangles are looked at to know.
+/// The box along these axes; nothing if its surface is `most` or more. If the outermost triangles come first, few
+/// triangles decide that.
 std::optional<OrientedBox> boxAlong(const Eigen::Matrix3d& axes, const std::vector<const Triangle*>& triangles,
                                     double most = std::numeric_limits<double>::infinity()) {
   Box3 corners;
@@ -26,7 +26,7 @@ std::optional<OrientedBox> boxAlong(const Eigen::Matrix3d& axes, const std::vect
   return box;
 }
 
-/// First those that reach farthest along the coordinate axes and the diagonals of a cube.
+/// The triangles that reach farthest along the coordinate axes and the diagonals of a cube come first.
 std::vector<const Triangle*> outermostFirst(std::vector<const Triangle*> triangles) {
   constexpr std::size_t kDirections = 7;
   if (triangles.size() <= 2 * kDirections) return triangles;
@@ -58,7 +58,7 @@ std::vector<const Triangle*> outermostFirst(std::vector<const Triangle*> triangl
   }
   std::array<std::size_t, 2 * kDirections> found;
   std::transform(outermost.begin(), outermost.end(), found.begin(), [](const Outermost& o) { return o.triangle; });
-  // In ascending order nothing is swapped away before it is its turn.
+  // In ascending order no triangle is swapped away before its turn.
   std::sort(found.begin(), found.end());
   const auto last = std::unique(found.begin(), found.end());
   for (auto at = found.begin(); at != last; ++at) {
@@ -80,7 +80,7 @@ Eigen::Matrix3d principalAxes(const std::vector<const Triangle*>& triangles) {
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors();
 }
 
-/// Along an edge and the normal; nothing where the triangle has no area.
+/// Axes along an edge and the normal; nothing where the triangle has no area.
 std::optional<Eigen::Matrix3d> axesAlong(const Triangle& triangle, std::size_t edge) {
   const Vector3 along = triangle[(edge + 1) % 3] - triangle[edge];
   const Vector3 normal = along.cross(triangle[(edge + 2) % 3] - triangle[edge]);
@@ -92,7 +92,7 @@ std::optional<Eigen::Matrix3d> axesAlong(const Triangle& triangle, std::size_t e
   return axes;
 }
 
-/// Some with the largest areas, the largest first.
+/// At most `most` triangles with the largest areas, the largest first.
 std::vector<const Triangle*> leadingTriangles(const std::vector<const Triangle*>& triangles, std::size_t most) {
   if (triangles.size() <= most) return triangles;
   struct Sized {

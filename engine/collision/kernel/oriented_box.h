@@ -16,11 +16,12 @@ struct OrientedBox {
   double surface() const { return half.x() * half.y() + half.y() * half.z() + half.z() * half.x(); }
 };
 
-/// The smallest (by surface) of a few candidates around the corners: along the coordinate axes, the
-/// principal axes, and the longest edge of the largest triangle with its normal.
+/// The smallest (by surface) of a few candidates around the corners: along the coordinate axes, the principal axes, and
+/// the edges of the eight largest triangles with their normals.
 OrientedBox fitBox(const std::vector<const Triangle*>& triangles);
 
-/// Of fewer candidates: for many triangles along the coordinate axes only. A third of the time, for large meshes.
+/// Like fitBox() with fewer candidates; many triangles get a box along the coordinate axes. Takes a third of the time
+/// for large meshes.
 OrientedBox fitBoxQuickly(const std::vector<const Triangle*>& triangles);
 
 }  // namespace glissade

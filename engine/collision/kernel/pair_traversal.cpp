@@ -43,7 +43,7 @@ void PairTraversal::distances(const Opened& opened, float* squared) {
   }
 }
 
-/// Bits of the triangles that two leaves have.
+/// Bits of the triangles in two leaves.
 unsigned PairTraversal::columnsOf(const BoxPair& leaves) const {
   const unsigned rows = (1U << (lanes::kLeafTriangles * object.leafOf(leaves.object).count)) - 1U;
   return rows & (((1U << obstacles_->leafOf(leaves.obstacle).count) - 1U) * 0x1111U);

@@ -14,21 +14,21 @@ struct BoxPair {
   BoxTree::Box object = 0;
 };
 
-/// Places in the trees' lists of triangles.
+/// Indices in the trees' lists of triangles.
 struct TrianglePair {
   std::uint32_t obstacle = 0;
   std::uint32_t object = 0;
 };
 
-/// One thread's view of two trees at one pose, and the steps that every query is made of. A pair of
-/// boxes that are not both leaves is opened on the side of the larger one.
+/// One thread's view of two trees at one pose, and the steps of every query. A pair of boxes that are not both leaves
+/// is opened on the side of the larger one.
 class PairTraversal {
  public:
   PairTraversal(const BoxTree& obstacles, const BoxTree& object, const lanes::LaneFunctions& functions)
       : object(object), placed(obstacles, object, functions), obstacles_(&obstacles), functions_(functions) {}
 
   const BoxTree& obstacles() const { return *obstacles_; }
-  /// Another tree in place of the obstacles'. The object has to be moved then.
+  /// Replaces the obstacles' tree. The object must be moved afterwards.
   void setObstacles(const BoxTree& obstacles) {
     obstacles_ = &obstacles;
     placed.setObstacles(obstacles);
@@ -36,11 +36,11 @@ class PairTraversal {
 
   bool bothLeaves(const BoxPair& pair) const { return obstacles_->isLeaf(pair.obstacle) && object.isLeaf(pair.object); }
 
-  /// The up to eight pairs below one that is opened.
+  /// The up to eight pairs below an opened pair.
   struct Opened {
     BoxPair first;
-    bool obstacle;  ///< the lane is added to this side
-    unsigned mask;  ///< of the lanes that count
+    bool obstacle;  ///< true: the lanes are boxes of the obstacle
+    unsigned mask;  ///< bits of the used lanes
 
     BoxPair operator[](unsigned lane) const {
       return obstacle ? BoxPair{first.obstacle + lane, first.object} : BoxPair{first.obstacle, first.object + lane};
@@ -59,27 +59,26 @@ class PairTraversal {
     return {{pair.obstacle, static_cast<BoxTree::Box>(node * lanes::kWidth)}, false, (1U << object.counts[node]) - 1U};
   }
 
-  /// Bits of the opened pairs that may be at `reach` or nearer, and separations to order them by.
+  /// Bits of the opened pairs that may be within `reach`, and separations for sorting them.
   unsigned within(const Opened& opened, float reach, float* separation);
-  /// Bits of those that may be nearer than `reach` at any time of the sweep.
+  /// Bits of the opened pairs that may be nearer than `reach` at any time of the sweep.
   unsigned withinSweep(const Opened& opened, float reach);
   /// Lower bounds on the squared distances of the opened pairs.
   void distances(const Opened& opened, float* squared);
 
   /// Bits 4 k + i of the pairs of triangles of two leaves that may meet.
   unsigned mayMeet(const BoxPair& leaves);
-  /// The same of those that may be at `reach` or nearer.
+  /// Bits 4 k + i of the pairs of triangles of two leaves that may be within `reach`.
   unsigned within(const BoxPair& leaves, float reach);
-  /// The same of those that may be nearer than `reach` at some time of the sweep; `byNearest`: see LaneFunctions.
+  /// Bits 4 k + i of the pairs of triangles of two leaves that may be nearer than `reach` at some time of the sweep;
+  /// `byNearest`: see LaneFunctions.
   unsigned mayMeetInSweep(const BoxPair& leaves, float reach, bool byNearest);
-  /// How far a box of the object goes in the sweep, at most; and what its points may leave a straight
-  /// way by.
+  /// Largest motion of a box of the object in the sweep, and largest deviation of its points from a straight line.
   float wayOf(BoxTree::Box box) const {
     return placed.sweepOf(BoxTree::nodeAround(box)).length[BoxTree::laneOf(box)] + placed.sweepSlack();
   }
   float bendOf(BoxTree::Box box) const { return placed.sweepOf(BoxTree::nodeAround(box)).bend[BoxTree::laneOf(box)]; }
-  /// Lower bounds on their squared distances, and estimates (LaneFunctions); unused places hold
-  /// +infinity.
+  /// Lower bounds on the squared distances, and estimates (LaneFunctions); unused places hold +infinity.
   struct LeafDistances {
     static constexpr std::size_t kPairs = std::size_t{lanes::kLeafTriangles} * lanes::kLeafTriangles;
     alignas(32) std::array<float, kPairs> squared;
@@ -93,12 +92,12 @@ class PairTraversal {
     }
   };
   LeafDistances triangleDistances(const BoxPair& leaves);
-  /// Squared distances of up to four pairs of triangles, as triangleDistance finds them.
+  /// Squared distances of up to four pairs of triangles, equal to those of triangleDistance.
   std::array<double, 4> exactDistances(std::span<const TrianglePair> pairs);
 
   const Triangle& obstacleTriangle(std::uint32_t index) const { return obstacles_->triangles[index].corners; }
 
-  /// Pairs that were looked at so far. Up to eight pairs of boxes, all triangles of two leaves, and four pairs of
+  /// Number of pairs tested so far. Up to eight pairs of boxes, all triangles of two leaves, and four pairs of
   /// triangles count as one each.
   std::uint64_t pairs() const { return pairs_; }
 

@@ -31,7 +31,7 @@ class PlacedObject {
   }
   void leaf(BoxTree::Box box, lanes::TriangleLanes& placed) const;
 
-  /// As far as it is swept; what `slack` is to a pose `sweepSlack` is to all that a sweep adds.
+  /// The sweep of a node's boxes. `sweepSlack` bounds the rounding of the sweep, as `slack` bounds that of a pose.
   const lanes::SweepLanes& sweepOf(std::uint32_t index) const { return sweeps_[index]; }
   float sweepSlack() const { return sweepSlack_; }
   void sweepTriangles(const lanes::TriangleLanes& placed, lanes::TriangleLanes& ways) const;

@@ -15,7 +15,7 @@
 namespace glissade {
 namespace {
 
-/// Assimp also chooses importers by what the content looks like; a file must not reach one of another format.
+/// Assimp also selects importers by the content; a file must not reach the importer of another format.
 void keepOnlyImportersOf(Assimp::Importer& importer, const std::string& ending) {
   for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
     const std::string endings = std::string(" ") + importer.GetImporterInfo(i)->mFileExtensions + " ";
@@ -24,10 +24,10 @@ void keepOnlyImportersOf(Assimp::Importer& importer, const std::string& ending) 
   }
 }
 
-/// Spacings of floats by which a sum of three products and its terms can be wrong.
+/// Error of a sum of three products and its terms, in spacings of floats.
 constexpr double kErrorOfTransform = 4.0;
 
-/// How far the coordinates can be from those of the file: assimp parses and transforms them in single precision.
+/// Largest deviation of the coordinates from those of the file: assimp parses and transforms them in single precision.
 double spacingOf(const aiScene& scene, const aiNode& node, const Eigen::Matrix4d& parent, double error) {
   using FloatMatrix = Eigen::Matrix<float, 4, 4, Eigen::RowMajor>;
   const Eigen::Matrix4d transform = parent * Eigen::Map<const FloatMatrix>(&node.mTransformation.a1).cast<double>();
@@ -47,7 +47,7 @@ double spacingOf(const aiScene& scene, const aiNode& node, const Eigen::Matrix4d
   return spacing;
 }
 
-/// Calls `use` with every mesh of triangles and its transform.
+/// Calls `use` with each triangle mesh and its transform.
 void forEachMesh(const aiScene& scene, const aiNode& node, const aiMatrix4x4& parent, const auto& use) {
   const aiMatrix4x4 transform = parent * node.mTransformation;
   for (unsigned int m = 0; m < node.mNumMeshes; ++m) {
@@ -79,14 +79,14 @@ TriangleMesh trianglesOf(const aiScene& scene) {
   return result;
 }
 
-/// Reports what assimp says. Assimp catches failed allocations itself and only names them in its text.
+/// Throws the error of assimp. Assimp catches failed allocations and only names them in its text.
 [[noreturn]] void refuse(const Assimp::Importer& importer) {
   const std::string reason = importer.GetErrorString();
   if (reason.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
   throw FormatError{"", "cannot be read: " + reason};
 }
 
-/// Sums as OMPL.app does: all vertices that assimp holds, in single precision.
+/// The mean that OMPL.app computes: all vertices that assimp has, in single precision.
 Vector3 meanOfVertices(const aiScene& scene) {
   std::array<float, 3> sum{};
   std::size_t count = 0;
@@ -112,10 +112,10 @@ MeshContent readWithAssimp(std::string_view bytes, const std::string& ending) {
   if (scene == nullptr) refuse(importer);
   if (scene->mRootNode == nullptr) throw FormatError{"", "holds no geometry"};
   MeshContent content;
-  // Assimp's own parser of numbers may miss the nearest float by one.
+  // Assimp's parser of numbers may miss the nearest float by one.
   content.coordinateSpacing = spacingOf(*scene, *scene->mRootNode, Eigen::Matrix4d::Identity(), 2.0);
-  // The flags of OMPL.app, on whose results its problems depend. The last one also joins vertices that differ, so
-  // that only the mean is taken after it.
+  // Flags of OMPL.app, on whose results its problems depend. The last flag also joins vertices that differ, so only the
+  // mean is computed after it.
   scene = importer.ApplyPostProcessing(aiProcess_GenNormals | aiProcess_Triangulate | aiProcess_SortByPType |
                                        aiProcess_OptimizeGraph);
   if (scene == nullptr) refuse(importer);

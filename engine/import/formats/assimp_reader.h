@@ -7,8 +7,8 @@
 
 namespace glissade {
 
-/// Lets assimp parse a file of that ending. Coordinates are those that assimp holds, which are 32-bit floats; the
-/// transforms of nodes are applied in double precision. Throws FormatError.
+/// Parses a file with that ending by assimp. Coordinates are the 32-bit floats of assimp; the transforms of nodes are
+/// applied in double precision. Throws FormatError.
 MeshContent readWithAssimp(std::string_view bytes, const std::string& ending);
 
 }  // namespace glissade

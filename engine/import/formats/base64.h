@@ -7,7 +7,7 @@
 
 namespace glissade {
 
-/// The bytes that a base64 text (RFC 4648) stands for; nothing where it is malformed.
+/// Decodes a base64 text (RFC 4648); nothing if it is malformed.
 inline std::optional<std::string> decodeBase64(std::string_view text) {
   while (!text.empty() && text.back() == '=') text.remove_suffix(1);
   constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

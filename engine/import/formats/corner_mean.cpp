@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 constexpr float kEqual = 1e-5F;
-/// Corners at one position that are compared with a new one; bounds the time that the tip of a cone takes.
+/// Number of corners at one position that are compared with a new one; limits the time for the tip of a cone.
 constexpr int kMostCompared = 1000;
 
 }  // namespace

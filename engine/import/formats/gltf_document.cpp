@@ -63,7 +63,7 @@ double component(const char* at, std::uint64_t type, bool normalized) {
   }
 }
 
-/// The part of `bytes` from `offset` on, `size` long.
+/// The `size` bytes from `offset` on.
 std::string_view part(std::string_view bytes, std::uint64_t offset, std::uint64_t size, const std::string& location) {
   if (offset > bytes.size() || size > bytes.size() - offset)
     throw FormatError{location, "goes beyond the end of its data"};
@@ -218,7 +218,7 @@ void GltfDocument::replaceSparse(const Json& accessor, const std::string& locati
     throw FormatError{location + "/sparse", "has no indices or no values"};
   }
   if (numbers.values.empty()) {
-    // Zeros, of which the file has no data: no more of them than bytes of the file.
+    // Zeros without data in the file; their number is limited by the number of bytes of the file.
     std::uint64_t bytes = 0;
     for (const std::string_view buffer : buffers_) bytes += buffer.size();
     if (count > bytes) throw FormatError{location, "claims more elements than the file has bytes"};

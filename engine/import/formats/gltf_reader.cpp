@@ -18,7 +18,7 @@ using Json = nlohmann::json;
 
 enum Mode : std::uint64_t { kTriangles = 4, kStrip = 5, kFan = 6 };
 
-/// Extensions that say how a surface looks, not where it is; and numbers of few bits, which are read.
+/// Extensions that only affect the appearance of a surface, and numbers of few bits, which are read.
 constexpr std::array<std::string_view, 8> kHarmless{"KHR_materials_", "KHR_texture_",         "EXT_texture_",
                                                     "MSFT_texture_",  "KHR_lights_",          "EXT_lights_",
                                                     "KHR_xmp",        "KHR_mesh_quantization"};
@@ -36,7 +36,7 @@ void checkRequiredExtensions(const Json& root) {
   }
 }
 
-/// The numbers of a list, which must be `count` long; nothing where it is missing.
+/// The numbers of a list of length `count`; nothing if the list is missing.
 std::optional<std::vector<double>> listOf(const Json& object, const char* key, std::size_t count,
                                           const std::string& location) {
   const auto found = object.find(key);
@@ -111,7 +111,7 @@ class Scene {
     Eigen::Affine3d parent;
   };
 
-  /// A node is reached once; a file in which one is its own ancestor would be read for ever.
+  /// A node may be reached once only: a node that is its ancestor would be read without end.
   std::vector<Placed> childrenOf(const Json& object, const char* key, const std::string& location,
                                  const Eigen::Affine3d& transform) {
     std::vector<Placed> children;
@@ -202,7 +202,7 @@ class Scene {
     return points;
   }
 
-  /// Normals and texture coordinates count for the mean only.
+  /// Normals and texture coordinates are used for the mean only.
   struct Attributes {
     std::vector<double> normals;
     std::vector<double> textures;
@@ -249,7 +249,7 @@ class Scene {
   }
 
   const GltfDocument& document_;
-  std::vector<bool> reached_;  ///< nodes
+  std::vector<bool> reached_;  ///< one entry for each node
   VertexWelder welder_;
   CornerMean mean_;
   MeshContent content_;

@@ -6,9 +6,9 @@
 
 namespace glissade {
 
-/// Reads the triangles of a glTF or GLB file's scene. Transforms of nodes are applied in double precision. A required
-/// extension that changes the surface and is not known is an error; morph targets and skins are not applied, which
-/// is a warning. Throws FormatError.
+/// Reads the triangles of the scene of a glTF or GLB file. Transforms of nodes are applied in double precision. An
+/// unknown required extension that changes the surface is an error; morph targets and skins are not applied, with a
+/// warning. Throws FormatError.
 MeshContent readGltf(std::string_view bytes);
 
 }  // namespace glissade

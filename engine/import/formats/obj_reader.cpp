@@ -12,7 +12,7 @@
 namespace glissade {
 namespace {
 
-/// Statements that say nothing about the surface.
+/// Statements that do not affect the surface.
 constexpr std::array kSkipped{"o",  "g",   "s",  "usemtl", "mtllib",   "l",        "p",          "usemap",    "maplib",
                               "mg", "lod", "vp", "bevel",  "c_interp", "d_interp", "shadow_obj", "trace_obj", "call"};
 constexpr std::array kFreeForm{"cstype", "deg",  "bmat", "step", "curv", "curv2", "surf",
@@ -22,7 +22,7 @@ bool isOneOf(const auto& keywords, std::string_view word) {
   return std::find(keywords.begin(), keywords.end(), word) != keywords.end();
 }
 
-/// A corner of a face as the file writes it: position, texture coordinates and normal, counted from 0.
+/// A corner of a face: position, texture coordinates and normal, counted from 0.
 struct Corner {
   std::uint32_t vertex = 0;
   std::optional<std::uint32_t> texture;
@@ -48,7 +48,7 @@ class Statement {
   bool continued_ = false;
 };
 
-/// The text is read twice: first all vertices, because faces may come before them, then the faces.
+/// Reads the text twice: first all vertices, because faces may come before them, then the faces.
 class Obj {
  public:
   explicit Obj(std::string_view text) : text_(text) {}
@@ -83,7 +83,7 @@ class Obj {
     }
   }
 
-  /// To the beginning of the next statement.
+  /// Skips to the beginning of the next statement.
   static bool skipContinued(TextScanner& scanner) {
     Statement rest(scanner);
     while (!rest.word().empty()) {
@@ -99,7 +99,7 @@ class Obj {
     throw scanner.error("begins with " + inQuotes(keyword) + ", which is not a statement of an OBJ file");
   }
 
-  /// x y z, and perhaps a weight of 1 or a colour.
+  /// Reads x y z and an optional weight of 1 or colour.
   static Vector3 readPosition(const TextScanner& scanner, Statement& statement) {
     Vector3 position;
     for (double& coordinate : position) coordinate = scanner.number(statement.word(), "the coordinate");
@@ -109,7 +109,7 @@ class Obj {
     return position;
   }
 
-  /// Normals and texture coordinates; missing numbers are zero.
+  /// Reads a normal or texture coordinates; missing numbers are zero.
   template <int kCount>
   static Eigen::Matrix<float, kCount, 1> readAttribute(Statement& statement) {
     Eigen::Matrix<float, kCount, 1> numbers;
@@ -137,7 +137,7 @@ class Obj {
     } while (skipContinued(scanner));
   }
 
-  /// Its words, with one blank between them.
+  /// The words of the statement, with one blank between them.
   static std::string restOf(Statement& statement) {
     std::string text;
     for (std::string_view word = statement.word(); !word.empty(); word = statement.word()) {
@@ -187,7 +187,7 @@ class Obj {
     return corner;
   }
 
-  /// Counted from 1, or backwards from what has come so far.
+  /// Indices count from 1, or backwards from the latest element.
   static std::uint32_t readIndex(const TextScanner& scanner, std::string_view word, std::size_t soFar,
                                  std::size_t count, const char* what) {
     std::int64_t index = 0;
@@ -224,13 +224,13 @@ class Obj {
 
   std::string_view text_;
   VertexWelder welder_;
-  std::vector<std::uint32_t> indices_;  ///< of the file's vertices, where equal positions are one
+  std::vector<std::uint32_t> indices_;  ///< for each vertex of the file, the index of the welded vertex
   std::vector<Eigen::Vector3f> normals_;
   std::vector<Eigen::Vector2f> textures_;
   std::size_t verticesSoFar_ = 0;
   std::size_t texturesSoFar_ = 0;
   std::size_t normalsSoFar_ = 0;
-  std::vector<Corner> corners_;  ///< of the face that is read
+  std::vector<Corner> corners_;  ///< corners of the face that is being read
   std::vector<Vector3> positions_;
   CornerMean mean_;
   MeshContent content_;

@@ -6,9 +6,8 @@
 
 namespace glissade {
 
-/// Reads the polygons of an OBJ file; points and lines bound no solid and are skipped. A face that cannot be read as a
-/// whole, and a free-form surface, is an error. Materials are not read. A group is what follows an "o" or a "g"
-/// statement. Throws FormatError.
+/// Reads the polygons of an OBJ file; points and lines are skipped. A face that cannot be read completely, and a
+/// free-form surface, is an error. Materials are not read. "o" and "g" statements begin a group. Throws FormatError.
 MeshContent readObj(std::string_view text);
 
 }  // namespace glissade

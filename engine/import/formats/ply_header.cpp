@@ -69,7 +69,7 @@ PlyProperty readProperty(TextScanner& scanner) {
   return property;
 }
 
-/// Before anything is allocated.
+/// Checks the counts before memory is allocated.
 void checkCounts(const PlyHeader& header, std::size_t fileBytes) {
   std::uint64_t left = fileBytes - header.bytes;
   for (const PlyElement& element : header.elements) {

@@ -17,30 +17,30 @@ std::size_t sizeOf(PlyType type);
 
 struct PlyProperty {
   std::string name;
-  PlyType type = PlyType::Float;  ///< of a list: of its items
+  PlyType type = PlyType::Float;  ///< for a list, the type of its items
   bool isList = false;
-  PlyType countType = PlyType::UInt8;  ///< of a list
+  PlyType countType = PlyType::UInt8;  ///< type of a list's length
 };
 
 struct PlyElement {
   std::string name;
-  std::uint64_t count = 0;  ///< as the header claims
+  std::uint64_t count = 0;  ///< number of elements that the header claims
   std::vector<PlyProperty> properties;
 
-  /// The least number of bytes that one of them takes: a digit and a separator a number in a text.
+  /// Least number of bytes of one element; in a text, a digit and a separator for each number.
   std::size_t leastBytes(PlyEncoding encoding) const;
-  /// Index of the property; -1 where there is none of that name.
+  /// Index of the property; -1 if there is none of that name.
   int find(std::string_view property) const;
 };
 
 struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::Text;
   std::vector<PlyElement> elements;
-  std::size_t bytes = 0;  ///< of the header itself
+  std::size_t bytes = 0;  ///< size of the header
   std::size_t lines = 0;
 };
 
-/// Reads the header and compares its counts with what the file can hold. Throws FormatError.
+/// Reads the header and checks its counts against the size of the file. Throws FormatError.
 PlyHeader readPlyHeader(std::string_view bytes);
 
 }  // namespace glissade

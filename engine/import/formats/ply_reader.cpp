@@ -102,7 +102,8 @@ class Ply {
   }
 
  private:
-  /// The values of one element: `row_` has one number a property, `list_` the items of the property `kept`.
+  /// Reads the values of one element: a number for each property into `row_`, and the items of the property `kept` into
+  /// `list_`.
   void readRow(const PlyElement& element, int kept = -1) {
     row_.clear();
     for (std::size_t i = 0; i < element.properties.size(); ++i) {
@@ -185,8 +186,8 @@ class Ply {
   Numbers numbers_;
   std::vector<double> row_;
   std::vector<double> list_;
-  std::vector<Vector3> positions_;  ///< as the file numbers them
-  std::vector<Vector3> corners_;    ///< of the face that is read
+  std::vector<Vector3> positions_;  ///< positions of the file's vertices, by number
+  std::vector<Vector3> corners_;    ///< corners of the face that is being read
   VertexWelder welder_;
   MeshContent content_;
 };

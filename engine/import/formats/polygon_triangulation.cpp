@@ -17,7 +17,7 @@ double area(const Point& a, const Point& b, const Point& c) {
   return ab.x() * ac.y() - ab.y() * ac.x();
 }
 
-/// Newell's normal: its length is twice the area.
+/// Newell's normal; its length is twice the area.
 Vector3 normalOf(const std::vector<Vector3>& corners) {
   Vector3 normal = Vector3::Zero();
   for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
@@ -26,7 +26,7 @@ Vector3 normalOf(const std::vector<Vector3>& corners) {
   return normal;
 }
 
-/// Seen along the normal's largest coordinate, counter-clockwise.
+/// The corners projected along the normal's largest coordinate, counter-clockwise.
 std::vector<Point> projected(const std::vector<Vector3>& corners, const Vector3& normal) {
   Eigen::Index axis = 0;
   normal.cwiseAbs().maxCoeff(&axis);
@@ -54,7 +54,7 @@ std::vector<TriangleIndices> fanOf(std::size_t corners) {
   return fan;
 }
 
-/// Cuts off one ear after another.
+/// Triangulates a polygon by cutting off ears.
 class EarClipping {
  public:
   explicit EarClipping(const std::vector<Point>& points) : points_(points), left_(points.size()) {
@@ -83,10 +83,10 @@ class EarClipping {
       if (size > 0.0 && isEmpty(ear)) return ear;
       if (size == 0.0 && !flat) flat = ear;
     }
-    return flat;  // an ear without area changes nothing
+    return flat;  // an ear without area does not change the polygon
   }
 
-  /// No other corner lies in the ear; those that coincide with one of its corners touch it only.
+  /// True if no other corner is in the ear; corners that coincide with one of its corners do not count.
   bool isEmpty(std::size_t ear) const {
     const Point& a = at(ear + left_.size() - 1);
     const Point& b = at(ear);
@@ -107,8 +107,8 @@ class EarClipping {
   }
 
   const std::vector<Point>& points_;
-  std::vector<std::uint32_t> left_;  ///< corners that are not cut off yet, in order
-  std::size_t next_ = 0;             ///< where to look first
+  std::vector<std::uint32_t> left_;  ///< remaining corners, in order
+  std::size_t next_ = 0;             ///< first corner of the next search
   std::vector<TriangleIndices> triangles_;
 };
 

@@ -22,7 +22,7 @@ using Facet = std::array<Vector3, 3>;
 /// Collects the facets of a file.
 class Facets {
  public:
-  /// `expected`: facets of a closed surface, which has half as many vertices; more of either are taken, too.
+  /// `expected`: number of facets of a closed surface, which has half as many vertices; larger numbers are accepted.
   explicit Facets(std::size_t expected = 0) : welder_(expected / 2 + 2) {
     reserveFilled(triangles_, expected);
     mean_.reserve(3 * expected);
@@ -66,7 +66,7 @@ class TextStl {
 
  private:
   void readSolid() {
-    scanner_.nextLine();  // what follows 'solid' is its name
+    scanner_.nextLine();  // the name of the solid follows 'solid'
     for (std::string_view word = scanner_.word(); !isKeyword(word, "endsolid"); word = scanner_.word()) {
       if (!isKeyword(word, "facet")) throw unexpected(word, "endsolid");
       readFacet();
@@ -90,7 +90,7 @@ class TextStl {
     facets_.add(corners, attributes);
   }
 
-  /// The normal says nothing that the corners do not say: some programs write no numbers there.
+  /// The corners give the normal, so its numbers may be missing, as some programs write it.
   CornerAttributes readNormal() {
     CornerAttributes attributes;
     std::string_view word = scanner_.wordInLine();
@@ -124,7 +124,7 @@ std::uint32_t claimedTriangles(std::string_view bytes) {
   return claimed;
 }
 
-/// Some programs begin binary files with the word 'solid': their length tells them apart, or bytes that are no text.
+/// Some programs begin binary files with the word 'solid': their length, or bytes that are no text, identifies them.
 bool isText(std::string_view bytes) {
   if (bytes.size() >= kHeader && bytes.size() == kHeader + kRecord * std::uint64_t{claimedTriangles(bytes)}) {
     return false;

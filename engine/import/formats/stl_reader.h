@@ -6,8 +6,8 @@
 
 namespace glissade {
 
-/// Reads an STL file, text or binary. Text that holds anything but whole facets in whole solids is an error, and so
-/// is a binary file whose length differs from what its number of triangles needs. Throws FormatError.
+/// Reads an STL file, text or binary. Text with anything except complete facets in complete solids is an error, and so
+/// is a binary file whose length does not match its number of triangles. Throws FormatError.
 MeshContent readStl(std::string_view bytes);
 
 }  // namespace glissade

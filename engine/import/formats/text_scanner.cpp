@@ -54,7 +54,7 @@ double TextScanner::number(std::string_view word, const char* what) const {
   const std::string_view digits = word.front() == '+' ? word.substr(1) : word;
   double value = 0.0;
   const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  // Out of range is what overflows, and what is nearer to zero than any number.
+  // Out of range are numbers that overflow, and numbers too close to zero.
   if (fault == std::errc::result_out_of_range) value = std::strtod(std::string(digits).c_str(), nullptr);
   const bool whole = fault != std::errc::invalid_argument && end == digits.data() + digits.size();
   if (!whole || digits.front() == '+') throw error(std::string(what) + " " + inQuotes(word) + " is not a number");

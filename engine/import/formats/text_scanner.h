@@ -7,11 +7,11 @@
 
 namespace glissade {
 
-/// Reads a text word by word and knows the line. Words are separated by spaces, tabs and the ends of lines (LF,
-/// CR LF or CR). A byte-order mark at the beginning is skipped.
+/// Reads a text word by word and counts lines. Words are separated by spaces, tabs and the ends of lines (LF, CR LF or
+/// CR). A byte-order mark at the beginning is skipped.
 class TextScanner {
  public:
-  /// `firstLine` is the number of the text's first line.
+  /// `firstLine`: number of the text's first line.
   explicit TextScanner(std::string_view text, std::size_t firstLine = 1);
 
   /// The next word of this line; empty at the line's end.
@@ -20,16 +20,16 @@ class TextScanner {
   std::string_view word();
   /// Moves to the beginning of the next line. False at the end of the text.
   bool nextLine();
-  /// No word follows, on any line.
+  /// True if no word follows, on any line.
   bool atEnd();
-  /// The text ends in the middle of a line.
+  /// True if the text ends in the middle of a line.
   bool lastLineIsOpen() const;
 
   std::size_t line() const { return line_; }
   std::size_t position() const { return at_; }
   FormatError error(const std::string& reason) const;
 
-  /// The finite number that a word is. `what` names it in the error: "the coordinate".
+  /// The finite number in a word. `what` names it in the error: "the coordinate".
   double number(std::string_view word, const char* what) const;
 
  private:
@@ -40,10 +40,10 @@ class TextScanner {
   std::size_t line_;
 };
 
-/// A number that the surface does not depend on: 0 where the word is not a finite number.
+/// A number that does not affect the surface: 0 if the word is no finite number.
 float attributeNumber(std::string_view word);
 
-/// Whether a word is the keyword, in upper or lower case.
+/// True if the word is the keyword, in upper or lower case.
 bool isKeyword(std::string_view word, std::string_view keyword);
 
 }  // namespace glissade

@@ -7,7 +7,7 @@ namespace {
 
 std::optional<Pose> validOnly(const std::optional<Pose>& pose) { return pose && isValid(*pose) ? pose : std::nullopt; }
 
-/// What is no number is 0.
+/// The value clamped to [0, 1]; 0 for a value that is no number.
 double share(double value) { return value > 0.0 ? std::min(value, 1.0) : 0.0; }
 
 }  // namespace

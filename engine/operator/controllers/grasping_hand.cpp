@@ -20,7 +20,7 @@ Pose GraspingHand::advance(double dt, const OperatorView& view, const Box3& boun
   }
   if (!hand_->controllersMoveObject) {
     taken_ = false;
-    closed_ = true;  // a hand that is closed then takes nothing
+    closed_ = true;  // a hand that is already closed takes nothing
     X_GB_.reset();
     return view.q_device;
   }
@@ -41,8 +41,8 @@ Pose GraspingHand::advance(double dt, const OperatorView& view, const Box3& boun
   return led;
 }
 
-/// A hand that is closed elsewhere takes nothing until it is opened. A controller that is lost may come back with its
-/// hand still closed.
+/// Closes the hand. A hand that is closed elsewhere takes nothing until it is opened. A lost controller may return with
+/// its hand still closed.
 void GraspingHand::close(const ControllerReading& now, const Pose& X_WB) {
   const bool isClosed = now.squeeze >= (closed_ ? kLetsGo : kTakes);
   if (isClosed && !closed_) taken_ = now.X_WG && reaches(now, X_WB);

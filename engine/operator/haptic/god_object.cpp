@@ -7,13 +7,12 @@
 namespace glissade {
 namespace {
 
-/// The gap kept at contact is that of contact samples; half of it is for moving on in.
+/// Share of the gap of contact samples that is kept at contact; the other part is for further motion.
 constexpr double kKept = 0.5;
-/// Longest step along contacts, in gaps: the sweeps leave a small share of it, which must be small against
-/// the gap.
+/// Longest step along contacts, in gaps. The sweeps leave a small share of it, which must be small against the gap.
 constexpr double kLongestStep = 20.0;
 
-/// Contacts learnt farther away than this, times the object's radius, say nothing here any more.
+/// Distance beyond which learnt contacts do not count any more, in radii of the object.
 constexpr double kContactMemory = 0.03;
 
 }  // namespace
@@ -46,7 +45,7 @@ const Pose& GodObject::follow(const Pose& X_WD) {
   if (surroundings_.clearance <= 0.0) return q_ = X_WD;
   contacts_.forgetFarFrom(q_);
   const Pose target = contacts_.empty() ? X_WD : moved(q_, contacts_.along(q_, stepTo(X_WD)));
-  // The ball is convex: with both its ends in it, a straight motion is free.
+  // The ball is convex, so that a straight motion between two configurations in it is free.
   const double clearance = surroundings_.clearance;
   const double ball = clearance - kKept * std::min(tolerance::kContactGap * radius_, clearance);
   const double left = ball - longestWay(surroundings_.q, q_, radius_);

@@ -5,29 +5,28 @@
 
 namespace glissade {
 
-/// The object as the obstacles let it be (god-object, Zilles and Salisbury 1995; in six degrees of
-/// freedom, Ortega et al. 2007): follows the device, stops at contact and slides along the tangent
-/// planes of what it touches. It moves in balls that are proved free: at a configuration with clearance
-/// c no motion of fewer than c metres of any point meets an obstacle, however old that knowledge is. So
-/// it never goes through anything; late knowledge makes it slower.
+/// The object as obstacles constrain it (god-object, Zilles and Salisbury 1995; in six degrees of freedom, Ortega et
+/// al. 2007): it follows the device, stops at contact and slides along the tangent planes of its contacts. It moves in
+/// balls that are proved free: from a configuration with clearance c, no motion of less than c metres of any point
+/// meets an obstacle, however old the data are. So it never passes through an obstacle; late data only make it slower.
 ///
 /// An object that was put into collision follows the device freely until it is out, as with all devices.
 class GodObject {
  public:
   explicit GodObject(double objectRadius);
 
-  /// Puts it there; nothing is known there yet.
+  /// Puts the object there; nothing is known about its surroundings yet.
   void place(const Pose& q);
-  /// The newest knowledge, of a configuration that the object has come through since it was placed (until
-  /// one about the place itself has come, others are left out: they are from before).
+  /// Takes the newest surroundings of a configuration that the object has passed since it was placed. Until
+  /// surroundings of the place itself have come, others are ignored, because they are older than the placement.
   void learn(const Surroundings& surroundings);
-  /// Goes towards X_WD as far as it is proved free. Stays while nothing is known.
+  /// Moves towards X_WD as far as the motion is proved free. Stays while nothing is known.
   const Pose& follow(const Pose& X_WD);
 
   const Pose& pose() const { return q_; }
-  /// More knowledge would let it go farther, or it has moved since.
+  /// True if more data would let it move farther, or it has moved since the last data.
   bool curious() const { return !known_ || q_ != surroundings_.q; }
-  /// The nearest obstacle as far as known, moved along with the object; body -1: none within reach.
+  /// The nearest obstacle in the latest data, moved along with the object; body -1: none within reach.
   NearestObstacle nearest() const;
 
  private:

@@ -13,7 +13,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::microseconds kPeriod{1000};
 
-/// Timers as exact as the system has them, and the lowest real-time priority where that is allowed.
+/// Sets the most exact timers of the system, and the lowest real-time priority where that is allowed.
 void becomePunctual() {
   prctl(PR_SET_TIMERSLACK, 1UL);
   sched_param priority{};

@@ -10,40 +10,40 @@
 
 namespace glissade {
 
-/// Requests to the loop, the latest counts. Counters grow with every wish, so that none is carried out twice.
+/// Requests to the loop. The latest counts. A counter grows with every request, so that none is carried out twice.
 struct HapticOrders {
   Guidance guidance;
   Box3 bounds;
-  Pose q;                        ///< where the object is put
-  std::uint64_t placements = 0;  ///< counts the wishes to put it
-  std::uint64_t restarts = 0;    ///< counts the new runs
+  Pose q;                        ///< pose at which the object is put
+  std::uint64_t placements = 0;  ///< number of placements requested
+  std::uint64_t restarts = 0;    ///< number of new runs
 };
 
-/// What the loop has to tell.
+/// State of the loop.
 struct HapticReport {
   HapticCycle cycle;
-  std::uint64_t placements = 0;  ///< carried out
+  std::uint64_t placements = 0;  ///< number of placements carried out
   bool connected = true;
-  std::uint64_t cycles = 0;   ///< since the beginning, missed ones included
-  std::uint64_t late = 0;     ///< of them began more than HapticLoop::kLate after their time
-  double longestDelay = 0.0;  ///< s
-  std::uint64_t queries = 0;  ///< of the contact tracker
-  /// The exception that ended the loop; null while it runs. The device renders nothing any more.
+  std::uint64_t cycles = 0;   ///< number of cycles since the beginning, including missed ones
+  std::uint64_t late = 0;     ///< number of cycles that began more than HapticLoop::kLate after their time
+  double longestDelay = 0.0;  ///< longest delay, seconds
+  std::uint64_t queries = 0;  ///< queries of the contact tracker
+  /// The exception that ended the loop; null while it runs. The device renders no force any more.
   std::exception_ptr failure;
 };
 
-/// The haptic loop: a servo cycle each millisecond on a thread of its own, by absolute deadlines; whole
-/// periods that were missed count as late cycles and are not made up for. Collision work is the tracker's; where a
-/// query takes longer than a cycle, the object goes on in the ball and along the planes it knows. Neither side ever
-/// waits for the other: locks of the loop are tried, not waited for.
+/// The haptic loop: a servo cycle each millisecond on its own thread, by absolute deadlines. Whole periods that were
+/// missed count as late cycles and are not repeated. The tracker does the collision queries; where a query takes longer
+/// than a cycle, the object goes on in the known ball and along the known planes. Neither thread waits for the other:
+/// the loop only tries locks.
 ///
-/// Asks for real-time priority and goes on without where the system refuses it. An exception of the device or of a
-/// query ends the loop: it is reported to the thread that asks for the report.
+/// It requests real-time priority and goes on without where the system refuses it. An exception of the device or of a
+/// query ends the loop and is reported to the thread that asks for the report.
 class HapticLoop {
  public:
-  static constexpr double kLate = 2e-4;  ///< s
+  static constexpr double kLate = 2e-4;  ///< seconds
 
-  /// The object is put at orders.q first.
+  /// The object is first put at orders.q.
   HapticLoop(CollisionWorldPtr world, std::unique_ptr<HapticDevice> device, const HapticOrders& orders);
   ~HapticLoop();
   HapticLoop(const HapticLoop&) = delete;
@@ -59,10 +59,10 @@ class HapticLoop {
   void cycle();
 
   CollisionWorldPtr world_;
-  HapticServo servo_;  ///< the loop's, as are the next three
+  HapticServo servo_;  ///< used by the loop's thread, as are the next three members
   HapticOrders current_;
   HapticReport now_;
-  double reach_ = 0.0;  ///< how far the tracker looks
+  double reach_ = 0.0;  ///< distance within which the tracker searches for obstacles
   Mailbox<std::optional<HapticOrders>> orders_;
   ContactTracker tracker_;
   mutable std::mutex mutex_;
@@ -71,7 +71,7 @@ class HapticLoop {
   std::thread thread_;
 };
 
-/// How far to look about an object: obstacles that repel, and enough to move on in.
+/// Distance within which obstacles about an object are searched for: those that repel, and enough for further motion.
 double reachOf(const Guidance& guidance, double objectRadius);
 
 }  // namespace glissade

@@ -7,8 +7,8 @@
 
 namespace glissade {
 
-/// A haptic device as an operator, in real time: q_device follows the object that the loop keeps out of
-/// the obstacles. advance() throws what has ended the loop.
+/// A haptic device as an operator, in real time. q_device follows the object that the loop keeps out of the obstacles.
+/// advance() throws the exception that has ended the loop.
 class HapticOperator final : public OperatorDevice {
  public:
   HapticOperator(CollisionWorldPtr world, std::unique_ptr<HapticDevice> device);
@@ -20,15 +20,15 @@ class HapticOperator final : public OperatorDevice {
 
  private:
   CollisionWorldPtr world_;
-  std::unique_ptr<HapticDevice> device_;  ///< until the loop has it
+  std::unique_ptr<HapticDevice> device_;  ///< device until the loop owns it
   std::unique_ptr<HapticLoop> loop_;
   HapticOrders orders_;
-  Pose q_;  ///< given back last
+  Pose q_;  ///< last returned pose
   Wrench wrench_;
 };
 
-/// The same in somebody else's time, cycle by cycle on the caller's thread, each with its collision query:
-/// lockstep sessions. The same calls give the same motion.
+/// A haptic device as an operator in the caller's time: it runs cycle by cycle on the caller's thread, each with its
+/// collision query, for lockstep sessions. The same calls give the same motion.
 class SteppedHapticOperator final : public OperatorDevice {
  public:
   SteppedHapticOperator(const CollisionWorldPtr& world, std::unique_ptr<HapticDevice> device);
@@ -44,10 +44,10 @@ class SteppedHapticOperator final : public OperatorDevice {
   HapticServo servo_;
   HapticCycle cycle_;
   bool placed_ = false;
-  double owed_ = 0.0;  ///< s that are not a whole cycle yet
+  double owed_ = 0.0;  ///< seconds that are not a whole cycle yet
 };
 
-/// A haptic device for the registry of devices; without a world to feel nothing is made.
+/// An entry of the registry for a haptic device. It makes no device without a world.
 DeviceEntry hapticEntry(std::string id, std::string label, std::string description, bool simulated,
                         std::function<std::unique_ptr<HapticDevice>(const DeviceContext&)> make);
 

@@ -5,8 +5,7 @@
 namespace glissade {
 namespace {
 
-/// Energy that the field of repulsion may hold at the start: full strength over a third of a distance as
-/// large as the object's radius.
+/// Energy that the field of repulsion may hold at the start: the largest force times this share of the object's radius.
 constexpr double kStoredShare = 1.0 / 3.0;
 
 PassivityController freshBalance(double objectRadius, const HapticLimits& limits) {
@@ -45,7 +44,7 @@ void HapticServo::place(const Pose& q) {
 }
 
 void HapticServo::stop() noexcept {
-  // Where the device refuses this, too, its driver has to fall silent by itself.
+  // If the device refuses this, too, its driver must stop the force by itself.
   (void)guarded("stopping the haptic device", [this] { device_->render({}); });
 }
 
@@ -68,7 +67,7 @@ HapticCycle HapticServo::cycle(double dt, const Guidance& guidance, const Box3& 
   environment_ = passivity_.damped(environmentWrench(guidance, hand.X_WD, dt), hand.V_WD, dt);
   const Wrench felt = inShares(environment_, limits_);
   const Wrench drawn = attraction(guidance, object_.pose(), coupling_.objectRadius);
-  // Attraction takes what is left: what obstacles and damping say is rendered in any case.
+  // Attraction takes the rest of the range: the forces of obstacles and damping are always rendered.
   const Wrench total = saturated({felt.force_W + (1.0 - felt.force_W.norm()) * drawn.force_W,
                                   felt.torque_W + (1.0 - felt.torque_W.norm()) * drawn.torque_W});
   device_->render(inNewtons(total, limits_));

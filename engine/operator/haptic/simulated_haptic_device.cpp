@@ -5,13 +5,13 @@
 namespace glissade {
 namespace {
 
-// At the hand, of the size of common desktop devices; a torque acts at a lever of kHandRadius.
-constexpr double kHandRadius = 0.05;  ///< m of the hand's travel for one radius of the object
-constexpr double kMass = 0.3;         ///< kg, of device and hand
-constexpr double kDamping = 6.0;      ///< N s/m
-constexpr double kArm = 150.0;        ///< N/m, spring of the arm
-constexpr double kArmForce = 6.0;     ///< N, the arm pulls no harder
-constexpr double kDeviceForce = 8.0;  ///< N, the device pushes no harder
+// Values at the hand, of the size of common desktop devices. A torque acts at a lever of kHandRadius.
+constexpr double kHandRadius = 0.05;  ///< metres of the hand's travel for one radius of the object
+constexpr double kMass = 0.3;         ///< mass of device and hand, kg
+constexpr double kDamping = 6.0;      ///< damping, N s/m
+constexpr double kArm = 150.0;        ///< stiffness of the arm's spring, N/m
+constexpr double kArmForce = 6.0;     ///< largest force of the arm, N
+constexpr double kDeviceForce = 8.0;  ///< largest force of the device, N
 
 Vector3 capped(const Vector3& v, double longest) {
   const double length = v.norm();
@@ -53,7 +53,7 @@ void SimulatedHapticDevice::restart() {
   seconds_ = 0.0;
 }
 
-/// Semi-implicit Euler, in the hand's own metres and newtons.
+/// Advances by semi-implicit Euler, in the hand's own metres and newtons.
 HapticState SimulatedHapticDevice::advance(double dt) {
   if (dt <= 0.0) return state_;
   seconds_ += dt;

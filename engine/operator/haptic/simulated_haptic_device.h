@@ -8,16 +8,15 @@
 
 namespace glissade {
 
-/// Where a scripted hand wants to be, `seconds` after it began at `begin`.
+/// The intended pose of a scripted hand, `seconds` after it began at `begin`.
 using HandMotion = std::function<Pose(double seconds, const Pose& begin)>;
 
-/// From the begin through the way-points at a steady speed (metres of the metric a second), then at rest.
+/// A motion from `begin` through the way points at a steady speed (metres of the metric per second), then at rest.
 HandMotion alongRoute(std::vector<Pose> route, const Se3Metric& metric, double speed);
 
-/// A haptic device with a virtual hand on it, so that loops run without hardware: mass and damper, drawn
-/// by the spring of the arm to where the hand wants to be, pushed by the wrench that is rendered. The hand
-/// carries the object over its radius with 5 cm of its own travel; what the numbers are at the hand is
-/// named in the source. Deterministic.
+/// A haptic device with a simulated hand, so that loops run without hardware: mass and damper, pulled by the spring of
+/// the arm to the intended pose of the hand, pushed by the rendered wrench. The hand moves the object over its radius
+/// with 5 cm of its own travel. The source states the values at the hand. Deterministic.
 class SimulatedHapticDevice final : public HapticDevice {
  public:
   SimulatedHapticDevice(HandMotion motion, double objectRadius);

@@ -6,12 +6,12 @@
 namespace glissade {
 namespace {
 
-/// For each metre a second, and for each radian a second: Hz by which the cut-off of the filter rises.
+/// Increase of the filter's cut-off, Hz per m/s and Hz per rad/s.
 constexpr double kSpeedUpOfShifts = 20.0;
 constexpr double kSpeedUpOfTurns = 4.0;
-/// What is nearer to rest is at rest, metres and radians.
+/// Largest deviation that counts as rest, metres and radians.
 constexpr double kAtRest = 1e-4;
-/// Seconds between two readings, at least: a clock may not have gone on.
+/// Least time between two readings, seconds, because a clock may not have advanced.
 constexpr double kLeastStep = 1e-4;
 
 }  // namespace
@@ -51,7 +51,7 @@ std::array<double, 6> HeadTracking::shaped(const HeadReading& reading) const {
 }
 
 void HeadTracking::take(const HeadReading& reading, double time) {
-  // After a silence the motion goes on from where it has returned to.
+  // After a silence the motion continues from the present pose of its return.
   const bool goesOn = isTracked(time);
   const double dt = goesOn ? std::max(time - *heard_, kLeastStep) : kSilence;
   const std::array<double, 6> values = shaped(reading);

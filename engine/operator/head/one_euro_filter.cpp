@@ -7,7 +7,7 @@
 namespace glissade {
 namespace {
 
-/// Of the low pass that the speed goes through, seconds: a cut-off at 1 Hz, as the authors have it.
+/// Delay in seconds of the low pass for the speed: a cut-off at 1 Hz, as in the authors' paper.
 constexpr double kSpeedDelay = 1.0 / (2.0 * std::numbers::pi);
 constexpr double kLeastDelay = 1e-4;
 

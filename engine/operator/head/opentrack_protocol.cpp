@@ -7,10 +7,10 @@
 namespace glissade {
 namespace {
 
-constexpr double kFarthest = 10.0;                     ///< metres
-constexpr double kMostTurn = 2.0 * std::numbers::pi;   ///< radians
-constexpr double kMetres = 0.01;                       ///< of a centimetre
-constexpr double kRadians = std::numbers::pi / 180.0;  ///< of a degree
+constexpr double kFarthest = 10.0;                     ///< largest distance, metres
+constexpr double kMostTurn = 2.0 * std::numbers::pi;   ///< largest turn, radians
+constexpr double kMetres = 0.01;                       ///< metres per centimetre
+constexpr double kRadians = std::numbers::pi / 180.0;  ///< radians per degree
 
 }  // namespace
 
@@ -22,7 +22,7 @@ std::optional<HeadReading> parseOpentrack(std::span<const std::byte> datagram) {
   for (std::size_t i = 0; i < reading.size(); ++i) {
     const bool isLength = i < 3;
     reading[i] *= isLength ? kMetres : kRadians;
-    // Written so that it refuses what is not a number.
+    // The comparison also refuses values that are not a number.
     if (!(std::abs(reading[i]) <= (isLength ? kFarthest : kMostTurn))) return std::nullopt;
   }
   return reading;

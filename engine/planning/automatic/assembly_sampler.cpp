@@ -5,8 +5,8 @@
 namespace glissade {
 namespace {
 
-constexpr double kKeptShare = 0.25;  ///< of the orientations
-constexpr double kMargin = 0.5;      ///< in radii of the object
+constexpr double kKeptShare = 0.25;  ///< share of the orientations that are those of the start or the goal
+constexpr double kMargin = 0.5;      ///< margin about the tree's box, in radii of the object
 
 }  // namespace
 

@@ -6,18 +6,18 @@
 
 namespace glissade {
 
-/// Draws for trees in an assembly. The first ones are uniform, which finds what is open. Later ones explore where the
-/// tree has got to: a share of the positions is uniform in the box of the tree, half a radius of the object beyond it,
-/// and a quarter of the orientations are those of the start or of the goal, because parts mostly leave along several
-/// directions without being turned. In a workspace that is much larger than the passages, uniform draws only pull at
-/// the ends of the tree. The box is what A. Yershova et al., "Dynamic-domain RRTs: efficient exploration by
-/// controlling the sampling domain" (2005), have per node, here per tree.
+/// Sampler for trees in an assembly. The first draws are uniform, for open space. Later draws follow the tree: a share
+/// of the positions is uniform in the box of the tree, extended by half a radius of the object, and a quarter of the
+/// orientations are those of the start or of the goal, because parts mostly leave along several directions without
+/// being turned. In a workspace that is much larger than the passages, uniform draws extend only the outermost nodes of
+/// the tree. The box applies the idea of A. Yershova et al., "Dynamic-domain RRTs: efficient exploration by controlling
+/// the sampling domain" (2005), to the whole tree instead of to each node.
 class AssemblySampler final : public ConfigurationSampler {
  public:
-  /// Draws of a life that are uniform.
+  /// Number of uniform draws at the beginning of a life.
   static constexpr int kUniform = 500;
 
-  /// `nearShare`: of the later positions, that are in the box of the tree; 0 where the problem has a region.
+  /// `nearShare`: share of the later positions that are drawn in the box of the tree; 0 where the problem has a region.
   AssemblySampler(const Problem& problem, std::uint64_t seed, double nearShare);
   Pose draw(const Box3& tree) override;
 
@@ -27,9 +27,9 @@ class AssemblySampler final : public ConfigurationSampler {
   UniformSampler uniform_;
   RandomStream stream_;
   Box3 bounds_;
-  std::vector<Quaternion> orientations_;  ///< of the start and, where it is a configuration, the goal
+  std::vector<Quaternion> orientations_;  ///< orientations of the start and, where it is a configuration, of the goal
   double nearShare_;
-  double margin_;  ///< beyond the box, metres
+  double margin_;  ///< margin about the tree's box, metres
   int drawn_ = 0;
 };
 

@@ -8,6 +8,19 @@
 namespace glissade {
 namespace {
 
+/// The work of members, in quarters of a yes/no query. An iteration searches neighbours. A draw that is discarded at
+/// once costs almost nothing, so steps do not count, except one for each turn.
+constexpr std::uint64_t kCollisionWork = 4;
+constexpr std::uint64_t kDistanceWork = 16;
+constexpr std::uint64_t kMotionWork = 80;
+constexpr std::uint64_t kIterationWork = 8;
+constexpr std::uint64_t kTurnWork = 1;
+
+std::uint64_t workOf(const PlannerCounts& counts) {
+  return kCollisionWork * counts.queries.collision + kDistanceWork * counts.queries.distance +
+         kMotionWork * counts.queries.motion + kIterationWork * counts.iterations;
+}
+
 std::vector<Contender> contendersOf(const std::vector<Member>& members) {
   std::vector<Contender> contenders;
   contenders.reserve(members.size());
@@ -15,15 +28,28 @@ std::vector<Contender> contendersOf(const std::vector<Member>& members) {
   return contenders;
 }
 
-/// Work of a slot in a round: some milliseconds, so that waiting for the slowest costs little, and that
-/// commands and snapshots still come often enough. Less in the first rounds, each twice the one before, so
-/// that what is easy need not wait for the others' milliseconds.
+/// Work of a slot in a round. It takes some milliseconds, so that waiting for the slowest slot costs little and
+/// commands and snapshots come often enough. The quantum begins lower and doubles with each round, so that an easy
+/// problem ends early.
 constexpr std::uint64_t kQuantum = 10'000;
 constexpr std::uint64_t kFirstQuantum = 300;
 /// The name of the partner's own planner beside those of the members.
 constexpr const char* kPartner = "hand";
 
 }  // namespace
+
+SlotResult runSlot(SubPlanner& life, PlannerHost& host, std::uint64_t quantum) {
+  SlotResult result;
+  const std::uint64_t before = workOf(life.collected());  // a new life pays for its making, too
+  const std::size_t stagesBefore = stagesDoneOf(life.planner());
+  do {
+    result.state = life.advance(host);
+    ++result.turns;
+    result.work = workOf(life.planner().counts()) - before + kTurnWork * result.turns;
+  } while (result.state == SubPlanner::State::Running && result.work < quantum && !host.stopToken().stopRequested());
+  result.gotOn = stagesDoneOf(life.planner()) > stagesBefore;
+  return result;
+}
 
 AutomaticPlanner::AutomaticPlanner(const Problem& problem, std::uint64_t seed, std::size_t mostThreads,
                                    std::unique_ptr<PortfolioPartner> partner)
@@ -126,7 +152,7 @@ void AutomaticPlanner::tellPartner(std::uint64_t quantum, std::size_t edgesBefor
   if (path_) partner_->solved(*path_, solver != members_.end() && solver->shares);
 }
 
-/// Of a member's lives those that have got on farthest come first.
+/// The lives of a member are sorted by completed stages, most first.
 void AutomaticPlanner::deal(std::size_t slots, std::uint64_t quantum) {
   const auto stages = [](const Life& life) { return life.planner ? stagesDoneOf(life.planner->planner()) : 0; };
   for (std::vector<Life>& lives : lives_) {
@@ -143,7 +169,7 @@ void AutomaticPlanner::deal(std::size_t slots, std::uint64_t quantum) {
   }
 }
 
-/// A single slot has turns of one step.
+/// With a single slot every turn has one step.
 void AutomaticPlanner::runParts(PlannerHost& host, std::size_t slots, std::uint64_t quantum) {
   if (slots == 1) {
     work(parts_.front(), host, 0);
@@ -163,7 +189,7 @@ void AutomaticPlanner::work(Part& part, PlannerHost& host, std::uint64_t quantum
   part.result = runSlot(*life.planner, host, quantum);
 }
 
-/// The path of who needed least work in this round, the first among equals.
+/// Delivers the path that took the least work in this round, the first among equals.
 void AutomaticPlanner::deliver() {
   const Part* best = nullptr;
   for (const Part& part : parts_) {
@@ -175,7 +201,7 @@ void AutomaticPlanner::deliver() {
   solver_ = members_[best->member].name;
 }
 
-/// Lives that are over make room for others.
+/// Ends the lives that are over, which makes room for new ones.
 void AutomaticPlanner::settle(const Part& part) {
   Life& life = lifeOf(part);
   const Contender& contender = members_[part.member].contender;

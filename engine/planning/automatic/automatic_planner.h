@@ -9,29 +9,60 @@
 #include "engine/planning/automatic/portfolio.h"
 #include "engine/planning/automatic/portfolio_partner.h"
 #include "engine/planning/automatic/portfolio_report.h"
-#include "engine/planning/automatic/slot.h"
+#include "engine/planning/fine/sub_planner.h"
 
 namespace glissade {
 
-/// A portfolio of planners that needs no settings: each member has turns of one step, dealt out by
-/// work (collision and distance queries, never seconds, so that a seed gives one roadmap on every
-/// machine), starts afresh when a life of it is over, and the first certified path ends the run.
+/// The result of one member's round.
+struct SlotResult {
+  SubPlanner::State state = SubPlanner::State::Running;
+  std::uint64_t work = 0;   ///< queries and steps, by what they cost; never seconds
+  std::uint64_t turns = 0;  ///< of one step
+  bool gotOn = false;       ///< it has done another of its stages
+};
+
+/// Lets one life of a member have turns until it has spent the quantum, has ended, or is stopped;
+/// at least one. Its growth is not collected. On any thread: of the host it needs what may be asked by
+/// several at once.
+SlotResult runSlot(SubPlanner& life, PlannerHost& host, std::uint64_t quantum);
+
+/// The host of a round, for all of its slots at once: what could change meanwhile is as it was when the
+/// round began. Made on the planner's thread.
+class RoundHost final : public PlannerHost {
+ public:
+  explicit RoundHost(PlannerHost& host) : host_(host), operator_(host.operatorSample()), edits_(host.semanticEdits()) {}
+
+  std::optional<OperatorSample> operatorSample() override { return operator_; }
+  const ParameterValues& parameters() const override { return host_.parameters(); }
+  bool afterStep() override { return false; }
+  const StopToken& stopToken() const override { return host_.stopToken(); }
+  SemanticEditsPtr semanticEdits() const override { return edits_; }
+
+ private:
+  PlannerHost& host_;
+  std::optional<OperatorSample> operator_;
+  SemanticEditsPtr edits_;
+};
+
+/// A portfolio of planners that needs no settings. Each member has turns of one step. Turns are dealt by work
+/// (collision and distance queries, never seconds), so that a seed gives one roadmap on every machine. A member
+/// restarts when its life is over, and the first certified path ends the run.
 ///
-/// With several slots (parameter `lanes` in files) it goes in rounds: as many lives as there are slots work side
-/// by side, of different members or of one, as their shares will have it, each for the same quantum of
-/// work; what they grew and cost is added up in the order in which the portfolio dealt it. The result depends on the
-/// seed and the slots, not on how many threads carry them out nor on how fast these are. Of several paths found in a
-/// round the one that took the least work in it counts. The host is asked by the calling thread only, once for every
-/// turn, after the round.
+/// With several slots (parameter `lanes` in files) the planner works in rounds: as many lives as there are slots run
+/// side by side, each for the same quantum of work. The portfolio decides by the shares whether they belong to
+/// different members or to one. Their roadmaps and costs are added up in the order in which the portfolio dealt the
+/// turns. The result depends on the seed and the slots, not on the number of threads nor on their speed. Of several
+/// paths found in a round, the one that took the least work counts. Only the calling thread asks the host, once for
+/// every turn, after the round.
 ///
-/// The roadmap is that of all members, in the order in which it was collected, also of lives that are
-/// over; of members that plan with another object than the given one, only what holds for the given one.
-/// Counts are summed over all members and lives.
+/// The roadmap is the union of the members' roadmaps, in the order in which they were collected, including lives that
+/// are over. A member that plans with a modified object contributes only the nodes and edges that hold for the given
+/// object. Counts are summed over all members and lives.
 ///
-/// A partner takes turns between the rounds, each of one step. What it reports is reported in place of this planner's.
+/// A partner takes turns of one step between the rounds. Its reports replace those of this planner.
 class AutomaticPlanner final : public Planner, public ReportsMembers {
  public:
-  /// At most so many threads, the calling one included, carry out the slots. Partner: null for none.
+  /// At most `mostThreads` threads, including the calling one, run the slots. `partner`: null for none.
   AutomaticPlanner(const Problem& problem, std::uint64_t seed,
                    std::size_t mostThreads = std::thread::hardware_concurrency(),
                    std::unique_ptr<PortfolioPartner> partner = nullptr);
@@ -51,16 +82,16 @@ class AutomaticPlanner final : public Planner, public ReportsMembers {
   double helpersCpuSeconds() const override { return team_ ? team_->helpersCpuSeconds() : 0.0; }
 
  private:
-  /// One life of a member, or the room for one.
+  /// One life of a member, or an empty place for one.
   struct Life {
     std::unique_ptr<SubPlanner> planner;  ///< null before its first turn
-    std::uint64_t number = 0;             ///< of the member's lives, from 1; 0: not begun
+    std::uint64_t number = 0;             ///< number of the life among the member's lives, from 1; 0: not begun
     std::uint64_t work = 0;
   };
-  /// A life's part in a round.
+  /// The turn of one life in a round.
   struct Part {
     std::size_t member;
-    std::size_t index;  ///< among the member's lives
+    std::size_t index;  ///< index among the member's lives
     SlotResult result;
   };
 
@@ -83,14 +114,14 @@ class AutomaticPlanner final : public Planner, public ReportsMembers {
   std::unique_ptr<PortfolioPartner> partner_;  ///< null: none
   std::vector<Member> members_;
   Portfolio portfolio_;
-  std::vector<std::vector<Life>> lives_;   ///< per member: as many as had turns at the same time
-  std::vector<std::uint64_t> livesBegun_;  ///< per member
+  std::vector<std::vector<Life>> lives_;   ///< one entry per member: its lives that had turns at the same time
+  std::vector<std::uint64_t> livesBegun_;  ///< one entry per member
   std::uint64_t quantum_;                  ///< work of a slot in the next round
-  std::vector<Part> parts_;                ///< of the last round, in the order dealt
-  std::uint64_t owedTurns_ = 0;            ///< of the last round, that the host has not counted yet
-  std::unique_ptr<ThreadTeam> team_;       ///< once there is more than one slot
+  std::vector<Part> parts_;                ///< parts of the last round, in the order dealt
+  std::uint64_t owedTurns_ = 0;            ///< turns of the last round that the host has not counted yet
+  std::unique_ptr<ThreadTeam> team_;       ///< created for the first round with several slots
   SharedRoadmap roadmap_;
-  PlannerCounts counts_;  ///< without the steps of the turns owed
+  PlannerCounts counts_;  ///< counts without the steps of the owed turns
   std::optional<Path> path_;
   std::string solver_;
   std::optional<Diagnostic> failure_;

@@ -9,15 +9,15 @@ namespace glissade {
 class ConfigurationSampler {
  public:
   virtual ~ConfigurationSampler() = default;
-  /// `tree`: the box of the positions of the tree that is to grow.
+  /// `tree`: bounding box of the positions of the tree that is to grow.
   virtual Pose draw(const Box3& tree) = 0;
-  /// Whose the configuration is that was drawn last.
+  /// Author of the configuration that was drawn last.
   virtual Author author() const { return Author::Computer; }
-  /// A tree has a new node. `query` is the planner's own, so that what is asked is counted as its work.
+  /// A tree has a new node. `query` is the planner's own query, so that its use counts as the planner's work.
   virtual void grew(const Pose& /*q*/, CollisionQuery& /*query*/) {}
 };
 
-/// Uniform in the problem's region or bounds.
+/// Draws uniformly in the problem's region or bounds.
 class UniformSampler final : public ConfigurationSampler {
  public:
   UniformSampler(const Problem& problem, std::uint64_t seed) : shooter_(problem, seed) {}

@@ -5,8 +5,9 @@
 namespace glissade {
 namespace {
 
-constexpr double kSameDirection = 0.9999;  // cosine
-/// Directions kept while adding up: what is larger than a few is a round surface, of no use here.
+constexpr double kSameDirection = 0.9999;  // cosine of the largest angle between normals that count as equal
+/// Most directions kept while areas are added up. More directions than a few belong to round surfaces, which are of no
+/// use here.
 constexpr std::size_t kMostDirections = 64;
 
 }  // namespace

@@ -9,9 +9,9 @@
 namespace glissade {
 namespace {
 
-/// How far an object is lifted before it crosses, in its radii.
+/// Height by which an object is lifted before it crosses, in its radii.
 constexpr double kLifts[] = {0.5, 2.0};
-/// A screw's turn on the way out, and in how many straight motions.
+/// Turn of a screw motion on the way out, radians, and the number of straight motions that it is made of.
 constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr int kScrewPieces = 16;
 

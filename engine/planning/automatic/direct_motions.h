@@ -4,10 +4,10 @@
 
 namespace glissade {
 
-/// What an assembler tries first: the straight motion; straight out along an axis or along the normal
-/// of a contact face; the same while turning about it, as a screw; for a goal that is a configuration:
-/// lift along such a direction, cross, set down. Every motion is certified, one idea a step; gives up
-/// after the last.
+/// Tries the motions that a person tries first: the straight motion to the goal; straight out along an axis or along
+/// the normal of a contact face; the same while turning about that direction, as a screw; and for a goal that is a
+/// configuration: lift along such a direction, cross, set down. Every motion is certified. Each step tries one motion;
+/// the planner gives up after the last.
 class DirectMotions final : public Planner {
  public:
   explicit DirectMotions(const Problem& problem);
@@ -21,7 +21,7 @@ class DirectMotions final : public Planner {
   const Path* path() const override { return path_ ? &*path_ : nullptr; }
   std::optional<Diagnostic> failure() const override { return failure_; }
 
-  /// The ideas, in the order in which they are tried: configurations from start to goal.
+  /// The candidate motions, in the order in which they are tried: configurations from start to goal.
   const std::vector<std::vector<Pose>>& ideas() const { return ideas_; }
 
  private:

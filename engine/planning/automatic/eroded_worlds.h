@@ -8,21 +8,21 @@
 
 namespace glissade {
 
-/// The world with the object, and its variants, eroded by this or that depth, each built once. Shared by threads: one
-/// that wants a depth waits while another is built.
+/// The world with the object and its variants eroded by a depth. Each depth is built once. Shared by threads: a thread
+/// that asks for a depth waits while another thread builds one.
 class ErodedWorlds {
  public:
   explicit ErodedWorlds(CollisionWorldPtr world) : world_(std::move(world)) {}
 
-  /// Depth in metres; 0: the world itself; negative: grown.
+  /// `depth` in metres; 0: the world itself; negative: grown.
   CollisionWorldPtr at(double depth);
-  /// Forgets the worlds of all other depths: each has a copy of the object, which may be hundreds of megabytes.
+  /// Forgets the worlds of all other depths. Each has a copy of the object, which may take hundreds of megabytes.
   void keepOnly(double depth);
 
  private:
-  std::mutex mutex_;  ///< of what follows but the first
+  std::mutex mutex_;  ///< guards objects_ and built_
   CollisionWorldPtr world_;
-  std::map<const TriangleMesh*, ErodibleMesh> objects_;  ///< the object and its variants, once they are needed
+  std::map<const TriangleMesh*, ErodibleMesh> objects_;  ///< the object and its variants, created on demand
   std::map<double, CollisionWorldPtr> built_;
 };
 

@@ -9,16 +9,16 @@
 namespace glissade {
 namespace {
 
-/// A vertex of a sharp edge moves by at most this many depths.
+/// Longest move of a vertex at a sharp edge, in depths.
 constexpr double kLongestMove = 3.0;
-/// From either side at most this share of the thickness goes.
+/// Largest share of the body's thickness that erosion removes from one side.
 constexpr double kThicknessShare = 0.4;
-/// In radii: nearer hits of a ray inwards are of the face that it begins at.
+/// In radii. Nearer hits of a ray inwards belong to the face at which the ray begins.
 constexpr double kSameSurface = 1e-6;
-/// Smaller eigenvalues of the normals' matrix are directions in which the vertex need not move.
+/// Smaller eigenvalues of the normals' matrix belong to directions in which the vertex need not move.
 constexpr double kFlat = 1e-3;
 
-/// The least move that takes a vertex by `depths` along each of its normals.
+/// The shortest move that takes a vertex by `depths` along each of its normals.
 Vector3 moveOf(const Eigen::Matrix3d& normals, const Vector3& moments) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(normals);
   Vector3 move = Vector3::Zero();

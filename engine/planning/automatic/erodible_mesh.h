@@ -6,13 +6,13 @@
 
 namespace glissade {
 
-/// A mesh whose surface moves inwards or outwards: every vertex goes to where the moved planes of its
-/// faces meet, in the least squares' sense where there are more than three of them. Where the body is
-/// thin it keeps a fifth of its thickness. For searches in an easier space only: sharp edges move by
-/// less than they should, and the result may intersect itself. Immutable, shared by threads.
+/// A mesh whose surface moves inwards or outwards. Every vertex moves to the intersection of the moved planes of its
+/// faces, in the least squares sense where there are more than three. Thin bodies keep a fifth of their thickness. Only
+/// for searches in an easier space: sharp edges move by less than they should, and the result may intersect itself.
+/// Immutable, shared by threads.
 class ErodibleMesh {
  public:
-  /// Measures how thick the body is below each face.
+  /// Measures the thickness of the body below each face.
   explicit ErodibleMesh(const TriangleMesh& mesh);
 
   /// The mesh with its surface moved inwards by `depth` (metres; negative: outwards).
@@ -20,13 +20,13 @@ class ErodibleMesh {
 
  private:
   struct Face {
-    Vector3 normal;  ///< outwards
-    double area;     ///< twice
-    double room;     ///< how far it may go inwards
+    Vector3 normal;  ///< outward normal
+    double area;     ///< twice the area of the triangle
+    double room;     ///< largest distance by which the face may move inwards, metres
   };
 
-  TriangleMesh mesh_;        ///< welded
-  std::vector<Face> faces_;  ///< of its triangles
+  TriangleMesh mesh_;        ///< welded copy of the mesh
+  std::vector<Face> faces_;  ///< one face for each triangle of the mesh
 };
 
 }  // namespace glissade

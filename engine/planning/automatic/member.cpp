@@ -5,7 +5,6 @@
 #include "engine/base/tolerances.h"
 #include "engine/planning/automatic/assembly_sampler.h"
 #include "engine/planning/automatic/direct_motions.h"
-#include "engine/planning/automatic/direct_then_trees.h"
 #include "engine/planning/automatic/modelled_threads.h"
 #include "engine/planning/automatic/shrink_repair.h"
 #include "engine/planning/fine/multi_layer_planner.h"
@@ -15,19 +14,49 @@
 namespace glissade {
 namespace {
 
+/// Direct motions first, then two trees: what is left of a path after a screw motion is simple, mostly.
+class DirectThenTrees final : public Planner {
+ public:
+  DirectThenTrees(const Problem& problem, std::uint64_t seed, const RrtConnect::Options& options)
+      : direct_(problem), trees_(problem, seed, options, std::make_unique<UniformSampler>(problem, seed)) {}
+
+  bool solve(PlannerHost& host) override {
+    if (current_ == &direct_) {
+      if (direct_.solve(host)) return true;
+      if (!direct_.failure()) return false;
+      current_ = &trees_;
+      if (host.stopToken().stopRequested()) return false;
+    }
+    return trees_.solve(host);
+  }
+  void completeRoadmap() override { current_->completeRoadmap(); }
+
+  const std::vector<RoadmapNode>& nodes() const override { return current_->nodes(); }
+  const std::vector<RoadmapEdge>& edges() const override { return current_->edges(); }
+  const std::vector<std::uint32_t>& droppedEdges() const override { return current_->droppedEdges(); }
+  const PlannerCounts& counts() const override { return current_->counts(); }
+  const Path* path() const override { return current_->path(); }
+  std::optional<Diagnostic> failure() const override { return current_->failure(); }
+
+ private:
+  DirectMotions direct_;
+  RrtConnect trees_;
+  Planner* current_ = &direct_;
+};
+
 using Worlds = std::shared_ptr<ErodedWorlds>;
 
-/// First lives and patience, in work (AutomaticPlanner counts it): a few times what the problem needs
-/// that the member is there for, or else the restart comes too early.
+/// First lives and patience, in work as AutomaticPlanner counts it. They are a few times the work that a typical
+/// problem of the member needs; shorter lives would restart it too early.
 constexpr std::uint64_t kShortPatience = 500'000;
 constexpr std::uint64_t kShortFirstLife = 1'000'000;
 constexpr std::uint64_t kFirstLife = 2'500'000;
 constexpr std::uint64_t kLongFirstLife = 10'000'000;
-/// What the quick ones have until the others enter.
+/// Work of the quick members before the other members enter.
 constexpr std::uint64_t kHardEntry = 600'000;
-/// The same for the one with the environment model, and for each triangle of the obstacles: building
-/// the model counts as no work, and takes the longer the more there are. It is built once the others
-/// have had about what it costs.
+/// Work before the member with the environment model enters: a fixed part and a part for each triangle of the
+/// obstacles. Building the model counts as no work, and its time grows with the triangles. The model is built after the
+/// other members have used about as much time.
 constexpr std::uint64_t kModelEntry = 7'000'000;
 constexpr std::uint64_t kModelEntryPerTriangle = 20'000;
 
@@ -37,8 +66,8 @@ std::uint64_t obstacleTriangles(const Problem& problem) {
   return triangles;
 }
 
-/// Work that the two trees have before the other quick ones. Among detailed parts they are quickest (the
-/// pump, both ways: in less than half the time), among a few bars and walls they are not.
+/// Work that the two trees have before the other quick members. Among detailed parts the two trees are the quickest
+/// member (for the pump, in both directions, in less than half the time). Among a few bars and walls they are not.
 std::uint64_t headStart(const Problem& problem) {
   constexpr std::uint64_t kDetailed = 10'000;
   return obstacleTriangles(problem) < kDetailed ? 0 : kHardEntry;
@@ -79,7 +108,7 @@ Member rrtConnect(std::string name, const Contender& contender, const Problem& p
           true};
 }
 
-/// The quickest where space is open but for a few bars and walls.
+/// The quickest member in open space with a few bars and walls.
 Member bkpiece(const Problem& problem) {
   return {"ompl-bkpiece",
           {4.0, kShortPatience, kShortFirstLife, Restart::Luby, headStart(problem)},
@@ -88,7 +117,7 @@ Member bkpiece(const Problem& problem) {
           }};
 }
 
-/// One tree from the start, out of an assembly.
+/// One tree from the start, for leaving an assembly.
 Member turningRrt(const Problem& problem, const SamplerMaker& sampler) {
   RrtConnect::Options options = turning(problem, 0.03, 0.02);
   options.growth = RrtConnect::Growth::FromStart;
@@ -96,14 +125,14 @@ Member turningRrt(const Problem& problem, const SamplerMaker& sampler) {
                     uniform(problem), sampler);
 }
 
-/// Two trees that are not trapped for long.
+/// Two trees with a dynamic domain, so that they do not stay trapped for long.
 RrtConnect::Options twoTrees(const Problem& problem) {
   RrtConnect::Options options = turning(problem, 0.02, 0.1);
   options.domain = 10.0;
   return options;
 }
 
-/// Begins with long extensions among a few bars and walls: not among detailed parts, where they are blocked.
+/// Begins with long extensions among a few bars and walls. Among detailed parts long extensions are blocked.
 Member dynamicDomain(const Problem& problem, const SamplerMaker& sampler) {
   constexpr std::uint64_t kLongDraws = 1'000;
   RrtConnect::Options options = twoTrees(problem);
@@ -112,7 +141,7 @@ Member dynamicDomain(const Problem& problem, const SamplerMaker& sampler) {
                     uniform(problem), sampler);
 }
 
-/// Two trees of which extensions slide on in contact: along walls, into traps and out of them.
+/// Two trees whose extensions slide on in contact: along walls, into dead ends and out of them.
 Member slidingTrees(const Problem& problem, const SamplerMaker& sampler) {
   constexpr double kNearShare = 0.75;
   RrtConnect::Options options = turning(problem, 0.02, 1.0);
@@ -121,7 +150,7 @@ Member slidingTrees(const Problem& problem, const SamplerMaker& sampler) {
                     inAssembly(problem, kNearShare), sampler);
 }
 
-/// The same with short extensions, for tunnels in which both moves and turns are small.
+/// Sliding trees with short extensions, for tunnels in which both moves and turns are small.
 Member slidingSteps(const Problem& problem, const SamplerMaker& sampler) {
   constexpr double kNearShare = 0.5;
   RrtConnect::Options options = turning(problem, 0.005, 0.3);
@@ -130,13 +159,13 @@ Member slidingSteps(const Problem& problem, const SamplerMaker& sampler) {
                     inAssembly(problem, kNearShare), sampler);
 }
 
-/// Of the object's radius. Few: a world is built for each, and for each level.
+/// Depths of erosion, in radii of the object. They are few because a world is built for each depth and each level.
 constexpr double kErosions[] = {0.06, 0.07, 0.08};
-/// For each triangle of the object: eroding it counts as no work either.
+/// Work before the member enters, for each triangle of the object, because eroding counts as no work.
 constexpr std::uint64_t kErosionEntryPerTriangle = 100;
 
-/// Ends its lives itself: most first levels that succeed do so at once, so that they are given up
-/// early. How much is eroded is drawn anew in each life.
+/// This planner ends its lives itself: most first levels that succeed do so at once, so that a life ends early. Each
+/// life draws its own depth of erosion.
 Member shrinkRepair(const Problem& problem, const Worlds& worlds) {
   constexpr double kShare = 4.0;
   constexpr std::uint64_t kFirstWork = 5'000;
@@ -155,7 +184,7 @@ Member shrinkRepair(const Problem& problem, const Worlds& worlds) {
           }};
 }
 
-/// Guidance from the environment model, where somebody has built it already; else only late.
+/// Takes guidance from the environment model: early where the model exists already, else late.
 Member multiLayer(const Problem& problem) {
   const std::uint64_t model = kModelEntry + kModelEntryPerTriangle * obstacleTriangles(problem);
   const std::uint64_t entry = problem.scene.knowledge ? 0 : model;
@@ -166,14 +195,14 @@ Member multiLayer(const Problem& problem) {
           }};
 }
 
-/// Threads are modelled where the path begins or ends.
+/// A modelled thread holds the object at the start or at the goal.
 bool beginsInThread(const Problem& problem) {
   if (!findModelledThreads(*problem.world, problem.start).empty()) return true;
   const Pose* goal = std::get_if<Pose>(&problem.goal);
   return goal != nullptr && !findModelledThreads(*problem.world, *goal).empty();
 }
 
-/// Turns the object out of threads that are modelled, and into those at the goal.
+/// Turns the object out of modelled threads at the start, and into those at the goal.
 Member screwMotions(const Problem& problem) {
   return {"screw-motions",
           {4.0, 0, 0, Restart::Never, 0},

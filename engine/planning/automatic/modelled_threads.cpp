@@ -7,39 +7,40 @@
 namespace glissade {
 namespace {
 
-/// An object that is farther from all obstacles, as a share of its radius, is in no thread.
+/// Share of the object's radius. An object that is farther from all obstacles is in no thread.
 constexpr double kApartRadius = 0.1;
-/// Of the pitch: how far off the screw motion a goal in the same thread may be.
+/// Largest deviation of a goal in the same thread from the screw motion, in pitches.
 constexpr double kAxisShare = 0.2;
-/// Of the pitch: how far apart two threads are when the object has left.
+/// Distance of two threads after the object has left, in pitches.
 constexpr double kBeyond = 1.0;
-/// The chords of the helix may take this share of the clearance that is shown.
+/// Share of the measured clearance that the chords of the helix may take.
 constexpr double kChordShare = 0.2;
 constexpr int kFewestPieces = 12;
 constexpr int kMostPieces = 1024;
 constexpr double kMostPoses = 100'000;
-/// Configurations that are looked at before a whole motion is proved.
+/// Number of configurations that are tested before a whole motion is proved.
 constexpr int kLooks = 48;
 
-/// Advance after which the threads are beyond each other.
+/// Advance after which the two threads no longer overlap.
 double advanceBeyond(const ModelledThread& thread, double sense) {
   const double beyond = kBeyond * std::abs(thread.screw.pitch);
   return sense > 0.0 ? std::max(0.0, thread.obstacleHigh - thread.objectLow) + beyond
                      : std::min(0.0, thread.obstacleLow - thread.objectHigh) - beyond;
 }
 
-/// On the way there is a configuration that is not clear: cheap, and says most of what is in the way.
+/// The obstacle nearest to the first sampled configuration of the motion that is not clear. This test is cheap and
+/// finds most obstacles.
 std::optional<int> blockedOn(CollisionQuery& query, const ScrewAxis& screw, const Pose& from, double advance,
                              double required) {
   for (int i = 1; i <= kLooks; ++i) {
-    // Near the beginning most is learnt.
+    // The samples are denser near the beginning, where most motions are blocked.
     const Pose q = screwed(screw, from, advance * std::pow(static_cast<double>(i) / kLooks, 2));
     if (!query.clearAbove(q, required)) return query.nearestObstacle(q).body;
   }
   return std::nullopt;
 }
 
-/// The motion in pieces whose chords take little of its clearance; empty where it is not proved to be free.
+/// The motion in pieces whose chords take little of its clearance; empty where the motion is not proved free.
 std::vector<Pose> provedScrew(CollisionQuery& query, const ScrewAxis& screw, const Pose& from, double advance,
                               double required) {
   const double enough = query.nearestObstacle(from).distance;

@@ -8,12 +8,12 @@
 
 namespace glissade {
 
-/// The threads that the object is in at this configuration: surfaces of both that are near each other and that the same
-/// screw motion moves along themselves. Each is listed with the axis of the obstacle, of the object, and the middle of
-/// both, which differ by the play. Takes milliseconds where nothing is near.
+/// The threads that the object is in at this configuration: surfaces of object and obstacle that are near each other
+/// and that the same screw motion moves along themselves. Each thread is listed with three axes: the obstacle's, the
+/// object's, and their middle. The axes differ by the play. Takes milliseconds where nothing is near.
 std::vector<ModelledThread> findModelledThreads(const CollisionWorld& world, const Pose& at);
 
-/// Screw motions out of modelled threads. Each is proved as one motion.
+/// Finds screw motions out of modelled threads. Each is proved as one motion.
 class ModelledThreadWays final : public ScrewWays {
  public:
   explicit ModelledThreadWays(CollisionWorldPtr world) : world_(std::move(world)) {}

@@ -14,11 +14,14 @@
 namespace glissade {
 namespace {
 
-/// Depths of erosion, as shares of the object's radius; 0: it is too near, and does not touch.
+/// Depths of erosion, as shares of the object's radius. At depth 0 the object is too near to an obstacle but does not
+/// touch it.
 constexpr std::array<double, 9> kClearanceDepths{0.0, 1e-5, 3e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2};
-/// Edges of the eroded object have moved by less than its faces.
+/// Clearances that the eroded object has to keep, in depths. The edges of the eroded object have moved by less than its
+/// faces.
 constexpr std::array<double, 3> kClearanceDemands{1.05, 1.5, 2.0};
-/// The object slides by these shares of its radius, each so much longer than the one before.
+/// Lengths of the slides, as shares of the object's radius: the shortest, the longest, and the ratio of each to the one
+/// before.
 constexpr double kShortestWayOut = 0.01;
 constexpr double kLongestWayOut = 4.0;
 constexpr double kWayOutFactor = 1.25;
@@ -44,7 +47,7 @@ class MoveToClearance {
     return std::nullopt;
   }
 
-  /// The shortest slide that the least eroded object makes.
+  /// The shortest slide, made with the smallest erosion that permits one.
   std::optional<Pose> slideOut() {
     const std::vector<Pose> ends = slideEnds();
     for (const double depth : kClearanceDepths) {
@@ -71,7 +74,7 @@ class MoveToClearance {
   }
 
  private:
-  /// Clearance of the eroded object on its slide, as a share of what erosion gives.
+  /// Clearance that the eroded object keeps on its slide, as a share of the depth of erosion plus the clearance.
   static constexpr double kErodedShare = 0.1;
 
   std::vector<Vector3> directions() const {
@@ -86,7 +89,7 @@ class MoveToClearance {
     return directions;
   }
 
-  /// In each direction the first place that is clear, the nearest first.
+  /// The first clear place in each direction, sorted by distance.
   std::vector<Pose> slideEnds() {
     std::vector<std::pair<double, Pose>> found;
     for (const Vector3& direction : directions()) {

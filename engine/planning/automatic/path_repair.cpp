@@ -10,14 +10,14 @@
 namespace glissade {
 namespace {
 
-constexpr int kAttempts = 12;  // to free a configuration
-/// How far a configuration is moved at random for the last of them, in what the object has grown by.
+constexpr int kAttempts = 12;  // attempts to make a configuration free
+/// Standard deviation of the random move in the last attempt, in units of the growth of the object.
 constexpr double kSpread = 1.5;
-/// Queries of a gap's first search; each of the next has twice as many.
+/// Queries of the first search for a gap; each further search has twice as many.
 constexpr std::uint64_t kFirstGapWork = 1'000;
-/// Queries that a motion check counts as.
+/// Number of queries that one motion check counts as.
 constexpr std::uint64_t kMotionQueries = 5;
-/// Configurations by which a gap is widened on either side.
+/// Number of configurations by which a gap is widened on either side.
 constexpr std::size_t kWidening = 3;
 
 }  // namespace
@@ -63,7 +63,7 @@ void PathRepair::step(PlannerHost& host) {
   }
 }
 
-/// The next configuration of the way is made free, or left out.
+/// Makes the next configuration of the way free, or leaves it out.
 void PathRepair::retractNext() {
   const auto at = way_.begin() + static_cast<std::ptrdiff_t>(retracted_);
   if (const auto q = moveToClearance(*at)) {
@@ -135,7 +135,8 @@ void PathRepair::deliver(PlannerHost& host) {
   Path path;
   for (const Pose& q : way_) path.points.push_back({q, Author::Computer});
   path.certificate = certifyPath(*query_, path.points, host.parameters(), host.stopToken());
-  if (path.certificate.status != CertificateStatus::Certified) return;  // stopped: every motion was certified before
+  // The repair was stopped, because every motion was certified before.
+  if (path.certificate.status != CertificateStatus::Certified) return;
   for (const Pose& q : way_) {
     if (!nodes_.empty()) {
       edges_.push_back({static_cast<std::uint32_t>(nodes_.size() - 1), static_cast<std::uint32_t>(nodes_.size())});

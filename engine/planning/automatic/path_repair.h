@@ -8,22 +8,22 @@
 
 namespace glissade {
 
-/// What shrinking and repairing count their work in: yes/no and distance queries, and motion checks as several.
+/// The work of shrinking and repairing: yes/no queries, distance queries, and motion checks, each of which counts as
+/// several queries.
 std::uint64_t queriesOf(const PlannerCounts& counts);
 
-/// Makes a way of a smaller object one of this problem's object: configurations are retracted from
-/// what they would now collide with, straight motions between them are certified, and where one is
-/// not, a local search bridges the gap, taking in more of the way each time it fails. Gives up when
-/// its work is spent.
+/// Repairs the way of a smaller object for this problem's object. Configurations that would now collide are retracted,
+/// and the straight motions between them are certified. Where a motion fails, a local search bridges the gap and
+/// replaces a longer part of the way each time it fails. The planner gives up when its work is spent.
 ///
-/// It has no roadmap while it works; once solved, its nodes are those of the path.
+/// It has no roadmap while it works. After success its nodes are those of the path.
 class PathRepair final : public Planner {
  public:
   struct Options {
-    CollisionWorldPtr smaller;    ///< the world that the way is from
-    double grownBy = 0.0;         ///< between that object and this, metres; <= 0: it shrank
-    RrtConnect::Options search;   ///< of the gaps
-    std::uint64_t work = 20'000;  ///< queries
+    CollisionWorldPtr smaller;    ///< world in which the way is free
+    double grownBy = 0.0;         ///< growth from that object to this one, metres; <= 0: it shrank
+    RrtConnect::Options search;   ///< options of the searches that bridge gaps
+    std::uint64_t work = 20'000;  ///< limit of queries
   };
 
   PathRepair(const Problem& problem, std::uint64_t seed, std::vector<Pose> way, Options options);
@@ -53,15 +53,15 @@ class PathRepair final : public Planner {
   RandomStream stream_;
   std::unique_ptr<CollisionQuery> query_;
   std::unique_ptr<CollisionQuery> smallerQuery_;
-  std::vector<Pose> way_;      ///< still to be retracted, from `retracted_` on
-  std::size_t retracted_ = 1;  ///< configurations before are free
+  std::vector<Pose> way_;      ///< configurations from `retracted_` on are still to be retracted
+  std::size_t retracted_ = 1;  ///< configurations before this index are free
   std::size_t linked_ = 0;     ///< motions up to this configuration are certified
 
-  std::unique_ptr<SubPlanner> search_;  ///< of the gap between first_ and last_
+  std::unique_ptr<SubPlanner> search_;  ///< search for the gap between first_ and last_
   std::size_t first_ = 0;
   std::size_t last_ = 0;
   std::uint64_t gapWork_ = 0;   ///< queries that the search may still make
-  std::uint64_t searches_ = 0;  ///< so far: each has a seed of its own
+  std::uint64_t searches_ = 0;  ///< number of searches so far: each has a seed of its own
   SharedRoadmap gap_;
 
   PlannerCounts counts_;

@@ -7,10 +7,10 @@
 namespace glissade {
 namespace {
 
-/// What patience used up leaves of one's share, down to the least.
+/// Factor of the share after each use of the patience, and the smallest share.
 constexpr double kLossOfShare = 0.5;
 constexpr double kLeastShare = 0.25;
-/// Of the first share, for one that gets on.
+/// Factor of the first share for a contender that makes progress.
 constexpr double kGain = 4.0;
 
 }  // namespace
@@ -43,7 +43,7 @@ Portfolio::Portfolio(const std::vector<Contender>& contenders) {
 
 std::size_t Portfolio::next() const {
   std::size_t best = kNobody;
-  std::size_t first = kNobody;  // to enter, if nobody else is there
+  std::size_t first = kNobody;  // contender to enter if no other is present
   for (std::size_t i = 0; i < states_.size(); ++i) {
     const State& state = states_[i];
     if (state.retired) continue;
@@ -58,7 +58,7 @@ std::size_t Portfolio::next() const {
 
 std::vector<std::size_t> Portfolio::next(std::size_t turns, std::uint64_t work) const {
   std::vector<std::size_t> dealt;
-  if (turns == 1) {  // a single slot deals at every step: nothing is to be imagined for it
+  if (turns == 1) {  // a single slot deals at every step and needs no look ahead
     if (const std::size_t who = next(); who != kNobody) dealt.push_back(who);
     return dealt;
   }
@@ -75,7 +75,8 @@ std::vector<std::size_t> Portfolio::next(std::size_t turns, std::uint64_t work) 
   return dealt;
 }
 
-/// Whoever comes late is dealt as much as the others from now on; what they have had is theirs.
+/// A contender that enters late continues from the least work by share of the others, so that it does not catch up on
+/// the work that it missed.
 void Portfolio::enter(State& late) {
   late.entered = true;
   double least = std::numeric_limits<double>::infinity();

@@ -9,34 +9,35 @@
 
 namespace glissade {
 
-/// What a round of a portfolio has brought.
+/// Outcome of a round of a portfolio.
 struct RoundOutcome {
-  std::uint64_t quantum = 0;  ///< work that each slot was dealt
+  std::uint64_t quantum = 0;  ///< limit of work of each slot
   std::uint64_t turns = 0;
-  std::uint64_t work = 0;  ///< of all members
-  double reach = 0.0;      ///< the longest edge that was added, metres in the metric; 0 where nothing was
+  std::uint64_t work = 0;  ///< work of all members
+  double reach = 0.0;      ///< length of the longest added edge, metres in the metric; 0 if none was added
 };
 
-/// Works with a portfolio: it takes turns between the rounds, and draws configurations for the members. Called by the
-/// thread that calls solve() of the portfolio, except where stated.
+/// Works with a portfolio: it takes turns between the rounds, and draws configurations for the members. The thread that
+/// calls solve() of the portfolio calls these functions, except where stated.
 class PortfolioPartner {
  public:
   virtual ~PortfolioPartner() = default;
 
-  /// Asked before each round. True: planner() has one step in its place.
+  /// Asked before each round. True: planner() does one step instead of the round.
   virtual bool takesTurn(PlannerHost& host) = 0;
   virtual SubPlanner& planner() = 0;
   virtual const SubPlanner& planner() const = 0;
   virtual void turnDone(std::uint64_t work) = 0;
   virtual void roundDone(const RoundOutcome& outcome) = 0;
-  /// `shared`: found by the partner's own planner, or by a member that draws from its sampler.
+  /// `shared`: the partner's own planner found the path, or a member that draws from the partner's sampler.
   virtual void solved(const Path& path, bool shared) = 0;
 
-  /// Of the problem; all members share them.
+  /// Eroded worlds of the problem; all members share them.
   virtual const std::shared_ptr<ErodedWorlds>& worlds() const = 0;
-  /// Most work of a slot in the next round.
+  /// Largest work of a slot in the next round.
   virtual std::uint64_t mostWork() const = 0;
-  /// The sampler of a life of a member, given its own. `slides`: the member's trees go on in contact. On any thread.
+  /// The sampler of a member's life, given the member's own sampler. `slides`: the member's trees go on in contact.
+  /// Called on any thread.
   virtual std::unique_ptr<ConfigurationSampler> sampler(std::unique_ptr<ConfigurationSampler> own, std::uint64_t seed,
                                                         bool slides) const = 0;
 };

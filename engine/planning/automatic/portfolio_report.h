@@ -11,9 +11,9 @@ namespace glissade {
 class ReportsMembers {
  public:
   virtual ~ReportsMembers() = default;
-  /// Names of the members that have the turn, or the one that found the path.
+  /// Names of the members that have the turn, or the name of the member that found the path.
   virtual std::string member() const = 0;
-  /// Processor time of the planner's own threads, beside the one that calls solve(), in seconds.
+  /// Processor time of the planner's own threads, without the thread that calls solve(), in seconds.
   virtual double helpersCpuSeconds() const = 0;
 };
 
@@ -21,11 +21,11 @@ class ReportsMembers {
 class ReportsStages {
  public:
   virtual ~ReportsStages() = default;
-  /// A portfolio gives more time to a member that has completed another stage.
+  /// Number of completed stages. A portfolio gives more time to a member that has completed another stage.
   virtual std::size_t stagesDone() const = 0;
 };
 
-/// Empty for planners without members.
+/// Names of the members of a planner; empty for planners without members.
 inline std::string memberOf(const Planner& planner) {
   const auto* report = reportOf<ReportsMembers>(planner);
   return report != nullptr ? report->member() : std::string();

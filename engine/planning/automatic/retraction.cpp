@@ -4,7 +4,8 @@ namespace glissade {
 namespace {
 
 constexpr int kMostSteps = 24;
-/// Beyond the clearance asked for: a contact opened exactly is closed again by the next step.
+/// Factor of the required clearance: a contact that is opened by exactly the clearance is closed again by the next
+/// step.
 constexpr double kOvershoot = 1.2;
 
 }  // namespace

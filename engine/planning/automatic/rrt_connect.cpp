@@ -9,15 +9,15 @@
 namespace glissade {
 namespace {
 
-/// Edges are sampled this much more finely after one failed its certificate, down to the finest.
+/// Factor of the sampling step on edges after an edge failed its certificate, and its lower bound.
 constexpr double kRefinement = 0.5;
 constexpr double kFinest = 0.125;
-/// What the domain of a node grows and shrinks by (Jaillet et al. 2005).
+/// Relative change of a node's domain when it grows or shrinks (Jaillet et al. 2005).
 constexpr double kDomainChange = 0.05;
 constexpr double kGoalBias = 0.05;
-/// What extensions are longer by at first, where Options::longDraws asks for it.
+/// Factor of the range for the first draws, where Options::longDraws asks for it.
 constexpr double kLong = 10.0;
-/// A connection that slides has to come nearer by this share of the range with each extension.
+/// Share of the range by which each extension of a sliding connection has to come nearer.
 constexpr double kApproach = 0.2;
 
 }  // namespace
@@ -63,7 +63,7 @@ void RrtConnect::iterate(PlannerHost& host) {
   }
 }
 
-/// A tree grows towards a random configuration, the nearest other one towards what it grew by.
+/// One tree grows towards a random configuration; the nearest other tree grows towards its new node.
 void RrtConnect::growBoth(PlannerHost& host) {
   const std::vector<ComponentId> components = roadmap_.components();
   const ComponentId grown = components[turn_++ % components.size()];
@@ -72,7 +72,7 @@ void RrtConnect::growBoth(PlannerHost& host) {
   connect(nearestOther(grown, roadmap_.nodes()[*node].q), *node, host);
 }
 
-/// The tree grows towards a random configuration, or now and then all the way to the other end.
+/// The tree grows towards a random configuration, or with a small probability all the way to the other end.
 void RrtConnect::growOne(PlannerHost& host) {
   const std::vector<Node> starts{startRoot_};
   const bool fromStart = options_.growth == Growth::FromStart;
@@ -131,8 +131,8 @@ RrtConnect::Node RrtConnect::addChild(Node parent, const Pose& q) {
   return roadmap_.addChild(parent, {q, author_, side});
 }
 
-/// Grows from a node towards q by at most the range; less where something is in the way. Where q
-/// itself is within reach nothing is added: q may be a node already.
+/// Grows from a node towards q by at most the range, or less where an obstacle blocks. Adds no node where q itself is
+/// within reach, because q may be a node already.
 RrtConnect::Extended RrtConnect::extend(Node from, const Pose& q, PlannerHost& host) {
   const double grid = tolerance::kGuidedExtensionStep * metric_.radius();
   const double step = host.parameters()[ParameterId::GrowthStep] * refinement_;

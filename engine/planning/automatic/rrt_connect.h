@@ -11,32 +11,31 @@
 
 namespace glissade {
 
-/// A share of the largest distance between two configurations of the problem, in a metric in which
-/// rotations weigh `turnWeight` of what they do in the object's.
+/// A share of the largest distance between two configurations of the problem. The metric weighs rotations by
+/// `turnWeight` relative to the object's metric.
 double searchRange(const Problem& problem, double share, double turnWeight = 1.0);
 
-/// RRT-Connect (J. J. Kuffner, S. M. LaValle, "RRT-Connect: An efficient approach to single-query path
-/// planning", 2000) with short extensions, which is what matters most in narrow passages. Optionally the
-/// dynamic domain (L. Jaillet, A. Yershova, S. M. LaValle, T. Simeon, "Adaptive tuning of the sampling
-/// domain for dynamic-domain RRTs", 2005): a node that failed to grow draws from near it only, so that
-/// trapped trees do not push against their walls for ever.
-/// Optionally extensions that are blocked slide on in contact.
-/// Deviation: the delivered path is certified; an edge that is not is dropped, and from then on edges
-/// are sampled more finely.
+/// RRT-Connect (J. J. Kuffner, S. M. LaValle, "RRT-Connect: An efficient approach to single-query path planning", 2000)
+/// with short extensions, which matter most in narrow passages. The dynamic domain is optional (L. Jaillet, A.
+/// Yershova, S. M. LaValle, T. Simeon, "Adaptive tuning of the sampling domain for dynamic-domain RRTs", 2005): a node
+/// that failed to grow draws only from its neighbourhood, so that trapped trees do not extend into walls for ever.
+/// Sliding is optional, too: a blocked extension goes on in contact. Deviation: the delivered path is certified. An
+/// edge that fails its certificate is dropped, and from then on edges are sampled more finely.
 class RrtConnect final : public TreePlanner {
  public:
   enum class Growth {
-    Both,       ///< by turns, each connecting to what the other grew by
+    Both,       ///< two trees in turn, each connecting to the new node of the other
     FromStart,  ///< one tree, one draw in twenty is the goal (S. M. LaValle, J. J. Kuffner 2001)
     FromGoal
   };
   struct Options {
-    double range = 0.0;       ///< longest extension, metres in the search's metric; > 0
-    double domain = 0.0;      ///< first radius of the dynamic domain, in ranges; 0: none
-    double turnWeight = 1.0;  ///< of rotations, relative to the metric of the object's radius: with a
-                              ///< small one an extension turns far while it moves little
+    double range = 0.0;   ///< longest extension, metres in the search's metric; > 0
+    double domain = 0.0;  ///< first radius of the dynamic domain, in multiples of the range; 0: none
+    /// Weight of rotations, relative to the metric of the object's radius: with a small weight an extension turns far
+    /// while it moves little.
+    double turnWeight = 1.0;
     Growth growth = Growth::Both;
-    std::uint64_t longDraws = 0;  ///< for so many draws at first extensions are ten times as long: in open space
+    std::uint64_t longDraws = 0;  ///< number of first draws with extensions ten times as long, for open space
     bool slides = false;          ///< an extension that is blocked goes on in contact (SlidingExtension)
   };
 
@@ -46,8 +45,8 @@ class RrtConnect final : public TreePlanner {
   bool solve(PlannerHost& host) override;
 
  private:
-  /// What a tree got by an extension: its end is a node unless it is Reached or Trapped. Blocked: it ends before the
-  /// obstacle, or slid along it.
+  /// Result of an extension. Its end is a node unless the progress is Reached or Trapped. Blocked: the end lies before
+  /// the obstacle, or the extension slid along it.
   struct Extended {
     Progress progress;
     Node node;
@@ -56,7 +55,7 @@ class RrtConnect final : public TreePlanner {
   void iterate(PlannerHost& host);
   void growBoth(PlannerHost& host);
   void growOne(PlannerHost& host);
-  /// The node that the component grew by towards q.
+  /// The last node that the component added towards q.
   std::optional<Node> grow(ComponentId component, const Pose& q, PlannerHost& host);
   Node addChild(Node parent, const Pose& q);
   Pose draw(ComponentId tree);
@@ -72,16 +71,16 @@ class RrtConnect final : public TreePlanner {
   }
 
   Options options_;
-  double range_ = 0.0;  ///< of extensions at present
+  double range_ = 0.0;  ///< present range of extensions
   std::unique_ptr<ConfigurationSampler> sampler_;
-  Author author_ = Author::Computer;  ///< of what the trees grow towards
+  Author author_ = Author::Computer;  ///< author of the configuration that the trees grow towards
   RandomStream goalStream_;
   std::optional<SlidingExtension> sliding_;
-  std::vector<double> domains_;  ///< per node: farther samples are refused
-  std::array<Box3, 2> boxes_;    ///< of the nodes' positions, by their side
+  std::vector<double> domains_;  ///< one entry per node: the node refuses farther samples
+  std::array<Box3, 2> boxes_;    ///< bounding boxes of the nodes' positions, by tree side
   std::uint64_t turn_ = 0;
-  bool joined_ = false;      ///< components were joined: there may be a path
-  double refinement_ = 1.0;  ///< of the growth step
+  bool joined_ = false;      ///< components were joined, so that there may be a path
+  double refinement_ = 1.0;  ///< factor of the growth step
 };
 
 }  // namespace glissade

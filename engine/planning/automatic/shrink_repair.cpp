@@ -54,7 +54,7 @@ void ShrinkRepair::step(PlannerHost& host) {
   }
 }
 
-/// The search of the level: everywhere at first, then about the way of the level before.
+/// Starts the search of a level: everywhere for the first level, later about the way of the level before.
 void ShrinkRepair::startLevel() {
   Problem part = problem_;
   part.world = worlds_->at(depths_[level_]);
@@ -82,7 +82,7 @@ void ShrinkRepair::halveGrowth() {
   search_.reset();
 }
 
-/// A smaller object is "out" nearer to the obstacles than the whole one.
+/// The goal "out" of a smaller object is nearer to the obstacles than that of the whole object.
 void ShrinkRepair::endAtGoal() {
   const auto query = problem_.world->makeQuery();
   const std::vector<Pose> goals = goalRoots(problem_, *query);

@@ -9,23 +9,22 @@
 
 namespace glissade {
 
-/// Shrink and repair: a path of the eroded object is found first, then found again near itself while
-/// the object grows back, a little beyond its size and back again (after D. Hsu, G. Sanchez-Ante,
-/// H. Cheng, J.-C. Latombe, "Multi-level free-space dilation for sampling narrow passages in PRM
-/// planning", 2006; here for single queries). Where a level takes too long the object grows by half as
-/// much first; gives up after some of these: the way of the smaller object may be none of the whole.
-/// Then a fresh seed may find another.
+/// Shrink and repair: a path is found first for the eroded object. It is then found again near itself while the object
+/// grows back, a little beyond its size and back again (after D. Hsu, G. Sanchez-Ante, H. Cheng, J.-C. Latombe,
+/// "Multi-level free-space dilation for sampling narrow passages in PRM planning", 2006; here for single queries).
+/// If a level takes too long, the step of growth is halved. The planner gives up after several halvings: the way of
+/// the smaller object may not exist for the whole object, and a new seed may find another way.
 ///
-/// Nodes and edges are those of the level of the object itself; the eroded ones' are not free.
+/// Nodes and edges are those of the level of the object itself, because those of the eroded levels are not free.
 class ShrinkRepair final : public Planner, public ReportsStages {
  public:
   struct Options {
-    double erosion = 0.0;  ///< of the first level, metres
-    double growth = 0.0;   ///< beyond the object's size, metres
+    double erosion = 0.0;  ///< depth of the first level, metres
+    double growth = 0.0;   ///< growth beyond the object's size, metres
     RrtConnect::Options search;
-    std::uint64_t firstWork = 30'000;   ///< queries for the first level
-    std::uint64_t repairWork = 60'000;  ///< queries for each of the others
-    int halvings = 4;                   ///< of a level's growth, all in all
+    std::uint64_t firstWork = 30'000;   ///< limit of queries for the first level
+    std::uint64_t repairWork = 60'000;  ///< limit of queries for each other level
+    int halvings = 4;                   ///< limit of halvings of a level's growth, in all
   };
 
   ShrinkRepair(const Problem& problem, std::uint64_t seed, const Options& options,
@@ -53,16 +52,16 @@ class ShrinkRepair final : public Planner, public ReportsStages {
   std::uint64_t seed_;
   Options options_;
   std::shared_ptr<ErodedWorlds> worlds_;
-  std::vector<double> depths_;  ///< per level; the last is 0
+  std::vector<double> depths_;  ///< one depth per level; the last is 0
   std::size_t level_ = 0;
   int halvings_ = 0;
-  std::vector<Pose> way_;  ///< of the level before
-  double wayDepth_ = 0.0;  ///< of that level
+  std::vector<Pose> way_;  ///< way of the level before
+  double wayDepth_ = 0.0;  ///< depth of that level
   std::unique_ptr<SubPlanner> search_;
-  SharedRoadmap eroded_;  ///< of the present level, while that is not the last
-  SharedRoadmap own_;     ///< of the last level
+  SharedRoadmap eroded_;  ///< roadmap of the present level, unless that is the last
+  SharedRoadmap own_;     ///< roadmap of the last level
   PlannerCounts counts_;
-  std::uint64_t levelWork_ = 0;  ///< queries when the level began
+  std::uint64_t levelWork_ = 0;  ///< queries made before the level began
   std::optional<Path> path_;
   std::optional<Diagnostic> failure_;
 };

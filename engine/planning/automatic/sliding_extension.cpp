@@ -5,15 +5,15 @@
 namespace glissade {
 namespace {
 
-/// Planes that one extension learns at most.
+/// Most planes that one extension learns.
 constexpr int kMostLearnt = 3;
-/// Halvings of a blocked motion until the configuration whose distance is asked for.
+/// Number of times that a blocked motion is halved before the distance is queried.
 constexpr int kHalvings = 3;
-/// An extension has to get on by this share of the motion that it was to make.
+/// Smallest progress of an extension, as a share of the intended motion.
 constexpr double kLeast = 0.2;
-/// Kept at contacts, in radii of the object: twice the gap of contact samples asks for fewer distances.
+/// Gap kept at contacts, in radii of the object. Twice the gap of contact samples needs fewer distance queries.
 constexpr double kGap = 2e-3;
-/// Planes that were learnt farther away, in ranges, are forgotten.
+/// Planes that were learnt farther away than this are forgotten, in multiples of the range.
 constexpr double kMemory = 10.0;
 
 }  // namespace
@@ -47,7 +47,7 @@ std::optional<Pose> SlidingExtension::slide(Node from, const Pose& q, const Pose
   return end;
 }
 
-/// The plane of the nearest obstacle shortly before the motion is blocked.
+/// Learns the plane of the nearest obstacle shortly before the motion is blocked.
 bool SlidingExtension::learn(ContactPlanes& planes, const Pose& q, const Pose& blocked) {
   double free = 0.0;
   double end = 1.0;

@@ -11,22 +11,23 @@
 
 namespace glissade {
 
-/// Extensions of a tree that go on in contact where their straight motion is blocked: the nearest motion that the
-/// tangent planes of the obstacles leave (L. Zhang, D. Manocha, "An efficient retraction-based RRT planner", 2008,
+/// Extensions of a tree that go on in contact where their straight motion is blocked. They take the nearest motion that
+/// the tangent planes of the obstacles permit (L. Zhang, D. Manocha, "An efficient retraction-based RRT planner", 2008,
 /// retract blocked configurations to contact; the planes are those of the god-object, M. Ortega, S. Redon, S.
-/// Coquillart 2007). What blocks the motion in spite of the planes that are known is learnt from one distance. A node
-/// that was reached by sliding begins with the planes of its parent, so that a way along surfaces costs few distances.
+/// Coquillart 2007). Where the known planes do not explain a blocked motion, one distance query gives a new plane. A
+/// node that was reached by sliding begins with the planes of its parent, so that a way along surfaces costs few
+/// distance queries.
 class SlidingExtension {
  public:
   using Node = std::uint32_t;
 
-  /// `range`: of the extensions, in the metric of the search. The query is kept.
+  /// `range`: range of the extensions, in the metric of the search. The query must outlive this object.
   SlidingExtension(CollisionQuery& query, const Box3& bounds, const Se3Metric& metric, double range);
 
-  /// Where the extension of a node at q ends whose motion to `target` is blocked; nothing where it does not get on.
-  /// Motions are sampled at `step` (freeFraction()).
+  /// The end of the blocked extension from a node at q towards `target`; nothing where it makes no progress. Motions
+  /// are sampled at `step` (freeFraction()).
   std::optional<Pose> slide(Node from, const Pose& q, const Pose& target, double step, const StopToken& stop);
-  /// The extension of `from` that was found last has become this node.
+  /// Associates the planes of the extension found last from `from` with its new node.
   void keep(Node from, Node child);
 
  private:
@@ -39,7 +40,7 @@ class SlidingExtension {
   Box3 bounds_;
   Se3Metric metric_;
   ContactPlanes::Rule rule_;
-  std::vector<Planes> planes_;  ///< per node; null: none are known
+  std::vector<Planes> planes_;  ///< one entry per node; null: no planes are known
 };
 
 }  // namespace glissade

@@ -47,7 +47,7 @@ class Straightener {
   }
 
  private:
-  /// The nearest place out of the product, straight on from point `index`.
+  /// The nearest place outside the product, straight on from point `index`.
   std::optional<PathPoint> straightOut(std::size_t index) {
     std::vector<Vector3> directions = likely_;
     const Vector3 along = points_[index + 1].q.position - points_[index].q.position;

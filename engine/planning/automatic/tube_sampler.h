@@ -6,11 +6,11 @@
 
 namespace glissade {
 
-/// Configurations about a path: a point of it, moved normally distributed in every direction. One in
-/// ten is uniform, for what the path did not foresee.
+/// Draws configurations about a path: a point of the path, moved by a normal distribution in every direction. One draw
+/// in ten is uniform, for places that the path misses.
 class TubeSampler final : public ConfigurationSampler {
  public:
-  /// `deviation` in metres of the metric, for each direction.
+  /// `deviation`: standard deviation for each direction, metres of the metric.
   TubeSampler(const Problem& problem, std::vector<Pose> path, double deviation, std::uint64_t seed);
   Pose draw(const Box3& tree) override;
 
@@ -23,11 +23,11 @@ class TubeSampler final : public ConfigurationSampler {
   double radius_;
   double deviation_;
   std::vector<Pose> path_;
-  std::vector<double> lengths_;  ///< up to each point
+  std::vector<double> lengths_;  ///< length of the path up to each point
 };
 
-/// `q` moved by a translation and a turn about the object's reference point, both normally
-/// distributed, the turn so that its farthest point moves as much; inside the bounds.
+/// `q` moved by a translation and a turn about the object's reference point, both normally distributed, and kept inside
+/// the bounds. The turn moves the object's farthest point as much as the translation does.
 Pose perturbed(const Pose& q, double deviation, double radius, const Box3& bounds, RandomStream& stream);
 
 }  // namespace glissade

@@ -9,11 +9,11 @@ namespace glissade {
 class ReportsCoarsePlan {
  public:
   virtual ~ReportsCoarsePlan() = default;
-  /// What the coarse planning decided; null before it did.
+  /// The decisions of the coarse planning; null before it.
   virtual CoarsePlanPtr coarsePlan() const = 0;
 };
 
-/// Null for planners without a coarse planning.
+/// The planner's coarse plan; null for planners without a coarse planning.
 inline CoarsePlanPtr coarsePlanOf(const Planner& planner) {
   const auto* report = reportOf<ReportsCoarsePlan>(planner);
   return report != nullptr ? report->coarsePlan() : nullptr;

@@ -7,33 +7,33 @@
 
 namespace glissade {
 
-/// The coarse planning of one problem by one set of rules, and the milestones that are known. Runs and previews use
-/// it alike. Not for several threads at once.
+/// The coarse planning of one problem by one set of rules, with the known milestones. Runs and previews use it alike.
+/// Not thread-safe.
 class CoarsePlanning {
  public:
-  /// `goal`: of "out" the configuration that is planned for. `edits` null: none.
+  /// `goal`: the configuration to plan for; for "out" a configuration outside. `edits` null: none.
   CoarsePlanning(const Problem& problem, const Pose& goal, SceneKnowledgePtr knowledge, StrategyRules rules,
                  SemanticEditsPtr edits);
 
-  /// Other edits from now on. Milestones that were kept are forgotten where the user's milestones have changed.
-  /// Returns whether they were.
+  /// Replaces the edits. Forgets the kept milestones where the user's milestones have changed. Returns whether they
+  /// have changed.
   bool setEdits(SemanticEditsPtr edits);
-  /// The cheapest coarse path, with its basis; milestones are not drawn yet. Errors are those of the rules.
+  /// The cheapest coarse path, with its basis. Milestones are not drawn yet. Errors are those of the rules.
   Result<CoarsePlan> plan(const LearntCosts& learnt);
 
-  /// Keeps the milestone of a border for the coarse paths to come.
+  /// Keeps the milestone of a border for later coarse paths.
   void keep(int border, const Pose& milestone) { kept_[border] = milestone; }
   void forget(int border) { kept_.erase(border); }
-  /// Those that are not free any more, because a place was forbidden.
+  /// Forgets the milestones that are not free any more, because a place was forbidden.
   void forgetBlocked(CollisionQuery& query);
   bool keeps(int border) const { return kept_.count(border) > 0; }
-  /// Keeps what a run has drawn, where that was not the user's milestone.
+  /// Keeps the milestones that a run has drawn, without the user's milestones.
   void keepMilestonesOf(const CoarsePlan& run, CollisionQuery& query);
 
-  /// Where a step ends, as far as that is known without drawing: the goal; the user's milestone; the one that is kept.
+  /// The end of a step, where it is known without drawing: the goal, the user's milestone, or the kept milestone.
   std::optional<Pose> decidedMilestone(const TopologicalStep& step, CollisionQuery& query) const;
-  /// Besides, where the rules want it, the configuration that fits the passage best. `next`: the step after it, or
-  /// null.
+  /// The decided milestone, or where the rules want it, the configuration that fits the passage best. `next`: the step
+  /// after it, or null.
   std::optional<Pose> knownMilestone(const TopologicalStep& step, const TopologicalStep* next,
                                      CollisionQuery& query) const;
 
@@ -52,7 +52,7 @@ class CoarsePlanning {
   SemanticEditsPtr edits_;
   std::optional<SemanticModel> semantics_;
   std::optional<ParsedRules> parsed_;
-  std::map<int, Pose> kept_;  ///< per border
+  std::map<int, Pose> kept_;  ///< one entry per border
 };
 
 }  // namespace glissade

@@ -15,9 +15,9 @@ struct Expression::Term {
   using Operation = std::function<RuleValue(const std::vector<RuleValue>&)>;
 
   RuleType type = RuleType::Number;
-  std::string name;     ///< of a variable; empty otherwise
-  RuleValue constant;   ///< of a leaf without a name
-  Operation operation;  ///< of an inner node
+  std::string name;     ///< name of a variable; empty otherwise
+  RuleValue constant;   ///< value of a leaf without a name
+  Operation operation;  ///< operation of an inner node
   std::vector<std::shared_ptr<const Term>> arguments;
 
   RuleValue value(const NameLookup& lookup) const {
@@ -36,15 +36,15 @@ using Term = Expression::Term;
 using TermPtr = std::shared_ptr<const Term>;
 using Values = std::vector<RuleValue>;
 
-/// Deeper nesting is refused: it would be no rule that a person reads.
+/// Deepest nesting that is accepted. Deeper rules would not be readable.
 constexpr int kDeepest = 64;
-/// Longer texts are refused as well: a chain of operations is as deep a tree as it is long.
+/// Longest text that is accepted: a chain of operations is as deep a tree as it is long.
 constexpr std::size_t kLongest = 4096;
 
-/// What divides by zero has this value, and everything that is computed from it.
+/// Value of a division by zero, and of everything that is computed from it.
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
-/// Precondition: no text; the parser has seen to it.
+/// Precondition: the value is a number, which the parser has checked.
 double numberOf(const RuleValue& value) { return std::get<double>(value); }
 
 bool isNoNumber(const RuleValue& value) {
@@ -99,7 +99,7 @@ RuleValue choice(const Values& v) {
   return numberOf(v[0]) != 0.0 ? v[1] : v[2];
 }
 
-/// Two values are the same when both are texts or both numbers, and equal.
+/// Two values are the same if both are texts or both are numbers, and they are equal.
 Term::Operation comparison(bool wantSame) {
   return [wantSame](const Values& v) -> RuleValue {
     if (isNoNumber(v[0]) || isNoNumber(v[1])) return kNoNumber;
@@ -156,7 +156,7 @@ class Parser {
 
   [[noreturn]] void fail(const std::string& reason) const { throw SyntaxError{at_, reason}; }
 
-  /// An operand where only a number means anything.
+  /// Parses an operand that must be a number.
   TermPtr number(Level level) {
     skipSpaces();
     const std::size_t begin = at_;

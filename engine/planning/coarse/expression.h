@@ -14,7 +14,7 @@ namespace glissade {
 using RuleValue = std::variant<double, std::string>;
 
 enum class RuleType { Number, Text };
-/// What a name of a rule ("distance", "place.complexity", "object.shape") stands for; nothing: it is unknown.
+/// The type of a name in a rule ("distance", "place.complexity", "object.shape"); nothing where the name is unknown.
 using NameTypes = std::function<std::optional<RuleType>(const std::string& name)>;
 /// The value of a known name.
 using NameLookup = std::function<RuleValue(const std::string& name)>;
@@ -36,7 +36,8 @@ class Expression {
   ~Expression() = default;
 
   const std::string& text() const { return text_; }
-  /// Not a number where the rule divides by zero. Infinite minus infinite, and zero times infinite, are 0.
+  /// The value of the expression; not a number where the rule divides by zero. Infinite minus infinite, and zero times
+  /// infinite, are 0.
   double number(const NameLookup& lookup) const;
   /// A condition that divides by zero does not hold.
   bool holds(const NameLookup& lookup) const;

@@ -13,8 +13,8 @@ namespace glissade {
 struct PassageFit {
   double score = 1.0;   ///< 0: does not fit; from kFits on it does; 1: with ease
   double margin = 0.0;  ///< metres that are left around the silhouette at the best; negative: too large
-  /// Where a straight way through was found, certified: configurations before, in and behind the
-  /// passage along its axis.
+  /// A certified straight path through the passage: configurations before, in and behind it along its axis. Nothing if
+  /// none was found.
   struct Crossing {
     Pose before;
     Pose inside;

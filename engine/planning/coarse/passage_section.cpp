@@ -20,7 +20,7 @@ namespace {
 
 double cross(const Point2& a, const Point2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// Where the edge from p to q meets the plane; the ends are taken in one order, so that neighbouring
+/// The point at which the edge from p to q meets the plane. The ends are taken in one order, so that neighbouring
 /// triangles get the same point.
 Point2 meeting(int axis, double position, Vector3 p, Vector3 q) {
   if (q[axis] < p[axis]) std::swap(p, q);

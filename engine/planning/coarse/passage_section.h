@@ -12,7 +12,8 @@ using Point2 = Eigen::Vector2d;
 Point2 acrossAxis(int axis, const Vector3& p_W);
 Vector3 alongAxis(int axis, double s, const Point2& uv);
 
-/// What static bodies leave free of a plane across a world axis, and how far from them a point is.
+/// The part of a plane across a world axis that static bodies leave free, with the distance of points from these
+/// bodies.
 class PassageSection {
  public:
   /// The sections of the mesh with all planes at `positions` along the axis, near `about`.

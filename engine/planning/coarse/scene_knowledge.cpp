@@ -16,7 +16,7 @@ std::uint64_t SceneKnowledge::randomConfigurations() const {
 
 namespace {
 
-/// The obstacles with their mobility as the user has it.
+/// The obstacles with the mobility that the user has set.
 std::vector<RigidBody> bodiesOf(const Problem& problem) {
   std::vector<RigidBody> bodies = problem.world->obstacles();
   if (!problem.scene.edits) return bodies;
@@ -49,12 +49,12 @@ Result<SceneKnowledgePtr> buildSceneKnowledge(const Problem& problem, double req
   if (!environment) return environment.error();
   knowledge->environment = std::move(*environment);
   knowledge->source = {options, problem.scene.edits, requiredClearance};
-  // Where a mobile body stood when the depth was chosen by memory is not known any more.
+  // The former position of a mobile body is not known if memory limited the octree's depth.
   const Octree& octree = *knowledge->environment->octree;
   if (before) knowledge->source.options.cellSize = octree.frame().cellSize(octree.depth());
   const auto& places = knowledge->environment->map.places;
   const double slimmest = slimmestExtent(problem.world->object());
-  const CollisionWorldPtr world = problem.world->withForbidden(nullptr);  // how the object fits is no matter of edits
+  const CollisionWorldPtr world = problem.world->withForbidden(nullptr);  // edits do not change how the object fits
   for (std::size_t place = 0; place < places.size(); ++place) {
     if (stop.stopRequested()) break;
     knowledge->fits.push_back(places[place].passage ? fitThroughPassage(*knowledge->environment, place, world,

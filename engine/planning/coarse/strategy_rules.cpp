@@ -23,7 +23,7 @@ StrategyRules presetRules(std::string_view strategy) {
   if (strategy == "gt") {
     rules.fine = {{"1", false, "rrt"}};
   } else if (strategy == "gts1") {
-    // Only holes and objects of the same shape go together; where none does, the way is the shortest.
+    // Only holes and objects of the same shape go together; where no hole has the shape, the shortest way is chosen.
     rules.node = std::string("if((a.shape != \"\" and a.shape != object.shape) or ") +
                  "(b.shape != \"\" and b.shape != object.shape), 10 * size, " + kEasiest + ")";
     rules.fine = paperFineRules();

@@ -18,7 +18,7 @@ RuleValue toRuleValue(const AttributeValue& value) {
   return std::get<std::string>(value);
 }
 
-/// "prefix.attribute" taken apart; the prefix is empty where there is no dot.
+/// Splits "prefix.attribute"; the prefix is empty where there is no dot.
 std::pair<std::string, std::string> split(const std::string& name) {
   const std::size_t dot = name.find('.');
   if (dot == std::string::npos) return {"", name};
@@ -33,10 +33,10 @@ double numberOf(const SemanticModel& semantics, std::size_t place, const char* a
   return std::get<double>(semantics.ofPlace(place, attribute).value);
 }
 
-/// What rounding may leave of a cost that is 0.
+/// Largest rounding error of a cost that is 0.
 constexpr double kRounding = 1e-9;
 
-/// The cost that a rule gives; a negative one would make Dijkstra wrong.
+/// The cost that a rule gives. A negative cost is an error, because Dijkstra's algorithm needs costs of at least 0.
 Result<double> costBy(const Expression& rule, const char* pointer, const NameLookup& lookup, const std::string& where) {
   const double value = rule.number(lookup);
   if (value >= -kRounding) return std::max(0.0, value);
@@ -150,7 +150,8 @@ const TopologicalGraph::Edge& edgeBetween(const TopologicalGraph& graph, int fro
 
 namespace {
 
-/// "B1-6" between P1 and P6, whatever the user calls them otherwise; a letter tells several apart.
+/// The name of a border, for example "B1-6" between P1 and P6, independent of the user's names; a letter distinguishes
+/// several borders of the same places.
 std::string borderName(const TopologicalMap& map, const SemanticModel& semantics, int border) {
   const Border& b = map.borders[static_cast<std::size_t>(border)];
   const auto shortName = [&](int place) {
@@ -163,7 +164,7 @@ std::string borderName(const TopologicalMap& map, const SemanticModel& semantics
   return "B" + shortName(b.placeA) + "-" + shortName(b.placeB) + letter;
 }
 
-/// Why there is no way, as far as costs tell it.
+/// Adds the places and borders of infinite cost to a plan without a way.
 void nameWhatIsClosed(CoarsePlan& plan, const TopologicalMap& map, const SemanticModel& semantics) {
   std::set<int> closed;
   for (const TopologicalGraph::Edge& edge : plan.graph->edges) {

@@ -16,7 +16,6 @@ void AddTreePlanner::passStep(Author author) {
   lastAuthor_ = author;
 }
 
-/// Of the edges from this one on; 0 where there is none.
 double AddTreePlanner::longestEdge(std::size_t first) const {
   double longest = 0.0;
   for (std::size_t i = first; i < roadmap_.edges().size(); ++i) {
@@ -26,8 +25,8 @@ double AddTreePlanner::longestEdge(std::size_t first) const {
   return longest;
 }
 
-/// Add_Tree(q): one step of the paper's BiRRT. Every component grows straight towards q as far as it
-/// is free; then the new nodes are connected with each other.
+/// Add_Tree(q): one step of the paper's BiRRT. Every component grows straight towards q up to the first obstacle; then
+/// the new nodes are connected with each other.
 void AddTreePlanner::addTree(const Pose& q, Author author, PlannerHost& host) {
   passStep(author);
   std::vector<Node> added;
@@ -39,14 +38,14 @@ void AddTreePlanner::addTree(const Pose& q, Author author, PlannerHost& host) {
   connect(added, host);
 }
 
-/// Extends one component towards q. `reached` is the node at q itself once some component got there:
-/// the next one that gets there joins it instead of adding q again.
+/// Extends one component towards q. `reached` is the node at q itself once a component has reached it. A later
+/// component that reaches q joins that node instead of adding q again.
 std::optional<AddTreePlanner::Node> AddTreePlanner::extend(ComponentId component, const Pose& q, Author author,
                                                            std::optional<Node>& reached, PlannerHost& host) {
   const auto near = roadmap_.nearest(component, q);
   const double radius = problem_.world->objectRadius();
   const double same = author == Author::Computer ? tolerance::kSameConfiguration : tolerance::kDuplicate;
-  if (near.distance < same * radius) return near.index;  // as good as q itself: worth connecting
+  if (near.distance < same * radius) return near.index;  // so near to q that it is worth connecting
   const double grid = author == Author::Computer ? host.parameters()[ParameterId::ExtensionStep]
                                                  : tolerance::kGuidedExtensionStep * radius;
   const ExtensionRule rule{host.parameters()[ParameterId::GrowthStep], grid, 0.5 * grid};
@@ -81,7 +80,7 @@ void AddTreePlanner::connect(const std::vector<Node>& added, PlannerHost& host) 
   }
 }
 
-/// An edge that cannot be certified is dropped and the search goes on.
+/// Drops an edge that cannot be certified, after which the search goes on.
 void AddTreePlanner::deliverPath(PlannerHost& host) {
   for (const Node goal : goalRoots_) {
     const Delivery delivery = deliverWay(goal, host);

@@ -7,23 +7,22 @@
 
 namespace glissade {
 
-/// Base of the planners that grow by Add_Tree(q) of paper 1: every component grows straight towards q as far as it is
-/// free, without a limit of length; then the new nodes are connected with each other.
+/// Base of the planners that grow by Add_Tree(q) of paper 1: every component grows straight towards q up to the first
+/// obstacle, without a limit of length; then the new nodes are connected with each other.
 class AddTreePlanner : public TreePlanner {
  protected:
   explicit AddTreePlanner(const Problem& problem);
 
-  /// One step.
+  /// Does one step of Add_Tree.
   void addTree(const Pose& q, Author author, PlannerHost& host);
-  /// A step of which nothing grows.
+  /// Counts a step in which nothing grows.
   void passStep(Author author);
-  /// Delivers a path where start and goal are joined. An edge that cannot be certified is dropped, and the search goes
-  /// on.
+  /// Delivers a path if start and goal are joined. An edge that cannot be certified is dropped, and the search goes on.
   void deliverPath(PlannerHost& host);
 
-  /// Whose configuration was tried last.
+  /// Author of the configuration that was tried last.
   Author lastAuthor() const { return lastAuthor_; }
-  /// Of the edges from this one on, metres in the metric; 0 where there is none.
+  /// Length of the longest edge from index `first` on, metres in the metric; 0 where there is none.
   double longestEdge(std::size_t first) const;
 
  private:

@@ -7,26 +7,26 @@
 namespace glissade {
 namespace {
 
-/// The object is pressed against its plane by this share of each step.
+/// Depth by which each step presses the object against its plane, as a share of the step's length.
 constexpr double kPress = 0.5;
-/// A leg is made of so many steps, and asks for so many distances at most.
+/// Number of steps of a leg, and its limit of distance queries.
 constexpr int kSteps = 6;
 constexpr int kMostQueries = 30;
-/// A step that is blocked is tried again this much shorter, down to the shortest: there the object learns what is in
-/// its way.
+/// A blocked step is tried again with its length multiplied by this factor, down to the shortest length. The distance
+/// queried there gives the plane of the obstacle.
 constexpr double kShorter = 0.25;
 constexpr double kShortest = 1.0 / 1024.0;
-/// Surfaces are followed: a plane holds farther than where the object touches it, in radii of the object.
+/// Distance up to which a learnt plane holds, in radii of the object.
 constexpr double kMemory = 1.0;
-/// The object turns easily: a radian counts as much as this way, in radii.
+/// Translation that counts as much as a turn of one radian, in radii of the object. The object turns easily.
 constexpr double kTurning = 0.4;
-/// Shares of the legs that begin at the hand, and that keep the orientation.
+/// Shares of the legs that begin at the hand, and of the legs that keep the orientation.
 constexpr double kFromHand = 0.5;
 constexpr double kKeepingOrientation = 0.5;
-/// Another plane is one whose normal differs by more than 15 degrees (cosine).
+/// A plane differs from another if the angle between their normals is more than 15 degrees (cosine).
 constexpr double kSamePlane = 0.966;
-/// What comes nearer than this share of the gap is in the way. The object is moved off by the rest of the gap, so that
-/// it keeps half of the gap to all else.
+/// An obstacle that comes nearer than this share of the gap blocks the step. The object is moved off by the rest of the
+/// gap, so that it keeps half of the gap to all other obstacles.
 constexpr double kLeastGap = 0.75;
 
 }  // namespace
@@ -47,7 +47,7 @@ void ContactFollower::enter(const OperatorSample& operatorSample, double gap, do
   plane_.enter(operatorSample, gap, longest);
 }
 
-/// The object is moved along the normal until the gap is left.
+/// Moves the object along the normal until it keeps the gap.
 ContactFollower::Place ContactFollower::pressed(const Pose& q, const NearestObstacle& nearest) const {
   Place place{q, nearest};
   const Vector3 way = (gap_ - nearest.distance) * nearest.normal_W();
@@ -82,7 +82,7 @@ Pose ContactFollower::leg(CollisionQuery& query) {
   return at_.q;
 }
 
-/// Uniform in the plane.
+/// Draws a direction uniformly in the plane.
 Vector3 ContactFollower::nextDirection(const Vector3& normal_W) {
   const double height = 2.0 * stream_.uniform() - 1.0;
   const double angle = 2.0 * std::numbers::pi * stream_.uniform();
@@ -92,7 +92,7 @@ Vector3 ContactFollower::nextDirection(const Vector3& normal_W) {
   return along.norm() > 1e-3 ? Vector3(along.normalized()) : any;
 }
 
-/// One step of the leg, retracted to the gap: as long as nothing is in the way. Returns what was made of its length.
+/// One step of the leg, retracted to the gap, until an obstacle blocks it. Returns the length that was made.
 double ContactFollower::step(double length, CollisionQuery& query) {
   planes_.forgetFarFrom(at_.q);
   const Vector3 press = kPress * at_.nearest.normal_W();
@@ -103,7 +103,7 @@ double ContactFollower::step(double length, CollisionQuery& query) {
     ++queries_;
     if (nearest.body < 0 || nearest.distance < kLeastGap * gap_) continue;
     planes_.learn(q, nearest);
-    // No point comes nearer to anything by more than it is moved.
+    // No point comes nearer to an obstacle by more than it is moved.
     at_ = pressed(q, nearest);
     return share * length;
   }

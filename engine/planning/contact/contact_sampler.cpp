@@ -6,7 +6,7 @@
 namespace glissade {
 namespace {
 
-/// A unit vector orthogonal to n: Gram-Schmidt on the axis that n leans on least.
+/// A unit vector orthogonal to n: Gram-Schmidt on the axis with the smallest component of n.
 Vector3 orthogonalTo(const Vector3& n) {
   Eigen::Index axis = 0;
   n.cwiseAbs().minCoeff(&axis);

@@ -11,11 +11,11 @@ namespace glissade {
 class ReportsInteraction {
  public:
   virtual ~ReportsInteraction() = default;
-  /// Whose configuration was tried last.
+  /// Author of the configuration that was tried last.
   virtual Author authority() const = 0;
-  /// Contact samples are being drawn.
+  /// True while contact samples are drawn.
   virtual bool inContactMode() const = 0;
-  /// What the tuner has set; nothing where nothing sets itself.
+  /// The settings that the tuner has chosen; nothing where no setting is automatic.
   virtual std::optional<TuningReport> tuning() const { return std::nullopt; }
 };
 

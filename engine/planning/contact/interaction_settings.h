@@ -4,10 +4,10 @@
 
 namespace glissade {
 
-/// The bits of ParameterId::Tuning: what sets itself.
+/// Bits of ParameterId::Tuning: the settings that are tuned automatically.
 enum TunedSetting : int { kTunedAlpha = 1, kTunedContactSamples = 2, kTunedContactDistance = 4, kTunedAll = 7 };
 
-/// The bit of a parameter; 0 where it never sets itself.
+/// The bit of a parameter; 0 where it is never tuned automatically.
 constexpr int tunedSetting(ParameterId id) {
   switch (id) {
     case ParameterId::Alpha: return kTunedAlpha;
@@ -17,13 +17,13 @@ constexpr int tunedSetting(ParameterId id) {
   }
 }
 
-/// What tunes the interaction of Algorithm 1 (paper 1).
+/// The settings of the interaction in Algorithm 1 (paper 1).
 struct InteractionSettings {
   double alpha = 0.0;            ///< the computer's share of the iterations
   int contactSamples = 0;        ///< N
   double contactDistance = 0.0;  ///< d, metres
 
-  /// By parameter; 0 of any other.
+  /// The setting of a parameter; 0 for any other parameter.
   double operator[](ParameterId id) const {
     switch (id) {
       case ParameterId::Alpha: return alpha;
@@ -34,7 +34,7 @@ struct InteractionSettings {
   }
 };
 
-/// The user's values, but what sets itself.
+/// The user's values, with the automatic settings replaced by the tuned ones.
 inline InteractionSettings settingsInForce(const ParameterValues& parameters, const InteractionSettings& tuned) {
   const int bits = parameters.integer(ParameterId::Tuning);
   InteractionSettings inForce = tuned;
@@ -44,10 +44,11 @@ inline InteractionSettings settingsInForce(const ParameterValues& parameters, co
   return inForce;
 }
 
-/// What a tuner has set in a run. Of what it was not asked to set: what it would have.
+/// The settings that a tuner has chosen in a run. A setting that is not automatic has the value that the tuner would
+/// choose.
 struct TuningReport {
   InteractionSettings now;
-  InteractionSettings median;  ///< over the steps that the tuner has seen
+  InteractionSettings median;  ///< median over the steps that the tuner has seen
 };
 
 }  // namespace glissade

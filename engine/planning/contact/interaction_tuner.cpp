@@ -6,16 +6,16 @@
 namespace glissade {
 namespace {
 
-// Settings lie on grids, so that sliders are calm and a platform's rounding does not matter.
-constexpr double kAlphaSteps = 100.0;      ///< from 0 to 1
-constexpr double kDistanceSteps = 1000.0;  ///< from 0 to the object's radius
+// Settings lie on grids, so that sliders do not flicker and rounding on a platform does not matter.
+constexpr double kAlphaSteps = 100.0;      ///< grid from 0 to 1
+constexpr double kDistanceSteps = 1000.0;  ///< grid from 0 to the object's radius
 
-/// The step of a grid nearest to a value, or to the bound it is beyond.
+/// The grid step nearest to a value that is clamped to the bounds.
 std::size_t stepOf(double value, double least, double most, double steps) {
   return static_cast<std::size_t>(std::lround(std::clamp(value, least, most) * steps));
 }
 
-/// A mean that forgets.
+/// Updates a mean in which older values lose weight.
 void blend(double& mean, double value) { mean += (value - mean) / InteractionTuner::kMemory; }
 
 }  // namespace

@@ -8,8 +8,8 @@
 namespace glissade {
 namespace {
 
-/// Configurations shot from one pose of an operator who does not move: five seconds at the pace of
-/// the paper's machine. More would only flood the roadmap at today's pace.
+/// Most configurations shot from one pose of an operator who does not move: five seconds at the pace of the paper's
+/// machine. At today's pace more would add many useless nodes.
 constexpr std::uint64_t kRestBudget = 200;
 
 }  // namespace
@@ -39,26 +39,26 @@ bool InteractiveContactBirrt::solve(PlannerHost& host) {
   return path_.has_value();
 }
 
-/// One pass of Algorithm 1; the numbers are its lines. Lines 9 of the following passes are in solve().
+/// One pass of Algorithm 1; the numbers are its lines. Line 9 of the following passes is in solve().
 void InteractiveContactBirrt::iterate(PlannerHost& host) {
   ++counts_.iterations;
   const InteractionSettings inForce = settingsInForce(host.parameters(), tuner_.settings());
   std::optional<OperatorSample> device;
-  if (operatorUse_ != OperatorUse::None) device = host.operatorSample();  // 2: found by the operator thread
+  if (operatorUse_ != OperatorUse::None) device = host.operatorSample();  // line 2: found by the operator thread
   held_ = device.has_value();
-  const double a = authorityStream_.uniform();  // 3
+  const double a = authorityStream_.uniform();  // line 3
   if (operatorUse_ == OperatorUse::ContactFirst && device && nearContact(*device, inForce.contactDistance)) {
     enterContactSampling(*device, host);
     contactSampling(host);
-  } else if (operatorHasAuthority(a, inForce.alpha, device)) {  // 4
-    if (!nearContact(*device, inForce.contactDistance)) {       // 5
-      operatorShooter(*device, host);                           // 6, 7
+  } else if (operatorHasAuthority(a, inForce.alpha, device)) {  // line 4
+    if (!nearContact(*device, inForce.contactDistance)) {       // line 5
+      operatorShooter(*device, host);                           // lines 6, 7
     } else {
       enterContactSampling(*device, host);
-      contactSampling(host);  // 9
+      contactSampling(host);  // line 9
     }
   } else {
-    randomShooter(host);  // 12, 13
+    randomShooter(host);  // lines 12, 13
   }
 }
 
@@ -72,7 +72,7 @@ bool InteractiveContactBirrt::operatorHasAuthority(double a, double alpha,
   return usedAtRest_ < kRestBudget;
 }
 
-/// Line 5, read the other way round: |P_o - P_n| < d. In collision there is no contact mode.
+/// Line 5 with the comparison reversed: |P_o - P_n| < d. In collision there is no contact mode.
 bool InteractiveContactBirrt::nearContact(const OperatorSample& device, double contactDistance) const {
   if (operatorUse_ == OperatorUse::Guide) return false;
   const double distance = device.nearest.distance;
@@ -92,7 +92,7 @@ void InteractiveContactBirrt::enterContactSampling(const OperatorSample& device,
   contactSamplesLeft_ = settingsInForce(parameters, tuner_.settings()).contactSamples;
 }
 
-/// Lets the tuner know what the step brought, where it has anything to set and somebody holds the object.
+/// Passes the outcome of the step to the tuner, if a setting is automatic and a person holds the object.
 void InteractiveContactBirrt::observeStep(std::size_t edgesBefore, PlannerHost& host) {
   tuned_ = operatorUse_ == OperatorUse::None ? 0 : host.parameters().integer(ParameterId::Tuning);
   if (tuned_ == 0 || !held_) return;

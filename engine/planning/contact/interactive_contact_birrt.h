@@ -11,22 +11,21 @@
 
 namespace glissade {
 
-/// What the operator's authority is used for.
+/// Use of the operator's configurations.
 enum class OperatorUse {
   None,             ///< plain BiRRT: alpha is 1 whatever the parameter says
   Guide,            ///< q_device only (paper 1, table I: interactive, no contact)
   GuideAndContact,  ///< Algorithm 1 as printed
   GuideAndFollow,   ///< Algorithm 1, with contact samples that follow the surfaces
-  ContactFirst      ///< as the software of 2016: near an obstacle contact sampling pre-empts the draw
+  ContactFirst      ///< as in the software of 2016: near an obstacle contact sampling comes before the draw
 };
 
 /// Interactive BiRRT with contact.
 ///
-/// N. Blin, M. Taix, P. Fillatreau, J.-Y. Fourquet, "Tuning Interaction in Motion Planning with
-/// Contact", IEEE RO-MAN 2016, Algorithm 1. Deviations: N contact samples take N steps of the loop
-/// here, so that a stop, a pause or a changed parameter is seen between any two; near-duplicates of
-/// the operator's samples are not kept, and an operator at rest cedes his authority once he has had
-/// kRestBudget configurations from one pose; every delivered path is certified.
+/// N. Blin, M. Taix, P. Fillatreau, J.-Y. Fourquet, "Tuning Interaction in Motion Planning with Contact", IEEE RO-MAN
+/// 2016, Algorithm 1. Deviations: N contact samples take N steps of the loop here, so that a stop, a pause or a changed
+/// parameter is seen between any two; near-duplicates of the operator's samples are not kept, and an operator at rest
+/// loses authority after kRestBudget configurations from one pose; every delivered path is certified.
 class InteractiveContactBirrt final : public AddTreePlanner, public ReportsInteraction {
  public:
   InteractiveContactBirrt(const Problem& problem, std::uint64_t seed, OperatorUse operatorUse);
@@ -55,13 +54,13 @@ class InteractiveContactBirrt final : public AddTreePlanner, public ReportsInter
   ContactFollower contactFollower_;
 
   int contactSamplesLeft_ = 0;
-  std::uint64_t restingAt_ = 0;   ///< OperatorSample::moves of the pose the operator was last used at
+  std::uint64_t restingAt_ = 0;   ///< OperatorSample::moves of the operator's pose that was used last
   std::uint64_t usedAtRest_ = 0;  ///< configurations shot from that pose
 
   InteractionTuner tuner_;
-  bool held_ = false;              ///< somebody held the object at the last iteration
+  bool held_ = false;              ///< a person held the object at the last iteration
   int tuned_ = 0;                  ///< bits of TunedSetting at the last step
-  double contactClearance_ = 0.0;  ///< of the hand when contact mode was entered last
+  double contactClearance_ = 0.0;  ///< clearance of the hand when contact mode was entered last
 };
 
 }  // namespace glissade

@@ -12,7 +12,7 @@ namespace {
 using Node = std::uint32_t;
 constexpr Node kNone = std::numeric_limits<Node>::max();
 
-/// The way from a node to the oldest one of its component: the root that it grew from.
+/// The way from a node to the oldest node of its component, which is its root.
 std::vector<Pose> wayToRoot(const GrownTrees& grown, Node from) {
   std::vector<Node> before(grown.nodes.size(), kNone);
   std::vector<Node> queue{from};

@@ -5,17 +5,17 @@
 
 namespace glissade {
 
-/// What a search that found no path ran into.
+/// The places at which a search failed to find a path, and the bodies that block it.
 struct Difficulty {
   /// The nearest two configurations of the start's and the goal's trees.
   struct Frontier {
     Pose fromStart;
     Pose fromGoal;
-    double distance = 0.0;  ///< in the metric, metres
-    int body = -1;          ///< what the straight motion between them hits first; -1: nothing
-    Pose blockedAt;         ///< where it does
+    double distance = 0.0;  ///< distance in the metric, metres
+    int body = -1;          ///< first obstacle that the straight motion between them hits; -1: none
+    Pose blockedAt;         ///< configuration at that obstacle
   };
-  /// Where the object came nearest to something on the ways grown to the frontier.
+  /// The place of least clearance on the ways from the roots to the frontier.
   struct Passage {
     double clearance = 0.0;  ///< metres
     int body = -1;
@@ -27,8 +27,8 @@ struct Difficulty {
   std::optional<LeastPenetration> leastPenetration;
 };
 
-/// Looks at the roadmap that was grown (edges that were dropped left out) and searches for the way of
-/// least penetration. Bounded by the budget's work, not by time; where stopped, with what is known.
+/// Examines the roadmap without dropped edges, and searches for the way of least penetration. Bounded by the budget's
+/// work, not by time. After a stop, the result has the findings so far.
 Difficulty difficultyOf(const Problem& problem, const std::vector<RoadmapNode>& nodes,
                         const std::vector<RoadmapEdge>& edges, const ParameterValues& parameters, std::uint64_t seed,
                         const PenetrationBudget& budget = {}, const WorkWatch& watch = {});

@@ -9,7 +9,7 @@
 namespace glissade {
 namespace {
 
-/// Places begin so far apart, and a passage leads so far beyond its ends: in radii of the object.
+/// Least distance between the beginnings of places, and margin about the ends of a passage, in radii of the object.
 constexpr double kApart = 1.0;
 constexpr double kAround = 1.0;
 
@@ -28,7 +28,7 @@ Problem between(const Problem& problem, const Pose& from, const Pose& to) {
   return part;
 }
 
-/// The straight motion is free, or where it is not.
+/// Checks the straight motion, and finds where it is blocked.
 void lookStraight(const Problem& problem, double required, const StopToken& stop, HelpPlace& place) {
   const auto query = problem.world->makeQuery();
   const MotionCheck check = query->checkMotion(place.fromStart, place.fromGoal, required, SeekViolation::First, stop);
@@ -58,7 +58,7 @@ HelpPlace placeAt(const Problem& problem, const GrownTrees& trees, const TreeGap
   return place;
 }
 
-/// The configuration of that side which is nearest to q. Precondition: there is one.
+/// The configuration of the tree of that side that is nearest to q. Precondition: the tree is not empty.
 Pose nearestOf(const GrownTrees& trees, TreeSide side, const Pose& q, const Se3Metric& metric) {
   NearestNeighbours known(metric);
   for (std::uint32_t node = 0; node < trees.nodes.size(); ++node) {
@@ -67,7 +67,7 @@ Pose nearestOf(const GrownTrees& trees, TreeSide side, const Pose& q, const Se3M
   return trees.nodes[known.nearest(q)->index].q;
 }
 
-/// Where the trees come nearest to the deepest configuration of a way from start to goal.
+/// The place with the configurations of the trees that are nearest to the deepest configuration of a way.
 HelpPlace placeOnWay(const GrownTrees& trees, const Se3Metric& metric, const LeastPenetration& least) {
   HelpPlace place;
   place.fromStart = nearestOf(trees, TreeSide::Start, least.q, metric);
@@ -89,7 +89,7 @@ HelpPlace placeOnWay(const GrownTrees& trees, const Se3Metric& metric, const Lea
   return place;
 }
 
-/// What the object lacks there; more than any length where no passage is known.
+/// The missing clearance; infinite where no passage is known.
 double leastOf(const HelpPlace& place) { return place.lacking.value_or(std::numeric_limits<double>::infinity()); }
 
 }  // namespace

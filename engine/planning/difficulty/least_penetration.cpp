@@ -9,18 +9,18 @@
 namespace glissade {
 namespace {
 
-/// Erosions tried, in the object's radius.
+/// The smallest and the largest erosion to try, in radii of the object, and the number of erosions.
 constexpr double kFirst = 0.01;
 constexpr double kLast = 0.64;
 constexpr double kErosions = 7.0;
 constexpr double kRange = 0.03;
-/// The share of the work that searches are taken for.
+/// Share of the progress that is reported for the searches.
 constexpr double kSearching = 0.6;
-/// The share of its erosion that the object grows back by in a round; halved where the way cannot follow.
+/// Share of its erosion by which the object grows back in a round; halved where the way cannot be repaired.
 constexpr double kFirstStep = 0.4;
 constexpr double kLastStep = 0.02;
 
-/// Lets a planner work until its queries are spent.
+/// Lets a planner run until its queries are used up.
 class LimitedHost final : public PlannerHost {
  public:
   LimitedHost(const Planner& planner, const ParameterValues& parameters, std::uint64_t work, const StopToken& stop)
@@ -99,7 +99,8 @@ class Search {
     return true;
   }
 
-  /// Where the eroded object is nearest to something, the whole one is deepest in it.
+  /// Finds the deepest configuration: where the eroded object has the least clearance, the whole object penetrates
+  /// most.
   LeastPenetration deepest() {
     const auto query = worlds_.at(erosion_)->makeQuery();
     const MotionCertificate certificate = certifyPath(*query, way_, parameters_[ParameterId::RequiredClearance]);
@@ -120,7 +121,7 @@ class Search {
   ErodedWorlds worlds_;
   RrtConnect::Options options_;
   std::vector<Pose> way_;
-  double erosion_ = 0.0;  ///< of the object whose way it is
+  double erosion_ = 0.0;  ///< erosion of the object for which the way is free
 };
 
 }  // namespace

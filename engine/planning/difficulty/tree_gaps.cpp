@@ -10,7 +10,7 @@ namespace {
 
 using Node = std::uint32_t;
 
-/// Of each node of the start's tree.
+/// The gap at each node of the start's tree.
 std::vector<TreeGap> allGaps(const GrownTrees& trees, const Se3Metric& metric, const StopToken& stop) {
   NearestNeighbours goals(metric);
   for (Node node = 0; node < trees.nodes.size(); ++node) {

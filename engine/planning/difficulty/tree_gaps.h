@@ -8,10 +8,10 @@
 
 namespace glissade {
 
-/// A roadmap as two trees. Where no planner grew a tree from an end, that end is a node after those of the planners.
+/// A roadmap as two trees. An end from which no planner grew a tree is added as a node after those of the planners.
 struct GrownTrees {
   std::vector<RoadmapNode> nodes;
-  std::vector<std::vector<std::uint32_t>> links;  ///< of each node: its neighbours
+  std::vector<std::vector<std::uint32_t>> links;  ///< neighbours of each node
 };
 GrownTrees grownTrees(const Problem& problem, const std::vector<RoadmapNode>& nodes,
                       const std::vector<RoadmapEdge>& edges, CollisionQuery& query);
@@ -20,11 +20,11 @@ GrownTrees grownTrees(const Problem& problem, const std::vector<RoadmapNode>& no
 struct TreeGap {
   std::uint32_t start = 0;
   std::uint32_t goal = 0;
-  double distance = 0.0;  ///< in the metric, metres
+  double distance = 0.0;  ///< distance in the metric, metres
 };
 
 /// At most `most` gaps, by distance: first the nearest two nodes of both trees. A further gap begins at least `apart`
-/// (metres in the metric) from where those before it begin. Nothing where a tree is missing, fewer after a stop.
+/// (metres in the metric) from the beginnings of the gaps before it. Empty where a tree is missing; fewer after a stop.
 std::vector<TreeGap> treeGaps(const GrownTrees& trees, const Se3Metric& metric, double apart, std::size_t most,
                               const StopToken& stop);
 

@@ -8,7 +8,7 @@
 namespace glissade {
 namespace {
 
-/// Gives the steps their ends, as far as they are known, and their planners.
+/// Sets the ends of the steps, where they are known, and their planners.
 void complete(CoarsePlan& plan, const CoarsePlanning& coarse, const Problem& problem, CollisionQuery& query) {
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
     TopologicalStep& step = plan.steps[i];

@@ -5,29 +5,30 @@
 
 namespace glissade {
 
-/// What a preview of the coarse plan is asked for. A value: another thread may work with it.
+/// Input of a preview of the coarse plan. A value, so that another thread may use it.
 struct PreviewQuestion {
   Problem problem;
   std::string strategy;
   SceneKnowledgePtr knowledge;  ///< null: not known yet
   SemanticEditsPtr edits;       ///< null: none
-  CoarsePlanPtr run;            ///< the plan of the last run; null: none
+  CoarsePlanPtr run;            ///< plan of the last run; null: none
 };
 
-/// The strategy plans coarsely first.
+/// True if the strategy plans coarsely first.
 bool isMultiLayer(const std::string& strategy);
 
-/// The plan was made on these places, so that its numbers of places and borders hold for them. True while the places
+/// True if the plan was made on these places, so that its indices of places and borders are valid, or while the places
 /// are not known.
 bool isAboutPlaces(const CoarsePlan& plan, const SceneKnowledgePtr& knowledge);
 
-/// The plan was also made with these edits and by the rules of this strategy: planning again would begin with it.
+/// True if the plan was also made with these edits and by the rules of this strategy, so that planning again would
+/// begin with it.
 bool isUpToDate(const CoarsePlan& plan, const PreviewQuestion& question);
 
-/// What the coarse planning would decide now. Steps whose milestone is not known have an estimate of their end. Known
-/// are the user's milestones, and those of the last run where it was made by the same rules on the same places. Null
-/// where the strategy makes no coarse plan, the places are not known, or there is no configuration outside; errors
-/// are those of the rules. Any thread; deterministic.
+/// The decisions that the coarse planning would make now. Known milestones are the user's, and those of the last run
+/// where it was made by the same rules on the same places. Steps with an unknown milestone have an estimate of their
+/// end. Null where the strategy makes no coarse plan, the places are not known, or there is no configuration outside.
+/// Errors are those of the rules. Any thread; deterministic.
 Result<CoarsePlanPtr> previewPlan(const PreviewQuestion& question);
 
 }  // namespace glissade

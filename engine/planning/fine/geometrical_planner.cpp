@@ -9,12 +9,12 @@ namespace glissade {
 namespace {
 
 struct Visit {
-  double total;  ///< cost so far and at least still to come
+  double total;  ///< cost so far plus a lower bound of the remaining cost
   std::size_t cell;
   double spent;
 
   friend bool operator<(const Visit& a, const Visit& b) {
-    return a.total != b.total ? a.total > b.total : a.cell > b.cell;  // for a queue with the least on top
+    return a.total != b.total ? a.total > b.total : a.cell > b.cell;  // order of a queue with the least total on top
   }
 };
 
@@ -41,7 +41,7 @@ std::vector<std::size_t> findCellPath(const EnvironmentModel& environment, const
     return cell == goal ||
            (environment.space.kinds[cell] == CellKind::Free && std::binary_search(area.begin(), area.end(), cell));
   };
-  std::unordered_map<std::size_t, std::pair<double, std::size_t>> reached;  // cost, cell before
+  std::unordered_map<std::size_t, std::pair<double, std::size_t>> reached;  // cost, and the cell before
   std::priority_queue<Visit> open;
   const auto estimate = [&](std::size_t cell) { return (grid.centre(cell) - goalCentre).norm(); };
   reached[start] = {0.0, start};

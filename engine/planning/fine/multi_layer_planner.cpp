@@ -8,13 +8,14 @@
 namespace glissade {
 namespace {
 
-/// While a step runs, what it has spent is published at most every so many configurations.
+/// Most random configurations of a step between two publications of its counts.
 constexpr std::uint64_t kPublishEvery = 64;
-/// The first coarse paths get a part of the limit a step; every two of them four times as much.
+/// Number of pairs of coarse paths with a reduced limit for each step. Each pair has four times the limit of the pair
+/// before.
 constexpr std::uint64_t kCautiousPairs = 3;
-/// The search of the whole workspace has a turn of at least this many random configurations.
+/// Least number of random configurations in a turn of the search of the whole workspace.
 constexpr std::uint64_t kShortestTurn = 200;
-/// Its planner.
+/// Planner of the search of the whole workspace.
 constexpr const char* kWholePlanner = "contact-birrt";
 
 std::string joined(const std::vector<std::string>& names) {
@@ -31,7 +32,8 @@ std::string noWay(const CoarsePlan& plan) {
   return reason;
 }
 
-/// Where forbidden places leave no coarse path, the search of the whole workspace has as much as a step.
+/// True if the search of the whole workspace has used the limit of one step. It then ends where forbidden places leave
+/// no coarse path.
 bool isSpent(const SubPlanner& whole, const ParameterValues& parameters) {
   return whole.randomConfigurations() >= static_cast<std::uint64_t>(parameters[ParameterId::StepSamples]);
 }
@@ -78,7 +80,7 @@ void MultiLayerPlanner::advance(PlannerHost& host) {
   }
 }
 
-/// Takes the environment model, builds it where nobody has, and reads the rules.
+/// Takes the environment model, or builds it where it is missing, and reads the rules.
 void MultiLayerPlanner::prepare(PlannerHost& host) {
   knowledge_ = problem_.scene.knowledge;
   if (!knowledge_) {
@@ -101,8 +103,8 @@ void MultiLayerPlanner::prepare(PlannerHost& host) {
   phase_ = Phase::Coarse;
 }
 
-/// An edit while planning: the coarse plan follows at once; milestones and crossings that the person
-/// has not touched are kept.
+/// Takes over an edit while planning. A new coarse plan is made at once. Milestones and crossings that the edit does
+/// not touch are kept.
 void MultiLayerPlanner::noticeEdits(PlannerHost& host) {
   SemanticEditsPtr now = host.semanticEdits();
   if (!now || now == edits_) return;
@@ -141,7 +143,7 @@ void MultiLayerPlanner::planCoarsely() {
   publish();
 }
 
-/// One step of the milestones: taken where it is known, else one random configuration in the border.
+/// One step of drawing milestones: takes the known milestone, or draws one random configuration in the border.
 void MultiLayerPlanner::drawMilestone(PlannerHost& host) {
   TopologicalStep& step = current();
   const TopologicalStep* next = at_ + 1 < plan_.steps.size() ? &plan_.steps[at_ + 1] : nullptr;
@@ -242,7 +244,7 @@ void MultiLayerPlanner::stepSolved() {
   publish();
 }
 
-/// In the loop a failed step costs more from now on, and the next best coarse path is tried.
+/// With the loop, raises the cost of the failed step and tries the next best coarse path.
 void MultiLayerPlanner::stepFailed(PlannerHost& host, const std::string& reason) {
   TopologicalStep& step = current();
   step.result = StepResult::Failed;
@@ -255,7 +257,7 @@ void MultiLayerPlanner::stepFailed(PlannerHost& host, const std::string& reason)
     fail(reason, "Change the semantic attributes, or use the strategy Layers (gts).");
     return;
   }
-  // New milestones, too: the old ones may have been what was wrong.
+  // The milestones are drawn anew, because they may be the reason for the failure.
   coarse_->forget(step.border);
   coarse_->forget(borderBefore());
   for (auto crossing = crossed_.begin(); crossing != crossed_.end();) {
@@ -270,7 +272,7 @@ void MultiLayerPlanner::stepFailed(PlannerHost& host, const std::string& reason)
   phase_ = Phase::LastResort;
 }
 
-/// The row of the search of the whole workspace, after the steps that it stands in for.
+/// The row of the search of the whole workspace, after the steps that it replaces.
 TopologicalStep& MultiLayerPlanner::wholeWorkspaceStep() {
   if (!plan_.steps.empty() && plan_.steps.back().place == TopologicalStep::kWholeWorkspace) return plan_.steps.back();
   TopologicalStep step;
@@ -288,7 +290,7 @@ TopologicalStep& MultiLayerPlanner::wholeWorkspaceStep() {
   return plan_.steps.back();
 }
 
-/// The search of the whole workspace: by turns with the loop, then alone (turn_ is 0).
+/// The search of the whole workspace: in turn with the loop, or alone if turn_ is 0.
 void MultiLayerPlanner::searchWorkspace(PlannerHost& host) {
   if (!whole_) {
     Problem whole = problem_;
@@ -306,7 +308,7 @@ void MultiLayerPlanner::searchWorkspace(PlannerHost& host) {
   plan_.fineConfigurations += spent;
   if (state == SubPlanner::State::Solved) {
     path_ = *whole_->planner().path();
-    for (TopologicalStep& other : plan_.steps) other.points.clear();  // no part of the path
+    for (TopologicalStep& other : plan_.steps) other.points.clear();  // they are not part of the path
     step.points = path_->points;
     step.result = StepResult::Solved;
     publish();

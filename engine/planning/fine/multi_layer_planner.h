@@ -67,26 +67,26 @@ class MultiLayerPlanner final : public Planner, public ReportsInteraction, publi
 
   SceneKnowledgePtr knowledge_;
   SemanticEditsPtr edits_;
-  std::optional<CoarsePlanning> coarse_;  ///< once the knowledge is there
+  std::optional<CoarsePlanning> coarse_;  ///< exists once the knowledge is there
   std::optional<Pose> goal_;
 
   Phase phase_ = Phase::Prepare;
   CoarsePlan plan_;
   CoarsePlanPtr published_;
-  std::size_t at_ = 0;  ///< the step whose milestone is drawn, or that is crossed
+  std::size_t at_ = 0;  ///< step whose milestone is drawn, or that is crossed
   LearntCosts learnt_;
   std::optional<MilestoneSampler> milestoneSampler_;
   std::uint64_t milestoneDraws_ = 0;
   FineChoice choice_;
   std::unique_ptr<SubPlanner> local_;
-  /// What solved a step, and how.
+  /// A solution of a step, and its planners.
   struct Crossing {
     FineChoice choice;
     std::vector<PathPoint> points;
   };
-  std::map<std::array<int, 3>, Crossing> crossed_;  ///< by place and the borders at both ends
+  std::map<std::array<int, 3>, Crossing> crossed_;  ///< key: the place and the borders at both ends
   std::unique_ptr<SubPlanner> whole_;               ///< the search of the whole workspace
-  std::uint64_t turn_ = 0;                          ///< random configurations until the loop has its turn again
+  std::uint64_t turn_ = 0;                          ///< random configurations until the turn of the loop
 
   Author authority_ = Author::Computer;
   SharedRoadmap roadmap_;

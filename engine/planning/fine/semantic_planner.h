@@ -12,12 +12,12 @@ struct FineChoice {
   std::string why;
 };
 
-/// The choice for a step with its ends: the first rule that holds for its place decides, unless its two ends are
-/// those of a straight crossing and the rules want passages crossed as they fit best.
+/// The choice for a step with known ends: the first rule that holds for its place decides. A step whose ends are those
+/// of a straight crossing is crossed straight, if the rules want passages crossed in the configuration that fits best.
 FineChoice chooseFor(const TopologicalStep& step, const SceneKnowledge& knowledge, const SemanticModel& semantics,
                      const ParsedRules& rules);
 
-/// The first rule that holds for the place decides.
+/// The choice of the first rule that holds for the place.
 FineChoice chooseFinePlanners(const TopologicalMap& map, const SemanticModel& semantics, const ParsedRules& rules,
                               int place, double distance);
 
@@ -25,9 +25,8 @@ FineChoice chooseFinePlanners(const TopologicalMap& map, const SemanticModel& se
 /// hardest places.
 FineChoice fallbackFor(const ParsedRules& rules, const FineChoice& blocked);
 
-/// The area of a step: its place with the borders at both ends (-1: none); cut down to the
-/// surroundings of a path of cells where `geometrical`. In that case an area without a way through
-/// stays whole.
+/// The area of a step: its place with the borders at both ends (-1: none). With `geometrical` it is reduced to the
+/// surroundings of a path of cells; an area without such a path is kept whole.
 SamplingRegionPtr areaOf(const SceneKnowledge& knowledge, int place, int fromBorder, int toBorder, bool geometrical,
                          const Pose& from, const Pose& to, double objectRadius, const StopToken& stop = {});
 

@@ -5,7 +5,7 @@
 namespace glissade {
 namespace {
 
-/// The host of the whole, for one step.
+/// Forwards to the host of the whole planner, for one step.
 class OneStep final : public PlannerHost {
  public:
   OneStep(PlannerHost& host, const SamplingRegion* region) : host_(host), region_(region) {}

@@ -4,7 +4,7 @@
 
 namespace glissade {
 
-/// A roadmap and counts that several planners grow together, each appending what is new.
+/// A roadmap and counts that several planners grow together, each appending its new nodes and edges.
 struct SharedRoadmap {
   std::vector<RoadmapNode> nodes;
   std::vector<RoadmapEdge> edges;
@@ -15,31 +15,31 @@ struct SharedRoadmap {
 /// A planner that works on a part of a problem, one step at a time, for another planner.
 class SubPlanner {
  public:
-  /// `samples` limits its random configurations. The operator takes part while the object in his hand
-  /// is in the region (null: everywhere).
+  /// `samples` limits its random configurations. The operator takes part while the held object is in the region (null:
+  /// everywhere).
   SubPlanner(std::unique_ptr<Planner> planner, std::uint64_t samples, SamplingRegionPtr region)
       : planner_(std::move(planner)), samples_(samples), region_(std::move(region)) {}
 
   enum class State { Running, Solved, Failed };
-  /// One step; what it grew and cost is added to the roadmap.
+  /// Does one step; its nodes, edges and costs are added to the roadmap.
   State step(PlannerHost& host, SharedRoadmap& roadmap);
-  /// One step alone: to be followed, some time, by collect().
+  /// Does one step without adding it to a roadmap. A later collect() adds it.
   State advance(PlannerHost& host);
-  /// Adds what was grown and spent since the last time.
+  /// Adds the nodes, edges and costs since the last call.
   void collect(SharedRoadmap& roadmap);
-  /// Adds what the planner has grown but not listed yet (Planner::completeRoadmap).
+  /// Adds the nodes and edges that the planner has grown but not listed yet (Planner::completeRoadmap).
   void complete(SharedRoadmap& roadmap);
 
   const Planner& planner() const { return *planner_; }
   std::uint64_t randomConfigurations() const { return planner_->counts().randomConfigurations; }
-  /// What collect() has added so far.
+  /// Sum of the counts that collect() has added.
   const PlannerCounts& collected() const { return counted_; }
 
  private:
   std::unique_ptr<Planner> planner_;
   std::uint64_t samples_;
   SamplingRegionPtr region_;
-  std::vector<std::uint32_t> nodeIn_;  ///< index in the shared roadmap, per own node
+  std::vector<std::uint32_t> nodeIn_;  ///< index in the shared roadmap for each own node
   std::vector<std::uint32_t> edgeIn_;
   std::size_t droppedTaken_ = 0;
   PlannerCounts counted_;

@@ -5,7 +5,7 @@
 
 namespace glissade {
 
-/// What a hand has shown, and how far the start's tree has got along it.
+/// The path that a hand has shown, and the part of it that the start's tree has reached.
 class FollowedWay {
  public:
   /// Nearer to it, in radii of the object, a configuration is the same as another.
@@ -14,7 +14,7 @@ class FollowedWay {
   explicit FollowedWay(const Se3Metric& metric) : metric_(metric), recorder_(metric) {}
 
   const WayRecorder& recorder() const { return recorder_; }
-  /// As WayRecorder::add(). True where it is another point.
+  /// Adds a point as WayRecorder::add(). Returns true if it is a new point.
   bool add(const Pose& q, const NearestObstacle& nearest, double moved);
 
   /// Goes on along the way as far as this component has got by the nodes since the last time.

@@ -20,9 +20,9 @@ class GapBridges {
   enum class State { NothingToSearch, Searching, Found };
   /// One step. NothingToSearch: no point that the tree has not reached is free; nothing was done.
   State step(const RoadmapGraph& roadmap, RoadmapGraph::ComponentId tree, const FollowedWay& way, PlannerHost& host);
-  /// What was found last.
+  /// The bridge that was found last.
   const Bridge& bridge() const { return bridge_; }
-  /// Of all searches.
+  /// The queries of all searches.
   QueryCounts queries() const;
 
  private:

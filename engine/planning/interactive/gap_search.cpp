@@ -12,7 +12,7 @@ namespace {
 /// Longest extension, in radii of the object.
 constexpr double kRange = 0.3;
 
-/// Draws of another sampler, made free where that is possible.
+/// Draws configurations of another sampler and makes them free where that is possible.
 class FreedSampler final : public ConfigurationSampler {
  public:
   FreedSampler(std::unique_ptr<ConfigurationSampler> from, std::shared_ptr<ShownConfiguration> configuration,

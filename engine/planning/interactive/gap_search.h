@@ -10,15 +10,15 @@ namespace glissade {
 /// drawn from a tube between both ends and made free, so that they lie in contact where the passage is narrow.
 class GapSearch {
  public:
-  /// `deviation` of the tube in metres of the metric.
+  /// `deviation`: deviation of the tube, metres of the metric.
   GapSearch(const Problem& problem, const Pose& from, const Pose& to, double deviation, std::uint64_t seed,
             std::shared_ptr<ErodedWorlds> worlds);
 
-  /// One step. The way from end to end, once it is found.
+  /// Does one step. Returns the way from end to end, once it is found.
   std::optional<std::vector<Pose>> step(PlannerHost& host);
   std::uint64_t steps() const { return search_.planner().counts().steps; }
   const Pose& target() const { return target_; }
-  /// Of all queries.
+  /// Counts of all its queries.
   QueryCounts queries() const;
 
  private:

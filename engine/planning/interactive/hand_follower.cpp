@@ -158,7 +158,7 @@ void HandFollower::searchGap(PlannerHost& host) {
   followWay();
 }
 
-/// Where no configuration beyond the gap is free: one near a point of the way, or between that and the tree.
+/// Samples if no configuration beyond the gap is free: near a point of the way, or between that point and the tree.
 void HandFollower::sampleGap(PlannerHost& host) {
   const Pose& target = way_.anyMissing(stream_);
   const auto near = roadmap_.nearest(roadmap_.componentOf(startRoot_), target);
@@ -188,8 +188,8 @@ void HandFollower::sampleForComputer(PlannerHost& host) {
   followWay();
 }
 
-/// Where a component was blocked on its way to q, it goes on in contact: a short motion towards q is retracted from
-/// what it runs into, as long as that brings it nearer.
+/// Continues in contact from configurations at which a component was blocked on its way to q: a short motion towards q
+/// is retracted from the obstacle, as long as this approaches q.
 void HandFollower::slide(const Pose& q, PlannerHost& host) {
   const double piece = kPiece * metric_.radius();
   const double gap = host.parameters()[ParameterId::ContactGap];

@@ -9,20 +9,20 @@
 namespace glissade {
 namespace {
 
-/// After so many steps of the hand that grow nothing, the hand keeps this share of its authority.
+/// Number of steps of the hand without growth after which the hand keeps only this share of its authority.
 constexpr std::uint64_t kPatience = 400;
 constexpr double kLeftInVain = 0.1;
-/// Share of the computer's steps that grow the trees which the hand draws.
+/// Share of the computer's steps that grow the trees of the hand.
 constexpr double kFollowersShare = 0.97;
 /// Movement of the hand in a round, in radii of the object. Above the first value the next rounds are shorter, so that
 /// the hand does not wait. Below the second one they are longer.
 constexpr double kMostMovement = 0.05;
 constexpr double kLittleMovement = 0.01;
-/// What is nearer to the way than this runs along it. In radii of the object.
+/// Largest distance from the way of a path that runs along it, in radii of the object.
 constexpr double kAlong = 0.2;
-/// A path that runs along the way for less of its length is the computer's.
+/// A path is attributed to the computer if a smaller share of its length runs along the way.
 constexpr double kLeastFollowed = 0.1;
-/// Share of the draws in the tube, of members that slide, where the hand is in contact all the time.
+/// Share of the draws in the tube for members that slide, where the hand is always in contact.
 constexpr double kSlidersShare = 0.5;
 
 }  // namespace
@@ -52,7 +52,7 @@ bool HandPartner::takesTurn(PlannerHost& host) {
   const bool covered = account_.covers();
   const bool handHasWork = follower_->hasWork(*sample, covered);
   const bool shown = follower_->way().size() > 0;
-  const bool grows = shown && account_.stepsAreScarce();  // the computer's steps, too, grow the hand's trees
+  const bool grows = shown && account_.stepsAreScarce();  // the computer's steps grow the hand's trees, too
   if (!handHasWork && !grows) return false;
   const double hands = handHasWork ? share(host.parameters()) : 0.0;
   for (;;) {
@@ -75,7 +75,7 @@ double HandPartner::share(const ParameterValues& parameters) const {
   return follower_->stepsInVain() > kPatience ? kLeftInVain * share : share;
 }
 
-/// Where the hand gets on in a round, as in lockstep, rounds become short.
+/// Shortens the next rounds where the hand moved far during a round, as it does in lockstep.
 void HandPartner::noteMovement(const Pose& q) {
   const std::uint64_t quantum = std::exchange(lastQuantum_, 0);
   if (quantum == 0) return;
@@ -132,7 +132,7 @@ void HandPartner::solved(const Path& path, bool shared) {
   follower_->pathFound(shared && followed >= kLeastFollowed, followed);
 }
 
-/// By length, in the metric.
+/// Share of the path's metric length that runs along the hand's way.
 double HandPartner::followedShare(const Path& path) const {
   const Se3Metric metric = problem_.metric();
   NearestNeighbours way(metric);

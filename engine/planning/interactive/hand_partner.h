@@ -10,13 +10,13 @@ namespace glissade {
 /// A person as the partner of the portfolio.
 ///
 /// Authority is that of Algorithm 1 (paper 1), step by step: a number a is drawn, and for a > alpha the step is the
-/// hand's, where it has shown something new. Steps of a round that side by side have taken at once are the computer's
-/// next ones. Members draw from the tube about the hand's way, as much as HandAccount covers. Those whose trees slide
-/// on in contact have half of their draws there while the hand works in contact. Nothing is added to the work of the
-/// members, so that a hand that misleads makes them slower by a factor of two at most and the others not at all. The
-/// hand loses most of its authority while its steps grow nothing. Without a hand, and without a place that is
-/// preferred, no random number is drawn and nothing is shared: the portfolio does what it does alone, bit by bit.
-/// Members draw from the places that a person prefers, too.
+/// hand's, where it has shown something new. A round does several steps at once; they count as the computer's next
+/// steps. Members draw from the tube about the hand's way, as much as HandAccount covers. While the hand works in
+/// contact, members whose trees slide on in contact take half of their draws there. The members get no additional work,
+/// so that a misleading hand makes these members slower by a factor of two at most, and the others not at all. The hand
+/// loses most of its authority while its steps grow nothing. Members draw from the places that a person prefers, too.
+/// Without a hand and without a preferred place, no random number is drawn and nothing is shared: the portfolio then
+/// gives the same result as without a partner, bit by bit.
 class HandPartner final : public PortfolioPartner {
  public:
   HandPartner(const Problem& problem, std::uint64_t seed);
@@ -48,16 +48,16 @@ class HandPartner final : public PortfolioPartner {
   RandomStream authorityStream_;
   std::shared_ptr<WayBoard> board_ = std::make_shared<WayBoard>();
   std::shared_ptr<PreferredPlaces> preferred_ = std::make_shared<PreferredPlaces>();
-  HandFollower* follower_;  ///< in planner_
+  HandFollower* follower_;  ///< owned by planner_
   SubPlanner planner_;
   HandAccount account_;
-  std::uint64_t prepaid_ = 0;  ///< steps of the computer's that were taken at once
-  Pose beforeRound_;           ///< where the hand was then
+  std::uint64_t prepaid_ = 0;  ///< steps of the computer that were taken in advance
+  Pose beforeRound_;           ///< pose of the hand when the round began
   std::uint64_t mostWork_ = kMostWork;
-  std::uint64_t published_ = 0;  ///< version of the way on the board
+  std::uint64_t published_ = 0;  ///< version of the published way
   std::optional<Pose> publishedHand_;
-  bool held_ = false;              ///< somebody held the object when the round began
-  std::uint64_t lastQuantum_ = 0;  ///< of the round before; 0: it was looked at
+  bool held_ = false;              ///< a person held the object when the round began
+  std::uint64_t lastQuantum_ = 0;  ///< quantum of the round before; 0: it was evaluated
 
   static constexpr std::uint64_t kMostWork = 10'000;
 };

@@ -7,13 +7,13 @@
 
 namespace glissade {
 
-/// What a hand has shown in a run, and what came of it.
+/// Configurations that a hand has shown in a run, and their effect.
 struct HandReport {
   std::uint64_t shown = 0;           ///< configurations that were tried
-  std::uint64_t collided = 0;        ///< of them: touched or penetrated
-  std::uint64_t movedToContact = 0;  ///< of those: were retracted, and tried there
+  std::uint64_t collided = 0;        ///< number of them that touched or penetrated
+  std::uint64_t movedToContact = 0;  ///< number of the collided ones that were retracted and tried there
   bool joined = false;               ///< its way joined start and goal
-  double followed = 0.0;             ///< share of the path's length that runs along its way; 0 without a path
+  double followed = 0.0;             ///< share of the path's length that runs along the hand's way; 0 without a path
 
   friend bool operator==(const HandReport& a, const HandReport& b) {
     return a.shown == b.shown && a.collided == b.collided && a.movedToContact == b.movedToContact &&
@@ -28,7 +28,7 @@ class ReportsHand {
   virtual const HandReport& handReport() const = 0;
 };
 
-/// Nothing for planners that do not, and while nothing has been shown.
+/// The planner's hand report; nothing for planners without one, and while nothing has been shown.
 inline std::optional<HandReport> handReportOf(const Planner& planner) {
   const auto* report = reportOf<ReportsHand>(planner);
   if (report == nullptr || report->handReport().shown == 0) return std::nullopt;

@@ -6,14 +6,13 @@
 
 namespace glissade {
 
-/// The cells of the places that a person prefers (semantic attribute "preference" above 1), in one region. Published
-/// between the rounds of a portfolio, read by its members within them, as WayBoard is.
+/// The cells of the places that a person prefers (semantic attribute "preference" above 1), in one region. Like
+/// WayBoard, it is published between the rounds of a portfolio and read by its members during the rounds.
 class PreferredPlaces {
  public:
-  /// Null while none is preferred.
+  /// The region; null while no place is preferred.
   const SamplingRegionPtr& current() const { return region_; }
-  /// Looks at the edits, where they are others than the last time (null: none). Without knowledge of the problem's
-  /// places none is preferred.
+  /// Takes over changed edits (null: none). Without knowledge of the problem's places none is preferred.
   void follow(const Problem& problem, const SemanticEditsPtr& edits);
 
  private:
@@ -21,8 +20,8 @@ class PreferredPlaces {
   SamplingRegionPtr region_;
 };
 
-/// A member's share in the places that are preferred: one draw in five has its position there. While none is preferred
-/// it draws as its own sampler, and no random number is used up.
+/// Draws from the preferred places for a member: one draw in five has its position there. While none is preferred it
+/// draws as the member's own sampler, and no random number is used up.
 class PreferredSampler final : public ConfigurationSampler {
  public:
   static constexpr double kShare = 0.2;
@@ -39,7 +38,7 @@ class PreferredSampler final : public ConfigurationSampler {
   std::unique_ptr<ConfigurationSampler> own_;
   RandomStream stream_;
   std::shared_ptr<const PreferredPlaces> places_;
-  bool drawnByOwn_ = true;  ///< the last one
+  bool drawnByOwn_ = true;  ///< the own sampler made the last draw
 };
 
 }  // namespace glissade

@@ -8,11 +8,11 @@
 namespace glissade {
 namespace {
 
-/// Depths of erosion, in radii of the object, the least first: its edges move least off.
+/// Depths of erosion, in radii of the object. The smallest comes first, because it moves edges least.
 constexpr std::array<double, 3> kDepths{0.02, 0.06, 0.14};
-/// Edges of an eroded object have moved by more than its faces.
+/// Clearances that the eroded object has to keep, in depths. Its edges have moved by more than its faces.
 constexpr std::array<double, 2> kDemands{1.05, 1.6};
-/// How far the last of the others near by is moved at random, for each direction. In radii of the object.
+/// Standard deviation of the random move in the last attempt, for each direction, in radii of the object.
 constexpr double kAround = 0.15;
 
 }  // namespace
@@ -53,7 +53,7 @@ std::optional<Pose> ShownConfiguration::retractedFrom(const Pose& q, const Pose&
   for (std::size_t i = 0; i < kDepths.size(); ++i) {
     const double depth = kDepths[i] * radius;
     if (!eroded_[i]) eroded_[i] = worlds_->at(depth)->makeQuery();
-    if (eroded_[i]->nearestObstacle(q).distance <= 0.0) continue;  // deeper than this
+    if (eroded_[i]->nearestObstacle(q).distance <= 0.0) continue;  // q is deeper than this erosion
     for (const double demand : kDemands) {
       const auto found = retracted(*eroded_[i], q, demand * depth + clearance, radius);
       if (!holds(found)) continue;

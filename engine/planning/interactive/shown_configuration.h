@@ -7,28 +7,28 @@
 
 namespace glissade {
 
-/// Makes what a hand shows free: a configuration that touches or penetrates is retracted to a small clearance, by the
-/// distances of eroded objects (retraction.h) and then of the object itself. Used by one thread.
+/// Makes the configurations that a hand shows free: a configuration that touches or penetrates is retracted to a small
+/// clearance, by the distances of eroded objects (retraction.h) and then of the object itself. Used by one thread.
 class ShownConfiguration {
  public:
-  /// No configuration is moved by more than this, in radii of the object, in the metric.
+  /// Longest move of a configuration, in radii of the object, in the metric.
   static constexpr double kMostMoved = 0.5;
 
-  /// `attempts`: of a configuration that cannot be retracted, so many others near by are tried.
+  /// `attempts`: number of other configurations nearby that are tried where one cannot be retracted.
   ShownConfiguration(const Problem& problem, std::shared_ptr<ErodedWorlds> worlds, std::uint64_t seed, int attempts);
 
   struct Freed {
     Pose q;
-    NearestObstacle nearest;  ///< of q; distance above 0
-    double moved = 0.0;       ///< metres in the metric; 0 where q was free
+    NearestObstacle nearest;  ///< nearest obstacle at q; distance above 0
+    double moved = 0.0;       ///< distance from the shown configuration, metres in the metric; 0 where that was free
   };
-  /// Nothing where no free configuration was found within the bound. `clearance` in metres is what a retracted one
-  /// keeps.
+  /// The free configuration; nothing where none was found within the bound. `clearance`: clearance of a retracted
+  /// configuration, metres.
   std::optional<Freed> freed(const Pose& q, double clearance);
-  /// The same without what is near: cheaper where q is free.
+  /// The free configuration alone, without its nearest obstacle: cheaper where q is free.
   std::optional<Pose> freedPose(const Pose& q, double clearance);
 
-  /// Of all its queries.
+  /// Counts of all its queries.
   QueryCounts counts() const;
 
  private:
@@ -41,7 +41,7 @@ class ShownConfiguration {
   RandomStream stream_;
   int attempts_;
   std::unique_ptr<CollisionQuery> query_;
-  std::vector<std::unique_ptr<CollisionQuery>> eroded_;  ///< per depth; null until it is needed
+  std::vector<std::unique_ptr<CollisionQuery>> eroded_;  ///< one query per depth; null until it is needed
 };
 
 }  // namespace glissade

@@ -6,15 +6,15 @@
 namespace glissade {
 namespace {
 
-// In radii of the object.
-constexpr double kSpacing = 0.05;      ///< of two points
-constexpr double kStride = 0.5;        ///< what is farther is no movement, but another place
-constexpr double kLeastSpread = 0.02;  ///< also an exact hand leaves something to search
-constexpr double kPushed = 0.25;       ///< of the latest movement, which tells where the hand pushes to
-constexpr double kReach = 1.0;         ///< how far ahead of it members search
+// Lengths in radii of the object.
+constexpr double kSpacing = 0.05;      ///< distance between two points
+constexpr double kStride = 0.5;        ///< a longer step is a new place, not a movement
+constexpr double kLeastSpread = 0.02;  ///< least spread, so that members also search about an exact hand
+constexpr double kPushed = 0.25;       ///< length of the latest movement, which gives the direction of the push
+constexpr double kReach = 1.0;         ///< length of the push beyond the hand that members search
 /// Points that are kept. When they are full the older half is forgotten.
 constexpr std::size_t kMostPoints = 1500;
-/// Configurations that the spread is the mean of.
+/// Number of configurations over which the spread is averaged.
 constexpr double kMemory = 50.0;
 
 }  // namespace
@@ -33,7 +33,7 @@ void WayRecorder::add(const Pose& q, const NearestObstacle& nearest, double move
 
 double WayRecorder::spread() const { return std::hypot(kLeastSpread * metric_.radius(), std::sqrt(meanSquare_)); }
 
-/// The movement that led to the last point, and on to the hand where that is held back.
+/// The movement that led to the last point, extended to the hand where obstacles hold the object back.
 std::optional<ShownWay::Push> WayRecorder::push(const std::optional<Pose>& hand) const {
   if (points_.empty()) return std::nullopt;
   const Pose to = hand.value_or(points_.back().q);

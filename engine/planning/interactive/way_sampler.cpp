@@ -9,9 +9,9 @@ namespace {
 
 /// Radius of the disc on a tangent plane, in deviations of the tube.
 constexpr double kDisc = 4.0;
-/// Share of the draws that are ahead of the hand.
+/// Share of the draws that lie ahead of the hand.
 constexpr double kAheadShare = 0.1;
-/// Share of a member's nodes at which contact is looked for.
+/// Share of a member's nodes at which the sampler looks for contact.
 constexpr double kLookedAt = 0.02;
 
 }  // namespace

@@ -31,17 +31,18 @@ namespace {
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
-/// Longest edge of the planners that have one, relative to the diagonal of the bounds. BKPIECE's trees
-/// only meet within a cell: with short edges it needs many times the draws (measured on the window of
-/// the tests and on environment 1). EST counts neighbours within a third of its range, to grow where there are
-/// few: with short edges nothing has any, and its one tree stays a cloud about the start (measured on the teaching
-/// scenario; OMPL's own choice, 0.2 of the extent, is too short as well).
+/// Longest edge of the planners that have one, relative to the diagonal of the bounds. BKPIECE's trees only meet within
+/// a cell: with short edges it needs many times the draws (measured on the window of the tests and on environment 1).
+/// EST counts neighbours within a third of its range, to grow where there are few: with short edges no node has any,
+/// and its tree does not leave the surroundings of the start (measured on the teaching scenario; OMPL's own choice, 0.2
+/// of the extent, is too short as well).
 constexpr double kRange = 0.03;
 constexpr double kBkpieceRange = 0.06;
 constexpr double kEstRange = 0.5;
-/// Nodes are collected when the draws have doubled, the first time after these: it costs as much as there are nodes.
+/// Number of draws after which nodes are collected first. They are collected again whenever the draws have doubled,
+/// because collecting takes time proportional to the nodes.
 constexpr std::uint64_t kCollectFirst = 64;
-/// As it is OMPL must not pay for us: pieces of many draws.
+/// Draws of a piece with OmplManner::AsItIs. Large pieces keep the cost of our interface out of the comparison.
 constexpr int kAsItIsPiece = 64;
 
 bool growsTwoTrees(OmplAlgorithm algorithm) {
@@ -70,7 +71,7 @@ ob::PlannerPtr makePlanner(OmplAlgorithm algorithm, const ob::SpaceInformationPt
   return nullptr;
 }
 
-/// OMPL's range is its default where it is 0.
+/// Sets OMPL's range, which is OMPL's default where the parameter is 0.
 void setUpAsItIs(ob::Planner& planner, const ParameterValues& parameters) {
   const auto& space = planner.getSpaceInformation()->getStateSpace();
   space->setLongestValidSegmentFraction(parameters[ParameterId::OmplResolution]);
@@ -82,13 +83,13 @@ void setUpAsItIs(ob::Planner& planner, const ParameterValues& parameters) {
 
 }  // namespace
 
-/// OMPL's side. Destroyed in reverse order: the planner frees its states through the space.
+/// The OMPL objects. Destroyed in reverse order: the planner frees its states through the space.
 struct OmplPlanner::Engine {
   Engine(const Problem& problem, std::uint64_t seed, OmplAlgorithm algorithm, OmplManner manner)
       : world(problem, seed), asItIs(manner == OmplManner::AsItIs), twoTrees(growsTwoTrees(algorithm)) {
     const bool whole = problem.world->variants().empty() && problem.world->threads().empty();
     if (asItIs && whole) world.surfaces.emplace(makeFclGeometry(problem.world->obstacles(), problem.world->object()));
-    // PRM tries again by itself, and looks at its termination condition in between.
+    // PRM repeats its attempts itself, and checks its termination condition between them.
     constexpr unsigned kAttempts = 100;  // OMPL's default
     const std::lock_guard<std::recursive_mutex> lock(omplSeedMutex());
     ompl::msg::noOutputHandler();
@@ -111,7 +112,7 @@ struct OmplPlanner::Engine {
     if (!asItIs) planner->setup();
   }
 
-  /// What the parameters decide: before the first piece.
+  /// Applies the parameters before the first piece.
   void begin(const ParameterValues& parameters) {
     if (asItIs && !planner->isSetup()) setUpAsItIs(*planner, parameters);
   }
@@ -122,7 +123,7 @@ struct OmplPlanner::Engine {
     return state;
   }
 
-  /// One draw, or one for each tree: OMPL's planners with two begin every call with the start's.
+  /// Runs one draw, or one for each tree: OMPL's planners with two trees begin every call with the start's tree.
   ob::PlannerStatus solvePiece() {
     const int rounds = asItIs ? kAsItIsPiece : twoTrees ? 2 : 1;
     int done = 0;
@@ -146,8 +147,8 @@ struct OmplPlanner::Engine {
   bool asItIs;
   bool twoTrees;
   std::vector<Pose> goals;
-  std::unordered_map<std::uint64_t, std::uint32_t> nodeOf;  ///< by the state's serial number
-  std::unordered_set<std::uint64_t> known;                  ///< edges
+  std::unordered_map<std::uint64_t, std::uint32_t> nodeOf;  ///< node by the state's serial number
+  std::unordered_set<std::uint64_t> known;                  ///< edges already listed
   ob::SpaceInformationPtr information;
   ob::ProblemDefinitionPtr definition;
   ob::PlannerPtr planner;
@@ -168,7 +169,7 @@ OmplPlanner::OmplPlanner(const Problem& problem, std::uint64_t seed, OmplAlgorit
 
 OmplPlanner::~OmplPlanner() = default;
 
-/// An exception of OMPL fails this planner alone: in a portfolio the others go on.
+/// Runs `work` and turns an exception of OMPL into a failure of this planner. Other members of a portfolio go on.
 template <class Work>
 void OmplPlanner::guard(std::string_view doing, const Work& work) {
   auto why = guarded(doing, work);
@@ -184,12 +185,13 @@ void OmplPlanner::fail(ErrorKind kind, const std::string& reason, const std::str
 bool OmplPlanner::solve(PlannerHost& host) {
   while (owedSteps_ > 0 || (!path_ && !failure_)) {
     if (owedSteps_ == 0) guard("planning with OMPL", [&] { grow(host); });
-    if (owedSteps_ == 0) break;  // it has failed
-    // Once there is a path, nothing may come between the steps of its piece: where the run ends would depend on it.
+    if (owedSteps_ == 0) break;  // planning has failed
+    // After a path is found, all steps of its piece are taken together, so that the end of the run does not depend on
+    // where the piece is interrupted.
     const std::uint64_t taken = path_ ? owedSteps_ : 1;
     owedSteps_ -= taken;
     counts_.steps += taken;
-    // A piece draws many at once; each is counted with its step.
+    // A piece draws many configurations at once; each is counted with its step.
     counts_.randomConfigurations = engine_->world.draws - std::min(owedSteps_, engine_->world.draws);
     if (!host.afterStep()) break;
   }
@@ -216,7 +218,7 @@ void OmplPlanner::grow(PlannerHost& host) {
     fail(ErrorKind::NoPath, "OMPL's planner was given no free start within the bounds", "Widen the bounds.");
   }
   if (engine_->definition->hasExactSolution()) deliverPath(host);
-  engine_->definition->clearSolutionPaths();  // approximate ones: every piece leaves one
+  engine_->definition->clearSolutionPaths();  // removes the approximate solution that every piece leaves
   owedSteps_ = std::max<std::uint64_t>(1, world.draws - before);
   counts_.queries = world.queryCounts();
   if (world.draws >= nextCollection_ || path_) {
@@ -231,7 +233,7 @@ void OmplPlanner::deliverPath(PlannerHost& host) {
   Path path;
   for (const ob::State* state : solution->getStates())
     path.points.push_back({OmplSpace::poseOf(state), Author::Computer});
-  // OMPL copies both ends; within the goal's threshold it may not.
+  // OMPL copies both ends, but the end may differ from the goal within its threshold.
   const auto nearest = std::min_element(engine_->goals.begin(), engine_->goals.end(),
                                         [&, end = path.points.back().q](const Pose& a, const Pose& b) {
                                           return world.metric.distance(a, end) < world.metric.distance(b, end);
@@ -274,13 +276,13 @@ void OmplPlanner::collect() {
   }
   std::sort(fresh.begin(), fresh.end(), [](const Fresh& a, const Fresh& b) { return a.serial < b.serial; });
   for (const Fresh& node : fresh) {
-    constexpr int kGoalTag = 2;  // in OMPL's planners with two trees
+    constexpr int kGoalTag = 2;  // tag in OMPL's planners with two trees
     const bool goalTree = engine_->twoTrees && node.vertex->getTag() == kGoalTag;
     engine_->nodeOf[node.serial] = static_cast<std::uint32_t>(nodes_.size());
     nodes_.push_back(
         {OmplSpace::poseOf(node.vertex->getState()), Author::Computer, goalTree ? TreeSide::Goal : TreeSide::Start});
   }
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> links;  // the later node first
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> links;  // pairs with the later node first
   std::vector<unsigned> neighbours;
   for (unsigned vertex = 0; vertex < data.numVertices(); ++vertex) {
     const std::uint32_t from = engine_->nodeOf.at(serial(vertex));

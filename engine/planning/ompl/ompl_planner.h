@@ -7,8 +7,8 @@
 
 namespace glissade {
 
-/// The planners of the Open Motion Planning Library (I. A. Sucan, M. Moll, L. E. Kavraki, "The Open
-/// Motion Planning Library", 2012) that are offered by name.
+/// The planners of the Open Motion Planning Library (I. A. Sucan, M. Moll, L. E. Kavraki, "The Open Motion Planning
+/// Library", 2012) that users can choose.
 enum class OmplAlgorithm {
   RrtConnect,  ///< Kuffner and LaValle 2000
   Bkpiece,     ///< Sucan and Kavraki 2009, two trees
@@ -19,23 +19,22 @@ enum class OmplAlgorithm {
   BiTrrt       ///< Devaurs, Siméon and Cortés 2013, two trees
 };
 
-/// How OMPL's planners are used.
+/// Interface between OMPL's planners and the engine.
 enum class OmplManner {
-  /// As one of ours: our metric, extensions, collision checks and certified paths.
+  /// Like the engine's own planners: with its metric, extensions, collision checks and certified paths.
   Adapted,
-  /// As OMPL's users run them, to be measured beside ours: OMPL's SE(3), its defaults (but for the
-  /// parameters ompl_range and ompl_resolution) and edges looked at every so often, collisions of the
-  /// surfaces by FCL. The first path is the result, and our certificate judges it: one that fails is the end of the
-  /// run, and counted (PlannerCounts::rejectedPaths).
+  /// The use by OMPL's own users, for comparison: OMPL's SE(3), its defaults (except for the parameters ompl_range and
+  /// ompl_resolution), edges checked at intervals, and collisions of the surfaces by FCL. The first path is the result,
+  /// and our certificate judges it. A path that fails ends the run and is counted (PlannerCounts::rejectedPaths).
   AsItIs
 };
 
-/// One of OMPL's planners behind our interface, with our metric, random configurations, collision
-/// checks along the edges and certificate (OmplManner::Adapted). OMPL's planner is called in pieces of
-/// one or two draws (AsItIs: of many). A path that fails its certificate makes it start afresh, with random numbers
-/// that go on, and with edges that are certified while they grow, so that it happens once; the nodes grown so far stay
-/// listed. Deviations: a step of the lockstep clock is a draw, not a configuration kept; what a piece grew is published
-/// every so many draws, in the order in which it grew.
+/// One of OMPL's planners behind our interface, with our metric, random configurations, collision checks along the
+/// edges and certificate (OmplManner::Adapted). OMPL's planner is called in pieces of one or two draws (AsItIs: of
+/// many). A path that fails its certificate restarts it, with random numbers that go on and with edges that are
+/// certified while they grow, so that a path fails once at most. The nodes grown so far stay listed. Deviations: a step
+/// of the lockstep clock is a draw, not a configuration kept; new nodes are published after a number of draws, in the
+/// order in which they grew.
 class OmplPlanner final : public Planner {
  public:
   OmplPlanner(const Problem& problem, std::uint64_t seed, OmplAlgorithm algorithm,
@@ -57,7 +56,7 @@ class OmplPlanner final : public Planner {
 
   void grow(PlannerHost& host);
   void deliverPath(PlannerHost& host);
-  /// Appends what OMPL's planner has grown since the last time.
+  /// Appends the nodes and edges that OMPL's planner has grown since the last call.
   void collect();
   template <class Work>
   void guard(std::string_view doing, const Work& work);
@@ -68,9 +67,9 @@ class OmplPlanner final : public Planner {
   std::vector<RoadmapEdge> edges_;
   std::vector<std::uint32_t> dropped_;
   PlannerCounts counts_;
-  std::uint64_t owedSteps_ = 0;       ///< draws of the last piece that no step stands for yet
-  std::uint64_t nextCollection_ = 1;  ///< in draws
-  std::uint64_t collectedAt_ = 0;     ///< in pieces
+  std::uint64_t owedSteps_ = 0;       ///< draws of the last piece that are not yet counted as steps
+  std::uint64_t nextCollection_ = 1;  ///< draws at the next collection
+  std::uint64_t collectedAt_ = 0;     ///< pieces at the last collection
   std::optional<Path> path_;
   std::optional<Diagnostic> failure_;
 };

@@ -30,7 +30,7 @@ Pose moved(const Pose& q, const std::array<double, 6>& tangent, double radius) {
   return result;
 }
 
-/// What is out of bounds comes back in: cut off, it would pile up on their faces.
+/// Mirrors a position out of bounds at their faces. Clamping would accumulate positions on the faces.
 Vector3 mirroredInto(const Box3& bounds, const Vector3& p) {
   const Vector3 inside = bounds.min().cwiseMax(2.0 * bounds.min() - p).cwiseMax(p);
   const Vector3 mirrored = inside.cwiseMin(2.0 * bounds.max() - inside);
@@ -53,7 +53,7 @@ class Sampler final : public ob::StateSampler {
   OmplWorld& world_;
 };
 
-/// OMPL's own sampler, its draws counted.
+/// OMPL's own sampler that counts its draws.
 class CountingSampler final : public ob::StateSampler {
  public:
   CountingSampler(const ob::StateSpace* space, OmplWorld& world)
@@ -87,7 +87,7 @@ class ValidityChecker final : public ob::StateValidityChecker {
   OmplWorld& world_;
 };
 
-/// Edges at the papers' step, not at a fraction of the space's extent.
+/// Checks edges at the papers' step instead of at a fraction of the space's extent.
 class GrowthValidator final : public ob::MotionValidator {
  public:
   GrowthValidator(ob::SpaceInformation* space, OmplWorld& world) : MotionValidator(space), world_(world) {}
@@ -214,7 +214,8 @@ void SerialSpace::setPose(ob::State* state, const Pose& q) {
 std::uint64_t SerialSpace::serialOf(const ob::State* state) { return static_cast<const SerialState*>(state)->serial; }
 
 ob::State* SerialSpace::allocState() const {
-  auto* state = new SerialState;  // OMPL's contract; it frees with freeState(), through the virtual destructor
+  // OMPL's contract: it frees the state with freeState(), through the virtual destructor.
+  auto* state = new SerialState;
   state->serial = allocated_++;
   allocStateComponents(state);
   return state;

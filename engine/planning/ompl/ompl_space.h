@@ -16,7 +16,7 @@
 
 namespace glissade {
 
-/// What OMPL's callbacks share: one planner's collision query, random numbers and limits.
+/// Data that OMPL's callbacks share: one planner's collision query, random numbers and limits.
 struct OmplWorld {
   OmplWorld(const Problem& problem_, std::uint64_t seed);
 
@@ -25,34 +25,34 @@ struct OmplWorld {
   std::unique_ptr<CollisionQuery> query;
   RandomStream stream;
   std::uint64_t draws = 0;  ///< random configurations, kept or not
-  double growthStep = 0.0;  ///< this and the next three: of the piece under way
+  double growthStep = 0.0;  ///< this member and the next three belong to the current piece
   double extensionStep = 0.0;
   double requiredClearance = 0.0;
   StopToken stop;
-  bool certifyEdges = false;                ///< a path has failed its certificate: from now on edges are certified
-  std::optional<FclSurfaceQuery> surfaces;  ///< where it is there, it is asked instead of `query`
+  bool certifyEdges = false;  ///< a path has failed its certificate, so that edges are certified from now on
+  std::optional<FclSurfaceQuery> surfaces;  ///< used instead of `query` where it is set
   std::uint64_t surfaceQueries = 0;
 
-  /// Uniform in the problem's region, or its bounds where it has none, and in SO(3).
+  /// Draws uniformly in the problem's region, or in its bounds where it has none, and in SO(3).
   Pose draw();
-  /// In the ball of the metric about `near` (uniform, or normal with that deviation), within the
-  /// bounds. In a region the draw is repeated until it lies there; after some failures it is a
-  /// configuration towards one drawn there.
+  /// Draws in the ball of the metric about `near` (uniform, or normal with that deviation), within the bounds. In a
+  /// region the draw is repeated until it lies there; after some failures it is a configuration towards one drawn
+  /// there.
   Pose drawNear(const Pose& near, double distance, bool normal);
   bool isFree(const Pose& q);
   QueryCounts queryCounts() const;
-  /// As glissade::freeFraction, but 0 where the end is out of bounds, and a blocked motion ends at a
-  /// multiple of the extension step, as our own planners' (tolerance::kGuidedExtensionStep): OMPL
-  /// keeps such ends as nodes, and nothing that touches an obstacle can be certified.
+  /// Like glissade::freeFraction, but 0 where the end is out of bounds. A blocked motion ends at a multiple of the
+  /// extension step, as with the engine's own planners (tolerance::kGuidedExtensionStep), because OMPL keeps such ends
+  /// as nodes, and an edge that touches an obstacle cannot be certified.
   double freeFraction(const Pose& from, const Pose& to);
 };
 
-/// Taken while OMPL's random number generators are made: their seeds come from one global generator,
-/// which another planner's thread must not draw from in between.
+/// Mutex that is locked while OMPL's random number generators are made: their seeds come from one global generator,
+/// from which another planner's thread must not draw meanwhile.
 std::recursive_mutex& omplSeedMutex();
 
-/// OMPL's SE(3) within a problem's bounds. Every state carries the number of its allocation, so that
-/// what a planner grew can be listed in the order in which it grew.
+/// OMPL's SE(3) within a problem's bounds. Every state carries the number of its allocation, so that the nodes can be
+/// listed in the order in which they grew.
 class SerialSpace : public ompl::base::SE3StateSpace {
  public:
   explicit SerialSpace(const Problem& problem);
@@ -84,11 +84,11 @@ class OmplSpace final : public SerialSpace {
   Se3Metric metric_;
 };
 
-/// Space, sampling and checks put together. `world` must outlive what is returned.
-/// `attempts`: draws that a planner's search for one free configuration may take.
+/// Makes the space, its sampling and its checks. `world` must outlive the result. `attempts`: number of draws in a
+/// planner's search for one free configuration.
 ompl::base::SpaceInformationPtr makeSpaceInformation(OmplWorld& world, unsigned attempts);
 
-/// OMPL's own space, samplers and motion checks; ours are only the bounds and the collision check.
+/// Makes OMPL's own space, samplers and motion checks. Only the bounds and the collision check are the engine's.
 ompl::base::SpaceInformationPtr makePlainSpaceInformation(OmplWorld& world);
 
 }  // namespace glissade

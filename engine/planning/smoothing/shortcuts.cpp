@@ -8,10 +8,10 @@
 namespace glissade {
 namespace {
 
-/// Shorter by less than this share of the whole path is not worth a change.
+/// Least gain of a change, as a share of the length of the whole path.
 constexpr double kWorthwhile = 1e-6;
 
-/// What a shortcut makes straight.
+/// Degree of freedom that a shortcut makes straight.
 enum class Freedom { All, X, Y, Z, Turn };
 
 using Points = std::vector<PathPoint>;
@@ -47,7 +47,7 @@ class Shortener {
     if (lengthOf(fresh) < lengthOf(old) - kWorthwhile * total && isCertified(fresh)) replace(first, last, fresh);
   }
 
-  /// Leaves out each configuration that the motion past it makes needless.
+  /// Removes each configuration whose neighbours can be joined directly.
   void leaveOut() {
     for (std::size_t i = 1; i + 1 < points_.size() && !stop_.stopRequested();) {
       Points past{points_[i - 1], points_[i + 1]};
@@ -76,7 +76,7 @@ class Shortener {
     }
   }
 
-  /// The edge that begins at point i, where s falls on it.
+  /// Index of the edge at metric length s from the start.
   std::size_t edgeAt(double s) const {
     const auto after = std::upper_bound(arrival_.begin() + 1, arrival_.end() - 1, s);
     return static_cast<std::size_t>(after - arrival_.begin()) - 1;
@@ -122,7 +122,7 @@ class Shortener {
 
   bool isCertified(const Points& points) { return !firstRefusedEdge(*query_, points, parameters_, stop_); }
 
-  /// Puts `fresh` between a place on edge `first` and one on edge `last`.
+  /// Replaces the part between a place on edge `first` and a place on edge `last` by `fresh`.
   void replace(std::size_t first, std::size_t last, const Points& fresh) {
     const auto begin = points_.begin() + static_cast<std::ptrdiff_t>(first) + 1;
     const auto end = points_.begin() + static_cast<std::ptrdiff_t>(last) + 1;

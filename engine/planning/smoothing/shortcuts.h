@@ -7,19 +7,17 @@
 
 namespace glissade {
 
-/// Attempts where nobody says how many.
+/// Default number of attempts.
 inline constexpr int kUsualShortcuts = 300;
 
-/// Shortens a certified path: two points on it are drawn, and the way between them is replaced by a straight
-/// motion, or made straight in one degree of freedom only, x, y, z or the orientation (R. Geraerts,
-/// M. H. Overmars, "Creating high-quality paths for motion planning", 2007). What would be longer in
-/// the metric, or is not certified against its demands (path_certificate.h), is not taken. At the end
-/// configurations that can be left out are.
+/// Shortens a certified path: two points on it are drawn, and the way between them is replaced by a straight motion, or
+/// made straight in one degree of freedom only, x, y, z or the orientation (R. Geraerts, M. H. Overmars, "Creating
+/// high-quality paths for motion planning", 2007). A replacement is refused if it is longer in the metric or not
+/// certified against its demands (path_certificate.h). At the end, configurations that are not needed are removed.
 ///
-/// Ends after `attempts` tries, or when stopped, with what was taken so far. The same input and seed
-/// give the same path. Shortcuts are the computer's; points on edges that slide stay contact
-/// configurations, so that they keep their demand. The result is certified; where it is not (it was
-/// stopped meanwhile) the path comes back as it was.
+/// Ends after `attempts` tries, or at a stop, with the changes made so far. The same input and seed give the same path.
+/// Shortcuts are the computer's; points on edges in contact stay contact configurations, so that they keep their
+/// demand. The result is certified. Where a stop prevents that, the path is returned unchanged.
 Path withShortcuts(const Path& path, const Problem& problem, const ParameterValues& parameters, std::uint64_t seed,
                    int attempts, const WorkWatch& watch = {});
 

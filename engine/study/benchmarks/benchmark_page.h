@@ -13,8 +13,8 @@ namespace glissade {
 ///     commands.txt   what was run
 ///     benchmarks.html   the page
 ///
-/// A function of these files alone. What is not there is said to be missing; a file that cannot be
-/// understood, or a folder with none of them, is the error.
+/// The page depends on these files only. A missing file is named on the page. Errors: a malformed file, or a folder
+/// with none of them.
 Result<StudyReport> benchmarkPage(const std::string& folder, Warnings& warnings);
 
 /// Writes FOLDER/benchmarks.html.

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "engine/base/json_reader.h"
 #include "engine/base/number_text.h"
-#include "engine/import/json_reader.h"
 #include "engine/study/statistics.h"
 
 namespace glissade {
@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* kOwnClock = "manual_time";
 
-/// What a name says, without what Google Benchmark adds ("iterations:1", "manual_time").
+/// Parts of a name, without those that Google Benchmark adds ("iterations:1", "manual_time").
 std::vector<std::string> partsOf(const std::string& name) {
   std::vector<std::string> parts;
   for (std::size_t begin = 0; begin <= name.size();) {
@@ -38,7 +38,7 @@ double secondsIn(const JsonCursor& unit) {
   return found->second;
 }
 
-/// Google Benchmark's own keys of an entry that are numbers, but not counters.
+/// False for Google Benchmark's own numeric keys of an entry.
 bool isCounter(const std::string& key) {
   static constexpr const char* kOwn[] = {"family_index", "per_family_instance_index",
                                          "repetitions",  "repetition_index",
@@ -52,7 +52,7 @@ bool isAggregate(const JsonCursor& at) {
   return type && type->text() == "aggregate";
 }
 
-/// A run, or the median of several: of the other aggregates nothing is read.
+/// True for a run, or for the median of several runs; other aggregates are not read.
 bool isMeasured(const JsonCursor& at) {
   const auto failed = at.find("error_occurred");
   if (failed && failed->boolean()) return false;
@@ -109,7 +109,7 @@ std::vector<BackendTimes> backendTimes(const std::vector<BenchmarkTime>& times) 
     if (peer == fcl.end()) continue;
     pairs.push_back({parts.front(), joined(parts, 1, parts.size() - 1), time.seconds, peer->second});
   }
-  // Repetitions of all questions are mixed while they are measured.
+  // Repetitions of all queries are mixed during the measurement, so that they are sorted here.
   std::sort(pairs.begin(), pairs.end(), [](const BackendTimes& a, const BackendTimes& b) {
     return std::tie(a.question, a.place) < std::tie(b.question, b.place);
   });

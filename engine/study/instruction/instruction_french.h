@@ -5,7 +5,7 @@
 
 namespace glissade {
 
-/// French for what work instructions say and no report does.
+/// French for the texts of work instructions that no report has.
 const std::map<std::string_view, std::string_view>& instructionFrench();
 
 }  // namespace glissade

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/base/file.h"
-#include "engine/import/json_reader.h"
+#include "engine/base/json_reader.h"
 #include "engine/study/instruction/instruction_script.h"
 #include "engine/study/report_html.h"
 #include "engine/study/xml_text.h"
@@ -12,7 +12,7 @@
 namespace glissade {
 namespace {
 
-/// What a page may load and run: itself.
+/// Content security policy of a page: it loads and runs only its own content.
 constexpr const char* kPolicy =
     "default-src 'none'; img-src data: blob:; style-src 'unsafe-inline'; script-src 'unsafe-inline'; "
     "connect-src data: blob:";
@@ -25,7 +25,7 @@ std::string paragraph(const char* style, const std::string& text) {
   return text.empty() ? std::string() : "<p class=\"" + std::string(style) + "\">" + escaped(text) + "</p>\n";
 }
 
-/// A script within a page does not end before its own end.
+/// The text with closing script tags escaped, which would end the script within a page.
 std::string inScript(std::string text) {
   constexpr const char* kEnd = "</script";
   for (std::size_t at = text.find(kEnd); at != std::string::npos; at = text.find(kEnd, at)) text.insert(at + 1, "\\");
@@ -44,9 +44,9 @@ class Page {
     return std::move(out_);
   }
 
-  /// For the script of the 3D view: by which step each body comes, 0: it is there from the beginning; and the
-  /// directions of viewpoints, y up. For steps within a subassembly, by the numbers of their panels: what is there, and
-  /// the motions of what comes, from the world as it is assembled.
+  /// Data for the script of the 3D view: the step by which each body comes, or 0 if it is there from the beginning, and
+  /// the directions of viewpoints, y up. For steps within a subassembly, by the numbers of their panels: the present
+  /// bodies, and the motions of the bodies that come, from the assembled world.
   std::string sceneData() const {
     nlohmann::json data{
         {"steps", nlohmann::json::array()}, {"views", nlohmann::json::array()}, {"lines", nlohmann::json::object()}};
@@ -171,7 +171,7 @@ class Page {
   const InstructionPictures& pictures_;
   StudyWords words_;
   std::string out_;
-  std::size_t done_ = 0;  ///< steps of the product
+  std::size_t done_ = 0;  ///< number of steps of the product so far
 };
 
 }  // namespace

@@ -10,11 +10,11 @@
 
 namespace glissade {
 
-/// Pictures of an instruction, each a PNG file's bytes.
+/// Pictures of an instruction; each is the content of a PNG file.
 struct InstructionPictures {
-  std::string finished;                                   ///< the product
-  std::vector<std::string> panels;                        ///< of each panel
-  std::map<std::vector<std::string>, std::string> parts;  ///< by the ids of what is drawn
+  std::string finished;                                   ///< picture of the finished product
+  std::vector<std::string> panels;                        ///< one picture for each panel
+  std::map<std::vector<std::string>, std::string> parts;  ///< pictures of parts, by the ids of the drawn bodies
 };
 
 /// The 3D view of an instruction.
@@ -23,9 +23,9 @@ struct InstructionScene {
   std::string library;  ///< script of three.js with its loader and its controls
 };
 
-/// An instruction as one HTML page for a tablet that needs nothing else and asks no network: a panel at a time, large
-/// buttons, arrow keys, swipes. `scene`: with a 3D view of each step of the product; null: pictures only. Errors: a
-/// logo that cannot be read.
+/// An instruction as one HTML page for a tablet. It needs no other file and no network. It shows one panel at a time
+/// and has large buttons, arrow keys and swipes. `scene`: adds a 3D view of each step of the product; null: pictures
+/// only. Errors: a logo that cannot be read.
 Result<std::string> instructionHtml(const WorkInstruction& instruction, const InstructionTemplate& look,
                                     const InstructionPictures& pictures, const InstructionScene* scene);
 

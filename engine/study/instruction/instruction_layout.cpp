@@ -7,13 +7,13 @@
 namespace glissade {
 namespace {
 
-constexpr std::size_t kMostKindsInHalf = 4;  // kinds of parts that are fetched
+constexpr std::size_t kMostKindsInHalf = 4;  // most kinds of fetched parts in a panel of half width
 constexpr std::size_t kMostLettersInHalf = 110;
 
-/// Width by height of a product beside which a close-up has room in half of the width.
+/// Largest ratio of width to height of a product for which a close-up fits into half of the width.
 constexpr double kTall = 0.5;
 
-/// It is as wide as the page: beside another one it would have no room.
+/// True if the panel takes the whole width, because it does not fit beside another panel.
 bool isWide(const InstructionPanel& panel) {
   std::size_t letters = panel.work.size() + panel.tool.size() + panel.turn.size();
   for (const std::string& note : panel.notes) letters += note.size();
@@ -21,7 +21,7 @@ bool isWide(const InstructionPanel& panel) {
          letters > kMostLettersInHalf;
 }
 
-/// Rows of panels: one that is wide, or two.
+/// Rows of panels: one wide panel, or two.
 std::vector<std::vector<std::size_t>> rowsOf(const std::vector<InstructionPanel>& panels) {
   std::vector<std::vector<std::size_t>> rows;
   for (std::size_t i = 0; i < panels.size(); ++i) {

@@ -8,7 +8,7 @@
 
 namespace glissade {
 
-/// On a page, millimetres from its upper left corner.
+/// A rectangle on a page, millimetres from the page's upper left corner.
 struct PageRect {
   double x = 0.0;
   double y = 0.0;
@@ -28,38 +28,37 @@ struct PageText {
   double points = 0.0;
   bool bold = false;
   Align align = Align::Left;
-  bool soft = false;    ///< grey
-  bool marked = false;  ///< on a ground of the mark's colour
+  bool soft = false;    ///< printed in grey
+  bool marked = false;  ///< printed on a background of the mark's colour
 };
 
-/// A picture of parts to fetch: a row of the parts list, or what a panel fetches.
+/// A picture of parts to fetch: for a row of the parts list, or for a panel.
 struct PagePart {
   PageRect rect;
-  std::vector<std::string> bodies;  ///< ids of what is drawn
+  std::vector<std::string> bodies;  ///< ids of the drawn bodies
 };
 
-/// The picture of a panel; of the finished product where there is none.
+/// The picture of a panel, or of the finished product where `panel` is nothing.
 struct PagePicture {
   PageRect rect;
   std::optional<std::size_t> panel;  ///< index in WorkInstruction::panels
 };
 
-/// A page of an instruction, as it is painted.
+/// A page of an instruction, ready for painting.
 struct InstructionPage {
   std::vector<PageText> texts;
   std::vector<PagePicture> pictures;
   std::vector<PagePart> parts;
-  std::vector<PageRect> frames;  ///< of panels
-  std::vector<PageRect> lines;   ///< of tables: filled, soft
+  std::vector<PageRect> frames;  ///< frames of panels
+  std::vector<PageRect> lines;   ///< lines of tables: filled, in grey
   std::optional<PageRect> logo;
 };
 
-/// The smallest letters of a page, points.
+/// Size of the smallest letters on a page, points.
 inline constexpr double kLeastPoints = 9.0;
 
-/// Cover, parts list, and the panels in their order: up to four on a page, a panel with a close-up as wide as the page
-/// unless the product is tall.
-/// On a page of panels, and on the cover, pictures take at least half of the page.
+/// Cover, parts list, and the panels in their order: up to four on a page. A panel with a close-up is as wide as the
+/// page unless the product is tall. On the cover and on a page of panels, pictures take at least half of the page.
 std::vector<InstructionPage> instructionPages(const WorkInstruction& instruction, const InstructionTemplate& look,
                                               Paper paper);
 

@@ -16,21 +16,21 @@ class PageMaker {
 
   /// A page with its head: title, company, logo.
   InstructionPage page() const;
-  /// Where the contents of a page are.
+  /// The area of a page's contents.
   PageRect body() const;
   /// A panel with its number, its texts, what is fetched, and its picture.
   void addPanel(std::size_t panel, const PageRect& frame, InstructionPage& page) const;
   /// Numbers in the feet.
   void number(std::vector<InstructionPage>& pages) const;
   InstructionPage cover() const;
-  /// As many pages as the parts list takes.
+  /// The pages of the parts list.
   std::vector<InstructionPage> partsPages() const;
 
  private:
   std::string say(std::string_view english, std::initializer_list<std::string> arguments = {}) const {
     return words_(english, arguments);
   }
-  /// Of the parts list, the text of a row.
+  /// The text of a row in a column of the parts list.
   std::string cell(PartsColumn column, const PartsListRow& row) const;
   void addFetched(const std::vector<FetchedPart>& parts, const PageRect& rect, InstructionPage& page) const;
 

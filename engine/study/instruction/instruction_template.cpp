@@ -4,8 +4,8 @@
 #include <filesystem>
 
 #include "engine/base/file.h"
+#include "engine/base/json_reader.h"
 #include "engine/base/limits.h"
-#include "engine/import/json_reader.h"
 
 namespace glissade {
 namespace {
@@ -38,7 +38,8 @@ std::vector<PartsColumn> columnsIn(const JsonCursor& at) {
   return columns;
 }
 
-/// The path is one below the template's folder: a template that is given away does not read other files.
+/// Reads the logo's path, which must be below the template's folder, so that a template from elsewhere cannot read
+/// other files.
 std::string logoIn(const JsonCursor& at) {
   namespace fs = std::filesystem;
   const fs::path named(at.exactText());

@@ -10,7 +10,7 @@
 
 namespace glissade {
 
-/// Sheets that instructions are printed on, upright.
+/// Paper sizes of printed instructions, upright.
 enum class Paper { A4, Letter };
 
 struct PaperSize {
@@ -19,7 +19,7 @@ struct PaperSize {
 };
 PaperSize sizeOf(Paper paper);
 
-/// "A4" or "Letter".
+/// The name "A4" or "Letter".
 const char* name(Paper paper);
 std::optional<Paper> paperNamed(const std::string& name);
 
@@ -28,29 +28,29 @@ enum class PartsColumn { Picture, Part, Designation, Count, Steps };
 inline constexpr std::array<PartsColumn, 5> kAllPartsColumns{
     PartsColumn::Picture, PartsColumn::Part, PartsColumn::Designation, PartsColumn::Count, PartsColumn::Steps};
 
-/// What stands over the column; empty over pictures.
+/// The heading of the column; empty for pictures.
 std::string titleOf(PartsColumn column, const StudyWords& words);
 
-/// What a company changes of its work instructions.
+/// A company's settings for its work instructions.
 struct InstructionTemplate {
-  std::string company{};   ///< in the head of each page; empty: none
-  std::string document{};  ///< its number and revision, in the foot of each page; empty: none
+  std::string company{};   ///< name in the head of each page; empty: none
+  std::string document{};  ///< number and revision of the document, in the foot of each page; empty: none
   std::string logo{};      ///< absolute path of a PNG or JPEG file; empty: none
-  std::vector<PartsColumn> columns{kAllPartsColumns.begin(), kAllPartsColumns.end()};  ///< in this order
-  std::optional<Language> language{};                                                  ///< nothing: that of the window
-  std::optional<Paper> paper{};  ///< nothing: as chosen in the window
+  std::vector<PartsColumn> columns{kAllPartsColumns.begin(), kAllPartsColumns.end()};  ///< columns in this order
+  std::optional<Language> language{};  ///< nothing: the window's language
+  std::optional<Paper> paper{};        ///< nothing: the window's choice
 
   bool operator==(const InstructionTemplate&) const = default;
 };
 
 /// Reads a template: resources/schema/instruction-template-1.schema.json. Errors: MalformedInput with the JSON pointer
-/// as place; that of reading the logo, which has to be a PNG or JPEG file beside the template or below its folder.
+/// as place; those of reading the logo, which must be a PNG or JPEG file beside the template or below its folder.
 Result<InstructionTemplate> readInstructionTemplate(const std::string& file);
 
-/// Of a logo's file.
+/// Largest size of a logo's file.
 inline constexpr std::size_t kMostLogoBytes = 4U << 20;
 
-/// What a picture's file is by its first bytes: "image/png", "image/jpeg"; empty: neither.
+/// Media type of a picture by its first bytes: "image/png" or "image/jpeg"; empty: neither.
 std::string pictureType(const std::string& bytes);
 
 }  // namespace glissade

@@ -5,7 +5,7 @@
 namespace glissade {
 namespace {
 
-/// A tablet reads a page of a third more.
+/// Largest animation. The encoded page is larger by a third.
 constexpr std::size_t kMostAnimationBytes = 48U << 20;
 constexpr std::size_t kMostLibraryBytes = 8U << 20;
 

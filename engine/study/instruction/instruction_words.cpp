@@ -7,10 +7,10 @@
 namespace glissade {
 namespace {
 
-/// Radians: a motion that turns by more is led by a turning hand.
+/// Radians. A motion with a larger rotation is described as turning.
 constexpr double kTurns = 0.1;
 
-/// The sentence of a joint that the step makes; null where its work is that of any other part.
+/// The sentence for a joint that the step makes; null where the step is described like that of a part without joints.
 const char* sentenceOf(const StepJoint& joint, bool isOwn) {
   switch (joint.kind) {
     case JointKind::Screw: return "Screw in %1.";
@@ -55,7 +55,7 @@ std::string workSentence(const AssemblyStep& step, const std::string& what, cons
 std::string turnSentence(const Viewpoint& from, const Viewpoint& to, const StudyWords& words) {
   const int quarters = (to.quarter - from.quarter + 4) % 4;
   const bool over = from.turnedOver != to.turnedOver;
-  // Seen from above, an eye that goes on to the right sees the product turn to the left.
+  // Seen from above, the product turns to the left when the viewpoint moves to the right.
   const bool left = (quarters == 1) != to.turnedOver;
   switch (quarters) {
     case 0: return over ? words("Turn the product over.") : std::string();
@@ -76,7 +76,7 @@ std::string capitalized(std::string text) {
   if (text.empty()) return text;
   const auto first = static_cast<unsigned char>(text[0]);
   if (first >= 'a' && first <= 'z') text[0] = static_cast<char>(first - 'a' + 'A');
-  const bool isLatin = first == 0xC3 && text.size() > 1;  // à to þ in UTF-8, without ÷
+  const bool isLatin = first == 0xC3 && text.size() > 1;  // letters from à to þ in UTF-8, without ÷
   if (isLatin && static_cast<unsigned char>(text[1]) >= 0xA0 && static_cast<unsigned char>(text[1]) != 0xB7) {
     text[1] = static_cast<char>(static_cast<unsigned char>(text[1]) - 0x20);
   }

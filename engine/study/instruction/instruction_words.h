@@ -7,16 +7,16 @@
 
 namespace glissade {
 
-/// What a fitter does, as a sentence with one verb: "Screw in 4 × ISO 4762 M3x8." `what`: what comes.
+/// The work of a fitter as a sentence with one verb: "Screw in 4 × ISO 4762 M3x8." `what`: the parts that come.
 std::string workSentence(const AssemblyStep& step, const std::string& what, const StudyWords& words);
 
-/// What is asked for between two viewpoints: "Turn the product over."; empty: nothing.
+/// The instruction between two viewpoints: "Turn the product over."; empty: none.
 std::string turnSentence(const Viewpoint& from, const Viewpoint& to, const StudyWords& words);
 
-/// "4 × nut"; "nut" where there is one.
+/// A name with its count, "4 × nut", or only "nut" for one.
 std::string countedName(const std::string& name, std::size_t count);
 
-/// The text with its first letter as a capital one, where that is a letter of ASCII or Latin-1.
+/// The text with a capital first letter, if that is a letter of ASCII or Latin-1.
 std::string capitalized(std::string text);
 
 }  // namespace glissade

@@ -11,19 +11,20 @@
 namespace glissade {
 namespace {
 
-/// What comes is small where the diagonal of its box is below this share of that of all that is drawn.
+/// A panel gets a close-up if the diagonal of the coming parts' box is below this share of the diagonal of all drawn
+/// parts.
 constexpr double kSmallShare = 0.12;
-/// What comes is hidden in part where less of it is seen.
+/// A panel gets a close-up if a smaller share of the coming parts is visible.
 constexpr double kHiddenShare = 0.15;
 
-/// Of an exit direction, along the vertical: a part that leaves more steeply than this downwards falls out. Others are
-/// kept by what they rest on.
+/// Cosine against the downward vertical. A part whose exit direction is steeper falls out; other parts rest on
+/// something.
 constexpr double kFallsOut = 0.7;
 
-/// So many alike screws clamp a part evenly where they are tightened in turn.
+/// Smallest number of equal screws that are tightened crosswise, so that they clamp a part evenly.
 constexpr std::size_t kCrosswise = 3;
 
-/// "screw M3x8", or its designation alone; the kind of part of others.
+/// Designation of a fastener, for example "screw M3x8"; the kind of part for others.
 std::string partName(const PartsListRow& row) { return row.designation.empty() ? row.name : row.designation; }
 
 class Instructor {
@@ -56,7 +57,7 @@ class Instructor {
     return words_.words()(english, arguments);
   }
 
-  /// The steps of the product, or of a group: `group` is the number of the step that brings it.
+  /// Adds the steps of the product, or of a group. `group`: number of the step that brings the group.
   void addLine(const std::vector<AssemblyStep>& steps, const std::vector<SubassemblyLine>& lines, const Ids& base,
                const std::string& group) {
     Ids present = base;
@@ -93,7 +94,7 @@ class Instructor {
     return line == lines.end() ? nullptr : &*line;
   }
 
-  /// What is not put on in the group: it is there from the beginning.
+  /// The bodies of a group that are there from its beginning.
   static Ids baseOf(const SubassemblyLine& line) {
     Ids base = line.staying;
     for (const StuckBody& stuck : line.stuck) base.push_back(stuck.body);
@@ -120,7 +121,7 @@ class Instructor {
     return *rowOf_.at(id);
   }
 
-  /// Alike parts together, in their order.
+  /// The parts, with equal ones combined, in their order.
   std::vector<FetchedPart> fetched(const Ids& ids) {
     std::vector<FetchedPart> parts;
     std::map<const PartsListRow*, std::size_t> known;
@@ -169,13 +170,13 @@ class Instructor {
     }
   }
 
-  /// Of the parts that were put on so far, those that fall out as the product lies now: nothing that was put on after
-  /// them keeps them there, and no joint.
+  /// Warns of the parts that fall out when the product is turned over: neither a joint nor a part that was put on later
+  /// holds them.
   void warnOfLoose(InstructionPanel& panel, const std::vector<AssemblyStep>& steps, std::size_t placed) {
     Ids loose;
     for (std::size_t at = 0; at < placed; ++at) {
       const AssemblyStep& step = stepAtPlace(steps, at);
-      const std::size_t lastOpen = steps.size() - placed;  // steps of the plan up to it are still to come
+      const std::size_t lastOpen = steps.size() - placed;  // steps of the plan up to this number are still to come
       const bool held = !step.joints.empty() || std::any_of(step.after.begin(), step.after.end(),
                                                             [&](std::size_t other) { return other > lastOpen; });
       const double upwards = exitDirection(step.path).dot(panel.view.up());

@@ -28,8 +28,8 @@ TEST(HandMeasures, GrowWithTheSize) {
     EXPECT_LT(sizes[i].forearmLength(), sizes[i + 1].forearmLength());
     EXPECT_LT(HandShapes(kHandSizes[i]).largestOpening(), HandShapes(kHandSizes[i + 1]).largestOpening());
   }
-  for (const HandSize size : kHandSizes) EXPECT_EQ(handSizeByName(handSizeName(size)), size);
-  EXPECT_FALSE(handSizeByName("p99"));
+  for (const HandSize size : kHandSizes) EXPECT_EQ(kHandSizeNames.find(kHandSizeNames.of(size)), size);
+  EXPECT_FALSE(kHandSizeNames.find("p99"));
 }
 
 TEST(HandShape, ForearmAndPalmAreAsLargeAsTheMeasures) {

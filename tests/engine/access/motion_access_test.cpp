@@ -1,5 +1,5 @@
-// Hands among simple bodies. FCL is the independent oracle: it shares the shapes of the hand with the checker, and
-// nothing of the search and of the kernel.
+// Hands among simple bodies. FCL is the independent oracle: it shares the shapes of the hand with the checker, but
+// neither the search nor the kernel.
 #include "engine/access/motion_access.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ RigidBody tubeBody(double inner, double outer, double height) {
   return tube;
 }
 
-/// A pin that stands on the floor of a round pocket: it leaves upwards.
+/// A pin on the floor of a round pocket, which leaves upwards.
 std::vector<RigidBody> pinInPocket(double radius, double depth) {
   std::vector<RigidBody> bodies{boxBody("pin", {0.012, 0.012, 0.03}, Pose::translation({0.0, 0.0, 0.0151}))};
   bodies.push_back(tubeBody(radius, radius + 0.02, depth));
@@ -35,7 +35,7 @@ MotionAccess accessOf(const std::vector<RigidBody>& bodies, HandSize size, ToolK
   return AccessChecker(bodies, {size, std::nullopt}).of(motion, {});
 }
 
-/// Whether a mesh touches a body, as FCL says.
+/// True if a mesh touches a body, by FCL.
 bool fclTouches(const MeshPtr& mesh, const Pose& X_WM, const std::vector<RigidBody>& bodies) {
   return CollisionWorld::build(bodies, mesh, CollisionBackend::Fcl)->makeQuery()->collides(X_WM);
 }
@@ -99,7 +99,7 @@ TEST(MotionAccess, FclFindsEveryHoldBlockedWhereNoneIsFree) {
   EXPECT_GT(asked, 10U);
 }
 
-/// The radius of the narrowest pocket, in steps of 4 mm, from which the hand fetches the pin.
+/// The radius of the narrowest pocket, in steps of 4 mm, from which the hand can take the pin.
 double narrowestPocket(HandSize size) {
   double radius = 0.1;
   while (radius > 0.02 && accessOf(pinInPocket(radius, 0.08), size).hand.access == HandAccess::Free) radius -= 0.004;
@@ -124,7 +124,7 @@ TEST(MotionAccess, WhatIsTooThickForAHandHasNoGrip) {
   EXPECT_TRUE(access.sight.isSeen());
 }
 
-/// A screw, head up, whose shaft is in the ground.
+/// A screw, head up, with its shaft in the ground.
 std::vector<RigidBody> screwInPlate() {
   RigidBody screw = boxBody("screw", {1.0, 1.0, 1.0}, Pose::identity());
   TriangleMesh mesh = test::makeRing(0.0, 0.004, 0.04, 24);

@@ -49,7 +49,7 @@ TEST(PlanAccess, CountsOnlyWhatIsStillThere) {
   EXPECT_EQ(pinLast->reached(), 5U);
 }
 
-/// The tube leaves with its pin, and is taken apart then: the pin first, or last. The floor is not there any more.
+/// The tube leaves with its pin, and is then taken apart: the pin first, or last. The floor is absent then.
 TEST(PlanAccess, AsksAboutGroupsThatAreTakenApart) {
   const AssembledProduct product = pinInTube();
   const auto withTube = [&product](const std::vector<std::string>& order) {

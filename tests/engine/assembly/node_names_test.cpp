@@ -6,7 +6,7 @@ namespace glissade {
 namespace {
 
 TEST(NodeNames, NumbersKeysAndTheNameOfTheProductNameNoOccurrence) {
-  // As CATIA, Creo, Inventor, NX, Onshape, OpenCASCADE, SolidWorks and others write them.
+  // Names as CATIA, Creo, Inventor, NX, Onshape, OpenCASCADE, SolidWorks and others write them.
   for (const char* name : {"",
                            " ",
                            "1",

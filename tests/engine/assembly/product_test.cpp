@@ -12,7 +12,7 @@
 namespace glissade {
 namespace {
 
-/// Bodies of these paths, which are their ids.
+/// A product with bodies of these paths, which are also their ids.
 Product productOfPaths(const std::vector<std::string>& paths) {
   std::vector<ProductBody> bodies;
   for (const std::string& path : paths) bodies.push_back({path, {path}});
@@ -80,7 +80,7 @@ TEST(Product, SiblingsOfOneNameAreNumbered) {
   EXPECT_EQ(idsNamed(product, "pin"), (std::set<std::string>{"pin"}));
 }
 
-/// Bodies "board/C", "board/C#2", … of a product "C" whose uses are called so.
+/// Bodies "board/C", "board/C#2", … of a product "C" with these names of uses.
 Product boardOf(const std::vector<NodeNames>& uses) {
   std::vector<ProductBody> bodies;
   for (const NodeNames& use : uses) {
@@ -112,7 +112,7 @@ TEST(Product, LabelsAreTheShortestEndsThatNoOtherHas) {
   EXPECT_EQ(product.labels({"a/x", "b/y"}), (Ids{"1/4-20", "nut"}));
 }
 
-/// Each label ends its own path, no other one, and no shorter end does.
+/// Each label is an end of its own path and of no other, and no shorter end is.
 TEST(Product, LabelsOfRandomTrees) {
   RandomStream random(1, "trees");
   const auto word = [&] { return std::string(1, static_cast<char>('a' + static_cast<int>(random.uniform(0.0, 3.0)))); };
@@ -147,7 +147,7 @@ TEST(Product, LabelsOfRandomTrees) {
   }
 }
 
-/// The ids of a scenario's bodies are no paths.
+/// The ids of a scenario's bodies need not be paths.
 TEST(Product, BodiesHaveIdsOfTheirOwnAndPartsBelowThem) {
   const Product product(
       {{"rod.nut", {"rod/nut"}}, {"stand", {"stand"}, {{"bar"}, {"foot/pad"}}}, {"one", {"x"}, {{""}}}});
@@ -189,7 +189,7 @@ TEST(Product, AssembliesThatHoldEachOtherEnd) {
   }
 }
 
-/// Two bodies of one path, and a body below another one, as other programs name them.
+/// Two bodies with one path, and a body below another one, as other programs name them.
 TEST(Product, EachBodyIsANodeOfItsOwn) {
   const Product product({{"1", {"a"}}, {"2", {"a"}}, {"3", {"a/b"}}, {"4", {""}}});
   for (const char* id : {"1", "2", "3", "4"}) {
@@ -208,7 +208,7 @@ TEST(Product, ItsUnitIsThatOfMostBodies) {
   EXPECT_EQ(equal.lengthUnit(), 0.001) << "the first of equally many";
 }
 
-/// Against the definition: a body is below a node where its path is within the node's.
+/// Compares with the definition: a body is below a node if its path is within the node's.
 TEST(Product, BodiesOfANodeAreThoseWithinItsPath) {
   RandomStream random(1, "trees");
   for (int round = 0; round < 200; ++round) {
@@ -235,7 +235,7 @@ TEST(Product, BodiesOfANodeAreThoseWithinItsPath) {
   }
 }
 
-/// Of 40 levels and 10,000 bodies, some of one name; the time is that of a slow machine.
+/// A tree with 40 levels and 10,000 bodies of one name; the limit of the time is for a slow machine.
 TEST(Product, LargeAndDeepTreesAreQuick) {
   std::string above;
   for (int level = 0; level < 40; ++level) above = joinedPath(above, "level" + std::to_string(level));

@@ -39,7 +39,7 @@ ChildLimits seconds(double value) {
   return limits;
 }
 
-/// A process that has ended: gone, or not collected by its new parent yet.
+/// True if a process has ended: it is gone, or its new parent has not collected it yet.
 bool hasEnded(pid_t pid) {
   const std::string file = "/proc/" + std::to_string(pid) + "/stat";
   const int fd = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
@@ -172,7 +172,7 @@ TEST(ChildProcess, HasItsLimits) {
   EXPECT_EQ(endOf("ulimit -v; ulimit -t; ulimit -c", limits).output, memory + "7\n0\n");
 }
 
-/// A limit would hold for the input of its own children, too: that is a file in memory.
+/// The input is a file in memory, because a limit would also apply to files of its own children.
 TEST(ChildProcess, MayWriteFiles) { EXPECT_EQ(endOf("ulimit -f").output, "unlimited\n"); }
 
 TEST(ChildProcess, ProcessorTimeEndsWithSigxcpu) {

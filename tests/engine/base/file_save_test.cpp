@@ -48,7 +48,7 @@ void makeOld(const std::string& file, int seconds) {
   ASSERT_EQ(::utimensat(AT_FDCWD, file.c_str(), times.data(), 0), 0);
 }
 
-/// In a child process, because limits and user ids do not come back. True where `work` gave true.
+/// Runs `work` in a child process, because limits and user ids cannot be restored. True if `work` returned true.
 bool inChild(const std::function<bool()>& work) {
   const pid_t child = ::fork();
   if (child == 0) ::_exit(work() ? 0 : 1);
@@ -103,7 +103,7 @@ TEST(SaveFile, FollowsSymbolicLinks) {
   fs::create_directory(folder / "there");
   fs::create_symlink("there/a.json", folder / "one.json");
   fs::create_symlink("one.json", folder / "two.json");
-  ASSERT_TRUE(saveFile(folder / "two.json", "first"));  // the file that the links lead to is not there yet
+  ASSERT_TRUE(saveFile(folder / "two.json", "first"));  // the file to which the links lead does not exist yet
   ASSERT_TRUE(saveFile(folder / "two.json", "second", {std::nullopt, 5, false}));
   EXPECT_TRUE(fs::is_symlink(folder / "one.json"));
   EXPECT_TRUE(fs::is_symlink(folder / "two.json"));
@@ -277,7 +277,7 @@ TEST(SaveFile, KeepsTheLastEarlierVersions) {
   makeOld(file, 100000);
   const time_t saved = statusOf(file).st_mtim.tv_sec;
   ASSERT_TRUE(saveFile(file, "content 9", {std::nullopt, 5, true}));
-  ASSERT_TRUE(saveFile(file, "content 9", {std::nullopt, 5, true}));  // the same is no new version
+  ASSERT_TRUE(saveFile(file, "content 9", {std::nullopt, 5, true}));  // the same content is no new version
   const std::vector<FileVersion> versions = earlierVersions(file);
   ASSERT_EQ(versions.size(), 5U);
   for (int i = 0; i < 5; ++i) {

@@ -41,13 +41,13 @@ TEST(ReadFile, RefusesWhatIsNoOrdinaryFile) {
   expectRefused(folder.path(), "not a regular file");
   expectRefused("/dev/zero", "not a regular file");
   ASSERT_EQ(::mkfifo((folder / "fifo").c_str(), 0600), 0);
-  expectRefused(folder / "fifo", "not a regular file");  // and does not wait for a writer
+  expectRefused(folder / "fifo", "not a regular file");  // refused without waiting for a writer
 }
 
 TEST(ReadFile, RefusesWhatIsTooLarge) {
   const TemporaryFolder folder;
   const std::string file = folder.write("large", "x");
-  std::filesystem::resize_file(file, std::uintmax_t{1} << 40);  // sparse: a terabyte of nothing
+  std::filesystem::resize_file(file, std::uintmax_t{1} << 40);  // sparse file of a terabyte
   expectRefused(file, "too large");
 }
 
@@ -85,7 +85,7 @@ TEST(WriteFileAtomically, FailuresNameTheFileAndLeaveNothingBehind) {
 }
 
 TEST(Sha256, HasTheValuesOfTheStandard) {
-  // FIPS 180-4, "abc" and the empty message.
+  // Examples of FIPS 180-4: "abc" and the empty message.
   EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
   EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
 }

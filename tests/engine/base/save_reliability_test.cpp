@@ -51,7 +51,7 @@ class AttackRow {
   AttackRow(const AttackRow&) = delete;
   AttackRow& operator=(const AttackRow&) = delete;
 
-  /// `defect` is empty where the attack did no harm.
+  /// Counts an attack; `defect` is empty where it did no harm.
   void count(const std::string& defect) {
     ++tried_;
     if (defect.empty()) return;
@@ -67,8 +67,8 @@ class AttackRow {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-/// Puts temporary folders into memory where that is possible: hundreds of flushes to a disk take long, and no
-/// power cut comes.
+/// Puts temporary folders into memory where that is possible: hundreds of flushes to a disk take long, and the tests
+/// simulate no power cut.
 class SaveReliability : public testing::Test {
  protected:
   void SetUp() override {
@@ -78,7 +78,7 @@ class SaveReliability : public testing::Test {
   void TearDown() override { ::unsetenv("TMPDIR"); }
 };
 
-/// A file behind a link, with an earlier version, that is saved with all that a save can do.
+/// A file behind a link, with an earlier version, that is saved with all options of a save.
 class AttackedFile {
  public:
   AttackedFile() {
@@ -100,7 +100,7 @@ class AttackedFile {
     }
   }
 
-  /// What is wrong after a save that was attacked; empty: nothing.
+  /// The defect after a save that was attacked; empty: none.
   std::string defect(const TracedRun& run) const {
     const std::string content = readWhole(file());
     if (!fs::is_symlink(link())) return "the link is gone";
@@ -114,7 +114,7 @@ class AttackedFile {
       if (kept != kOld && kept != "oldest") return "an earlier version is damaged";
     }
     if (versions.empty()) return "the earlier versions are gone";
-    // The next save works as if nothing had happened.
+    // The next save is not affected.
     if (!saveFile(link(), "next", {sha256(content), kKeptVersions, true})) return "the next save fails";
     return readWhole(file()) == "next" ? "" : "the next save lies";
   }
@@ -159,7 +159,7 @@ TEST_F(SaveReliability, SurvivesAKillAtEverySystemCall) {
   attackEveryCall({CallFate::Kind::Kills, 0}, row);
 }
 
-/// Content number n, of a length of its own; whole or not is seen from itself.
+/// Content number n, with its own length; the content shows whether it is complete.
 std::string numbered(int number) {
   return std::to_string(number) + "\n" + std::string(static_cast<std::size_t>(number * 7919 % 60000), 'x') + "end";
 }
@@ -169,7 +169,7 @@ int numberIn(const std::string& content) {
   return content == numbered(number) ? number : -1;
 }
 
-/// Saves for ever, and says after each save which content was saved.
+/// Saves for ever, and reports the saved content's number after each save.
 [[noreturn]] void saveForEver(const std::string& file, int first, int told) {
   for (int number = first;; ++number) {
     const SaveResult result = saveFile(file, numbered(number), {std::nullopt, kKeptVersions, true});
@@ -178,7 +178,7 @@ int numberIn(const std::string& content) {
   }
 }
 
-/// The last number that was told.
+/// The last number that was reported.
 int lastNumberFrom(int told) {
   int number = -1;
   for (int next = 0; ::read(told, &next, sizeof next) == static_cast<ssize_t>(sizeof next);) number = next;

@@ -13,7 +13,7 @@ inline check::Body checkBody(const std::string& id, TriangleMesh mesh, const Vec
   return {id, id, std::make_shared<const TriangleMesh>(std::move(mesh)), Pose::translation(at)};
 }
 
-/// An upright prism of so many sides about z, from 0 to its height; `turn`: radians.
+/// An upright prism with `sides` sides about z, from 0 to its height; `turn`: radians.
 inline TriangleMesh prism(int sides, double radius, double height, double turn = 0.0) {
   TriangleMesh mesh;
   for (const double z : {0.0, height}) {
@@ -35,7 +35,7 @@ inline TriangleMesh prism(int sides, double radius, double height, double turn =
   return mesh;
 }
 
-/// A plate with a hole that is a prism of so many sides, about z, from `low` to `high`.
+/// A plate with a prismatic hole of `sides` sides about z, from `low` to `high`.
 inline TriangleMesh holedPlate(int sides, double radius, double outer, double low, double high) {
   TriangleMesh mesh;
   for (const double z : {low, high}) {

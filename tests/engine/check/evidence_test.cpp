@@ -16,7 +16,7 @@ PairBounds boundsOf(const PlacedBody& one, const PlacedBody& other, const FitWor
   return check::boundsOf({one, pair.one}, {other, pair.other}, fits, word);
 }
 
-/// The largest distance from the surface of points of the other surface that are inside, by dense samples.
+/// The largest depth of points of the other surface inside the body, by dense samples.
 double sampledDepth(const PlacedBody& body, const PlacedBody& other, int steps) {
   double deepest = 0.0;
   for (const Triangle& t : other.tree.triangles()) {
@@ -55,7 +55,7 @@ TEST(FaceRegions, AreTheFacesOfACadFile) {
   EXPECT_EQ(regions.count, 3U);
 }
 
-/// A genuine fit at one side of a prism would free it under a lip that is over the other sides.
+/// A real fit at one side of a prism would free it under a lip over the other sides.
 TEST(Evidence, AnOverlapAtOneFacetIsNoneOfTheOthers) {
   constexpr double kOverlap = 2e-4;
   const double half = std::numbers::pi / 24;
@@ -90,7 +90,7 @@ TEST(Overlap, IsWhatDenseSamplesShow) {
   }
 }
 
-/// Near a large triangle are thousands of small ones: a ball that is pressed into a block, or is milled out of it.
+/// Thousands of small triangles are near a large one: a ball is pressed into a block, or milled out of it.
 TEST(Overlap, OfAFineMeshIsThatOfTheSurfaceThatItStandsFor) {
   constexpr double kRadius = 0.004;
   const TriangleMesh fine = makeSphere(kRadius, 5);
@@ -127,8 +127,8 @@ TEST(Overlap, OfFacesThatCoincideIsNothing) {
   }
 }
 
-/// A frustum that stands on a plate beside a hole, or is pressed in a little. The wall of the hole is near the edge of
-/// the frustum, and its facets are inclined; but nothing is below that wall.
+/// A frustum on a plate beside a hole, or pressed in a little. The wall of the hole is near the edge of the frustum and
+/// its facets are inclined, but the frustum is not below that wall.
 TEST(Overlap, OfAFrustumBesideAHoleIsThatOfTheFaceThatItStandsOn) {
   RandomStream random(4, "frusta");
   for (int round = 0; round < 40; ++round) {
@@ -168,7 +168,7 @@ TEST(Evidence, ADeepOverlapIsNotAllowedByTheOtherBodysThinness) {
   EXPECT_GT(boundsOf(placed(block), placed(wire), {true, 0.0, {accepted}}, &accepted).one.most, 0.001);
 }
 
-/// A knob of twelve sides under a lip that overlaps it by 0.8 mm: all planes, so that nothing is off anything.
+/// A knob with twelve sides under a lip that overlaps it by 0.8 mm. All faces are planes, so there are no deflections.
 TEST(Evidence, APrismIsNoCylinder) {
   const Body knob = test::checkBody("knob", test::prism(12, 0.02, 0.02));
   const Body lip = test::checkBody("lip", test::holedPlate(12, 0.0192, 0.04, 0.015, 0.03));

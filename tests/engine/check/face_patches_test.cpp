@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "engine/check/evidence.h"
 #include "engine/check/thinning.h"
 #include "engine/geometry/triangle_tree.h"
@@ -12,7 +15,6 @@ namespace {
 
 PlacedBody inPlace(const Body& body) { return PlacedBody(body, body.X_WB); }
 
-/// The allowances of the one body.
 AllowanceBound boundOf(const Body& one, const Body& other) {
   const PlacedBody a = inPlace(one);
   const PlacedBody b = inPlace(other);
@@ -72,6 +74,22 @@ TEST(FacePatches, TheWallOfAHoleIsOnePatchAndAShaftIsNot) {
   ASSERT_TRUE(ofShaft.mesh);
   EXPECT_GT(allowedAt(ofShaft, {0.0101, 0.0, 0.01}), 9e-5);
   EXPECT_LT(allowedAt(ofShaft, {0.0101, 0.0, -0.03}), 1e-5) << "outside of the hole";
+}
+
+TEST(FacePatches, AShaftIsCutAcrossItsFacets) {
+  constexpr int kFacets = 96;
+  const Body hole = test::checkBody("hole", test::holedPlate(kFacets, 0.01, 0.05, 0.0, 0.02));
+  const Body shaft = test::checkBody("shaft", test::prism(kFacets, 0.0101, 0.4), {0.0, 0.0, -0.15});
+  const AllowanceBound bound = boundOf(shaft, hole);
+  ASSERT_TRUE(bound.mesh);
+  EXPECT_LT(bound.mesh->triangles.size(), 30U * kFacets) << "halves of its long facets would be ten times as many";
+  EXPECT_NEAR(areaOf(*bound.mesh), areaOf(*shaft.mesh), 1e-12) << "the surface is the same";
+  EXPECT_TRUE(inPlace({"fine", "fine", bound.mesh, Pose::identity()}).interior) << "no edge is open";
+  const double angle = std::numbers::pi / kFacets;
+  const Vector3 across(0.0101 * std::cos(angle) * std::cos(angle), 0.0101 * std::cos(angle) * std::sin(angle), 0.0);
+  EXPECT_GT(allowedAt(bound, across + Vector3(0.0, 0.0, 0.01)), 9e-5);
+  EXPECT_LT(allowedAt(bound, across + Vector3(0.0, 0.0, -0.005)), 2e-5) << "outside of the hole";
+  EXPECT_LT(allowedAt(bound, across + Vector3(0.0, 0.0, 0.025)), 2e-5);
 }
 
 }  // namespace

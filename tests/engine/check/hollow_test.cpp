@@ -25,7 +25,7 @@ Solid boxOf(const Vector3& half) {
   return {makeBox(2.0 * half), [half](const Vector3& p) { return (p.cwiseAbs() - half).maxCoeff() < 0.0; }};
 }
 
-/// Of a prism the side is inside of the circle by its apothem's share.
+/// A prism's side is inside of the circle: its apothem is the radius times a cosine.
 Solid prismOf(int sides, double radius, double height) {
   return {test::prism(sides, radius, height), [=](const Vector3& p) {
             if (p.z() <= 0.0 || p.z() >= height) return false;
@@ -43,7 +43,7 @@ Solid plateOf(int sides, double radius, double outer, double height) {
           [=](const Vector3& p) { return rim.holds(p) && !hole.holds(p); }};
 }
 
-/// Whether a ray from the point crosses the triangles an odd number of times.
+/// True if a ray from the point crosses the triangles an odd number of times.
 bool isEnclosed(const TriangleMesh& mesh, const Vector3& from, const Vector3& direction) {
   bool odd = false;
   for (const TriangleIndices& t : mesh.triangles) {
@@ -60,8 +60,8 @@ PlacedBody placed(const Solid& solid, const Pose& pose) {
   return PlacedBody(test::checkBody("solid", solid.mesh), pose);
 }
 
-/// Share of random points that the mesh tells otherwise than the formulas: by one ray each, so that a few rays through
-/// edges are wrong.
+/// Share of random points that mesh and formulas classify differently. Each uses one ray, so a few rays through edges
+/// are wrong.
 double wrongShare(const Solid& body, const Pose& X_WA, const Solid& guest, const Pose& X_WB, const TriangleMesh& left,
                   RandomStream& random) {
   constexpr int kPoints = 2000;
@@ -75,7 +75,7 @@ double wrongShare(const Solid& body, const Pose& X_WA, const Solid& guest, const
   return static_cast<double>(wrong) / kPoints;
 }
 
-/// Whether the solid holds all points that are 1 micrometre from this one along the axes, or any of them.
+/// True if the solid contains all points at 1 micrometre from this one along the axes.
 bool holdsAllAt(const Solid& solid, const Vector3& p) {
   for (int i = 0; i < 6; ++i) {
     if (!solid.holds(p + (i < 3 ? 1e-6 : -1e-6) * Vector3::Unit(i % 3))) return false;
@@ -97,8 +97,8 @@ Vector3 anyPoint(const TriangleMesh& mesh, RandomStream& random) {
   return (1.0 - u - v) * mesh.vertices[t[0]] + u * mesh.vertices[t[1]] + v * mesh.vertices[t[2]];
 }
 
-/// Of random points of the body's surface outside of the guest, and of the guest's surface in the body: the largest
-/// distance from what is left, metres.
+/// Largest distance from the remainder, metres, of random points of the body's surface outside of the guest, and of the
+/// guest's surface in the body.
 double lostSurface(const Solid& body, const Pose& X_WA, const Solid& guest, const Pose& X_WB, const TriangleMesh& left,
                    RandomStream& random) {
   const TriangleTree tree(left);
@@ -137,7 +137,7 @@ TEST(Hollow, FlushFacesAndContactsLoseNoSurface) {
   RandomStream random(8, "flush");
   const Solid block = boxOf({0.01, 0.01, 0.01});
   const Solid bar = boxOf({0.005, 0.004, 0.02});
-  // Its faces are in planes of the block's, or go through edges and corners of it.
+  // The guest's faces are in planes of the block's faces, or go through its edges and corners.
   for (const Vector3& at : {Vector3(0.005, 0.0, 0.0), Vector3(0.0, 0.006, 0.01), Vector3(0.01, 0.01, 0.0),
                             Vector3(0.005, 0.006, -0.01), Vector3(0.0, 0.0, 0.0)}) {
     const Pose X_WB = Pose::translation(at);
@@ -159,7 +159,7 @@ TEST(Hollow, ThereIsNoneWithoutAnOverlapOrAnInside) {
   EXPECT_FALSE(hollowed(own, placed(open, Pose::translation({0.01, 0.0, 0.0}))));
 }
 
-/// A knob of twelve sides whose lip overlaps it by less than 0.8 mm, and what is accepted of that.
+/// A knob with twelve sides whose lip overlaps it by less than 0.8 mm; `accepted`: depth of the accepted clash.
 Question knobInItsLip(double accepted) {
   Question question;
   question.product.bodies = {test::checkBody("lip", test::holedPlate(12, 0.0192, 0.04, 0.015, 0.03)),
@@ -198,7 +198,7 @@ TEST(Hollow, AnAcceptedClashLeavesTheKnobNoWayThroughTheLip) {
   EXPECT_NEAR(down.allowances[0].applied, 7.7e-4, 2e-5);
 }
 
-/// The wall of the cut is made of the triangles of the guest, whose corners would stick in its facets.
+/// The wall of the cut consists of the guest's triangles, and corners of the guest would collide with its facets.
 TEST(Hollow, ARoundGuestTurnsInTheHoleThatItMakes) {
   constexpr int kSides = 24;
   constexpr double kRadius = 0.005;

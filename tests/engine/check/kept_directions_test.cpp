@@ -1,5 +1,5 @@
-// Directions that a person forbids to a part: what the planner keeps and what the judge sees, each by code of its own,
-// against what boxes allow. The campaign (GLISSADE_FORBIDDEN=all, packaging/reliability.sh) draws more.
+// Directions that a person forbids to a part: compares planner and judge, which share no code for them, with a formula
+// for boxes. The campaign (GLISSADE_FORBIDDEN=all, packaging/reliability.sh) draws more cases.
 #include "engine/check/kept_directions.h"
 
 #include <gtest/gtest.h>
@@ -28,8 +28,8 @@ struct PlacedBox {
   Pose X_WB;
 };
 
-/// The largest gap between the boxes along their faces' normals and the products of their edges: above zero where they
-/// are apart (Gottschalk 1996), and never above their distance.
+/// The largest gap between the boxes along their faces' normals and the products of their edges: positive if they are
+/// apart (Gottschalk 1996), and at most their distance.
 double gapOf(const PlacedBox& a, const PlacedBox& b) {
   const Eigen::Matrix3d ofA = a.X_WB.orientation.toRotationMatrix();
   const Eigen::Matrix3d ofB = b.X_WB.orientation.toRotationMatrix();
@@ -49,7 +49,7 @@ double gapOf(const PlacedBox& a, const PlacedBox& b) {
   return most;
 }
 
-/// With vertices inside, too.
+/// A box with vertices inside.
 TriangleMesh boxWithInside(const Vector3& size) {
   TriangleMesh mesh = makeBox(size);
   append(mesh, makeBox(0.5 * size));
@@ -85,7 +85,7 @@ TEST(HullClearance, BothAlgorithmsAgreeWithBoxes) {
   EXPECT_GT(near, 100);
 }
 
-/// Boxes along the axes of the world: their distance is exact.
+/// The boxes are parallel to the axes of the world, so that their distance is exact.
 TEST(HullClearance, ADistanceIsKeptExactly) {
   RandomStream stream(2, "distances");
   for (int i = 0; i < drawn(400); ++i) {
@@ -117,7 +117,7 @@ bool isInCone(const Vector3& way, const Vector3& direction) {
   return way.norm() > 1e-5 && way.dot(direction) > tolerance::kForbiddenCone * way.norm();
 }
 
-/// What boxes allow: the block is clear where it is farther from the base than it touches.
+/// The rule for boxes: the block is clear if it is farther from the base than the touching distance.
 bool isAllowed(const std::vector<Vector3>& places, const Vector3& direction) {
   const auto isClear = [](const Vector3& middle) {
     const Vector3 apart = (middle - Vector3(0.0, 0.0, -0.5)).cwiseAbs() - Vector3::Constant(0.5 + 0.5 * kBlock);
@@ -178,7 +178,7 @@ TEST(KeptDirections, UpwardsThenAsideIsForbiddenAndAsideThenUpwardsIsNot) {
   expect(true, path({{5, 0, 0}}));
 }
 
-/// The frame of the path may be anywhere: what counts is where the body goes.
+/// The frame of the path may be anywhere: only the motion of the body counts.
 TEST(KeptDirections, ATurnAboutAFarPointIsAMotion) {
   const Product product = blockOnABase();
   const Pose start = product.bodies[1].X_WB;
@@ -194,7 +194,7 @@ TEST(KeptDirections, ATurnAboutAFarPointIsAMotion) {
   EXPECT_TRUE(plannerAllows(product, turned, Vector3::UnitX()));
 }
 
-/// The planner may keep to more: it does not look back to where a part was clear.
+/// The planner may be stricter, because it does not store where a part was clear.
 TEST(KeptDirections, RandomPathsAreJudgedAsBoxesAllow) {
   const Product product = blockOnABase();
   RandomStream stream(3, "paths");

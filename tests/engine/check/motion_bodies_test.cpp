@@ -37,7 +37,7 @@ TEST(MotionBodies, MakesTheSameOnce) {
   EXPECT_NE(bodies.taken(mesh, others), thin);
 }
 
-/// An obstacle that is no longer kept is made again, and lives on where it is in use.
+/// An obstacle that was dropped is made again, and stays valid where it is in use.
 TEST(MotionBodies, ForgetsThoseNotAskedForLong) {
   const MeshPtr mesh = ball(2);
   MotionBodies bodies(bodiesOf({mesh}), 3 * mesh->triangles.size());

@@ -47,7 +47,7 @@ TEST(IndependentCheck, AgreesWithThePlannersCertificatesOnManyPaths) {
     for (std::size_t edge = 0; edge < judges.edges.size(); ++edge) {
       const EdgeCertificate& a = judges.edges[edge];
       const EdgeCertificate& b = planners.edges[edge];
-      // Both intervals hold the same true clearance.
+      // Both intervals contain the true clearance.
       EXPECT_LE(a.provedClearance, b.minClearance * (1.0 + 1e-9));
       EXPECT_LE(b.provedClearance, a.minClearance * (1.0 + 1e-9));
       EXPECT_GE(a.provedClearance, 0.49 * a.minClearance);
@@ -58,7 +58,7 @@ TEST(IndependentCheck, AgreesWithThePlannersCertificatesOnManyPaths) {
   EXPECT_LT(certified, 170);
 }
 
-/// A cube slides over a floor and turns by a hundred thousandth, or by none. Distances alone would take 60,000.
+/// A cube slides over a floor and turns by 0.00001 radians, or not at all. Distances alone would need 60,000 queries.
 TEST(MotionCheck, ANearlyStraightWayAlongAGapNeedsFewDistances) {
   constexpr double kGap = 5e-6;
   constexpr double kDemanded = 1e-6;
@@ -83,8 +83,8 @@ TEST(MotionCheck, ANearlyStraightWayAlongAGapNeedsFewDistances) {
   EXPECT_EQ(judge.check({Pose::translation({-0.25, 0.0, kGap}), low}, {{kDemanded}}).status, check::Status::Violated);
 }
 
-/// Attacks the proof by what is swept: ways along a gap with small turns of any kind, at random. What is certified is
-/// as far away at 400 times as is said, by the heights of the corners over the floor.
+/// Tests the proof by sweeps: random motions along a gap with small turns about any axis. The heights of the corners
+/// over the floor at 400 times confirm the certified clearance.
 TEST(MotionCheck, NothingComesNearerThanIsProvedOnNearlyStraightWays) {
   RandomStream random(29, "ways");
   const TriangleMesh object = makeBox({0.08, 0.06, 0.04});
@@ -123,7 +123,7 @@ TEST(MotionCheck, NothingComesNearerThanIsProvedOnNearlyStraightWays) {
   EXPECT_GT(violated, 10);
 }
 
-/// The same scene in micrometres and in thousands of kilometres: a power of two changes no digit.
+/// The scene in micrometres and in thousands of kilometres: scaling by a power of two changes no digit.
 TEST(IndependentCheck, JudgeAndCertificateDecideAlikeAtEveryScale) {
   Pose tilted;
   tilted.orientation = fromRollPitchYaw(0.4, -0.7, 0.2);
@@ -166,7 +166,7 @@ TEST(IndependentCheck, JudgeAndCertificateDecideAlikeAtEveryScale) {
   }
 }
 
-/// Coordinates that no scene has end as undecided or violated, not with the stack.
+/// Coordinates beyond any scene give undecided or violated verdicts, and no stack overflow.
 TEST(IndependentCheck, MotionsBeyondAllMeasureAreNotCertified) {
   const std::vector<RigidBody> bodies{boxBody("a", {1, 2, 0.5}, Pose::identity())};
   const auto query = CollisionWorld::build(bodies, makeL())->makeQuery();

@@ -10,7 +10,7 @@
 namespace glissade::check {
 namespace {
 
-/// A knob of twelve sides that leaves upwards through a lip, which overlaps it by less than 0.8 mm.
+/// A knob with twelve sides that leaves upwards through a lip, which overlaps it by less than 0.8 mm.
 Question knobUnderItsLip() {
   Question question;
   question.product.bodies = {test::checkBody("lip", test::holedPlate(12, 0.0192, 0.04, 0.015, 0.03)),
@@ -118,7 +118,7 @@ TEST(PathVerdict, NothingMeetsWhatAPersonForbids) {
 TEST(PathVerdict, AForbiddenPlaceThatIsNotKnownIsNotPassedOver) {
   Question question = knobUnderItsLip();
   const Path path = straightUp(std::nullopt);
-  question.forbidsPlaces = true;
+  question.product.forbidsPlaces = true;
   const PathVerdict unknown = judgePath(question, path);
   ASSERT_FALSE(unknown.refusals.empty());
   EXPECT_NE(unknown.refusals.front().find("forbids places"), std::string::npos);
@@ -129,7 +129,6 @@ TEST(PathVerdict, AForbiddenPlaceThatIsNotKnownIsNotPassedOver) {
   EXPECT_DOUBLE_EQ(known.forbiddenMargin, tolerance::kForbiddenMargin * radiusAboutOrigin(*question.object().mesh));
 }
 
-/// What a plan says of itself is compared with its steps.
 TEST(PlanClaims, EachIsComparedWithTheSteps) {
   Product product;
   product.bodies = {test::checkBody("box", makeBox({1, 1, 1})),

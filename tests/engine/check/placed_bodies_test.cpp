@@ -41,7 +41,7 @@ TEST_F(PlacedBodiesTest, MeasureAPairAsItIsMeasuredInTheWorld) {
   EXPECT_NEAR(found.other.most, direct.other.most, 1e-9);
 }
 
-/// Where a pair is in the world, which pair was measured first, and the order of the two say nothing of the result.
+/// The result does not depend on the pair's place in the world, on the first measured pair, or on the order of the two.
 TEST_F(PlacedBodiesTest, CongruentPairsAreOnePair) {
   RandomStream random(7, "placed bodies");
   PlacedBodies many;

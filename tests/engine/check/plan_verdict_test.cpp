@@ -35,7 +35,7 @@ TEST(PlanVerdict, RefusesAnOrderThatIsNotFree) {
   EXPECT_EQ(verdict.steps[1].motion.verdict.nearest.body, static_cast<int>(*product.indexOf("pin")));
 }
 
-/// What a step is said not to be after may be there.
+/// A body may be there if the step does not have to come after its removal.
 TEST(PlanVerdict, RefusesAPrecedenceThatLeavesSomethingOut) {
   const AssembledProduct product = test::lockedDrawer();
   AssemblyPlan plan = test::planOf(product, "cabinet");
@@ -60,7 +60,7 @@ TEST(PlanVerdict, RefusesAPathThatEndsInsideAndAllowancesOfItsOwn) {
   EXPECT_TRUE(verdict.steps[2].valid());
 }
 
-/// The cap leaves first: the drawer is never compared with it.
+/// The cap leaves first, so the drawer is never compared with it.
 TEST(PlanVerdict, RefusesAnAllowanceAgainstWhatHasLeft) {
   const AssembledProduct product = test::lockedDrawer();
   AssemblyPlan plan = test::planOf(product, "cabinet");
@@ -71,7 +71,7 @@ TEST(PlanVerdict, RefusesAnAllowanceAgainstWhatHasLeft) {
   EXPECT_NE(verdict.steps[2].refusals[0].find("'drawer' 1 mm thinner against 'cap'"), std::string::npos);
 }
 
-/// A demand that the judge cannot read is not passed over.
+/// A demand that the judge cannot read is not ignored.
 TEST(PlanVerdict, RefusesADemandAboutNothing) {
   const AssembledProduct product = test::lockedDrawer();
   AssemblyPlan plan = test::planOf(product, "cabinet");
@@ -117,7 +117,7 @@ TEST(PlanVerdict, NutsLeaveTheirBoltFirstAndByTurningOnly) {
   EXPECT_EQ(verdict.steps[0].motion.verdict.nearest.body, static_cast<int>(*product.indexOf("bolt")));
 }
 
-/// Where nobody marks a thread and the cylinders are equal, the joint that the step turns out says that there is one.
+/// Nobody marks a thread and the cylinders are equal: the step's joint states that there is a thread.
 TEST(PlanVerdict, AJointOfTheStepIsAThread) {
   AssembledProduct product = boltedPlate();
   product.fits.pairs.clear();
@@ -139,7 +139,7 @@ TEST(PlanVerdict, AJointOfTheStepIsAThread) {
   }
 }
 
-/// A nut on a bolt that stays, and a cap that leaves with the nut as one.
+/// A nut on a bolt that stays, and a cap that leaves together with the nut.
 TEST(PlanVerdict, AGroupWithANutLeavesTheBoltByTurningOnly) {
   AssembledProduct product = test::productOf(
       {test::partAt("bolt", test::plainBolt(), Pose::identity()),
@@ -170,7 +170,7 @@ TEST(PlanVerdict, AGroupWithANutLeavesTheBoltByTurningOnly) {
   EXPECT_TRUE(verdict.steps[0].motion.verdict.againstThread);
 }
 
-/// A drawer with a pin on it, which leave the cabinet as one, and are then taken apart.
+/// A drawer and a pin on it, which leave the cabinet together, and are then taken apart.
 struct PlanOfLines : ::testing::Test {
   AssembledProduct product =
       test::productOf({test::partAt("cabinet", makeBox({0.2, 0.2, 0.02}), Pose::identity()),
@@ -226,7 +226,7 @@ TEST_F(PlanOfLines, RefusesALineThatIsNotThatOfItsStep) {
   EXPECT_FALSE(verdict().valid()) << "the pin stays";
 }
 
-/// What a person forbids holds in lines, too.
+/// A forbidden direction also holds in lines.
 TEST_F(PlanOfLines, KeepsForbiddenDirections) {
   plan.demands.forbidden = {{"pin", Vector3::UnitZ()}};
   plan.steps[0] = straight({"drawer", "pin"}, {0.3, 0.0, 0.0});

@@ -1,4 +1,4 @@
-// Words and numbers that a plan brings itself: what a verdict rests on is a condition, what is wrong is refused.
+// Statements and numbers of a plan: a statement on which a verdict depends is a condition, a wrong one is refused.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -113,7 +113,7 @@ TEST_F(PlanOfWords, AFlexibleBodyIsAPersonsWord) {
   EXPECT_EQ(verdict().stepsWithoutProof(), 1U);
 }
 
-/// The reason is in the plan, or in the scenario: the demand is given up in both.
+/// The reason is in the plan, or in the scenario: the demand is broken in both cases.
 TEST_F(PlanOfWords, ADemandIsGivenUpOnlyUnderACondition) {
   for (SequenceDemands* demands : {&plan.demands, &said}) {
     plan.demands = {};
@@ -136,7 +136,7 @@ TEST_F(PlanOfWords, ADemandIsGivenUpOnlyUnderACondition) {
   EXPECT_EQ(verdict().steps[0].notes.size(), 1U) << "nobody demands it";
 }
 
-/// Each number is changed alone, and named with its key.
+/// Changes each number alone; the refusal names its key.
 TEST_F(PlanOfWords, NumbersThatAreWrongAreRefused) {
   product.fits.on = true;
   plan = test::planOf(product, "cabinet");
@@ -185,7 +185,7 @@ TEST_F(PlanOfWords, NumbersThatAreWrongAreRefused) {
               testing::AllOf(HasSubstr("\"turns\": 1000"), HasSubstr("\"diameter_m\": 0.5")));
 }
 
-/// The pair is marked as a thread.
+/// A nut on a bolt, marked as a thread.
 AssembledProduct nutOnABolt() {
   AssembledProduct product =
       test::productOf({test::partAt("bolt", test::plainBolt(), Pose::identity()),
@@ -195,7 +195,7 @@ AssembledProduct nutOnABolt() {
   return product;
 }
 
-/// The nut is turned out by this pitch, metres a turn.
+/// A plan that turns the nut off by this pitch, metres a turn.
 AssemblyPlan turnedBy(const AssembledProduct& product, double pitch) {
   AssemblyPlan plan = test::planOf(product, "bolt");
   AssemblyStep& step = plan.steps[0];
@@ -235,7 +235,7 @@ TEST(PlanWords, AnUnusualPitchOrHandIsACondition) {
   EXPECT_THAT(conditionsOf(test::kCoarsePitch), HasSubstr("is right-handed, although a name says left-handed"));
 }
 
-/// By the standards, from memory of nothing in the engine: ISO 261, ASME B1.1, ISO 1478.
+/// Values from the standards ISO 261, ASME B1.1 and ISO 1478, independent of the engine.
 TEST(StandardPitch, IsThatOfAStandardThreadOfTheDiameter) {
   struct Row {
     double diameter;  ///< millimetres, as drawn

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kPitch = 0.0015;
 
-/// A bolt of 10 mm along z, and what is around it from z = 10 mm to 20 mm.
+/// A bolt of 10 mm along z, with a part around it from z = 10 mm to 20 mm.
 struct Parts {
   explicit Parts(double holeRadius)
       : overlap(0.005 - holeRadius), around(placed(test::holedPlate(48, holeRadius, 0.009, 0.01, 0.02))) {}
@@ -113,7 +113,7 @@ TEST(PulledThread, EqualCylindersAreAThreadWhereTheFileSaysSo) {
   EXPECT_EQ(parts.boltStays(turned(0.02 / kPitch), true), "");
 }
 
-/// As CAD systems place fasteners: beside their holes by a part of the thread's depth.
+/// Fasteners as CAD systems place them: beside their holes by a part of the thread's depth.
 TEST(PulledThread, AxesBesideEachOtherAreAThreadWhileTheWallIsInTheShaft) {
   Parts parts(0.0042);
   for (const double beside : {0.00003, 0.0003, 0.00079}) {

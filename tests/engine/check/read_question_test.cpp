@@ -15,7 +15,7 @@
 namespace glissade::check {
 namespace {
 
-/// What the judge's reader says of a file is what the planner's says.
+/// Expects that the readers of the judge and of the planner give the same result for a file.
 void expectSameQuestion(const std::string& file) {
   SCOPED_TRACE(file);
   const auto loaded = loadScenario(file, StopToken());
@@ -33,7 +33,7 @@ void expectSameQuestion(const std::string& file) {
     EXPECT_EQ(a.mesh->triangles, b.mesh->triangles) << a.id;
     EXPECT_EQ(a.deflection, b.deflection) << a.id;
     EXPECT_EQ(a.spacing, b.spacing) << a.id;
-    // Of a group the planner's says how many bodies there are more.
+    // The planner's name of a group also gives the number of further bodies.
     if (i + 1 < expected.product.bodies.size() || loaded->objectBodies.size() == 1) {
       EXPECT_EQ(a.name, b.name);
     }
@@ -64,7 +64,7 @@ TEST(ReadQuestion, SaysOfEverySampleWhatThePlannersReaderSays) {
   EXPECT_GT(seen, 3U);
 }
 
-/// Boxes in a row, some of which move as one; with words about random pairs.
+/// Boxes in a row, some of which move as one, with statements about random pairs.
 Scenario randomGroup(RandomStream& random) {
   Scenario scenario;
   scenario.object.bodies.clear();
@@ -100,7 +100,7 @@ TEST(ReadQuestion, SaysOfGroupsWhatThePlannersReaderSays) {
     const Scenario scenario = randomGroup(random);
     const std::string file = folder.write("group.json", writeScenario(scenario));
     expectSameQuestion(file);
-    // A clash with a group is accepted where it is for each of its bodies.
+    // A clash with a group is accepted if it is accepted for each of its bodies.
     const auto read = readQuestion(file);
     ASSERT_TRUE(read.ok());
     for (const BodyDescription& other : scenario.bodies) {
@@ -112,7 +112,7 @@ TEST(ReadQuestion, SaysOfGroupsWhatThePlannersReaderSays) {
       }
       EXPECT_EQ(word != nullptr && word->accepted, accepted == 3U) << other.id;
     }
-    // Plans are about the bodies themselves.
+    // Plans concern the bodies of the group.
     const auto product = readProduct(file, 0.0);
     ASSERT_TRUE(product.ok()) << toString(product.error());
     EXPECT_EQ(product->bodies.size(), 7U);

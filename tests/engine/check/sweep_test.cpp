@@ -14,7 +14,7 @@
 namespace glissade::check {
 namespace {
 
-/// All faces of all prisms: the definition.
+/// All faces of all prisms, by definition.
 TriangleMesh allPrisms(const TriangleMesh& mesh, const Vector3& way) {
   TriangleMesh all;
   for (const auto& [i, j, k] : mesh.triangles) {
@@ -43,7 +43,7 @@ double distanceTo(const TriangleTree& tree, const Vector3& point) {
   return tree.nearest(point, std::numeric_limits<double>::infinity()).distance;
 }
 
-/// A random choice of the mesh's triangles: open edges, edges of three triangles, corners that only touch.
+/// A random selection of the mesh's triangles, with open edges, edges of three triangles, and corners that only touch.
 TriangleMesh torn(const TriangleMesh& mesh, RandomStream& stream) {
   TriangleMesh some = mesh;
   some.triangles.clear();
@@ -64,8 +64,8 @@ double leastHeight(const TriangleMesh& mesh) {
   return least;
 }
 
-/// Of points that no triangle passes over, the boundary that is kept is as near as the faces of all prisms are. The way
-/// is along faces in half of the cases.
+/// For points that no triangle passes over, the kept boundary is as near as the faces of all prisms. In half of the
+/// cases the motion is along faces.
 TEST(SweptBy, IsAsNearAsAllPrismsAre) {
   RandomStream stream(11, "sweeps");
   int outside = 0;

@@ -9,7 +9,7 @@
 namespace glissade::check {
 namespace {
 
-/// Allowances of a prism's side, none of its ends.
+/// Allowances for the side of a prism, and none for its ends.
 std::vector<double> ofSide(const TriangleMesh& mesh, double allowance) {
   std::vector<double> allowances;
   for (const TriangleIndices& t : mesh.triangles) {

@@ -1,4 +1,5 @@
-// The judge finds the thread of a shaft that a file takes away, and refuses every claim that the meshes do not show.
+// Tests that the judge finds the thread of a shaft that a file takes away, and refuses claims that the meshes
+// contradict.
 #include "engine/check/thread_core.h"
 
 #include <gtest/gtest.h>
@@ -156,7 +157,7 @@ TEST(ThreadCore, ANutBesideTheThreadHasNone) {
   EXPECT_NE(refusalOf(ScrewInNut({}, kHole, -0.013, -0.009)), "") << "beyond the tip";
 }
 
-/// Points are compared by rays with the screw itself: nothing is added, and nothing goes but teeth.
+/// Compares points with the original screw by rays: nothing is added, and only teeth are removed.
 void expectOnlyTeethGo(const test::ThreadedScrew& screw) {
   const ScrewInNut pair(screw);
   const auto core = pair.core();

@@ -1,4 +1,4 @@
-// What turns: proved by pieces of the surfaces, attacked by dense samples with exact tests of triangles.
+// Turning motions, proved by pieces of the surfaces and tested by dense samples with exact tests of triangles.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -18,7 +18,7 @@ constexpr double kFullTurn = 2.0 * std::numbers::pi;
 
 TriangleMesh boxAt(const Vector3& size, const Vector3& at) { return transformed(makeBox(size), Pose::translation(at)); }
 
-/// A screw motion about z from an orientation, by a frame that stands beside the axis.
+/// A screw motion about z from an orientation, for a frame beside the axis.
 std::vector<Pose> screwed(const Vector3& beside, double turns, int edges, double rise) {
   std::vector<Pose> path;
   for (int i = 0; i <= edges; ++i) {
@@ -31,7 +31,7 @@ std::vector<Pose> screwed(const Vector3& beside, double turns, int edges, double
 
 struct TurningPair {
   TriangleMesh object;  ///< in the frame of the path
-  TriangleMesh fixed;   ///< in the world
+  TriangleMesh fixed;   ///< in the world frame
 
   MotionVerdict judge(const std::vector<Pose>& path, double required) const {
     const auto moving = std::make_shared<const TriangleMesh>(object);
@@ -40,7 +40,7 @@ struct TurningPair {
     return check.check(path, std::vector<Demand>(std::max<std::size_t>(1, path.size() - 1), {required, false}));
   }
 
-  /// Exact where they meet; of others, up to `limit`.
+  /// Distance of the surfaces; exact where they meet, else up to `limit`.
   double distanceAt(const TriangleTree& around, const Pose& q, double limit) const {
     const TriangleTree placed(transformed(object, q));
     double least = limit;
@@ -54,7 +54,7 @@ struct TurningPair {
   }
 };
 
-/// All of it in another frame of the world.
+/// Transforms all of it to another frame of the world.
 void place(const Pose& X, TurningPair& pair, std::vector<Pose>& path) {
   pair.fixed = transformed(pair.fixed, X);
   for (Pose& q : path) q = X * q;
@@ -66,8 +66,8 @@ Pose anywhere(RandomStream& random) {
   return X;
 }
 
-/// A bolt in a hole that leaves it two micrometres, its frame beside the axis: the chords of the path are off the screw
-/// motion by as much. Distances alone would take some hundred for each edge.
+/// A bolt in a hole with a clearance of two micrometres, its frame beside the axis: the chords of the path deviate from
+/// the screw motion by as much. Distances alone would need some hundred queries for each edge.
 TEST(TurningMotion, ATurnOnATiltedAxisNeedsFewDistances) {
   RandomStream random(5, "axes");
   const Vector3 beside(1.5e-3, -0.5e-3, 0.0);
@@ -101,7 +101,7 @@ TEST(TurningMotion, RepeatedConfigurationsCostNothing) {
   EXPECT_LT(thrice.distances, 4 * repeated.size());
 }
 
-/// Nothing is taken thinner, and the way is a thousand times as long as the gap.
+/// No body is thinned, and the motion is a thousand times as long as the gap.
 TEST(TurningMotion, AStraightWayAlongAGapNeedsFewDistances) {
   const TurningPair pair{makeBox({0.01, 0.01, 0.01}), boxAt({2.0, 2.0, 0.1}, {0.0, 0.0, -0.0551})};
   const MotionVerdict verdict =
@@ -111,8 +111,7 @@ TEST(TurningMotion, AStraightWayAlongAGapNeedsFewDistances) {
   EXPECT_NEAR(verdict.minClearance, 1e-4, 1e-9);
 }
 
-/// Hinges, doors and levers: turns by less than a circle about an axis outside of the body, with a wall in the way of
-/// some.
+/// Hinges, doors and levers: turns by less than a circle about an axis outside of the body; a wall blocks some of them.
 TEST(TurningMotion, WhatSwingsIsJudgedAsItIsSampled) {
   RandomStream random(17, "levers");
   int certified = 0;

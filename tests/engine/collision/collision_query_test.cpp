@@ -13,7 +13,7 @@
 namespace glissade {
 namespace {
 
-/// Worlds that are small enough for the reference and nasty in different ways.
+/// Worlds that are small enough for the reference and difficult in different ways.
 struct Case {
   const char* name;
   std::vector<RigidBody> obstacles;
@@ -50,12 +50,12 @@ std::vector<Case> cases() {
 Pose randomPoseIn(const Case& world, RandomStream& stream) {
   Pose q = randomPose(stream, world.reach);
   q.position += world.origin;
-  // Many configurations of people are axis-parallel, and that is where coplanar faces are.
+  // Many configurations that people make are axis-parallel, where faces are coplanar.
   if (stream.uniform() < 0.3) q.orientation = fromRollPitchYaw(std::floor(stream.uniform(0, 4)) * std::acos(0.0), 0, 0);
   return q;
 }
 
-/// Both backends answer the same questions.
+/// Both backends answer the same queries.
 class CollisionQueryBy : public testing::TestWithParam<CollisionBackend> {};
 
 TEST_P(CollisionQueryBy, AgreesWithExactPredicatesOnRandomPoses) {
@@ -233,7 +233,7 @@ TEST_P(CollisionQueryBy, AMotionThatItCallsFreeIsFreeAndAViolationIsOne) {
   }
 }
 
-/// Rounding is larger than the bodies there: motions through them were called free.
+/// Rounding is larger than the bodies there; such motions were reported as free.
 TEST_P(CollisionQueryBy, MotionsBeyondAllMeasureEndAndAreNotCalledFree) {
   for (const Case& world : cases()) {
     const auto query = CollisionWorld::build(world.obstacles, world.object, GetParam())->makeQuery();
@@ -249,7 +249,7 @@ TEST_P(CollisionQueryBy, MotionsBeyondAllMeasureEndAndAreNotCalledFree) {
   }
 }
 
-/// Bodies that come, go and move, and other objects: nothing tells that some were prepared before.
+/// Bodies are added, removed and moved, and the object changes. Answers do not depend on earlier preparation.
 TEST_P(CollisionQueryBy, AnUpdatedWorldAnswersAsOneThatIsBuiltAnew) {
   RandomStream stream(11, "updated");
   const auto obstacle = [](int i) {

@@ -6,8 +6,8 @@
 
 namespace glissade::reference {
 
-/// An independent answer to "does it collide?": every pair of triangles with CGAL's exact predicates,
-/// and containment by counting crossings of a random ray. Slow, and shares no code with the engine's.
+/// An independent collision test: every pair of triangles with CGAL's exact predicates, and containment by counting
+/// crossings of a random ray. Slow, and shares no code with the engine's.
 bool collides(const std::vector<RigidBody>& obstacles, const TriangleMesh& object, const Pose& X_WB);
 
 /// Distance of the surfaces by every pair of triangles: vertices against faces, edges against edges.

@@ -12,7 +12,7 @@ namespace glissade {
 namespace {
 
 constexpr double kMargin = 1e-4;
-/// The margin may be so much larger.
+/// Largest margin that is accepted.
 constexpr double kAtMost = 1.02 * kMargin;
 
 ForbiddenPlaces someBoxes(RandomStream& stream, int count) {

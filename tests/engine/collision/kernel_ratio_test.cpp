@@ -1,6 +1,6 @@
-// Guards how much faster than FCL the kernel is. Both are asked the same in turn and only CPU time
-// counts, so that a busy machine does not matter much; the guards are at a third of what was measured
-// on L and the pump (engine/README.md) or below. The whole comparison: collision_benchmark.
+// Guards the ratio of FCL's time to the kernel's. Both run the same queries in turn and only CPU time counts, so that a
+// busy machine does not matter much. The guards are at a third of the ratios measured on L and the pump
+// (engine/README.md) or below. The whole comparison is collision_benchmark.
 #include <gtest/gtest.h>
 
 #include <cmath>

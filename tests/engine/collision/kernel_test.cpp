@@ -1,5 +1,5 @@
-// What only our own kernel promises: exact answers for nasty triangles and far from the origin, and the
-// same bits on every instruction set.
+// Tests of properties that only our own kernel has: exact answers for difficult triangles and far from the origin, and
+// the same bits on every instruction set.
 #include "engine/collision/kernel/kernel_query.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ RigidBody bodyOf(TriangleMesh mesh, const Pose& X_WB = Pose::identity()) {
   return body;
 }
 
-/// Triangles thrown anywhere; `flat` of three in ten are slivers, and some of them segments or points.
+/// Random triangles; if `nasty`, three in ten are slivers, and some of them segments or points.
 TriangleMesh soup(RandomStream& stream, int count, bool nasty) {
   TriangleMesh mesh;
   for (int i = 0; i < count; ++i) {
@@ -150,7 +150,7 @@ TEST(Kernel, DistancesOfSliversAndPointsAreRightAndNeverTooLong) {
 
 TEST(Kernel, AgreesWithExactPredicatesFarFromTheOriginToo) {
   for (const World& world : worlds()) {
-    if (world.object->triangles.size() == 40) continue;  // a soup has no inside
+    if (world.object->triangles.size() == 40) continue;  // random triangles have no inside
     const auto query = CollisionWorld::build(world.obstacles, world.object)->makeQuery();
     RandomStream stream(7, "poses");
     int bisected = 0;
@@ -171,7 +171,7 @@ TEST(Kernel, AgreesWithExactPredicatesFarFromTheOriginToo) {
   }
 }
 
-/// From 1e19 m squares overflow single precision: the search had no end but the stack's.
+/// From 1e19 m squares overflow single precision: the search ended only with the stack.
 TEST(Kernel, TheSearchOfAMotionEndsBeyondAllMeasureToo) {
   for (const World& world : worlds()) {
     KernelQuery kernel(std::make_shared<const KernelGeometry>(world.obstacles, *world.object));
@@ -188,7 +188,7 @@ TEST(Kernel, TheSearchOfAMotionEndsBeyondAllMeasureToo) {
 TEST(Kernel, AgreesWithFclOnAHundredThousandPoses) {
   int compared = 0;
   for (const World& world : worlds()) {
-    if (!world.origin.isZero()) continue;  // there FCL rounds otherwise
+    if (!world.origin.isZero()) continue;  // FCL rounds differently there
     KernelQuery kernel(std::make_shared<const KernelGeometry>(world.obstacles, *world.object));
     FclSurfaceQuery fcl(makeFclGeometry(world.obstacles, *world.object));
     RandomStream stream(5, "poses");
@@ -204,7 +204,7 @@ TEST(Kernel, AgreesWithFclOnAHundredThousandPoses) {
   EXPECT_EQ(compared, 100'000);
 }
 
-/// Every face once more, seen from the other side, and begun at another corner.
+/// A mesh with every face added a second time, reversed and with another first corner.
 TriangleMesh withBothSides(const TriangleMesh& mesh) {
   TriangleMesh doubled = mesh;
   for (const auto& [a, b, c] : mesh.triangles) doubled.triangles.push_back({b, a, c});
@@ -244,13 +244,13 @@ TEST(TrianglePair, DegenerateAndCoplanarTrianglesMeetWhereTheyDo) {
     return forth;
   };
   EXPECT_TRUE(meets({1, 1, 0}, {1, 1, 0}, {1, 1, 0}));             // a point on the face
-  EXPECT_FALSE(meets({3, 3, 0}, {3, 3, 0}, {3, 3, 0}));            // beside it, in its plane
+  EXPECT_FALSE(meets({3, 3, 0}, {3, 3, 0}, {3, 3, 0}));            // a point beside it, in its plane
   EXPECT_FALSE(meets({1, 1, 1e-300}, {1, 1, 1}, {1, 1, 0.5}));     // a segment just above
   EXPECT_TRUE(meets({1, 1, -1}, {1, 1, 1}, {1, 1, 0.5}));          // a segment through it
   EXPECT_TRUE(meets({1, 1, 0}, {2, 1, 0}, {1, 2, 0}));             // inside, coplanar
   EXPECT_TRUE(meets({-9, -9, 0}, {99, -9, 0}, {-9, 99, 0}));       // around it, coplanar
   EXPECT_TRUE(meets({4, 0, 0}, {5, 0, 0}, {5, 1, 0}));             // a corner on a corner
-  EXPECT_FALSE(meets({4.0 + 1e-15, 0, 0}, {5, 0, 0}, {5, 1, 0}));  // a hair beside it
+  EXPECT_FALSE(meets({4.0 + 1e-15, 0, 0}, {5, 0, 0}, {5, 1, 0}));  // a corner very near to it
   EXPECT_TRUE(meets({2, 2, 0}, {5, 5, 3}, {5, 4, 3}));             // a corner on an edge
 }
 
@@ -276,7 +276,7 @@ TEST(SolidInterior, AgreesWithTheWindingNumberAndTakesRaysThroughEdges) {
     ASSERT_EQ(interior.contains(p), containsPoint(two, p));
   }
   const SolidInterior box(makeBox({2, 2, 2}), true);
-  EXPECT_TRUE(box.contains({0, 0, 0}));  // along the diagonal of a face
+  EXPECT_TRUE(box.contains({0, 0, 0}));  // a ray along the diagonal of a face
   EXPECT_TRUE(box.contains({0.5, 0.5, -0.5}));
   EXPECT_FALSE(box.contains({-5, 1, 1}));
 }

@@ -1,4 +1,4 @@
-// Worlds whose geometry is shared by occurrences, beside worlds of the same bodies in one tree.
+// Compares worlds whose geometry is shared by occurrences with worlds of the same bodies in one tree.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -17,7 +17,7 @@
 namespace glissade {
 namespace {
 
-/// Closed, with 2 * around * along triangles.
+/// A closed torus of 2 * around * along triangles.
 TriangleMesh makeTorus(double radius, double tube, std::uint32_t around, std::uint32_t along) {
   TriangleMesh mesh;
   for (std::uint32_t i = 0; i < around; ++i) {
@@ -41,7 +41,7 @@ TriangleMesh makeTorus(double radius, double tube, std::uint32_t around, std::ui
   return mesh;
 }
 
-/// Occurrences of a few meshes in random places, some of them in each other's way.
+/// Occurrences of a few meshes at random places, some of which overlap.
 std::vector<RigidBody> randomOccurrences(RandomStream& stream, std::size_t count) {
   const std::vector<MeshPtr> meshes{std::make_shared<const TriangleMesh>(makeTorus(0.3, 0.1, 12, 8)),
                                     std::make_shared<const TriangleMesh>(makeBox({0.5, 0.2, 0.3})),
@@ -170,7 +170,7 @@ TEST(LargeWorld, TwoLevelsJudgeMotionsAsOneTree) {
       continue;
     }
     ASSERT_TRUE(two.isWithin(interpolate(from, to, b.at), 1e-3 * (1.0 + 1e-6)));
-    // Both locate it to within a thousandth of the object's size, and prove what is before it.
+    // Both find it to within a thousandth of the object's size, and prove the motion before it.
     if (seek == SeekViolation::Any) continue;
     ASSERT_NEAR(b.at, a.at, 0.02);
     ASSERT_LE(b.certified, b.at);
@@ -179,7 +179,7 @@ TEST(LargeWorld, TwoLevelsJudgeMotionsAsOneTree) {
   EXPECT_GT(certified, 100);
 }
 
-/// Enough triangles for two levels: 21 occurrences of one part.
+/// 21 occurrences of one part, with enough triangles for two levels.
 struct ManyParts {
   MeshPtr part = std::make_shared<const TriangleMesh>(makeTorus(0.3, 0.1, 100, 50));
   MeshPtr object = std::make_shared<const TriangleMesh>(makeBox({0.1, 0.1, 0.1}));
@@ -202,8 +202,8 @@ TEST(LargeWorld, AnUpdatedOneAnswersAsOneThatIsBuiltAnew) {
     if (edit == 1) parts.bodies[3].X_WB.position.y() += 0.2;
     if (edit == 2) parts.object = std::make_shared<const TriangleMesh>(makeBox({0.2, 0.1, 0.1}));
     if (edit == 3) parts.bodies.push_back(boxBody("plate", {30.0, 0.1, 0.1}, Pose::translation({0.0, 0.6, 0.0})));
-    if (edit == 4) parts.bodies.front().X_WB.position.x() = -1e5;  // another scale of the kernel
-    if (edit == 5) parts.bodies.resize(2);                         // one tree
+    if (edit == 4) parts.bodies.front().X_WB.position.x() = -1e5;  // needs another scale of the kernel
+    if (edit == 5) parts.bodies.resize(2);                         // small enough for one tree
     updated = updated->updated(parts.bodies, parts.object);
     const CollisionWorldPtr anew = CollisionWorld::build(parts.bodies, parts.object);
     EXPECT_EQ(updated->obstaclesBox().min(), anew->obstaclesBox().min());
@@ -222,7 +222,7 @@ TEST(LargeWorld, AnUpdatedOneAnswersAsOneThatIsBuiltAnew) {
   }
 }
 
-/// A thousand occurrences of a part of 10,000 triangles: ten million in one tree took a minute and 4 GB.
+/// A thousand occurrences of a part of 10,000 triangles. Ten million triangles in one tree took a minute and 4 GB.
 TEST(LargeWorld, AnotherChoiceOfAThousandOccurrencesIsReadyAtOnce) {
   ManyParts parts;
   parts.bodies.resize(1);
@@ -291,7 +291,7 @@ TEST(LargeWorld, ATreeOfALargeMeshHoldsItsTriangles) {
   const auto again = kernelObstacle(*sheet, 1.0);
   EXPECT_EQ(again->child, tree->child) << "whichever thread built what";
   EXPECT_EQ(again->radius, tree->radius);
-  // Against the distance from the torus' centre line.
+  // Compares with the distance from the torus' centre line.
   KernelQuery query(std::make_shared<const KernelGeometry>(1.0, tree, kernelObject(makeBox({1e-6, 1e-6, 1e-6}), 1.0)));
   RandomStream stream(4, "torus");
   for (int i = 0; i < 300; ++i) {

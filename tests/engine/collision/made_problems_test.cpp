@@ -1,4 +1,4 @@
-// The problems of our own making are sound before anybody plans them.
+// Checks that the project's own problems are valid.
 #include <gtest/gtest.h>
 
 #include <set>

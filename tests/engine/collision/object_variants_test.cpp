@@ -21,7 +21,7 @@ RigidBody ringBody(const std::string& name, double inner, double outer, const Po
   return body;
 }
 
-/// A bolt among a nut of its own radius, a second nut and blocks. It is thinner against the first nut only.
+/// A bolt among a nut of its own radius, a second nut and blocks. Only against the first nut it is thinner.
 struct BoltWorld {
   MeshPtr bolt = std::make_shared<const TriangleMesh>(test::makeRing(0.0, 0.2, 1.0, 20));
   std::vector<RigidBody> bodies{ringBody("nut", 0.2, 0.5, Pose::identity()),
@@ -95,7 +95,8 @@ TEST(ObjectVariants, BothBackendsAndTheJudgeAgree) {
   EXPECT_LT(certified, 140);
 }
 
-/// A gap of micrometres takes no more distances than a wide one: straight ways are proved by what they sweep.
+/// A gap of micrometres takes no more distance queries than a wide one, because straight motions are proved by their
+/// swept volume.
 TEST(ObjectVariants, TheJudgeProvesALongSlideInANarrowGap) {
   const BoltWorld bolt;
   constexpr double kNarrow = 1e-5;
@@ -109,7 +110,7 @@ TEST(ObjectVariants, TheJudgeProvesALongSlideInANarrowGap) {
 
   const Pose aslant = Pose::translation({0.0, 1e-4, 3.0});
   EXPECT_EQ(judge.check({Pose::identity(), aslant}, {{0.2 * kNarrow, false}}).status, CertificateStatus::Violated);
-  // What is passed over is hit, however small it is.
+  // A small body on the motion is hit, however small it is.
   const std::vector<RigidBody> inTheWay{bolt.bodies[0],
                                         boxBody("crumb", {1e-3, 1e-3, 1e-3}, Pose::translation({0.05, 0.03, 1.7}))};
   const IndependentCheck careful(inTheWay, *bolt.bolt, everywhere({kNarrow}, *bolt.bolt));
@@ -118,7 +119,7 @@ TEST(ObjectVariants, TheJudgeProvesALongSlideInANarrowGap) {
   EXPECT_EQ(hit.nearest.body, 1);
 }
 
-/// Points of the bolt that stay in it however it is thinned, and points of its surface.
+/// Tests points of the bolt that are in every thinned variant, and points of its surface.
 TEST(ObjectVariants, MotionsAreFreeWhereTheTrueBodyIsAndBlockedWhereItsCoreIs) {
   const BoltWorld bolt;
   const auto whole = bolt.whole->makeQuery();

@@ -15,7 +15,7 @@ OrientedBox fitted(const std::vector<Triangle>& triangles) {
   return fitBox(all);
 }
 
-/// By how much a corner sticks out at most.
+/// Largest distance of a corner outside the box.
 double excess(const OrientedBox& box, const std::vector<Triangle>& triangles) {
   double most = 0.0;
   for (const Triangle& triangle : triangles) {

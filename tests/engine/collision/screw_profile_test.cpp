@@ -39,7 +39,7 @@ check::Helix helixOf(const ScrewAxis& screw, double advance) {
   return helix;
 }
 
-/// Some triangles about a point.
+/// Random triangles about a point.
 TriangleMesh randomTriangles(RandomStream& random, const Vector3& middle, double size) {
   TriangleMesh mesh;
   for (std::uint32_t i = 0; i < 4; ++i) {
@@ -53,7 +53,7 @@ TriangleMesh randomTriangles(RandomStream& random, const Vector3& middle, double
   return mesh;
 }
 
-/// Never more than what is met at any configuration on the way: of the planner's bound and of the judge's.
+/// The planner's and the judge's bounds are never above the distance at any configuration of the motion.
 TEST(ScrewProfile, BoundsAreBelowTheDistancesOfRandomTriangles) {
   RandomStream random(7, "screw profile");
   int shown = 0;
@@ -122,8 +122,8 @@ TEST(ScrewProfile, ProvesManyTurnsOfAThread) {
   }
 }
 
-/// A part of the rounding under a screw's head, which is below the edge of its hole's large face and inside of it, by
-/// 0.02 mm: their radii and heights overlap, and so little is known of the angles of the face that (r, s) do not help.
+/// A part of the rounding under a screw's head, which is 0.02 mm below the edge of its hole's large face and inside of
+/// it. Their radii and heights overlap, and the angles of the face are so inaccurate that (r, s) do not help.
 TEST(ScrewProfile, ProvesATurnOverTheEdgeOfALargeFace) {
   constexpr int kSides = 36;
   std::vector<Triangle> rounding;
@@ -146,7 +146,7 @@ TEST(ScrewProfile, ProvesATurnOverTheEdgeOfALargeFace) {
   EXPECT_EQ(screwDistance(rounding, plate, screw, -0.1 * screw.pitch, 1.7e-5, kRequired), 0.0) << "into the face";
 }
 
-/// A pitch that is off by a few percent runs the flanks into each other, after some turns.
+/// With a pitch that is off by a few percent the flanks meet after some turns.
 TEST(ScrewProfile, RefusesTheWrongPitch) {
   Threaded parts{nut_and_bolt::Shape{}};
   parts.screw.pitch *= 1.1;
@@ -156,7 +156,7 @@ TEST(ScrewProfile, RefusesTheWrongPitch) {
   EXPECT_EQ(IndependentCheck({parts.bolt}, *parts.nut).check(path, demands).status, CertificateStatus::Violated);
 }
 
-/// Down to the head, and through it.
+/// The motion goes down to the head, and through it.
 TEST(ScrewProfile, RefusesAMotionIntoTheHead) {
   const Threaded parts{nut_and_bolt::Shape{}};
   const auto path = parts.path(-2.5 * nut_and_bolt::kPitch, 40);
@@ -183,7 +183,8 @@ TEST(ScrewRun, FindsTheScrewMotionOfAPath) {
   EXPECT_NEAR(std::abs(runs.front().screw.pitch), 0.02, 1e-9);
   EXPECT_NEAR(std::abs(judged.front().lead), 0.02, 1e-9);
   EXPECT_LT((runs.front().screw.point_W - screw.point_W).cross(screw.axis_W).norm(), 1e-9);
-  // The chords are off the helix by this much, and no configuration on them is off by more than is said.
+  // The chords deviate from the helix by this much, and no configuration on them deviates by more than the stated
+  // bound.
   EXPECT_GT(runs.front().off, 1e-4);
   for (std::size_t i = 1; i <= 60; ++i) {
     const Pose exact = screwed(screw, start, 0.05 * (static_cast<double>(i) - 0.5) / 60);

@@ -11,7 +11,7 @@ namespace {
 
 using test::kCoarsePitch;
 
-/// A nut near the lower end of a bolt, turned and placed at random; its reference point is off the axis.
+/// Position of a nut near the lower end of a bolt, turned and placed at random; its reference point is off the axis.
 constexpr double kNutAt = -0.0165;
 
 struct NutOnBolt {
@@ -39,7 +39,7 @@ struct NutOnBolt {
     const auto query = parts.world->makeQuery();
     return !firstRefusedEdge(*query, path, std::vector<EdgeDemand>(path.size() - 1, {1e-7, false}));
   }
-  /// A screw motion of so many turns by this pitch.
+  /// A screw motion of `turns` turns with this pitch.
   std::vector<Pose> turning(double turns, double pitch, int pieces) const {
     ThreadRule own = rule();
     own.pitch = pitch;
@@ -69,7 +69,7 @@ TEST(ThreadRule, AScrewAdvancesByItsPitchWithEachTurn) {
   EXPECT_EQ(nut.parts.fits.allowed.front().thread->size, "M10");
   const Pose turned = screwed(nut.rule(), nut.object.X_WB, 0.25 * kCoarsePitch);
   EXPECT_NEAR(angleBetween(turned.orientation, nut.object.X_WB.orientation), 0.5 * 3.14159265358979, 1e-9);
-  // By the right hand: a point beside the axis goes towards axis x arm.
+  // Right-handed: a point beside the axis moves in the direction axis x arm.
   const Vector3 arm = nut.rule().axis_W.unitOrthogonal();
   const Vector3 before = nut.rule().point_W + arm;
   const Vector3 after = turned * (inverse(nut.object.X_WB) * before);
@@ -77,8 +77,7 @@ TEST(ThreadRule, AScrewAdvancesByItsPitchWithEachTurn) {
   EXPECT_NEAR((after - expected).norm(), 0.0, 1e-9);
 }
 
-/// Many turns are proved as one motion: only where they are the rule's, and the whole object is clear beyond the
-/// thread.
+/// Many turns are proved as one motion only where they are the rule's, and the whole object is clear beyond the thread.
 TEST(ThreadRule, AScrewMotionOfManyTurnsIsProvedAtOnceWhereTheRulePermitsIt) {
   RandomStream random(5, "at once");
   const NutOnBolt nut(random, true);
@@ -120,7 +119,7 @@ TEST(ThreadRule, ManyTurnsAreCertifiedAndAPullIsNot) {
     const NutOnBolt parts(random, nutMoves, settings);
     constexpr double kTurnsOut = 3.0;
     ASSERT_EQ(parts.parts.fits.allowed.size(), 1U);
-    // The rule's axis may run either way.
+    // The rule's axis may have either direction.
     const double sense = (nutMoves ? -1.0 : 1.0) * (parts.rule().axis_W.dot(parts.axis) > 0.0 ? 1.0 : -1.0);
     const std::vector<Pose> out = parts.turning(sense * kTurnsOut, kCoarsePitch, 16 * static_cast<int>(kTurnsOut));
     EXPECT_TRUE(parts.planned(out));
@@ -161,7 +160,7 @@ TEST(ThreadRule, OnlyThePitchOfTheThreadIsAllowed) {
   EXPECT_FALSE(other.planned(other.turning(2.0, 0.002, 40)));
 }
 
-/// A turn forwards and then a pull by a whole pitch ends on the thread, too.
+/// A turn forwards followed by a pull by a whole pitch ends on the thread, too.
 TEST(ThreadRule, APullByAWholePitchIsRefused) {
   RandomStream random(4, "whole pitch");
   const NutOnBolt nut(random, true);

@@ -41,7 +41,7 @@ TEST(AttributeTable, AddsWhatIsSoundAndKeepsTheOrder) {
   const std::size_t builtIn = table.definitions().size();
   ASSERT_TRUE(table.add(definitionOf(AttributeType::Choice)));
   AttributeDefinition second = definitionOf(AttributeType::Bool);
-  second.owner = AttributeOwner::Body;  // the same name, another owner
+  second.owner = AttributeOwner::Body;  // the same name for another owner
   ASSERT_TRUE(table.add(second));
   ASSERT_EQ(table.definitions().size(), builtIn + 2);
   EXPECT_EQ(table.definitions().back(), second);
@@ -115,7 +115,7 @@ TEST(CheckValue, AcceptsTheRightTypeInRangeOnly) {
   };
   for (const Row& row : rows) {
     const Outcome checked = checkValue(row.definition, row.value);
-    EXPECT_EQ(checked.ok(), row.sound) << toText(row.definition.type) << " " << toText(row.value);
+    EXPECT_EQ(checked.ok(), row.sound) << kAttributeTypeNames.of(row.definition.type) << " " << toText(row.value);
     if (!checked.ok()) {
       EXPECT_THAT(checked.error().reason, HasSubstr("'thing'"));
       EXPECT_FALSE(checked.error().advice.empty());
@@ -126,10 +126,11 @@ TEST(CheckValue, AcceptsTheRightTypeInRangeOnly) {
 TEST(AttributeType, NamesAreFoundAgainAndValuesAreReadable) {
   for (const AttributeType type : {AttributeType::Bool, AttributeType::Integer, AttributeType::Number,
                                    AttributeType::Text, AttributeType::Choice}) {
-    EXPECT_EQ(attributeTypeByName(toText(type)), type);
-    EXPECT_TRUE(checkValue(definitionOf(type, 2, 4), initialValue(definitionOf(type, 2, 4))).ok()) << toText(type);
+    EXPECT_EQ(kAttributeTypeNames.find(kAttributeTypeNames.of(type)), type);
+    EXPECT_TRUE(checkValue(definitionOf(type, 2, 4), initialValue(definitionOf(type, 2, 4))).ok())
+        << kAttributeTypeNames.of(type);
   }
-  EXPECT_FALSE(attributeTypeByName("real"));
+  EXPECT_FALSE(kAttributeTypeNames.find("real"));
   EXPECT_EQ(toText(AttributeValue(true)), "yes");
   EXPECT_EQ(toText(AttributeValue(3.0)), "3");
   EXPECT_EQ(toText(AttributeValue(0.25)), "0.25");

@@ -45,15 +45,15 @@ TEST(ChangedBoxes, OfABoxThatTurnsAboutAnAxisHoldAllButItsFacesAcross) {
 
 TEST(ChangedBoxes, OfAnOpenSheetAreWhereItsRimGoes) {
   const std::vector<Box3> boxes = changedBy(sheet(), {0.25, 0, 0});
-  ASSERT_EQ(boxes.size(), 2U);  // at x = 0 and x = 1; neither the diagonal nor what slides along itself
+  ASSERT_EQ(boxes.size(), 2U);  // at x = 0 and x = 1; neither the diagonal nor the edges that slide along themselves
   for (const Box3& box : boxes) EXPECT_EQ(box.sizes(), Vector3(0.25, 1, 0));
 }
 
 TEST(ChangedBoxes, AnEdgeIsNoRimWhereTrianglesLieOnBothItsSides) {
   TriangleMesh mesh = sheet();
-  std::swap(mesh.triangles[1][1], mesh.triangles[1][2]);  // turned over, still on the other side
+  std::swap(mesh.triangles[1][1], mesh.triangles[1][2]);  // turned over, with the same neighbour side
   EXPECT_EQ(changedBy(mesh, {0.25, 0, 0}).size(), 2U);
-  mesh.vertices[3] = {1, 0.5, 0.5};  // folded onto the other triangle: the diagonal is a rim now
+  mesh.vertices[3] = {1, 0.5, 0.5};  // folded onto the other triangle, so that the diagonal is a rim
   EXPECT_EQ(changedBy(mesh, {0.25, 0, 0}).size(), 4U);
 }
 

@@ -12,13 +12,13 @@
 namespace glissade {
 namespace {
 
-constexpr int kDepth = 4;  // cells of 1/16: exact in binary
+constexpr int kDepth = 4;  // cells of 1/16, which is exact in binary
 const CellFrame kFrame{Vector3::Zero(), 1.0};
 constexpr double kSize = 1.0 / 16;
 
 using Index = std::array<std::uint32_t, 3>;
 
-/// In whole cells.
+/// A box with corners in whole cells.
 TriangleMesh boxOfCells(const Vector3& first, const Vector3& last) {
   return test::boxBetween(kSize * first, kSize * last);
 }
@@ -60,7 +60,7 @@ CellRuns cellsBetween(const Index& first, const Index& last) {
 TEST(Coverage, ABoxAlignedWithTheCellsOccupiesExactlyItsCells) {
   const TriangleMesh box = boxOfCells({2, 1, 4}, {5, 3, 8});
   EXPECT_EQ(coverageOf(box, true, kFrame, kDepth), cellsBetween({2, 1, 4}, {5, 3, 8}));
-  // Its surface alone merely touches cells.
+  // Its surface alone only touches cells.
   EXPECT_TRUE(coverageOf(box, false, kFrame, kDepth).empty());
 }
 

@@ -48,7 +48,7 @@ TEST(EnvironmentModel, TwoRoomsMeetTheirHoleInTwoBorders) {
     EXPECT_TRUE(place.passage);
     EXPECT_EQ(place.axis, 0);
     EXPECT_NEAR(place.narrowness, 0.25, 1e-6);
-    EXPECT_GE(place.complexity, 3);  // a quarter of the rooms' 1 m
+    EXPECT_GE(place.complexity, 3);  // a quarter of the rooms' width of 1 m
     for (const Border& border : map.borders) {
       EXPECT_TRUE(border.placeA == hole || border.placeB == hole);
       EXPECT_LT(border.placeA, border.placeB);
@@ -84,7 +84,7 @@ TEST(EnvironmentModel, MobileBodiesClutterPlacesButDoNotShapeThem) {
   EXPECT_GT(empty->clearance[inTheCrate], 0.0);
 }
 
-/// Everything that may differ between two models of the same bodies.
+/// Compares all properties of two models of the same bodies.
 void expectSame(const EnvironmentModel& a, const EnvironmentModel& b) {
   EXPECT_TRUE(*a.octree == *b.octree);
   EXPECT_EQ(a.space.kinds, b.space.kinds);
@@ -131,7 +131,7 @@ TEST(EnvironmentModel, UpdatedKeepsItsPlacesWhereOnlyMobileBodiesMoved) {
   EXPECT_EQ((*after)->map.placeOf, before->map.placeOf);
   EXPECT_EQ((*after)->octree->depth(), before->octree->depth());
 
-  bodies.front().X_WB.position.y() -= 0.1;  // the hole becomes wider
+  bodies.front().X_WB.position.y() -= 0.1;  // makes the hole wider
   const auto wider = updateEnvironment(**after, bodies, test::twoRooms(), options);
   ASSERT_TRUE(wider.ok());
   EXPECT_NE((*wider)->map.placeOf, before->map.placeOf);

@@ -48,14 +48,14 @@ TEST(BoxesOfCells, CoverTheCellsAndNothingElse) {
   }
 }
 
-/// A motion along the plane between two cells of a place is inside of the place.
+/// A motion along the plane between two cells of a place is inside the place.
 TEST(BoxesOfCells, HoldWhatIsBetweenNeighbours) {
   const CellGrid grid = smallGrid();
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const auto cells = someCells(grid, 0.8, seed);
     const auto boxes = boxesOfCells(grid, cells);
     const std::set<std::size_t> wanted(cells.begin(), cells.end());
-    // Corners of cells: inside where all eight cells about them are.
+    // A corner of cells is inside if all eight cells around it are.
     for (int x = 1; x < grid.counts[0]; ++x) {
       for (int y = 1; y < grid.counts[1]; ++y) {
         for (int z = 1; z < grid.counts[2]; ++z) {

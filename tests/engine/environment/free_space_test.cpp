@@ -17,7 +17,7 @@ FreeSpace emptySpace(const std::array<int, 3>& counts) {
   return space;
 }
 
-/// Nearest closed cell, or cell just outside the workspace, by asking all.
+/// Distance to the nearest closed cell, or cell just outside the workspace, by testing all.
 double nearestClosed(const FreeSpace& space, std::size_t cell, bool mobileToo) {
   const auto closed = [&](std::size_t other) {
     return space.kinds[other] == CellKind::Static || (mobileToo && space.kinds[other] == CellKind::Mobile);

@@ -1,4 +1,4 @@
-// Moving a body gives the same octree as building it afresh.
+// Moving a body gives the same octree as building it anew.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -35,8 +35,8 @@ TEST_P(OctreeMoves, EqualAFreshOctreeAfterEveryMove) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, OctreeMoves, testing::Range(1, 7));
 
-/// Shapes with faces across the axes: a box, two that overlap, an open box, a sheet that is folded over,
-/// a cylinder and a wedge.
+/// Shapes with faces perpendicular to the axes: a box, two that overlap, an open box, a sheet that is folded over, a
+/// cylinder and a wedge.
 std::vector<TriangleMesh> shapesOnTheAxes() {
   TriangleMesh overlapping = test::boxBetween({0, 0, 0}, {0.25, 0.125, 0.1});
   append(overlapping, test::boxBetween({0.1, 0, 0}, {0.2, 0.3, 0.1}));
@@ -52,7 +52,7 @@ std::vector<TriangleMesh> shapesOnTheAxes() {
   return {makeBox({0.25, 0.3, 0.2}), overlapping, open, folded, makeCylinder(0.1, 0.3, 12), wedge};
 }
 
-/// Along an axis by any length, by whole cells, in a plane, or turned about an axis.
+/// A pose moved along an axis by any length, by whole cells, in a plane, or turned about an axis.
 Pose slid(const Pose& X_WB, RandomStream& stream) {
   Pose moved = X_WB;
   const int axis = static_cast<int>(stream.uniform(0, 3));

@@ -23,7 +23,7 @@ TEST(Octree, AnEmptyWorldIsOneFreeLeaf) {
 }
 
 TEST(Octree, CellsHaveTheThreeKindsAndTwoListsOfBodies) {
-  // A static and a mobile cube of one eighth each; a second mobile one in both of them.
+  // A static and a mobile cube of one eighth each, and a second mobile one that overlaps both.
   const Octree octree(
       {cube("static", Mobility::Static, {0, 0, 0}, 0.5), cube("mobile", Mobility::Mobile, {0.5, 0, 0}, 0.5),
        cube("both", Mobility::Mobile, {0.25, 0, 0}, 0.5)},
@@ -79,7 +79,7 @@ TEST(Octree, IsAsDeepAsTheCellSizeAsks) {
                          Row{1e-6, Octree::kDeepest}}) {
     EXPECT_EQ(Octree({}, kUnitCube, {row.cellSize, 0}).depth(), row.depth) << row.cellSize;
   }
-  // The longest edge of the workspace counts.
+  // The longest edge of the workspace determines the depth.
   EXPECT_EQ(Octree({}, Box3(Vector3::Zero(), Vector3(1, 4, 2)), {0.5, 0}).depth(), 3);
 }
 

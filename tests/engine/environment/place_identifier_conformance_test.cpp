@@ -1,4 +1,4 @@
-// Every way to divide the free space into places keeps the same contract.
+// Every place identifier keeps the same contract.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ std::vector<std::string> identifierIds() {
   return ids;
 }
 
-/// What an identifier is given, kept alive.
+/// Input of an identifier, with the data that it refers to.
 struct Input {
   FreeSpace space;
   std::vector<double> clearance;

@@ -1,4 +1,4 @@
-// The nine places of the second paper's shape game (figure 13) are found by every identifier.
+// Every identifier finds the nine places of paper 2's shape game (figure 13).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -64,7 +64,7 @@ TEST_P(ShapeGamePlaces, HolesAreNarrowPassagesAndOnlyP2IsCluttered) {
     const double complexity = hole ? 4.0 : name == "P4" ? 3.0 : 1.0;
     EXPECT_EQ(std::get<double>(semantic.ofPlace(place, "complexity").value), complexity) << name;
   }
-  // Inscribed circles of the tight preset (facts), good to a fifth of a cell.
+  // Inscribed circles of the tight preset, with a tolerance of a fifth of a cell.
   const auto narrowness = [&](const char* name) {
     return model->map.places[static_cast<std::size_t>(test::placeNamed(semantic, name))].narrowness;
   };

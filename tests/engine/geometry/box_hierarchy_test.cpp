@@ -19,7 +19,7 @@ std::vector<Box3> randomBoxes(RandomStream& stream, std::size_t count) {
     const Vector3 corner = randomCorner(stream, 1.0);
     boxes.emplace_back(corner, corner + randomCorner(stream, 0.1).cwiseAbs());
   }
-  if (count > 3) boxes[1] = boxes[2];  // equal ones
+  if (count > 3) boxes[1] = boxes[2];  // two equal boxes
   return boxes;
 }
 
@@ -67,7 +67,7 @@ TEST(BoxHierarchy, VisitsTheNearestFirstUpToTheDistanceThatIsReturned) {
       visited.push_back(k);
       return visited.size() < 20 ? std::numeric_limits<double>::infinity() : -0.0;
     });
-    // After the twentieth only boxes that contain the point are left.
+    // After the twentieth box only boxes that contain the point are accepted.
     ASSERT_GE(visited.size(), 20U);
     for (std::size_t k = 0; k < visited.size(); ++k) {
       ASSERT_EQ(visited[k], expected[k].second);

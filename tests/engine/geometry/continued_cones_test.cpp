@@ -19,7 +19,7 @@ struct Bolt {
   double radius = 0.0025;
   double chamfer = 0.0005;
   double length = 0.02;
-  Vector3 aside = Vector3::Zero();  ///< where the file says that the cone's axis is
+  Vector3 aside = Vector3::Zero();  ///< offset of the cone's axis in the file
 };
 
 /// An upright bolt whose upper end has a chamfer of two rows of triangles.
@@ -66,8 +66,8 @@ std::vector<double> ofCylinder(const TriangleMesh& mesh, double allowance) {
   return allowances;
 }
 
-/// Beyond the radius that the cylinder is thinned to, nothing remains of the chamfer; what is nearer to the axis stays.
-/// So says the planners' construction, and the judge's.
+/// No part of the chamfer remains beyond the radius of the thinned cylinder; the part nearer to the axis stays. The
+/// planners' construction and the judge's agree.
 TEST(ContinuedCones, AChamferGoesWhereItsCylinderGoes) {
   RandomStream random(11, "chamfers");
   for (int trial = 0; trial < 30; ++trial) {

@@ -11,7 +11,7 @@ namespace {
 
 using Triangle = std::array<Vector3, 3>;
 
-constexpr int kSamples = 60;  // along an edge
+constexpr int kSamples = 60;  // samples along an edge
 
 /// The least Chebyshev distance of the triangle's sampled points from `centre`.
 double nearestSample(const Triangle& t, const Vector3& centre) {
@@ -42,7 +42,7 @@ TEST(CubeIntersector, AgreesWithSampledPoints) {
   for (int trial = 0; trial < 3000; ++trial) {
     const Vector3 centre = randomPoint(stream, 1.0);
     const double half = stream.uniform(0.05, 0.6);
-    const double reach = trial % 2 == 0 ? 1.0 : 0.3;  // long ones that cut through, and small ones
+    const double reach = trial % 2 == 0 ? 1.0 : 0.3;  // long ones that pass through, and small ones
     const Vector3 about = centre + randomPoint(stream, 1.5 * half);
     const Triangle t{about + randomPoint(stream, reach), about + randomPoint(stream, reach),
                      about + randomPoint(stream, reach)};
@@ -66,7 +66,7 @@ TEST(CubeIntersector, OnlyTheInteriorCounts) {
   const Triangle onAFace{Vector3(1, -1, -1), Vector3(1, 3, -1), Vector3(1, 0.5, 3)};
   const Triangle onAnEdge{Vector3(1, 1, -1), Vector3(1, 1, 2), Vector3(2, 2, 0.5)};
   const Triangle onACorner{Vector3(1, 1, 1), Vector3(2, 1, 1), Vector3(1, 2, 2)};
-  const Triangle acrossACorner{Vector3(3, 0, 0), Vector3(0, 3, 0), Vector3(0, 0, 3)};  // x + y + z = 3
+  const Triangle acrossACorner{Vector3(3, 0, 0), Vector3(0, 3, 0), Vector3(0, 0, 3)};  // in the plane x + y + z = 3
   for (const Triangle& touching : {onAFace, onAnEdge, onACorner, acrossACorner}) {
     EXPECT_FALSE(CubeIntersector(touching).enters(centre, 0.5));
     EXPECT_TRUE(CubeIntersector(touching).enters(centre, 0.5 + 1e-6));

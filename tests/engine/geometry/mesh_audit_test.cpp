@@ -67,7 +67,7 @@ TEST(MeshAudit, SurfacesAreListedInTheOrderOfTheirFirstTriangles) {
 }
 
 TEST(MeshAudit, SplitVerticesCountAsOne) {
-  // As importers deliver them: every triangle with corners of its own.
+  // Importers deliver triangles with their own corners.
   const TriangleMesh box = makeBox(Vector3::Ones());
   TriangleMesh soup;
   for (const auto& triangle : box.triangles) {

@@ -11,7 +11,7 @@
 namespace glissade {
 namespace {
 
-/// With its sign: counter-clockwise seen against the normal is positive.
+/// Signed area: counter-clockwise seen against the normal is positive.
 double areaOf(const std::vector<Vector3>& polygon, const Vector3& normal) {
   Vector3 sum = Vector3::Zero();
   for (std::size_t i = 0; i < polygon.size(); ++i) sum += polygon[i].cross(polygon[(i + 1) % polygon.size()]);

@@ -15,7 +15,8 @@ namespace {
 using Kind = SurfaceFace::Kind;
 using Corners = std::array<Vector3, 3>;
 
-/// The nearest of many points of the profile that the axis turns: an oracle that knows no formula of the distance.
+/// Distance to the nearest of many points of the profile that the axis turns: an oracle without a formula of the
+/// distance.
 double distanceBySearch(const SurfaceFace& face, const Vector3& p) {
   const double height = (p - face.point).dot(face.axis);
   const double across = (p - face.point - height * face.axis).norm();
@@ -69,7 +70,7 @@ std::vector<SurfaceFace> kinds() {
           {Kind::Torus, Vector3::Zero(), Vector3::UnitZ(), 2.0, 0.5}};
 }
 
-/// With its corners on the surface or a little off it.
+/// A triangle with corners on the surface or a little off it.
 Corners triangleNear(const SurfaceFace& face, double size, RandomStream& random) {
   const double turn = random.uniform(-3.0, 3.0);
   const double t = random.uniform(-1.0, 1.0);
@@ -105,7 +106,7 @@ TEST(SurfaceDeviation, IsTheLargestDistanceOfManyPoints) {
         const double deviation = deviationFrom(face, corners);
         SCOPED_TRACE(testing::Message() << static_cast<int>(face.kind) << " " << size << " " << round);
         EXPECT_GE(deviation, largest - 1e-12);
-        // That of a torus is a bound made of samples. Triangles as large as the tube raise it by up to a sixth.
+        // The bound of a torus is made of samples. Triangles as large as the tube raise it by up to a sixth.
         const bool isTorus = face.kind == Kind::Torus;
         const double tooMuch = size > 0.5 ? 1.17 : 1.06;
         EXPECT_LE(deviation, (isTorus ? tooMuch : 1.005) * largest + 1e-12);

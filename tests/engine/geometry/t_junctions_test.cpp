@@ -8,7 +8,7 @@
 namespace glissade {
 namespace {
 
-/// A box whose upper face is divided into quarters, at points that are off their edges by so much.
+/// A box whose upper face is divided into quarters, at points that are `off` away from their edges.
 TriangleMesh boxWithDividedTop(double off) {
   TriangleMesh box = makeBox(Vector3(2.0, 2.0, 2.0));
   TriangleMesh mesh;

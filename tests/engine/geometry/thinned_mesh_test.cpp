@@ -14,7 +14,7 @@
 namespace glissade {
 namespace {
 
-/// Bodies with flat, round, hollow, thin and sharp places, somewhere in space.
+/// Bodies with flat, round, hollow, thin and sharp places, at random poses.
 std::vector<TriangleMesh> bodies(RandomStream& random) {
   TriangleMesh lump = makeSphere(0.02, 2);
   for (Vector3& vertex : lump.vertices) vertex *= 0.7 + 0.6 * random.uniform();
@@ -138,7 +138,7 @@ TEST(ThinnedMesh, WhatHasNoInsideCannotBeThinned) {
   EXPECT_FALSE(ThinnableMesh::of(turned)->thinned(0.001));
 }
 
-/// Allowances of the faces that look along z.
+/// Allowances for the faces that look along z.
 std::vector<double> ofTop(const TriangleMesh& mesh, double allowance) {
   std::vector<double> allowances;
   for (const TriangleIndices& t : mesh.triangles) allowances.push_back(faceNormal(mesh, t).z() > 0.5 ? allowance : 0.0);
@@ -182,7 +182,7 @@ TEST(ThinnedMesh, ASheetHasNoInside) {
   for (const TriangleIndices& t : sheet.triangles) {
     if (faceNormal(sheet, t).z() > 0.5) top.push_back(t);
   }
-  // Its middle, between sixteen times as many triangles, is far from its edges.
+  // Its middle, among sixteen times as many triangles, is far from its edges.
   TriangleMesh fine;
   for (int i = -2; i < 2; ++i) {
     for (int k = -2; k < 2; ++k) {
@@ -200,8 +200,8 @@ TEST(ThinnedMesh, ASheetHasNoInside) {
   EXPECT_FALSE(body && body->thinned(allowances));
 }
 
-/// Random bodies lose triangles; the rest is thinned or not. Where it is, what is left of the body is behind the true
-/// surface, as the whole body decides.
+/// Random bodies lose triangles, and the rest is thinned or refused. Where it is thinned, the whole body decides that
+/// the result is behind the true surface.
 TEST(ThinnedMesh, AnOpenBodyIsNeverLargerThanTheWholeOne) {
   RandomStream random(5, "open");
   int thinnedOnes = 0;

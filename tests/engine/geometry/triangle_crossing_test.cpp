@@ -9,7 +9,7 @@ namespace {
 
 const Triangle kFloor{Vector3(-1.0, -1.0, 0.0), Vector3(3.0, -1.0, 0.0), Vector3(-1.0, 3.0, 0.0)};
 
-/// Upright over the floor, with its lower edge at this height.
+/// An upright triangle over the floor, with its lower edge at this height.
 Triangle uprightAt(double height) {
   return {Vector3(0.0, 0.0, height), Vector3(1.0, 0.0, height), Vector3(0.5, 0.1, height + 1.0)};
 }

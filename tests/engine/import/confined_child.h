@@ -12,7 +12,7 @@
 
 namespace glissade::test {
 
-/// What a forked child wrote to kOutputDescriptor, and how it ended (a status of waitpid).
+/// The output of a forked child to kOutputDescriptor, and its end (a status of waitpid).
 struct ChildReport {
   std::string text;
   int status = 0;
@@ -21,7 +21,7 @@ struct ChildReport {
   int signal() const { return WIFSIGNALED(status) ? WTERMSIG(status) : 0; }
 };
 
-/// Writes to the parent. All six arguments are given: filters may look at those that a call does not have.
+/// Writes to the parent. All six arguments are given, because filters may examine arguments that a call does not have.
 inline void say(const std::string& text) {
   ::syscall(SYS_write, kOutputDescriptor, text.data(), text.size(), 0L, 0L, 0L);
 }
@@ -30,8 +30,8 @@ inline void say(const std::string& text) {
   while (true) ::syscall(SYS_exit_group, exitCode, 0L, 0L, 0L, 0L, 0L);
 }
 
-/// Runs `work` in a forked child with the descriptors of an importing process: an empty input, and
-/// kOutputDescriptor, to which `say` writes. The rest of the test program does not run in the child.
+/// Runs `work` in a forked child with the descriptors of an importing process: an empty input, and kOutputDescriptor,
+/// to which `say` writes. The rest of the test program does not run in the child.
 template <class Work>
 ChildReport reportOf(const Work& work) {
   std::array<int, 2> pipe{};

@@ -1,4 +1,4 @@
-// What a captured importing process would try.
+// Attacks that a captured importing process would try.
 #include "engine/import/confinement.h"
 
 #include <gmock/gmock.h>
@@ -40,7 +40,7 @@ struct Attack {
   const char* name;
   long number;
   std::array<long, 6> arguments;
-  bool harmless = false;  ///< succeeds without the filter, and does nothing that lasts
+  bool harmless = false;  ///< it succeeds without the filter, and has no lasting effect
 };
 
 template <class T>
@@ -159,7 +159,8 @@ std::string outcomeOf(const Attack& attack) {
 
 class Confinement : public testing::Test {
  protected:
-  /// Tries every attack, or every harmless one, in a child: its names with another outcome than expected.
+  /// Tries every attack, or every harmless one, in a child; returns the names of those with another outcome than
+  /// expected.
   std::string attacksThatAreNot(const std::string& expected, bool confined) const {
     const pid_t parent = ::getpid();
     const ChildReport report = reportOf([&] {
@@ -266,7 +267,7 @@ TEST_F(Confinement, DiesWithItsParent) {
   EXPECT_EQ(report.text, "confined");
 }
 
-/// From here on the kernel refuses this call with EPERM, as in a container that does not permit it.
+/// From this call on the kernel refuses `call` with EPERM, as in a container that does not permit it.
 void refuse(int call, std::initializer_list<scmp_arg_cmp> conditions = {}) {
   scmp_filter_ctx filter = ::seccomp_init(SCMP_ACT_ALLOW);
   const std::vector<scmp_arg_cmp> list(conditions);
@@ -275,7 +276,7 @@ void refuse(int call, std::initializer_list<scmp_arg_cmp> conditions = {}) {
   ::seccomp_release(filter);
 }
 
-/// The first argument of the call has this value. The macro of libseccomp is C.
+/// The condition that the first argument of a call has this value. The macro of libseccomp is C.
 scmp_arg_cmp firstIs(scmp_datum_t value) { return {0, SCMP_CMP_EQ, value, 0}; }
 
 void refuseFilters() {

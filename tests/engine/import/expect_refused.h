@@ -8,8 +8,8 @@
 
 namespace glissade::test {
 
-/// Expects that a mesh file of this name and content is refused as malformed, by its name, for this reason and with
-/// advice. Gives the place in the file that the error names.
+/// Expects that a mesh file with this name and content is refused as malformed, with its name, this reason and advice.
+/// Returns the place in the file that the error names.
 inline std::string placeOfRefusal(const std::string& name, const std::string& content, const std::string& reason) {
   const TemporaryFolder folder;
   const std::string file = folder.write(name, content);

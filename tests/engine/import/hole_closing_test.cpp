@@ -11,7 +11,7 @@
 namespace glissade {
 namespace {
 
-/// Without the triangles whose corners are all there.
+/// The mesh without the triangles whose corners all satisfy `there`.
 template <class There>
 TriangleMesh without(TriangleMesh mesh, There there) {
   std::erase_if(mesh.triangles, [&](const TriangleIndices& t) {

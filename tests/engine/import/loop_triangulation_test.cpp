@@ -17,7 +17,7 @@ double coveredArea(const std::vector<PlanePoint>& points, const std::vector<Tria
   return area;
 }
 
-/// Each side of a loop is the side of one triangle; all others have a triangle on either side.
+/// Expects that each side of a loop is the side of one triangle, and that all others have a triangle on either side.
 void expectBoundary(const std::vector<PlaneLoop>& loops, const std::vector<TriangleIndices>& triangles) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
   for (const TriangleIndices& t : triangles) {
@@ -35,7 +35,7 @@ void expectBoundary(const std::vector<PlaneLoop>& loops, const std::vector<Trian
   for (const auto& [side, count] : sides) EXPECT_EQ(count, 0) << side.first << " " << side.second;
 }
 
-/// Counter-clockwise where `turn` is 1, clockwise where it is -1.
+/// Adds a circle, counter-clockwise if `turn` is 1, clockwise if it is -1.
 PlaneLoop addCircle(const PlanePoint& middle, double radius, int turn, std::vector<PlanePoint>& points) {
   constexpr int kParts = 40;
   PlaneLoop loop;

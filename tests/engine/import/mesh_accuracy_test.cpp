@@ -107,7 +107,7 @@ TEST(MeshAccuracy, CoordinatesAreTheFilesOrWithinTheirSpacing) {
   }
 }
 
-/// Counts by a second reader that looks for keywords only.
+/// A second reader, which only searches keywords, gives the expected counts.
 TEST(MeshAccuracy, NoTriangleOfTwoHundredFilesIsMissing) {
   RandomStream random(9, "differential");
   for (int i = 0; i < 200; ++i) {

@@ -19,7 +19,7 @@ using test::TemporaryFolder;
 /// A box 1 x 2 x 3 with its least corner at (1, 1, 1): no symmetry hides a wrong axis.
 TriangleMesh testBox() { return transformed(makeBox({1, 2, 3}), Pose::translation({1.5, 2.0, 2.5})); }
 
-/// The box as assimp holds it; owned by the scene that is returned.
+/// The box in the structures of assimp; owned by the returned scene.
 std::unique_ptr<aiScene> toAssimp(const TriangleMesh& mesh) {
   auto scene = std::make_unique<aiScene>();
   scene->mRootNode = new aiNode("root");
@@ -78,7 +78,7 @@ INSTANTIATE_TEST_SUITE_P(All, ImportedFormat,
                                          Format{"collada", "dae"}, Format{"glb2", "glb"}),
                          [](const auto& format) { return std::string(format.param.exporter); });
 
-/// A tetrahedron as OBJ; the material file must not matter.
+/// A tetrahedron as OBJ; its material file has to be ignored.
 constexpr const char* kTetrahedronObj =
     "mtllib ../../etc/passwd\nv 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 3\nusemtl steel\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
 
@@ -103,11 +103,11 @@ TEST(MeshImport, TheMeanCountsEveryImportedVertex) {
   const TemporaryFolder folder;
   const Result<ImportedMesh> imported = importMesh(folder.write("tetrahedron.obj", kTetrahedronObj));
   ASSERT_TRUE(imported.ok());
-  // Split by flat normals each corner comes three times; the mean is that of the four corners.
+  // Flat normals split each corner in three; the mean is that of the four corners.
   EXPECT_TRUE(imported->vertexMean.isApprox(Vector3(0.25, 0.5, 0.75), 1e-6));
 }
 
-/// Millimetres and Z-up, as a CAD program writes it.
+/// A Collada file in millimetres with Z up, as a CAD program writes it.
 std::string collada(const std::string& nodeMatrix) {
   return R"(<?xml version="1.0"?>
 <COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">

@@ -24,7 +24,7 @@ const std::string kPlyHead =
     "property double z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
 
 struct Loss {
-  const char* name;  ///< of the file
+  const char* name;  ///< name of the file
   std::string content;
   const char* place;
   const char* reason;
@@ -110,9 +110,9 @@ TEST(MeshLoss, NoTruncationLosesATriangleSilently) {
       SCOPED_TRACE(testing::Message() << static_cast<int>(format) << ": " << cut.size() << " of " << whole.size());
       const auto imported = importMesh(folder.write("part." + endingOf(format), cut));
       if (!imported || imported->mesh.triangles.size() == 24U) continue;
-      // A text STL says nowhere how many solids it holds.
+      // A text STL does not state how many solids it contains.
       const bool wholeSolid = format == MeshFormat::TextStl && imported->mesh.triangles.size() == 12U;
-      // An OBJ says nowhere how much it holds: a cut between two of its lines cannot be seen.
+      // An OBJ does not state its length: a cut between two of its lines cannot be detected.
       const bool wholeLines = endingOf(format) == "obj" && (cut.back() == '\n' || cut.back() == '\r');
       EXPECT_TRUE(wholeSolid || wholeLines || !imported->warnings.empty());
     }

@@ -16,9 +16,9 @@ namespace {
 using test::TemporaryFolder;
 
 struct MalformedMeshFile {
-  const char* name;  ///< of the file
+  const char* name;  ///< name of the file
   std::string content;
-  const char* reason;  ///< what the message must say
+  const char* reason;  ///< text that the message has to contain
 };
 
 /// 100 bytes that claim two gigabytes of triangles.
@@ -91,7 +91,7 @@ TEST(MalformedMesh, DamagedFilesNeverReachThisProcess) {
   }
 }
 
-/// An array of Collada that says it has 1.6 GB of numbers, which the importer reserves at once.
+/// A Collada array that claims 1.6 GB of numbers, for which the importer reserves memory at once.
 std::string lyingCollada() {
   return R"(<?xml version="1.0"?><COLLADA version="1.4.1"><library_geometries><geometry id="g"><mesh>
     <source id="s"><float_array id="a" count="400000000">0 0 0 1 0 0 0 1 0</float_array><technique_common>
@@ -102,7 +102,7 @@ std::string lyingCollada() {
     </mesh></geometry></library_geometries></COLLADA>)";
 }
 
-/// A strip of so many triangles.
+/// A strip of this number of triangles.
 std::string stripObj(int triangles) {
   std::string content;
   for (int i = 0; i < triangles + 2; ++i) {
@@ -123,7 +123,7 @@ double importersPeakMegabytes() {
 
 TEST(MalformedMesh, MemoryIsBounded) {
   const TemporaryFolder folder;
-  // A good file of some megabytes: the importer runs, and its memory is seen here.
+  // A good file of some megabytes: the importer runs, and its memory is measured here.
   const Result<ImportedMesh> good = importMesh(folder.write("strip.obj", stripObj(50'000)));
   ASSERT_TRUE(good.ok()) << toString(good.error());
   EXPECT_EQ(good->mesh.triangles.size(), 50'000U);

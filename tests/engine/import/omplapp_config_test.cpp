@@ -23,7 +23,7 @@ TEST(OmplApp, IsReadAsOmplAppReadsIt) {
   EXPECT_EQ(config->name, "Test");
   EXPECT_EQ(config->start.position, Vector3(1, 2, 3));
   EXPECT_TRUE((config->start.orientation * Vector3::UnitX()).isApprox(Vector3::UnitY(), 1e-12));
-  EXPECT_EQ(config->volume.max().x(), 20.0);  // grown to contain the goal
+  EXPECT_EQ(config->volume.max().x(), 20.0);  // extended to contain the goal
   EXPECT_EQ(config->volume.min().x(), -5.0);
 }
 

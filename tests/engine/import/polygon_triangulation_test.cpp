@@ -24,7 +24,8 @@ double areaOf(const std::vector<Vector3>& polygon, const TriangleIndices& triang
   return areaOf({polygon[triangle[0]], polygon[triangle[1]], polygon[triangle[2]]});
 }
 
-/// In z = 0: every triangle is counter-clockwise, and together they have the area of the polygon.
+/// Expects, in the plane z = 0, that every triangle is counter-clockwise, and that together they have the polygon's
+/// area.
 void expectCovers(const std::vector<Vector3>& polygon) {
   const auto triangles = triangulatePolygon(polygon);
   ASSERT_TRUE(triangles.has_value());

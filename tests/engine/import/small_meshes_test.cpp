@@ -15,7 +15,7 @@ FileContent box(int number) {
 
 TEST(SmallMeshes, AreWhatTheyAreAlone) {
   std::vector<FileContent> files;
-  for (int i = 0; i < 150; ++i) files.push_back(box(i));  // of more than two processes
+  for (int i = 0; i < 150; ++i) files.push_back(box(i));  // more files than two processes read
   files.push_back({"last.obj", box(0).bytes + "g lid\n# the end"});
   const auto meshes = importSmallMeshes(files);
   ASSERT_EQ(meshes.size(), files.size());
@@ -47,7 +47,7 @@ TEST(SmallMeshes, ABrokenFileCostsTheOthersNothing) {
   }
 }
 
-/// As where the process ends early for another reason.
+/// Simulates a process that ends early.
 TEST(SmallMeshes, WhatIsNotAnsweredIsLeftToBeReadAlone) {
   StopSource source;
   source.requestStop();

@@ -36,7 +36,7 @@ std::vector<std::string> pathsOf(const StepProduct& product) {
   return paths;
 }
 
-/// The product whose parts are in files of their own, in a folder of its own.
+/// A product with its parts in separate files, in a temporary folder.
 class SplitProduct : public testing::Test {
  protected:
   SplitProduct() {
@@ -158,7 +158,7 @@ TEST_F(SplitProduct, NamesOfAnotherMachineAreLookedForBesideTheFile) {
   EXPECT_EQ(below->parts.size(), 5U);
 }
 
-/// Files that exist by name only, and what each of them holds.
+/// Files that exist by name only, with their content.
 class ComposedFiles : public testing::Test {
  protected:
   StepAnswer& add(const std::string& name) {
@@ -263,7 +263,7 @@ TEST_F(ComposedFiles, ManyMissingFilesAreCounted) {
 
 Box3 placedBox(const Occurrence& part) { return boundingBox(*part.mesh, part.X_FP); }
 
-/// The triangles are in the planes of their faces, and look the same way.
+/// Expects that the triangles are in the planes of their faces, with the same orientation.
 void expectPlanes(const TriangleMesh& mesh) {
   ASSERT_EQ(mesh.faces.size(), 6U);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -274,7 +274,7 @@ void expectPlanes(const TriangleMesh& mesh) {
   }
 }
 
-/// `linear`: of the transformation that is to be read.
+/// `linear`: linear part of the expected transformation.
 void expectSecondBox(const SecondPart& second, const Eigen::Matrix3d& linear) {
   const TemporaryFolder folder;
   const auto product = importStep(folder.write("two.step", partTwice(second, "box.step")), 0.0);
@@ -296,7 +296,7 @@ void expectSecondBox(const SecondPart& second, const Eigen::Matrix3d& linear) {
   EXPECT_NEAR(worth.volume, expected.volume(), 1e-9 * expected.volume()) << "below zero: inside out";
 }
 
-/// OpenCASCADE 7.6 would give the part as it is, and a path past it would be proved.
+/// OpenCASCADE 7.6 would give the part untransformed, and a path past it would be proved.
 TEST(StepMirror, AnInstanceIsMirroredAndScaledAsTheFileSays) {
   const auto matrix = [](const Vector3& x, const Vector3& y, const Vector3& z) {
     Eigen::Matrix3d columns;
@@ -319,7 +319,7 @@ TEST(StepMirror, AnInstanceIsMirroredAndScaledAsTheFileSays) {
   turned.z = "0.,-1.,0.";
   turned.scale = "0.5";
   expectSecondBox(turned, 0.5 * matrix(-z, -x, -y));
-  // The axes of the mapping are y, z and x of the box. They come to lie on x, -y and z.
+  // The axes of the mapping are y, z and x of the box. They are mapped to x, -y and z.
   SecondPart mapped;
   mapped.y = "0.,-1.,0.";
   mapped.mappedX = "0.,1.,0.";

@@ -25,7 +25,7 @@ StepProduct read(const std::string& file, double deflection = 0.0) {
   return product ? std::move(*product) : StepProduct();
 }
 
-/// The surfaces of faces.step, metres: the file's text is not asked.
+/// The surfaces of faces.step, metres; independent of the file's text.
 SurfaceFace expectedIn(std::size_t part) {
   const Vector3 point(0.005, -0.003, 0.007);
   const Vector3 axis = Vector3(1, 2, 3).normalized();
@@ -48,7 +48,7 @@ void expectSame(const SurfaceFace& face, const SurfaceFace& expected) {
   }
 }
 
-/// The largest value of many points of a triangle.
+/// The largest value at many points of a triangle.
 template <class Function>
 double largestOf(const TriangleMesh& mesh, std::size_t triangle, const Function& of) {
   constexpr int kParts = 12;
@@ -63,7 +63,7 @@ double largestOf(const TriangleMesh& mesh, std::size_t triangle, const Function&
   return largest;
 }
 
-/// The largest distance of the triangles of each face, where `distance` is that of a point from it.
+/// The largest distance of the triangles of each face; `distance` gives that of a point.
 template <class Function>
 std::vector<double> measured(const TriangleMesh& mesh, const Function& distance) {
   std::vector<double> largest(mesh.faces.size(), 0.0);
@@ -102,7 +102,7 @@ TEST(StepFaces, AreWhatTheFileStatesAndTheirDeflectionIsThatOfTheirTriangles) {
   }
 }
 
-/// To first order, which is enough here: the triangles are near.
+/// Distance to first order, which is sufficient because the triangles are near.
 double distanceFromEllipsoid(const Vector3& p) {
   const Vector3 axes(0.030, 0.020, 0.010);
   const Vector3 q = (p - Vector3(0.001, 0.002, 0.003)).cwiseQuotient(axes);
@@ -137,7 +137,7 @@ TEST(StepFaces, PlanesHaveNoDeflectionAndLookOutwards) {
   }
 }
 
-/// The bore of the plate has chords whose sagitta is known.
+/// The chords of the bore have a known sagitta.
 TEST(StepFaces, ABoreIsAsFarOffAsTheSagittaOfItsChords) {
   const TriangleMesh mesh = *read(stepFile("plate.step"), 1e-3).parts.at(0).mesh;
   const auto bore = std::find_if(mesh.faces.begin(), mesh.faces.end(),

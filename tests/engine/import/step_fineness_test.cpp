@@ -13,8 +13,8 @@ namespace {
 
 using test::stepFile;
 
-/// About an axis along z: most of the distances of the middles of edges from a cylinder, of its triangles, which reach
-/// from one end to the other. Independent of what the import says of its faces.
+/// Largest distance of the middles of edges from a cylinder along z, for its triangles, which extend from one end to
+/// the other. Independent of the faces by the import.
 double deviationAt(const TriangleMesh& mesh, const Vector3& axis, double radius) {
   const auto distance = [&](const Vector3& point) { return std::hypot(point.x() - axis.x(), point.y() - axis.y()); };
   double most = -1.0;
@@ -44,7 +44,7 @@ std::map<std::string, Occurrence> closeFits(double deflection = 0.0) {
   return parts;
 }
 
-/// Deflection in radii, of fine faces at most and of others at least.
+/// Deflections in radii: the largest of fine faces and the least of other faces.
 constexpr double kFine = 0.0031;
 constexpr double kCoarse = 0.0035;
 
@@ -79,7 +79,7 @@ TEST(StepFineness, SolidsWithFineFacesAreClosed) {
   }
 }
 
-/// A person who states the deflection gets that one.
+/// A deflection that a person states is used.
 TEST(StepFineness, AStatedDeflectionHoldsForAllFaces) {
   const auto parts = closeFits(2e-4);
   EXPECT_GT(deviationAt(*parts.at("plate").mesh, {-0.08, 0, 0}, 0.008), kCoarse * 0.008);

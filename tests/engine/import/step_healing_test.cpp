@@ -32,7 +32,7 @@ double surfaceAreaOf(const TriangleMesh& mesh) {
   return area;
 }
 
-/// Closed, consistently oriented, and within deflection times area of the true volume (cubic millimetres).
+/// Expects a closed, consistently oriented mesh within deflection times area of the true volume (cubic millimetres).
 void expectSolid(const Occurrence& part, double volume) {
   const MeshAudit result = audit(*part.mesh);
   EXPECT_TRUE(result.closed());
@@ -60,7 +60,7 @@ TEST(StepHealing, AConeWhoseSeamIsAtPiIsTriangulatedAndTold) {
   }
 }
 
-/// The deflection of the new triangles is measured, and kept where the polygons of the neighbours permit it.
+/// The deflection of the new triangles is measured, and kept if the polygons of the neighbours permit it.
 TEST(StepHealing, TheConeIsWithinItsDeflection) {
   for (const double asked : {1e-4, 5e-6}) {
     SCOPED_TRACE(asked);
@@ -101,7 +101,7 @@ TEST(StepHealing, SaysTheSameTwice) {
   }
 }
 
-/// The sample holds a plate and a unit of two, with volume, area and centroid.
+/// The sample contains a plate and a unit of two, with volume, area and centroid.
 TEST(StepValidation, WhatTheFileStatesAgreesWithTheTriangles) {
   EXPECT_TRUE(readSample("validated.step").warnings.empty());
   EXPECT_TRUE(readSample("validated.step", 1e-4).warnings.empty()) << "coarse triangles are less exact, and say so";

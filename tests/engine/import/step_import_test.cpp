@@ -12,6 +12,7 @@
 #include "tests/engine/support/mapped_step.h"
 #include "tests/engine/support/step_files.h"
 #include "tests/engine/support/temporary_folder.h"
+#include "tests/step_files/step_text.h"
 
 namespace glissade {
 namespace {
@@ -45,7 +46,7 @@ std::vector<std::string> pathsOf(const std::vector<Occurrence>& parts) {
 Box3 boxInFile(const Occurrence& part) { return boundingBox(*part.mesh, part.X_FP); }
 
 TEST(StepImport, SolidsAreClosedAndTheirOutsideIsOutside) {
-  // Each with the volume of the true solid, mm³.
+  // Solids with their exact volumes, mm³.
   const double ball = 4.0 / 3.0 * std::numbers::pi * 25 * 25 * 25;
   const std::vector<std::pair<const char*, double>> solids{
       {"box.step", 100 * 50 * 20},
@@ -75,6 +76,31 @@ TEST(StepImport, TheFilesUnitIsHonoured) {
   EXPECT_EQ(onePart("box.step").unit, 0.001);
 }
 
+TEST(StepImport, CommonVolumesAreThoseOfTheSolids) {
+  test::StepText text;
+  const auto block = text.part("block", text.box({0, 0, 0}, {20, 20, 20}), "FACETED_BREP_SHAPE_REPRESENTATION");
+  const auto bar = text.part("bar", text.box({0, 0, 0}, {10, 8, 6}) + "," + text.box({0, 12, 0}, {10, 8, 6}),
+                             "FACETED_BREP_SHAPE_REPRESENTATION");
+  const auto empty = text.part("empty", "");
+  auto assembly = text.product("assembly");
+  text.define(assembly, text.representation(""));
+  text.place(assembly, block, {0, 0, 0});
+  text.place(assembly, bar, {19.25, 0, 0});            // 0.75 deep with both of its solids
+  text.place(assembly, bar, {40, 0, 0});               // apart
+  text.place(assembly, bar, {5, 5, 19.5}, {1, 0, 0});  // turned: its x is along z
+  text.place(assembly, empty, {0, 0, 0});
+  const test::TemporaryFolder folder;
+  const std::string file = folder.write("overlaps.step", text.str());
+  const auto volumes =
+      commonVolumes(file, {{"block", "bar"}, {"bar#2", "block"}, {"bar#3", "block"}, {"block", "no such part"}});
+  ASSERT_TRUE(volumes) << toString(volumes.error());
+  ASSERT_EQ(volumes->size(), 4U);
+  EXPECT_NEAR(volumes->at(0).value_or(0.0), 2 * 0.75 * 8 * 6 * kCubicMillimetre, 1e-15);
+  EXPECT_EQ(volumes->at(1), 0.0);
+  EXPECT_TRUE(volumes->at(2));
+  EXPECT_FALSE(volumes->at(3)) << "a part that is not there has no volume";
+}
+
 /// fits.step with another name for its bolt.
 Result<StepProduct> productWithBoltCalled(const std::string& name) {
   std::string text = stepText("fits.step");
@@ -92,7 +118,7 @@ struct ForeignName {
   bool isSure = true;
 };
 
-/// The standard allows ASCII with directives and, since its third edition, UTF-8; programs write more.
+/// The standard permits ASCII with directives and, since its third edition, UTF-8; programs write other encodings, too.
 TEST(StepImport, NamesAreReadInTheEncodingsThatProgramsWrite) {
   const std::vector<ForeignName> names{
       {"\\X2\\87BA9489\\X0\\", "\u87ba\u9489", ""},
@@ -179,8 +205,8 @@ TEST(StepImport, UsesKeepTheirNamesAndDesignatorsApart) {
   EXPECT_THAT(names, testing::IsSupersetOf({std::string("pin|x|X1"), std::string("pin|M8/2|X2")}));
 }
 
-/// OpenCASCADE gives products that share a shape one name, so that both were "stud" in earlier versions. A path of an
-/// earlier version means one part: "stud" is the pin, and the stud keeps its number.
+/// OpenCASCADE gives one name to products that share a shape, so that both were "stud" in earlier versions. A path of
+/// an earlier version means one part: "stud" is the pin, and the stud keeps its number.
 TEST(StepImport, AMappedProductHasItsOwnName) {
   const auto product = importStep(FileContent{"mapped.step", test::mappedStepText()}, 0.0);
   ASSERT_TRUE(product) << toString(product.error());

@@ -23,7 +23,7 @@ void expectRefused(const Result<StepProduct>& parts, const std::string& file, co
   EXPECT_FALSE(parts.error().advice.empty());
 }
 
-/// An error or parts that can be used; nothing else may come of any content.
+/// Expects an error, or usable parts; no content may have another result.
 void expectSane(const std::string& file) {
   const auto product = importStep(file, 0.0);
   if (!product) {
@@ -63,7 +63,7 @@ TEST(MalformedStep, GivesOneClearMessage) {
   expectRefused(importStep(folder / "gone.step", 0.0), folder / "gone.step", "No such file");
 }
 
-/// The text without the line that has this.
+/// The text without the line that contains `what`.
 std::string withoutLine(const std::string& text, const std::string& what) {
   const std::size_t at = text.find(what);
   const std::size_t begin = text.rfind('\n', at) + 1;
@@ -99,19 +99,19 @@ std::string repeated(const std::string& text, std::size_t count) {
   return result;
 }
 
-/// The box, with one more entity that nothing refers to.
+/// The box, with one more entity to which nothing refers.
 std::string boxWith(const std::string& entity) {
   return replaced(stepText("box.step"), "ENDSEC;\nEND-ISO", "#900000=" + entity + ";\nENDSEC;\nEND-ISO");
 }
 
-/// The entity's id, of the first whose text begins so.
+/// The id of the first entity whose text begins with `beginning`.
 std::string idOf(const std::string& text, const std::string& beginning) {
   const std::size_t at = text.find(beginning);
   const std::size_t begin = text.rfind('#', at);
   return text.substr(begin, text.find_first_of(" =", begin) - begin);
 }
 
-/// OpenCASCADE leaves out what a missing entity should have been: this box had five faces, and a warning only.
+/// OpenCASCADE leaves out objects of missing entities: this box had five faces, and only a warning.
 TEST(MalformedStep, AReferenceToNothingIsRefusedWithItsEntity) {
   const TemporaryFolder folder;
   const std::string box = stepText("box.step");
@@ -150,14 +150,14 @@ TEST(MalformedStep, EntitiesThatReferToEachOtherAreRefused) {
         "a.step", replaced(stepText("box.step"), "ENDSEC;\nEND-ISO", std::string(entities) + "\nENDSEC;\nEND-ISO"));
     expectRefused(importStep(file, 0.0), file, reason);
   }
-  // A sound public file has a representation among its own items.
+  // In a valid public file, a representation is among its own items.
   const std::string itself = "#900000=REPRESENTATION('',(#900000),$);";
   const auto sound = importStep(
       folder.write("b.step", replaced(stepText("box.step"), "ENDSEC;\nEND-ISO", itself + "\nENDSEC;\nEND-ISO")), 0.0);
   EXPECT_TRUE(sound.ok()) << toString(sound.error());
 }
 
-/// What is there and cannot be made is a warning that names it.
+/// An existing entity that cannot be made is a warning that names it.
 TEST(MalformedStep, AFaceThatIsLostIsToldWithItsEntityAndItsConsequence) {
   const TemporaryFolder folder;
   const std::string box = stepText("box.step");
@@ -275,7 +275,7 @@ TEST(MalformedStep, DamagedFilesNeverReachThisProcess) {
   for (int i = 0; i < 100; ++i) {
     std::string content = stepText(i % 2 == 0 ? "cylinder.STP" : "unit.step");
     for (int k = 0; k < 4; ++k) {
-      // As often a digit, which keeps the syntax and breaks what it says.
+      // Half of the changes write a digit, which keeps the syntax and changes a value.
       const char damage = static_cast<char>(k % 2 == 0 ? '0' + random.bits() % 10 : random.bits());
       content[random.bits() % content.size()] = damage;
     }
@@ -286,7 +286,7 @@ TEST(MalformedStep, DamagedFilesNeverReachThisProcess) {
 
 TEST(MalformedStep, AnAssemblyOfItselfHasAnEnd) {
   const TemporaryFolder folder;
-  // Whatever is used as a part of the unit is the unit itself.
+  // Any product that is used as a part of the unit is the unit.
   std::string text = stepText("unit.step");
   const std::size_t use = text.find("NEXT_ASSEMBLY_USAGE_OCCURRENCE");
   const std::size_t parent = text.find(",#", use);

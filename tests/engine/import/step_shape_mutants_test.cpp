@@ -1,4 +1,4 @@
-// One entity of a sound STEP file is removed, renamed or replaced: a body that goes is named, or the file is refused.
+// Removes, renames or replaces one entity of a valid STEP file: a missing body has to be named, or the file refused.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -84,7 +84,8 @@ Mutant mutantOf(const std::string& text, RandomStream& stream) {
   return {entity.all + " " + what, mutated};
 }
 
-/// Bodies by the name of their product: the last step of the path, or the one before where it counts the solids.
+/// Number of bodies by the name of their product: the last step of the path, or the one before if that numbers the
+/// solids.
 std::map<std::string, int> bodiesOf(const StepProduct& product) {
   std::map<std::string, int> counts;
   for (const Occurrence& part : product.parts) {
@@ -104,7 +105,7 @@ int totalOf(const std::map<std::string, int>& counts) {
   return total;
 }
 
-/// A body of the sound file that is nowhere, and of which nothing is said, nor of an assembly of it; empty: none.
+/// A body of the valid file that is missing and not named, nor an assembly that contains it; empty: none.
 std::string unnamedLoss(const std::map<std::string, int>& sound, const StepProduct& product) {
   const std::map<std::string, int> there = bodiesOf(product);
   if (totalOf(there) >= totalOf(sound)) return {};

@@ -1,4 +1,4 @@
-// Shapes of a STEP file that OpenCASCADE leaves out are read, or named.
+// Tests that shapes of a STEP file that OpenCASCADE leaves out are read, or named.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -40,7 +40,7 @@ const Occurrence* partNamed(const StepProduct& product, const std::string& path)
   return found == product.parts.end() ? nullptr : &*found;
 }
 
-/// A closed surface with this box in the frame of the file and this volume, in millimetres.
+/// Expects a closed surface with this box in the frame of the file and this volume, in millimetres.
 void expectBody(const StepProduct& product, const std::string& path, const Vector3& min, const Vector3& max,
                 double volume) {
   SCOPED_TRACE(path);
@@ -123,7 +123,7 @@ TEST(StepShapes, TessellatedShapesAreRead) {
   EXPECT_THAT(product.missing, IsEmpty());
   EXPECT_EQ(product.parts.size(), 6);
   expectBody(product, "solid", {100, 0, 0}, {120, 10, 5}, 1000);
-  // Its z is the file's x, its x the file's y, its y the file's z.
+  // The part's z is the file's x, its x the file's y, its y the file's z.
   expectBody(product, "shell", {1, 1, 1}, {5, 3, 4}, 24);
   expectBody(product, "inch", {0, 50, 0}, {25.4, 75.4, 25.4}, 25.4 * 25.4 * 25.4);
   expectBody(product, "inch#2", {0, 100, 0}, {25.4, 125.4, 25.4}, 25.4 * 25.4 * 25.4);
@@ -167,7 +167,7 @@ TEST(StepShapes, AFileWithTrianglesAloneIsRead) {
 
 TEST(StepShapes, MoreTrianglesThanAListOfOpenCascadeMayHaveAreRead) {
   constexpr int kSide = 330;  // squares along a side
-  constexpr int kRows = 3;    // of them with a triangle each
+  constexpr int kRows = 3;    // rows of squares with a triangle each
   StepText text;
   std::string points;
   std::string triangles;
@@ -267,7 +267,7 @@ TEST(StepShapes, WhatIsPlacedTwiceIsCountedTwice) {
   text.place(inner, part, {0, 0, 0});
   text.place(assembly, inner, {0, 0, 0});
   text.place(assembly, inner, {0, 9, 0});
-  // A use without its placement: OpenCASCADE drops it.
+  // A use without its placement, which OpenCASCADE drops.
   const auto box = text.part("box", text.box({0, 0, 0}, {1, 2, 3}));
   text.place(assembly, box, {5, 0, 0});
   text.add("NEXT_ASSEMBLY_USAGE_OCCURRENCE('','',''," + assembly.definition + "," + box.definition + ",$)");

@@ -1,4 +1,4 @@
-// Which system calls the filter of the importing processes permits: every number is tried.
+// Tests every number of a system call: the filter of the importing processes permits only the listed ones.
 #include <gtest/gtest.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
@@ -26,8 +26,8 @@ using test::say;
 
 /// Above the last number of kernel 6.x, with room.
 constexpr long kNumbers = 1024;
-/// uretprobe and uprobe: the kernel (6.11 and later) lets them pass every filter, since they only serve
-/// its own probes, and ends a process that makes them elsewhere with SIGILL.
+/// uretprobe and uprobe: the kernel (6.11 and later) lets them pass every filter, because only its probes use them, and
+/// ends a process that makes them elsewhere with SIGILL.
 bool passesEveryFilter(long number) { return number == 335 || number == 336; }
 
 /// The last argument of a call that must not run.
@@ -35,8 +35,8 @@ constexpr std::uint32_t kCookie = 0x5AFEC411;
 
 using Arguments = std::array<long, 5>;
 
-/// From here on no call with the cookie runs: the kernel answers ENOSYS where no later filter refuses
-/// the call (SECCOMP_RET_TRACE without a tracer). So a call that is permitted has no effect.
+/// From this call on no call with the cookie runs: the kernel answers ENOSYS unless a later filter refuses the call
+/// (SECCOMP_RET_TRACE without a tracer). A permitted call therefore has no effect.
 void preventCallsWithCookie() {
   std::array<sock_filter, 4> program{{
       BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, args[5])),
@@ -56,7 +56,7 @@ bool isPermitted(long number, const Arguments& a) {
   return errno == ENOSYS;
 }
 
-/// What a child says after it has loaded the filter, as numbers.
+/// The numbers that a child prints after it has loaded the filter.
 template <class Work>
 std::set<long> numbersFrom(const Work& work, bool filtered = true) {
   const ChildReport report = reportOf([&] {
@@ -132,7 +132,7 @@ TEST_F(SystemCalls, NoMemoryCanHoldNewCode) {
     });
   };
   EXPECT_EQ(protectionsOf(SYS_mmap, MAP_PRIVATE | MAP_ANONYMOUS), data);
-  EXPECT_EQ(protectionsOf(SYS_mmap, MAP_PRIVATE), std::set<long>{});  // of a file
+  EXPECT_EQ(protectionsOf(SYS_mmap, MAP_PRIVATE), std::set<long>{});  // mapping of a file
   EXPECT_EQ(protectionsOf(SYS_mprotect, 0), data);
   EXPECT_EQ(protectionsOf(SYS_pkey_mprotect, 0), std::set<long>{});
 }

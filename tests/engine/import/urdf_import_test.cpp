@@ -86,7 +86,7 @@ struct MalformedRobot {
   const char* reason;
 };
 
-/// Two joints between each link and the next: 2^60 ways from the root to the last.
+/// Two joints between each link and the next: 2^60 paths from the root to the last link.
 std::string chainOfPairs() {
   std::string content = link("l0", collision(kBox));
   for (int i = 1; i <= 60; ++i) {
@@ -110,7 +110,7 @@ std::string chain(int links) {
   return content;
 }
 
-/// 413 KB whose depth of 30,000 elements was hidden in attributes.
+/// 413 KB with a depth of 30,000 elements that attributes hid.
 std::string hiddenDepth() {
   std::string text = "<robot name=\"r\">";
   for (int i = 0; i < 30'000; ++i) text += "<a b=\"</a>\">";

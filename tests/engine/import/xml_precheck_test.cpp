@@ -23,7 +23,7 @@ TEST(XmlPrecheck, CountsLinksAndTheirShapesOnly) {
   EXPECT_EQ(facts->links, 2U);
 }
 
-/// Each hid a depth of 50,000 elements from a scanner that looks for '<' and '>' alone.
+/// Each text hid a depth of 50,000 elements from a scanner that only searches '<' and '>'.
 TEST(XmlPrecheck, NothingHidesADepth) {
   const std::vector<std::string> hiding{
       "<a>",

@@ -1,4 +1,4 @@
-// Properties of the pipeline between a device and the motion it makes.
+// Properties of the pipeline from a device to its motion.
 #include "engine/operator/device_shaping.h"
 
 #include <gtest/gtest.h>

@@ -54,7 +54,7 @@ void FakeSpacenavDaemon::serve() {
   }
 }
 
-/// Somebody who only tries whether we are here leaves at once.
+/// Accepts a client. A client that only tests the connection disconnects at once.
 void FakeSpacenavDaemon::acceptClient() {
   const int client = ::accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC);
   std::int32_t hello = 0;

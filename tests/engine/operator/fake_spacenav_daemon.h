@@ -11,14 +11,14 @@
 
 namespace glissade {
 
-/// What a stand-in for spacenavd does and does not do.
+/// Behaviour of a replacement for spacenavd.
 struct DaemonHabits {
-  bool accepts = true;      ///< false: it listens, and never takes a connection
-  bool shakesHands = true;  ///< false: silent
+  bool accepts = true;      ///< false: it listens, but accepts no connection
+  bool shakesHands = true;  ///< false: it sends no handshake
 };
 
-/// A stand-in for spacenavd on a socket of its own: answers the handshake of protocol 1 and questions
-/// for the mouse's name, and sends what the test wants. Its death is its destructor.
+/// A replacement for spacenavd on its own socket. It answers the handshake of protocol 1 and requests for the mouse's
+/// name, and sends the test's events. Its destructor ends it.
 class FakeSpacenavDaemon {
  public:
   explicit FakeSpacenavDaemon(std::string socketPath, DaemonHabits habits = {});
@@ -30,7 +30,7 @@ class FakeSpacenavDaemon {
   void sendMotion(int x, int y, int z, int rx = 0, int ry = 0, int rz = 0);
   void sendButton(int button, bool pressed);
   void sendBytes(const std::vector<unsigned char>& bytes);
-  /// Plugs a mouse in (by its name) or pulls it out, and tells the client.
+  /// Connects a mouse (by its name) or disconnects it, and notifies the client.
   void plug(const std::optional<std::string>& mouse);
 
  private:

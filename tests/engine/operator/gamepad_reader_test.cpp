@@ -1,4 +1,4 @@
-// The reader against SDL's virtual game controllers.
+// Tests the reader with SDL's virtual game controllers.
 #include "engine/operator/gamepad_reader.h"
 
 #include <SDL.h>
@@ -18,7 +18,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
-/// Plugged in while it lives.
+/// A virtual gamepad that is connected while this object lives.
 class VirtualPad {
  public:
   VirtualPad() {
@@ -49,7 +49,7 @@ class VirtualPad {
   SDL_Joystick* joystick_ = nullptr;
 };
 
-/// SDL's start and end are not made for threads: it is up before the reader begins and after it has ended.
+/// Starts SDL before the reader begins and ends it after the reader, because SDL's start and end are not thread-safe.
 struct SdlIsUp {
   SdlIsUp() { SDL_InitSubSystem(SDL_INIT_JOYSTICK); }
   ~SdlIsUp() { SDL_QuitSubSystem(SDL_INIT_JOYSTICK); }

@@ -8,7 +8,7 @@ namespace glissade {
 
 inline const Box3 kRoom(Vector3::Constant(-5.0), Vector3::Constant(5.0));
 
-/// A view of a tree that is as far away as the function says, with no obstacle near.
+/// A view of a tree whose distance the function gives, with no obstacle near.
 inline OperatorView viewOf(const Pose& q_device, std::function<double(const Pose&)> treeDistance) {
   return {q_device, OperatorFrame(), std::move(treeDistance), 0,
           [] { return std::numeric_limits<double>::infinity(); }};

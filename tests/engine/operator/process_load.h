@@ -9,7 +9,7 @@
 
 namespace glissade {
 
-/// Open files of this process.
+/// Number of open files of this process.
 inline std::ptrdiff_t openFiles() {
   return std::distance(std::filesystem::directory_iterator("/proc/self/fd"), std::filesystem::directory_iterator());
 }
@@ -17,7 +17,7 @@ inline std::ptrdiff_t openFiles() {
 /// Bytes that are allocated and not freed.
 inline std::ptrdiff_t allocatedBytes() { return static_cast<std::ptrdiff_t>(mallinfo2().uordblks); }
 
-/// So often something is done in a stress test: as usual, or GLISSADE_STRESS times.
+/// Number of rounds of a stress test: GLISSADE_STRESS if set, else `usual`.
 inline int stressRounds(int usual) {
   const char* wanted = std::getenv("GLISSADE_STRESS");
   return wanted != nullptr ? std::stoi(wanted) : usual;

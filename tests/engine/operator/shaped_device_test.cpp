@@ -97,7 +97,7 @@ TEST(InputMailbox, CountsPressesAndTellsOfEveryChange) {
   mailbox.connect("device");
   mailbox.press(1);
   mailbox.press(1);
-  mailbox.press(99);  // more than are counted
+  mailbox.press(99);  // a higher number than are counted
   EXPECT_EQ(mailbox.reading().presses[1], 2U);
   mailbox.disconnect();
   mailbox.disconnect();

@@ -27,7 +27,7 @@ TEST(SimulatedOperator, ReachesTheEndOfHisRouteWhenTheTreeFollows) {
     SimulatedOperator person = make(level);
     Pose q;
     double nearest = 1e9;
-    // The tree is wherever he is: it has reached a way-point once he has.
+    // The tree is where the operator is: it has reached a way point when the operator has.
     const auto treeAtHand = [&q](const Pose& wanted) { return kMetric.distance(q, wanted); };
     for (int i = 0; i < 60 * 40; ++i) {
       q = person.advance(kTick, viewOf(q, treeAtHand), kRoom);
@@ -54,7 +54,8 @@ TEST(SimulatedOperator, WaitsForATreeThatLagsAndThenGoesBackForIt) {
   EXPECT_LT(person.target(), reached);
 }
 
-/// A tree that comes into the neighbourhood of the way-points and no nearer, at a given clearance.
+/// The target after ten seconds with a tree that comes only into the neighbourhood of the way points, at a given
+/// clearance.
 std::size_t targetAfterTenSeconds(bool slides, double clearance) {
   SimulatedOperator person = make("expert");
   Pose q;
@@ -83,7 +84,7 @@ TEST(SimulatedOperator, KeepsToHisSpeed) {
     Pose q;
     for (int i = 0; i < 2000; ++i) {
       const Pose next = person.advance(kTick, viewOf(q, 10.0 * (i % 200 == 199 ? 0.0 : 0.01)), kRoom);
-      // Tremor comes on top of the speed; ten of its standard deviations are beyond chance.
+      // Tremor is added to the speed; ten of its standard deviations are beyond chance.
       EXPECT_LE((next.position - q.position).norm(), level.linearSpeed * kTick + 10 * level.tremor);
       q = next;
     }
@@ -94,7 +95,7 @@ TEST(SimulatedOperator, TremorHasItsStationaryDeviation) {
   const OperatorLevel& level = *findOperatorLevel("novice");
   SimulatedOperator person(level, {Pose::identity()}, kMetric, 5);
   Pose q;
-  double lag = 10.0;  // he waits: what moves is tremor alone (target 0 has nowhere to go back to)
+  double lag = 10.0;  // the operator waits, so that only tremor moves the hand (there is no way point before target 0)
   double squares = 0.0;
   constexpr int kTicks = 100;
   Vector3 previous = q.position;

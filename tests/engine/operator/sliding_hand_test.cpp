@@ -1,4 +1,4 @@
-// The object in a person's hand among obstacles. FCL judges.
+// Tests the object in a person's hand among obstacles. FCL judges.
 #include "engine/operator/sliding_hand.h"
 
 #include <gtest/gtest.h>
@@ -58,7 +58,7 @@ TEST_F(HandInTheWindow, AnySteeringForMinutesNeverPenetrates) {
   for (int hold = 0; hold < 150; ++hold) {
     RawAxes axes{};
     for (double& axis : axes) axis = std::round(stream.uniform(-1.49, 1.49));
-    axes[0] = std::abs(axes[0]);  // to the wall
+    axes[0] = std::abs(axes[0]);  // towards the wall
     deflect(axes);
     ASSERT_GT(holdFor(0.4), 0.0) << "hold " << hold;
   }

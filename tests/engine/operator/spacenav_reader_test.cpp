@@ -1,4 +1,4 @@
-// The real libspnav against a fake daemon on a socket.
+// Tests the real libspnav with a fake daemon on a socket.
 #include "engine/operator/spacenav_reader.h"
 
 #include <gtest/gtest.h>
@@ -55,7 +55,7 @@ TEST_F(Spacenav, TheLastDeflectionCountsAndSilenceIsRest) {
   for (int i = 0; i < 100; ++i) daemon.sendMotion(i, 0, 0);
   daemon.sendMotion(350, 0, -350, 0, 0, 175);
   EXPECT_TRUE(eventually([&] { return now().axes == RawAxes{1, 0, 1, 0, 0, -0.5}; }));
-  // Nothing more comes: the puck was let go somewhere else.
+  // No more events come: the puck was released elsewhere.
   EXPECT_TRUE(eventually([&] { return now().atRest(); }));
   EXPECT_TRUE(now().connected);
 }

@@ -9,7 +9,7 @@
 namespace glissade {
 namespace {
 
-const Se3Metric kTaskMetric(0.5);  // a size of 1 m
+const Se3Metric kTaskMetric(0.5);  // size of 1 m
 
 const TaskLevel& level(std::string_view id) {
   for (const TaskLevel& level : taskLevels()) {
@@ -18,7 +18,7 @@ const TaskLevel& level(std::string_view id) {
   throw std::runtime_error("no such level");
 }
 
-/// Where he stands still: what he takes for the way-points.
+/// The places where the simulated person rests: the way points with their errors.
 std::vector<Pose> stops(TaskOperator& person, double seconds) {
   std::vector<Pose> stops;
   Pose q;
@@ -49,7 +49,7 @@ TEST(TaskOperator, ErrorsAreThoseOfTheLevel) {
     for (const Pose& stop : stops(person, 4000.0)) {
       const double off =
           std::min((stop.position - route[0].position).norm(), (stop.position - route[1].position).norm());
-      if (off > 0.5) continue;  // his start
+      if (off > 0.5) continue;  // the start
       positions += off * off;
       angles += std::pow(angleBetween(stop.orientation, Quaternion::Identity()), 2);
       ++count;

@@ -23,21 +23,21 @@ OperatorSample handAt(const CollisionWorld& world, const Pose& q) {
   return hand;
 }
 
-/// Floor below z = 0 and wall below x = 0, a cube of 0.4 m between them.
+/// A floor below z = 0 and a wall below x = 0, with a cube of 0.4 m between them.
 CollisionWorldPtr corner() {
   return CollisionWorld::build({boxBody("floor", {6.0, 6.0, 1.0}, Pose::translation({0.0, 0.0, -0.5})),
                                 boxBody("wall", {1.0, 6.0, 6.0}, Pose::translation({-0.5, 0.0, 0.0}))},
                                std::make_shared<const TriangleMesh>(makeBox({0.4, 0.4, 0.4})));
 }
 
-/// Radians between the cube's nearest face and the horizontal plane.
+/// Angle between the cube's nearest face and the horizontal plane, radians.
 double tilt(const Pose& q) {
   double best = 0.0;
   for (int axis = 0; axis < 3; ++axis) best = std::max(best, std::abs((q.orientation * Vector3::Unit(axis)).z()));
   return std::acos(std::min(1.0, best));
 }
 
-/// Every other sample is the paper's.
+/// The next end of a leg; every other sample is the paper's.
 Pose nextLeg(ContactFollower& follower, CollisionQuery& query) {
   const Pose leg = follower.sample(query);
   (void)follower.sample(query);
@@ -93,7 +93,7 @@ TEST(ContactFollower, TwoPlanesGuideTheObjectAlongTheirLine) {
   EXPECT_GT(most - least, 0.2) << "metres along the line of floor and wall";
 }
 
-/// How many of the planes of a pit with five faces are touched by the samples of one contact mode.
+/// Number of planes of a pit with five faces that the samples of one contact mode touch.
 template <typename Sample>
 std::size_t planesTouched(const CollisionWorld& world, const Sample& sample) {
   const auto query = world.makeQuery();

@@ -49,7 +49,7 @@ TEST(Difficulty, TellsHowMuchTooLargeTheObjectIs) {
   EXPECT_EQ(difficulty.leastPenetration->way.back(), std::get<Pose>(problem.goal));
 }
 
-/// Objects of more than 10,000 triangles had no answer.
+/// Objects of more than 10,000 triangles had no result.
 TEST(Difficulty, TellsItOfAnObjectOfManyTriangles) {
   const TriangleMesh ball = makeSphere(0.2, 5);
   ASSERT_GT(ball.triangles.size(), 20'000U);

@@ -1,4 +1,4 @@
-// Where a person can help a search: judged by brute force, and by FCL on boxes of its own.
+// Tests the places where a person can help a search: by brute force, and by FCL on its own boxes.
 #include "engine/planning/difficulty/help_places.h"
 
 #include <fcl/narrowphase/collision.h>
@@ -40,7 +40,7 @@ Problem problemOf(const std::vector<WallBox>& wall) {
   return problem;
 }
 
-/// How deep the cube is in the wall, by FCL's boxes: they know nothing of meshes, erosion or our kernel.
+/// Depth of the cube in the wall by FCL's boxes, which use no meshes, no erosion and no kernel.
 double depthByFcl(const std::vector<WallBox>& wall, const Pose& q) {
   const auto place = [](const Pose& pose) {
     fcl::Transform3d transform = fcl::Transform3d::Identity();
@@ -85,7 +85,7 @@ std::vector<RoadmapNode> scattered(RandomStream& stream, int count) {
 }
 
 constexpr PenetrationBudget kNothingSpent{0, 0, 0};
-/// The more is spent, the nearer is the upper bound to what is lacking.
+/// The larger the budget, the nearer is the upper bound to the missing clearance.
 constexpr PenetrationBudget kMuchSpent{30'000, 30'000, 16};
 constexpr double kAboveLeast = 1.6;
 
@@ -168,11 +168,11 @@ TEST(HelpPlaces, AnOpenPassageLacksNothing) {
   EXPECT_LT(depthByFcl(wall, aside.front().passage), 2e-3);
 }
 
-/// Two windows: the trees are nearer to each other at the one that lacks more.
+/// There are two windows, and the trees are nearer to each other at the one where the object lacks more.
 TEST(HelpPlaces, WhereTheObjectLacksLeastComesFirst) {
   std::vector<WallBox> wall = wallWithWindow(0.30, {0.0, -1.0, 0.0});
-  wall[1] = {"between", {0.2, 1.66, 6.3}, {0.0, -0.02, 0.0}};    // from -0.85 to 0.81
-  wall.push_back({"right", {0.2, 3.0, 6.3}, {0.0, 2.69, 0.0}});  // from 1.19: a window of 0.38
+  wall[1] = {"between", {0.2, 1.66, 6.3}, {0.0, -0.02, 0.0}};    // spans -0.85 to 0.81
+  wall.push_back({"right", {0.2, 3.0, 6.3}, {0.0, 2.69, 0.0}});  // spans from 1.19: a window of 0.38
   wall.push_back({"below right", {0.2, 0.38, 3.0}, {0.0, 1.0, -1.69}});
   wall.push_back({"above right", {0.2, 0.38, 3.0}, {0.0, 1.0, 1.69}});
   const Problem problem = problemOf(wall);
@@ -188,7 +188,7 @@ TEST(HelpPlaces, WhereTheObjectLacksLeastComesFirst) {
   EXPECT_LT(places[1].distance, places[0].distance);
 }
 
-/// The trees are nearest to each other where the wall is closed. The way of least penetration knows better.
+/// The trees are nearest to each other where the wall is closed. The way of least penetration leads elsewhere.
 TEST(HelpPlaces, TheDeepestPlaceOfTheWholeWayComesFirst) {
   const auto wall = wallWithWindow(0.38, {0.0, 1.0, 0.0});
   const Problem problem = problemOf(wall);

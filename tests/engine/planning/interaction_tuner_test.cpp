@@ -22,10 +22,10 @@ TEST(StepMedian, IsTheMedianOfWhatWasAdded) {
   for (const std::size_t value : {9U, 2U, 10U, 7U, 2U}) median.add(value);
   EXPECT_EQ(median.value(), 7U);
   median.add(0);
-  EXPECT_EQ(median.value(), 2U);  // the lower of 2 and 7
+  EXPECT_EQ(median.value(), 2U);  // the lower one of 2 and 7
 }
 
-/// Both break new ground once in so many configurations; the draws are even.
+/// The tuned alpha where each author breaks new ground once in a number of configurations; the draws are even.
 double tunedAlpha(int computerOnceIn, int operatorOnceIn) {
   InteractionTuner tuner(kRadius);
   for (int i = 0; i < 4000; ++i) {
@@ -81,7 +81,7 @@ TEST(InteractionTuner, TheContactDistanceFollowsTheClearanceAtWhichContactWorks)
     InteractionTuner tuner(kRadius);
     for (int i = 0; i < 4000; ++i) {
       tuner.observe({Author::Contact, 0.01, clearance});
-      tuner.observe({Author::Contact, 0.0, 0.5});  // what fails far away does not count
+      tuner.observe({Author::Contact, 0.0, 0.5});  // a failure far away does not count
     }
     return tuner.settings().contactDistance;
   };
@@ -112,7 +112,7 @@ TEST(InteractionTuner, ReportsWhatIsInForceAndItsMedian) {
   EXPECT_DOUBLE_EQ(tuner.report().median.alpha, first);
 }
 
-/// A run in front of the closed wall, the hand 5 cm away from it, moving all the time.
+/// A run in front of the closed wall; the hand moves all the time, 5 cm away from it.
 class TunedPlanner : public testing::Test {
  protected:
   void run(int tuned, std::uint64_t steps, OperatorUse use = OperatorUse::GuideAndContact) {
@@ -137,7 +137,7 @@ class TunedPlanner : public testing::Test {
 TEST_F(TunedPlanner, OnlyWhatIsAskedForSetsItself) {
   run(0, 300);
   EXPECT_FALSE(planner->tuning());
-  EXPECT_EQ(planner->counts().randomConfigurations, 0U);  // alpha = 0 is the user's
+  EXPECT_EQ(planner->counts().randomConfigurations, 0U);  // the user has set alpha = 0
   run(kTunedContactSamples, 300);
   EXPECT_TRUE(planner->tuning());
   EXPECT_EQ(planner->counts().randomConfigurations, 0U);

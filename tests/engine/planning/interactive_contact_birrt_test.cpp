@@ -33,7 +33,7 @@ class Algorithm1 : public testing::Test {
   }
 
   Problem problem = closedProblem();
-  bool moving = true;  ///< an operator at rest cedes his authority
+  bool moving = true;  ///< an operator at rest loses authority
   std::unique_ptr<InteractiveContactBirrt> planner;
 };
 
@@ -76,7 +76,7 @@ TEST_F(Algorithm1, InCollisionTheDeviceIsATargetAndThereIsNoContactMode) {
   const PlannerCounts counts = run(OperatorUse::GuideAndContact, 0.0, Pose::identity(), 50);
   EXPECT_EQ(counts.contactConfigurations, 0U);
   EXPECT_EQ(counts.operatorConfigurations, 50U);
-  // Both trees have grown up to the wall, on either side of it.
+  // Both trees have grown to the wall from either side.
   EXPECT_GE(counts.nodes, 4U);
 }
 

@@ -17,7 +17,7 @@ TEST(NearestNeighbours, AgreesWithThePlainMinimumAlsoForNearlyEqualOrientations)
   std::vector<Pose> poses;
   for (std::uint32_t i = 0; i < 2000; ++i) {
     Pose q = randomPose(stream, 2.0);
-    if (i % 3 == 0 && i > 0) {  // a near twin of an earlier one, half of them with the other sign
+    if (i % 3 == 0 && i > 0) {  // nearly equal to an earlier one, half of them with the other sign
       q = poses[i / 2];
       q.position += 1e-6 * Vector3(stream.normal(), stream.normal(), stream.normal());
       if (i % 2 == 0) q.orientation.coeffs() *= -1.0;
@@ -68,8 +68,8 @@ TEST_F(ManyNeighbours, AgreeWithAPlainScanAlsoFarOffAndAmongEquals) {
   while (poses.size() < 10000) {
     const std::size_t n = poses.size();
     Pose q = randomPose(stream, 1.0);
-    if (n % 5 == 1) q = poses[n / 2];    // a twin, to be passed over
-    if (n % 5 == 2) q.position *= 0.01;  // crowded about the origin
+    if (n % 5 == 1) q = poses[n / 2];    // equal to an earlier one, which must be the answer
+    if (n % 5 == 2) q.position *= 0.01;  // dense about the origin
     if (n % 5 == 3) q.orientation = poses[0].orientation;
     if (n > 9000 && n % 5 == 4) q.position *= 10.0;
     add(q);
@@ -84,11 +84,11 @@ TEST_F(ManyNeighbours, AgreeWithAPlainScanAlsoFarOffAndAmongEquals) {
 
 TEST_F(ManyNeighbours, AgreeWithAPlainScanOnALatticeOfEquals) {
   for (int i = 0; i < 3 * 18 * 18 * 18; ++i) {
-    add(Pose::translation(Vector3(i % 18, i / 18 % 18, i / 324 % 18)));  // three at every point
+    add(Pose::translation(Vector3(i % 18, i / 18 % 18, i / 324 % 18)));  // three equal points each
   }
   for (int trial = 0; trial < 300; ++trial) {
     Vector3 p(std::floor(stream.uniform(-3, 21)), std::floor(stream.uniform(0, 18)), std::floor(stream.uniform(0, 18)));
-    if (trial % 2 == 0) p += Vector3::Constant(0.5);  // as far from eight points
+    if (trial % 2 == 0) p += Vector3::Constant(0.5);  // equally far from eight points
     expectAsPlain(Pose::translation(p));
   }
 }
@@ -113,7 +113,7 @@ TEST_F(ManyNeighbours, AgreeWithAPlainScanTenKilometresFromTheOrigin) {
     q.position += offset;
     return q;
   };
-  add(Pose::identity());  // single precision rounds the others to a millimetre
+  add(Pose::identity());  // single precision rounds the other points to a millimetre
   for (int i = 0; i < 3000; ++i) add(near(i % 2 == 0 ? 1.0 : 1e-3));
   for (int trial = 0; trial < 300; ++trial) expectAsPlain(near(trial % 2 == 0 ? 1.0 : 1e-3));
 }

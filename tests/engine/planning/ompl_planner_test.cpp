@@ -1,4 +1,4 @@
-// What the adapter promises beyond the contract of every planner (planner_conformance_test.cpp).
+// Tests the properties of the adapter beyond the contract of every planner (planner_conformance_test.cpp).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ class OmplPlannerTest : public testing::TestWithParam<OmplAlgorithm> {
   }
 };
 
-/// Cells of half a metre in the window's bounds: those with |y| and |z| below 0.75.
+/// Cells of half a metre in the window's bounds with |y| and |z| below 0.75.
 SamplingRegionPtr throughTheWindow(const Problem& problem) {
   CellGrid grid;
   grid.frame = CellFrame::covering(problem.bounds);
@@ -101,7 +101,7 @@ TEST_P(OmplPlannerTest, SameSeedGrowsTheSameRoadmapWhateverOtherPlannersDo) {
   const auto alone = make(problem, 5);
   TestHost host(problem, kSome);
   EXPECT_FALSE(alone->solve(host));
-  // Others with other seeds take OMPL's global seeds at the same time.
+  // Other planners with other seeds use OMPL's global seeds at the same time.
   std::vector<std::unique_ptr<OmplPlanner>> planners(4);
   std::vector<std::thread> threads;
   for (std::size_t i = 0; i < planners.size(); ++i) {
@@ -158,7 +158,7 @@ TEST_P(OmplPlannerTest, AStopEndsItQuickly) {
   EXPECT_FALSE(planner->solve(stopping));
   const auto ended = std::chrono::steady_clock::now();
   user.join();
-  EXPECT_LT(std::chrono::duration<double>(ended - asked).count(), 0.25);  // 50 ms on a machine of its own
+  EXPECT_LT(std::chrono::duration<double>(ended - asked).count(), 0.25);  // 50 ms on an otherwise idle machine
 }
 
 TEST_P(OmplPlannerTest, DrawsInTheRegionOnly) {
@@ -167,7 +167,7 @@ TEST_P(OmplPlannerTest, DrawsInTheRegionOnly) {
   TestHost host(problem, kSteps);
   const auto planner = make(problem);
   ASSERT_TRUE(planner->solve(host));
-  // The region is convex and holds start and goal: so are the ways between the draws.
+  // The region is convex and contains start and goal, so that it contains the motions between the draws.
   for (const RoadmapNode& node : planner->nodes()) EXPECT_TRUE(problem.region->contains(node.q.position));
 }
 
@@ -206,7 +206,7 @@ class OmplPeerTest : public testing::TestWithParam<OmplAlgorithm> {
   }
 };
 
-/// The start and the goal on the two sides of a thin wall that leaves little room around it.
+/// The start and the goal on the two sides of a thin wall with little room around it.
 Problem thinWallProblem() {
   Problem problem = windowProblem();
   problem.world = CollisionWorld::build({boxBody("wall", {0.002, 3.9, 3.9}, Pose::identity())},
@@ -218,7 +218,7 @@ Problem thinWallProblem() {
 TEST_P(OmplPeerTest, ItsFirstPathIsTheResult) {
   const Problem problem = windowProblem();
   TestHost host(problem, kSteps);
-  ASSERT_TRUE(host.values.set(ParameterId::OmplResolution, 5e-3));  // finer takes BiTRRT half a minute
+  ASSERT_TRUE(host.values.set(ParameterId::OmplResolution, 5e-3));  // BiTRRT takes half a minute with a finer value
   const auto planner = make(problem);
   const bool solved = planner->solve(host);
   EXPECT_NE(solved, planner->failure().has_value());
@@ -256,7 +256,7 @@ TEST_P(OmplPeerTest, TheRangeIsTheLongestEdge) {
     }
     return most;
   };
-  const double extent = problem.bounds.diagonal().norm() + std::acos(-1.0) / 2.0;  // OMPL's, with weights of 1
+  const double extent = problem.bounds.diagonal().norm() + std::acos(-1.0) / 2.0;  // extent by OMPL, with weights of 1
   const double bound = std::sqrt(3.0) * 0.02 * extent;  // some of its samplers draw from a cube
   EXPECT_LE(longest(0.02), bound + 1e-9);
   EXPECT_GT(longest(0.0), longest(0.02)) << "the default is a fifth";

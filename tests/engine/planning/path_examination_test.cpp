@@ -11,7 +11,7 @@
 namespace glissade {
 namespace {
 
-/// Through the window, in steps of half a metre.
+/// A path through the window, in steps of half a metre.
 std::vector<PathPoint> throughTheWindow() {
   std::vector<PathPoint> points;
   for (int i = 0; i <= 6; ++i) points.push_back({Pose::translation({-1.5 + 0.5 * i, 0.0, 0.0}), Author::Computer});
@@ -95,7 +95,7 @@ TEST(PathExamination, APathOfAnotherProblemDoesNotHold) {
   problem.goal = GoalOut{};
   std::vector<PathPoint> points = throughTheWindow();
   EXPECT_TRUE(endsOf(points, problem).goal);
-  points.resize(4);  // it ends in the window
+  points.resize(4);  // the path ends in the window
   EXPECT_FALSE(endsOf(points, problem).goal);
   EXPECT_TRUE(endsOf(points, problem).start);
 }

@@ -12,10 +12,10 @@
 namespace glissade {
 namespace {
 
-/// A planner and the registry that it is in.
+/// A planner and its registry.
 struct Entry {
   PlannerRegistry (*registry)();
-  std::string name;  ///< of the registry
+  std::string name;  ///< name of the registry
   std::string id;
   int slots;
 
@@ -38,9 +38,9 @@ std::vector<Entry> allEntries() {
   return all;
 }
 
-/// One tree pair and nothing else: what the first paper's tables count.
+/// True for planners with one tree pair, which paper 1's tables count.
 bool growsOneTreePair(const std::string& id) { return id.find("birrt") != std::string::npos; }
-/// Nothing in them is random.
+/// True for planners without random numbers.
 bool isDeterministic(const std::string& id) { return id == "linear" || id == "potential-field"; }
 
 class PlannerConformance : public testing::TestWithParam<Entry> {
@@ -60,7 +60,7 @@ TEST_P(PlannerConformance, SolvesTheWindowWithACertifiedPathFromStartToGoal) {
   const Problem problem = windowProblem();
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     TestHost host = hostFor(problem);
-    ASSERT_TRUE(host.values.set(ParameterId::StepSamples, 2000));  // those that give up do it soon
+    ASSERT_TRUE(host.values.set(ParameterId::StepSamples, 2000));  // incomplete planners give up soon
     const auto planner = make(problem, seed);
     const bool solved = planner->solve(host);
     if (!complete() && !solved) {
@@ -110,7 +110,7 @@ TEST_P(PlannerConformance, CountsAreThoseOfTheRoadmap) {
   EXPECT_GE(counts.steps, counts.randomConfigurations + counts.operatorConfigurations + counts.contactConfigurations);
   EXPECT_GT(counts.queries.collision + counts.queries.distance, 0U);
   if (growsOneTreePair(GetParam().id)) {
-    // Nothing dropped: the identity of the papers' tables.
+    // Without dropped edges the identity of the papers' tables holds.
     ASSERT_EQ(counts.droppedEdges, 0U);
     EXPECT_EQ(counts.edges, 2 * counts.nodes - 2);
   }
@@ -134,7 +134,7 @@ TEST_P(PlannerConformance, SameSeedGrowsTheSameRoadmapBitByBitHoweverOftenItIsIn
 
 TEST_P(PlannerConformance, DifferentSeedsGrowDifferentRoadmaps) {
   if (isDeterministic(GetParam().id)) GTEST_SKIP() << "draws nothing at random";
-  // Without a way those that plan coarsely draw nothing.
+  // Planners that plan coarsely draw nothing where there is no way.
   const Problem problem = complete() ? closedProblem() : windowProblem();
   std::set<double> seen;
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {

@@ -56,7 +56,7 @@ TEST(RandomShooter, StaysInTheRegionAndReachesAllOfIt) {
     ++hits[*grid.find(q.position)];
   }
   ASSERT_EQ(hits.size(), cells.size());
-  for (const std::size_t cell : cells) EXPECT_NEAR(hits[cell], kCount / 3.0, 150);  // four standard deviations
+  for (const std::size_t cell : cells) EXPECT_NEAR(hits[cell], kCount / 3.0, 150);  // within four standard deviations
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// A scene in micrometres is planned as the same scene in kilometres: lengths scaled by a power of two change no
-// digit, so every strategy must find the same path, scaled.
+// Scaling lengths by a power of two changes no digit. So every strategy must find the same path, scaled, for a scene in
+// micrometres and in kilometres.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -86,7 +86,7 @@ TEST(PathCertificate, SlidingEdgesAreHeldToTheContactGap) {
   const Problem problem = windowProblem();
   ParameterValues parameters(problem.world->objectRadius());
   const double gap = parameters[ParameterId::ContactGap];
-  // Sliding down the wall's near side (x = -0.1), the cube's face at x + 0.2.
+  // The cube slides down the wall's near side (x = -0.1); its face is at x + 0.2.
   const double touching = -0.1 - 0.2 - gap;
   const std::vector<PathPoint> points{{Pose::translation({-1.5, -1.0, 0.0})},
                                       {Pose::translation({touching, -1.0, 0.0}), Author::Contact, Author::Contact},

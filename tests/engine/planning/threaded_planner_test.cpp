@@ -15,10 +15,10 @@ namespace glissade {
 namespace {
 
 constexpr double kNutAt = 0.0125;
-/// Way of the nut to the end of the bolt.
+/// Length of the nut's motion to the end of the bolt.
 constexpr double kWayOff = 0.5 * test::kBoltLength - (kNutAt - 0.5 * test::kNutLength);
 
-/// A bolt along z, a nut on it, and a plate below the nut that the bolt goes through.
+/// A bolt along z, a nut on it, and a plate below the nut with a hole for the bolt.
 struct Bolted {
   explicit Bolted(bool nutMoves, const FitSettings& settings = test::markedThread(), bool goalOut = true) {
     const RigidBody nut = test::partAt("nut", test::hexNut(), Pose::translation({0.0, 0.0, kNutAt}));
@@ -67,7 +67,7 @@ TEST(ThreadedPlanner, TurnsANutOffItsBolt) {
     ASSERT_NE(planner->path(), nullptr) << strategy << (planner->failure() ? toString(*planner->failure()) : "");
     EXPECT_EQ(planner->path()->certificate.status, CertificateStatus::Certified);
     EXPECT_TRUE(bolted.judgedValid(*planner->path())) << strategy;
-    EXPECT_NEAR(bolted.turnsOf(*planner->path()), kWayOff / test::kCoarsePitch, 0.1);  // to the end of the bolt
+    EXPECT_NEAR(bolted.turnsOf(*planner->path()), kWayOff / test::kCoarsePitch, 0.1);  // turns to the end of the bolt
     EXPECT_EQ(planner->nodes().size(), planner->counts().nodes);
   }
 }
@@ -129,7 +129,7 @@ TEST(ThreadedPlanner, ABoltIsTurnedOutOfANutThatIsHeld) {
   EXPECT_TRUE(bolted.judgedValid(*planner->path()));
 }
 
-/// Two walls beside the nut keep it from turning.
+/// Two walls beside the nut prevent it from turning.
 TEST(ThreadedPlanner, ANutInASlotIsHeld) {
   const RigidBody nut = test::partAt("nut", test::hexNut(), Pose::identity());
   const RigidBody bolt = test::partAt("bolt", test::plainBolt(), Pose::identity());
@@ -167,7 +167,7 @@ TEST(ThreadedPlanner, AThreadNeedsACommonAxis) {
   EXPECT_EQ(parts.error().location, "/fits/pairs/0");
 }
 
-/// A thread that is drawn with clearance does not touch, and is one all the same.
+/// A thread that is modelled with clearance does not touch, but is still a thread.
 TEST(ThreadedPlanner, AThreadMayBeDrawnWithClearance) {
   const RigidBody nut = test::partAt("nut", test::hexNut(0.00525), Pose::identity());
   const RigidBody bolt = test::partAt("bolt", test::plainBolt(), Pose::identity());

@@ -32,7 +32,7 @@ double distanceToAxis(const Vector3& p, const MeasureFeature& axis) {
   return (p - axis.axisPoint).cross(axis.direction).norm();
 }
 
-/// Any poses, and poses whose directions are nearly equal or nearly opposite, where digits are lost easily.
+/// Random poses, and poses with nearly equal or nearly opposite directions, where digits are easily lost.
 std::vector<std::pair<Pose, Pose>> pairsOfPoses() {
   RandomStream random(7, "alignment");
   std::vector<std::pair<Pose, Pose>> pairs;
@@ -95,7 +95,7 @@ TEST(Alignment, IsTheLeastMotion) {
   }
 }
 
-/// What lies right already is not moved at all, apart from the last digits.
+/// Features that are aligned do not move, except for the last digits.
 TEST(Alignment, LeavesWhatIsAligned) {
   RandomStream random(11, "aligned");
   for (int i = 0; i < 50; ++i) {
@@ -128,7 +128,7 @@ double heightOver(const MeasureFeature& plane, const Vector3& p) { return plane.
 
 double angleOf(const Pose& motion) { return angleBetween(motion.orientation, Quaternion::Identity()); }
 
-/// A hundredth of a nanometre, as everywhere here, for what is two metres away.
+/// A hundredth of a nanometre, as in the whole test, for features two metres away.
 constexpr double kRelated = 1e-9;
 
 TEST(Alignment, AnEdgeLiesInThePlaneWhicheverOfTheTwoMoves) {
@@ -185,7 +185,7 @@ TEST(Alignment, EdgesAreCollinearWithEdgesAndAxes) {
   }
 }
 
-/// Nothing turns; the body moves by the distance that there was.
+/// The body does not turn; it moves by the former distance.
 TEST(Alignment, AVertexComesOntoAVertexALineOrAPlaneByTheShortestWay) {
   for (const auto& [from, to] : pairsOfPoses()) {
     const MeasureFeature point = vertex(from);
@@ -215,7 +215,7 @@ TEST(Alignment, AVertexComesOntoAVertexALineOrAPlaneByTheShortestWay) {
   }
 }
 
-/// A line comes into the plane by the angle that it has to the plane.
+/// A line turns into the plane by its angle to the plane.
 TEST(Alignment, ALineTurnsByItsAngleToThePlaneAndNoMore) {
   for (const auto& [from, to] : pairsOfPoses()) {
     const double angle = std::asin(std::min(1.0, std::abs(edge(from).direction.dot(face(to).direction))));

@@ -15,13 +15,13 @@
 namespace glissade {
 namespace {
 
-constexpr double kRoom = 0.5;  ///< half width of where bodies are put, metres
+constexpr double kRoom = 0.5;  ///< half width of the space for bodies, metres
 
 ContactBody body(const char* id, const TriangleMesh& mesh, const Pose& X_WB) {
   return {id, std::make_shared<const TriangleMesh>(mesh), X_WB};
 }
 
-/// A shaft in a ring's hole, both turned about their axis at random, somewhere.
+/// A shaft in a ring's hole, both turned about their axis at random, at a random pose.
 ContactReport shaftInHole(RandomStream& random, double shaft, double hole, const ContactLimits& limits = {}) {
   const Pose place = randomPose(random, kRoom);
   const auto turned = [&] {
@@ -103,7 +103,7 @@ TEST(ContactReport, CallsABlockInsideAnotherAClash) {
   EXPECT_EQ(report.contacts.front().kind, ContactKind::Clash);
 }
 
-/// The triangles the other way round.
+/// The mesh with reversed triangles.
 TriangleMesh insideOut(TriangleMesh mesh) {
   for (auto& [a, b, c] : mesh.triangles) std::swap(b, c);
   return mesh;
@@ -121,7 +121,7 @@ TEST(ContactReport, AMeshThatIsInsideOutHasTheSameContacts) {
   }
 }
 
-/// A public file has a peg that is inside out on a body that is not: it seemed to be a hole about the tube's outside.
+/// In a public file, a peg that is inside out is on a body that is not: it seemed to be a hole around the tube.
 TEST(ContactReport, APegThatIsInsideOutIsNoHole) {
   TriangleMesh pegged = insideOut(test::makeRing(0.0, 0.018, 0.01, 16));
   const TriangleMesh block = makeBox({0.1, 0.1, 0.02});
@@ -168,7 +168,7 @@ std::vector<ContactBody> stepBodies(const std::string& name) {
   return bodies;
 }
 
-/// Of a product's only pair with the body of this name.
+/// The only contact of the product with the body of this name.
 Contact contactWith(const std::string& name, const std::vector<ContactBody>& bodies, const ContactReport& report) {
   std::vector<Contact> found;
   for (const Contact& contact : report.contacts) {
@@ -180,13 +180,13 @@ Contact contactWith(const std::string& name, const std::vector<ContactBody>& bod
   return found.empty() ? Contact() : found.front();
 }
 
-/// Cones, balls and grooves as the file states them: no tessellation enters, although its triangles are 0.1 mm off.
+/// Cones, balls and grooves as stated by the file: the result is exact, although the triangles deviate by 0.1 mm.
 TEST(ContactReport, ComparesStatedRoundSurfacesExactly) {
   const std::vector<ContactBody> bodies = stepBodies("round-fits.step");
   ContactLimits limits;
   limits.clearanceUpTo = 1e-4;
   const ContactReport report = findContacts(bodies, limits);
-  const double share = std::sqrt(0.5);  // of a way along the axis, across a cone of 90 degrees
+  const double share = std::sqrt(0.5);  // share of a displacement along the axis that is across a cone of 90 degrees
   const Contact seated = contactWith("seated", bodies, report);
   EXPECT_EQ(seated.kind, ContactKind::Contact);
   EXPECT_EQ(seated.uncertainty, 0.0);

@@ -23,7 +23,7 @@ std::vector<SnapFeature> featuresOf(const TriangleMesh& mesh, const Pose& X_WB) 
   return features;
 }
 
-/// What is between the features of a pair, metres.
+/// The gap between the features of a pair, metres.
 double gapOf(const FeatureSnapper& snapper, const FeatureSnap::Pair& pair, const Vector3& shift) {
   const SnapFeature& fixed = snapper.fixed()[pair.fixed];
   const Vector3 apart = snapper.moving()[pair.moving].point + shift - fixed.point;
@@ -105,7 +105,7 @@ TEST(FeatureSnap, PairsMeetWithinTheReachAndTheFreedom) {
   EXPECT_GT(doubles, 20);
 }
 
-/// The nearest of all steps, found by trying every pair.
+/// Compares with the nearest of all steps, found by trying every pair.
 TEST(FeatureSnap, AnArrowSnapsToTheNearestFace) {
   const std::vector<SnapFeature> moving = featuresOf(makeBox({0.2, 0.2, 0.2}), Pose::identity());
   std::vector<SnapFeature> fixed = featuresOf(makeBox({0.1, 0.3, 0.3}), Pose::translation({1.0, 0.0, 0.0}));
@@ -120,7 +120,7 @@ TEST(FeatureSnap, AnArrowSnapsToTheNearestFace) {
   EXPECT_TRUE(snapper.snap({0.853, 2.0, 0.0}, alongX, 0.01).pairs.empty()) << "they are far apart along the face";
 }
 
-/// An arrow across the axis lets axes meet only where they do; a square does both.
+/// An arrow across the axis lets axes meet only in its direction; a square does in both.
 TEST(FeatureSnap, AnAxisSnapsWhereTheFreedomLetsItMeet) {
   const std::vector<SnapFeature> pin = featuresOf(test::makeRing(0.0, 0.01, 0.1, 16), Pose::identity());
   const auto snapperOf = [&](const Vector3& at) {

@@ -40,7 +40,7 @@ AssembledProduct randomRings(RandomStream& random) {
   return test::productOf(std::move(bodies), last, settings);
 }
 
-/// What a plan finds for one moving body is what the table has for it, pair by pair.
+/// Expects that the fits of a single moving body equal those of the table, pair by pair.
 void expectSameAsAlone(const AssembledProduct& product, const FitTable& table) {
   for (const PairFit& pair : table.pairs()) {
     for (const bool moveA : {true, false}) {
@@ -72,7 +72,7 @@ TEST(FitTable, IsWhatEachBodyFindsAlone) {
   }
 }
 
-/// Whoever moves, the same body gives way; by at least as much where the larger one moves.
+/// Whichever body moves, one body of the pair is thinned; by at least as much if the larger one moves.
 TEST(FitTable, TheSameBodyGivesWayWhicheverMoves) {
   RandomStream random(2, "rings");
   int pairs = 0;

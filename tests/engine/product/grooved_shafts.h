@@ -53,7 +53,7 @@ inline Relief ringGroove(double radius, double root, double middle, double width
   return [=](double z, double) { return std::abs(z - middle) < 0.5 * width ? root : radius; };
 }
 
-/// What is on a shaft: a head without a drive, one with a hexagon, or nothing.
+/// The head of a shaft: none, one without a drive, or one with a hexagon.
 enum class ShaftHead { None, Round, Hexagon };
 
 /// A shaft from -`length` to 0, its head above. All of it is one free face of a CAD file.

@@ -13,7 +13,7 @@ using namespace glissade::test;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// A screw, its block, a hook beside the block, a lid on it, and something far away.
+/// A screw, its block, a hook beside the block, a lid on it, and a distant body.
 AssembledProduct someProduct() {
   ProductOfParts parts;
   parts.add("block", blockMesh(0.0021, 0.015, 0.03, -0.03, 0.0))

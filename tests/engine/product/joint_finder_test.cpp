@@ -22,7 +22,7 @@ std::vector<Joint> ofKind(const Joints& joints, JointKind kind) {
   return found;
 }
 
-/// How the hole of a thread is drawn, by the radius of the screw.
+/// Drawings of the hole of a thread, with sizes in radii of the screw.
 struct Drawing {
   const char* name;
   double hole;
@@ -31,14 +31,14 @@ struct Drawing {
 
 class DrawnThread : public testing::TestWithParam<Drawing> {};
 
-/// Screw, washer, plate and block along one axis, M2 to M20.
+/// A screw, a washer, a plate and a block along one axis, M2 to M20.
 TEST_P(DrawnThread, IsFoundFromM2ToM20InAnyPose) {
   RandomStream random(1, "joints");
   for (const double size : {2.0, 3.0, 5.0, 8.0, 12.0, 20.0}) {
     const double d = 1e-3 * size;
     const double length = 4.0 * d;
     ProductOfParts parts(randomPose(random, 0.3));
-    const double top = -0.2 * d - d;  // of the block
+    const double top = -0.2 * d - d;  // top of the block
     const double hole = GetParam().hole * 0.5 * d;
     parts.add("plate", plateMesh(0.56 * d, 6.0 * d, top, -0.2 * d))
         .add("screw", capScrew(d, length))
@@ -205,7 +205,7 @@ TEST(JointFinder, APinThatIsMillimetresThickerThanItsHoleIsNotPressedIn) {
   EXPECT_TRUE(findJoints(parts.product()).empty());
 }
 
-/// Its edges are farther from the axis than the faces of the hole are.
+/// The edges of the bar are farther from the axis than the faces of the hole.
 TEST(JointFinder, ASquareBarInASquareHoleIsNoPin) {
   ProductOfParts parts;
   const Contour side = prism(0.0098, 4);
@@ -362,7 +362,7 @@ TEST(JointFinder, NamesClassesAndShapesSuggestWhatAPersonConfirms) {
   EXPECT_EQ(joints[3].body, 6U);
 }
 
-/// Each would have to leave before the other one.
+/// Each belt would have to leave before the other one.
 TEST(JointFinder, BeltsSideBySideDoNotGoAroundEachOther) {
   ProductOfParts parts;
   parts.add("pulley", rodMesh(0.011, 0.0, 0.04))
@@ -376,7 +376,7 @@ TEST(JointFinder, BeltsSideBySideDoNotGoAroundEachOther) {
   EXPECT_THAT(others, ElementsAre(ElementsAre(0U), ElementsAre(0U)));
 }
 
-/// "Assembly" says nothing of what a thing is, and a retaining ring is opened to come off.
+/// "Assembly" does not name a part, and a retaining ring is opened for its removal.
 TEST(JointFinder, TheWordBeforeAssemblyCounts) {
   ProductOfParts parts;
   parts.add("Battery Tube Assembly/tube", tubeMesh(circle(0.011), circle(0.012), 0.0, 0.1))

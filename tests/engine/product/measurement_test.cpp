@@ -19,7 +19,7 @@ using Kind = MeasureFeature::Kind;
 
 MeshPtr boxMesh(const Vector3& size) { return std::make_shared<const TriangleMesh>(welded(makeBox(size))); }
 
-/// What is meant by a point of the mesh's surface.
+/// The feature at a point of the mesh's surface.
 MeasureFeature featureNear(const MeshPtr& mesh, const Vector3& p, double snap) {
   const TriangleTree::Nearest nearest = TriangleTree(*mesh).nearest(p, 10.0);
   return MeasurableMesh(mesh).featureAt(nearest.triangle, p, snap);
@@ -51,7 +51,7 @@ TEST(Measurement, ReadsTheExactRadiusOfACoarseCylinder) {
   EXPECT_NEAR(outside.radius, 0.05, 1e-9);
 }
 
-/// Who clicks the edge of a hole means its axis.
+/// A click on the edge of a hole means the axis of the hole.
 TEST(Measurement, TheCircularEdgeOfACylinderMeansItsAxisInAnAlignment) {
   const MeshPtr ring = std::make_shared<const TriangleMesh>(welded(test::makeRing(0.02, 0.05, 0.1, 16)));
   const Vector3 onTop(0.0205 * std::cos(std::numbers::pi / 16.0), 0.0205 * std::sin(std::numbers::pi / 16.0), 0.05);
@@ -129,7 +129,7 @@ TEST(Measurement, AnglesAreBetweenEdgesAxesAndPlanes) {
   EXPECT_FALSE(angleBetweenFeatures(along(Kind::Vertex, tilted), along(Kind::Edge, tilted)));
 }
 
-/// What is meant by the point of a part of round-fits.step, millimetres in the file.
+/// The feature at a point of a part of round-fits.step, millimetres in the file.
 MeasureFeature roundFeature(const std::string& name, const Vector3& p_F) {
   const auto file = importStep(test::stepFile("round-fits.step"), 0.0);
   EXPECT_TRUE(file);

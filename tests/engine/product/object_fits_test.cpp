@@ -14,7 +14,7 @@
 namespace glissade {
 namespace {
 
-/// A screw in a plate's tapped hole, its head on the plate, and a block far away, all turned and placed at random.
+/// A screw in a plate's tapped hole, its head on the plate, and a distant block, at random poses.
 struct Screwed {
   explicit Screwed(double shaft, RandomStream& random) {
     const Pose place = randomPose(random, 0.3);
@@ -146,7 +146,7 @@ TEST(ObjectFits, APairHasOneDepthWhicheverBodyMoves) {
   }
 }
 
-/// Two bars that are halved into each other: either may be the one that somebody has forgotten to cut.
+/// Two crossing bars without notches: a person may have forgotten to cut either of them.
 TEST(ObjectFits, WhereItIsNotClearWhichBodyIsCutAPersonNamesIt) {
   const RigidBody along = test::partAt("along", makeBox({0.1, 0.01, 0.01}), Pose::identity());
   const RigidBody across = test::partAt("across", makeBox({0.01, 0.1, 0.01}), Pose::translation({0.0, 0.0, 0.004}));
@@ -179,7 +179,7 @@ TEST(ObjectFits, AnOverlapOfPlanesIsPlainAndThatOfAPinIsNot) {
   EXPECT_FALSE(contactOf(bored, pin).isPlainOverlap) << "a press fit";
 }
 
-/// A tube in a thin bush, and in a plate that has place for what neither tube nor bush has.
+/// A tube in a thin bush, and in a plate that has the room that tube and bush lack.
 TEST(ObjectFits, WhatWouldLoseMoreThanTwoFifthsOfBothIsAClash) {
   const auto tube = test::partAt("tube", test::makeRing(0.0019, 0.0024, 0.03, 40), Pose::identity());
   for (const auto& [outer, fits] : {std::pair(0.0025, false), std::pair(0.02, true)}) {
@@ -226,7 +226,7 @@ TEST(ObjectFits, BadSettingsGetOneClearMessage) {
   EXPECT_NE(reasonOf({"screw", "block", {}, 0.0001, false}).find("do not touch"), std::string::npos);
 }
 
-/// A ring about z without the first of its triangles that looks across z: away from the axis or to it.
+/// A ring about z without its first triangle that faces outwards, or towards the axis.
 enum class Looking { Outwards, ToTheAxis };
 MeshPtr opened(const MeshPtr& ring, Looking looking) {
   TriangleMesh open = *ring;
@@ -257,8 +257,8 @@ TEST(ObjectFits, TheOtherBodyGivesWayForAnOpeningAtTheContactAndWhereBothAreOpen
       << both->warnings.front().reason;
 }
 
-/// The chamfers at the ends have corners between their edges. They stay where the shaft is taken thinner, outside the
-/// bore. What is free where it is assembled has to be free along the axis, too.
+/// The chamfers at the ends have corners between their edges. They stay where the shaft is thinned, outside of the
+/// bore. A pair that is free where it is assembled has to be free along the axis, too.
 TEST(ObjectFits, AShaftThatIsTakenThinnerComesOutOfItsHole) {
   RandomStream random(8, "tips");
   for (int round = 0; round < 10; ++round) {
@@ -291,8 +291,8 @@ TEST(ObjectFits, AShaftThatIsTakenThinnerComesOutOfItsHole) {
   }
 }
 
-/// The plate moves off its screw: the hole gives way along its length, and the shaft would where it is in the hole
-/// only.
+/// The plate moves off its screw: the hole is thinned along its length, while the shaft would be thinned only inside
+/// the hole.
 TEST(ObjectFits, TheBodyWithTheHoleGivesWay) {
   RandomStream random(7, "whichever");
   const Screwed screwed(0.0024, random);

@@ -9,7 +9,7 @@ namespace glissade::test {
 inline constexpr double kBoltRadius = 0.005;
 inline constexpr double kBoltLength = 0.03;
 inline constexpr double kNutLength = 0.008;
-inline constexpr double kCoarsePitch = 0.0015;  ///< of M10
+inline constexpr double kCoarsePitch = 0.0015;  ///< pitch of M10
 
 inline RigidBody partAt(const std::string& id, TriangleMesh mesh, const Pose& X_WB) {
   RigidBody body;
@@ -19,9 +19,9 @@ inline RigidBody partAt(const std::string& id, TriangleMesh mesh, const Pose& X_
   return body;
 }
 
-/// A hexagonal nut about z, drawn with a cylinder for its thread.
+/// A hexagonal nut about z, with a cylinder as its thread.
 inline TriangleMesh hexNut(double bore = kBoltRadius) {
-  constexpr double kAcross = 0.008;  // from the axis to a flat
+  constexpr double kAcross = 0.008;  // distance of a flat from the axis
   TriangleMesh mesh = makeRing(bore, 1.0, kNutLength, 48);
   for (Vector3& vertex : mesh.vertices) {
     if (vertex.head<2>().norm() < 0.5) continue;
@@ -36,7 +36,7 @@ inline TriangleMesh hexNut(double bore = kBoltRadius) {
 /// A bolt without a head.
 inline TriangleMesh plainBolt() { return makeRing(0.0, kBoltRadius, kBoltLength, 40); }
 
-/// Marks the pair "nut", "bolt".
+/// Fits that mark the pair "nut", "bolt" as a thread.
 inline FitSettings markedThread() {
   FitSettings settings;
   settings.on = true;
@@ -44,7 +44,7 @@ inline FitSettings markedThread() {
   return settings;
 }
 
-/// The object is the last body; its triangles and those of the others are exact.
+/// A product with the object as its last body; all triangles are exact.
 inline AssembledProduct productOf(std::vector<RigidBody> obstacles, const RigidBody& object, FitSettings settings) {
   AssembledProduct product;
   product.bodies = std::move(obstacles);
@@ -54,7 +54,7 @@ inline AssembledProduct productOf(std::vector<RigidBody> obstacles, const RigidB
   return product;
 }
 
-/// The object among the obstacles at the start, as its fits have it.
+/// The object among the obstacles at the start, with its fits.
 struct FittedParts {
   AssembledProduct product;  ///< the object is the last body
   ObjectFits fits;

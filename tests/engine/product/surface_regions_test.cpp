@@ -11,7 +11,7 @@
 namespace glissade {
 namespace {
 
-constexpr double kRegionsRoom = 0.5;  ///< half width of where bodies are put, metres
+constexpr double kRegionsRoom = 0.5;  ///< half width of the space for bodies, metres
 
 TEST(SurfaceRegions, FindTheExactCylindersOfTurnedRingsHoweverCoarse) {
   RandomStream random(7, "rings");
@@ -58,7 +58,7 @@ TriangleMesh withFaces(TriangleMesh mesh, const std::vector<SurfaceFace>& planes
   return mesh;
 }
 
-/// A ring as a STEP file states it: radii and axes are the stated ones to the last bit, normals point outwards.
+/// A ring as in a STEP file: radii and axes are the stated ones bit by bit, normals point outwards.
 TEST(SurfaceRegions, AreThoseThatTheFileStates) {
   RandomStream random(3, "stated rings");
   for (int round = 0; round < 20; ++round) {
@@ -85,12 +85,13 @@ TEST(SurfaceRegions, AreThoseThatTheFileStates) {
     for (const PlaneRegion& plane : stated.planes) {
       EXPECT_GT(plane.offset - plane.normal.dot(place.position), 0.009) << "outwards";
     }
-    // What the triangles contradict is not used: the radii are those of the triangles.
+    // A statement that the triangles contradict is not used: the radii are those of the triangles.
     for (SurfaceFace& cylinder : cylinders) cylinder.radius *= 1.01;
     for (const CylinderRegion& cylinder : findSurfaceRegions(withFaces(ring, planes, cylinders)).cylinders) {
       EXPECT_NEAR(cylinder.radius, cylinder.shaft ? outer : inner, 1e-7);
     }
-    // A cone is no cylinder, however much its triangles look like one; where they contradict it, it is nothing.
+    // A stated cone is no cylinder, even if its triangles look like one; if they contradict the statement, it is not
+    // used.
     for (SurfaceFace& cylinder : cylinders) cylinder.kind = SurfaceFace::Kind::Cone;
     const SurfaceRegions cones = findSurfaceRegions(withFaces(ring, planes, cylinders));
     EXPECT_TRUE(cones.cylinders.empty());

@@ -23,7 +23,7 @@ struct Answer {
     Contradicts  ///< one joint is screwed, doubtful, and does not count
   };
   Kind kind = Kind::NoThread;
-  JointKind joint = JointKind::Screw;  ///< of a thread
+  JointKind joint = JointKind::Screw;  ///< kind of the joint of a thread
 };
 
 struct Case {
@@ -168,7 +168,7 @@ class CaseMaker {
     return {"a nut on a rod", made.product(), kNut};
   }
 
-  /// The nut is of the next size but one.
+  /// The nut is for a larger thread than the bolt.
   Case wrongNut() {
     const double thinner = muchSmaller();
     auto made = parts();
@@ -194,7 +194,7 @@ class CaseMaker {
     return {"a threaded rod in a tapped hole", made.product(), kParts};
   }
 
-  /// A recess makes it a screw, and its name a pin: its hole is as wide as the shaft.
+  /// The recess makes it a screw, and its name a pin: its hole is as wide as the shaft.
   Case pinNamedScrew() {
     auto made = parts();
     made.add(name("plate"), plate(1.1 * r_, square(), -d_, 0.0))
@@ -324,7 +324,7 @@ std::string inWords(const Joints& joints) {
   return words.empty() ? "nothing" : words;
 }
 
-/// What is screwed and is not found would be pulled.
+/// A screwed pair that is not found could be pulled.
 TEST(ThreadEvidence, IsFoundWhereThereIsAThreadAndNowhereElse) {
   RandomStream random(7, "threads");
   std::size_t all = 0;
@@ -332,7 +332,7 @@ TEST(ThreadEvidence, IsFoundWhereThereIsAThreadAndNowhereElse) {
     for (const bool isNamed : {true, false}) {
       CaseMaker maker(size, isNamed, randomPose(random, 0.2), random);
       std::vector<Case> cases = maker.all();
-      // Of the larger meshes one half: named small ones, and large ones without names.
+      // The larger meshes are tested only for named screws of 3 mm and for unnamed screws of 8 mm.
       if (isNamed == (size == 0.003) && (isNamed || size == 0.008)) {
         for (Case& each : maker.reliefs()) cases.push_back(std::move(each));
       }
@@ -347,7 +347,7 @@ TEST(ThreadEvidence, IsFoundWhereThereIsAThreadAndNowhereElse) {
   EXPECT_GE(all, 160U);
 }
 
-/// Four by their width, and one of which the name alone says what it is.
+/// Four squares that are nuts by their width, and one by its name only.
 TEST(ThreadEvidence, ASquareIsANutWithItsNameOrOnAScrew) {
   const auto joints = [](const std::string& name, const Contour& outside, bool isScrew) {
     ProductOfParts parts;
@@ -389,7 +389,7 @@ TEST(ThreadEvidence, PitchAndHandAreThoseOfTheDesignation) {
   }
 }
 
-/// The name of the bolt says it where the nut is turned.
+/// The name of the bolt states the hand where the nut is turned.
 TEST(ThreadEvidence, ALeftHandedBoltHasALeftHandedNut) {
   ProductOfParts parts;
   parts.add("M8 LH bolt", capScrew(0.008, 0.04))

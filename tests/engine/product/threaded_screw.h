@@ -13,11 +13,11 @@ struct ThreadedScrew {
   double root = 0.00198;
   double pitch = 0.0008;
   double length = 0.008;
-  double shank = 0.0;    ///< below the head, without a thread
-  double chamfer = 0.0;  ///< of the tip
+  double shank = 0.0;    ///< length without a thread below the head
+  double chamfer = 0.0;  ///< chamfer of the tip
   int directions = 36;
 
-  /// Flat crests and roots of an eighth of the pitch on either side of their middle.
+  /// Radius of the thread: flat crests and roots extend an eighth of the pitch to either side of their middle.
   double radiusAt(double z, double angle) const {
     const double turn = z / pitch - angle / (2.0 * kHalfTurn);
     const double fromCrest = std::abs(turn - std::round(turn));
@@ -41,7 +41,7 @@ struct ThreadedScrew {
   }
 
  private:
-  /// As a CAD file has them: crest and root are cylinders, all else are free faces.
+  /// Adds faces as in a CAD file: crest and root are cylinders, all others are free faces.
   void stateFaces(TriangleMesh& made) const {
     made.faces = {SurfaceFace{}, SurfaceFace{}, SurfaceFace{}};
     for (const int face : {1, 2}) {

@@ -16,7 +16,7 @@ constexpr double kTreeRoom = 0.1;  ///< half width, metres
 
 Vector3 randomPoint(RandomStream& random) { return randomPose(random, kTreeRoom).position; }
 
-/// Nearest by trying barycentric coordinates, finer and finer about the best.
+/// Distance by trying barycentric coordinates, with a finer grid about the best ones in each round.
 double distanceByTrying(const Triangle& t, const Vector3& p) {
   double u = 1.0 / 3.0;
   double v = 1.0 / 3.0;

@@ -9,7 +9,7 @@
 
 namespace glissade::test {
 
-/// Distance of a surface from the z axis, of the direction, radians.
+/// Distance of a surface from the z axis, as a function of the direction in radians.
 using Contour = std::function<double(double)>;
 
 /// A contour at a height.
@@ -24,7 +24,7 @@ inline Contour circle(double radius) {
   return [radius](double) { return radius; };
 }
 
-/// A regular prism of so many sides, across its flats.
+/// A regular prism with this number of sides; `across`: width across its flats.
 inline Contour prism(double across, int sides) {
   return [across, sides](double angle) {
     const double side = 2.0 * kHalfTurn / sides;
@@ -46,7 +46,7 @@ inline Contour sixLobes(double outer) {
   return [=](double angle) { return 0.43 * outer + 0.07 * outer * std::cos(6.0 * angle); };
 }
 
-/// The surface from contour to contour: up outside and down inside. `isTube`: from the last one to the first, too.
+/// The surface from contour to contour: up outside and down inside. `isTube`: also from the last contour to the first.
 inline TriangleMesh turnedMesh(const std::vector<Station>& stations, bool isTube, int directions = 72) {
   TriangleMesh mesh;
   const auto count = static_cast<std::uint32_t>(directions);
@@ -70,7 +70,7 @@ inline TriangleMesh turnedMesh(const std::vector<Station>& stations, bool isTube
   return welded(mesh);
 }
 
-/// A screw along +z with its head's lower side at 0. The recess is as deep as half of the head.
+/// A screw along +z with its head's lower side at 0. The depth of the recess is half of the head's height.
 inline TriangleMesh screwMesh(double diameter, double length, const Contour& head, double headHeight,
                               const Contour& recess) {
   std::vector<Station> stations{{-length, circle(0.0)},
@@ -88,7 +88,7 @@ inline TriangleMesh screwMesh(double diameter, double length, const Contour& hea
   return turnedMesh(stations, false);
 }
 
-/// As ISO 4762 has it.
+/// A screw of ISO 4762.
 inline TriangleMesh capScrew(double diameter, double length) {
   return screwMesh(diameter, length, circle(0.8 * diameter), diameter, prism(0.8 * diameter, 6));
 }
@@ -102,7 +102,7 @@ inline TriangleMesh plateMesh(double hole, double width, double low, double high
   return tubeMesh(circle(hole), prism(width, 4), low, high);
 }
 
-/// A square block with a hole from above, as deep as this.
+/// A square block with a hole of this depth from above.
 inline TriangleMesh blockMesh(double hole, double depth, double width, double low, double high) {
   return turnedMesh({{low, circle(0.0)},
                      {low, prism(width, 4)},
@@ -127,7 +127,7 @@ inline TriangleMesh ballMesh(double radius) {
   return turnedMesh(stations, false, 24);
 }
 
-/// Bodies in one frame, which may be anywhere.
+/// Bodies in a common frame, at any pose.
 class ProductOfParts {
  public:
   explicit ProductOfParts(const Pose& X_WF = {}) : X_WF_(X_WF) {}

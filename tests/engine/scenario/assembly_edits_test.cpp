@@ -29,7 +29,7 @@ void expectRefused(const Outcome& outcome, const std::string& reason) {
   EXPECT_FALSE(outcome.error().advice.empty());
 }
 
-/// The box about a rigid body, or the object at its start, in the world.
+/// Bounding box of a rigid body, or of the object at its start, world frame.
 TEST(AssemblyEdits, PutBodiesAndEndsSomewhere) {
   Scenario scenario = test::boxScenario();
   const std::string id = scenario.bodies.front().id;
@@ -119,7 +119,7 @@ std::vector<std::string> idsOf(const std::vector<RigidBody>& bodies) {
   return ids;
 }
 
-/// Of a body of the product, whether it moves or not.
+/// Bounding box of a body of the product, whether it moves or not.
 Box3 boxInProduct(const LoadedScenario& loaded, const std::string& id) {
   for (const RigidBody& body : rigidBodiesOf(loaded)) {
     if (body.id == id) return boundingBox(*body.mesh, body.X_WB);
@@ -142,7 +142,7 @@ TEST(AssemblyEdits, AGroupMovesAsOneAndEachOfItsBodiesStaysInTheProduct) {
     EXPECT_LT((boxInProduct(group, id).min() - boxInProduct(before, id).min()).norm(), 1e-12) << id;
     EXPECT_LT((boxInProduct(group, id).max() - boxInProduct(before, id).max()).norm(), 1e-12) << id;
   }
-  // The object is both, about their middle.
+  // The object consists of both, about their middle.
   Box3 both = boxInProduct(before, "b");
   both.extend(boxInProduct(before, "c"));
   const Box3 object = boundingBox(*group.object.mesh, group.problem.start);
@@ -150,7 +150,7 @@ TEST(AssemblyEdits, AGroupMovesAsOneAndEachOfItsBodiesStaysInTheProduct) {
   EXPECT_TRUE(isObject({"b", "c"}, grouped));
   expectRefused(markMoving({"b", "c"}, group, grouped), "the object already");
 
-  // What goes on to move and what is new; then one alone.
+  // First a body that already moves and a new one; then one alone.
   Scenario more = group.scenario;
   ASSERT_TRUE(markMoving({"b", "d"}, group, more).ok());
   const LoadedScenario other = loadedFrom(more);

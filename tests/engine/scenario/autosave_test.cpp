@@ -43,7 +43,7 @@ TEST(Autosave, AKilledProgramLeavesItsLastEdits) {
   writeAndDie(folder / "autosave", edits);
   auto found = findAbandonedEdits(folder / "autosave");
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_TRUE(findAbandonedEdits(folder / "autosave").empty());  // one program is asking about it
+  EXPECT_TRUE(findAbandonedEdits(folder / "autosave").empty());  // one program is using it
   const auto read = found[0].read();
   ASSERT_TRUE(read.ok()) << toString(read.error());
   EXPECT_EQ(read->file, file);
@@ -51,7 +51,7 @@ TEST(Autosave, AKilledProgramLeavesItsLastEdits) {
   EXPECT_EQ(writeScenario(read->scenario), writeScenario(edits.scenario));
   EXPECT_EQ(test::readWhole(file), "as it was opened");
   found.clear();
-  found = findAbandonedEdits(folder / "autosave");  // nobody has removed it
+  found = findAbandonedEdits(folder / "autosave");  // no program has removed it
   ASSERT_EQ(found.size(), 1U);
   found[0].remove();
   found.clear();

@@ -9,10 +9,10 @@
 
 namespace glissade::test {
 
-/// A fault in an otherwise sound file.
+/// A fault in an otherwise valid file.
 struct BrokenScenario {
   const char* patch;  ///< JSON Patch (RFC 6902) of fullScenario()
-  const char* place;  ///< where the reader must see it
+  const char* place;  ///< place that the reader must report
   const char* reason;
   bool schemaSees = true;  ///< false: a JSON schema cannot express it
 };

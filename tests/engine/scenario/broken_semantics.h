@@ -4,7 +4,7 @@
 
 namespace glissade::test {
 
-/// Faults in what a scenario says about its places, bodies and rules.
+/// Faults in the statements of a scenario about its places, bodies and rules.
 inline const std::vector<BrokenScenario>& brokenSemantics() {
   static const std::vector<BrokenScenario> kRows{
       // environment
@@ -35,7 +35,7 @@ inline const std::vector<BrokenScenario>& brokenSemantics() {
       {R"([{"op": "add", "path": "/places/0/attributes/colour", "value": "red"}])", "/places/0/attributes/colour",
        "not a defined attribute", false},
       {R"([{"op": "add", "path": "/places/0/attributes/weight", "value": 1}])", "/places/0/attributes/weight",
-       "not a defined attribute", false},  // of bodies only
+       "not a defined attribute", false},  // an attribute of bodies only
       {R"([{"op": "replace", "path": "/places/1/attributes/forbidden", "value": 1}])", "/places/1/attributes/forbidden",
        "neither true nor false", false},
       {R"([{"op": "replace", "path": "/places/0/attributes/compatibility", "value": 2}])",

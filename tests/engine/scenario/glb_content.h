@@ -10,7 +10,7 @@
 
 namespace glissade::test {
 
-/// A GLB file taken apart as the glTF 2.0 specification says, by code of its own.
+/// Parses a GLB file by the glTF 2.0 specification, with its own code.
 class GlbContent {
  public:
   using Json = nlohmann::json;
@@ -32,7 +32,7 @@ class GlbContent {
     buffer_ = binary + 8;
   }
 
-  /// The elements of an accessor, each of its numbers.
+  /// The elements of an accessor, as lists of numbers.
   std::vector<std::vector<float>> elements(std::size_t accessor) const {
     const Json& a = json["accessors"][accessor];
     const Json& view = json["bufferViews"][a["bufferView"].get<std::size_t>()];

@@ -9,7 +9,7 @@
 namespace glissade {
 namespace {
 
-/// Keeps what it is told.
+/// Keeps the plans that it receives.
 class KeepingHost final : public SequenceHost {
  public:
   const StopToken& stopToken() const override { return stop_; }

@@ -33,7 +33,7 @@ TEST(HandRun, HasThePartInTheHandAndWhatIsThereAtItsStep) {
   EXPECT_TRUE(std::holds_alternative<GoalOut>(scenario.goal));
   EXPECT_NEAR(run.problem.start.position.x(), 0.3, 1e-12);
 
-  // About the middle of its box, wherever the scenario has its reference point.
+  // The object turns about the middle of its box, wherever the scenario has its reference point.
   Scenario beside = loaded.scenario;
   beside.object.referencePoint = {0.05, 0.05, 0.0};
   const LoadedScenario turned = test::loadedFrom(beside);
@@ -64,7 +64,7 @@ TEST(HandRun, ThreadsOfTheStepsJointsAreMarkedWhereNobodySaysAnything) {
   EXPECT_EQ(scenario.fits.pairs[1].pitch, 1.25e-3);
   EXPECT_EQ(scenario.fits.pairs[1].turned, "right");
 
-  // A shaft that is in a nut: the nut is in the hand, and what else the shaft is in stays as it is.
+  // For a shaft in a nut, the nut is held, and the shaft's other pairs are unchanged.
   StepJoint shaft{JointKind::Screw, "base", {"right", "left"}};
   shaft.pitch = 1.25e-3;
   shaft.turns = 6.0;
@@ -85,7 +85,7 @@ TEST(HandRun, HasAGroupInTheHandAboutItsMiddle) {
   EXPECT_EQ(run.obstacles.front().id, "right");
   EXPECT_LT((run.problem.start.position - Vector3(-0.15, 0.0, 0.0)).norm(), 1e-12);
 
-  // The path of the group is that of the frame at the middle of its box, which has the world's orientation.
+  // The path of the group is that of the frame at the middle of its box, with the world's orientation.
   const Pose moved = Pose::translation({0.0, 0.4, 0.1}) * run.problem.start;
   const DemandedMotion motion =
       motionOfRun(run.objectBodies, {{run.problem.start, Author::Computer}, {moved, Author::Operator}}, {"auto"});

@@ -74,7 +74,7 @@ TEST(MeshAsset, WhatIsSavedIsTheHashOfWhatWasLoaded) {
   folder.write("part.obj", first);
   const auto loaded = loadGeometry(meshScenario("part.obj", "part.obj"), folder.path(), folder / "s.json");
   ASSERT_TRUE(loaded.ok());
-  folder.write("part.obj", second);  // somebody exports it again
+  folder.write("part.obj", second);  // a program exports it again
   ASSERT_TRUE(saveScenario(loaded->scenario, folder / "s.json").ok());
   const auto saved = parseScenario(test::readWhole(folder / "s.json"), "s.json");
   ASSERT_TRUE(saved.ok());
@@ -91,7 +91,7 @@ TEST(MeshAsset, TrianglesThatAreLeftOutAreCounted) {
   folder.write("part.obj", meshFile(MeshFormat::Obj, {makeBox({1, 1, 1})}) + "f 1 1 2\nf 3 3 3\n");
   const auto loaded = loadGeometry(meshScenario("part.obj", "part.obj"), folder.path(), "s.json");
   ASSERT_TRUE(loaded.ok()) << toString(loaded.error());
-  ASSERT_EQ(loaded->warnings.size(), 1U);  // both bodies are made of the file, which is read once
+  ASSERT_EQ(loaded->warnings.size(), 1U);  // both bodies come from the file, which is read once
   EXPECT_THAT(loaded->warnings[0].reason, HasSubstr("has 2 triangles with two equal corners"));
   EXPECT_EQ(loaded->obstacles[0].mesh->triangles.size(), 12U);
 }
@@ -99,7 +99,7 @@ TEST(MeshAsset, TrianglesThatAreLeftOutAreCounted) {
 TEST(MeshAsset, AFileThatIsTooLargeIsRefusedWithItsSizeAndTheLimit) {
   const TemporaryFolder folder;
   const std::string file = folder.write("part.stl", "solid");
-  std::filesystem::resize_file(file, 5ULL << 30);  // takes no room on the disk
+  std::filesystem::resize_file(file, 5ULL << 30);  // takes no space on the disk
   const auto loaded = loadGeometry(meshScenario("part.stl", "part.stl"), folder.path(), "s.json");
   ASSERT_FALSE(loaded.ok());
   EXPECT_THAT(loaded.error().reason, HasSubstr("it has 5120 MiB, and at most "));

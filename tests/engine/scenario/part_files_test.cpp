@@ -49,7 +49,7 @@ void expectRefused(const Result<T>& result, ErrorKind kind, const std::string& f
   EXPECT_FALSE(result.error().advice.empty());
 }
 
-/// Where every body and the object at its start lie.
+/// Bounding boxes of all bodies and of the object at its start.
 std::vector<Box3> boxesOf(const LoadedScenario& loaded) {
   std::vector<Box3> boxes{boundingBox(*loaded.object.mesh, loaded.object.X_WB)};
   for (const RigidBody& body : loaded.obstacles) boxes.push_back(boundingBox(*body.mesh, body.X_WB));
@@ -255,7 +255,7 @@ std::string writeGroups(const test::TemporaryFolder& folder) {
                                      "f 11 15 16 12\nf 9 13 15 11\nf 10 12 16 14\n");
 }
 
-/// '/' has its meaning in paths of parts, and triangles before the first statement are in a group without a name.
+/// '/' separates steps in paths of parts. Triangles before the first statement are in a group without a name.
 TEST(PartFiles, GroupsOfDifferentNamesAreDifferentParts) {
   const test::TemporaryFolder folder;
   std::string text;

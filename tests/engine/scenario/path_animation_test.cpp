@@ -19,7 +19,7 @@ double lengthOf(const std::vector<Pose>& path, const Se3Metric& metric) {
   return sum;
 }
 
-/// Where the object is after so much of the metric length.
+/// Pose of the object at a metric length of the path.
 Pose poseAfter(double length, const std::vector<Pose>& path, const Se3Metric& metric) {
   for (std::size_t i = 1; i < path.size(); ++i) {
     const double edge = metric.distance(path[i - 1], path[i]);
@@ -29,7 +29,7 @@ Pose poseAfter(double length, const std::vector<Pose>& path, const Se3Metric& me
   return path.back();
 }
 
-/// As a player of glTF does (spherical), or one that takes the components of quaternions for numbers.
+/// The pose that a player of glTF shows (spherical), or a player that interpolates the components of quaternions.
 Pose played(const std::vector<KeyFrame>& frames, double time, bool spherical) {
   std::size_t next = 1;
   while (next + 1 < frames.size() && static_cast<double>(frames[next].time) < time) ++next;
@@ -50,7 +50,7 @@ std::vector<Pose> randomPath(RandomStream& stream) {
   return path;
 }
 
-/// Strictly later, and in the hemisphere of the one before.
+/// Checks that each frame is strictly later than the one before, and in its hemisphere.
 void expectInOrder(const std::vector<KeyFrame>& frames) {
   ASSERT_FALSE(frames.empty());
   EXPECT_EQ(frames.front().time, 0.0F);

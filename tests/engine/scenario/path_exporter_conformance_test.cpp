@@ -21,7 +21,7 @@ std::vector<std::string> exporterIds() {
   return ids;
 }
 
-/// While it lives no file grows beyond a few bytes, as on a disk that is full.
+/// While this object lives, no file can grow beyond a few bytes, as on a full disk.
 class FullDisk {
  public:
   FullDisk() : handler_(::signal(SIGXFSZ, SIG_IGN)) {
@@ -117,7 +117,7 @@ TEST_P(PathExporterConformance, AFileThatCannotBeIsAnErrorWithItsReason) {
   EXPECT_FALSE(saved.why.advice.empty());
 }
 
-/// Such warnings were lost.
+/// The warnings of a save were lost.
 TEST_P(PathExporterConformance, WhatASaveWarnsOfIsHandedOn) {
   const std::string file = folder_.write("a." + exporter_.endings.front(), "old");
   ASSERT_EQ(::link(file.c_str(), (file + ".link").c_str()), 0);

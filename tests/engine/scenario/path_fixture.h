@@ -10,8 +10,7 @@
 
 namespace glissade::test {
 
-/// A certified path beside the wall of boxScenario(), with an author of each kind and numbers that are awkward
-/// to print.
+/// A certified path beside the wall of boxScenario(), with a node of each author and numbers that need many digits.
 class PathFixture : public testing::Test {
  protected:
   void SetUp() override {

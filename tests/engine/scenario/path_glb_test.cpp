@@ -17,7 +17,7 @@ namespace {
 using test::GlbContent;
 using Elements = std::vector<std::vector<float>>;
 
-/// The world's z is glTF's y.
+/// The point in glTF's frame, in which the world's z is y.
 Vector3 yUp(const Vector3& p_W) { return {p_W.x(), p_W.z(), -p_W.y()}; }
 
 class PathGlb : public test::PathFixture {
@@ -29,7 +29,7 @@ class PathGlb : public test::PathFixture {
   }
 };
 
-/// What a player makes of the file's one animation, by section 3.11 and appendix C of the specification.
+/// Plays the file's one animation by section 3.11 and appendix C of the specification.
 class Player {
  public:
   explicit Player(const GlbContent& glb) {

@@ -7,7 +7,7 @@
 namespace glissade {
 namespace {
 
-/// The first is what moves.
+/// A scenario of these files; the first one moves.
 Scenario scenarioOf(const std::vector<std::string>& paths) {
   Scenario scenario;
   scenario.object.first() = {paths[0], paths[0], Mobility::Static, BoxGeometry{}};
@@ -33,7 +33,7 @@ TEST(ProductName, IsTheRootOfTheProduct) {
   EXPECT_EQ(nameOfProduct(loaded), "pump");
 }
 
-/// Scenarios of earlier versions are named as the part that moves.
+/// Earlier versions named scenarios after the part that moves.
 TEST(ProductName, IsThatOfNoPart) {
   Scenario scenario = scenarioOf({"rod-assembly/nut", "plate"});
   for (const char* name : {"rod-assembly/nut", "nut", "plate", ""}) {

@@ -56,7 +56,7 @@ TEST(RunRecordFile, ReadsBackBitByBit) {
   EXPECT_EQ(read->assets[0].sha256, written.assets[0].sha256);
   expectSameLog(read->log, written.log);
   RunRecord again = *read;
-  again.scenario = written.scenario;  // it is not there: the record's name for it is kept
+  again.scenario = written.scenario;  // the file does not exist, so that the record's name for it is kept
   ASSERT_TRUE(writeRunRecord(again, folder / "again.json").ok());
   EXPECT_EQ(test::readWhole(folder / "again.json"), test::readWhole(folder / "run.json"));
 }
@@ -123,7 +123,7 @@ TEST(RunJournal, AKilledWriterLeavesAllButTheLineThatWasCutOff) {
   ASSERT_TRUE((*journal)->append(first).ok());
   ASSERT_TRUE((*journal)->append(second).ok());
   ASSERT_TRUE((*journal)->append(first).ok());
-  EXPECT_TRUE(abandonedJournals(folder / "recordings").empty());  // its writer lives
+  EXPECT_TRUE(abandonedJournals(folder / "recordings").empty());  // its writer is running
 
   const std::string text = test::readWhole((*journal)->file());
   const std::string cut = folder.write("cut.journal", text.substr(0, text.size() - 20));
@@ -142,7 +142,7 @@ TEST(RunJournal, ALineThatAddsWhatTheFirstOneLacksIsLost) {
   ASSERT_TRUE(journal.ok()) << toString(journal.error());
   std::string head = test::readWhole((*journal)->file());
   const std::size_t checksum = head.rfind(",\"checksum\"");
-  head = head.substr(0, checksum) + "}\n";  // as journals were before: no line carries a checksum
+  head = head.substr(0, checksum) + "}\n";  // former format of journals: no line has a checksum
   const auto whole = readRunRecord(folder.write("head.journal", head));
   ASSERT_TRUE(whole.ok()) << toString(whole.error());
   EXPECT_FALSE(whole->loss);
@@ -174,7 +174,7 @@ TEST(RunRecordFile, AChecksumThatDoesNotFitIsAnError) {
   EXPECT_EQ(read.error().kind, ErrorKind::MalformedInput);
   EXPECT_EQ(read.error().location, "/checksum");
   const std::size_t checksum = text.find(",\n \"checksum\"");
-  text.erase(checksum, text.find('\n', checksum + 2) - checksum);  // as records were before
+  text.erase(checksum, text.find('\n', checksum + 2) - checksum);  // former format of records
   EXPECT_TRUE(readRunRecord(folder.write("edited.json", text)).ok());
 }
 
@@ -212,7 +212,7 @@ TEST(RunJournal, ADamagedLineCostsThatLineOnly) {
     EXPECT_TRUE(lossWarning(*read, "damaged.journal"));
     ASSERT_EQ(read->log.checkpoints.size(), 2U);
     EXPECT_EQ(read->log.checkpoints[1].step, 30U);
-    // The recording that is made of it says so, too.
+    // The recording that is saved from it also states the loss.
     ASSERT_TRUE(writeRunRecord(*read, folder / "saved.json").ok());
     const Result<RunRecord> saved = readRunRecord(folder / "saved.json");
     ASSERT_TRUE(saved.ok()) << toString(saved.error());
@@ -239,7 +239,7 @@ TEST(RunJournal, EveryChangedDigitCostsItsLine) {
 
 TEST(RunJournal, ALineThatTheDiskDoesNotTakeLeavesTheOthersWhole) {
   const test::TemporaryFolder folder;
-  const pid_t child = ::fork();  // the limit does not come back
+  const pid_t child = ::fork();  // the limit cannot be restored
   if (child == 0) {
     std::signal(SIGXFSZ, SIG_IGN);
     RunRecord head = someRunRecord();

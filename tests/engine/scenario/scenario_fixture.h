@@ -51,7 +51,7 @@ inline std::vector<AttributeDefinition> ownAttributes() {
           define("remark", AttributeType::Text, AttributeOwner::Place, std::string("none"))};
 }
 
-/// Every key of the format, with numbers that are awkward to print.
+/// A scenario with every key of the format, and numbers that need many digits.
 inline Scenario fullScenario() {
   Scenario scenario = boxScenario();
   scenario.description = "Wände – \"quoted\"\n";

@@ -38,7 +38,7 @@ TEST(ScenarioFile, KeepsEveryValue) {
   EXPECT_EQ(read->assets[0].deflection, 0.0);
   EXPECT_EQ(read->assets[2].deflection, 1.0 / 3e4);
   ASSERT_EQ(read->bodies.size(), 6U);
-  EXPECT_EQ(read->bodies[1].pose, written.bodies[1].pose);  // bit by bit
+  EXPECT_EQ(read->bodies[1].pose, written.bodies[1].pose);  // equal bit by bit
   EXPECT_EQ(read->bodies[1].mobility, Mobility::Mobile);
   EXPECT_EQ(read->bodies[1].attributes, written.bodies[1].attributes);
   EXPECT_EQ(read->bodies[1].colour, written.bodies[1].colour);
@@ -69,7 +69,7 @@ TEST(ScenarioFile, AChecksumThatDoesNotFitIsAWarning) {
     return warnings;
   };
   EXPECT_TRUE(warningsOf(text).empty());
-  EXPECT_TRUE(warningsOf(scenarioText(fullScenario())).empty());  // a file without one
+  EXPECT_TRUE(warningsOf(scenarioText(fullScenario())).empty());  // a file without a checksum
   std::string reformatted;
   for (const char c : text) reformatted += c == '\n' ? std::string("\r\n\t") : std::string(1, c);
   EXPECT_TRUE(warningsOf(reformatted).empty());
@@ -129,7 +129,8 @@ TEST(SaveScenario, RecordsTheContentOfItsAssets) {
   EXPECT_EQ(saved.sha256, sha256(test::readWhole(file)));
   const Result<Scenario> read = parseScenario(test::readWhole(file), file);
   ASSERT_TRUE(read.ok());
-  EXPECT_EQ(read->assets[0].sha256, fullScenario().assets[0].sha256);  // of what was loaded, not of the file now
+  // Hash of the loaded content, not of the present file.
+  EXPECT_EQ(read->assets[0].sha256, fullScenario().assets[0].sha256);
   EXPECT_EQ(read->assets[1].sha256, sha256("two"));
 }
 
@@ -157,7 +158,7 @@ TEST(SaveScenario, RefusesWhatCouldNotBeLoadedAndKeepsTheOldFile) {
   const SaveResult saved = saveScenarioFile(broken, file, std::nullopt);
   ASSERT_FALSE(saved.ok());
   EXPECT_THAT(saved.why.location, testing::HasSubstr("/start/position/0"));
-  EXPECT_FALSE(saveScenario(fullScenario(), file).ok());  // its assets are not there
+  EXPECT_FALSE(saveScenario(fullScenario(), file).ok());  // its assets do not exist
   EXPECT_EQ(test::readWhole(file), "old");
 }
 

@@ -90,7 +90,7 @@ TEST(LoadScenario, EnvironmentOneIsThePapers) {
   EXPECT_EQ(wall.name, "wall_L1");
   EXPECT_TRUE(boundingBox(*wall.mesh, wall.X_WB).max().isApprox(Vector3(5.9, 1.4, 5.15), 1e-12));
   EXPECT_GT(wall.colour[2], wall.colour[0]);                        // blue
-  EXPECT_NEAR(loaded->problem.world->objectRadius(), 1.536, 1e-3);  // of the L
+  EXPECT_NEAR(loaded->problem.world->objectRadius(), 1.536, 1e-3);  // radius of the L
   EXPECT_EQ(loaded->parameters[ParameterId::ContactDistance], 0.15);
   EXPECT_EQ(loaded->parameters.integer(ParameterId::ContactSamples), 10);
   EXPECT_EQ(loaded->problem.bounds.min().x(), -2.5);
@@ -161,7 +161,7 @@ TEST(LoadScenario, ParametersOutOfRangeAreNamed) {
 
 TEST(LoadScenario, RotationsAreMadeUnit) {
   Scenario scenario = boxScenario();
-  scenario.start.orientation.coeffs() *= 1.0005;  // as a file may have it
+  scenario.start.orientation.coeffs() *= 1.0005;  // as in a rounded file
   scenario.goal = scenario.start;
   scenario.bodies[0].pose.orientation.coeffs() *= 1.0005;
   const Result<LoadedScenario> loaded = load(scenario);
@@ -199,7 +199,7 @@ TEST(LoadGeometry, GeometryThatIsKnownIsNotReadAgainAndGivesTheSame) {
   EXPECT_EQ(moved->obstacles.back().X_WB, scenario.bodies.back().pose);
   EXPECT_EQ(moved->object.mesh->vertices, first->object.mesh->vertices);
 
-  scenario.assets.front().unit = 0.5;  // another interpretation is another geometry
+  scenario.assets.front().unit = 0.5;  // other import options give another geometry
   EXPECT_FALSE(loadGeometry(scenario, folder.path(), "s.json", first->geometry).ok());
 }
 

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "engine/import/json_reader.h"
+#include "engine/base/json_reader.h"
 #include "engine/scenario/scenario_io.h"
 #include "tests/engine/scenario/broken_scenarios.h"
 
@@ -48,7 +48,7 @@ TEST(MalformedScenario, DeepDocumentsAreRefused) {
   expectRefused(deep, "", "too deeply");
 }
 
-/// The time to read such an object is quadratic in its keys: with a million of them it was hours.
+/// The time to read such an object was quadratic in its keys: hours for a million keys.
 TEST(MalformedScenario, ObjectsOfVeryManyKeysAreRefused) {
   std::string text = "{";
   for (int i = 0; i < 100'000; ++i) text += "\"k" + std::to_string(i) + "\": 0,";

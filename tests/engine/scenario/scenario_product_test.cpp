@@ -1,4 +1,4 @@
-// The tree of a scenario's product: what files of before say, what importers say, and attributes of assemblies.
+// Tests the tree of a scenario's product: files of earlier versions, names by importers, and attributes of assemblies.
 #include "engine/scenario/scenario_product.h"
 
 #include <gmock/gmock.h>
@@ -24,7 +24,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/// Boxes beside each other, of these names; ids are the names with "." for "/".
+/// Boxes beside each other with these names; ids are the names with "." for "/".
 Scenario boxesNamed(const std::vector<std::string>& names) {
   Scenario scenario = test::boxScenario();
   scenario.bodies.clear();
@@ -222,8 +222,7 @@ TEST_F(RenamedUnit, OrdinaryNamesAddNothingToTheFile) {
   EXPECT_TRUE(made({unit + ":pin", unit}).nodes.empty());
 }
 
-/// The time is that of a slow machine.
-/// Seconds for making, writing, reading and taking apart a product of so many bodies, 41 levels deep.
+/// Seconds for making, writing and reading a product of `count` bodies, 41 levels deep.
 double secondsFor(int count) {
   std::string above;
   for (int level = 0; level < 40; ++level) above = joinedPath(above, "level" + std::to_string(level));

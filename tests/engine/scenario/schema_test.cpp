@@ -30,7 +30,7 @@ class Schema {
     valijson::SchemaParser().populateSchema(Adapter(document_), schema_);
   }
 
-  /// Empty where the document is valid.
+  /// The fault of a document; empty where it is valid.
   std::string complaint(const std::string& text) {
     const auto document = nlohmann::json::parse(text);
     valijson::Validator validator;
@@ -102,7 +102,7 @@ TEST(JointsSchema, AcceptsWhatIsWritten) {
   EXPECT_NE(schema.complaint(json.dump()), "");
 }
 
-/// What instruction_template_test.cpp reads.
+/// The template of instruction_template_test.cpp is valid.
 TEST(InstructionTemplateSchema, KnowsEveryMember) {
   Schema schema("instruction-template-1");
   const auto with = [](const std::string& members) {
@@ -122,7 +122,7 @@ TEST(RunSchema, AcceptsWhatIsWritten) {
   Schema schema("run-2");
   const test::TemporaryFolder folder;
   RunRecord record = test::someRunRecord();
-  record.log.start.seed = 5;  // the validator knows no whole numbers beyond 2^63
+  record.log.start.seed = 5;  // the validator does not support whole numbers beyond 2^63
   ASSERT_TRUE(writeRunRecord(record, folder / "run.json").ok());
   EXPECT_EQ(schema.complaint(test::readWhole(folder / "run.json")), "");
   EXPECT_NE(schema.complaint("{}"), "");

@@ -29,7 +29,7 @@ TEST(SemanticsFile, SaysNothingWhereNothingWasSaid) {
 
 TEST(SemanticsFile, EditsGoIntoAScenarioAndComeOutTheSame) {
   const SemanticEdits edits = semanticEditsOf(test::fullScenario());
-  EXPECT_EQ(edits.bodies.size(), 4U);  // the mesh, the two of the object, and an assembly
+  EXPECT_EQ(edits.bodies.size(), 4U);  // the mesh, the two bodies of the object, and an assembly
   Scenario plain = test::fullScenario();
   setSemanticEdits({}, plain);
   EXPECT_EQ(semanticEditsOf(plain), SemanticEdits{});

@@ -10,7 +10,7 @@
 namespace glissade {
 namespace {
 
-/// Bodies "rail" and "screws", whose STEP file has two.
+/// A scenario with bodies "rail" and "screws", whose STEP file has two parts.
 struct KnownScenario {
   KnownScenario() {
     scenario.bodies.resize(2);

@@ -4,7 +4,7 @@
 
 namespace glissade::test {
 
-/// A plan that has something of everything.
+/// A plan that uses every part of the format.
 inline AssemblyPlan somePlan() {
   AssemblyPlan plan;
   plan.strategy = "greedy";

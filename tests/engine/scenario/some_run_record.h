@@ -26,7 +26,7 @@ inline std::shared_ptr<const SemanticEdits> someEdits() {
   return edits;
 }
 
-/// Something of everything.
+/// A record that uses every part of the format.
 inline RunRecord someRunRecord() {
   RunRecord record;
   record.program = "Glissade 0.1.0";

@@ -18,7 +18,7 @@ using test::stepFile;
 using test::TemporaryFolder;
 using testing::HasSubstr;
 
-/// A product with its parts in files of their own.
+/// A product whose parts are separate files.
 class StepAsset : public testing::Test {
  protected:
   StepAsset() {

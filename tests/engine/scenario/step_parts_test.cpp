@@ -1,4 +1,4 @@
-// STEP files as parts of a product: one body a part, named by the way to it in the file's assembly.
+// Tests STEP files as parts of a product: one body for each part, named by its path in the file's assembly.
 #include "engine/import/step_parts.h"
 
 #include <gmock/gmock.h>
@@ -104,7 +104,7 @@ TEST(StepParts, ASolidThatIsNamedOpensItsPart) {
   EXPECT_FALSE(readProduct(kFrames, {}, 0.0, {{"pad"}, {}})) << "a part of one solid";
 }
 
-/// Scenarios and plans of earlier versions say nothing of parts of several solids: each solid is a body.
+/// Scenarios and plans of earlier versions state nothing about parts of several solids: each solid is a body.
 TEST(StepParts, EarlierScenariosAndPlansFindTheirSolids) {
   Scenario earlier = scenarioOf({moving(kFrames + ":pad"), still(kFrames)});
   ASSERT_EQ(earlier.bodies.size(), 2U);

@@ -11,7 +11,7 @@
 namespace glissade {
 namespace {
 
-/// Edges of bodies, and how many of them were asked.
+/// Edges of bodies, with the number of edges that were queried.
 struct KnownGraph {
   explicit KnownGraph(std::size_t count) : blockers(count), stays(count, false), candidates(count) {
     std::iota(candidates.begin(), candidates.end(), 0);
@@ -47,7 +47,7 @@ struct RandomGraph : KnownGraph {
     for (std::size_t body = 2; body < count; ++body) units.push_back({body});
   }
 
-  /// Whole units, nobody stays, nobody outside blocks.
+  /// True if the mask contains whole units and no body that stays, and no body outside blocks it.
   bool leaves(unsigned mask) const {
     const auto has = [&](std::size_t body) { return (mask >> body & 1U) != 0; };
     if (has(0) != has(1)) return false;
@@ -68,7 +68,7 @@ unsigned maskOf(const BodyGroup& group) {
   return mask;
 }
 
-/// Against all subsets.
+/// Compares with all subsets.
 TEST(BlockingGraph, FindsTheSmallestGroupWithEachUnit) {
   constexpr std::size_t kBodies = 8;
   RandomStream random(1, "graphs");

@@ -141,7 +141,7 @@ AssembledProduct looseBoxes() {
                           box("two", 0.0), box("three", 0.5)});
 }
 
-/// Without joints: the tests are about demands.
+/// Plans without joints, because the tests are about demands.
 AssemblyPlan planned(const AssembledProduct& product, const std::string& staying, SequenceDemands demands,
                      const std::string& strategy = "greedy", const AssemblyPlan* known = nullptr) {
   const ProductFits fits = test::fitsOf(product);
@@ -223,8 +223,8 @@ TEST(DemandedSteps, NothingLeavesInAForbiddenDirection) {
   EXPECT_FALSE(judgePlan(wrong, product, std::nullopt).steps[0].valid());
 }
 
-/// A block in a pit whose walls are 0.02 m from it on each side; one of them is lower, or there is none at +x. Over the
-/// lower wall the block moves within 30 degrees of +z.
+/// A block in a pit whose walls are 0.02 m from it on each side; one wall is lower, or is missing at +x. Over the lower
+/// wall the block moves within 30 degrees of +z.
 AssembledProduct blockInAPit(double lowerWall) {
   std::vector<test::Piece> pieces{{{1.0, 1.0, 0.1}, {0.0, 0.0, -0.05}},
                                   {{0.1, 1.0, 0.5}, {-0.22, 0.0, 0.25}},
@@ -303,7 +303,7 @@ TEST(DemandedSteps, AMotionOfAPersonIsTheOnlyOne) {
   EXPECT_EQ(blocked.stuck[0].blockedBy, Names{"three"});
 }
 
-/// Refuses all that is asked but certifies all that is given.
+/// Refuses every removal, but certifies every motion.
 class CertifyingTrial final : public RemovalTrial {
  public:
   int efforts() const override { return 2; }

@@ -30,14 +30,14 @@ void expectApart(const AssembledProduct& product, const std::vector<Pose>& moved
   }
 }
 
-/// How far two boxes overlap: the smallest distance that takes them apart along an axis.
+/// Depth of the overlap of two boxes: the smallest displacement along an axis that separates them.
 double depthOf(const Box3& a, const Box3& b) {
   const Vector3 common = a.max().cwiseMin(b.max()) - a.min().cwiseMax(b.min());
   return std::max(0.0, common.minCoeff());
 }
 
-/// The boxes that a test's body is made of, where it stands. Oracle: it knows how the bodies were made, and asks no
-/// collision query. Precondition: the body has not turned.
+/// The boxes of which a test's body consists, at its pose. Independent oracle: it knows how the bodies were made, and
+/// uses no collision query. Precondition: the body has not turned.
 std::vector<Box3> piecesOf(const RigidBody& body, const Pose& moved) {
   constexpr std::size_t kCorners = 8;
   EXPECT_LT(angleBetween(moved.orientation, Quaternion::Identity()), kTolerance);
@@ -132,7 +132,7 @@ TEST(ExplodedView, BoxesInAnyOrderAndDirectionComeApart) {
   }
 }
 
-/// Blocks side by side, which leave upwards; `turns`: turned out like screws, a configuration every 0.8 radians.
+/// Blocks side by side that leave upwards; `turns`: turned out like screws, with a configuration every 0.8 radians.
 std::pair<AssembledProduct, AssemblyPlan> blocksThatLeave(int count, bool turns) {
   const auto mesh = std::make_shared<const TriangleMesh>(makeBox(Vector3::Constant(0.01)));
   std::pair<AssembledProduct, AssemblyPlan> made;
@@ -159,7 +159,7 @@ std::pair<AssembledProduct, AssemblyPlan> blocksThatLeave(int count, bool turns)
   return made;
 }
 
-/// Times of one run are compared. The boxes of each piece of a turn, kept one by one, took 70 times as long.
+/// Compares times of one run. Storing the boxes of all pieces of a turn took 70 times as long.
 TEST(ExplodedView, ScrewsThatTurnTakeLittleLongerThanBodiesThatLeaveStraight) {
   const auto leastOfThree = [](bool turns) {
     const auto [product, plan] = blocksThatLeave(250, turns);

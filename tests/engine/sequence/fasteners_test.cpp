@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kSegments = 24;
 
-/// A ring whose outside is a prism of so many sides, with the corners at this radius.
+/// A ring with a prism of `sides` sides as its outside; `corner`: radius of the corners.
 TriangleMesh prismRing(double inner, double corner, double length, int sides) {
   TriangleMesh mesh = test::makeRing(inner, corner, length, kSegments);
   const double side = 2.0 * 3.14159265358979323846 / sides;
@@ -38,7 +38,7 @@ TriangleMesh boltMesh(double radius, double head) {
   return mesh;
 }
 
-/// All on one axis, which may point anywhere; names say nothing.
+/// Parts on one axis, at any pose; their names do not say what they are.
 AssembledProduct fastened(const Pose& X_WF, double shaft = 0.004) {
   const auto at = [&](double z) { return X_WF * Pose::translation({0.0, 0.0, z}); };
   return test::productOf(
@@ -93,7 +93,7 @@ TEST(Fasteners, NutsLeaveBeforeTheirBolts) {
   EXPECT_NE(std::find(step.after.begin(), step.after.end(), number), step.after.end());
 }
 
-/// As those of as1: a box with a hole, which only its name tells from a plate.
+/// Rectangular nuts as in as1: a box with a hole, which only its name distinguishes from a plate.
 TEST(Fasteners, ANutMayBeARectangle) {
   for (const auto& [name, width] : {std::pair("nut", 0.016), std::pair("nut", 0.02), std::pair("plate", 0.02)}) {
     TriangleMesh nut = prismRing(0.004, 0.02, 0.006, 4);
@@ -116,7 +116,7 @@ TEST(Fasteners, ShapeAloneIsNotEnough) {
   EXPECT_EQ(std::count(kinds.begin(), kinds.end(), FastenerKind::None), static_cast<std::ptrdiff_t>(kinds.size()));
 }
 
-/// The shaft of the screw touches nothing: its cone does.
+/// Only the cone of the screw touches the part, and not its shaft.
 TEST(Fasteners, ACountersunkScrewIsOneByItsCone) {
   const auto file = importStep(test::stepFile("round-fits.step"), 0.0);
   ASSERT_TRUE(file);

@@ -13,7 +13,7 @@
 namespace glissade {
 namespace {
 
-/// Bodies that may leave when certain others have left, each with an effort.
+/// A trial in which a body may leave after certain other bodies, each with an effort.
 class RuledTrial final : public RemovalTrial {
  public:
   struct Rule {
@@ -31,7 +31,7 @@ class RuledTrial final : public RemovalTrial {
     for (const std::size_t other : rules_[body].blockedBy) {
       if (present[other]) blocking.push_back(other);
     }
-    // Asked again although nobody of those in the way has left?
+    // Detects a repeated trial although none of the blocking bodies has left.
     auto& last = asked_[{body, effort}];
     if (last) {
       EXPECT_NE(*last, blocking) << body << " with effort " << effort;
@@ -73,7 +73,7 @@ AssembledProduct boxes(std::size_t count) {
   return test::productOf(bodies);
 }
 
-/// Interrupted after so many waves.
+/// Interrupted after this number of waves.
 AssemblyPlan planned(const AssembledProduct& product, RemovalTrial& trial, const AssemblyPlan* resumed = nullptr,
                      std::size_t waves = 1000) {
   test::QuietHost host(1, waves);
@@ -82,7 +82,7 @@ AssemblyPlan planned(const AssembledProduct& product, RemovalTrial& trial, const
   return GreedyStrategy().plan({product, staying, 1, trial, resumed}, host);
 }
 
-/// Bodies are blocked by bodies of lower or higher numbers; some chains end in a circle.
+/// Each body is blocked by bodies of lower or higher numbers; some chains end in a circle.
 std::vector<RuledTrial::Rule> randomRules(RandomStream& random, std::size_t count) {
   std::vector<RuledTrial::Rule> rules(count);
   for (std::size_t body = 1; body < count; ++body) {
@@ -95,7 +95,7 @@ std::vector<RuledTrial::Rule> randomRules(RandomStream& random, std::size_t coun
   return rules;
 }
 
-/// Whoever can leave in any order: what remains is the largest set that blocks itself.
+/// Removes bodies in any order while one can leave: the rest is the largest set that blocks itself.
 std::set<std::size_t> leftForEver(const std::vector<RuledTrial::Rule>& rules) {
   std::set<std::size_t> left;
   for (std::size_t body = 1; body < rules.size(); ++body) left.insert(body);
@@ -191,7 +191,7 @@ TEST(GreedyStrategy, KeepsTheOrderThatAPersonDemandsAndSaysSoWhereItIsInTheWay) 
   EXPECT_EQ(stuck.stuck[0].body, "1");
   EXPECT_EQ(stuck.stuck[0].blockedBy, std::vector<std::string>{"3"});
   EXPECT_NE(stuck.stuck[0].reason.find("demanded"), std::string::npos);
-  // What is known, and not demanded, is given up where nothing else can leave.
+  // A rule that is known but not demanded is dropped if no other body can leave.
   RuledTrial known(rules);
   const AssemblyPlan given = GreedyStrategy().plan({product, staying, 1, known, nullptr, {{}, {{3, 1, false}}}}, host);
   EXPECT_EQ(test::orderOf(given), (std::vector<std::string>{"2", "1"}));

@@ -19,7 +19,7 @@ namespace {
 constexpr double kPitch = 0.0008;
 constexpr double kEngaged = 0.004;
 
-/// The triangles are one face, as of a CAD file.
+/// A part whose triangles are one face, as in a CAD file.
 RigidBody partOf(const std::string& name, TriangleMesh mesh, const Vector3& at) {
   mesh.faces.emplace_back();
   mesh.faceOf.assign(mesh.triangles.size(), 0);
@@ -261,7 +261,7 @@ TEST(JointPlan, AFlexibleBodyLeavesWithoutAProofBeforeWhatItGoesAround) {
 TEST(JointPlan, StepsOfOneTaskFollowEachOther) {
   std::vector<RigidBody> bodies{partOf("base", test::makeRing(0.001, 0.2, 0.02, 48), {0.0, 0.0, -0.02})};
   Joints joints;
-  // Posts that stand free, of growing size; the first, third and fifth are one task.
+  // Separate posts of growing size; the first, third and fifth are one task.
   for (std::size_t i = 0; i < 6; ++i) {
     const double angle = std::numbers::pi * static_cast<double>(i) / 3.0;
     bodies.push_back(boxBody("post" + std::to_string(i), {0.01, 0.01, 0.02 + 0.001 * static_cast<double>(i)},

@@ -9,7 +9,7 @@
 namespace glissade {
 namespace {
 
-/// A part that leaves upwards by 2 m, and then to the side by 1 m.
+/// A part that leaves upwards by 2 m, and then sideways by 1 m.
 class LedPartTest : public testing::Test {
  protected:
   static Pose place(double x, double z) { return Pose::translation({x, 0.0, z}); }

@@ -38,7 +38,7 @@ bool keepsOrder(const LineTasks& tasks, const std::vector<std::size_t>& stationO
   return true;
 }
 
-/// Every division is tried.
+/// Tries every division.
 double shortestCycle(const LineTasks& tasks, std::size_t stations) {
   const std::size_t count = tasks.seconds.size();
   double shortest = std::numeric_limits<double>::infinity();
@@ -76,7 +76,7 @@ TEST(LineBalance, IsTheSameEachTime) {
   EXPECT_EQ(once->stationOf, again->stationOf);
 }
 
-/// More than an integer program is made for: the order of the tasks is divided.
+/// The problem is larger than the limit of the integer program, so the order of the tasks is divided.
 TEST(LineBalance, DividesManyTasks) {
   RandomStream stream(7, "lines");
   const LineTasks tasks = randomTasks(stream, 1000, 0.002);

@@ -81,7 +81,7 @@ TEST(MotionTrial, APegLeavesAlongTwoLines) {
   EXPECT_NEAR(up.z(), 0.3, 1e-9) << "as far as the peg is long";
 }
 
-/// What a person forbids holds for the second line, too.
+/// A forbidden direction also holds for the second line.
 TEST(MotionTrial, TwoLinesKeepToForbiddenDirections) {
   const AssembledProduct product = pegUnderARoof();
   const ProductFits fits = test::fitsOf(product);
@@ -97,7 +97,7 @@ TEST(MotionTrial, TwoLinesKeepToForbiddenDirections) {
   EXPECT_TRUE(removed == nullptr || removed->method != kTwoLines);
 }
 
-/// What was proved against bodies holds when some of them have left.
+/// A proof against bodies holds after some of them have left.
 TEST(MotionTrial, MotionsHoldForEverySubset) {
   const AssembledProduct product = test::lockedDrawer();
   const ProductFits fits = test::fitsOf(product);
@@ -135,7 +135,7 @@ TEST(MotionTrial, ComposedWorldsAnswerAsThoseBuiltAtOnce) {
       Pose q{Vector3(random.uniform(-1.5, 1.5), random.uniform(-1.5, 1.5), random.uniform(-1.5, 1.5)),
              fromRollPitchYaw(random.uniform(-3.0, 3.0), random.uniform(-1.5, 1.5), random.uniform(-3.0, 3.0))};
       EXPECT_EQ(one->collidingBody(q), other->collidingBody(q));
-      // Composed worlds are asked in the frames of the meshes, which round in their own ways.
+      // Composed worlds are queried in the frames of the meshes, which round differently.
       EXPECT_NEAR(one->nearestObstacle(q).distance, other->nearestObstacle(q).distance, 1e-14);
       EXPECT_EQ(one->clearAbove(q, 0.1), other->clearAbove(q, 0.1));
     }

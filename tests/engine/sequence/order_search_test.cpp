@@ -12,7 +12,7 @@
 namespace glissade {
 namespace {
 
-/// Random precedence without circles, and costs of a step behind another one.
+/// Random precedence without circles, and random costs of a step after another one.
 OrderQuestion randomQuestion(RandomStream& random, std::size_t steps) {
   OrderQuestion question;
   std::vector<std::vector<double>> costs(steps + 1, std::vector<double>(steps));
@@ -52,7 +52,7 @@ double least(const OrderQuestion& question) {
   return cost;
 }
 
-/// All states can be expanded, so the order is the best of all.
+/// All states can be expanded, so the order is optimal.
 TEST(OrderSearch, FindsTheCheapestOrderThatKeepsWhatComesBefore) {
   RandomStream random(1, "orders");
   for (int round = 0; round < 40; ++round) {
@@ -79,7 +79,7 @@ TEST(OrderSearch, HasAnOrderHoweverFewStatesItExpands) {
   EXPECT_TRUE(cheapestOrder({}, {}).empty());
 }
 
-/// Steps of two sorts, of which each change costs: with one state expanded, runs that are moved put them together.
+/// Steps of two kinds, where each change costs. Only one state is expanded, and moved runs join steps of one kind.
 TEST(OrderSearch, MovesRunsOfStepsToWhereTheyCostLess) {
   constexpr std::size_t kSteps = 10;
   OrderQuestion question;
@@ -87,7 +87,7 @@ TEST(OrderSearch, MovesRunsOfStepsToWhereTheyCostLess) {
   question.after.resize(kSteps);
   question.cost = [](std::size_t step, const std::size_t* last, const std::vector<bool>& done) {
     const auto carriedOut = static_cast<std::size_t>(std::count(done.begin(), done.end(), true));
-    const double early = carriedOut < 4 && step != carriedOut ? 2.0 : 0.0;  // leads the first order astray
+    const double early = carriedOut < 4 && step != carriedOut ? 2.0 : 0.0;  // misleads the first order
     return early + (last != nullptr && step % 2 != *last % 2 ? 5.0 : 0.0);
   };
   const auto order = cheapestOrder(question, {});

@@ -7,7 +7,7 @@
 namespace glissade {
 namespace {
 
-/// The same product as a scenario has it: ids of its own, the first body last.
+/// The product as in a scenario: with other ids, and the first body last.
 AssembledProduct renamed(AssembledProduct product) {
   std::rotate(product.bodies.begin(), product.bodies.begin() + 1, product.bodies.end());
   for (RigidBody& body : product.bodies) body.id = "part." + body.name;

@@ -16,7 +16,7 @@ RigidBody ring(const std::string& name, double inner, double outer, double lengt
   return body;
 }
 
-/// A washer and a nut on a bolt that has a head, all with the bolt's radius; lengths in metres as of M8.
+/// A washer and a nut on a bolt with a head, all with the bolt's radius; sizes of M8 in metres.
 AssembledProduct boltAndNut() {
   RigidBody bolt = ring("bolt", 0.0, 0.004, 0.04, 0.0);
   TriangleMesh head = transformed(test::makeRing(0.0, 0.008, 0.006, 24), Pose::translation({0.0, 0.0, -0.022}));
@@ -68,8 +68,8 @@ TEST(ProductFits, APlanWithFitsIsJudgedValidAndStatesThem) {
   EXPECT_FALSE(whole.steps[0].certified()) << "the whole nut does not leave";
 }
 
-/// A bolt whose wall is thin against the overlap of its thread. Which of the two moves makes no
-/// difference.
+/// A bolt with a wall that is thin compared with the overlap of its thread. The result does not depend on which body
+/// moves.
 TEST(ProductFits, WhereABodyHasNoPlaceForAnAllowanceTheOtherOneIsTakenThinner) {
   const AssembledProduct product =
       test::productOf({ring("bolt", 0.0035, 0.004, 0.04, 0.0), ring("nut", 0.0039, 0.008, 0.006, 0.0)}, true);

@@ -17,7 +17,7 @@ inline AssembledProduct productOf(std::vector<RigidBody> bodies, bool fits = fal
   return product;
 }
 
-/// A body of boxes that overlap in parts.
+/// A box of a body; the boxes of a body overlap.
 struct Piece {
   Vector3 size;
   Vector3 at;
@@ -30,7 +30,7 @@ inline RigidBody bodyOf(const std::string& name, const std::vector<Piece>& piece
   return body;
 }
 
-/// A box with five walls of 0.1 about a room of 0.8, open at +x, with a hole in its top.
+/// A box with five walls of 0.1 around a room of 0.8, open at +x, with a hole in its top.
 inline RigidBody cabinet() {
   return bodyOf("cabinet", {{{0.1, 1.0, 1.0}, {-0.45, 0.0, 0.0}},
                             {{1.0, 0.1, 1.0}, {0.0, -0.45, 0.0}},
@@ -76,13 +76,13 @@ inline RigidBody link(const std::string& name, double at, int axis) {
                        {along(0.1, 1.0), place(-0.45, 0.0)}});
 }
 
-/// Two links of a chain beside a free block: the links hold each other for ever.
+/// Two links of a chain beside a free block: the links block each other permanently.
 inline AssembledProduct chain() {
   return productOf({link("one", 0.0, 1), link("other", 0.5, 2),
                     boxBody("block", {0.2, 0.2, 0.2}, Pose::translation({3.0, 0.0, 0.0}))});
 }
 
-/// Without progress; threads as asked for. Stops after so many waves.
+/// A host without progress, with this number of threads. Stops after `mostWaves` waves.
 class QuietHost final : public SequenceHost {
  public:
   explicit QuietHost(std::size_t threads = 1, std::size_t mostWaves = 1000) : team_(threads - 1), left_(mostWaves) {
@@ -108,7 +108,7 @@ inline ProductFits fitsOf(const AssembledProduct& product) {
   return std::move(*fits);
 }
 
-/// The plan by a registered strategy; `staying` is by id.
+/// The plan by a registered strategy; `staying`: id of the body that stays.
 inline AssemblyPlan planOf(const AssembledProduct& product, const std::string& staying, std::size_t threads = 1,
                            const std::string& strategy = "greedy", const AssemblyPlan* resumed = nullptr) {
   const ProductFits fits = fitsOf(product);

@@ -1,5 +1,5 @@
-// Screws that have a name, in bodies that are drawn without a hole for them: found, planned and judged without
-// hand-made joints.
+// Tests that screws with a name, in bodies that are drawn without a hole for them, are found, planned and judged
+// without hand-made joints.
 #include <gtest/gtest.h>
 
 #include "engine/check/named_screw.h"
@@ -13,8 +13,7 @@ namespace {
 
 using namespace glissade::test;
 
-/// The triangles are faces of a CAD file that are off its surfaces by so much, metres: a cylinder of this radius about
-/// z, and the rest.
+/// A body with faces of a CAD file and this deflection, metres: a cylinder of this radius about z, and the rest.
 RigidBody faceOf(const std::string& name, TriangleMesh mesh, double deflection, double radius = 0.0) {
   SurfaceFace face;
   face.deflection = deflection;
@@ -36,7 +35,7 @@ RigidBody faceOf(const std::string& name, TriangleMesh mesh, double deflection, 
 /// A solid motor below a cap with a clearance hole, and a screw M4x10 through the cap. `cap`: metres from the head to
 /// the motor; below 0 the head is in the motor.
 AssembledProduct cappedMotor(const std::string& name, double cap = 0.004) {
-  constexpr double kOff = 2.5e-6;  // of a circle of 2 mm with 72 corners: 1.9 micrometres
+  constexpr double kOff = 2.5e-6;  // for a circle of 2 mm with 72 corners: 1.9 micrometres
   return productOf(
       {faceOf("motor",
               turnedMesh({{-0.04, circle(0.0)}, {-0.04, prism(0.04, 4)}, {-cap, prism(0.04, 4)}, {-cap, circle(0.0)}},
@@ -77,7 +76,8 @@ TEST(ScrewHolePlan, TheJudgeLetsNobodyPullIt) {
   EXPECT_FALSE(verdict.steps[0].refusals.empty()) << "pulled off the motor without a turn";
 }
 
-/// Of another size, without a name of a screw, or with its head in the motor: nothing says that it makes a hole.
+/// Screws of another size, without a screw's name, or with the head in the motor: there is no evidence that they make a
+/// hole.
 TEST(ScrewHolePlan, NothingElseMakesAHole) {
   for (const AssembledProduct& product : {cappedMotor("post"), cappedMotor("DIN 912 M8x10"), cappedMotor("washer M4"),
                                           cappedMotor("DIN 912 M4x10", -0.0005)}) {

@@ -20,7 +20,7 @@ TEST(SearchedRemoval, HasAsMuchWorkAsItIsGiven) {
   EXPECT_EQ(std::get<Removed>(answer).path.certificate.status, CertificateStatus::Certified);
 }
 
-/// A drawer that is held by its pin: the search ends by its work alone.
+/// A drawer that is held by its pin: the limit of work ends the search.
 TEST(SearchedRemoval, EndsWhereThereIsNoWay) {
   const AssembledProduct product = test::lockedDrawer();
   const ProductFits fits = test::fitsOf(product);

@@ -1,4 +1,4 @@
-// What every registered strategy has to keep.
+// Requirements for every registered strategy.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// A cap whose annular hook is behind the edge of a hole: it leaves where a person lets the hook bend, and nowhere else.
+// A cap whose annular hook is behind the edge of a hole: it leaves only where a person permits the hook to bend.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,7 +21,7 @@ namespace {
 constexpr double kHole = 0.005;  ///< radius
 constexpr int kSides = 48;
 
-/// A closed profile of radii and heights, turned about z.
+/// A closed profile of radii and heights, revolved about z.
 TriangleMesh turnedProfile(const std::vector<std::pair<double, double>>& profile) {
   TriangleMesh mesh;
   const auto n = static_cast<std::uint32_t>(profile.size());
@@ -79,7 +79,7 @@ bool isValid(const AssemblyPlan& plan, const AssembledProduct& product) {
   return judgePlan(plan, product, std::nullopt, {}).valid();
 }
 
-/// Facets are as far from the axis as the cosine of half their angle says.
+/// The distance of facets from the axis is reduced by the cosine of half their angle.
 TEST(SnapWays, TheLeastBendIsTheNoseThatIsBehindTheEdge) {
   RandomStream stream(3, "noses");
   for (int i = 0; i < 5; ++i) {
@@ -135,7 +135,7 @@ TEST(SnapPlans, ABendCountsOnlyWhereAPersonConfirmsIt) {
   EXPECT_TRUE(isValid(plan, product));
 }
 
-/// The plan keeps its motion and its allowance; the word that it rests on is another one, or none.
+/// The plan keeps its motion and its allowance; the statement on which it relies is changed or removed.
 TEST(SnapPlans, TheJudgeAcceptsNoOtherWord) {
   const AssembledProduct product = cappedHole(0.0004);
   const AssemblyPlan plan = planOf(product, findJoints(product), JointUse::Suggested);
@@ -165,7 +165,7 @@ TEST(SnapPlans, TheJudgeAcceptsNoOtherWord) {
   EXPECT_FALSE(isValidWith({changed})) << "no hook bends so far";
 }
 
-/// There is room beside the sleeve: aside and then up is free with the thinner hook.
+/// There is room beside the sleeve: the motion aside and then up is free with the thinned hook.
 TEST(SnapPlans, AHookBendsOnTheWayThatThePersonSaysOnly) {
   const AssembledProduct product = cappedHole(0.0004);
   const AssemblyPlan plan = planOf(product, findJoints(product), JointUse::Suggested);
@@ -184,7 +184,7 @@ TEST(SnapPlans, AHookBendsOnTheWayThatThePersonSaysOnly) {
   EXPECT_FALSE(isValid(aside, product)) << "it turns";
 }
 
-/// Out as the person says, then in again: no word says that the hook bends on the way in.
+/// The path leads out as stated, and then in again: no statement permits the hook to bend on the way in.
 TEST(SnapPlans, AHookDoesNotBendOnTheWayBackIn) {
   const AssembledProduct product = cappedHole(0.0004);
   AssemblyPlan plan = planOf(product, findJoints(product), JointUse::Suggested);

@@ -11,7 +11,7 @@
 namespace glissade {
 namespace {
 
-/// A table, two posts on it, a beam on both, and a weight on one end of the beam. They touch exactly.
+/// A table, two posts on it, a beam on both, and a weight on one end of the beam. Their surfaces touch exactly.
 AssembledProduct beamOnPosts() {
   return test::productOf({boxBody("table", {4.0, 4.0, 0.5}, Pose::translation({0.0, 0.0, -0.25})),
                           boxBody("left", {0.25, 0.25, 1.0}, Pose::translation({-1.0, 0.0, 0.5})),
@@ -59,7 +59,7 @@ TEST(Standing, StepsAfterWhichBodiesFallAreAvoidedOrMarked) {
   EXPECT_EQ(plan.steps[0].body, "weight");
   EXPECT_EQ(plan.steps[1].body, "beam");
   for (const AssemblyStep& step : plan.steps) EXPECT_TRUE(step.falling.empty()) << step.body;
-  // A demand that a post leaves first: the beam has to be held.
+  // A person demands that a post leaves first: the beam has to be held.
   question.rules.before = {{2, 3, true}, {2, 4, true}, {2, 1, true}};
   const AssemblyPlan forced = greedy->plan(question, host);
   ASSERT_EQ(forced.steps.size(), 4U);
@@ -67,7 +67,7 @@ TEST(Standing, StepsAfterWhichBodiesFallAreAvoidedOrMarked) {
   EXPECT_EQ(forced.steps[0].falling, std::vector<std::string>{"beam"});
 }
 
-/// Waves are cut after each one: what waits is not searched again, and the plan is the same.
+/// The search is interrupted after each wave: waiting motions are not searched again, and the plan is the same.
 TEST(Standing, WhatWaitsIsKeptInAPlanThatIsCut) {
   BeamFixture beam;
   const auto planned = [&](const AssemblyPlan* resumed, std::size_t waves) {
@@ -93,7 +93,7 @@ TEST(Standing, WhatWaitsIsKeptInAPlanThatIsCut) {
   EXPECT_TRUE(waited) << "the posts wait for the beam";
 }
 
-/// Is interrupted when bodies are asked for the n-th time.
+/// A host that interrupts at the n-th trial.
 class AskedOften final : public SequenceHost {
  public:
   explicit AskedOften(std::size_t most) : left_(most) {}

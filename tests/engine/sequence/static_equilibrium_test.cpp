@@ -35,7 +35,7 @@ TEST(StaticEquilibrium, ABodyStandsWhereItsCentreIsAboveWhatItStandsOn) {
   }
 }
 
-/// Along the sides of the friction pyramid the angle is exact.
+/// The angle is exact along the sides of the friction pyramid.
 TEST(StaticEquilibrium, ABodySlidesOnASlopeAboveTheAngleOfFriction) {
   for (const double angle : {0.1, 0.25, 0.33, 0.6}) {
     const Vector3 gravity(0.0, 0.0, -1.0);
@@ -58,7 +58,7 @@ TEST(StaticEquilibrium, AHarmonicStackStandsAndOneThatReachesFartherFalls) {
     constexpr int kBricks = 5;
     std::vector<SupportedBody> bodies{ground()};
     std::vector<SupportPoint> points;
-    double x = -0.5;  // of the lowest brick's middle, where the edge of the table is at 0
+    double x = -0.5;  // middle of the lowest brick; the edge of the table is at 0
     std::vector<double> middles;
     for (int brick = 0; brick < kBricks; ++brick) {
       x += factor * 0.5 / (kBricks - brick);

@@ -27,7 +27,7 @@ std::vector<std::string> allowedAgainst(const AssemblyStep& step) {
   return bodies;
 }
 
-/// "one" leaves, then "two"; both motions were found while all bodies were there. `rules`: which steps have to wait.
+/// "one" leaves, then "two"; both motions were found while all bodies were there. `rules`: steps that have to wait.
 AssemblyPlan planWith(const AssembledProduct& product, const OrderRules& rules) {
   const ProductFits fits = test::fitsOf(product);
   MotionTrial trial(product, fits, 1);

@@ -120,7 +120,7 @@ TEST(ToolShape, AnOpenWrenchLeavesTheHeadToTheSideOfItsArm) {
     for (const double share : {0.0, 0.2, 0.4, 0.6, 0.8, 1.0}) {
       const Vector3 on = wrench->vertices[triangle[0]] * (1.0 - share) +
                          0.5 * share * (wrench->vertices[triangle[1]] + wrench->vertices[triangle[2]]);
-      // The head, as seen from the wrench, goes from the origin against the way.
+      // In the frame of the wrench, the head moves from the origin against the motion.
       const double along = std::clamp(-on.dot(way) / way.squaredNorm(), 0.0, 1.0);
       const Vector3 nearest = -along * way;
       EXPECT_GE((on - nearest).head<2>().norm(), head.radius) << on.transpose();

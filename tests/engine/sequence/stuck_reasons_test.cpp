@@ -11,7 +11,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// A block that stays, one that lies in it by so much, and one beside it.
+/// A block that stays, one that overlaps it by `depth`, and one beside it.
 AssembledProduct overlapping(double depth) {
   const auto block = [](const char* name, const Vector3& at) {
     return boxBody(name, {0.1, 0.1, 0.1}, Pose::translation(at));

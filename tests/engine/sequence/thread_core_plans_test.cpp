@@ -1,5 +1,5 @@
-// A screw with a modelled thread in a nut that is drawn with the core diameter: the pair comes apart by turning, and
-// the judge confirms nothing else.
+// A screw with a modelled thread in a nut that is drawn with the core diameter: the pair comes apart by turning only,
+// and the judge confirms no other motion.
 #include <gtest/gtest.h>
 
 #include "engine/base/thread_team.h"
@@ -96,7 +96,7 @@ TEST(SelfTappingScrew, IsTurnedOutAndTheJudgeRefusesThePull) {
   EXPECT_TRUE(plan->steps[0].allowances[0].core);
   EXPECT_NEAR(plan->steps[0].allowances[0].pitch, 0.00085, 0.01 * 0.00085);
   EXPECT_TRUE(isConfirmed(*plan, product));
-  // The same claim of another hand, and a straight pull.
+  // The judge refuses the claim of a left-handed thread, and a straight pull.
   AssemblyPlan leftHanded = *plan;
   leftHanded.steps[0].allowances[0].core->pitch *= -1.0;
   leftHanded.steps[0].allowances[0].pitch *= -1.0;
@@ -162,7 +162,7 @@ TEST_F(ThreadCorePlan, ALargerAllowanceIsRefused) {
   EXPECT_FALSE(isConfirmed(plan, product));
 }
 
-/// The same claim for the same motion of a nut whose hole is narrower than the roots, on a pin, and on a shank.
+/// The claim is repeated for the motion of a nut whose hole is narrower than the roots, on a pin, and on a shank.
 TEST_F(ThreadCorePlan, ItIsRefusedOfBodiesWithoutThatThread) {
   EXPECT_FALSE(isConfirmed(plan, screwInNut({}, 0.0019)));
   AssembledProduct pin = product;
@@ -175,7 +175,7 @@ TEST_F(ThreadCorePlan, ItIsRefusedOfBodiesWithoutThatThread) {
   EXPECT_FALSE(isConfirmed(plan, screwInNut(shank)));
 }
 
-/// A person's word is above what the file claims.
+/// A person's statement has priority over the file's claim.
 TEST_F(ThreadCorePlan, ItIsRefusedWhereAPersonSaysThatThePairIsNoThread) {
   product.fits.pairs.push_back({"screw", "nut", ContactKind::Cylindrical, std::nullopt});
   EXPECT_FALSE(isConfirmed(plan, product));

@@ -1,4 +1,4 @@
-// Memory ends at an arbitrary allocation: the session says so and goes on.
+// Tests allocations that fail at arbitrary places: the session reports it and goes on.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -14,7 +14,7 @@ using test::FailingAllocation;
 using Where = FailingAllocation::Where;
 
 constexpr std::uint64_t kNever = std::numeric_limits<std::uint64_t>::max();
-/// Whether one allocation fails or all of a stretch, as where memory is really used up.
+/// Number of consecutive allocations that fail: a single one, or many, as when memory is used up.
 constexpr std::uint64_t kStretches[] = {1, 30};
 
 SessionConfig smoothingConfig(const std::string& planner) {
@@ -24,13 +24,13 @@ SessionConfig smoothingConfig(const std::string& planner) {
   return config;
 }
 
-/// After a Start was posted.
+/// Runs the session to its end after a Start.
 void runToEnd(LockstepSession& session) {
   session.advance(20);
   for (int i = 0; i < 100'000 && !hasEnded(*session.snapshot()); ++i) session.advance(20);
 }
 
-/// Starts a run in which allocations fail; returns how many were made.
+/// Starts a run in which allocations fail; returns the number of allocations.
 std::uint64_t startWithFailure(LockstepSession& session, std::uint64_t first, std::uint64_t count) {
   session.post(command::Start{});
   const FailingAllocation failing(Where::ThisThread, first, count);
@@ -48,9 +48,9 @@ TEST_P(AllocationFailure, InARunEndsThatRunOnly) {
   RandomStream stream(1, "allocation failures");
   int failed = 0;
   for (int i = 0; i < 40; ++i) {
-    // A new session: the destructors of OMPL's planners, which Start calls, cannot do without memory.
+    // A new session is needed, because the destructors of OMPL's planners, which Start calls, allocate memory.
     const auto session = makeLockstepSession(smoothingConfig(GetParam()));
-    // Half of the failures are among the first ones, where planners are made.
+    // Half of the failures are among the first allocations, which make the planners.
     const double share = i % 2 == 0 ? stream.uniform() : stream.uniform() * 0.02;
     const auto first = 1 + static_cast<std::uint64_t>(share * static_cast<double>(calls));
     startWithFailure(*session, first, kStretches[i % 4 / 2]);
@@ -68,12 +68,12 @@ TEST_P(AllocationFailure, InARunEndsThatRunOnly) {
   EXPECT_GT(failed, 10);
 }
 
-/// The run ends for whoever waits for it, though the snapshot cannot be made any more.
+/// The run ends visibly, even though the snapshot cannot be made any more.
 TEST_P(AllocationFailure, ForGoodEndsTheRun) {
   const auto undisturbed = makeLockstepSession(smoothingConfig(GetParam()));
   const std::uint64_t calls = startWithFailure(*undisturbed, kNever, 1);
   const auto session = makeLockstepSession(smoothingConfig(GetParam()));
-  // Other threads share the work of a round, so that this one has not the same number of calls every time.
+  // Other threads share the work of a round, so that the number of calls on this one varies.
   startWithFailure(*session, calls / 8, kNever);
   const SnapshotPtr snapshot = session->snapshot();
   ASSERT_TRUE(hasEnded(*snapshot));
@@ -142,7 +142,7 @@ TEST(AllocationFailureOfPathWork, LeavesAPathThatCouldNotBeExaminedOut) {
   EXPECT_GT(failed, 0);
 }
 
-/// On its threads: operator, planner and the portfolio's helpers.
+/// Allocations fail on the session's threads: operator, planner and the portfolio's helpers.
 TEST(AllocationFailureOfThreads, LeavesTheSessionAtWork) {
   RandomStream stream(1, "allocation failures");
   for (int i = 0; i < 16; ++i) {

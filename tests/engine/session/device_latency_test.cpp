@@ -1,4 +1,4 @@
-// From a packet of the 6D mouse's daemon to the snapshot that holds the moved object, while planning.
+// Measures the time from a packet of the 6D mouse's daemon to the snapshot with the moved object, while planning.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -26,7 +26,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
-/// A window that does nothing but read snapshots as soon as it is woken.
+/// A window that only reads snapshots when it is notified.
 class Window {
  public:
   explicit Window(Session& session) : session_(session) {

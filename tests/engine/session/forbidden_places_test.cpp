@@ -1,4 +1,4 @@
-// What a person forbids, in every strategy: never a path through it.
+// Tests in every strategy that no path leads through a forbidden place.
 #include <gtest/gtest.h>
 
 #include "engine/planning/coarse/scene_knowledge.h"
@@ -71,7 +71,7 @@ SnapshotPtr ended(LockstepSession& session) {
 
 class Forbidden : public testing::TestWithParam<std::string> {
  protected:
-  /// As it is OMPL may give up, and the paper's strategies without a loop do.
+  /// False for unmodified OMPL planners, which may give up, and for the paper's strategies without a loop, which do.
   bool isComplete() const { return makePlannerRegistry().find(GetParam())->complete; }
 };
 
@@ -122,7 +122,7 @@ TEST_P(Forbidden, APlaceThatIsForbiddenWhileARunGoesOnIsNotOnItsPath) {
     while (isRunning(*session->snapshot())) session->advance(1000);
     const SnapshotPtr end = session->snapshot();
     if (running && isComplete() && !end->path) {
-      // It was found before, and is withdrawn.
+      // The path was found before, and is withdrawn.
       EXPECT_NE(end->problem->reason.find("forbidden"), std::string::npos) << toString(*end->problem);
     }
     if (end->path) {
@@ -148,7 +148,7 @@ Problem gapOnTheFloor() {
   return problem;
 }
 
-/// Also by a hand that goes straight to the goal, on the floor.
+/// A hand that moves straight to the goal, on the floor, does not help either.
 TEST_P(Forbidden, ThePlaneOfTheFloorIsNoWay) {
   const Problem problem = gapOnTheFloor();
   const ForbiddenPlaces places = placesOf(problem, problem.scene.edits);

@@ -1,4 +1,4 @@
-// Samples with places forbidden, by an independent clipping of the delivered paths. The campaign
+// Tests samples with forbidden places by an independent clipping of the delivered paths. The campaign
 // (GLISSADE_FORBIDDEN=all, packaging/reliability.sh) has the pump, every strategy for places and more shape games.
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ struct KnownScenario {
   SceneKnowledgePtr knowledge;
 
   const TopologicalMap& map() const { return knowledge->environment->map; }
-  /// Neither the start nor the goal is in it.
+  /// True if neither the start nor the goal is in the place.
   bool isMiddle(std::size_t place) const {
     const auto number = static_cast<int>(place);
     const Pose* goal = std::get_if<Pose>(&loaded.problem.goal);
@@ -53,7 +53,7 @@ SemanticEditsPtr forbidding(const KnownScenario& scenario, const std::vector<std
   return std::make_shared<const SemanticEdits>(edits);
 }
 
-/// A path keeps out, and where there is none, the reason names what is forbidden.
+/// Plans and checks that a path avoids the places, and that without a path the reason names them.
 SnapshotPtr planned(const KnownScenario& scenario, const std::vector<std::size_t>& places, const std::string& strategy,
                     std::uint64_t steps) {
   SessionConfig config{scenario.loaded.problem, scenario.loaded.parameters, strategy, 1, nullptr};
@@ -104,7 +104,7 @@ TEST(ForbiddenSamples, ThePumpWithEachPlaceForbidden) {
   forbidEachAndAll(known("pump/mount.json"), 50'000);
 }
 
-/// The game has a hole for each shape. With one hole forbidden the others are the known ways of a small object.
+/// The game has a hole for each shape. With one hole forbidden, the other holes are alternatives for a small object.
 TEST(ForbiddenSamples, ShapeGamesWithRandomPlacesForbidden) {
   RandomStream stream(1, "shape games");
   const int games = isCampaign() ? 20 : 4;

@@ -34,7 +34,7 @@ TEST(LockstepSession, AStepIsAFortiethOfASecondOfTheOperatorsTime) {
   session->post(command::Start{});
   session->advance(40);
   EXPECT_DOUBLE_EQ(session->snapshot()->virtualSeconds, 1.0);
-  // 1 m/s for one second from x = -1.5.
+  // The hand moves at 1 m/s for one second from x = -1.5.
   EXPECT_NEAR(session->snapshot()->device.q_device.position.x(), -0.5, 1e-9);
 }
 

@@ -12,7 +12,7 @@
 namespace glissade {
 namespace {
 
-/// Somebody who fiddles with everything while a run goes on: what is drawn depends on the seed alone.
+/// Changes all inputs at random while a run goes on. The draws depend on the seed only.
 class Fiddler {
  public:
   Fiddler(const Problem& problem, std::uint64_t seed) : problem_(problem), random_(seed, "fiddler") {}
@@ -44,7 +44,7 @@ class Fiddler {
         return command::SetParameter{ParameterId::ContactDistance, random_.uniform() * problem_.world->objectRadius()};
       case 3: return command::SetSemantics{edits()};
       case 4: return command::SetParameter{ParameterId::Tuning, static_cast<double>(index(8))};
-      case 5: return command::SetSeed{index(100)};  // of the next run: no matter for this one
+      case 5: return command::SetSeed{index(100)};  // for the next run, without effect on this one
       default: return command::SetDevicePose{randomPose(random_, 1.0)};
     }
   }
@@ -124,7 +124,7 @@ TEST(ReplaySession, WhatSetItselfIsAsItWasAtTheEnd) {
   const auto session = makeLockstepSession(std::move(config));
   session->post(command::Start{});
   session->advance(300);
-  session->post(command::SetParameter{ParameterId::ContactSamples, 7});  // taken back
+  session->post(command::SetParameter{ParameterId::ContactSamples, 7});  // resets the automatic setting
   session->advance(300);
   session->post(command::Stop{});
   session->advance(0);

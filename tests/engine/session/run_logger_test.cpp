@@ -12,7 +12,8 @@ TEST(RunLogger, NotesEveryMoveOnceAndWhenTheObjectIsLetGo) {
   logger.noteHand(HandState{Pose::identity(), 7});
   logger.noteHand(HandState{Pose::identity(), 7});
   EXPECT_EQ(logger.handMoves(), 0U);
-  logger.noteHand(HandState{Pose::identity(), 9});  // there and back again between two looks: he has moved
+  // Moved there and back between two steps, so that the operator has moved.
+  logger.noteHand(HandState{Pose::identity(), 9});
   EXPECT_EQ(logger.handMoves(), 1U);
   logger.noteHand(std::nullopt);
   EXPECT_FALSE(logger.held());
@@ -29,7 +30,7 @@ TEST(RunLogger, PartsComeOnceASecondAndTheLastAtTheEnd) {
   logger.note(ParameterId::Alpha, 0.5);
   EXPECT_EQ(logger.parts(false).size(), 1U);
   EXPECT_EQ(logger.parts(true).size(), 2U);
-  EXPECT_EQ(logger.parts(true).size(), 2U);  // nothing new
+  EXPECT_EQ(logger.parts(true).size(), 2U);  // no new entries
   EXPECT_EQ(joined(logger.parts(true)).parameterChanges.size(), 1U);
 }
 

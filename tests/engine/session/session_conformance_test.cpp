@@ -1,4 +1,4 @@
-// The threaded session and its thread-less twin keep the same contract.
+// The threaded session and the lockstep session keep the same contract.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -32,7 +32,7 @@ TEST_P(SessionConformance, AParameterSetByHandIsTakenBackFromTheTuner) {
   session->post(command::Start{});
   ASSERT_TRUE(waitFor(*session, [](const SessionSnapshot& now) { return now.tuning && now.counts.steps > 100; }));
   const double own = session->snapshot()->parameters[ParameterId::ContactSamples];
-  EXPECT_EQ(own, ParameterValues(1.0)[ParameterId::ContactSamples]);  // the tuner leaves the user's alone
+  EXPECT_EQ(own, ParameterValues(1.0)[ParameterId::ContactSamples]);  // the tuner does not change the user's values
   session->post(command::SetParameter{ParameterId::Alpha, 0.35});
   ASSERT_TRUE(waitFor(*session, [](const SessionSnapshot& now) { return now.parameters[ParameterId::Alpha] == 0.35; }));
   SnapshotPtr snapshot = session->snapshot();
@@ -175,7 +175,7 @@ TEST_P(SessionConformance, TheOperatorMovesTheObjectAndIsPutBackAtAStart) {
   const std::uint64_t moves = session->snapshot()->device.moves;
   session->post(command::Start{});
   ASSERT_TRUE(waitFor(*session, [&](const auto& s) { return s.device.moves > moves; }));
-  // Contact mode ends soon after the operator rests, so that it is watched for from the first.
+  // Contact mode ends soon after the operator rests, so that it is checked from the first step on.
   bool contactMode = false;
   EXPECT_TRUE(waitFor(*session, [&](const auto& s) {
     contactMode = contactMode || s.contactMode;
@@ -206,7 +206,7 @@ std::string testName(const testing::TestParamInfo<std::pair<const char*, Maker>>
 TEST_P(SessionConformance, ThePathIsSmoothedAndGivenBackAsPlanned) {
   const Problem problem = windowProblem();
   const auto session = make(sessionConfig(problem));
-  session->post(command::SmoothPath{100});  // nothing to smooth yet
+  session->post(command::SmoothPath{100});  // there is no path to smooth yet
   session->post(command::Start{});
   ASSERT_TRUE(waitFor(*session, hasEnded));
   const auto planned = session->snapshot()->path;

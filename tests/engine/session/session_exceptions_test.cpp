@@ -13,7 +13,7 @@ namespace {
 using test::kThrown;
 using test::Thrown;
 
-/// Where the planner of these tests throws.
+/// Place where the planner of these tests throws.
 enum class Place { Constructor, Solve, Nodes, CompleteRoadmap };
 
 class ThrowingPlanner final : public Planner {
@@ -91,7 +91,7 @@ TEST_P(SessionExceptions, EndTheRunAndTheNextStartPlans) {
               std::string::npos)
         << snapshot->problem->reason;
     EXPECT_FALSE(snapshot->problem->advice.empty());
-    // What was published before is not lost.
+    // Published nodes are not lost.
     if (place == Place::Solve) {
       EXPECT_EQ(allNodes(snapshot->roadmap).size(), 6U);
     }

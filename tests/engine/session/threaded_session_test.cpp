@@ -28,7 +28,7 @@ TEST(ThreadedSession, AtMostOneWakeUpIsPending) {
   session->setWakeUp([&] { ++calls; });
   session->post(command::Start{});
   while (calls == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  // Nobody reads the snapshot: however long the planner works, nothing more arrives.
+  // Nobody reads the snapshot, so that no further notification comes, however long the planner works.
   std::this_thread::sleep_for(std::chrono::milliseconds(200));
   EXPECT_EQ(calls, 1);
   session->snapshot();
@@ -46,7 +46,7 @@ TEST(ThreadedSession, KeepsThePaceAndAnswersAtOnceBetweenSteps) {
   ASSERT_TRUE(waitFor(*session, [&](const auto& s) { return s.counts.steps >= before + 8; }));
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
   EXPECT_GT(took.count(), 7 / 40.0) << "a loaded machine may be slower, never faster";
-  // A step is due in a second only: a command does not wait for it.
+  // The next step is due after a second; a command does not wait for it.
   session->post(command::SetParameter{ParameterId::Pace, 1.0});
   ASSERT_TRUE(waitFor(*session, [](const auto& s) { return s.parameters[ParameterId::Pace] == 1.0; }));
   session->post(command::SetParameter{ParameterId::Pace, 0.0});
@@ -54,7 +54,7 @@ TEST(ThreadedSession, KeepsThePaceAndAnswersAtOnceBetweenSteps) {
   EXPECT_TRUE(waitFor(*session, [&](const auto& s) { return s.counts.steps > slow + 500; })) << "full speed again";
 }
 
-/// Moves on and on, as a simulated operator that keeps correcting.
+/// Moves all the time, like a simulated operator that keeps correcting.
 class RestlessOperator final : public OperatorDevice {
  public:
   Pose advance(double dt, const OperatorView& view, const Box3& bounds) override {
@@ -92,8 +92,7 @@ TEST(ThreadedSession, AFailingDeviceIsReportedAndPlanningGoesOn) {
   EXPECT_TRUE(waitFor(*session, [](const auto& s) { return s.state == SessionState::Solved; }));
 }
 
-/// The thread sanitizer sees whether the view, which the window turns, and the hand, which reads it, exclude each
-/// other.
+/// The thread sanitizer checks that the view, which the window sets, and the hand, which reads it, exclude each other.
 TEST(ThreadedSession, ViewsReadersAndListenersChangeWhileTheHandMoves) {
   const auto session =
       makeThreadedSession(sessionConfig(closedProblem(), std::make_unique<HomingDevice>(Vector3(-0.3, 0, 0))));

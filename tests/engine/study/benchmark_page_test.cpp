@@ -1,4 +1,4 @@
-// The page of results: from files alone, complete, self-contained, the same every time.
+// Tests that the page of results depends on files only, is complete and self-contained, and is the same every time.
 #include "engine/study/benchmarks/benchmark_page.h"
 
 #include <gmock/gmock.h>
@@ -24,7 +24,7 @@ class BenchmarkPage : public testing::Test {
     return html ? *html : html.error().reason;
   }
 
-  /// One row of auto and two peers; auto is solved in 1 s, the first peer in 12 s, the other one not.
+  /// Adds one row with auto and two peers; auto is solved in 1 s, the first peer in 12 s, the second one not.
   void addStudy() {
     auto study = test::tinyStudy();
     study["name"] = "beside";

@@ -2,7 +2,7 @@
 
 namespace glissade::test {
 
-/// As Google Benchmark 1.7 writes it, shortened.
+/// Output of Google Benchmark 1.7, shortened.
 inline constexpr const char* kCollisionBenchmarks = R"json({
   "context": {"date": "2026-11-21T12:00:00+00:00", "host_name": "secret", "num_cpus": 2, "caches": [],
     "library_build_type": "release", "machine": "2 cores (Test)",

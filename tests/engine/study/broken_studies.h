@@ -6,10 +6,10 @@
 
 namespace glissade::test {
 
-/// A fault in an otherwise sound study.
+/// A fault in an otherwise valid study.
 struct BrokenStudy {
   const char* patch;  ///< JSON Patch (RFC 6902) of tinyStudy()
-  const char* place;  ///< where the reader must see it
+  const char* place;  ///< place that the reader must report
   const char* reason;
   bool schemaSees = true;  ///< false: a JSON schema cannot express it
 };

@@ -24,7 +24,7 @@ Result<Study> parse(const Json& finding, bool quick = false) {
   return parseStudy(study.dump(), "study.json", quick);
 }
 
-/// Solved runs with so many nodes, of each cell.
+/// Solved runs with these numbers of nodes, for each cell.
 std::vector<CellSummary> summariesOf(const std::vector<std::vector<double>>& nodes) {
   std::vector<CellSummary> summaries;
   for (const auto& sample : nodes) {

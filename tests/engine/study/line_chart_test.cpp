@@ -44,7 +44,7 @@ TEST(LineChart, WidthsAreTimesAndTheChainIsFramed) {
   EXPECT_EQ(allOf(svg, "stroke-width=\"(2)\"").size(), 2U);
   const Texts widths = allOf(svg, "width=\"([0-9.]+)\" height=\"2[0-9.]+\" fill");
   ASSERT_EQ(widths.size(), 3U);
-  // The frame is inside of the piece: 1 pixel on either side in the chain, else a half.
+  // The frame is inside the piece: by 1 pixel on either side in the chain, else by a half.
   const double second = std::stod(widths[1]) + 2.0;
   EXPECT_NEAR((std::stod(widths[0]) + 2.0) / second, 2.0 / 3.0, 1e-3);
   EXPECT_NEAR((std::stod(widths[2]) + 1.0) / second, 4.0 / 3.0, 1e-3);

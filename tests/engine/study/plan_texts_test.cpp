@@ -1,4 +1,4 @@
-// What people read of an assembly plan: words, table, graph, report.
+// Tests the texts about an assembly plan: words, table, graph, report.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -308,7 +308,7 @@ TEST(PartsList, PartsOfOneShapeAreOneRowWhateverTheirCounterAndPlace) {
   EXPECT_EQ(texts, (std::vector<std::string>{"1 base", "2 nut", "1 nut-3", "1 M5 x 20"}));
 }
 
-/// "/" and commas are no steps of a path and no columns.
+/// "/" and commas in names do not separate steps of a path or columns.
 TEST(PartsList, NamesAreThoseOfTheFile) {
   AssembledProduct product = test::productOf({boxBody("base", {2.0, 1.0, 0.1}, Pose::identity()),
                                               boxBody("1_4-20", {0.1, 0.1, 0.1}, Pose::translation({0, 0, 1}))});

@@ -53,7 +53,7 @@ TEST(RunResult, ReadsTheReportOfARun) {
   EXPECT_EQ(outcome.timing.cpuSeconds, 2.25);
 }
 
-/// As a session reports it.
+/// The message of a session without memory.
 std::string outOfMemory() {
   return guarded("planning", [] { throw std::bad_alloc(); })->reason;
 }

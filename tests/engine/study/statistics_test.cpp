@@ -7,7 +7,7 @@
 namespace glissade {
 namespace {
 
-// R: prop.test(x, n, correct = FALSE)$conf.int, which is Wilson's interval.
+// Values of R: prop.test(x, n, correct = FALSE)$conf.int, which is Wilson's interval.
 TEST(Wilson95, AgreesWithPublishedValues) {
   const Proportion half = wilson95(15, 30);
   EXPECT_DOUBLE_EQ(half.share, 0.5);
@@ -31,7 +31,7 @@ TEST(Wilson95, StaysWithinZeroAndOne) {
 }
 
 TEST(Distribution, QuartilesInterpolate) {
-  const Distribution four = distributionOf({4, 1, 3, 2});  // R: quantile(1:4)
+  const Distribution four = distributionOf({4, 1, 3, 2});  // value of R: quantile(1:4)
   EXPECT_EQ(four.count, 4U);
   EXPECT_DOUBLE_EQ(four.minimum, 1.0);
   EXPECT_DOUBLE_EQ(four.firstQuartile, 1.75);

@@ -1,4 +1,4 @@
-// The report of a folder of results: complete, self-contained, the same every time.
+// Tests that the report of a folder of results is complete, self-contained and the same every time.
 #include "engine/study/study_report.h"
 
 #include <gmock/gmock.h>

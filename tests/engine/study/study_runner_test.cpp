@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Stands in for glissade-cli: says which run it is ($8 is the seed), and ends as a test asks for.
+/// Uses a replacement for glissade-cli that prints its run ($8 is the seed), and ends as the test requires.
 class StudyRunnerTest : public testing::Test {
  protected:
   std::string program(const std::string& lines) const {
@@ -75,7 +75,7 @@ TEST_F(StudyRunnerTest, ARunOutOfMemoryIsARow) {
 TEST_F(StudyRunnerTest, AskedToStopItKillsAndCanGoOn) {
   const StudyFolder folder = begin();
   StopSource source;
-  // The second seeds hang; once the first ones are done, somebody interrupts.
+  // The runs of the second seed hang; a stop comes after the first ones are done.
   const auto interrupted =
       run(folder, program("test $8 = 2 && exec sleep 1000"), 1, source.token(), [&](const StudyProgress& progress) {
         if (progress.done == 3) source.requestStop();

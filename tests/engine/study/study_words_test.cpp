@@ -20,7 +20,7 @@ TEST(StudyWords, PutsArgumentsWhereTheLanguageHasThem) {
   EXPECT_EQ(english("%1 of %2", {"3", "4"}), "3 of 4");
   EXPECT_EQ(french("%1 of %2", {"3", "4"}), "3 sur 4");
   EXPECT_EQ(english("success rate in %."), "success rate in %.");
-  EXPECT_EQ(french("%1 over %2", {"%2", "x"}), "%2 selon x");  // an argument is no place for another
+  EXPECT_EQ(french("%1 over %2", {"%2", "x"}), "%2 selon x");  // placeholders within arguments are not replaced
 }
 
 TEST(StudyWords, WhatIsNotKnownStaysAsItIs) {
@@ -31,7 +31,7 @@ TEST(StudyWords, WhatIsNotKnownStaysAsItIs) {
   EXPECT_EQ(languageOf(code(Language::French)), Language::French);
 }
 
-/// Everything that a study of the papers says in whole words.
+/// All sentences of a study of the papers.
 std::set<std::string> sentencesOf(const Study& study) {
   std::set<std::string> sentences{study.heading.title, study.heading.description};
   for (const Finding& finding : study.heading.findings) sentences.insert(finding.text);

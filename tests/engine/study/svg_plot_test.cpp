@@ -1,4 +1,4 @@
-// Scales put values where they belong, and the SVG says the same numbers.
+// Tests that scales map values to the right positions, and that the SVG has the same numbers.
 #include "engine/study/svg_plot.h"
 
 #include <gmock/gmock.h>

@@ -6,9 +6,9 @@ namespace glissade::test {
 
 /// The project's folder. Only directories.cpp is compiled with it, so a compiler cache serves every checkout.
 std::string sourceDirectory();
-/// Where the programs were built.
+/// The folder of the built programs.
 std::string programDirectory();
-/// Where tests/step_files wrote its files.
+/// The folder of the files that tests/step_files wrote.
 std::string stepFileDirectory();
 
 }  // namespace glissade::test

@@ -10,7 +10,7 @@ class FailingAllocation {
  public:
   enum class Where { ThisThread, OtherThreads };
 
-  /// Of the calls from now on those number `first` (from 1) to `first + count - 1` fail.
+  /// The calls with the numbers `first` (counted from now on, from 1) to `first + count - 1` fail.
   FailingAllocation(Where where, std::uint64_t first, std::uint64_t count = 1);
   ~FailingAllocation();
   FailingAllocation(const FailingAllocation&) = delete;

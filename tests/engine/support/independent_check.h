@@ -54,7 +54,7 @@ inline ThinnerFaces faceAllowances(const Fit& fit, const AssembledProduct& produ
   return faces;
 }
 
-/// As planners take the object, the product's last body, against each of the others.
+/// The allowances of the object, the product's last body, against each other body, as planners apply them.
 inline FaceAllowances allowancesOf(const std::vector<Fit>& fits, const AssembledProduct& product) {
   FaceAllowances all(product.bodies.size() - 1);
   for (const Fit& fit : fits) {

@@ -41,7 +41,7 @@ inline Problem windowProblem() {
   return problem;
 }
 
-/// The same wall without the window: no path.
+/// A wall without a window, so that there is no path.
 inline Problem closedProblem() {
   Problem problem = windowProblem();
   problem.world = CollisionWorld::build({boxBody("wall", {0.2, 5.0, 5.0}, Pose::identity())},

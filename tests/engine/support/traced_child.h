@@ -5,7 +5,7 @@
 
 namespace glissade::test {
 
-/// What happens to one system call of a traced child.
+/// The result of one system call of a traced child.
 struct CallFate {
   enum class Kind { Passes, Fails, Kills } kind = Kind::Passes;
   int error = 0;  ///< errno that a failing call gives; the system does not carry it out

@@ -47,7 +47,7 @@ TEST_P(SweptVolumeOf, ContainsTheBodyAtAllTimesAndItsSurfaceIsNear) {
     const Vector3 p_W = poseAt(random.uniform(0.0, end)) * pointOf(sizes_, random);
     EXPECT_NEAR(windingNumber(sweep->surface_W, p_W), 1.0, 1e-6);
   }
-  // The distance from the body, by an oracle that knows boxes only.
+  // The distance from the body, by an oracle that only knows boxes.
   for (std::size_t v = 0; v < sweep->surface_W.vertices.size(); v += 97) {
     double nearest = 1e300;
     for (double t = 0.0; t <= end; t += end / 400.0) {
@@ -132,7 +132,7 @@ TEST(SweptVolume, NamesTheBodiesWithin) {
   EXPECT_EQ(bodiesWithin(*sweep, bodies), (std::vector<std::size_t>{0, 2}));
 }
 
-/// A motion along which every point is sampled densely: the oracle of what the body covers.
+/// A motion along which every point is sampled densely: the oracle of the covered volume.
 class SampledMotion {
  public:
   SampledMotion(const TriangleMesh& body, const std::vector<Pose>& path, int posesOfAnEdge)
@@ -164,7 +164,7 @@ TriangleMesh makeBentBar() {
   return bar;
 }
 
-/// A block with a hole through it, as a nut is.
+/// A block with a hole through it, such as a nut.
 TriangleMesh makeFrame() {
   TriangleMesh frame;
   for (const double side : {-1.0, 1.0}) {

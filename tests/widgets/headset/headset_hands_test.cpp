@@ -1,15 +1,70 @@
-// A person with a headset and two controllers, and nothing else: the real window with the runtime for tests, on a
-// virtual display. See with_headset.sh.
+// A person works with a headset and two controllers only: the real window with the runtime for tests, on a virtual
+// display. See with_headset.sh.
 #include <algorithm>
 #include <numbers>
 
 #include "engine/collision/contact_planes.h"
-#include "tests/widgets/headset/scripted_hand.h"
+#include "tests/widgets/headset/runtime/headset_script.h"
 #include "tests/widgets/headset/window_with_headset.h"
 #include "widgets/devices/device_settings.h"
+#include "widgets/headset/room_placement.h"
 
 namespace glissade {
 namespace {
+
+/// Collects motions of the hand; play() carries them out.
+class ScriptedHand {
+ public:
+  ScriptedHand(std::size_t hand, const RoomPlacement& room, const Pose& X_WG) : hand_(hand), room_(room) {
+    moment_.X_RG = inRoom(X_WG);
+    test::setController(hand_, moment_);
+  }
+
+  const Pose& X_WG() const { return X_WG_; }
+  ScriptedHand& move(const Pose& X_WG, double seconds) {
+    moment_.X_RG = inRoom(X_WG);
+    return add(seconds);
+  }
+  ScriptedHand& squeeze(double share) {
+    moment_.squeeze = share;
+    return add(0.0);
+  }
+  /// Presses and releases the component.
+  ScriptedHand& press(const char* component) {
+    moment_.pressed = component;
+    add(0.0);
+    moment_.pressed.clear();
+    return add(0.0);
+  }
+  ScriptedHand& loseTracking(bool isLost) {
+    moment_.isTracked = !isLost;
+    return add(0.0);
+  }
+  ScriptedHand& wait(double seconds) { return add(seconds); }
+  void play() {
+    test::playController(hand_, moments_);
+    moments_.clear();
+  }
+  bool hasPlayed() const { return test::hasPlayed(hand_); }
+
+ private:
+  Pose inRoom(const Pose& X_WG) {
+    X_WG_ = X_WG;
+    const Pose X_RG = inverse(room_.X_WR) * X_WG;
+    return {room_.scale * X_RG.position, X_RG.orientation};
+  }
+  ScriptedHand& add(double seconds) {
+    moment_.after = seconds;
+    moments_.push_back(moment_);
+    return *this;
+  }
+
+  std::size_t hand_;
+  RoomPlacement room_;
+  Pose X_WG_;  ///< pose at the end of the motions
+  test::ControllerMoment moment_;
+  std::vector<test::ControllerMoment> moments_;
+};
 
 constexpr std::size_t kRight = 1;
 constexpr double kQuarter = 0.5 * std::numbers::pi;
@@ -19,7 +74,7 @@ constexpr const char* kMenu = "/input/b/click";
 class HeadsetHandsTest : public test::WindowWithHeadset {
  protected:
   explicit HeadsetHandsTest(const char* sample = "environment-1/scenario.json") : WindowWithHeadset(sample) {
-    window_->resize(600, 400);  // drawn by the same cores
+    window_->resize(600, 400);  // the same cores draw the window
     bench().actions["headset.on-table"]->setChecked(true);
     headset().trigger();
     EXPECT_TRUE(isRunning());
@@ -31,13 +86,14 @@ class HeadsetHandsTest : public test::WindowWithHeadset {
   bool holds() { return bench().session.hand()->rightController.place.feedback().holds; }
   double radius() { return problem().world->objectRadius(); }
   RoomPlacement room() { return placeRoom(bench().scene.view().extent(), ProductSize::OnTable); }
-  /// The hand is where the object has its reference point.
-  test::ScriptedHand handAtTheObject() { return {kRight, room(), device().q_device}; }
+  /// The hand at the object's reference point.
+  ScriptedHand handAtTheObject() { return {kRight, room(), device().q_device}; }
   const std::vector<Pose>& wayPoints() { return bench().document.scenario()->scenario.wayPoints; }
-  bool hasPlayed(const test::ScriptedHand& hand) {
+  bool hasPlayed(const ScriptedHand& hand) {
     return until([&] { return hand.hasPlayed(); });
   }
-  /// Where the object is once the window has seen it at rest: what the window knows is older than what the hand feels.
+  /// The pose of the object once the window has seen it at rest: the window's data are older than the controller's
+  /// feedback.
   Pose settled() {
     QElapsedTimer atRest;
     atRest.start();
@@ -49,8 +105,8 @@ class HeadsetHandsTest : public test::WindowWithHeadset {
     }));
     return last;
   }
-  /// To the nearest obstacle, while the hand does what it is to do.
-  double leastDistance(const test::ScriptedHand& hand) {
+  /// Least distance to the nearest obstacle while the hand carries out its motions.
+  double leastDistance(const ScriptedHand& hand) {
     double least = device().nearest.distance;
     EXPECT_TRUE(until([&] {
       least = std::min(least, device().nearest.distance);
@@ -60,7 +116,7 @@ class HeadsetHandsTest : public test::WindowWithHeadset {
   }
 };
 
-/// Against the nearest obstacle, and so much farther.
+/// The pose in contact with the nearest obstacle, and moved farther by `beyond`.
 Pose pushedInto(const NearestObstacle& nearest, const Pose& q, double beyond) {
   return {q.position - (nearest.distance + beyond) * nearest.normal_W(), q.orientation};
 }
@@ -68,11 +124,11 @@ Pose pushedInto(const NearestObstacle& nearest, const Pose& q, double beyond) {
 TEST_F(HeadsetHandsTest, TakenMovedWithContactLetGoAndPlannedToTheGoal) {
   const double set = snapshot()->parameters[ParameterId::Alpha];
   const Pose start = problem().start;
-  test::ScriptedHand hand = handAtTheObject();
+  ScriptedHand hand = handAtTheObject();
   hand.press(kMenu).play();
   ASSERT_TRUE(until([this] { return glissade::isRunning(*snapshot()); }));
 
-  // It is pushed into the nearest obstacle, along it, and back.
+  // The hand pushes the object into the nearest obstacle, along it, and back.
   hand.squeeze(1.0).play();
   ASSERT_TRUE(until([this] { return holds(); }));
   EXPECT_LT(longestWay(settled(), start, radius()), 1e-3 * radius()) << "a jump";
@@ -90,7 +146,7 @@ TEST_F(HeadsetHandsTest, TakenMovedWithContactLetGoAndPlannedToTheGoal) {
   hand.move(start, 0.7).play();
   EXPECT_GT(leastDistance(hand), 0.0) << "penetration";
 
-  // A loss of tracking on the way, and the hand is elsewhere afterwards.
+  // The hand loses tracking on the way, and is at another place afterwards.
   hand.loseTracking(true).play();
   ASSERT_TRUE(until([this] { return !holds(); }));
   const Pose lost = settled();
@@ -99,7 +155,7 @@ TEST_F(HeadsetHandsTest, TakenMovedWithContactLetGoAndPlannedToTheGoal) {
   EXPECT_LT(longestWay(settled(), lost, radius()), 1e-3 * radius()) << "a jump";
   const Pose X_OG = inverse(lost) * hand.X_WG();
 
-  // Through the gap, and let go there.
+  // The hand moves the object through the gap, and lets go there.
   for (const Pose& q : wayPoints()) hand.move(q * X_OG, 0.6).wait(0.2);
   hand.play();
   EXPECT_GT(leastDistance(hand), 0.0) << "penetration";
@@ -125,7 +181,7 @@ class HeadsetHandsAtThePump : public HeadsetHandsTest {
 };
 
 TEST_F(HeadsetHandsAtThePump, ItIsLiftedOffItsSeatAndPlannedToTheGoal) {
-  test::ScriptedHand hand = handAtTheObject();
+  ScriptedHand hand = handAtTheObject();
   hand.press(kMenu).squeeze(1.0).play();
   ASSERT_TRUE(until([this] { return holds(); }));
   const Pose X_OG = inverse(device().q_device) * hand.X_WG();
@@ -150,7 +206,7 @@ class HeadsetHandsAtAStep : public HeadsetHandsTest {
   ~HeadsetHandsAtAStep() override { DeviceSettings().reset(buttons()); }
 
   HandInput& buttons() { return bench().session.hand()->rightController.buttons; }
-  /// Settings are those of a controller that is there.
+  /// Sets an action of the lower button. The controller has to be connected, because settings belong to its name.
   void giveLowerButton(const char* action) {
     EXPECT_TRUE(until([this] { return buttons().mailbox.reading().connected; }));
     DeviceSettings().setAction(buttons(), static_cast<std::size_t>(ControllerButton::Lower), QLatin1String(action));
@@ -162,13 +218,13 @@ class HeadsetHandsAtAStep : public HeadsetHandsTest {
   }
 };
 
-/// A key whose bar lies across the slot of the cover: it turns by a quarter, and leaves upwards.
+/// A key has a bar that lies across the slot of the cover. It turns by a quarter, and leaves upwards.
 TEST_F(HeadsetHandsAtAStep, ItIsMovedByHandAndItsPathBecomesTheMotionOfTheStep) {
-  test::ScriptedHand chooser = handAtTheObject();
+  ScriptedHand chooser = handAtTheObject();
   giveLowerButton("sequence.by-hand");
   chooser.press(kLower).play();
   ASSERT_TRUE(until([this] { return bench().actions["sequence.leave-hand"]->isEnabled(); }));
-  test::ScriptedHand hand = handAtTheObject();
+  ScriptedHand hand = handAtTheObject();
   hand.press(kMenu).squeeze(1.0).play();
   ASSERT_TRUE(until([this] { return holds(); }));
   const Pose X_OG = inverse(device().q_device) * hand.X_WG();
@@ -180,7 +236,7 @@ TEST_F(HeadsetHandsAtAStep, ItIsMovedByHandAndItsPathBecomesTheMotionOfTheStep) 
   hand.move(moved(0.5, 0.0), 0.5).move(moved(0.0, kQuarter), 1.0).move(moved(3.0, kQuarter), 1.0).squeeze(0.0);
   hand.play();
   EXPECT_GT(leastDistance(hand), 0.0) << "penetration";
-  // The path is taken, and the sequence is back.
+  // The path is taken, and the sequence is shown again.
   ASSERT_TRUE(until([this] { return !bench().actions["sequence.leave-hand"]->isEnabled(); }, 120'000));
   carryOut("expect-sequence", {"end", "complete"});
   const std::vector<DemandedMotion>& motions = bench().document.demands().motions;
@@ -188,17 +244,17 @@ TEST_F(HeadsetHandsAtAStep, ItIsMovedByHandAndItsPathBecomesTheMotionOfTheStep) 
   EXPECT_EQ(motions.front().bodies, std::vector<std::string>{"turn-key"});
 }
 
-/// The part is taken where its motion begins, led along it, and snaps where it belongs.
+/// The part is taken at the beginning of its motion, led along it, and snaps into its place.
 TEST_F(HeadsetHandsAtAStep, TheInstructionIsCarriedOutByHand) {
   bench().actions["sequence.show-product"]->trigger();
   const RoomPlacement placed = room();
   const std::vector<PathPoint> way = bench().document.plan()->steps.front().path;
   const Pose X_WG = way.back().q;
-  test::ScriptedHand hand(kRight, placed, X_WG);
+  ScriptedHand hand(kRight, placed, X_WG);
   ASSERT_TRUE(until([this] { return bench().session.hand()->rightController.place.reading().X_WG.has_value(); }));
   bench().actions["headset.instruction"]->trigger();
   EXPECT_TRUE(bench().scene.view().showsSequence());
-  // The part is taken by closing the hand. On a busy machine it may not be there yet the first time.
+  // Closing the hand takes the part. On a busy machine the part may not be there at the first attempt.
   for (int i = 0; i < 3 && !holds(); ++i) {
     hand.squeeze(0.0).wait(0.2).squeeze(1.0).play();
     until([this] { return holds(); }, 5'000);

@@ -1,27 +1,80 @@
-// The panel in the scene, and a person who works with nothing else: the real window with the runtime for tests, on a
-// virtual display. See with_headset.sh.
+// A person works with the panel in the scene only: the real window with the runtime for tests, on a virtual display.
+// See with_headset.sh.
 #include <QAbstractButton>
 #include <QSlider>
 
 #include "app/window/headset_panel_controller.h"
+#include "engine/geometry/least_rotation.h"
 #include "tests/app/golden_picture.h"
-#include "tests/widgets/headset/pointing_hands.h"
+#include "tests/widgets/headset/runtime/headset_script.h"
 #include "tests/widgets/headset/window_with_headset.h"
+#include "widgets/headset/panel_in_room.h"
 
 namespace glissade {
 namespace {
 
-/// Before the panel, so that it is seen as it is used.
+/// A person of the scripted controllers who carries the panel in the left hand and points at it with the right one.
+class PointingHands {
+ public:
+  /// The left hand is there from the beginning; the right one comes with its first motion.
+  explicit PointingHands(const Pose& X_RG) {
+    test::ControllerMoment left;
+    left.X_RG = X_RG;
+    test::setController(0, left);
+    BothControllers hands;
+    hands[0].X_RG = X_RG;
+    PanelInRoom panel;
+    panel.advance(hands, {});
+    X_RP_ = *panel.X_RP();
+  }
+
+  /// `at`: shares of the panel's width and height, from its upper left corner.
+  PointingHands& pointAt(const Eigen::Vector2d& at) {
+    const Vector3 p_P((at.x() - 0.5) * PanelInRoom::kWidth, (0.5 - at.y()) * PanelInRoom::kHeight, 0.0);
+    const Vector3 target = X_RP_ * p_P;
+    const Vector3 from = X_RP_ * Vector3(0.2, -0.1, 0.3);
+    right_.X_RG = {from, leastRotation(-Vector3::UnitZ(), target - from)};
+    return add();
+  }
+  PointingHands& pull() {
+    right_.trigger = 1.0;
+    return add();
+  }
+  PointingHands& release() {
+    right_.trigger = 0.0;
+    return add();
+  }
+  void play() {
+    if (!isThere_) test::setController(1, moments_.front());
+    isThere_ = true;
+    test::playController(1, moments_);
+    moments_.clear();
+  }
+
+ private:
+  PointingHands& add() {
+    right_.after = 0.0;
+    moments_.push_back(right_);
+    return *this;
+  }
+
+  Pose X_RP_;
+  test::ControllerMoment right_;
+  bool isThere_ = false;
+  std::vector<test::ControllerMoment> moments_;
+};
+
+/// The head before the panel, as a person uses it.
 const Pose kHead{Vector3(0.0, 1.6, 0.0), Quaternion(Eigen::AngleAxisd(-0.45, Vector3::UnitX()))};
 const Pose kLeftHand{Vector3(-0.12, 1.12, -0.32), Quaternion(Eigen::AngleAxisd(-0.1, Vector3::UnitY()))};
-/// A real headset has 20 pixels a degree, and this has 11.
+/// A real headset has 20 pixels for each degree, and this one has 11.
 constexpr int kEyePixels = 1024;
 
 class HeadsetPanelTest : public test::WindowWithHeadset {
  protected:
   HeadsetPanelTest() : WindowWithHeadset("environment-1/scenario.json") {
     window_->setTheme(Theme::Light);
-    window_->resize(600, 400);  // drawn by the same cores
+    window_->resize(600, 400);  // the same cores draw the window
     bench().actions["headset.on-table"]->setChecked(true);
     test::setHead(kHead);
   }
@@ -44,7 +97,7 @@ class HeadsetPanelTest : public test::WindowWithHeadset {
   QSlider& slider(const char* parameter) {
     return *page().findChild<QWidget*>(QLatin1String(parameter))->findChild<QSlider*>();
   }
-  /// In shares of the page; `share` of the widget's width.
+  /// A place of a widget in shares of the page; `share` of the widget's width.
   Eigen::Vector2d placeOf(const QWidget& widget, double share = 0.5) {
     const QPointF at = widget.mapTo(&page(), QPoint()) + QPointF(share * widget.width(), 0.5 * widget.height());
     return {at.x() / page().width(), at.y() / page().height()};
@@ -58,12 +111,12 @@ class HeadsetPanelTest : public test::WindowWithHeadset {
   }
   QImage picture() {
     const int before = test::shownPictures();
-    until([before] { return test::shownPictures() > before + 1; });  // what was painted is shown
+    until([before] { return test::shownPictures() > before + 1; });  // the painted page is shown
     const std::vector<test::EyePicture> shown = test::nextPictures(std::chrono::seconds(20));
     return QImage(shown.at(0).rgba.data(), shown[0].width, shown[0].height, QImage::Format_RGBX8888).copy();
   }
 
-  test::PointingHands hands_{kLeftHand};
+  PointingHands hands_{kLeftHand};
 };
 
 TEST_F(HeadsetPanelTest, ARunIsStartedAndStoppedAndAlphaIsDraggedByThePanelAlone) {
@@ -73,7 +126,7 @@ TEST_F(HeadsetPanelTest, ARunIsStartedAndStoppedAndAlphaIsDraggedByThePanelAlone
   const double before = alpha();
   QSlider& authority = slider("alpha");
   const double share = static_cast<double>(authority.value()) / authority.maximum();
-  // The handle does not reach the ends of the slider.
+  // The place of the slider's handle, which does not reach the ends of the slider.
   const auto handle = [&](double value) {
     return placeOf(authority, (16.0 + value * (authority.width() - 32.0)) / authority.width());
   };

@@ -11,7 +11,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Counts the pictures of a widget while it is counted, and how long it went without one.
+/// Counts the pictures of a widget between begin() and end(), and measures the longest time without one.
 class PictureCounter : public QObject {
  public:
   explicit PictureCounter(QWidget& counted) : counted_(counted) {}
@@ -52,7 +52,7 @@ class HeadsetWindowTest : public test::WindowWithHeadset {
  protected:
   HeadsetWindowTest() : WindowWithHeadset("environment-1/scenario.json") {}
 
-  /// Counts while the window draws its scene as often as it can.
+  /// Counts pictures during `work`, while the window draws its scene as often as it can.
   template <class Work>
   void drawDuring(PictureCounter& counter, Work work) {
     QTimer ticks;
@@ -100,7 +100,7 @@ TEST_F(HeadsetWindowTest, TheWindowEndsWhileTheHeadsetIsShown) {
 
 class HeadsetLossesTest : public HeadsetWindowTest {
  protected:
-  /// Whoever has found a path begins anew.
+  /// A run that has found a path is followed by a new run.
   HeadsetLossesTest() {
     bench().session.setDevice("expert");
     QObject::connect(&bench().session, &SessionBridge::snapshotChanged, &again_, [this](const SnapshotPtr& snapshot) {
@@ -114,12 +114,12 @@ class HeadsetLossesTest : public HeadsetWindowTest {
     again_.start(0);
   }
 
-  /// GLISSADE_HEADSET_LOSSES=1000 takes minutes.
+  /// Number of losses; GLISSADE_HEADSET_LOSSES=1000 takes minutes.
   static int losses() {
     const char* wanted = std::getenv("GLISSADE_HEADSET_LOSSES");
     return wanted != nullptr ? std::atoi(wanted) : 100;
   }
-  /// One run, to its path.
+  /// Waits until a run has found a path.
   void plan() {
     const int before = runs_;
     EXPECT_TRUE(until([&] { return runs_ > before; }, 60'000));
@@ -149,17 +149,17 @@ class HeadsetLossesTest : public HeadsetWindowTest {
     EXPECT_TRUE(until([&] { return test::madeSessions() > sessions; }));
   }
 
-  int runs_ = 0;  ///< that have found a path
+  int runs_ = 0;  ///< runs that have found a path
 
  private:
   std::mt19937 random_{7};
-  std::uint64_t run_ = 0;  ///< the last one with a path
+  std::uint64_t run_ = 0;  ///< the last run with a path
   QTimer again_;
 };
 
-/// In turn with losses and for as long without a headset, with one run after the other, so that both see the same
-/// machine and the same work. What window and headset draw for the first time is compiled by software drawing before:
-/// that takes seconds. The gaps are printed, and not judged: the machine may be busy.
+/// Losses alternate with times of equal length without a headset, during one run after the other, so that both have the
+/// same machine and the same work. Before, window and headset draw everything once, because software drawing takes
+/// seconds to compile it. The gaps are printed, and not judged, because the machine may be busy.
 TEST_F(HeadsetLossesTest, WindowRunAndPlanGoOnWhileTheHeadsetIsLostAgainAndAgain) {
   constexpr int kTogether = 20;
   PictureCounter first(scene());
@@ -198,7 +198,7 @@ TEST_F(HeadsetLossesTest, WindowRunAndPlanGoOnWhileTheHeadsetIsLostAgainAndAgain
   EXPECT_TRUE(isRunning());
 }
 
-/// GLISSADE_HEADSET_SCENARIO measures another scenario.
+/// Prints the costs of a picture; GLISSADE_HEADSET_SCENARIO names another scenario.
 TEST_F(HeadsetWindowTest, APictureSaysWhatItCosts) {
   if (const char* file = std::getenv("GLISSADE_HEADSET_SCENARIO")) {
     ASSERT_EQ(window_->openScenario(QString::fromLocal8Bit(file), true), std::nullopt);
@@ -206,7 +206,7 @@ TEST_F(HeadsetWindowTest, APictureSaysWhatItCosts) {
   headset().trigger();
   ASSERT_TRUE(isRunning());
   const auto figures = [this] { return bench().scene.headset()->figures(); };
-  // Small bodies are drawn together once they have been still.
+  // Small bodies are drawn together once they have not moved for some pictures.
   ASSERT_TRUE(until([before = test::shownPictures()] { return test::shownPictures() > before + 150; }, 120'000));
   ASSERT_TRUE(until([&] { return figures().drawSeconds > 0.0; }));
   const HeadsetFigures eye = figures();

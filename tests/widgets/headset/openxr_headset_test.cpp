@@ -29,7 +29,7 @@ namespace {
 using namespace std::chrono_literals;
 using test::EyePicture;
 
-/// Before environment 1 on its table and looking down at it, with the head turned a little to the left.
+/// The head before environment 1 on its table, looking down at it and turned a little to the left.
 const Pose kHead{Vector3(0.05, 1.3, -0.1),
                  Quaternion(Eigen::AngleAxisd(0.1, Vector3::UnitY()) * Eigen::AngleAxisd(-0.45, Vector3::UnitX()))};
 
@@ -43,7 +43,7 @@ QImage imageOf(const EyePicture& picture) {
   return QImage(picture.rgba.data(), picture.width, picture.height, QImage::Format_RGBX8888).copy();
 }
 
-/// How long a window goes without a picture.
+/// Measures the times of a window without a picture.
 struct Gaps {
   using Clock = std::chrono::steady_clock;
 
@@ -105,20 +105,20 @@ class OpenXrHeadsetTest : public testing::Test {
     return until([before = test::shownPictures()] { return test::shownPictures() > before; });
   }
   std::vector<EyePicture> pictures() {
-    showsMore();  // the head and the scene of before are shown
+    showsMore();  // skips a picture of the earlier head and scene
     return test::nextPictures(20s);
   }
 
-  Gaps* gaps_ = nullptr;                 ///< of the window's pictures that are counted now
+  Gaps* gaps_ = nullptr;                 ///< for the window's pictures; null: they are not counted
   test::WindowTarget window_{320, 320};  ///< the window's own context, on this thread
   SceneView view_;
   std::shared_ptr<const LoadedScenario> scenario_;
-  Vector3 start_;  ///< of the object
+  Vector3 start_;  ///< position of the object
   RoomPlacement room_;
   std::unique_ptr<Headset> headset_;
 };
 
-/// The camera of the window sees what this eye sees.
+/// Gives the window's camera the sight of this eye.
 void lookThrough(CameraController& camera, const EyeSight& sight) {
   const EyeSides& sides = sight.sides;
   const double height = sides.up - sides.down;
@@ -161,7 +161,7 @@ TEST_F(OpenXrHeadsetTest, PicturesOfBothEyesWithAHorizon) {
   test::expectLikeGolden(imageOf(shown[1]), QStringLiteral("headset-right"));
 }
 
-/// The right one points at the object, the left one at the ceiling.
+/// The right hand points at the object, the left one at the ceiling.
 TEST_F(OpenXrHeadsetTest, PicturesOfTheHandsWithTheRayThatMeetsTheObject) {
   const auto hands = std::make_shared<HandInputs>();
   headset_->setHands(hands);
@@ -186,7 +186,7 @@ TEST_F(OpenXrHeadsetTest, PicturesOfTheHandsWithTheRayThatMeetsTheObject) {
   EXPECT_GT(test::difference(open, imageOf(pictures().at(0))).share, 0.002) << "a hand that holds the object";
 }
 
-/// Over the walls, coloured by its clearance; the ball is where it is tightest.
+/// The path is over the walls, coloured by its clearance; the ball is at its tightest place.
 TEST_F(OpenXrHeadsetTest, PictureOfAPathAsATube) {
   test::setEyePixels(640);
   test::setHead({Vector3(0.05, 1.5, -0.35), Quaternion(Eigen::AngleAxisd(-0.95, Vector3::UnitX()))});
@@ -210,7 +210,7 @@ TEST_F(OpenXrHeadsetTest, PictureOfAPathAsATube) {
   test::expectLikeGolden(shown, QStringLiteral("headset-path"));
 }
 
-/// A product of four large balls of 20,480 triangles each. The clock is the runtime's.
+/// The product has four large balls of 20,480 triangles each. The clock is the runtime's.
 TEST_F(OpenXrHeadsetTest, WherePicturesAreLateTheSceneIsSimplerUntilThereIsTime) {
   LoadedScenario many = *scenario_;
   const auto ball = std::make_shared<const TriangleMesh>(makeSphere(2.0, 5));
@@ -242,9 +242,9 @@ TEST_F(OpenXrHeadsetTest, WherePicturesAreLateTheSceneIsSimplerUntilThereIsTime)
 
 class ManyBodiesInHeadsetTest : public OpenXrHeadsetTest {
  protected:
-  static constexpr int kSide = 12;  ///< bodies of the wall
+  static constexpr int kSide = 12;  ///< bodies along a side of the wall
 
-  /// A wall of boxes in three colours.
+  /// Builds a wall of boxes in three colours.
   ManyBodiesInHeadsetTest() {
     LoadedScenario many = *scenario_;
     const auto box = std::make_shared<const TriangleMesh>(makeBox({0.3, 0.3, 0.3}));
@@ -276,12 +276,12 @@ class ManyBodiesInHeadsetTest : public OpenXrHeadsetTest {
     const QImage eye = imageOf(pictures().at(0));
     lookThrough(view_.camera(), sightOf(room_, kHead * test::scriptedEye(0), test::scriptedSides(0)));
     const test::Difference found = test::difference(eye, window_.picture(view_));
-    // Edges of bodies that are drawn together fade as those of the one in the middle: 1.1 and 0.007 were measured.
+    // Edges of bodies that are drawn together fade as edges of the middle body: 1.1 and 0.007 were measured.
     EXPECT_LT(found.mean, 1.2) << what;
     EXPECT_LT(found.share, 0.0085) << what;
   }
 
-  std::size_t first_ = 0;  ///< obstacle of the wall
+  std::size_t first_ = 0;  ///< index of the wall's first obstacle
 };
 
 TEST_F(ManyBodiesInHeadsetTest, BodiesThatStandStillAreDrawnTogetherAndWhatChangesIsSeen) {
@@ -366,7 +366,7 @@ TEST_F(OpenXrHeadsetTest, AfterThePersonHasLeftItWaitsUntilItIsAskedForAgain) {
   ASSERT_TRUE(becomes(HeadsetState::Running));
 }
 
-/// A runtime says each state once, whatever comes meanwhile.
+/// A runtime reports each state once, whatever happens meanwhile.
 TEST_F(OpenXrHeadsetTest, WhoLeavesWhileTheHeadsetIsTakenOffHasLeft) {
   for (const bool isPutOnAgain : {false, true}) {
     headset_->start();
@@ -386,7 +386,7 @@ TEST_F(OpenXrHeadsetTest, AStallHoldsNeitherTheWindowNorItsEdits) {
   ASSERT_TRUE(becomes(HeadsetState::Running));
   const auto stall = 2000ms;
   test::stallOnce(stall);
-  ASSERT_TRUE(showsMore());  // the one before the stall, or after it
+  ASSERT_TRUE(showsMore());  // a picture before the stall, or after it
   const auto begin = std::chrono::steady_clock::now();
   int drawn = 0;
   for (; drawn < 10; ++drawn) {
@@ -432,7 +432,7 @@ TEST_F(OpenXrHeadsetTest, SomeHundredLossesStallsAndExitsAtRandomPoints) {
 
 class HeadsetLossesTest : public OpenXrHeadsetTest {
  protected:
-  /// GLISSADE_HEADSET_LOSSES=1000 takes minutes.
+  /// Number of losses; GLISSADE_HEADSET_LOSSES=1000 takes minutes.
   const int losses_ = qEnvironmentVariableIsSet("GLISSADE_HEADSET_LOSSES")
                           ? qEnvironmentVariableIntValue("GLISSADE_HEADSET_LOSSES")
                           : 60;
@@ -468,7 +468,8 @@ class HeadsetLossesTest : public OpenXrHeadsetTest {
   std::mt19937 random_{7};
 };
 
-/// In turn with losses and for as long without a headset. The gaps are printed, not judged: the machine may be busy.
+/// Losses alternate with times of equal length without a headset. The gaps are printed, not judged, because the machine
+/// may be busy.
 TEST_F(HeadsetLossesTest, TheWindowDrawsOnWhileTheHeadsetIsLostAgainAndAgain) {
   constexpr int kTogether = 20;
   Gaps alone;

@@ -42,7 +42,7 @@ class PanelInRoomTest : public testing::Test {
 
   PanelInRoom panel_;
   BothControllers states_;
-  BothControllers taken_;  ///< what the panel has left of them
+  BothControllers taken_;  ///< the states without the input that the panel has taken
   PanelInput input_;
 };
 

@@ -12,14 +12,14 @@ class PictureRateTest : public testing::Test {
  protected:
   PictureRateTest() { rate_.advance(now_, period_); }
 
-  /// So many pictures, each so many seconds after the one before.
+  /// Shows this number of pictures, each this many seconds after the one before.
   void show(int pictures, double seconds) {
     for (int i = 0; i < pictures; ++i) {
       now_ += std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(seconds));
       rate_.advance(now_, period_);
     }
   }
-  /// Of a scene that can be drawn in time from this step on.
+  /// Shows a scene that can be drawn in time from this step on.
   void showSceneThatNeeds(int step, int pictures) {
     for (int i = 0; i < pictures; ++i) show(1, rate_.step() < step ? kLate : kInTime);
   }

@@ -30,7 +30,7 @@ class RoomWalkTest : public testing::Test {
 TEST_F(RoomWalkTest, NothingMovesByItself) {
   const RoomPlacement before = walk.room();
   for (int i = 0; i < 100; ++i) advance();
-  right().squeeze = 1.0;  // the main hand takes the object, or nothing
+  right().squeeze = 1.0;  // the main hand takes the object or nothing
   advance();
   right().X_RG->position.x() += 0.3;
   advance();
@@ -101,7 +101,7 @@ TEST_F(RoomWalkTest, AHandThatHoldsTheObjectDoesNotPull) {
 
 TEST_F(RoomWalkTest, APersonStandsWhereTheyPointedWhenTheStickIsReleased) {
   const Vector3 before = walk.room().X_WR.position;
-  // From 1 m above the floor, 45 degrees down.
+  // The hand is 1 m above the floor and points 45 degrees down.
   right().X_RA =
       Pose{Vector3(0.3, 1.0, 0.0), Quaternion(Eigen::AngleAxisd(-0.25 * std::numbers::pi, Vector3::UnitX()))};
   right().stick.y() = 1.0;

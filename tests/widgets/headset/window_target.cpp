@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kSamples = 4;
 
-/// With colour and depth; bound.
+/// Makes and binds a framebuffer with colour and depth.
 unsigned makeFramebuffer(int width, int height, int samples) {
   unsigned framebuffer = 0;
   unsigned buffers[2];

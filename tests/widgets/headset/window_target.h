@@ -1,5 +1,5 @@
-// What the window draws with, without a window: a context of the calling thread and a picture of several samples for
-// each pixel.
+// A replacement for the window's drawing: a context of the calling thread and a picture with several samples for each
+// pixel.
 #pragma once
 
 #include <QImage>

@@ -15,7 +15,7 @@ namespace glissade::test {
 
 enum class Shown { AtOnce, Later };
 
-/// With a sample open and the headset off.
+/// Opens a sample in the window; the headset is off.
 class WindowWithHeadset : public testing::Test {
  protected:
   explicit WindowWithHeadset(const char* sample, Shown shown = Shown::AtOnce)

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Runs a test program on a virtual display with the runtime for tests, if wished under a layer of OpenXR that judges
-# its calls. LEAKS and KEPT, where they are set: the leak sanitizer's library, which judges what is
-# left at the end, and one that keeps others loaded. FILTER: a test's option that chooses some.
+# Runs a test program on a virtual display with the runtime for tests, optionally under a layer of OpenXR that checks
+# its calls. LEAKS, if set: the leak sanitizer's library, which checks for memory that is left at the end. KEPT: a
+# library that keeps others loaded. FILTER: an option of the test that selects cases.
 # usage: with_headset.sh PROGRAM RUNTIME_MANIFEST [LAYER]
 set -u
 program=$1

@@ -1,4 +1,4 @@
-// The object in the hand with a tracked controller, alone and among obstacles. FCL judges.
+// Tests the object in a hand with a tracked controller, alone and among obstacles. FCL judges.
 #include "engine/operator/controllers/grasping_hand.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ class Grasp : public testing::Test {
   void use(const char* id) { device = make(id); }
 
   ControllerInput& controller() { return inputs->rightController; }
-  /// Squeezed so much there, and aiming along its own -z.
+  /// Sets the controller to a pose, with this squeeze, aiming along its own -z.
   void hold(const Pose& X_WG, double squeeze) {
     at = X_WG;
     squeezed = squeeze;
@@ -37,12 +37,12 @@ class Grasp : public testing::Test {
   void advance(int ticks = 1) {
     for (int i = 0; i < ticks; ++i) q = device->advance(kTick, viewOf(q), kRoom);
   }
-  /// The controller goes there, and the object has time to come after it.
+  /// Moves the controller, and gives the object time to follow.
   void move(const Pose& to) {
     hold(to, squeezed);
     advance(400);
   }
-  /// In the middle of the side of the cube that looks to +y.
+  /// Takes the cube at the middle of its side towards +y.
   void takeByHand() {
     hold(Pose::translation(q.position + Vector3(0.0, 0.25, 0.0)), 0.0);
     advance();
@@ -88,7 +88,7 @@ TEST_F(Grasp, AHandThatIsTooFarAwayAndPointsElsewhereTakesNothing) {
   advance();
   EXPECT_FALSE(device->holds());
   EXPECT_FALSE(controller().place.feedback().pointsAt);
-  // Closed, it takes nothing that it is moved over.
+  // A closed hand takes nothing that it is moved over.
   hold(Pose::translation(q.position + Vector3(0.0, 0.2, 0.0)), 1.0);
   advance(10);
   EXPECT_FALSE(device->holds());
@@ -207,7 +207,7 @@ TEST_F(Grasp, PressedLightlyItIsFeltAllTheTime) {
 TEST_F(Grasp, ByHandTheMainHandTakesIt) {
   use("hand");
   inputs->mainHand = ControllerSide::Left;
-  takeByHand();  // with the right one
+  takeByHand();  // with the right hand
   EXPECT_FALSE(device->holds());
   inputs->mainHand = ControllerSide::Right;
   takeByHand();

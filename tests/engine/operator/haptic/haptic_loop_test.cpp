@@ -1,5 +1,5 @@
-// The loop in real time beside a planner. How punctual it is depends on the machine, so it is reported and
-// not judged: GLISSADE_HAPTIC_SECONDS=60 haptic_test --gtest_filter='HapticLoop*'
+// Tests the loop in real time beside a planner. Its delays depend on the machine, so that they are reported and not
+// judged: GLISSADE_HAPTIC_SECONDS=60 haptic_test --gtest_filter='HapticLoop*'
 #include "engine/operator/haptic/haptic_loop.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ OperatorView viewFrom(const Pose& q) {
   return view;
 }
 
-/// Holds the loop while a planner works on another thread; the hand wanders and keeps touching.
+/// Runs the loop while a planner works on another thread; the hand moves at random and touches obstacles often.
 HapticReport hold(const Problem& problem, const std::string& what) {
   const auto session = makeThreadedSession(sessionConfig(problem));
   const double radius = problem.world->objectRadius();
@@ -104,7 +104,7 @@ TEST(HapticLoop, PutsTheObjectWhereItIsToldAndStopsAtOnce) {
   EXPECT_TRUE(person.connected());
 }
 
-/// Through sessions of both kinds the object follows the hand and stays free.
+/// In both kinds of sessions the object follows the hand and stays free.
 TEST(HapticSession, TheObjectFollowsTheHandAndStaysFree) {
   for (const bool realTime : {false, true}) {
     const Problem problem = closedProblem();
@@ -127,7 +127,7 @@ TEST(HapticSession, TheObjectFollowsTheHandAndStaysFree) {
   }
 }
 
-/// Throws after some cycles of the loop, and once more when its wrench is to be taken back.
+/// Throws after some cycles of the loop, and again when its wrench is to be set to zero.
 class BreakingDevice final : public HapticDevice {
  public:
   explicit BreakingDevice(void (*raise)()) : raise_(raise) {}

@@ -8,7 +8,7 @@
 
 namespace glissade {
 
-/// The same surface with every triangle divided into n * n.
+/// The mesh with every triangle divided into n * n.
 inline TriangleMesh subdivided(const TriangleMesh& mesh, std::uint32_t n) {
   TriangleMesh fine;
   for (const TriangleIndices& triangle : mesh.triangles) {
@@ -31,7 +31,7 @@ inline TriangleMesh subdivided(const TriangleMesh& mesh, std::uint32_t n) {
   return welded(fine);
 }
 
-/// Two Ls of more than 100,000 triangles each: one stands, the other is moved.
+/// Two Ls of more than 100,000 triangles each: one is static, the other is moved.
 inline CollisionWorldPtr denseWorld() {
   const auto dense = std::make_shared<const TriangleMesh>(subdivided(*makeL(), 65));
   RigidBody standing;
@@ -40,13 +40,13 @@ inline CollisionWorldPtr denseWorld() {
   return CollisionWorld::build({standing}, dense);
 }
 
-/// Looks on at a device: what energy it was given by the hand, and the strongest wrench.
+/// Measures the energy that the hand gives to a device, and the largest wrench.
 class WatchedDevice final : public HapticDevice {
  public:
   struct Record {
-    double energyIn = 0.0;   ///< J, from the hand into what is rendered
-    double lowest = 0.0;     ///< that energyIn ever was
-    double strongest = 0.0;  ///< share of the limits
+    double energyIn = 0.0;   ///< energy from the hand into the rendered wrench, joules
+    double lowest = 0.0;     ///< lowest value of energyIn so far
+    double strongest = 0.0;  ///< largest wrench as a share of the limits
     Pose X_WD;
   };
 

@@ -1,4 +1,4 @@
-// The haptic servo at contact between two parts of 100,000 triangles, watched from outside.
+// Tests the haptic servo at contact between two parts of 100,000 triangles, measured from outside.
 #include <gtest/gtest.h>
 
 #include "engine/base/random_stream.h"
@@ -26,7 +26,7 @@ class HapticContact : public testing::Test {
     return servo;
   }
 
-  /// Knowledge comes every `lateness` cycles, and is as old as that.
+  /// Runs a cycle with data that arrive every `lateness` cycles, with an age of that many cycles.
   HapticCycle cycle(HapticServo& servo, const Guidance& guidance, int lateness) {
     if (cycles_++ % lateness == 0) {
       if (pending_) servo.learn(*pending_);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kPeriod = 1.0 / 60.0;
 
-/// The same reading for so many seconds; the time after it.
+/// Sends the same reading for a time, and returns the time after it.
 double hold(HeadTracking& head, const HeadReading& reading, double time, double seconds) {
   for (const double end = time + seconds; time < end; time += kPeriod) head.take(reading, time);
   return time;
@@ -40,7 +40,7 @@ TEST(OneEuroFilter, LagsLessWhereTheValueMovesFast) {
   EXPECT_LT(filter.delay(), 0.03);
 }
 
-/// Noise of a millimetre: what is left of it at rest is less than half.
+/// With noise of a millimetre, less than half of it remains at rest.
 TEST(HeadTracking, AHeadAtRestDoesNotTremble) {
   std::mt19937 random(1);
   std::normal_distribution<double> noise(0.0, 1e-3);
@@ -96,7 +96,7 @@ TEST(HeadTracking, ASilentTrackerLetsTheViewGoBackSlowlyAndToItsRest) {
   EXPECT_LT(largest, 0.05 * before);
 }
 
-/// Also where it says something else then.
+/// The motion does not jump, even if the tracker's reading differs then.
 TEST(HeadTracking, ATrackerThatComesBackMakesNoJump) {
   HeadTracking head;
   head.setShaping({});
@@ -109,7 +109,7 @@ TEST(HeadTracking, ATrackerThatComesBackMakesNoJump) {
   EXPECT_NEAR(head.motion().shift.x(), -0.3, 1e-3);
 }
 
-/// Whatever comes at whatever times, the motion is finite and no larger than what a head may do.
+/// For any readings at any times, the motion is finite and within the limits of a head.
 TEST(HeadTracking, RandomReadingsAtRandomTimesGiveAHeadNearTheScreen) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> reading(-10.0, 10.0);

@@ -48,14 +48,14 @@ TEST(OpentrackProtocol, DropsWhatIsNoPlaceOfAHead) {
   }
 }
 
-/// GLISSADE_HEAD_DATAGRAMS: another number of them.
+/// GLISSADE_HEAD_DATAGRAMS sets another number of datagrams.
 TEST(OpentrackProtocol, OfRandomBytesOnlyPlacesOfAHeadAreTaken) {
   const char* asked = std::getenv("GLISSADE_HEAD_DATAGRAMS");
   const long count = asked != nullptr ? std::atol(asked) : 100'000;
   std::mt19937_64 random(34);
   long taken = 0;
   for (long i = 0; i < count; ++i) {
-    // Half of them have the right size; of these, half have exponents of numbers that occur.
+    // Half of the datagrams have the right size; half of these have exponents of plausible numbers.
     const bool rightSize = i % 2 == 0;
     std::vector<std::byte> datagram(rightSize ? kOpentrackBytes : random() % 1500);
     for (std::byte& byte : datagram) byte = static_cast<std::byte>(random());

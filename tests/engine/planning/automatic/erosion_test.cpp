@@ -41,7 +41,7 @@ TEST(ErodedWorlds, BuildsEachDepthOnceAndLeavesTheObjectAlone) {
   worlds.keepOnly(0.05);
   EXPECT_NE(worlds.at(0.1), smallest);
   EXPECT_EQ(&smaller->obstacles(), &problem.world->obstacles());  // not copied
-  // Touching the wall by 0.04: only the smaller object is free.
+  // At this configuration the object overlaps the wall by 0.04: only the smaller object is free.
   const Pose q = Pose::translation({-0.26, 1.0, 0.0});
   EXPECT_TRUE(problem.world->makeQuery()->collides(q));
   EXPECT_NEAR(smaller->makeQuery()->nearestObstacle(q).distance, 0.01, 1e-9);
@@ -72,7 +72,7 @@ TEST(Retraction, GivesUpInsideAnObstacle) {
   EXPECT_FALSE(retracted(*query, Pose::translation({0.0, 1.5, 0.0}), 0.01, problem.world->objectRadius()));
 }
 
-/// The cube of `windowProblem()` on the floor of its window, or that far into it.
+/// The cube of `windowProblem()` on the floor of its window, or `overlap` deep in it.
 Pose onTheFloor(double overlap) { return Pose::translation({0.0, 0.1, -0.3 - overlap}); }
 
 TEST(Freeing, PartsThatTouchOrOverlapALittleComeClearByAboutThat) {
@@ -101,7 +101,7 @@ TEST(Freeing, WhatIsClearStaysAndWhatIsDeepInsideIsGivenUpWithItsDepth) {
   EXPECT_NEAR(std::stod(reason.substr(reason.find(before) + before.size())), 95.0, 5.1) << reason;  // mm
 }
 
-/// A shaft that is thicker than its hole by little has nowhere to go but out.
+/// A shaft that is slightly thicker than its hole can only move out.
 TEST(Freeing, AShaftSlidesOutOfItsHole) {
   RigidBody ring = boxBody("ring", {1.0, 1.0, 1.0}, Pose::identity());
   ring.mesh = std::make_shared<const TriangleMesh>(test::makeRing(0.1, 0.3, 0.2, 40));

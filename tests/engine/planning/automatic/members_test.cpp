@@ -96,7 +96,7 @@ TEST(ShrinkRepair, GrowsBackThroughAWindowThatJustFits) {
   options.erosion = 0.1 * r;
   options.growth = 1e-3 * r;
   options.search.range = 0.2;
-  options.repairWork = 30'000;  // now and then too few: the growth is halved
+  options.repairWork = 30'000;  // sometimes too few, so that the growth is halved
   const auto worlds = std::make_shared<ErodedWorlds>(problem.world);
   int solved = 0;
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {

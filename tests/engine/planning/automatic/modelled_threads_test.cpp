@@ -14,7 +14,7 @@
 namespace glissade {
 namespace {
 
-/// A bolt somewhere, and a nut on it or above it.
+/// A bolt at a random pose, and a nut on it or above it.
 struct NutOnBolt {
   explicit NutOnBolt(const nut_and_bolt::Shape& shape = {}, bool on = true, bool goalOut = true) {
     bolt.id = bolt.name = "bolt";
@@ -63,7 +63,7 @@ TEST(ModelledThreads, AxisAndPitchAreFoundInTheMeshes) {
   }
 }
 
-/// The sample is what its program writes, and is solved as it is.
+/// The sample is the output of its program, and is solved as it is.
 TEST(ModelledThreads, TheSampleIsWhatItsShapesAre) {
   const auto loaded = loadScenario(test::sourceDirectory() + "/samples/nut-and-bolt/scenario.json");
   ASSERT_TRUE(loaded.ok()) << toString(loaded.error());
@@ -78,7 +78,7 @@ TEST(ModelledThreads, TheSampleIsWhatItsShapesAre) {
   EXPECT_TRUE(hasScrewMotions(loaded->problem));
 }
 
-/// Problems without threads have the members that they had.
+/// Problems without threads have the same members as before.
 TEST(ModelledThreads, AreNotFoundWhereThereAreNone) {
   EXPECT_TRUE(hasScrewMotions(NutOnBolt().problem));
   EXPECT_TRUE(hasScrewMotions(NutOnBolt({}, false, false).problem));
@@ -108,7 +108,7 @@ TEST(ModelledThreads, ANutIsTurnedOffAndOn) {
     const auto poses = planner->path()->configurations();
     for (std::size_t i = 0; i + 1 < poses.size(); ++i)
       turns += angleBetween(poses[i].orientation, poses[i + 1].orientation);
-    EXPECT_GT(turns, 6.0 * 2.0 * std::numbers::pi);  // many times 360 degrees
+    EXPECT_GT(turns, 6.0 * 2.0 * std::numbers::pi);  // several full turns
   }
 }
 

@@ -56,17 +56,17 @@ TEST(Portfolio, TheRetiredHaveNoTurnsAndALateOneNeedNotWaitForThem) {
 TEST(Portfolio, WhoHasOneLifeHasOneOfTheTurnsAtTheSameTime) {
   Portfolio portfolio({{1.0}, {2.0}, {1.0}, {1.0, 0, 0, Restart::Never, 1000}});
   portfolio.charge(0, 30);
-  portfolio.charge(1, 40);  // for twice the share: 20
+  portfolio.charge(1, 40);  // 20 per unit of its doubled share
   portfolio.charge(2, 10);
   using Turns = std::vector<std::size_t>;
   EXPECT_EQ(portfolio.next(1, 10), Turns({2}));
   EXPECT_EQ(portfolio.next(2, 10), Turns({2, 1}));
-  EXPECT_EQ(portfolio.next(8, 10), Turns({2, 1, 0}));  // nobody enters early
+  EXPECT_EQ(portfolio.next(8, 10), Turns({2, 1, 0}));  // no contender enters early
   portfolio.retire(1);
   EXPECT_EQ(portfolio.next(8, 10), Turns({2, 0}));
   portfolio.retire(0);
   portfolio.retire(2);
-  EXPECT_EQ(portfolio.next(8, 10), Turns({3}));  // there is nobody else
+  EXPECT_EQ(portfolio.next(8, 10), Turns({3}));  // there is no other contender
   portfolio.retire(3);
   EXPECT_EQ(portfolio.next(8, 10), Turns());
 }
@@ -76,7 +76,7 @@ TEST(Portfolio, SharesHoldForTurnsAtTheSameTimeToo) {
   for (int round = 0; round < 1000; ++round) {
     for (const std::size_t who : portfolio.next(4, 10)) portfolio.charge(who, 10);
   }
-  EXPECT_NEAR(static_cast<double>(portfolio.work(2)), 30'000.0, 50.0);  // three of four in every round
+  EXPECT_NEAR(static_cast<double>(portfolio.work(2)), 30'000.0, 50.0);  // three of four slots in every round
   EXPECT_NEAR(static_cast<double>(portfolio.work(0)), 5'000.0, 50.0);
   EXPECT_NEAR(static_cast<double>(portfolio.work(1)), 5'000.0, 50.0);
 }
@@ -92,7 +92,7 @@ TEST(Portfolio, PatienceUsedUpHalvesTheShareDownToALeast) {
   EXPECT_NEAR(ratioUntil(2000), 2.0, 0.1);
   EXPECT_NEAR(ratioUntil(4000), 4.0, 0.1);
   EXPECT_NEAR(ratioUntil(8000), 8.0, 0.1);
-  EXPECT_NEAR(ratioUntil(16000), 8.0, 0.1);  // not 16
+  EXPECT_NEAR(ratioUntil(16000), 8.0, 0.1);  // 8 instead of 16
   portfolio.encourage(0);
   EXPECT_NEAR(ratioUntil(17000), 0.25, 0.1);
   EXPECT_NEAR(ratioUntil(18000), 0.5, 0.1);

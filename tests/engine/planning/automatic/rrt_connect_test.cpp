@@ -34,7 +34,7 @@ TEST(RrtConnect, TellsItsSamplerOfEachNode) {
   for (std::size_t i = 0; i < told.size(); ++i) EXPECT_EQ(planner.nodes()[i + 2].q, told[i]);
 }
 
-/// The longest edge of a tree, in ranges, after so many draws of which the first `longDraws` are long.
+/// The longest edge of a tree, in multiples of the range, after `draws` draws of which the first `longDraws` are long.
 double longestEdge(std::uint64_t draws, std::uint64_t longDraws) {
   Problem problem = closedProblem();
   RrtConnect::Options options;

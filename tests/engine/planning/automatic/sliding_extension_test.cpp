@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kStep = 0.01;
 
-/// In front of a wall without a way through, near enough for the motion to run into it.
+/// The object is in front of a closed wall, so near that the motion meets it.
 class Sliding : public testing::Test {
  protected:
   Problem problem = windowProblem();
@@ -40,7 +40,7 @@ TEST_F(Sliding, AChildBeginsWithThePlanesOfItsParent) {
   sliding.keep(0, 1);
   const Pose next{target.position + Vector3(0.1, 0.1, 0.0), target.orientation};
   const std::uint64_t before = query->counts().distance;
-  constexpr double kOnlyTheEnd = 1.0;  // no distances for the samples on the way
+  constexpr double kOnlyTheEnd = 1.0;  // no distances at the samples before the end
   ASSERT_TRUE(sliding.slide(1, *end, next, kOnlyTheEnd, {}));
   EXPECT_EQ(query->counts().distance, before);
 }

@@ -1,4 +1,4 @@
-// Members of the automatic planner that work side by side.
+// Tests members of the automatic planner that work in parallel.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -17,7 +17,7 @@ TestHost hostWithSlots(const Problem& problem, int slots, std::uint64_t steps) {
   return host;
 }
 
-/// Two windows that are not in line: no direct motion leads through both.
+/// Two windows that are not aligned, so that no direct motion leads through both.
 Problem twoWindows() {
   Problem problem = windowProblem();
   std::vector<RigidBody> walls = problem.world->obstacles();
@@ -30,7 +30,7 @@ Problem twoWindows() {
   return problem;
 }
 
-/// All that a run comes to.
+/// The complete result of a run.
 struct Trace {
   bool solved;
   std::string member;
@@ -72,7 +72,8 @@ TEST(Slots, SeedAndSlotsDecideTheResultNotTheThreads) {
   }
 }
 
-/// Long enough for the members that enter late, several lives of the others, and OMPL's beside ours.
+/// The search is long enough for the members that enter late, several lives of the others, and OMPL's members beside
+/// ours.
 TEST(Slots, ALongSearchIsTheSameOnAnyNumberOfThreads) {
   const Problem problem = closedProblem();
   const Trace alone = traceOf(problem, 1, 4, 1, 50'000);
@@ -110,7 +111,7 @@ TEST(Slots, NamesAllWhoseTurnItIs) {
   EXPECT_NE(names.substr(0, comma), names.substr(comma + 2));
 }
 
-/// As a session's: it ends the run once it is stopped.
+/// Ends the run after a stop, as a session's host does.
 class StoppableHost final : public PlannerHost {
  public:
   explicit StoppableHost(const TestHost& host) : host_(host) {}

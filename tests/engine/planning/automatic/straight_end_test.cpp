@@ -31,7 +31,7 @@ Path certified(const std::vector<Vector3>& way, const Problem& problem, const Pa
   return path;
 }
 
-/// Out of the tube with a tremor, and by some detour to the other side of it.
+/// A path out of the tube with random deviations, and by a detour to the other side of it.
 std::vector<Vector3> detour(std::uint64_t seed) {
   RandomStream stream(seed, "detour");
   const auto tremor = [&stream](double size) {

@@ -1,4 +1,4 @@
-// Which holes fit, and which way the strategies take: paper 2, table 1 and sections 6.1 and 6.2.
+// Tests which holes fit, and which way the strategies take: paper 2, table 1 and sections 6.1 and 6.2.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 namespace glissade {
 namespace {
 
-/// Built once for all tests of this program that ask for it: two seconds each.
+/// A game that is built once for all tests of this program, because it takes two seconds.
 const test::KnownGame& game(const std::string& preset, const std::string& shape) {
   static std::map<std::string, test::KnownGame> games;
   return games.try_emplace(preset + shape, preset, shape).first->second;
@@ -175,7 +175,7 @@ TEST_F(EditedRoutes, WhatFailedCostsMore) {
   EXPECT_NE(names[1], "P8");
 }
 
-/// The coarse plan of the circle by these rules, or why there is none.
+/// The coarse plan of the circle by these rules, or the error.
 Result<CoarsePlan> planBy(const StrategyRules& rules, const SemanticEdits& edits) {
   const test::KnownGame& known = game("tight", "circle");
   const Problem& problem = known.loaded.problem;

@@ -78,7 +78,7 @@ TEST(FindCellPath, StaysInItsArea) {
 }
 
 TEST(FindCellPath, TakesTheWideSideOfABox) {
-  // Beside the box: 0.25 m on one side, 0.5 m on the other, and the narrow one is nearer.
+  // The gaps beside the box are 0.25 m and 0.5 m wide, and the narrow one is nearer.
   const auto model =
       roomWith(boxBody("box", {0.25, 0.25, 1.0}, Pose::translation(Vector3(1, 0.375, 0.5))), Mobility::Static);
   ASSERT_NE(model, nullptr);

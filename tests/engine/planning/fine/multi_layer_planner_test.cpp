@@ -59,7 +59,7 @@ TEST_P(SolvesTight, TheSameSeedGrowsTheSameRoadmapBitByBit) {
   const auto second = make(problem, "gts", 5);
   TestHost secondHost(problem, 100000);
   do {
-    secondHost.stepsLeft = 7;  // however often it is interrupted
+    secondHost.stepsLeft = 7;  // the result does not depend on interruptions
   } while (!second->solve(secondHost) && !second->failure());
   ASSERT_EQ(first->nodes().size(), second->nodes().size());
   for (std::size_t i = 0; i < first->nodes().size(); ++i) EXPECT_EQ(first->nodes()[i].q, second->nodes()[i].q);
@@ -85,7 +85,7 @@ TEST(MultiLayerPlanner, WithoutSemanticsTheStarIsLedToAHoleThatItDoesNotFit) {
   for (const TopologicalStep& step : plan->steps) {
     if (step.result != StepResult::Failed) continue;
     ++failed;
-    EXPECT_LE(step.randomConfigurations, 3000U + 2000U);  // of the local planner, and of the milestone
+    EXPECT_LE(step.randomConfigurations, 3000U + 2000U);  // limits of the local planner and of the milestone
   }
   EXPECT_EQ(failed, 1);
   EXPECT_FALSE(planner->solve(host)) << "no path can come after a failure";
@@ -169,7 +169,7 @@ TEST_F(EditsWhileRunning, AMilestoneOfThePersonIsPassedThrough) {
   const auto first = make(problem, "gts");
   advance(*first, 100000);
   ASSERT_NE(first->path(), nullptr);
-  const TopologicalStep last = coarsePlanOf(*first)->steps.at(3);  // into P3
+  const TopologicalStep last = coarsePlanOf(*first)->steps.at(3);  // the step into P3
   const Border& border = map.borders[static_cast<std::size_t>(last.border)];
   SemanticEdits edits = *problem.scene.edits;
   Pose q = Pose::translation(border.centre + Vector3(0.0, 0.05, 0.1));

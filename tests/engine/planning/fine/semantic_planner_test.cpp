@@ -32,7 +32,7 @@ class SemanticPlanner : public testing::Test {
 
 TEST_F(SemanticPlanner, HardPlacesGetTheGeometricalPlannerAndATreeEasyOnesAStraightLine) {
   const StrategyRules rules = presetRules("gts2");
-  for (const char* place : {"P2", "P6", "P9"}) {  // cluttered, narrow, narrow
+  for (const char* place : {"P2", "P6", "P9"}) {  // cluttered, narrow and narrow places
     EXPECT_TRUE(choice(place, rules).geometrical) << place;
     EXPECT_EQ(choice(place, rules).local, "rrt") << place;
   }

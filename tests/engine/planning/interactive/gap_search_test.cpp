@@ -1,4 +1,4 @@
-// Two local trees between two configurations of a way.
+// Tests two local trees between two configurations of a way.
 #include "engine/planning/interactive/gap_search.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace glissade {
 namespace {
 
-/// In a burr with a play of 0.3 mm, round a corner of its channel. Trees that do not slide need several times the
+/// In a burr with a play of 0.3 mm, round a corner of its channel, trees that do not slide need several times the
 /// steps.
 TEST(GapSearch, SlidesRoundACornerInContact) {
   const auto loaded = loadScenario(test::sourceDirectory() + "/samples/puzzles/burr.json");

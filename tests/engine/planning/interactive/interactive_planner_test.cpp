@@ -1,4 +1,4 @@
-// The strategy "interactive": the portfolio with a hand.
+// Tests the strategy "interactive": the portfolio with a hand.
 #include <gtest/gtest.h>
 
 #include "engine/planning/automatic/automatic_planner.h"
@@ -9,14 +9,15 @@
 namespace glissade {
 namespace {
 
-/// A tunnel with two bends: what is drawn everywhere hardly ever falls into it.
+/// A tunnel with two bends, which uniform draws rarely hit.
 Problem bentTunnel() {
   Problem problem = windowProblem();
   std::vector<RigidBody> walls;
   const auto block = [&](const char* name, const Vector3& least, const Vector3& most) {
     walls.push_back(boxBody(name, most - least, Pose::translation((least + most) / 2.0)));
   };
-  // Solid for |x| < 1.2, but for a channel of 0.46 m: in at (y, z) = (0, 0), across to y = 1, out at (1, 0).
+  // Solid for |x| < 1.2, except for a channel of 0.46 m: it enters at (y, z) = (0, 0), goes across to y = 1, and leaves
+  // at (1, 0).
   block("below", {-1.2, -2.5, -2.5}, {1.2, 2.5, -0.23});
   block("above", {-1.2, -2.5, 0.23}, {1.2, 2.5, 2.5});
   block("left", {-1.2, -2.5, -0.23}, {1.2, -0.23, 0.23});
@@ -147,7 +148,7 @@ TEST(Interactive, AHandThatShowsTheWayNeedsAFractionOfTheSteps) {
   EXPECT_LT(5 * shown, alone);
 }
 
-/// Some thousands of steps for each configuration that it shows, as on a machine at full speed.
+/// Some thousands of steps pass for each shown configuration, as on a machine at full speed.
 TEST(Interactive, AHandThatMisleadsCostsATenthOfTheWork) {
   const Problem problem = closedProblem();
   WalkingHand hand(problem, kElsewhere, 200'000, 3.5e-6);
@@ -161,14 +162,14 @@ TEST(Interactive, AHandThatMisleadsCostsATenthOfTheWork) {
   EXPECT_LT(static_cast<double>(work.hand), 0.1 * static_cast<double>(work.all));
 }
 
-/// Draws one configuration, which no hand shows.
+/// Draws one configuration that no hand shows.
 class Nowhere final : public ConfigurationSampler {
  public:
   static Pose pose() { return Pose::translation({100.0, 0.0, 0.0}); }
   Pose draw(const Box3& /*tree*/) override { return pose(); }
 };
 
-/// Of a thousand draws of a member that slides, those that are not its own, after a run with a hand at full speed.
+/// Number of draws, of a thousand by a sliding member, that are not its own, after a run with a hand at full speed.
 int drawnAboutTheHand(const Problem& problem, std::vector<Vector3> points) {
   WalkingHand hand(problem, std::move(points), 200'000, 3.5e-6);
   auto partner = std::make_unique<HandPartner>(problem, 1);
@@ -188,7 +189,7 @@ TEST(Interactive, MembersThatSlideDrawHalfAboutAHandInContact) {
   EXPECT_NEAR(drawnAboutTheHand(problem, {{-0.305, 1.0, 0.0}, {-0.305, -1.0, 0.0}}), 500, 60);
 }
 
-/// A path along the hand's way is the hand's where a member found it that draws there.
+/// A path along the hand's way counts as the hand's if it was found by a member that draws there.
 TEST(Interactive, SaysWhoJoinedStartAndGoal) {
   const Problem problem = closedProblem();
   WalkingHand hand(problem, kElsewhere, 2'000);
@@ -213,7 +214,7 @@ TEST(Interactive, SaysWhoJoinedStartAndGoal) {
 
 TEST(Interactive, SaysWhatTheHandHasShown) {
   const Problem problem = bentTunnel();
-  // Beside the channel: in the wall by less than the object can be moved back.
+  // The points lie beside the channel: in the wall by less than the object can be moved back.
   WalkingHand hand(problem, {{-1.8, 0.06, 0.04}, {0.03, 0.06, 0.04}, {0, 1.05, 0.04}, {1.8, 1.05, 0.04}}, 20'000);
   const auto planner = interactive(problem, 1);
   ASSERT_TRUE(planner->solve(hand));

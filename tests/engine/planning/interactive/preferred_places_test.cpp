@@ -10,7 +10,7 @@
 namespace glissade {
 namespace {
 
-/// Draws one configuration, which no place holds.
+/// Draws one configuration that no place holds.
 class OneConfiguration final : public ConfigurationSampler {
  public:
   static Pose pose() { return Pose::translation({100.0, 0.0, 0.0}); }
@@ -30,7 +30,7 @@ class Preferences : public testing::Test {
     edits.places.push_back({place().anchor, {}, {{"preference", preference}}});
     return std::make_shared<const SemanticEdits>(edits);
   }
-  /// How many of a thousand draws are in the place, of a sampler that the partner makes for a member.
+  /// Number of draws in the place, of a thousand by a sampler that the partner makes for a member.
   int drawnThere(const HandPartner& partner) const {
     const SamplingRegion region(problem.scene.knowledge->environment->map.grid, place().cells);
     const auto sampler = partner.sampler(std::make_unique<OneConfiguration>(), 1, false);

@@ -11,7 +11,7 @@
 namespace glissade {
 namespace {
 
-/// The oracle shares no code with the kernel that the configurations were freed by.
+/// The oracle shares no code with the kernel that freed the configurations.
 TEST(ShownConfiguration, WhatIsFreedDoesNotPenetrateAndIsNear) {
   Problem problem = windowProblem();
   problem.world = problem.world->withObject(makeL());
@@ -69,7 +69,7 @@ TEST(WaySampler, DrawsTheHandsShareFromTheTube) {
   EXPECT_NEAR(drawnNear(true), 300, 40);
 }
 
-/// A hand that turns a screw: the object is on the screw motion ahead of it in a tenth of the hand's draws.
+/// The hand turns a screw: in a tenth of its draws the object is on the screw motion ahead of it.
 TEST(WaySampler, DrawsAheadOfAHandThatPushes) {
   const Problem problem = windowProblem();
   const ScrewAxis screw{{-1.2, 0.0, 0.0}, Vector3::UnitX(), 0.5};
@@ -78,7 +78,7 @@ TEST(WaySampler, DrawsAheadOfAHandThatPushes) {
   NearestObstacle far;
   far.distance = 1.0;
   for (int i = 0; i < 6; ++i) recorder.add(screwed(screw, start, 0.005 * i), far, 0.0);
-  const Pose hand = screwed(screw, start, 0.03);  // the object is held back at 0.025
+  const Pose hand = screwed(screw, start, 0.03);  // obstacles hold the object at 0.025
   const auto board = std::make_shared<WayBoard>();
   auto way = std::make_shared<ShownWay>();
   way->points = recorder.points();
@@ -98,7 +98,7 @@ TEST(WaySampler, DrawsAheadOfAHandThatPushes) {
   EXPECT_LT(ahead, 150);
 }
 
-/// N and d are for the nodes of a member, too, while a hand has a share in its draws.
+/// N and d also apply to the nodes of a member, while a hand has a share in its draws.
 TEST(WaySampler, DrawsContactSamplesAtNodesOfTheMember) {
   const Problem problem = windowProblem();
   const auto query = problem.world->makeQuery();
@@ -136,12 +136,12 @@ TEST(WayRecorder, SaysHowOftenTheHandIsInContact) {
   way.add(problem.start, far, 0.0);
   EXPECT_EQ(way.inContact(), 0.0);
   way.add(problem.start, touching, 0.0);
-  way.add(problem.start, far, 0.1 * radius);  // was retracted
+  way.add(problem.start, far, 0.1 * radius);  // q was retracted
   way.add(problem.start, far, 0.0);
   EXPECT_NEAR(way.inContact(), 0.5, 1e-12);
   NearestObstacle deep;
   deep.distance = 0.0;
-  way.add(problem.start, deep, 0.5 * radius);  // could not be made free
+  way.add(problem.start, deep, 0.5 * radius);  // q could not be made free
   EXPECT_NEAR(way.inContact(), 0.4, 1e-12);
   for (int i = 0; i < 500; ++i) way.add(problem.start, far, 0.0);
   EXPECT_LT(way.inContact(), 0.01);
@@ -153,11 +153,11 @@ TEST(HandAccount, LimitsTheHandByWorkUnlessStepsAreScarce) {
   account.charge(100'000, {1'000'000, 0});
   account.charge(1, {50'000, 50'000});
   EXPECT_FALSE(account.covers());
-  account.noteShown(20);  // each is worth something
+  account.noteShown(20);  // each gives a credit
   EXPECT_TRUE(account.covers());
   account.charge(1, {2'000'000, 2'000'000});
   EXPECT_FALSE(account.covers());
-  for (std::uint64_t shown = 21; shown < 80; ++shown) {  // a dozen steps each, as in lockstep
+  for (std::uint64_t shown = 21; shown < 80; ++shown) {  // a dozen steps for each, as in lockstep
     account.charge(12, {60'000, 60'000});
     account.noteShown(shown);
   }

@@ -15,8 +15,8 @@ inline AssemblyStep stepAlong(const std::string& body, const Vector3& way) {
   return step;
 }
 
-/// A base with so many blocks on it, each put on from above by a step of its own; the last one in the plan is that of
-/// the first block.
+/// A base with blocks on it, each put on from above in its own step; the last step of the plan is that of the first
+/// block.
 struct InstructedProduct {
   AssembledProduct product;
   AssemblyPlan plan;
@@ -44,7 +44,7 @@ inline WorkInstruction instructed(const InstructedProduct& made, Language langua
   return workInstruction(made.plan, made.product, "stand", wordsIn(language));
 }
 
-/// All that a person reads of it.
+/// All texts of an instruction.
 inline std::vector<std::string> textsOf(const WorkInstruction& instruction) {
   std::vector<std::string> texts{instruction.title};
   for (const std::string& tool : instruction.tools) texts.push_back(tool);

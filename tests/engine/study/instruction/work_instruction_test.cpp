@@ -158,7 +158,8 @@ TEST(InstructionWords, TurnsOfTheProductAreSaid) {
   EXPECT_EQ(turn({0, false}, {2, false}), "Turn the product by half a turn.");
 }
 
-/// Where the eye is, and what is up, belong together: the turn that the sentence asks for brings one to the other.
+/// The viewpoint and the up direction are consistent with the sentence: the turn in it leads from one viewpoint to the
+/// other.
 TEST(InstructionWords, ATurnToTheLeftTakesTheFrontToTheLeft) {
   for (const bool over : {false, true}) {
     for (int quarter = 0; quarter < 4; ++quarter) {

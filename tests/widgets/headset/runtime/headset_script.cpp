@@ -15,7 +15,7 @@ ControllerMoment absentController() {
   return moment;
 }
 
-/// The library has no engine.
+/// Interpolates poses, because the library does not contain the engine.
 Pose between(const Pose& a, const Pose& b, double t) {
   return {a.position + t * (b.position - a.position), a.orientation.slerp(t, b.orientation)};
 }

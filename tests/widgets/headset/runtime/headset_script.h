@@ -1,5 +1,4 @@
-// What the runtime for tests is told to do, by the program that it is loaded into. All functions may be called on any
-// thread.
+// Control of the runtime for tests by the program that has loaded it. All functions may be called on any thread.
 #pragma once
 
 #include <array>
@@ -13,14 +12,14 @@
 
 namespace glissade::test {
 
-/// What was shown to an eye: rows from the top, 4 bytes a pixel.
+/// A picture that was shown to an eye: rows from the top, 4 bytes a pixel.
 struct EyePicture {
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> rgba;
 };
 
-/// The sides of the picture of an eye, and its place in the head H: those of a headset whose lenses are turned
+/// The sides of an eye's picture, and the place of the eye in the head H, as in a headset whose lenses are turned
 /// outwards.
 EyeSides scriptedSides(std::size_t eye);
 Pose scriptedEye(std::size_t eye);
@@ -28,9 +27,9 @@ Pose scriptedEye(std::size_t eye);
 /// The kind of the scripted controllers.
 inline constexpr const char* kScriptedProfile = "/interaction_profiles/oculus/touch_controller";
 
-/// A controller from some moment on.
+/// The state of a controller from some moment on.
 struct ControllerMoment {
-  double after = 0.0;  ///< seconds from the moment before, in which it moves steadily to this pose
+  double after = 0.0;  ///< seconds since the moment before, in which the controller moves steadily to this pose
   Pose X_RG;           ///< grip and aim, in the room
   double squeeze = 0.0;
   double trigger = 0.0;
@@ -40,48 +39,49 @@ struct ControllerMoment {
   bool isThere = true;
 };
 
-/// As after the start of the program: nothing is lost, the headset is there and is worn, controllers are not.
+/// Restores the state at the start of the program: nothing is lost, the headset is connected and worn, controllers are
+/// not connected.
 void resetHeadset();
-/// False: the runtime answers nothing, as one whose service does not run.
+/// False: the runtime answers nothing, like a runtime whose service does not run.
 void setRuntimeThere(bool there);
 void setHeadsetThere(bool there);
-/// Off: the session ends until it is put on.
+/// If the headset is taken off, the session ends until it is put on.
 void setWorn(bool worn);
-/// Width and height of the pictures of the next session, in pixels: those of a real headset show whether texts are
-/// legible.
+/// Sets width and height of the pictures of the next session, in pixels. The size of real headsets shows whether texts
+/// are legible.
 void setEyePixels(int pixels);
-/// X_RH: where the head is in the room.
+/// X_RH: pose of the head in the room.
 void setHead(const Pose& X_RH);
-/// 0 the left one. It is there at once, and does nothing else that it was told before.
+/// Puts a controller into this state at once, and forgets its script; hand 0 is the left one.
 void setController(std::size_t hand, const ControllerMoment& moment);
-/// It does this next, one moment after the other.
+/// Appends moments to the script of a controller, which follow each other.
 void playController(std::size_t hand, const std::vector<ControllerMoment>& moments);
-/// It has done all that it was told, and the program has seen it.
+/// Whether the controller has finished its script, and the program has seen it.
 bool hasPlayed(std::size_t hand);
-/// What the hand has felt since it was asked last: amplitudes.
+/// Amplitudes of the pulses that the hand has felt since the last call.
 std::vector<double> takePulses(std::size_t hand);
-/// So often the program has asked for the controllers, ever.
+/// Number of times that the program has read the controllers.
 int readControllers();
-/// The next wait for a picture takes so long.
+/// The next wait for a picture takes this time.
 void stallOnce(std::chrono::milliseconds duration);
-/// The times for which pictures are wanted are so many seconds apart from now on, whatever the program takes for them.
-/// 1/90 at first: the runtime's own clock, so that nothing depends on how fast the machine draws.
+/// Sets the time between the times for which pictures are wanted, independently of the program's speed. By default it
+/// is 1/90 s. The clock is the runtime's own, so that nothing depends on the speed of the machine.
 void setPictureInterval(double seconds);
-/// Whatever session there is, or whatever instance, is lost: each of its calls fails.
+/// The following lose the present session, or the present instance: each of its calls fails.
 void loseSession();
 void loseRuntime();
 /// The person leaves the program by a menu of the headset.
 void leaveProgram();
 
-/// Pictures of both eyes that were shown, ever.
+/// Number of pictures of both eyes that were shown.
 int shownPictures();
-/// The next two that are shown; empty where none is within so long.
+/// The next two pictures; empty if none is shown within this time.
 std::vector<EyePicture> nextPictures(std::chrono::milliseconds longest);
-/// Sessions that were made, ever.
+/// Number of sessions that were made.
 int madeSessions();
-/// Instances, sessions, spaces, action sets and swapchains that are not destroyed.
+/// Number of instances, sessions, spaces, action sets and swapchains that are not destroyed.
 int heldHandles();
-/// What was wrong with calls of the program.
+/// Errors in calls by the program.
 std::vector<std::string> complaints();
 
 }  // namespace glissade::test

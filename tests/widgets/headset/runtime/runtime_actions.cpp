@@ -1,4 +1,4 @@
-// Actions of the runtime for tests: controllers that the script holds.
+// Actions of the runtime for tests, with controllers that the script moves.
 #include <algorithm>
 #include <cstring>
 #include <utility>
@@ -12,7 +12,7 @@ namespace {
 using Lock = std::lock_guard<std::mutex>;
 
 constexpr std::array kHands{"/user/hand/left", "/user/hand/right"};
-/// The parts of a controller that the program may bind actions to, as the profile has them.
+/// The components of a controller to which the program may bind actions, as the profile names them.
 constexpr const char* kComponents[] = {"/input/grip/pose",        "/input/aim/pose",   "/input/squeeze/value",
                                        "/input/trigger/value",    "/input/thumbstick", "/input/menu/click",
                                        "/input/thumbstick/click", "/input/x/click",    "/input/y/click",
@@ -26,7 +26,7 @@ FakeAction& actionOf(RuntimeState& state, XrAction action) {
   return state.actions.at(reinterpret_cast<std::uint64_t>(action));
 }
 
-/// What of which hand an action is bound to; empty where it is not.
+/// The component of this hand to which an action is bound; empty if there is none.
 std::string componentOf(RuntimeState& state, XrAction action, XrPath hand) {
   const auto& bound = actionOf(state, action).bound;
   const auto found = bound.find(textOf(state, hand));
@@ -90,7 +90,7 @@ XRAPI_ATTR XrResult XRAPI_CALL destroyAction(XrAction action) {
   return XR_SUCCESS;
 }
 
-/// Of all profiles it has the one that its controllers are.
+/// Takes the bindings of the profile that the scripted controllers have, and ignores those of other profiles.
 XRAPI_ATTR XrResult XRAPI_CALL suggestBindings(XrInstance /*instance*/,
                                                const XrInteractionProfileSuggestedBinding* info) {
   RuntimeState& state = runtimeState();
@@ -132,7 +132,7 @@ XRAPI_ATTR XrResult XRAPI_CALL currentProfile(XrSession session, XrPath hand, Xr
                  : XR_SUCCESS;
 }
 
-/// The hands are where the script has them at the time of this call.
+/// The controllers take the state that the script has at the time of this call.
 XRAPI_ATTR XrResult XRAPI_CALL syncActions(XrSession /*session*/, const XrActionsSyncInfo* /*info*/) {
   RuntimeState& state = runtimeState();
   const Lock lock(state.mutex);
@@ -146,7 +146,7 @@ XRAPI_ATTR XrResult XRAPI_CALL syncActions(XrSession /*session*/, const XrAction
   return XR_SUCCESS;
 }
 
-/// Calls give(component, moment) where the action is bound for the hand and the controller is there.
+/// Calls give(component, moment) if the action is bound for the hand and the controller is connected.
 template <class State, class Give>
 XrResult giveState(const XrActionStateGetInfo* info, XrActionType type, State* answer, Give give) {
   RuntimeState& state = runtimeState();
@@ -201,7 +201,7 @@ XRAPI_ATTR XrResult XRAPI_CALL createActionSpace(XrSession /*session*/, const Xr
   return XR_SUCCESS;
 }
 
-/// Grip and aim are the same pose.
+/// Locates a controller; grip and aim are the same pose.
 XRAPI_ATTR XrResult XRAPI_CALL locateSpace(XrSpace space, XrSpace /*base*/, XrTime /*time*/,
                                            XrSpaceLocation* location) {
   RuntimeState& state = runtimeState();

@@ -1,4 +1,4 @@
-// Instance, headset and events of the runtime for tests, and how the loader finds its functions.
+// Instance, headset and events of the runtime for tests, and the look-up of its functions by the loader.
 #include <algorithm>
 #include <cstring>
 #include <utility>
@@ -138,7 +138,7 @@ PFN_xrVoidFunction instanceFunction(const char* name) {
   return nullptr;
 }
 
-/// As loader_interfaces.h has them, which Debian does not.
+/// Declarations of loader_interfaces.h, which Debian does not provide.
 struct LoaderInfo {
   std::uint32_t type;
   std::uint32_t version;

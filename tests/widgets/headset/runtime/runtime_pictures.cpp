@@ -1,4 +1,5 @@
-// Swapchains of the runtime for tests: textures in the program's own context; and the pictures that are shown.
+// Swapchains of the runtime for tests, which are textures in the program's own context, and the pictures that are
+// shown.
 #include <cstring>
 #include <utility>
 
@@ -18,7 +19,7 @@ using Lock = std::lock_guard<std::mutex>;
 
 constexpr std::size_t kTextures = 3;
 
-/// Mesa takes one context in two threads without an error.
+/// Complains if the program's context is not current: Mesa accepts one context in two threads without an error.
 void expectContext(RuntimeState& state, const char* call) {
   if (glXGetCurrentContext() != state.context) complainOf(state, std::string(call) + ": the context is not current");
 }
@@ -108,7 +109,7 @@ XRAPI_ATTR XrResult XRAPI_CALL releaseImage(XrSwapchain swapchain, const XrSwapc
   return XR_SUCCESS;
 }
 
-/// Rows from the top; OpenGL has them from the bottom.
+/// Reads a picture with its rows from the top; OpenGL has them from the bottom.
 EyePicture read(const FakeSwapchain& chain) {
   EyePicture picture{chain.width, chain.height, {}};
   const std::size_t row = 4U * static_cast<std::size_t>(chain.width);

@@ -62,7 +62,7 @@ XRAPI_ATTR XrResult XRAPI_CALL beginSession(XrSession /*session*/, const XrSessi
        {XR_SESSION_STATE_SYNCHRONIZED, XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_FOCUSED}) {
     changeSessionState(state, next);
   }
-  followPerson(state);  // who has taken it off meanwhile
+  followPerson(state);  // the person may have taken the headset off meanwhile
   return XR_SUCCESS;
 }
 

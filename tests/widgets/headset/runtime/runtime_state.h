@@ -1,4 +1,5 @@
-// The state of the runtime for tests. OpenXR's functions have no place for it but the library's own memory.
+// The state of the runtime for tests. It is in the library's own memory, because OpenXR's functions have no argument
+// for it.
 #pragma once
 
 #include <openxr/openxr.h>
@@ -23,28 +24,29 @@ struct FakeSwapchain {
   bool acquired = false;
 };
 
-/// An action of the program, and what of each hand it is bound to.
+/// An action of the program, and its component for each hand.
 struct FakeAction {
   XrActionType type = XR_ACTION_TYPE_BOOLEAN_INPUT;
   std::map<std::string, std::string> bound;  ///< component by hand
 };
 
-/// A controller: where it is, and what the script lets it do next.
+/// A controller with its state and its script.
 struct FakeController {
   using Time = std::chrono::steady_clock::time_point;
 
   void put(const ControllerMoment& moment, Time now);
-  /// Takes from the script what is due, one moment at most, so that the program sees each of them.
+  /// Takes the next moment from the script if it is due. It takes one moment at most, so that the program sees each of
+  /// them.
   void goOn(Time now);
 
-  ControllerMoment shown;    ///< to the program
-  ControllerMoment reached;  ///< the last of the script
-  Time since{};              ///< it was reached
+  ControllerMoment shown;    ///< state for the program
+  ControllerMoment reached;  ///< last moment of the script that was reached
+  Time since{};              ///< time at which it was reached
   std::deque<ControllerMoment> script;
   std::vector<double> pulses;
 };
 
-/// Few, so that software draws them quickly.
+/// Small pictures, so that software draws them quickly.
 inline constexpr int kUsualEyePixels = 320;
 inline constexpr std::chrono::nanoseconds kPeriod{11'111'111};  ///< 90 Hz
 
@@ -52,7 +54,7 @@ struct RuntimeState {
   std::mutex mutex;
   std::condition_variable changed;
 
-  // The script.
+  // The following are set by the script.
   bool runtimeThere = true;
   bool headsetThere = true;
   bool worn = true;
@@ -61,31 +63,31 @@ struct RuntimeState {
   std::array<FakeController, 2> controllers;
   std::chrono::milliseconds stall{0};
   std::chrono::nanoseconds pictureInterval = kPeriod;
-  std::chrono::nanoseconds displayTime{1};  ///< of the last picture that was wanted, in a clock of its own
+  std::chrono::nanoseconds displayTime{1};  ///< time of the last picture that was wanted, on a separate clock
   bool sessionLost = false;
   bool runtimeLost = false;
 
-  // What the program holds.
+  // The following are objects and states of the program.
   std::uint64_t nextHandle = 1;
   XrInstance instance = XR_NULL_HANDLE;
   XrSession session = XR_NULL_HANDLE;
-  void* context = nullptr;  ///< OpenGL's, of the session
-  bool begun = false;       ///< the session
+  void* context = nullptr;  ///< OpenGL context of the session
+  bool begun = false;       ///< the session has begun
   XrSessionState sessionState = XR_SESSION_STATE_UNKNOWN;
   bool leaving = false;
   std::map<std::uint64_t, FakeSwapchain> swapchains;
   int spaces = 0;
   std::vector<std::string> paths;  ///< XrPath is one more than the index
   int actionSets = 0;
-  bool attached = false;  ///< an action set, to the session
+  bool attached = false;  ///< an action set is attached to the session
   std::map<std::uint64_t, FakeAction> actions;
-  std::map<std::uint64_t, XrPath> actionSpaces;  ///< the hand of each
+  std::map<std::uint64_t, XrPath> actionSpaces;  ///< the hand of each action space
   std::deque<XrSessionState> events;
   std::chrono::steady_clock::time_point nextFrame{};
-  bool waited = false;  ///< for a frame that has not begun
+  bool waited = false;  ///< a frame was waited for and has not begun
   bool inFrame = false;
 
-  // What is known about it afterwards.
+  // The following are records for the test.
   int shown = 0;
   int sessions = 0;
   int syncs = 0;
@@ -96,13 +98,13 @@ struct RuntimeState {
 
 RuntimeState& runtimeState();
 
-/// The state of the session becomes this one, and the program is told. The mutex is held.
+/// Changes the state of the session and tells the program. Precondition: the caller holds the mutex.
 void changeSessionState(RuntimeState& state, XrSessionState to);
-/// The session goes on to what the person wants of it, one state after the other and none twice: it ends where the
-/// headset is taken off or the program is left, and begins where it is worn. The mutex is held.
+/// Changes the state of the session as the person wants, one state after the other and none twice: it ends when the
+/// headset is taken off or the program is left, and begins when it is worn. Precondition: the caller holds the mutex.
 void followPerson(RuntimeState& state);
 void complainOf(RuntimeState& state, const std::string& what);
-/// XR_SUCCESS, or how a call fails now. The mutex is held.
+/// XR_SUCCESS, or the present failure of calls. Precondition: the caller holds the mutex.
 XrResult instanceResult(const RuntimeState& state);
 XrResult sessionResult(const RuntimeState& state);
 
@@ -111,7 +113,7 @@ Handle newHandle(RuntimeState& state) {
   return std::bit_cast<Handle>(state.nextHandle++);
 }
 
-// Of OpenXR, by the files that have them; null where there is none.
+// Functions of OpenXR, by the files that define them; null if there is none.
 PFN_xrVoidFunction instanceFunction(const char* name);
 PFN_xrVoidFunction sessionFunction(const char* name);
 PFN_xrVoidFunction pictureFunction(const char* name);

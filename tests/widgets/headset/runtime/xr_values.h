@@ -1,4 +1,4 @@
-// Values as OpenXR has them.
+// Conversions to the values of OpenXR.
 #pragma once
 
 #include <openxr/openxr.h>

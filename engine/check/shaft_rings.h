@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/check/placed_body.h"
+
+namespace glissade::check {
+
+/// A vertex on the line between two earlier vertices of a mesh.
+struct NewVertex {
+  std::uint32_t from;
+  std::uint32_t to;
+  double share;  ///< of the line, from `from`
+};
+
+/// The triangles of a mesh after some of them were divided. The surface is the same.
+struct DividedTriangles {
+  std::vector<NewVertex> newVertices{};  ///< vertices that follow those of the mesh
+  std::vector<TriangleIndices> triangles{};
+  std::vector<std::uint32_t> parents{};  ///< triangle of the mesh, of each triangle
+
+  /// The vertices of the divided mesh. `whole`: those of the mesh, in any frame.
+  std::vector<Vector3> vertices(const std::vector<Vector3>& whole) const;
+};
+
+/// The part of a round face between two heights along its axis, metres from its point.
+struct Ring {
+  RoundFace round;
+  double low;
+  double high;
+};
+
+/// Whether the triangle of the body lies on the round face.
+bool isOf(const RoundFace& round, const PlacedBody& body, std::uint32_t triangle);
+
+/// The parts of shafts of the body that are in coaxial holes of the other body, with so many metres beside the holes.
+/// Rings that overlap are one.
+std::vector<Ring> ringsInHoles(const PlacedBody& body, const PlacedBody& other, double beside);
+
+/// Divides the triangles of shafts at both ends of each ring, and so many metres on both sides of each end. A cut
+/// across a shaft adds some three triangles a facet. Nothing is cut near a corner of the shaft, or where the shaft
+/// shares a cut edge with another face.
+DividedTriangles dividedAtRings(const PlacedBody& body, const std::vector<Ring>& rings, double beside);
+
+}  // namespace glissade::check
