@@ -17,7 +17,7 @@ constexpr double kShareOff = 1e-3;
 constexpr double kWidestGap = 0.28 * kWholeTurn;
 /// The crests of a helix leave this share of a turn free of crests at least; a flat crest takes an eighth.
 constexpr double kLeastFree = 0.5;
-/// What the pitch may be off, as a share of it.
+/// The pitch may be off by this share of it.
 constexpr double kPitchOff = 0.03;
 /// How far crests go into a wall, as shares of the radius of the shaft.
 constexpr double kLeastInto = 0.02;
@@ -29,10 +29,10 @@ constexpr double kMostPitch = 0.6;
 /// than a turn, and a long hole has many.
 constexpr double kLookedAt = 4.0;
 constexpr std::size_t kFewestRings = 3;
-/// Of the search for the axis of crests that are beside that of the wall.
+/// The search for an axis of crests that is beside that of the wall.
 constexpr int kRounds = 4;
 constexpr std::size_t kFewestTips = 12;
-/// What the distances of rings may differ by, as a share.
+/// Distances of rings may differ by this share.
 constexpr double kEqualRings = 0.1;
 
 /// The widest gap between angles, radians; a whole turn where there are none.
@@ -162,7 +162,7 @@ RoundFace aboutMiddleOf(const std::vector<Vector3>& points, RoundFace face) {
   return face;
 }
 
-/// Of the vertices that are nearer to the axis than crests, and not by half; ascending.
+/// Heights of the vertices that are nearer to the axis than crests, and not by half; ascending.
 std::vector<double> heightsOfGrooves(double radius, const RoundFace& face, const TriangleMesh& body) {
   constexpr double kDeepest = 0.5;
   std::vector<double> heights;

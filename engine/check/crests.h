@@ -15,7 +15,7 @@ struct Around {
   double angle;  ///< radians
 };
 
-/// Of each vertex. `axis`: unit.
+/// Each vertex about an axis. `axis`: unit.
 std::vector<Around> aroundOf(const TriangleMesh& mesh, const Vector3& point, const Vector3& axis);
 
 /// By which a vertex may be off the radius that it is of, metres.

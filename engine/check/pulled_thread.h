@@ -16,7 +16,7 @@ struct LeavingPair {
   double overlap = 0.0;                   ///< metres, as deep as the one is in the other
   bool isCalledThread = false;            ///< by the file: also where both cylinders are equally wide
   const ScrewInSolid* inSolid = nullptr;  ///< one is a screw that makes its hole in the other one; null: none is
-  /// Of the threads that the names of screws state (screwSizeIn()), metres; nothing where a name states none.
+  /// Diameters of threads that the names of screws state (screwSizeIn()), metres; nothing where a name states none.
   std::optional<double> sizeOfMoving{};
   std::optional<double> sizeOfOther{};
 };

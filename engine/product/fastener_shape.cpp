@@ -384,7 +384,7 @@ TurnedShape withoutGrooves(TurnedShape shape) {
   return shape;
 }
 
-/// What has a shaft once its grooves are filled.
+/// A body that has a shaft once its grooves are filled.
 std::optional<TurnedShape> classifiedWithoutGrooves(const TurnedShape& shape) {
   const TurnedShape filled = withoutGrooves(shape);
   for (const double radius : shaftRadii(filled.slabs)) {

@@ -249,7 +249,7 @@ class FitFinder {
       for (const Fit& unused : taken) forget(unused.thinned);
     }
     const bool needsBoth = isInPatches && !hasShaft(found.contact);
-    // What is deep as a thread has to turn, else it is enough that the one is pulled out of the other.
+    // A pair that is deep as a thread has to turn. For others it is enough that the one is pulled out of the other.
     const Freedom wanted = found.contact.kind == ContactKind::Thread ? Freedom::All : Freedom::Slides;
     const bool isEnough = freedom >= wanted && !needsBoth;
     const std::vector<Fit> both = isEnough ? std::vector<Fit>() : bothThinner(fit, bounds, found.at);
