@@ -11,14 +11,16 @@
 namespace glissade::check {
 namespace {
 
-double offOf(const RoundFace& round) { return std::max(kOnCylinder, kShareOfCylinderRadius * round.radius); }
+double vertexTolerance(const RoundFace& round) { return std::max(kOnCylinder, kShareOfCylinderRadius * round.radius); }
 
 /// Divides the triangles of one shaft at one height.
 class RingCut {
  public:
   /// `apart`: metres that the height is apart from all corners of the shaft, at least.
   RingCut(const PlacedBody& body, const RoundFace& shaft, double height, double apart, DividedTriangles& divided)
-      : apart_(std::max(offOf(shaft), apart)), divided_(divided), vertices_(divided.vertices(body.mesh.vertices)) {
+      : apart_(std::max(vertexTolerance(shaft), apart)),
+        divided_(divided),
+        vertices_(divided.vertices(body.mesh.vertices)) {
     VertexWelder welder(vertices_.size());
     for (const Vector3& vertex : vertices_) {
       over_.push_back((vertex - shaft.point).dot(shaft.axis) - height);
@@ -120,7 +122,7 @@ class RingCut {
 };
 
 bool areOfOneCylinder(const RoundFace& one, const RoundFace& other) {
-  const double off = offOf(one);
+  const double off = vertexTolerance(one);
   return std::abs(one.radius - other.radius) <= off && one.axis.cross(other.axis).norm() <= kParallelAxes &&
          (other.point - one.point).cross(one.axis).norm() <= off;
 }
@@ -157,8 +159,8 @@ bool isOf(const RoundFace& round, const PlacedBody& body, std::uint32_t triangle
   const auto isOn = [&](const Vector3& p) {
     const Vector3 from = p - round.point;
     const double along = from.dot(round.axis);
-    return std::abs((from - along * round.axis).norm() - round.radius) <= offOf(round) &&
-           along >= round.low - offOf(round) && along <= round.high + offOf(round);
+    return std::abs((from - along * round.axis).norm() - round.radius) <= vertexTolerance(round) &&
+           along >= round.low - vertexTolerance(round) && along <= round.high + vertexTolerance(round);
   };
   const Vector3 from = (corners[0] + corners[1] + corners[2]) / 3.0 - round.point;
   const Vector3 across = from - from.dot(round.axis) * round.axis;
