@@ -153,8 +153,8 @@ double roundOverlap(const PlacedBody& one, const PlacedBody& other) {
   return most;
 }
 
-/// Those that are modelled; else those that are too thick for their holes; where none is and the file calls the pair a
-/// thread, the closest one.
+/// The threads that are modelled. If there is none, the shafts that are too thick for their holes. If there is none
+/// either and the file calls the pair a thread, the closest shaft and hole.
 std::vector<CommonThread> commonThreads(const LeavingPair& pair) {
   if (const ScrewInSolid* screw = pair.inSolid) {
     const bool isShaft = true;

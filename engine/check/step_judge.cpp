@@ -14,7 +14,7 @@
 namespace glissade::check {
 namespace {
 
-/// What the pitch of a motion may be off that of a helix, as a share of it.
+/// Largest difference between the pitch of a motion and that of a modelled helix, as a share of the latter.
 constexpr double kModelledPitchShare = 0.05;
 /// Bodies farther from a sweep than this share of the moving body's radius are not looked at more closely.
 constexpr double kNearShare = 0.1;

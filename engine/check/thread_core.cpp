@@ -19,7 +19,7 @@ constexpr double kRunOut = 0.25;
 /// A sharp thread of 60 degrees (ISO 68-1: H = 0.866 P), and the share of the diameter that M1.6 has 0.13 of.
 constexpr double kSharpThread = 0.866;
 constexpr double kDeepest = 0.15;
-/// Of the crest's radius: the wall of a hole is not wider, a countersink may be.
+/// Radius of the widest wall of a hole, as a share of the crest's radius. A countersink may be wider.
 constexpr double kWidestWall = 1.25;
 constexpr double kSameHeight = 1e-9;
 
@@ -28,7 +28,7 @@ struct Span {
   double high;
 };
 
-/// Of the narrowest ring of vertices around the axis, by its radii; nothing where there is none.
+/// The radii of the narrowest ring of vertices around the axis; nothing if there is none.
 std::optional<Span> ringAround(std::vector<Around> vertices, const Span& radii) {
   std::sort(vertices.begin(), vertices.end(), [](const Around& a, const Around& b) { return a.radius < b.radius; });
   const auto from = [&](double radius) {
