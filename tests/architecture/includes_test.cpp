@@ -178,6 +178,7 @@ TEST(Architecture, OnlyTheImportingProcessKnowsOpenCascade) {
                                       "engine/import/loose_parts.h",
                                       "engine/import/step_names.cpp",
                                       "engine/import/step_names.h",
+                                      "engine/import/shape_overlaps.cpp",
                                       "engine/import/step_assembly.cpp",
                                       "engine/import/step_assembly.h",
                                       "engine/import/step_edge_polygons.cpp",
