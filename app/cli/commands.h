@@ -2,11 +2,13 @@
 // exit code.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "app/cli/report.h"
@@ -18,6 +20,9 @@
 #include "engine/study/study_plan.h"
 
 namespace glissade::cli {
+
+/// The number of threads of commands whose results do not depend on it.
+inline std::size_t usualLanes() { return std::max(1U, std::thread::hardware_concurrency()); }
 
 struct PlanOptions {
   std::string scenario;
@@ -110,6 +115,7 @@ struct FitsOptions {
   std::vector<std::string> without{};  ///< bodies and assemblies that are left out
   std::vector<std::string> open{};     ///< parts of several solids that are taken as their solids
   double deflection = 0.0;             ///< metres, for STEP files; 0: from the size of each part
+  std::size_t lanes = usualLanes();    ///< threads; they do not change the fits
   bool csv = false;
   Format format = Format::Text;
 };
@@ -134,7 +140,7 @@ struct SequenceOptions {
   std::string strategy;                ///< empty: kUsualStrategy, or the strategy of the resumed plan
   std::optional<std::uint64_t> seed;   ///< absent: 1, or the seed of the resumed plan
   double timeLimit = 0.0;              ///< seconds; 0: none
-  std::size_t lanes = 1;               ///< threads; they do not change the plan
+  std::size_t lanes = usualLanes();    ///< threads; they do not change the plan
   std::vector<std::string> staying;    ///< ids or ends of ids of bodies that stay; empty: the largest body
   std::vector<std::string> together;   ///< demands: names with commas between them
   std::vector<std::string> before;     ///< demands: "first,then"

@@ -230,8 +230,8 @@ int runFits(const FitsOptions& options) {
   AssembledProduct product = loaded->product;
   product.fits = withOptions(product.fits, options.fits);
   product.bodies = aboutTheirMiddles(std::move(product.bodies));
-  ThreadTeam alone(0);
-  const auto table = FitTable::find(product, alone, interrupt.token(), options.limits);
+  ThreadTeam team(options.lanes - 1);
+  const auto table = FitTable::find(product, team, interrupt.token(), options.limits);
   if (!table) {
     Diagnostic why = table.error();
     why.file = options.file;

@@ -137,6 +137,12 @@ void addOpen(CLI::App& command, std::vector<std::string>& open) {
   command.add_option("--open", open, "Take a part of several solids as these: its name (can be repeated)");
 }
 
+/// Adds the option of commands that work in several threads and whose results do not depend on their number.
+void addLanes(CLI::App& command, std::size_t& lanes) {
+  command.add_option("--lanes", lanes, "Threads; they do not change the result (default: one for each core)")
+      ->check(CLI::Range(1, 1024));
+}
+
 CLI::App* addCheck(CLI::App& app, CheckOptions& options) {
   CLI::App* check = app.add_subcommand("check", "Judge a path or an assembly plan with the independent check");
   check
@@ -227,6 +233,7 @@ CLI::App* addFits(CLI::App& app, FitsOptions& options) {
   addPartDeflection(*fits, options.deflection);
   addWithout(*fits, options.without);
   addOpen(*fits, options.open);
+  addLanes(*fits, options.lanes);
   fits->add_flag("--csv", options.csv, "Comma-separated values, a line a pair");
   addFormat(*fits, options.format);
   return fits;
@@ -265,9 +272,7 @@ CLI::App* addSequence(CLI::App& app, SequenceOptions& options) {
   sequence->add_option("--strategy", options.strategy,
                        "How the order is searched: best-first or greedy (default: best-first, or the resumed plan's)");
   sequence->add_option("--seed", options.seed, "Seed of everything random (default: 1, or the resumed plan's)");
-  sequence->add_option("--lanes", options.lanes, "Threads; they do not change the plan")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  addLanes(*sequence, options.lanes);
   sequence
       ->add_option("--time-limit", options.timeLimit,
                    "Time limit in seconds; the plan found so far is then written; 0: none")
