@@ -706,8 +706,8 @@ TEST_F(Cli, PartsThatFitComeOutAndTheAllowanceIsStated) {
 
   const Finished check = run("check " + made + " " + path);
   EXPECT_EQ(check.exitCode, 0) << check.out;
-  EXPECT_NE(check.out.find("'screw' is taken 0.4"), std::string::npos) << check.out;
-  EXPECT_NE(check.out.find("mm thinner against 'plate' (overlap 0.4"), std::string::npos) << check.out;
+  EXPECT_NE(check.out.find("'plate' is taken 0.4"), std::string::npos) << check.out;
+  EXPECT_NE(check.out.find("mm thinner against 'screw' (overlap 0.4"), std::string::npos) << check.out;
   EXPECT_EQ(run("check " + made + " " + path + " --fits off").exitCode, 1) << "the whole screw does not come out";
   EXPECT_EQ(run("plan " + made + " --fits off").exitCode, 4);
   EXPECT_EQ(run("plan " + made + " --fits auto").exitCode, 2);
