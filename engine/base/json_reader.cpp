@@ -172,7 +172,6 @@ class WatchedText {
     return *this;
   }
   friend bool operator==(const WatchedText& a, const WatchedText& b) { return a.at_ == b.at_; }
-  friend bool operator!=(const WatchedText& a, const WatchedText& b) { return a.at_ != b.at_; }
 
  private:
   void look() const {

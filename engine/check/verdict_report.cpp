@@ -5,10 +5,10 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "engine/base/json_reader.h"
 #include "engine/base/quantity_text.h"
 #include "engine/check/plain_overlaps.h"
 #include "engine/check/verdict_words.h"
+#include "engine/geometry/pose_json.h"
 #include "engine/import/missing_shapes_json.h"
 
 namespace glissade::check {
