@@ -10,9 +10,6 @@ namespace glissade::check {
 namespace {
 
 constexpr double kWholeTurn = 2.0 * std::numbers::pi;
-/// By which a vertex may be off the radius that it is of: metres, and as a share of the radius.
-constexpr double kOff = 1e-5;
-constexpr double kShareOff = 1e-3;
 /// Radians: vertices that are around an axis leave no wider gap.
 constexpr double kWidestGap = 0.28 * kWholeTurn;
 /// The crests of a helix leave this share of a turn free of crests at least; a flat crest takes an eighth.
@@ -183,8 +180,8 @@ bool areRings(const std::vector<Around>& crests, const std::vector<double>& groo
   for (auto first = crests.begin(); first != crests.end();) {
     auto last = first;
     for (auto next = first + 1; next != crests.end(); last = next++) {
-      const auto groove = std::upper_bound(grooves.begin(), grooves.end(), last->height + kOff);
-      if (groove != grooves.end() && *groove < next->height - kOff) break;
+      const auto groove = std::upper_bound(grooves.begin(), grooves.end(), last->height + kOnCylinder);
+      if (groove != grooves.end() && *groove < next->height - kOnCylinder) break;
     }
     if (!areAround({first, last + 1})) return false;
     middles.push_back(0.5 * (first->height + last->height));
@@ -247,7 +244,7 @@ std::vector<Around> aroundOf(const TriangleMesh& mesh, const Vector3& point, con
   return vertices;
 }
 
-double offOf(double radius) { return std::max(kOff, kShareOff * radius); }
+double offOf(double radius) { return std::max(kOnCylinder, kShareOfCylinderRadius * radius); }
 
 bool areAround(const std::vector<Around>& vertices) {
   std::vector<double> angles;

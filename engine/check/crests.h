@@ -18,14 +18,15 @@ struct Around {
 /// Each vertex about an axis. `axis`: unit.
 std::vector<Around> aroundOf(const TriangleMesh& mesh, const Vector3& point, const Vector3& axis);
 
-/// By which a vertex may be off the radius that it is of, metres.
+/// Largest distance of a vertex from the cylinder of this radius that it lies on, metres.
 double offOf(double radius);
 
 /// The vertices leave no gap about the axis that is wider than a little more than a quarter of a turn.
 bool areAround(const std::vector<Around>& vertices);
 
-/// Turned back by the pitch, the crests are at one side of the axis, in the lower half of the thread as in the upper:
-/// they are a helix of one start with this pitch, to three percent. `crests`: by their heights.
+/// Whether the crests are a helix of one start with this pitch, to three percent: after a turn back by the pitch they
+/// are on one side of the axis, and on the same side in the lower and in the upper half of the thread. `crests`: in the
+/// order of their heights.
 bool areHelix(const std::vector<Around>& crests, double pitch);
 
 /// A thread that is modelled on a body: its crests are a helix, or rings.

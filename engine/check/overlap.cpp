@@ -7,6 +7,7 @@
 
 #include "engine/check/deepest_points.h"
 #include "engine/check/part_cells.h"
+#include "engine/check/shaft_rings.h"
 #include "engine/geometry/triangle_crossing.h"
 #include "engine/geometry/vertex_welder.h"
 
@@ -347,14 +348,6 @@ struct ShaftInHole {
   double offShaft() const { return std::max(kOnCylinder, kShareOfCylinderRadius * shaft.radius); }
   bool isInShaft(const Vector3& p) const { return fromAxisOfShaft(p) <= shaft.radius + offShaft(); }
 
-  bool isOfHole(const Triangle& triangle) const {
-    const double off = std::max(kOnCylinder, kShareOfCylinderRadius * hole.radius);
-    return std::all_of(triangle.begin(), triangle.end(), [&](const Vector3& p) {
-      const double along = alongHole(p);
-      return along >= hole.low - off && along <= hole.high + off && std::abs(fromAxisOfHole(p) - hole.radius) <= off;
-    });
-  }
-
   /// True if the body with the shaft is thicker than the shaft somewhere, as at a knob, and not much thicker than the
   /// hole. A wider hole would let it pass.
   bool hasKnob(const PlacedBody& body) const {
@@ -413,7 +406,7 @@ void deepenHoles(const PlacedBody& body, const PlacedBody& other, Overlap& overl
       if (depth <= kLeastDepth || pair.hasKnob(other)) continue;
       for (std::uint32_t t = 0; t < body.mesh.triangles.size(); ++t) {
         double& ofRegion = overlap.depths[body.regions.of[t]];
-        if (ofRegion > 0.0 && ofRegion < depth && pair.isOfHole(body.tree.triangles()[t])) ofRegion = depth;
+        if (ofRegion > 0.0 && ofRegion < depth && isOf(hole, body, t)) ofRegion = depth;
       }
     }
   }

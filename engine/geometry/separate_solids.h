@@ -6,9 +6,9 @@
 
 namespace glissade {
 
-/// How many closed surfaces that are turned outwards the mesh has, where those that touch each other count as one: the
-/// solids of a part that hang together nowhere. Hollows inside of a solid count for nothing. They touch where
-/// their surfaces are no farther from each other than this. Metres.
+/// The number of solids of a mesh that do not touch each other. A solid is a connected surface with a positive volume;
+/// hollows inside of a solid do not count. Solids whose surfaces are no farther apart than `touching`, in metres, are
+/// one.
 std::size_t separateSolids(const TriangleMesh& mesh, double touching);
 
 }  // namespace glissade
