@@ -52,7 +52,7 @@ Json toJson(const CoarsePlan& plan) {
                      {"to", step.borderName},
                      {"planner", step.planner},
                      {"geometrical", step.geometrical},
-                     {"why", step.why},
+                     {"why", toString(step.why)},
                      {"random_configurations", step.randomConfigurations},
                      {"result", name(step.result)}});
   }

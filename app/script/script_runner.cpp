@@ -8,8 +8,9 @@ namespace glissade {
 namespace {
 
 Diagnostic atLine(const Diagnostic& why, const std::string& file, const ScriptLine& line) {
-  const std::string detail = why.location.empty() ? "" : why.location + ": ";
-  return {why.kind, file, "line " + std::to_string(line.line), detail + why.reason, why.advice};
+  const Message reason =
+      why.location.empty() ? why.reason : Message(GLISSADE_TEXT("%1: %2"), {why.location, why.reason});
+  return {why.kind, file, {GLISSADE_TEXT("line %1"), {line.line}}, reason, why.advice};
 }
 
 }  // namespace

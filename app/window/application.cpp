@@ -46,7 +46,7 @@ int fail(const Diagnostic& why) {
   return exitCode(why.kind);
 }
 
-int failUsage(const std::string& option, const std::string& reason, const std::string& advice) {
+int failUsage(const std::string& option, const Message& reason, const Message& advice) {
   return fail({ErrorKind::Usage, "", option, reason, advice});
 }
 

@@ -18,15 +18,16 @@ int exitCode(ErrorKind kind) {
   return 70;
 }
 
-std::string toString(const Diagnostic& diagnostic) {
+std::string toString(const Diagnostic& diagnostic, const MessageStyle& style) {
+  const char* colon = style.language == Language::French ? " : " : ": ";
   std::string text;
-  for (const std::string* part : {&diagnostic.file, &diagnostic.location}) {
-    if (!part->empty()) text += printableLine(*part) + ": ";
+  for (const std::string& part : {diagnostic.file, toString(diagnostic.location, style)}) {
+    if (!part.empty()) text += printableLine(part) + colon;
   }
-  text += printableText(diagnostic.reason);
+  text += printableText(toString(diagnostic.reason, style));
   if (!diagnostic.advice.empty()) {
     if (!text.empty() && text.back() != '.') text += ".";
-    text += " " + printableText(diagnostic.advice);
+    text += " " + printableText(toString(diagnostic.advice, style));
   }
   return text;
 }

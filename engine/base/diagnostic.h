@@ -1,7 +1,10 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "engine/base/message.h"
 
 namespace glissade {
 
@@ -21,18 +24,23 @@ enum class ErrorKind {
 /// 4 in collision, 5 limit reached, 130 interrupted, 70 internal.
 int exitCode(ErrorKind kind);
 
-/// One error or warning about the user's input. Every part is a sentence fragment in plain English; `file` and
-/// `location` may be empty.
+/// A place in a file or in a command: a JSON pointer or an option as it is, or a message ("line 3").
+struct Location : Message {
+  using Message::Message;
+  Location(Message message) : Message(std::move(message)) {}  // NOLINT(google-explicit-constructor)
+};
+
+/// One error or warning about the user's input. Every part is a sentence fragment; `file` and `location` may be empty.
 struct Diagnostic {
   ErrorKind kind = ErrorKind::Internal;
-  std::string file;      ///< path as the user wrote it
-  std::string location;  ///< line, JSON pointer, link name, ... inside the file
-  std::string reason;    ///< the fault
-  std::string advice;    ///< the remedy
+  std::string file;   ///< path as the user wrote it
+  Location location;  ///< line, JSON pointer, link name, ... inside the file
+  Message reason;     ///< the fault
+  Message advice;     ///< the remedy
 };
 
 /// The text "file: location: reason. advice" without the empty parts.
-std::string toString(const Diagnostic& diagnostic);
+std::string toString(const Diagnostic& diagnostic, const MessageStyle& style = {});
 
 /// Warnings gathered beside a successful result.
 using Warnings = std::vector<Diagnostic>;

@@ -17,7 +17,7 @@
 namespace glissade {
 namespace {
 
-Diagnostic unreadable(const std::string& file, const std::string& reason, const std::string& advice) {
+Diagnostic unreadable(const std::string& file, const Message& reason, const Message& advice) {
   return {ErrorKind::MalformedInput, file, "", reason, advice};
 }
 

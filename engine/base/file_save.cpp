@@ -18,8 +18,8 @@ namespace {
 
 constexpr std::size_t kMostBytes = std::size_t{1} << 30;
 
-Diagnostic warning(const SaveTarget& target, const std::string& reason, const std::string& advice) {
-  return {ErrorKind::Unwritable, target.file, "", "was saved, but " + reason, advice};
+Diagnostic warning(const SaveTarget& target, const Message& reason, const Message& advice) {
+  return {ErrorKind::Unwritable, target.file, "", {GLISSADE_TEXT("was saved, but %1"), {reason}}, advice};
 }
 
 SaveResult changed(const SaveTarget& target) {
@@ -84,7 +84,7 @@ Result<std::optional<std::string>> presentContent(const SaveTarget& target, cons
   Diagnostic why = content.error();
   why.kind = ErrorKind::Unwritable;
   why.file = target.file;
-  why.reason = "cannot be saved over the present file: " + why.reason;
+  why.reason = {GLISSADE_TEXT("cannot be saved over the present file: %1"), {why.reason}};
   return why;
 }
 
@@ -134,7 +134,7 @@ SaveResult saveFile(const std::string& file, const std::string& content, const S
   if (known && options.versions > 0 && **present != content) {
     const Outcome kept = keepVersion(target->path, **present, target->status);
     if (!kept && options.versionRequired) return notSaved(kept.error());
-    if (!kept) warnings.push_back(warning(*target, "no earlier version was kept: " + kept.error().reason, ""));
+    if (!kept) warnings.push_back(warning(*target, {GLISSADE_TEXT("no earlier version was kept: %1"), {kept.error().reason}}, ""));
   }
   warnOfHardLinks(*target, warnings);
   SaveResult result = replace(*target, content, options, std::move(warnings));

@@ -13,7 +13,7 @@ namespace glissade {
 
 using Json = JsonCursor::Json;
 
-void JsonCursor::fail(const std::string& reason, const std::string& advice) const {
+void JsonCursor::fail(const Message& reason, const Message& advice) const {
   throw JsonError{{ErrorKind::MalformedInput, file_, pointer_.empty() ? "/" : pointer_, reason, advice}};
 }
 
@@ -117,7 +117,7 @@ namespace {
 
 /// A refusal of JSON that the standard permits; the first one is reported.
 struct JsonRefusal {
-  std::string reason;
+  Message reason;
 };
 
 /// Observes the parser: keys given twice would silently lose a value, deep documents and documents of many small values

@@ -32,8 +32,12 @@ std::string adviceFor(int error) {
   }
 }
 
-Diagnostic refused(const std::string& file, const std::string& reason, const std::string& advice) {
-  return {ErrorKind::Unwritable, file, "", "cannot be saved: " + reason, kUntouched + advice};
+Diagnostic refused(const std::string& file, const Message& reason, const Message& advice) {
+  return {ErrorKind::Unwritable,
+          file,
+          "",
+          {GLISSADE_TEXT("cannot be saved: %1"), {reason}},
+          {GLISSADE_TEXT("%1 %2"), {kUntouched, advice}}};
 }
 
 Result<std::string> followLinks(const std::string& file) {

@@ -116,7 +116,7 @@ void takeThread(const std::vector<StatedAllowance>& stated, PairWork& work) {
   }
   if (!found) {
     work.fit.refusals.push_back(pairInWords(work.question.moving.name, work.question.other.name) + ": " +
-                                found.error().reason);
+                                toString(found.error().reason));
     return;
   }
   Thread thread = *found;

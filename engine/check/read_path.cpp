@@ -62,7 +62,7 @@ class ColumnReader {
   }
 
  private:
-  Diagnostic wrong(const std::string& reason) const {
+  Diagnostic wrong(const Message& reason) const {
     return {ErrorKind::MalformedInput, file_, "line " + std::to_string(line_), reason,
             csv_ ? std::string("Each line holds ") + kHeader + "."
                  : "Each line holds x y z qx qy qz qw; a CSV begins with its header."};

@@ -120,7 +120,7 @@ Outcome takeParameters(const StatedScenario& scenario, const std::string& file, 
     Diagnostic why = outcome.error();
     why.kind = ErrorKind::MalformedInput;
     why.file = file;
-    why.location = "/parameters/" + why.location;
+    why.location = "/parameters/" + toString(why.location);
     return why;
   }
   question.requiredClearance = values[ParameterId::RequiredClearance];

@@ -50,9 +50,9 @@ void takeTouching(const Thread& thread, const ThreadCore& core, PairWork& work) 
 
 void takeCore(const std::vector<StatedAllowance>& stated, PairWork& work) {
   const StatedAllowance& claim = stated.front();
-  const auto refuse = [&](const std::string& reason) {
+  const auto refuse = [&](const Message& reason) {
     if (work.fit.applied.empty()) work.add(claim.yields, 0.0).stated = claim.allowance;
-    work.fit.refusals.push_back(allowanceRefused(work.fit.applied.front(), reason));
+    work.fit.refusals.push_back(allowanceRefused(work.fit.applied.front(), toString(reason)));
   };
   if (stated.size() > 1 || !claim.core) return refuse("a thread is taken away of one body of a pair, and nothing else");
   if (work.word != nullptr && !work.word->kind.empty() && !work.word->isThread())

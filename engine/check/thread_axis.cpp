@@ -35,7 +35,7 @@ bool shareSpan(const PlacedBody& moving, const PlacedBody& other, const Thread& 
   return a && b && std::min(a->second, b->second) > std::max(a->first, b->first);
 }
 
-Diagnostic noThread(const std::string& reason, const std::string& advice) {
+Diagnostic noThread(const Message& reason, const Message& advice) {
   return {ErrorKind::NoPath, "", "", reason, advice};
 }
 

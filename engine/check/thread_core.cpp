@@ -98,7 +98,7 @@ std::vector<Around> crestsOf(const std::vector<Around>& shaft, const Span& threa
   return crests;
 }
 
-Diagnostic refused(const std::string& reason) { return {ErrorKind::NoPath, "", "", reason, "Plan again."}; }
+Diagnostic refused(const Message& reason) { return {ErrorKind::NoPath, "", "", reason, "Plan again."}; }
 
 }  // namespace
 

@@ -10,7 +10,7 @@
 namespace glissade {
 namespace {
 
-Diagnostic refusal(const std::string& reason, const std::string& advice) {
+Diagnostic refusal(const Message& reason, const Message& advice) {
   return {ErrorKind::MalformedInput, "", "", reason, advice};
 }
 

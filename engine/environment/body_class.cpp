@@ -5,7 +5,7 @@
 namespace glissade {
 namespace {
 
-Diagnostic refusedClass(const std::string& reason, const std::string& advice) {
+Diagnostic refusedClass(const Message& reason, const Message& advice) {
   return {ErrorKind::MalformedInput, "", "", reason, advice};
 }
 

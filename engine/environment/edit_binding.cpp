@@ -16,7 +16,7 @@ double distanceTo(const CellGrid& grid, const std::vector<std::size_t>& cells, c
   return std::sqrt(least);
 }
 
-Diagnostic warning(const char* list, std::size_t index, const std::string& reason, const std::string& advice) {
+Diagnostic warning(const char* list, std::size_t index, const Message& reason, const Message& advice) {
   return {ErrorKind::MalformedInput, "", std::string("/") + list + "/" + std::to_string(index), reason, advice};
 }
 

@@ -7,7 +7,7 @@ namespace glissade {
 namespace {
 
 Outcome check(const EnvironmentOptions& options, const Box3& workspace) {
-  const auto refuse = [](const std::string& key, const std::string& reason, const std::string& advice) {
+  const auto refuse = [](const std::string& key, const Message& reason, const Message& advice) {
     return Diagnostic{ErrorKind::MalformedInput, "", "/environment/" + key, reason, advice};
   };
   const double side = workspace.isEmpty() ? 0.0 : workspace.sizes().maxCoeff();

@@ -61,9 +61,9 @@ void joinRounded(std::vector<double>& vertices) {
 }
 
 /// Writes the triangles of each shape once, whatever the number of its parts.
-class Message {
+class AssemblyMessage {
  public:
-  Message(double deflection, const StepAssembly& assembly)
+  AssemblyMessage(double deflection, const StepAssembly& assembly)
       : fineness_(deflection, assembly.solids),
         rootName_(assembly.rootName),
         unit_(assembly.unit),
@@ -279,7 +279,7 @@ int import(const StepImportOrder& order, const ForeignText& foreign, const Impor
                                 : order.kind == CadKind::Brep ? readBrepText(content)
                                                               : readStepParts(content, order.solidNames, foreign);
   if (order.volumesOf.empty()) {
-    Message(order.deflection, assembly).write(output);
+    AssemblyMessage(order.deflection, assembly).write(output);
   } else {
     writeVolumes(order.volumesOf, assembly, output);
   }

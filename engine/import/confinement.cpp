@@ -12,8 +12,10 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <nlohmann/json.hpp>
 
 #include "engine/base/child_process.h"
+#include "engine/base/message_json.h"
 #include "engine/base/reserve_filled.h"
 #include "engine/import/system_call_filter.h"
 
@@ -104,14 +106,14 @@ void ImportOutput::write(const void* data, std::size_t size) const {
   }
 }
 
-int ImportOutput::fail(const std::string& reason, const std::string& location) const {
+int ImportOutput::fail(const Message& reason, const Location& location) const {
   return writeText(protocol::kError, location, reason);
 }
 
-int ImportOutput::refuse(const Diagnostic& why) const { return writeText(protocol::kNotConfined, "", why.reason); }
+int ImportOutput::refuse(const Diagnostic& why) const { return writeText(protocol::kNotConfined, {}, why.reason); }
 
-int ImportOutput::writeText(std::uint32_t kind, const std::string& location, const std::string& reason) const {
-  const std::string text = location + "\n" + reason;
+int ImportOutput::writeText(std::uint32_t kind, const Location& location, const Message& reason) const {
+  const std::string text = nlohmann::json{{"location", toJson(location)}, {"reason", toJson(reason)}}.dump();
   protocol::Header header;
   header.kind = kind;
   header.vertices = static_cast<std::uint32_t>(text.size());

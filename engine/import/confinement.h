@@ -35,12 +35,12 @@ class ImportOutput {
     write(values.data(), values.size() * sizeof(T));
   }
   /// Writes the message that the file cannot be read, and returns the exit code. `location` is in the file.
-  int fail(const std::string& reason, const std::string& location = {}) const;
+  int fail(const Message& reason, const Location& location = {}) const;
   /// Writes the message that this process cannot confine itself, and returns the exit code.
   int refuse(const Diagnostic& why) const;
 
  private:
-  int writeText(std::uint32_t kind, const std::string& location, const std::string& reason) const;
+  int writeText(std::uint32_t kind, const Location& location, const Message& reason) const;
 };
 
 }  // namespace glissade

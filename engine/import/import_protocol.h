@@ -17,7 +17,7 @@ namespace glissade::import_protocol {
 // tab, place, tab, text; for a missing shape: kind, tab, product, tab, entity, tab, its kind, tab, reason; kinds
 // below).
 // kError (the file cannot be read) and kNotConfined (the process cannot give up its rights, and has read nothing):
-// `vertices` bytes of text: the location in the file (may be empty), a line feed, the reason.
+// `vertices` bytes of JSON: {"location": message, "reason": message} (base/message_json.h).
 //
 // With kVolumesOf as its argument, glissade-import-step writes kVolumes: `vertices` doubles, cubic millimetres; not a
 // number for an unknown volume.

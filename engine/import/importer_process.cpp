@@ -5,8 +5,10 @@
 #include <csignal>
 #include <cstring>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "engine/base/child_process.h"
+#include "engine/base/message_json.h"
 
 namespace glissade {
 namespace {
@@ -24,14 +26,17 @@ std::string besideThisProgram(const std::string& name) {
   return (self.parent_path() / name).string();
 }
 
-/// The message of a process that reads nothing: the location, a line feed, the reason.
+/// The message of a process that reads nothing. The process is not trusted: a text of another form is empty.
 struct ImporterRefusal {
-  std::string location;
-  std::string reason;
+  Location location;
+  Message reason;
 };
 ImporterRefusal refusalIn(const std::string& text) {
-  const std::size_t end = std::min(text.find('\n'), text.size());
-  return {text.substr(0, end), text.substr(std::min(end + 1, text.size()))};
+  const auto json = nlohmann::json::parse(text, nullptr, false);
+  const auto part = [&](const char* key) {
+    return json.is_object() && json.contains(key) ? messageFrom(json[key]).value_or(Message()) : Message();
+  };
+  return {part("location"), part("reason")};
 }
 
 /// True if the program ended without a message: libraries crash on some files.
@@ -42,7 +47,7 @@ bool hasCrashed(const ChildEnd& end) {
 
 }  // namespace
 
-Diagnostic refusalOf(const ImporterCall& call, const std::string& reason, const std::string& location) {
+Diagnostic refusalOf(const ImporterCall& call, const Message& reason, const Location& location) {
   return {ErrorKind::MalformedInput, call.file, location, reason, call.advice};
 }
 
@@ -98,7 +103,7 @@ Result<ImporterAnswer> callImporter(const ImporterCall& call, std::string_view c
   if (header.kind == protocol::kNotConfined) {
     return Diagnostic{
         ErrorKind::MalformedInput, call.file, "",
-        "was not read: the importing process cannot give up its rights (" + why.reason + ")",
+        {GLISSADE_TEXT("was not read: the importing process cannot give up its rights (%1)"), {why.reason}},
         "Files are read only where the kernel permits seccomp filters: use another machine or container."};
   }
   if (header.kind == protocol::kError) return refusalOf(call, why.reason, why.location);

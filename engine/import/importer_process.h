@@ -64,7 +64,7 @@ Result<ImporterAnswer> callImporter(const ImporterCall& call, std::string_view c
 std::string callImporterOfSeveral(const ImporterCall& call, std::string_view content, const StopToken& stop);
 
 /// The error that the file, or the program's output for it, is malformed.
-Diagnostic refusalOf(const ImporterCall& call, const std::string& reason, const std::string& location = {});
+Diagnostic refusalOf(const ImporterCall& call, const Message& reason, const Location& location = {});
 
 /// The fault of a mesh that a program wrote: a number or an index out of range.
 std::optional<std::string> faultOf(const TriangleMesh& mesh);

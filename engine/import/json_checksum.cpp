@@ -23,7 +23,7 @@ ChecksumState takeChecksum(Json& document) {
   return stated == checksumOf(document) ? ChecksumState::Right : ChecksumState::Wrong;
 }
 
-Diagnostic wrongChecksum(const std::string& file, const std::string& advice) {
+Diagnostic wrongChecksum(const std::string& file, const Message& advice) {
   return {ErrorKind::MalformedInput, file, "/checksum",
           "does not fit the content: the file was edited outside of Glissade, or it is damaged", advice};
 }

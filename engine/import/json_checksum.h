@@ -18,6 +18,6 @@ enum class ChecksumState { Missing, Right, Wrong };
 ChecksumState takeChecksum(JsonCursor::Json& document);
 
 /// The error for a file with a wrong checksum.
-Diagnostic wrongChecksum(const std::string& file, const std::string& advice);
+Diagnostic wrongChecksum(const std::string& file, const Message& advice);
 
 }  // namespace glissade

@@ -35,7 +35,7 @@ Result<ImportedMesh> importMesh(const FileContent& content, const StopToken& sto
   auto answer = callImporter(call, content.bytes, stop);
   if (answer) return decodeMeshAnswer(call, answer->header, answer->message);
   Diagnostic why = answer.error();
-  const bool external = why.reason.find("file of its own") != std::string::npos;
+  const bool external = toString(why.reason).find("file of its own") != std::string::npos;
   if (external) why.advice = "Buffers in files of their own are not read: export it as one .glb file.";
   return why;
 }

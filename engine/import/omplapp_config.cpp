@@ -16,7 +16,7 @@ constexpr std::size_t kMostConfigBytes = 1U << 20;
 
 using Keys = std::map<std::string, std::string>;
 
-Diagnostic malformedConfig(const std::string& file, const std::string& location, const std::string& reason) {
+Diagnostic malformedConfig(const std::string& file, const Location& location, const Message& reason) {
   return {ErrorKind::MalformedInput, file, location, reason, "Correct the OMPL.app problem file."};
 }
 
@@ -84,7 +84,7 @@ class Numbers {
   const std::optional<Diagnostic>& complaint() const { return complaint_; }
 
  private:
-  void complain(const std::string& key, const std::string& reason) {
+  void complain(const std::string& key, const Message& reason) {
     if (!complaint_) complaint_ = malformedConfig(file_, key, reason);
   }
 

@@ -205,7 +205,7 @@ class Composition {
             kAdvice};
   }
 
-  static Diagnostic refusal(const std::string& file, const std::string& reason) {
+  static Diagnostic refusal(const std::string& file, const Message& reason) {
     return {ErrorKind::MalformedInput, file, "", reason, "Export the product as one file."};
   }
 

@@ -25,7 +25,7 @@ constexpr std::size_t kMostLinks = 4000;
 /// Largest number of triangles of all shapes together.
 constexpr std::size_t kMostTriangles = 8U << 20;
 
-Diagnostic malformedUrdf(const std::string& file, const std::string& location, const std::string& reason) {
+Diagnostic malformedUrdf(const std::string& file, const Location& location, const Message& reason) {
   return {ErrorKind::MalformedInput, file, location, reason, "Correct the URDF file."};
 }
 

@@ -16,7 +16,7 @@ constexpr std::size_t kMostAttributes = 100;
 
 struct XmlRefusal {
   std::size_t position;
-  std::string reason;
+  Message reason;
 };
 
 bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
@@ -39,7 +39,7 @@ class XmlScanner {
   }
 
  private:
-  [[noreturn]] static void refuse(std::size_t position, const std::string& reason) {
+  [[noreturn]] static void refuse(std::size_t position, const Message& reason) {
     throw XmlRefusal{position, reason};
   }
 

@@ -15,7 +15,7 @@ DirectPlanner::DirectPlanner(const Problem& problem) : problem_(problem), query_
   counts_.nodes = 1;
 }
 
-void DirectPlanner::giveUp(const std::string& reason) {
+void DirectPlanner::giveUp(const Message& reason) {
   failure_ = Diagnostic{ErrorKind::NoPath, "", "", reason, "Choose a planner that searches."};
 }
 

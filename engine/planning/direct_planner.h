@@ -29,7 +29,7 @@ class DirectPlanner : public Planner {
   const std::optional<Pose>& goal() const { return goal_; }
 
  private:
-  void giveUp(const std::string& reason);
+  void giveUp(const Message& reason);
 
   Problem problem_;
   std::unique_ptr<CollisionQuery> query_;

@@ -16,7 +16,7 @@ namespace {
 constexpr double kFarShare = 0.1;
 constexpr double kNearEnough = 5e-4;  ///< metres: bodies within this distance are always near
 
-Diagnostic refusal(const JointKey& key, const std::string& reason, const std::string& advice) {
+Diagnostic refusal(const JointKey& key, const Message& reason, const Message& advice) {
   return {ErrorKind::Usage, "", inWords(key), reason, advice};
 }
 

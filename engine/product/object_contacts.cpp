@@ -39,7 +39,7 @@ class ObjectContacts {
   const std::vector<FitEdit>& edits() const { return question_.product.fits.pairs; }
   const RigidBody& body(std::size_t index) const { return question_.product.bodies[index]; }
 
-  static Diagnostic refused(std::size_t edit, const std::string& reason, const std::string& advice) {
+  static Diagnostic refused(std::size_t edit, const Message& reason, const Message& advice) {
     return {ErrorKind::MalformedInput, "", "/fits/pairs/" + std::to_string(edit), reason, advice};
   }
 

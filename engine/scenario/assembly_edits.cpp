@@ -11,7 +11,7 @@
 namespace glissade {
 namespace {
 
-Diagnostic refusal(const std::string& location, const std::string& reason, const std::string& advice) {
+Diagnostic refusal(const Location& location, const Message& reason, const Message& advice) {
   return {ErrorKind::Usage, "", location, reason, advice};
 }
 

@@ -137,7 +137,7 @@ Result<std::vector<PartFile>> oneEntryEach(const std::vector<PartFile>& parts, c
 
 namespace fs = std::filesystem;
 
-Diagnostic usage(const std::string& file, const std::string& reason, const std::string& advice) {
+Diagnostic usage(const std::string& file, const Message& reason, const Message& advice) {
   return {ErrorKind::Usage, file, "", reason, advice};
 }
 

@@ -75,7 +75,7 @@ class TextPathReader {
   }
 
  private:
-  Diagnostic malformed(const std::string& reason) const {
+  Diagnostic malformed(const Message& reason) const {
     return {ErrorKind::MalformedInput, file_, "line " + std::to_string(line_), reason,
             csv_ ? std::string("Each line holds ") + kCsvHeader + "."
                  : "Each line holds x y z qx qy qz qw; a CSV begins with its header."};

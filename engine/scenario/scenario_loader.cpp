@@ -29,7 +29,7 @@
 namespace glissade {
 namespace {
 
-Diagnostic refused(const std::string& file, const std::string& location, const std::string& reason) {
+Diagnostic refused(const std::string& file, const Location& location, const Message& reason) {
   return {ErrorKind::MalformedInput, file, location, reason, "Check its pose, its size and the unit of its file."};
 }
 
@@ -236,7 +236,7 @@ Outcome applyParameters(const Scenario& scenario, const std::string& file, Param
     Diagnostic why = outcome.error();
     why.kind = ErrorKind::MalformedInput;
     why.file = file;
-    why.location = "/parameters/" + why.location;
+    why.location = "/parameters/" + toString(why.location);
     return why;
   }
   return Done{};

@@ -28,7 +28,7 @@ Outcome checkNodes(const Scenario& scenario) {
   for (std::size_t i = 0; i < scenario.nodes.size(); ++i) {
     const NodeDescription& said = scenario.nodes[i];
     const std::string pointer = "/product/" + std::to_string(i);
-    const auto wrong = [&](const std::string& key, const std::string& reason, const std::string& advice) {
+    const auto wrong = [&](const std::string& key, const Message& reason, const Message& advice) {
       return Diagnostic{ErrorKind::MalformedInput, "", pointer + "/" + key, reason, advice};
     };
     if (!seen.insert(said.id).second) {

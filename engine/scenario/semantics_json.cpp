@@ -173,29 +173,30 @@ void checkSemantics(const Scenario& scenario, const JsonCursor& root) {
   const Outcome sound = checkEdits(edits, nodeIdsOf(scenario));
   if (!sound) {
     Diagnostic why = sound.error();
+    const std::string at = toString(why.location);
     // Places in the file name a body by its index.
     for (std::size_t i = 0; i < scenario.bodies.size(); ++i) {
       const std::string byId = "/bodies/" + scenario.bodies[i].id + "/attributes/";
-      if (why.location.rfind(byId, 0) == 0) {
-        why.location = "/bodies/" + std::to_string(i) + "/attributes/" + why.location.substr(byId.size());
+      if (at.rfind(byId, 0) == 0) {
+        why.location = "/bodies/" + std::to_string(i) + "/attributes/" + at.substr(byId.size());
       }
     }
     for (const auto& [id, attributes] : scenario.sequence.attributes) {
       const std::string byPart = "/bodies/" + id + "/attributes/";
-      if (why.location.rfind(byPart, 0) != 0) continue;
+      if (at.rfind(byPart, 0) != 0) continue;
       why.location = "/sequence/attributes/" + bodyIdOf(id) + "~1" + pathWithin(id, bodyIdOf(id)) + "/" +
-                     why.location.substr(byPart.size());
+                     at.substr(byPart.size());
     }
     for (std::size_t i = 0; i < scenario.nodes.size(); ++i) {
       const std::string byNode = "/bodies/" + scenario.nodes[i].id + "/attributes/";
-      if (why.location.rfind(byNode, 0) != 0) continue;
-      why.location = "/product/" + std::to_string(i) + "/attributes/" + why.location.substr(byNode.size());
+      if (at.rfind(byNode, 0) != 0) continue;
+      why.location = "/product/" + std::to_string(i) + "/attributes/" + at.substr(byNode.size());
     }
     for (std::size_t i = 0; i < scenario.object.bodies.size(); ++i) {
       const std::string byId = "/bodies/" + scenario.object.bodies[i].id + "/attributes/";
-      if (why.location.rfind(byId, 0) != 0) continue;
+      if (at.rfind(byId, 0) != 0) continue;
       const std::string place = i == 0 ? "/object" : "/object/with/" + std::to_string(i - 1);
-      why.location = place + "/attributes/" + why.location.substr(byId.size());
+      why.location = place + "/attributes/" + at.substr(byId.size());
     }
     refuse(why);
   }

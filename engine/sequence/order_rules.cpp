@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::array<const char*, 3> kJointUseNames{"off", "recognised", "suggested"};
 
-Diagnostic refusedDemand(const std::string& reason, const std::string& advice) {
+Diagnostic refusedDemand(const Message& reason, const Message& advice) {
   return {ErrorKind::Usage, "", "", reason, advice};
 }
 

@@ -16,7 +16,7 @@
 namespace glissade {
 namespace {
 
-Diagnostic limit(const ParameterSpec& spec, const std::string& reason) {
+Diagnostic limit(const ParameterSpec& spec, const Message& reason) {
   return {ErrorKind::LimitReached, "", "", reason,
           "Raise the limit (" + std::string(spec.option) + "), steer the object yourself, or try another seed."};
 }
@@ -325,8 +325,8 @@ void SessionCore::endRun(SessionState state) {
 void SessionCore::fail(Diagnostic why) {
   const ForbiddenRegionsPtr regions = forbidden_->regions();
   const bool noPath = why.kind == ErrorKind::NoPath || why.kind == ErrorKind::LimitReached;
-  if (regions && noPath && why.reason.find("forbidden") == std::string::npos) {
-    why.reason += "; forbidden: " + regions->names();
+  if (regions && noPath && toString(why.reason).find("forbidden") == std::string::npos) {
+    why.reason = {GLISSADE_TEXT("%1; forbidden: %2"), {why.reason, regions->names()}};
   }
   trouble_ = std::move(why);
   endRun(SessionState::Failed);

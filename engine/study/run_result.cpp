@@ -80,7 +80,7 @@ std::optional<RunStatus> statusOfSequence(const Json& report) {
 /// True if the text says that memory ended, in the words of guarded() or of the standard library. The text is the
 /// report's error or standard error.
 bool saysOutOfMemory(const std::string& text) {
-  return text.find("bad_alloc") != std::string::npos || text == withoutMemory().reason;
+  return text.find("bad_alloc") != std::string::npos || text == toString(withoutMemory().reason);
 }
 
 RunStatus statusOf(const ChildEnd& end, const Json& report, const RunOutcome& outcome, double timeLimit) {

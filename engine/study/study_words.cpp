@@ -16,14 +16,6 @@ std::optional<std::string_view> inFrench(std::string_view english) {
 
 }  // namespace
 
-std::optional<Language> languageOf(std::string_view code) {
-  if (code == "en") return Language::English;
-  if (code == "fr") return Language::French;
-  return std::nullopt;
-}
-
-const char* code(Language language) { return language == Language::French ? "fr" : "en"; }
-
 bool StudyWords::knows(std::string_view english) const {
   return language_ == Language::English || inFrench(english).has_value();
 }

@@ -1,16 +1,12 @@
 #pragma once
 
 #include <initializer_list>
-#include <optional>
 #include <string>
 #include <string_view>
 
-namespace glissade {
+#include "engine/base/message.h"
 
-enum class Language { English, French };
-/// The language of the code "en" or "fr".
-std::optional<Language> languageOf(std::string_view code);
-const char* code(Language language);
+namespace glissade {
 
 /// Texts of reports, plots and findings in a language. English sentences are the keys, with %1 to %9 for arguments. A
 /// text without a translation, such as a sentence of a user's study, is unchanged. Numbers have the same form in every

@@ -112,7 +112,7 @@ double spacingOfSinglePrecision(const Box3& box) {
   return std::numeric_limits<float>::epsilon() * farthest / kRounding;
 }
 
-Diagnostic refusal(ErrorKind kind, const std::string& reason, const std::string& advice) {
+Diagnostic refusal(ErrorKind kind, const Message& reason, const Message& advice) {
   return {kind, "", "", reason, advice};
 }
 

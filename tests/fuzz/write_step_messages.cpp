@@ -22,15 +22,15 @@ constexpr std::array<std::array<double, 3>, 4> kCorners{{{0, 0, 0}, {1, 0, 0}, {
 constexpr std::array<std::array<std::uint32_t, 3>, 4> kTriangles{{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
 
 /// Appends records to a message.
-class Message {
+class Answer {
  public:
   template <class Record>
-  Message& add(const Record& record) {
+  Answer& add(const Record& record) {
     static_assert(std::is_trivially_copyable_v<Record>);
     bytes_.append(reinterpret_cast<const char*>(&record), sizeof(record));
     return *this;
   }
-  Message& addText(const std::string& text) {
+  Answer& addText(const std::string& text) {
     bytes_ += text;
     return *this;
   }
@@ -69,7 +69,7 @@ protocol::Face faceOf(Kind kind, std::uint32_t triangles) {
 }
 
 /// Adds a tetrahedron with `kinds` for its faces, which have two triangles each.
-void addShape(Message& message, const Kinds& kinds) {
+void addShape(Answer& message, const Kinds& kinds) {
   message.add(protocol::Shape{kCorners.size(), kTriangles.size(), std::tuple_size_v<Kinds>, 0})
       .add(kCorners)
       .add(kTriangles);
@@ -79,7 +79,7 @@ void addShape(Message& message, const Kinds& kinds) {
 std::string messageOf(const std::vector<Kinds>& shapes, const std::vector<NamedPart>& parts,
                       const std::vector<ExternalUse>& externals, const std::string& notes,
                       const std::string& rootName) {
-  Message message;
+  Answer message;
   const auto count = static_cast<std::uint32_t>(shapes.size() * kCorners.size());
   message.add(protocol::Header{protocol::kMagic, protocol::kAssembly, count, count});
   message.add(protocol::AssemblyCounts{static_cast<std::uint32_t>(shapes.size()),

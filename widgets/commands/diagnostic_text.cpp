@@ -13,6 +13,7 @@
 #include "widgets/commands/joint_sentences.h"
 #include "widgets/commands/planning_sentences.h"
 #include "widgets/commands/scenario_sentences.h"
+#include "widgets/commands/window_language.h"
 
 namespace glissade {
 namespace {
@@ -96,18 +97,17 @@ QString asSentence(QString text) {
 
 QString engineText(const std::string& text) { return translated(QString::fromStdString(text)); }
 
+QString engineText(const Message& message) {
+  if (message.text == "%1") return engineText(toString(message));
+  return QString::fromStdString(toString(message, windowLanguage()));
+}
+
 QString diagnosticText(const Diagnostic& why) {
   const QString reason = asSentence(engineText(why.reason));
   const QString advice = asSentence(engineText(why.advice));
   return advice.isEmpty() ? reason : reason + QLatin1Char(' ') + advice;
 }
 
-QString diagnosticLine(const Diagnostic& why) {
-  Diagnostic shown = why;
-  shown.location = engineText(why.location).toStdString();
-  shown.reason = engineText(why.reason).toStdString();
-  shown.advice = engineText(why.advice).toStdString();
-  return QString::fromStdString(toString(shown));
-}
+QString diagnosticLine(const Diagnostic& why) { return QString::fromStdString(toString(why, windowLanguage())); }
 
 }  // namespace glissade

@@ -9,7 +9,7 @@ namespace glissade {
 
 namespace {
 
-Diagnostic refused(const std::string& name, const std::string& reason, const std::string& advice) {
+Diagnostic refused(const std::string& name, const Message& reason, const Message& advice) {
   return {ErrorKind::Usage, "", name, reason, advice};
 }
 

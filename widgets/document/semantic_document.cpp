@@ -204,7 +204,7 @@ Outcome SemanticDocument::checkDefinitions(const SemanticEdits& edits, const std
   if (!rules_) return Done{};
   const auto parsed = parseRules(*rules_, *table, idsOf(makeLocalPlannerRegistry()));
   if (parsed) return Done{};
-  const std::string& rule = parsed.error().location;
+  const std::string rule = toString(parsed.error().location);
   return Diagnostic{ErrorKind::Usage, "", rule,
                     "the scenario's rule " + rule + " uses the attribute '" + attribute + "'",
                     "Change the rule first."};

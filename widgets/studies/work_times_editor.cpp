@@ -164,7 +164,7 @@ void WorkTimesEditor::take(std::size_t row, const QString& text) {
   if (wanted != times_) emit edited(wanted);
 }
 
-void WorkTimesEditor::refuse(const WorkTimeRow& row, const QString& text, const std::string& reason) {
+void WorkTimesEditor::refuse(const WorkTimeRow& row, const QString& text, const Message& reason) {
   setTimes(times_);
   trouble_->setText(tr("%1: '%2' %3. The value stays %4 %5.")
                         .arg(workTimeName(row), text.trimmed(), engineText(reason), workTimeText(times_.*row.value),

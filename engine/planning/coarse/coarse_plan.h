@@ -50,7 +50,7 @@ struct TopologicalStep {
   bool milestone = false;
   bool geometrical = false;                ///< the geometrical planner was asked for a region
   std::string planner;                     ///< id of the local planner; empty: not chosen yet
-  std::string why;                         ///< "place 3: complexity 3, cluttered, so geometrical planner then rrt"
+  Message why;                         ///< "place 3: complexity 3, cluttered, so geometrical planner then rrt"
   std::uint64_t randomConfigurations = 0;  ///< random configurations of milestone and local planner together
   StepResult result = StepResult::Pending;
   SamplingRegionPtr region;       ///< region of the geometrical planner, or the place with its borders

@@ -136,7 +136,7 @@ std::map<std::string, Function> functions() {
 
 struct SyntaxError {
   std::size_t position;
-  std::string reason;
+  Message reason;
 };
 
 /// Recursive descent, one function a level of the grammar.
@@ -154,7 +154,7 @@ class Parser {
  private:
   using Level = TermPtr (Parser::*)();
 
-  [[noreturn]] void fail(const std::string& reason) const { throw SyntaxError{at_, reason}; }
+  [[noreturn]] void fail(const Message& reason) const { throw SyntaxError{at_, reason}; }
 
   /// Parses an operand that must be a number.
   TermPtr number(Level level) {

@@ -70,7 +70,7 @@ class KnownNames {
 };
 
 Diagnostic at(const std::string& pointer, Diagnostic why) {
-  why.location = pointer + (why.location.empty() ? "" : ", " + why.location);
+  why.location = why.location.empty() ? Message(pointer) : Message(GLISSADE_TEXT("%1, %2"), {pointer, why.location});
   return why;
 }
 

@@ -25,10 +25,12 @@ std::string joined(const std::vector<std::string>& names) {
 }
 
 /// "the topological graph has no way from start to goal; forbidden: P4"
-std::string noWay(const CoarsePlan& plan) {
-  std::string reason = "the topological graph has no way from start to goal";
-  if (!plan.forbidden.empty()) reason += "; forbidden: " + joined(plan.forbidden);
-  if (!plan.infiniteCost.empty()) reason += "; of infinite cost by the rules: " + joined(plan.infiniteCost);
+Message noWay(const CoarsePlan& plan) {
+  Message reason = GLISSADE_TEXT("the topological graph has no way from start to goal");
+  if (!plan.forbidden.empty()) reason = {GLISSADE_TEXT("%1; forbidden: %2"), {reason, joined(plan.forbidden)}};
+  if (!plan.infiniteCost.empty()) {
+    reason = {GLISSADE_TEXT("%1; of infinite cost by the rules: %2"), {reason, joined(plan.infiniteCost)}};
+  }
   return reason;
 }
 
@@ -182,7 +184,7 @@ void MultiLayerPlanner::crossPlace(PlannerHost& host) {
     const auto known = crossed_.find({step.place, borderBefore(), step.border});
     if (known != crossed_.end()) {
       show(known->second.choice);
-      step.why += "; crossed before";
+      step.why = {GLISSADE_TEXT("%1; crossed before"), {step.why}};
       step.points = known->second.points;
       stepSolved();
       return;
@@ -245,10 +247,10 @@ void MultiLayerPlanner::stepSolved() {
 }
 
 /// With the loop, raises the cost of the failed step and tries the next best coarse path.
-void MultiLayerPlanner::stepFailed(PlannerHost& host, const std::string& reason) {
+void MultiLayerPlanner::stepFailed(PlannerHost& host, const Message& reason) {
   TopologicalStep& step = current();
   step.result = StepResult::Failed;
-  step.why += (step.why.empty() ? "" : "; ") + reason;
+  step.why = step.why.empty() ? reason : joined({step.why, reason}, "; ");
   publish();
   local_.reset();
   milestoneSampler_.reset();
@@ -282,7 +284,7 @@ TopologicalStep& MultiLayerPlanner::wholeWorkspaceStep() {
   step.from = problem_.start;
   step.to = *goal_;
   step.planner = kWholePlanner;
-  step.why = "searched from start to goal after the coarse paths";
+  step.why = GLISSADE_TEXT("searched from start to goal after the coarse paths");
   step.result = StepResult::Running;
   step.randomConfigurations = whole_->randomConfigurations();
   plan_.steps.push_back(std::move(step));
@@ -344,7 +346,7 @@ std::uint64_t MultiLayerPlanner::stepBudget(const ParameterValues& parameters) c
 
 std::uint64_t MultiLayerPlanner::seedOf(const std::string& use) const { return RandomStream(seed_, use).bits(); }
 
-void MultiLayerPlanner::fail(const std::string& reason, const std::string& advice) {
+void MultiLayerPlanner::fail(const Message& reason, const Message& advice) {
   failure_ = Diagnostic{ErrorKind::NoPath, "", "", reason, advice};
 }
 

@@ -47,11 +47,11 @@ class MultiLayerPlanner final : public Planner, public ReportsInteraction, publi
   void startLocalPlanner(PlannerHost& host);
   void show(const FineChoice& choice);
   void stepSolved();
-  void stepFailed(PlannerHost& host, const std::string& reason);
+  void stepFailed(PlannerHost& host, const Message& reason);
   void searchWorkspace(PlannerHost& host);
   TopologicalStep& wholeWorkspaceStep();
   void deliver(PlannerHost& host);
-  void fail(const std::string& reason, const std::string& advice);
+  void fail(const Message& reason, const Message& advice);
   void publish();
 
   TopologicalStep& current() { return plan_.steps[at_]; }

@@ -35,14 +35,14 @@ FineChoice chooseFinePlanners(const TopologicalMap& map, const SemanticModel& se
   }
   const std::string complexity = toText(semantics.ofPlace(p, "complexity").value);
   const bool cluttered = std::get<bool>(semantics.ofPlace(p, "cluttered").value);
-  choice.why = cluttered ? "complexity " + complexity + ", cluttered, so " + planners(choice)
-                         : "complexity " + complexity + ", so " + planners(choice);
+  choice.why = {cluttered ? GLISSADE_TEXT("complexity %1, cluttered, so %2") : GLISSADE_TEXT("complexity %1, so %2"),
+                {complexity, planners(choice)}};
   return choice;
 }
 
 FineChoice fallbackFor(const ParsedRules& rules, const FineChoice& blocked) {
   FineChoice choice{rules.fine.front().geometrical, rules.fine.front().local, blocked.why};
-  choice.why += "; blocked, so " + planners(choice);
+  choice.why = {GLISSADE_TEXT("%1; blocked, so %2"), {choice.why, planners(choice)}};
   return choice;
 }
 

@@ -9,7 +9,7 @@ namespace glissade {
 struct FineChoice {
   bool geometrical = false;
   std::string local;
-  std::string why;
+  Message why;
 };
 
 /// The choice for a step with known ends: the first rule that holds for its place decides. A step whose ends are those

@@ -178,7 +178,7 @@ void OmplPlanner::guard(std::string_view doing, const Work& work) {
   failure_ = std::move(why);
 }
 
-void OmplPlanner::fail(ErrorKind kind, const std::string& reason, const std::string& advice) {
+void OmplPlanner::fail(ErrorKind kind, const Message& reason, const Message& advice) {
   failure_ = Diagnostic{kind, "", "", reason, advice};
 }
 

@@ -60,7 +60,7 @@ class OmplPlanner final : public Planner {
   void collect();
   template <class Work>
   void guard(std::string_view doing, const Work& work);
-  void fail(ErrorKind kind, const std::string& reason, const std::string& advice);
+  void fail(ErrorKind kind, const Message& reason, const Message& advice);
 
   std::unique_ptr<Engine> engine_;  ///< null where OMPL could not be set up
   std::vector<RoadmapNode> nodes_;
