@@ -29,7 +29,7 @@ int startSibling(char** argv) {
 int main(int argc, char** argv) {
   glissade::prepareProcess();
   int status = 0;
-  const auto why = glissade::guarded("running the workbench", [&] {
+  const auto why = glissade::guarded(GLISSADE_TEXT("running the workbench"), [&] {
     status = wantsOffscreen(argc, argv) ? startSibling(argv)
                                         : glissade::runApplication(argc, argv, glissade::makeOnscreenSceneWidget,
                                                                    glissade::SessionClock::RealTime);

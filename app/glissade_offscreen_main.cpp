@@ -11,7 +11,7 @@ int main(int argc, char** argv) {
   qputenv("QT_QPA_PLATFORM", "offscreen");
   qputenv("QT_FONT_DPI", "96");
   int status = 0;
-  const auto why = glissade::guarded("running the workbench", [&] {
+  const auto why = glissade::guarded(GLISSADE_TEXT("running the workbench"), [&] {
     status = glissade::runApplication(argc, argv, glissade::makeOffscreenSceneWidget, glissade::SessionClock::Lockstep);
   });
   if (!why) return status;

@@ -513,7 +513,7 @@ int main(int argc, char** argv) {
   PrintableOutput output(std::cout);
   const PrintableOutput errors(std::cerr);
   int status = 0;
-  auto why = glissade::guarded("running the command", [&] { status = run(argc, argv); });
+  auto why = glissade::guarded(GLISSADE_TEXT("running the command"), [&] { status = run(argc, argv); });
   if (!why && status == 0) why = unwritten(output);
   if (!why) return status;
   std::cerr << "glissade-cli: " << glissade::toString(*why) << "\n";

@@ -123,7 +123,7 @@ void AssistController::offerInTime(const SessionSnapshot& snapshot) {
   if (bench_.session.clock() == SessionClock::Lockstep || snapshot.state != SessionState::Planning) return;
   if (taken_ || offers_.isBusy() || snapshot.planningSeconds < nextOffer_) return;
   if (!isPerson(bench_.session.deviceId()) || !followsHand(snapshot.plannerId)) return;
-  offers_.start("looking for places to help", search(Then::Show), false);
+  offers_.start(GLISSADE_TEXT("looking for places to help"), search(Then::Show), false);
 }
 
 BackgroundTask::Work AssistController::search(Then then) {

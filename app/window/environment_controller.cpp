@@ -354,7 +354,7 @@ void EnvironmentController::showPlan() {
       takePlan(plan ? *plan : nullptr, plan ? QString() : diagnosticLine(plan.error()));
     };
   };
-  preview_.start("planning coarsely", work, quick || bench_.session.clock() == SessionClock::Lockstep);
+  preview_.start(GLISSADE_TEXT("planning coarsely"), work, quick || bench_.session.clock() == SessionClock::Lockstep);
 }
 
 void EnvironmentController::takePlan(const CoarsePlanPtr& plan, const QString& whyNone) {

@@ -54,7 +54,7 @@ void FeatureStore::prepare(const MeshPtr& mesh, const std::function<void()>& the
       then();
     };
   };
-  request_.start("finding edges and faces", work, bench_.work.isAtOnce());
+  request_.start(GLISSADE_TEXT("finding edges and faces"), work, bench_.work.isAtOnce());
 }
 
 std::vector<MeshPtr> FeatureStore::unknownMeshes() const {
@@ -84,7 +84,7 @@ void FeatureStore::prepareAll() {
       QMetaObject::invokeMethod(this, &FeatureStore::prepareAll, Qt::QueuedConnection);
     };
   };
-  round_.start("finding edges and faces", work, atOnce);
+  round_.start(GLISSADE_TEXT("finding edges and faces"), work, atOnce);
 }
 
 }  // namespace glissade

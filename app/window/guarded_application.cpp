@@ -10,7 +10,8 @@ namespace glissade {
 bool GuardedApplication::notify(QObject* receiver, QEvent* event) {
   if (!handler_) return QApplication::notify(receiver, event);
   bool handled = false;
-  const auto why = guarded("handling an event of the window", [&] { handled = QApplication::notify(receiver, event); });
+  const auto why = guarded(GLISSADE_TEXT("handling an event of the window"),
+                           [&] { handled = QApplication::notify(receiver, event); });
   if (why) report(*why);
   return handled;
 }
@@ -20,7 +21,7 @@ void GuardedApplication::report(const Diagnostic& why) {
     std::cerr << "glissade: " << toString(why) << "\n";
     return;
   }
-  const auto second = guarded("showing an error", [&] { handler_(why); });
+  const auto second = guarded(GLISSADE_TEXT("showing an error"), [&] { handler_(why); });
   if (second) std::cerr << "glissade: " << toString(why) << "\nglissade: " << toString(*second) << "\n";
   reporting_ = false;
 }

@@ -180,7 +180,7 @@ void JointsController::find() {
     if (watch.stop.stopRequested()) return [] {};
     return [this, found = std::move(found)] { take(found); };
   };
-  task_.start("looking for joints", work, bench_.work.isAtOnce());
+  task_.start(GLISSADE_TEXT("looking for joints"), work, bench_.work.isAtOnce());
 }
 
 /// Takes the found joints, unless bodies have moved during the search.

@@ -131,7 +131,7 @@ void KeptPathsController::startProof(const KeptPathPtr& path) {
       if (bench_.document.scenario() == scenario) takeProof(*path, proof);
     };
   };
-  proving_.start("proving a kept path", prove, bench_.work.isAtOnce());
+  proving_.start(GLISSADE_TEXT("proving a kept path"), prove, bench_.work.isAtOnce());
 }
 
 void KeptPathsController::takeProof(const KeptPath& path, const KeptPathProof& proof) {

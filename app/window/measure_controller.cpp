@@ -301,7 +301,7 @@ void MeasureController::measureClearance() {
     };
   };
   hint_->write(tr("Measuring the clearance…"));
-  measuring_.start("measuring a clearance", measure, bench_.work.isAtOnce());
+  measuring_.start(GLISSADE_TEXT("measuring a clearance"), measure, bench_.work.isAtOnce());
 }
 
 void MeasureController::show(const QString& text, MeasurePicture picture) {

@@ -262,7 +262,7 @@ void PathController::measureClearance() {
       bench_.scene.refresh();
     };
   };
-  measuring_.start("measuring the clearance along the path", measure, bench_.work.isAtOnce());
+  measuring_.start(GLISSADE_TEXT("measuring the clearance along the path"), measure, bench_.work.isAtOnce());
 }
 
 void PathController::chooseExport() {

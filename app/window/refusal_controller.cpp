@@ -151,7 +151,7 @@ void RefusalController::examineEnds() {
       if (bench_.document.scenario() == scenario) takeConflicts(found);
     };
   };
-  examination_.start("examining start and goal", examine, bench_.work.isAtOnce());
+  examination_.start(GLISSADE_TEXT("examining start and goal"), examine, bench_.work.isAtOnce());
 }
 
 void RefusalController::takeConflicts(const std::optional<EndConflicts>& found) {

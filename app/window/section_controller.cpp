@@ -158,7 +158,7 @@ void SectionController::makeCaps() {
       bench_.scene.refresh();
     };
   };
-  caps_.start("cutting bodies open", make, bench_.work.isAtOnce());
+  caps_.start(GLISSADE_TEXT("cutting bodies open"), make, bench_.work.isAtOnce());
 }
 
 void SectionController::addCommands() {

@@ -31,7 +31,7 @@ void StepCamera::look(int step) {
       emit cameraMoved();
     };
   };
-  task_.start("looking for a view of the step", work, bench_.work.isAtOnce());
+  task_.start(GLISSADE_TEXT("looking for a view of the step"), work, bench_.work.isAtOnce());
 }
 
 }  // namespace glissade

@@ -158,7 +158,7 @@ void TimesController::divide(const PlanPtr& plan, const ProductPtr& product) {
       }
     };
   };
-  task_.start("dividing the work", work, bench_.work.isAtOnce());
+  task_.start(GLISSADE_TEXT("dividing the work"), work, bench_.work.isAtOnce());
 }
 
 std::optional<Diagnostic> TimesController::openTable(const QString& file) {

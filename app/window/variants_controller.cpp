@@ -51,7 +51,7 @@ void VariantsController::find() {
     const Places places = variantsOf(findAlternatives(rigidBodiesOf(*scenario), watch.stop));
     return [this, places] { take(places); };
   };
-  task_.start("looking for variants", work, bench_.work.isAtOnce());
+  task_.start(GLISSADE_TEXT("looking for variants"), work, bench_.work.isAtOnce());
 }
 
 void VariantsController::take(const Places& places) {

@@ -39,23 +39,26 @@ struct Failure {
   int error;
 };
 
-const char* nameOf(Step step) {
+CatalogueText nameOf(Step step) {
   switch (step) {
-    case Step::Streams: return "its input and output cannot be made";
-    case Step::Fork: return "no process can be made";
-    case Step::Session: return "it cannot have a session of its own";
-    case Step::Limits: return "its limits cannot be set";
-    case Step::Descriptors: return "its open files cannot be closed";
+    case Step::Streams: return GLISSADE_TEXT("its input and output cannot be made");
+    case Step::Fork: return GLISSADE_TEXT("no process can be made");
+    case Step::Session: return GLISSADE_TEXT("it cannot have a session of its own");
+    case Step::Limits: return GLISSADE_TEXT("its limits cannot be set");
+    case Step::Descriptors: return GLISSADE_TEXT("its open files cannot be closed");
     case Step::Load: break;
   }
-  return "its file cannot be run";
+  return GLISSADE_TEXT("its file cannot be run");
 }
 
 Diagnostic cannotStart(const std::string& program, const Failure& failure) {
   const bool missing = failure.step == Step::Load && failure.error != ENOMEM && failure.error != EAGAIN;
-  return {missing ? ErrorKind::MalformedInput : ErrorKind::LimitReached, program, "",
-          std::string("cannot be started: ") + nameOf(failure.step) + ": " + std::strerror(failure.error),
-          missing ? "Install the program again." : "Run fewer programs at once, or free some memory."};
+  return {missing ? ErrorKind::MalformedInput : ErrorKind::LimitReached,
+          program,
+          "",
+          {GLISSADE_TEXT("cannot be started: %1: %2"), {nameOf(failure.step), std::strerror(failure.error)}},
+          missing ? GLISSADE_TEXT("Install the program again.")
+                  : GLISSADE_TEXT("Run fewer programs at once, or free some memory.")};
 }
 
 /// A descriptor above the standard streams, so that none is overwritten when these are set.

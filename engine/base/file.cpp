@@ -29,10 +29,11 @@ Result<std::string> readAll(int fd, const std::string& file, std::size_t mostByt
   while (true) {
     const ssize_t count = ::read(fd, buffer.data(), buffer.size());
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) return unreadable(file, std::string("cannot be read: ") + std::strerror(errno), "");
+    if (count < 0) return unreadable(file, {GLISSADE_TEXT("cannot be read: %1"), {std::strerror(errno)}}, {});
     if (count == 0) return content;
     content.append(buffer.data(), static_cast<std::size_t>(count));
-    if (content.size() > mostBytes) return unreadable(file, "is too large", "Give a file of its kind.");
+    if (content.size() > mostBytes)
+      return unreadable(file, GLISSADE_TEXT("is too large"), GLISSADE_TEXT("Give a file of its kind."));
   }
 }
 
@@ -41,11 +42,13 @@ Result<std::string> readAll(int fd, const std::string& file, std::size_t mostByt
 Result<std::string> readFile(const std::string& file, std::size_t mostBytes) {
   const Descriptor descriptor(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
   if (!descriptor.valid()) {
-    return unreadable(file, std::string("cannot be opened: ") + std::strerror(errno), "Check the name and the folder.");
+    return unreadable(file, {GLISSADE_TEXT("cannot be opened: %1"), {std::strerror(errno)}},
+                      GLISSADE_TEXT("Check the name and the folder."));
   }
   struct stat status {};
   if (::fstat(descriptor.get(), &status) != 0 || !S_ISREG(status.st_mode)) {
-    return unreadable(file, "is not a regular file", "Give a file, not a folder, a pipe or a device.");
+    return unreadable(file, GLISSADE_TEXT("is not a regular file"),
+                      GLISSADE_TEXT("Give a file, not a folder, a pipe or a device."));
   }
   return readAll(descriptor.get(), file, mostBytes, static_cast<std::size_t>(status.st_size));
 }

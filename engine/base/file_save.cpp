@@ -24,16 +24,18 @@ Diagnostic warning(const SaveTarget& target, const Message& reason, const Messag
 
 SaveResult changed(const SaveTarget& target) {
   return {SaveStatus::ChangedByOthers,
-          {ErrorKind::Usage, target.file, "", "was not saved: another program has changed the file since it was read",
-           "Save under another name, or open the file again."},
+          {ErrorKind::Usage, target.file, "",
+           GLISSADE_TEXT("was not saved: another program has changed the file since it was read"),
+           GLISSADE_TEXT("Save under another name, or open the file again.")},
           {},
           {}};
 }
 
 SaveResult removed(const SaveTarget& target) {
   return {SaveStatus::RemovedByOthers,
-          {ErrorKind::Usage, target.file, "", "was not saved: the file has been removed or renamed since it was read",
-           "Save under another name."},
+          {ErrorKind::Usage, target.file, "",
+           GLISSADE_TEXT("was not saved: the file has been removed or renamed since it was read"),
+           GLISSADE_TEXT("Save under another name.")},
           {},
           {}};
 }
@@ -56,14 +58,19 @@ Outcome copyRights(const SaveTarget& target, int to, Warnings& warnings) {
   if (!sameOwner) {
     const bool sameGroup = ::fchown(to, user, old.st_gid) == 0;
     const bool wasOurs = old.st_uid == ::geteuid();
-    const std::string what = wasOurs ? "its group" : sameGroup ? "its owner" : "its owner and group";
+    const CatalogueText what = wasOurs     ? GLISSADE_TEXT("its group")
+                               : sameGroup ? GLISSADE_TEXT("its owner")
+                                           : GLISSADE_TEXT("its owner and group");
     if (!wasOurs || !sameGroup) {
-      warnings.push_back(warning(target, what + " could not be kept", "Ask the former owner if others read the file."));
+      warnings.push_back(warning(target, {GLISSADE_TEXT("%1 could not be kept"), {what}},
+                                 GLISSADE_TEXT("Ask the former owner if others read the file.")));
     }
   }
-  if (::fchmod(to, old.st_mode & 0777) != 0) return saveError(target.file, "its permissions cannot be set", errno);
+  if (::fchmod(to, old.st_mode & 0777) != 0)
+    return saveError(target.file, GLISSADE_TEXT("its permissions cannot be set"), errno);
   if (!copyAccessList(target.path, to)) {
-    warnings.push_back(warning(target, "its access control list could not be kept", "Set it again."));
+    warnings.push_back(
+        warning(target, GLISSADE_TEXT("its access control list could not be kept"), GLISSADE_TEXT("Set it again.")));
   }
   return Done{};
 }
@@ -71,9 +78,9 @@ Outcome copyRights(const SaveTarget& target, int to, Warnings& warnings) {
 void warnOfHardLinks(const SaveTarget& target, Warnings& warnings) {
   if (!target.exists || target.status.st_nlink < 2) return;
   warnings.push_back(warning(target,
-                             "the file has " + std::to_string(target.status.st_nlink - 1) +
-                                 " more names (hard links), which keep the old content",
-                             "Copy the file over them, or link them again."));
+                             {GLISSADE_TEXT("the file has %1 more names (hard links), which keep the old content"),
+                              {target.status.st_nlink - 1}},
+                             GLISSADE_TEXT("Copy the file over them, or link them again.")));
 }
 
 /// The present content, if it is needed.
@@ -112,8 +119,8 @@ SaveResult replace(const SaveTarget& target, const std::string& content, const S
   const auto durable = pending->moveTo(target.path);
   if (!durable) return notSaved(durable.error());
   if (!*durable) {
-    warnings.push_back(warning(target, "its folder could not be flushed to the disk",
-                               "After a power failure the file may have its old content. Save again."));
+    warnings.push_back(warning(target, GLISSADE_TEXT("its folder could not be flushed to the disk"),
+                               GLISSADE_TEXT("After a power failure the file may have its old content. Save again.")));
   }
   return {SaveStatus::Saved, {}, std::move(warnings), sha256(content)};
 }
@@ -127,14 +134,18 @@ SaveResult saveFile(const std::string& file, const std::string& content, const S
   Warnings warnings;
   const auto present = presentContent(*target, options);
   if (!present && (options.replaces || options.versionRequired)) return notSaved(present.error());
-  if (!present) warnings.push_back(warning(*target, "no earlier version was kept", "It could not be read."));
+  if (!present)
+    warnings.push_back(
+        warning(*target, GLISSADE_TEXT("no earlier version was kept"), GLISSADE_TEXT("It could not be read.")));
   const bool known = present && present->has_value();
   if (known && options.replaces && sha256(**present) != *options.replaces) return changed(*target);
   removeStrayFiles(folderOf(target->path), target->path);
   if (known && options.versions > 0 && **present != content) {
     const Outcome kept = keepVersion(target->path, **present, target->status);
     if (!kept && options.versionRequired) return notSaved(kept.error());
-    if (!kept) warnings.push_back(warning(*target, {GLISSADE_TEXT("no earlier version was kept: %1"), {kept.error().reason}}, ""));
+    if (!kept)
+      warnings.push_back(
+          warning(*target, {GLISSADE_TEXT("no earlier version was kept: %1"), {kept.error().reason}}, ""));
   }
   warnOfHardLinks(*target, warnings);
   SaveResult result = replace(*target, content, options, std::move(warnings));

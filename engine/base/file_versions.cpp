@@ -46,7 +46,7 @@ Outcome makeFolder(const fs::path& folder, const std::string& file) {
   std::error_code trouble;
   fs::create_directories(folder, trouble);
   if (!trouble) return Done{};
-  return saveError(file, "its folder of earlier versions cannot be made", trouble.value());
+  return saveError(file, GLISSADE_TEXT("its folder of earlier versions cannot be made"), trouble.value());
 }
 
 }  // namespace
@@ -78,7 +78,7 @@ Outcome keepVersion(const std::string& file, const std::string& content, const s
   auto pending = PendingFile::create(folder.string(), file, 0600);
   if (!pending) return pending.error();
   if (::fchmod(pending->descriptor(), status.st_mode & 0777) != 0) {
-    return saveError(file, "the permissions of its earlier version cannot be set", errno);
+    return saveError(file, GLISSADE_TEXT("the permissions of its earlier version cannot be set"), errno);
   }
   const Outcome written = pending->write(content);
   if (!written) return written;
@@ -86,7 +86,7 @@ Outcome keepVersion(const std::string& file, const std::string& content, const s
   const std::string path = (folder / nameOf(number, status.st_mtim.tv_sec, file)).string();
   const auto moved = pending->moveTo(path);
   if (!moved) return moved.error();
-  if (!*moved) return saveError(file, "its earlier version cannot be flushed to the disk", EIO);
+  if (!*moved) return saveError(file, GLISSADE_TEXT("its earlier version cannot be flushed to the disk"), EIO);
   const std::array<timespec, 2> times{timespec{0, UTIME_OMIT}, status.st_mtim};
   (void)::utimensat(AT_FDCWD, path.c_str(), times.data(), 0);  // ignored: the name has the time, too
   return Done{};

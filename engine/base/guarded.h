@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <string_view>
 #include <utility>
 
 #include "engine/base/diagnostic.h"
@@ -10,15 +9,16 @@ namespace glissade {
 
 /// The exception that is being handled, as a diagnostic. `doing` completes "an error occurred while ...", for
 /// example "planning". Exhausted memory is LimitReached, everything else is Internal. Call it in a catch block only.
-Diagnostic currentExceptionAsDiagnostic(std::string_view doing) noexcept;
+Diagnostic currentExceptionAsDiagnostic(CatalogueText doing) noexcept;
+Diagnostic currentExceptionAsDiagnostic(const Message& doing) noexcept;
 
 /// The diagnostic for exhausted memory. Allocates nothing: texts of this length are stored within the string.
 Diagnostic withoutMemory() noexcept;
 
 /// Calls `work`. Returns nothing where it ends normally, else the diagnostic of the exception that leaves it. Each
 /// thread turns exceptions into diagnostics with this function.
-template <class Work>
-[[nodiscard]] std::optional<Diagnostic> guarded(std::string_view doing, Work&& work) noexcept {
+template <class Doing, class Work>
+[[nodiscard]] std::optional<Diagnostic> guarded(const Doing& doing, Work&& work) noexcept {
   try {
     std::forward<Work>(work)();
     return std::nullopt;

@@ -18,7 +18,7 @@ void JsonCursor::fail(const Message& reason, const Message& advice) const {
 }
 
 void JsonCursor::expectObject() const {
-  if (!value_->is_object()) fail("is not an object");
+  if (!value_->is_object()) fail(GLISSADE_TEXT("is not an object"));
 }
 
 void JsonCursor::allowOnly(std::initializer_list<const char*> keys) const {
@@ -28,7 +28,7 @@ void JsonCursor::allowOnly(std::initializer_list<const char*> keys) const {
     if (known) continue;
     std::string list;
     for (const char* key : keys) list += (list.empty() ? "" : ", ") + std::string(key);
-    at(item.key()).fail("is an unknown key", "Remove it, or use one of: " + list + ".");
+    at(item.key()).fail(GLISSADE_TEXT("is an unknown key"), {GLISSADE_TEXT("Remove it, or use one of: %1."), {list}});
   }
 }
 
@@ -36,7 +36,7 @@ JsonCursor JsonCursor::at(const std::string& key) const {
   expectObject();
   const auto entry = value_->find(key);
   if (entry == value_->end()) {
-    JsonCursor(*value_, file_, pointer_ + "/" + key).fail("is missing", "Add it.");
+    JsonCursor(*value_, file_, pointer_ + "/" + key).fail(GLISSADE_TEXT("is missing"), GLISSADE_TEXT("Add it."));
   }
   return {*entry, file_, pointer_ + "/" + key};
 }
@@ -46,7 +46,7 @@ std::optional<JsonCursor> JsonCursor::find(const std::string& key) const {
 }
 
 std::size_t JsonCursor::size() const {
-  if (!value_->is_array()) fail("is not a list");
+  if (!value_->is_array()) fail(GLISSADE_TEXT("is not a list"));
   return value_->size();
 }
 
@@ -55,61 +55,63 @@ JsonCursor JsonCursor::element(std::size_t index) const {
 }
 
 std::size_t JsonCursor::sizeUpTo(std::size_t most) const {
-  if (size() > most) fail("has more than " + std::to_string(most) + " entries");
+  if (size() > most) fail({GLISSADE_TEXT("has more than %1 entries"), {most}});
   return size();
 }
 
 std::string JsonCursor::text() const {
-  if (!value_->is_string()) fail("is not a text");
+  if (!value_->is_string()) fail(GLISSADE_TEXT("is not a text"));
   return printableText(value_->get_ref<const std::string&>());
 }
 
 std::string JsonCursor::exactText() const {
-  if (!value_->is_string()) fail("is not a text");
+  if (!value_->is_string()) fail(GLISSADE_TEXT("is not a text"));
   std::string result = value_->get<std::string>();
-  if (result.empty()) fail("is empty");
-  if (result.find('\0') != std::string::npos) fail("holds a zero byte, which no file's name can");
+  if (result.empty()) fail(GLISSADE_TEXT("is empty"));
+  if (result.find('\0') != std::string::npos) fail(GLISSADE_TEXT("holds a zero byte, which no file's name can"));
   return result;
 }
 
 std::string JsonCursor::nonEmptyText() const {
   std::string result = text();
-  if (result.empty()) fail("is empty");
+  if (result.empty()) fail(GLISSADE_TEXT("is empty"));
   return result;
 }
 
 double JsonCursor::number() const {
-  if (!value_->is_number()) fail("is not a number");
+  if (!value_->is_number()) fail(GLISSADE_TEXT("is not a number"));
   const double result = value_->get<double>();
-  if (!std::isfinite(result)) fail("is not a finite number");
+  if (!std::isfinite(result)) fail(GLISSADE_TEXT("is not a finite number"));
   return result;
 }
 
 double JsonCursor::positiveNumber() const {
   const double result = number();
-  if (result <= 0.0) fail("is not above zero");
+  if (result <= 0.0) fail(GLISSADE_TEXT("is not above zero"));
   return result;
 }
 
 double JsonCursor::coordinate() const {
   const double result = number();
-  if (!limits::isCoordinate(result)) fail("is beyond 1e9 m", "Give metres; check the unit.");
+  if (!limits::isCoordinate(result))
+    fail(GLISSADE_TEXT("is beyond 1e9 m"), GLISSADE_TEXT("Give metres; check the unit."));
   return result;
 }
 
 double JsonCursor::length() const {
   const double result = positiveNumber();
-  if (!limits::isSize(result)) fail("is not from 1e-12 m to 1e9 m", "Give metres; check the unit.");
+  if (!limits::isSize(result))
+    fail(GLISSADE_TEXT("is not from 1e-12 m to 1e9 m"), GLISSADE_TEXT("Give metres; check the unit."));
   return result;
 }
 
 std::uint64_t JsonCursor::wholeNumber() const {
-  if (!value_->is_number_unsigned()) fail("is not a whole number of zero or more");
+  if (!value_->is_number_unsigned()) fail(GLISSADE_TEXT("is not a whole number of zero or more"));
   return value_->get<std::uint64_t>();
 }
 
 bool JsonCursor::boolean() const {
-  if (!value_->is_boolean()) fail("is neither true nor false");
+  if (!value_->is_boolean()) fail(GLISSADE_TEXT("is neither true nor false"));
   return value_->get<bool>();
 }
 
@@ -129,9 +131,9 @@ class ParserGuard {
   bool operator()(int depth, Json::parse_event_t event, const Json& parsed) {
     using Event = Json::parse_event_t;
     constexpr int kDeepest = 32;
-    if (depth > kDeepest) throw JsonRefusal{"is nested too deeply"};
+    if (depth > kDeepest) throw JsonRefusal{GLISSADE_TEXT("is nested too deeply")};
     const bool value = event == Event::value || event == Event::object_start || event == Event::array_start;
-    if (value && valuesLeft_-- == 0) throw JsonRefusal{"holds too many values"};
+    if (value && valuesLeft_-- == 0) throw JsonRefusal{GLISSADE_TEXT("holds too many values")};
     if (event == Event::object_start) keys_.emplace_back();
     if (event == Event::object_end) keys_.pop_back();
     if (event == Event::key) take(parsed.get_ref<const std::string&>());
@@ -141,9 +143,10 @@ class ParserGuard {
  private:
   void take(const std::string& key) {
     constexpr std::size_t kMostKeys = 20'000;
-    if (!keys_.back().insert(key).second) throw JsonRefusal{"holds the key '" + key + "' twice in one object"};
+    if (!keys_.back().insert(key).second)
+      throw JsonRefusal{{GLISSADE_TEXT("holds the key '%1' twice in one object"), {key}}};
     if (keys_.back().size() > kMostKeys) {
-      throw JsonRefusal{"holds an object with more than " + std::to_string(kMostKeys) + " keys"};
+      throw JsonRefusal{{GLISSADE_TEXT("holds an object with more than %1 keys"), {kMostKeys}}};
     }
   }
 
@@ -187,7 +190,7 @@ class WatchedText {
 }  // namespace
 
 Diagnostic notReadToItsEnd(const std::string& file) {
-  return {ErrorKind::Interrupted, file, "", "was not read to its end", "Open it again."};
+  return {ErrorKind::Interrupted, file, "", GLISSADE_TEXT("was not read to its end"), GLISSADE_TEXT("Open it again.")};
 }
 
 Result<Json> parseJson(const std::string& text, const std::string& file, const WorkWatch& watch) {
@@ -198,7 +201,8 @@ Result<Json> parseJson(const std::string& text, const std::string& file, const W
 Result<Json> parseJson(const std::string& text, const std::string& file, const WorkWatch& watch,
                        std::size_t& valuesLeft) {
   if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
-    return Diagnostic{ErrorKind::MalformedInput, file, "", "is empty", "Give a file with content."};
+    return Diagnostic{ErrorKind::MalformedInput, file, "", GLISSADE_TEXT("is empty"),
+                      GLISSADE_TEXT("Give a file with content.")};
   }
   try {
     ParserGuard guard(valuesLeft);
@@ -210,14 +214,16 @@ Result<Json> parseJson(const std::string& text, const std::string& file, const W
     const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
     const std::size_t lineStart = end == 0 ? std::string::npos : text.rfind('\n', end - 1);
     const std::size_t column = lineStart == std::string::npos ? end : end - lineStart - 1;
-    return Diagnostic{ErrorKind::MalformedInput, file,
-                      "line " + std::to_string(line) + ", column " + std::to_string(column), "is not valid JSON",
-                      "Correct the text there."};
+    return Diagnostic{ErrorKind::MalformedInput,
+                      file,
+                      {GLISSADE_TEXT("line %1, column %2"), {line, column}},
+                      GLISSADE_TEXT("is not valid JSON"),
+                      GLISSADE_TEXT("Correct the text there.")};
   } catch (const JsonRefusal& refusal) {
-    return Diagnostic{ErrorKind::MalformedInput, file, "", refusal.reason, "Correct the file."};
+    return Diagnostic{ErrorKind::MalformedInput, file, "", refusal.reason, GLISSADE_TEXT("Correct the file.")};
   } catch (const Json::exception&) {
-    return Diagnostic{ErrorKind::MalformedInput, file, "", "holds a number that is out of range",
-                      "Correct the number."};
+    return Diagnostic{ErrorKind::MalformedInput, file, "", GLISSADE_TEXT("holds a number that is out of range"),
+                      GLISSADE_TEXT("Correct the number.")};
   }
 }
 

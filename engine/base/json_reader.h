@@ -20,7 +20,7 @@ class JsonCursor {
   JsonCursor(const Json& value, std::string file, std::string pointer)
       : value_(&value), file_(std::move(file)), pointer_(std::move(pointer)) {}
 
-  [[noreturn]] void fail(const Message& reason, const Message& advice = "Correct the file.") const;
+  [[noreturn]] void fail(const Message& reason, const Message& advice = GLISSADE_TEXT("Correct the file.")) const;
 
   const Json& json() const { return *value_; }
   const std::string& file() const { return file_; }

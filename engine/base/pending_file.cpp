@@ -67,10 +67,11 @@ Result<PendingFile> PendingFile::create(const std::string& folder, const std::st
   for (int tries = 0; tries < kMostTries; ++tries) {
     std::string name = (fs::path(folder) / kPrefix).string() + randomLetters();
     Descriptor descriptor(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode));
-    if (!descriptor.valid() && errno != EEXIST) return saveError(file, "the folder takes no new file", errno);
+    if (!descriptor.valid() && errno != EEXIST)
+      return saveError(file, GLISSADE_TEXT("the folder takes no new file"), errno);
     if (descriptor.valid() && lock(descriptor)) return PendingFile(std::move(descriptor), std::move(name), file);
   }
-  return saveError(file, "the folder takes no new file", EEXIST);
+  return saveError(file, GLISSADE_TEXT("the folder takes no new file"), EEXIST);
 }
 
 PendingFile::~PendingFile() {
@@ -78,19 +79,21 @@ PendingFile::~PendingFile() {
 }
 
 Outcome PendingFile::write(const std::string& content) {
-  if (!writeAll(descriptor_.get(), content)) return saveError(file_, "writing failed", errno);
-  if (::fsync(descriptor_.get()) != 0) return saveError(file_, "flushing to the disk failed", errno);
+  if (!writeAll(descriptor_.get(), content)) return saveError(file_, GLISSADE_TEXT("writing failed"), errno);
+  if (::fsync(descriptor_.get()) != 0) return saveError(file_, GLISSADE_TEXT("flushing to the disk failed"), errno);
   lock_ =
       // The lock belongs to the open file, not to a descriptor.
       Descriptor(::fcntl(descriptor_.get(), F_DUPFD_CLOEXEC, 0));
-  if (!lock_.valid() || !descriptor_.close()) return saveError(file_, "closing failed", errno);
+  if (!lock_.valid() || !descriptor_.close()) return saveError(file_, GLISSADE_TEXT("closing failed"), errno);
   const auto written = readFile(name_, content.size());
-  if (!written || *written != content) return saveError(file_, "what was written reads back differently", EIO);
+  if (!written || *written != content)
+    return saveError(file_, GLISSADE_TEXT("what was written reads back differently"), EIO);
   return Done{};
 }
 
 Result<bool> PendingFile::moveTo(const std::string& path) {
-  if (::rename(name_.c_str(), path.c_str()) != 0) return saveError(file_, "giving it its name failed", errno);
+  if (::rename(name_.c_str(), path.c_str()) != 0)
+    return saveError(file_, GLISSADE_TEXT("giving it its name failed"), errno);
   name_.clear();
   const Descriptor folder(::open(folderOf(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (!folder.valid()) return false;

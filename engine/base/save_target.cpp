@@ -14,21 +14,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kUntouched = "What was there is untouched. ";
-
-std::string adviceFor(int error) {
+CatalogueText adviceFor(int error) {
   switch (error) {
     case ENOSPC:
-    case EDQUOT: return "Free some space, or save on another disk.";
-    case EFBIG: return "Raise the limit of the file size, or save on another disk.";
+    case EDQUOT: return GLISSADE_TEXT("Free some space, or save on another disk.");
+    case EFBIG: return GLISSADE_TEXT("Raise the limit of the file size, or save on another disk.");
     case EACCES:
-    case EPERM: return "Save into a folder that you may write to.";
-    case EROFS: return "The file system is read-only. Save into another folder.";
-    case ENAMETOOLONG: return "Choose a shorter name.";
+    case EPERM: return GLISSADE_TEXT("Save into a folder that you may write to.");
+    case EROFS: return GLISSADE_TEXT("The file system is read-only. Save into another folder.");
+    case ENAMETOOLONG: return GLISSADE_TEXT("Choose a shorter name.");
     case ENOENT:
-    case ENOTDIR: return "Create the folder, or choose another one.";
-    case EIO: return "The disk may be failing. Save on another disk.";
-    default: return "Save into another folder.";
+    case ENOTDIR: return GLISSADE_TEXT("Create the folder, or choose another one.");
+    case EIO: return GLISSADE_TEXT("The disk may be failing. Save on another disk.");
+    default: return GLISSADE_TEXT("Save into another folder.");
   }
 }
 
@@ -37,7 +35,7 @@ Diagnostic refused(const std::string& file, const Message& reason, const Message
           file,
           "",
           {GLISSADE_TEXT("cannot be saved: %1"), {reason}},
-          {GLISSADE_TEXT("%1 %2"), {kUntouched, advice}}};
+          {GLISSADE_TEXT("What was there is untouched. %1"), {advice}}};
 }
 
 Result<std::string> followLinks(const std::string& file) {
@@ -48,19 +46,19 @@ Result<std::string> followLinks(const std::string& file) {
     const ssize_t length = ::readlink(at.c_str(), text.data(), text.size());
     if (length < 0) {
       if (errno == EINVAL || errno == ENOENT) return at.string();  // no link, or the file does not exist yet
-      return saveError(file, "it cannot be looked at", errno);
+      return saveError(file, GLISSADE_TEXT("it cannot be looked at"), errno);
     }
     at = at.parent_path() / fs::path(std::string(text.data(), static_cast<std::size_t>(length)));
   }
-  return saveError(file, "its links cannot be followed", ELOOP);
+  return saveError(file, GLISSADE_TEXT("its links cannot be followed"), ELOOP);
 }
 
 Outcome checkKind(const std::string& file, const struct stat& status) {
-  constexpr const char* kOther = "Choose another name.";
-  if (S_ISDIR(status.st_mode)) return refused(file, "it is a folder", kOther);
-  if (S_ISFIFO(status.st_mode)) return refused(file, "it is a pipe", kOther);
-  if (S_ISSOCK(status.st_mode)) return refused(file, "it is a socket", kOther);
-  if (!S_ISREG(status.st_mode)) return refused(file, "it is a device", kOther);
+  constexpr CatalogueText kOther = GLISSADE_TEXT("Choose another name.");
+  if (S_ISDIR(status.st_mode)) return refused(file, GLISSADE_TEXT("it is a folder"), kOther);
+  if (S_ISFIFO(status.st_mode)) return refused(file, GLISSADE_TEXT("it is a pipe"), kOther);
+  if (S_ISSOCK(status.st_mode)) return refused(file, GLISSADE_TEXT("it is a socket"), kOther);
+  if (!S_ISREG(status.st_mode)) return refused(file, GLISSADE_TEXT("it is a device"), kOther);
   return Done{};
 }
 
@@ -70,7 +68,8 @@ Outcome checkWritable(const SaveTarget& target) {
   constexpr mode_t kAnyWrite = S_IWUSR | S_IWGRP | S_IWOTH;
   const bool readOnly = (target.status.st_mode & kAnyWrite) == 0 || ::access(target.path.c_str(), W_OK) != 0;
   if (!readOnly) return Done{};
-  return refused(target.file, "it is read-only", "Save under another name, or make the file writable.");
+  return refused(target.file, GLISSADE_TEXT("it is read-only"),
+                 GLISSADE_TEXT("Save under another name, or make the file writable."));
 }
 
 }  // namespace
@@ -81,13 +80,13 @@ bool SaveTarget::isSameAs(const struct stat& now) const {
 }
 
 Result<SaveTarget> findSaveTarget(const std::string& file) {
-  if (file.empty()) return refused(file, "it has no name", "Give a name.");
+  if (file.empty()) return refused(file, GLISSADE_TEXT("it has no name"), GLISSADE_TEXT("Give a name."));
   const auto path = followLinks(file);
   if (!path) return path.error();
   SaveTarget target{file, *path, false, {}};
   if (::stat(target.path.c_str(), &target.status) != 0) {
     if (errno == ENOENT) return target;
-    return saveError(file, "it cannot be looked at", errno);
+    return saveError(file, GLISSADE_TEXT("it cannot be looked at"), errno);
   }
   target.exists = true;
   const Outcome kind = checkKind(file, target.status);
@@ -97,8 +96,8 @@ Result<SaveTarget> findSaveTarget(const std::string& file) {
   return target;
 }
 
-Diagnostic saveError(const std::string& file, const std::string& what, int error) {
-  return refused(file, what + ": " + std::strerror(error), adviceFor(error));
+Diagnostic saveError(const std::string& file, const Message& what, int error) {
+  return refused(file, {GLISSADE_TEXT("%1: %2"), {what, std::strerror(error)}}, adviceFor(error));
 }
 
 }  // namespace glissade

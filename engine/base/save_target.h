@@ -24,6 +24,6 @@ struct SaveTarget {
 Result<SaveTarget> findSaveTarget(const std::string& file);
 
 /// An error of the operating system during a save, with a remedy. `error` is an errno.
-Diagnostic saveError(const std::string& file, const std::string& what, int error);
+Diagnostic saveError(const std::string& file, const Message& what, int error);
 
 }  // namespace glissade

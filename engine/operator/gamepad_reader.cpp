@@ -125,10 +125,10 @@ void GamepadReader::run() {
   const Sdl sdl;
   if (!sdl.works()) return;
   do {
-    auto why = guarded("reading the gamepad", [this] { readPads(); });
+    auto why = guarded(GLISSADE_TEXT("reading the gamepad"), [this] { readPads(); });
     if (why) problem_.set(std::move(why));
     // A listener that fails is notified again at the next change.
-    (void)guarded("disconnecting the gamepad", [this] { hand_->gamepad.mailbox.disconnect(); });
+    (void)guarded(GLISSADE_TEXT("disconnecting the gamepad"), [this] { hand_->gamepad.mailbox.disconnect(); });
   } while (!quitWithin(kLook));
 }
 

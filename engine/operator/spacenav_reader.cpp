@@ -105,10 +105,11 @@ struct SpacenavReader::Connection {
       if (daemonListens() && spnav_open() == 0) {
         problem.set(std::nullopt);
         bool talkedSense = false;
-        auto why = guarded("reading the 6D mouse", [&] { talkedSense = reachedTheRightSocket() && readUntilItDies(); });
+        auto why = guarded(GLISSADE_TEXT("reading the 6D mouse"),
+                           [&] { talkedSense = reachedTheRightSocket() && readUntilItDies(); });
         if (why) problem.set(std::move(why));
         // A listener that fails is notified again at the next change.
-        (void)guarded("disconnecting the 6D mouse", [this] { mailbox().disconnect(); });
+        (void)guarded(GLISSADE_TEXT("disconnecting the 6D mouse"), [this] { mailbox().disconnect(); });
         if (talkedSense) backOff = firstBackOff;
         spnav_close();
       }

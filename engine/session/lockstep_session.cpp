@@ -31,7 +31,7 @@ class Lockstep final : public LockstepSession {
   void advance(std::uint64_t steps, const StopToken& stop) override {
     carryOutCommands();
     if (core_.state() == SessionState::Planning) {
-      core_.attempt("planning", [&] { plan(steps, stop); });
+      core_.attempt(GLISSADE_TEXT("planning"), [&] { plan(steps, stop); });
     } else if (core_.state() != SessionState::Paused) {
       for (std::uint64_t i = 0; i < steps; ++i) tick();
     }

@@ -33,7 +33,7 @@ class OperatorHand {
   /// Begins a new run: the object is back at the start and the device begins anew.
   void restart();
   /// Purpose of advance(), for the diagnostic of an exception that leaves it.
-  static constexpr std::string_view kWork = "moving the object with the device";
+  static constexpr CatalogueText kWork = GLISSADE_TEXT("moving the object with the device");
   /// Releases the object for good because its device has failed, and returns the message for the user.
   Diagnostic giveUp(Diagnostic why);
   /// Advances time and the device. `guidance` also holds for sample().

@@ -47,9 +47,9 @@ class Replay final : public ReplaySession {
     std::uint64_t left = steps;
     while (left > 0 && core_.state() == SessionState::Planning && !stop.stopRequested()) {
       if (atEnd()) {
-        core_.attempt("stopping the planner", [this] { core_.carryOut(command::Stop{}); });
+        core_.attempt(GLISSADE_TEXT("stopping the planner"), [this] { core_.carryOut(command::Stop{}); });
       } else {
-        core_.attempt("planning", [&] { plan(left, stop); });
+        core_.attempt(GLISSADE_TEXT("planning"), [&] { plan(left, stop); });
       }
     }
     (void)core_.publish([this] { publish(); });  // a replay ends with its record

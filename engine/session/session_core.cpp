@@ -111,7 +111,7 @@ void SessionCore::endAfterException(Diagnostic why) {
   stopClock();
   if (state_ != SessionState::Planning && state_ != SessionState::Paused) return;
   state_ = path_ ? SessionState::Solved : SessionState::Failed;
-  const auto second = guarded("completing the roadmap", [this] {
+  const auto second = guarded(GLISSADE_TEXT("completing the roadmap"), [this] {
     trouble_->location = plannerId_ + ", seed " + std::to_string(seed_);
     if (planner_) planner_->completeRoadmap();
   });
@@ -281,7 +281,7 @@ void SessionCore::stopClock() {
 void SessionCore::deliverPath(const StopToken& stop) {
   planned_ = std::make_shared<const Path>(*planner_->path());
   provenance_.steered = isSteered(planned_->points);
-  auto why = guarded("smoothing the path",
+  auto why = guarded(GLISSADE_TEXT("smoothing the path"),
                      [&] { smoothPath(parameters_.integer(ParameterId::Smoothing), withTimeLimit(stop)); });
   if (!why) return;
   trouble_ = std::move(why);

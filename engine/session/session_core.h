@@ -55,7 +55,7 @@ class SessionCore {
   /// Calls `work`, which calls carryOut() or plan(). Only here an exception becomes the session's problem: a run under
   /// way ends as Failed, or as Solved where its path was delivered. The next Start begins anew.
   template <class Work>
-  void attempt(std::string_view doing, const Work& work) {
+  void attempt(CatalogueText doing, const Work& work) {
     if (auto why = guarded(doing, work)) endAfterException(std::move(*why));
   }
   /// Calls `publish`, which calls describe(), between two turns of the planner. Where that fails the run ends, its
@@ -63,7 +63,7 @@ class SessionCore {
   /// nothing of it.
   template <class Publish>
   [[nodiscard]] bool publish(const Publish& publish) {
-    constexpr std::string_view kDoing = "publishing the roadmap";
+    constexpr CatalogueText kDoing = GLISSADE_TEXT("publishing the roadmap");
     auto why = guarded(kDoing, publish);
     if (!why) return true;
     endAfterException(std::move(*why));

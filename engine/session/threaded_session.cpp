@@ -103,7 +103,7 @@ class Threaded final : public Session {
   void plannerLoop() {
     while (waitForWork()) {
       while (const auto command = nextCommand()) carryOut(*command);
-      if (core_.state() == SessionState::Planning) core_.attempt("planning", [this] { plan(); });
+      if (core_.state() == SessionState::Planning) core_.attempt(GLISSADE_TEXT("planning"), [this] { plan(); });
       if (!core_.publish([this] { publishPlanning(); })) publishWithoutMemory();
     }
   }
@@ -310,7 +310,7 @@ class Threaded final : public Session {
       wakeUpPending_ = true;
       lastWakeUp_ = now;
     }
-    if (!guarded("announcing a snapshot", wakeUp_)) return;
+    if (!guarded(GLISSADE_TEXT("announcing a snapshot"), wakeUp_)) return;
     const std::lock_guard lock(mutex_);
     wakeUpPending_ = false;  // the next tick tries again
   }

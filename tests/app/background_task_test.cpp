@@ -25,7 +25,7 @@ TEST(BackgroundTask, DeliversOnItsOwnThreadWhatWasFoundOnAnother) {
   QThread* worked = nullptr;
   QThread* delivered = nullptr;
   task.start(
-      "looking",
+      GLISSADE_TEXT("looking"),
       [&](const WorkWatch&) -> BackgroundTask::Delivery {
         worked = QThread::currentThread();
         return [&] { delivered = QThread::currentThread(); };
@@ -44,7 +44,7 @@ TEST(BackgroundTask, TellsHowFarItIsAndForgetsWhatIsCancelled) {
   QSignalSpy progressed(&task, &BackgroundTask::progressed);
   std::atomic<bool> stopped{false};
   bool delivered = false;
-  task.start("waiting", endless(stopped, delivered), false);
+  task.start(GLISSADE_TEXT("waiting"), endless(stopped, delivered), false);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !progressed.isEmpty(); }));
   EXPECT_EQ(progressed.last().first().toDouble(), 0.5);
   task.cancel();
@@ -59,9 +59,10 @@ TEST(BackgroundTask, AnotherStartTakesThePlaceOfTheOneUnderWay) {
   std::atomic<bool> stopped{false};
   bool first = false;
   bool second = false;
-  task.start("waiting", endless(stopped, first), false);
+  task.start(GLISSADE_TEXT("waiting"), endless(stopped, first), false);
   task.start(
-      "looking", [&](const WorkWatch&) -> BackgroundTask::Delivery { return [&] { second = true; }; }, false);
+      GLISSADE_TEXT("looking"), [&](const WorkWatch&) -> BackgroundTask::Delivery { return [&] { second = true; }; },
+      false);
   ASSERT_TRUE(QTest::qWaitFor([&] { return second && stopped.load(); }));
   QTest::qWait(20);
   EXPECT_FALSE(first);
@@ -71,7 +72,8 @@ TEST(BackgroundTask, AtOnceItIsDoneBeforeStartReturns) {
   BackgroundTask task;
   bool delivered = false;
   task.start(
-      "looking", [&](const WorkWatch&) -> BackgroundTask::Delivery { return [&] { delivered = true; }; }, true);
+      GLISSADE_TEXT("looking"), [&](const WorkWatch&) -> BackgroundTask::Delivery { return [&] { delivered = true; }; },
+      true);
   EXPECT_TRUE(delivered);
   EXPECT_FALSE(task.isBusy());
 }

@@ -53,7 +53,7 @@ TEST_P(BackgroundExceptions, OfTheWorkAreTold) {
   Failures failures(task);
   bool delivered = false;
   task.start(
-      "reading the parts",
+      GLISSADE_TEXT("reading the parts"),
       [&](const WorkWatch&) -> BackgroundTask::Delivery {
         thrown().raise();
         return [&] { delivered = true; };
@@ -66,8 +66,8 @@ TEST_P(BackgroundExceptions, OfTheWorkAreTold) {
   EXPECT_FALSE(delivered);
   // The next work runs as usual.
   task.start(
-      "reading the parts", [&](const WorkWatch&) -> BackgroundTask::Delivery { return [&] { delivered = true; }; },
-      atOnce());
+      GLISSADE_TEXT("reading the parts"),
+      [&](const WorkWatch&) -> BackgroundTask::Delivery { return [&] { delivered = true; }; }, atOnce());
   EXPECT_TRUE(QTest::qWaitFor([&] { return delivered; }));
   EXPECT_EQ(failures.said().size(), 1U);
 }
@@ -76,8 +76,8 @@ TEST_P(BackgroundExceptions, OfTheDeliveryAreTold) {
   BackgroundTask task;
   Failures failures(task);
   task.start(
-      "reading the parts", [&](const WorkWatch&) -> BackgroundTask::Delivery { return [&] { thrown().raise(); }; },
-      atOnce());
+      GLISSADE_TEXT("reading the parts"),
+      [&](const WorkWatch&) -> BackgroundTask::Delivery { return [&] { thrown().raise(); }; }, atOnce());
   ASSERT_TRUE(failures.come());
   EXPECT_EQ(failures.said().front().kind, thrown().kind);
   EXPECT_FALSE(task.isBusy());
@@ -94,7 +94,7 @@ TEST_P(BackgroundExceptions, OfWorkThatIsCancelledAreNotTold) {
     return [] {};
   };
   if (atOnce()) GTEST_SKIP() << "what is done at once cannot be cancelled";
-  task.start("reading the parts", work, false);
+  task.start(GLISSADE_TEXT("reading the parts"), work, false);
   task.cancel();
   ASSERT_TRUE(QTest::qWaitFor([&] { return thrownNow.load(); }));
   QTest::qWait(20);
@@ -206,7 +206,7 @@ TEST_P(SessionExceptions, OfMakingASessionAreToldAndTheNextCallMakesIt) {
       SCOPED_TRACE(std::string(entry.first) + ", allocation " + std::to_string(first));
       {
         const FailingAllocation failing(Where::ThisThread, first);
-        (void)guarded("making a session", [&] { call(bridge); });
+        (void)guarded(GLISSADE_TEXT("making a session"), [&] { call(bridge); });
       }
       ASSERT_NE(bridge.snapshot(), nullptr);
       if (const auto why = bridge.snapshot()->problem) {

@@ -38,7 +38,7 @@ void BackgroundTask::end() {
   emit ended();
 }
 
-void BackgroundTask::start(const std::string& doing, const Work& work, bool atOnce) {
+void BackgroundTask::start(const Message& doing, const Work& work, bool atOnce) {
   cancel();
   collect();
   stop_ = StopSource();
@@ -51,7 +51,7 @@ void BackgroundTask::start(const std::string& doing, const Work& work, bool atOn
   deliver(doing, found);
 }
 
-void BackgroundTask::startWorker(const std::string& doing, const Work& work) {
+void BackgroundTask::startWorker(const Message& doing, const Work& work) {
   share_ = std::make_shared<std::atomic<double>>(0.0);
   busy_ = true;
   look_.start();
@@ -73,7 +73,7 @@ void BackgroundTask::startWorker(const std::string& doing, const Work& work) {
 
 /// Queues the call behind everything that the worker has announced before.
 void BackgroundTask::announceEnd() {
-  (void)guarded("announcing a result", [this] {
+  (void)guarded(GLISSADE_TEXT("announcing a result"), [this] {
     QMetaObject::invokeMethod(
         this, [this] { collect(); }, Qt::QueuedConnection);
   });
@@ -93,7 +93,7 @@ void BackgroundTask::collect() {
   }
 }
 
-void BackgroundTask::deliver(const std::string& doing, const Found& found) {
+void BackgroundTask::deliver(const Message& doing, const Found& found) {
   end();
   const auto why = found.problem ? found.problem : guarded(doing, found.delivery);
   if (why) emit failed(*why);

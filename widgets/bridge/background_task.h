@@ -31,7 +31,7 @@ class BackgroundTask final : public QObject {
 
   /// `doing` names the work in the diagnostic of an exception, for example "reading the parts". `atOnce`: the result is
   /// delivered before this function returns.
-  void start(const std::string& doing, const Work& work, bool atOnce);
+  void start(const Message& doing, const Work& work, bool atOnce);
   void cancel();
   bool isBusy() const { return busy_; }
 
@@ -51,16 +51,16 @@ class BackgroundTask final : public QObject {
   };
   struct Worker {
     std::uint64_t request = 0;
-    std::string doing;
+    Message doing;
     std::thread thread;
     Found found;  ///< belongs to the thread until `done`
     std::atomic<bool> done{false};
   };
 
-  void startWorker(const std::string& doing, const Work& work);
+  void startWorker(const Message& doing, const Work& work);
   void announceEnd();
   void collect();
-  void deliver(const std::string& doing, const Found& found);
+  void deliver(const Message& doing, const Found& found);
   void end();
 
   std::list<Worker> workers_;

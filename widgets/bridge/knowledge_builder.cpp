@@ -15,7 +15,7 @@ void KnowledgeBuilder::build(const Problem& problem, double requiredClearance, c
       }
     };
   };
-  task_.start("building the environment model", work, atOnce);
+  task_.start(GLISSADE_TEXT("building the environment model"), work, atOnce);
 }
 
 }  // namespace glissade

@@ -60,7 +60,7 @@ void ReplayRunner::run(const Problem& problem, const std::shared_ptr<const RunLo
     });
     return [] {};
   };
-  task_.start("replaying the recording", work, atOnce);
+  task_.start(GLISSADE_TEXT("replaying the recording"), work, atOnce);
 }
 
 }  // namespace glissade

@@ -193,7 +193,7 @@ void SequencePlanner::plan(const SequenceJob& job, bool atOnce) {
   const auto findJoints = [known = known_, job, stop = stop_] { return jointsOf(*known, job, stop.token()); };
   planning_ = true;
   task_.start(
-      "planning the sequence",
+      GLISSADE_TEXT("planning the sequence"),
       [this, job, stop = stop_, findFits, findJoints, announce](const WorkWatch& watch) -> BackgroundTask::Delivery {
         const auto found =
             std::make_shared<const Result<GrownPlan>>(planOf(job, watch, stop, findFits, findJoints, announce));
@@ -224,7 +224,7 @@ void SequencePlanner::judge(const ProductPtr& product, const PlanPtr& plan, cons
   drop();
   stop_ = StopSource();
   task_.start(
-      "checking the sequence",
+      GLISSADE_TEXT("checking the sequence"),
       [this, product, plan, said, stop = stop_.token()](const WorkWatch& watch) -> BackgroundTask::Delivery {
         const PlanCheck check = checkOf(*plan, *product, said, {stop, watch.progressed});
         if (stop.stopRequested()) return [] {};

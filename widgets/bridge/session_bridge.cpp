@@ -13,7 +13,7 @@ namespace {
 constexpr int kPaceMilliseconds = 16;
 constexpr std::uint64_t kStepsAtOnce = 4;
 /// The work that an exception is said to have interrupted.
-constexpr const char* kBeginning = "preparing the planner";
+constexpr CatalogueText kBeginning = GLISSADE_TEXT("preparing the planner");
 
 }  // namespace
 

@@ -51,7 +51,7 @@ void ArrangementQueue::beginNext() {
     const auto work = [this, load = makeLoad_(), asked = std::move(**scenario)](const WorkWatch& watch) {
       return [this, loaded = load(asked, watch.stop)] { take(loaded); };
     };
-    task_.start("arranging the product", work, atOnce_);
+    task_.start(GLISSADE_TEXT("arranging the product"), work, atOnce_);
     return;
   }
 }

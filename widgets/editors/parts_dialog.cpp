@@ -371,7 +371,7 @@ void PartsDialog::measureNext() {
       measureNext();
     };
   };
-  measuring_.start("reading the parts", measure, atOnce_);
+  measuring_.start(GLISSADE_TEXT("reading the parts"), measure, atOnce_);
 }
 
 /// Replaces the row of the file by one row for each of its parts.

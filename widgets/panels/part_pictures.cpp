@@ -157,7 +157,7 @@ void PartPictures::draw(const ProductPtr& product, int pixels, bool atOnce) {
   icons_ = std::move(known);
   if (open.empty()) return;
   task_.start(
-      "drawing the parts",
+      GLISSADE_TEXT("drawing the parts"),
       [this, open, pixels](const WorkWatch& watch) -> BackgroundTask::Delivery {
         const auto pictures = std::make_shared<std::map<Key, QImage>>();
         for (const auto& [key, body] : open) {

@@ -45,7 +45,7 @@ void HapticServo::place(const Pose& q) {
 
 void HapticServo::stop() noexcept {
   // If the device refuses this, too, its driver must stop the force by itself.
-  (void)guarded("stopping the haptic device", [this] { device_->render({}); });
+  (void)guarded(GLISSADE_TEXT("stopping the haptic device"), [this] { device_->render({}); });
 }
 
 Wrench HapticServo::environmentWrench(const Guidance& guidance, const Pose& X_WD, double dt) {

@@ -157,7 +157,7 @@ struct OmplPlanner::Engine {
 OmplPlanner::OmplPlanner(const Problem& problem, std::uint64_t seed, OmplAlgorithm algorithm, OmplManner manner) {
   nodes_.push_back({problem.start, Author::Computer, TreeSide::Start});
   counts_.nodes = 1;
-  guard("preparing OMPL's planner", [&] {
+  guard(GLISSADE_TEXT("preparing OMPL's planner"), [&] {
     engine_ = std::make_unique<Engine>(problem, seed, algorithm, manner);
     counts_.queries = engine_->world.queryCounts();
     if (engine_->goals.empty()) {
@@ -171,7 +171,7 @@ OmplPlanner::~OmplPlanner() = default;
 
 /// Runs `work` and turns an exception of OMPL into a failure of this planner. Other members of a portfolio go on.
 template <class Work>
-void OmplPlanner::guard(std::string_view doing, const Work& work) {
+void OmplPlanner::guard(CatalogueText doing, const Work& work) {
   auto why = guarded(doing, work);
   if (!why) return;
   why->advice = "Choose another planner.";
@@ -184,7 +184,7 @@ void OmplPlanner::fail(ErrorKind kind, const Message& reason, const Message& adv
 
 bool OmplPlanner::solve(PlannerHost& host) {
   while (owedSteps_ > 0 || (!path_ && !failure_)) {
-    if (owedSteps_ == 0) guard("planning with OMPL", [&] { grow(host); });
+    if (owedSteps_ == 0) guard(GLISSADE_TEXT("planning with OMPL"), [&] { grow(host); });
     if (owedSteps_ == 0) break;  // planning has failed
     // After a path is found, all steps of its piece are taken together, so that the end of the run does not depend on
     // where the piece is interrupted.
@@ -199,7 +199,7 @@ bool OmplPlanner::solve(PlannerHost& host) {
 }
 
 void OmplPlanner::completeRoadmap() {
-  guard("reading OMPL's roadmap", [this] {
+  guard(GLISSADE_TEXT("reading OMPL's roadmap"), [this] {
     if (engine_) collect();
   });
 }

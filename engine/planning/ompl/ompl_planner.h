@@ -59,7 +59,7 @@ class OmplPlanner final : public Planner {
   /// Appends the nodes and edges that OMPL's planner has grown since the last call.
   void collect();
   template <class Work>
-  void guard(std::string_view doing, const Work& work);
+  void guard(CatalogueText doing, const Work& work);
   void fail(ErrorKind kind, const Message& reason, const Message& advice);
 
   std::unique_ptr<Engine> engine_;  ///< null where OMPL could not be set up
