@@ -50,7 +50,7 @@ struct ParameterSpec {
   std::string_view key;     ///< key in scenario files, scripts and run records: "contact_distance"
   std::string_view option;  ///< option of the command line: "--contact-distance"
   std::string_view symbol;  ///< symbol in the paper: "d"; may be empty
-  std::string_view label;   ///< name in the window: "Contact distance"
+  CatalogueText label;      ///< name in the window: "Contact distance"
   std::string_view unit;    ///< unit: "", "m", "s", "1/s"
   double minimum;           ///< inclusive, in units of `scale`
   double maximum;           ///< inclusive, in units of `scale`
@@ -58,7 +58,7 @@ struct ParameterSpec {
   ParameterScale scale;
   bool integer;
   bool live;  ///< may change while a planner runs (a slider in the window)
-  std::string_view help;
+  CatalogueText help;
   bool roundDefault = false;  ///< the default is 1, 2 or 5 times a power of ten, at most defaultValue
 };
 

@@ -1,59 +1,58 @@
 #include "engine/check/condition.h"
 
 #include "engine/base/depth_text.h"
-#include "engine/base/quantity_text.h"
 
 namespace glissade::check {
 
 Condition clashIsAccepted(double depth) {
-  return {
-      "clashes up to " + depthInMillimetres(depth) + " are accepted (--accept-clashes " + depthAsOption(depth) + ")",
-      depth};
+  return {{GLISSADE_TEXT("clashes up to %1 are accepted (--accept-clashes %2)"), {Depth{depth}, depthAsOption(depth)}},
+          depth};
 }
 
 Condition hookBends(const std::string& hook, const std::string& edge, double bend) {
-  return {"the hook of '" + hook + "' in '" + edge + "' bends by " + inMillimetres(bend)};
+  return {{GLISSADE_TEXT("the hook of '%1' in '%2' bends by %3"), {hook, edge, Length{bend}}}};
 }
 
 Condition isFlexible(const std::string& body) {
-  return {"'" + body + "' is flexible, so that its motion needs no proof"};
+  return {{GLISSADE_TEXT("'%1' is flexible, so that its motion needs no proof"), {body}}};
 }
 
-Condition noJointsAreUsed() { return {"no joints are used"}; }
+Condition noJointsAreUsed() { return {GLISSADE_TEXT("no joints are used")}; }
 
 Condition comesApart(const std::string& body, const std::string& other) {
-  return {"the joint of '" + body + "' and '" + other + "' is dissolved or pressed out"};
+  return {{GLISSADE_TEXT("the joint of '%1' and '%2' is dissolved or pressed out"), {body, other}}};
 }
 
-Condition areOneUnit(const std::string& bodies) { return {bodies + " are one unit"}; }
+Condition areOneUnit(const Message& bodies) { return {{GLISSADE_TEXT("%1 are one unit"), {bodies}}}; }
 
-Condition areTheBase(const std::string& bodies) { return {bodies + " stay as the base"}; }
+Condition areTheBase(const Message& bodies) { return {{GLISSADE_TEXT("%1 stay as the base"), {bodies}}}; }
 
 Condition leavesBefore(const std::string& body, const std::string& other) {
-  return {"'" + body + "' may leave before '" + other + "', although the reverse is demanded"};
+  return {{GLISSADE_TEXT("'%1' may leave before '%2', although the reverse is demanded"), {body, other}}};
 }
 
 Condition leavesAs(const std::string& body, std::size_t number, std::size_t demanded) {
-  return {"'" + body + "' may leave as number " + std::to_string(number) + ", although it is demanded as number " +
-          std::to_string(demanded)};
+  return {{GLISSADE_TEXT("'%1' may leave as number %2, although it is demanded as number %3"),
+           {body, number, demanded}}};
 }
 
 Condition hasPitch(const std::string& body, const std::string& other, double pitch, double diameter) {
-  return {"the thread of '" + body + "' in '" + other + "' has a pitch of " + inMillimetres(pitch) +
-          ", which no standard thread of " + inMillimetres(diameter) + " has"};
+  return {{GLISSADE_TEXT("the thread of '%1' in '%2' has a pitch of %3, which no standard thread of %4 has"),
+           {body, other, Length{pitch}, Length{diameter}}}};
 }
 
 Condition hasOtherPitch(const std::string& body, const std::string& other, double pitch, double said) {
-  return {"the thread of '" + body + "' in '" + other + "' has a pitch of " + inMillimetres(pitch) +
-          ", although a person says " + inMillimetres(said)};
+  return {{GLISSADE_TEXT("the thread of '%1' in '%2' has a pitch of %3, although a person says %4"),
+           {body, other, Length{pitch}, Length{said}}}};
 }
 
 Condition isLeftHanded(const std::string& body, const std::string& other) {
-  return {"the thread of '" + body + "' in '" + other + "' is left-handed"};
+  return {{GLISSADE_TEXT("the thread of '%1' in '%2' is left-handed"), {body, other}}};
 }
 
 Condition isRightHanded(const std::string& body, const std::string& other) {
-  return {"the thread of '" + body + "' in '" + other + "' is right-handed, although a name says left-handed"};
+  return {{GLISSADE_TEXT("the thread of '%1' in '%2' is right-handed, although a name says left-handed"),
+           {body, other}}};
 }
 
 }  // namespace glissade::check

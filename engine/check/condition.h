@@ -1,12 +1,15 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
+
+#include "engine/base/message.h"
 
 namespace glissade::check {
 
 /// A statement of a plan that no scenario and no person confirms, and on which a verdict depends.
 struct Condition {
-  std::string text;            ///< text for people, to follow "valid only if"
+  Message text;                ///< text for people, to follow "valid only if"
   double acceptedClash = 0.0;  ///< metres: clashes up to this overlap are accepted; 0: another condition
 
   bool operator==(const Condition&) const = default;
@@ -19,8 +22,8 @@ Condition hookBends(const std::string& hook, const std::string& edge, double ben
 Condition isFlexible(const std::string& body);
 Condition noJointsAreUsed();
 Condition comesApart(const std::string& body, const std::string& other);
-Condition areOneUnit(const std::string& bodies);
-Condition areTheBase(const std::string& bodies);
+Condition areOneUnit(const Message& bodies);
+Condition areTheBase(const Message& bodies);
 Condition leavesBefore(const std::string& body, const std::string& other);
 /// `number`, `demanded`: places in the order of removal, from 1.
 Condition leavesAs(const std::string& body, std::size_t number, std::size_t demanded);

@@ -318,8 +318,8 @@ PairBounds boundsOf(const MeasuredBody& one, const MeasuredBody& other, const Fi
   return bounds;
 }
 
-std::string clashRefused(double depth) {
-  return "they overlap by " + depthInMillimetres(depth) + ", which is a clash that nobody accepted";
+Message clashRefused(double depth) {
+  return {GLISSADE_TEXT("they overlap by %1, which is a clash that nobody accepted"), {Depth{depth}}};
 }
 
 AllowanceBound larger(const AllowanceBound& a, const AllowanceBound& b) {
@@ -357,16 +357,16 @@ const SnapWord* FitWords::snapOf(const std::string& a, const std::string& b) con
   return found == snaps.end() ? nullptr : &*found;
 }
 
-std::string FitWords::partingOf(const std::string& a, const std::string& b) const {
-  if (partings.anyPair) return "a person uses no joints";
+Message FitWords::partingOf(const std::string& a, const std::string& b) const {
+  if (partings.anyPair) return GLISSADE_TEXT("a person uses no joints");
   const std::pair<std::string, std::string> pair = std::minmax(a, b);
   if (std::find(partings.pairs.begin(), partings.pairs.end(), pair) != partings.pairs.end()) {
-    return "a person has dissolved their joint, or has it pressed out";
+    return GLISSADE_TEXT("a person has dissolved their joint, or has it pressed out");
   }
   const PairWord* word = about(a, b);
   if (word == nullptr || word->isThread()) return {};
-  if (!word->kind.empty()) return "a person calls the pair '" + word->kind + "'";
-  return word->accepted ? "a person accepts their clash" : "";
+  if (!word->kind.empty()) return {GLISSADE_TEXT("a person calls the pair '%1'"), {word->kind}};
+  return word->accepted ? Message(GLISSADE_TEXT("a person accepts their clash")) : Message();
 }
 
 const PairWord* FitWords::about(const std::string& a, const std::string& b) const {

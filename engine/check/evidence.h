@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/message.h"
 #include "engine/base/stop_token.h"
 #include "engine/check/face_patches.h"
 #include "engine/check/overlap.h"
@@ -27,7 +28,7 @@ struct Evidence {
 };
 
 /// "they overlap by 1.2 mm, which is a clash that nobody accepted".
-std::string clashRefused(double depth);
+Message clashRefused(double depth);
 
 /// The largest allowance of a body against another one where the product is assembled. It uses no result of a planner.
 struct AllowanceBound {
@@ -58,7 +59,7 @@ struct PairBounds {
   bool isRefused = false;  ///< their overlap is a clash that nobody has accepted, and neither body is thinned
 
   /// The reason why neither body is thinned; empty if one is, or there is no clash.
-  std::string refused() const { return isRefused ? clashRefused(depth) : std::string(); }
+  Message refused() const { return isRefused ? clashRefused(depth) : Message(); }
 };
 
 /// Measurements of the faces of one body against another body.

@@ -25,7 +25,7 @@ JudgedMotion judgeMotion(const MotionQuestion& question, MotionBodies& prepared,
   std::vector<const TriangleMesh*> meshes{whole.get()};
   std::vector<Body> bodies{question.moving};
   for (const MotionPair& pair : question.pairs) {
-    if (watch.stop.stopRequested()) return {{}, "the check was stopped"};
+    if (watch.stop.stopRequested()) return {{}, GLISSADE_TEXT("the check was stopped")};
     const PairFit& fit = pair.fit;
     objects.push_back(placed(fit.hollowMoving ? fit.hollowMoving
                                               : prepared.taken(meshOf(question.moving, fit.meshOfMoving, fit.moving),
@@ -40,7 +40,7 @@ JudgedMotion judgeMotion(const MotionQuestion& question, MotionBodies& prepared,
   std::vector<MotionCheck::Against> against;
   std::vector<MotionCheck::Threaded> threads;
   for (std::size_t i = 0; i < question.pairs.size(); ++i) {
-    if (watch.stop.stopRequested()) return {{}, "the check was stopped"};
+    if (watch.stop.stopRequested()) return {{}, GLISSADE_TEXT("the check was stopped")};
     const MotionPair& pair = question.pairs[i];
     against.push_back({prepared.obstacle(others[i], pair.other->X_WB, scale), objects[i]});
     if (!pair.fit.thread) continue;
@@ -57,7 +57,7 @@ JudgedMotion judgeMotion(const MotionQuestion& question, MotionBodies& prepared,
   if (verdict.status == Status::Undecided) {
     const std::size_t end = std::min(edge + 1, question.path.size() - 1);
     judged.why = watch.stop.stopRequested()
-                     ? "the check was stopped"
+                     ? GLISSADE_TEXT("the check was stopped")
                      : check.whyUndecided(question.path[edge], question.path[end], question.demands[edge].clearance);
   }
   const auto named = [&](int& body) {

@@ -30,8 +30,8 @@ std::set<std::size_t> predecessorsOf(std::size_t number, const std::vector<std::
 void checkProof(NumberedStep& numbered) {
   const Step& step = *numbered.step;
   if (step.certified == !step.flexible) return;
-  numbered.wrong.emplace_back(step.certified ? "it is of a flexible body, and says that it is certified"
-                                             : "it says that it is not certified, and its body is not flexible");
+  numbered.wrong.emplace_back(step.certified ? GLISSADE_TEXT("it is of a flexible body, and says that it is certified")
+                                             : GLISSADE_TEXT("it says that it is not certified, and its body is not flexible"));
 }
 
 void numberBodies(const Product& product, const StepList& list, Present& left, NumberedStep& numbered) {
@@ -50,7 +50,7 @@ void numberBodies(const Product& product, const StepList& list, Present& left, N
     left[index] = true;
     numbered.group.push_back(index);
   }
-  if (numbered.step->bodies.empty()) numbered.wrong.emplace_back("it moves no body");
+  if (numbered.step->bodies.empty()) numbered.wrong.emplace_back(GLISSADE_TEXT("it moves no body"));
   checkProof(numbered);
   std::sort(numbered.group.begin(), numbered.group.end());
 }

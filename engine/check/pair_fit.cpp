@@ -48,7 +48,7 @@ void refuseOff(const StatedAllowance& stated, PairWork& work) {
   if (stated.allowance <= 0.0) return;
   AppliedAllowance& allowance = work.add(stated.yields, 0.0);
   allowance.stated = stated.allowance;
-  work.fit.refusals.push_back(allowanceRefused(allowance, "fits are off: every pair has to keep its clearance"));
+  work.fit.refusals.push_back(allowanceRefused(allowance, GLISSADE_TEXT("fits are off: every pair has to keep its clearance")));
 }
 
 void apply(const StatedAllowance& stated, PairWork& work) {
@@ -59,7 +59,7 @@ void apply(const StatedAllowance& stated, PairWork& work) {
   allowance.stated = stated.allowance;
   const double enough = bound.most + std::max(kEstimateAtLeast, kEstimate * bound.most);
   if (stated.allowance <= (bound.most > 0.0 ? enough : 0.0)) return;
-  const std::string why = bound.isClash ? clashRefused(work.bounds.depth) : bound.inFit ? "" : "they are apart";
+  const std::string why = bound.isClash ? clashRefused(work.bounds.depth) : bound.inFit ? "" : GLISSADE_TEXT("they are apart");
   work.fit.refusals.push_back(allowanceRefused(allowance, why));
 }
 

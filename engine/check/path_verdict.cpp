@@ -68,7 +68,7 @@ void judgeForbidden(const Question& question, const std::vector<Pose>& path, Pat
     verdict.forbiddenMargin = tolerance::kForbiddenMargin * radiusAboutOrigin(*question.object().mesh);
     verdict.forbidden = firstForbidden(path, question.forbidden, verdict.forbiddenMargin);
   } else if (question.product.forbidsPlaces) {
-    verdict.refusals.push_back("the scenario forbids places, and where they are is not known");
+    verdict.refusals.push_back(GLISSADE_TEXT("the scenario forbids places, and where they are is not known"));
   }
 }
 

@@ -29,7 +29,7 @@ void compareBodies(const Product& product, const Plan& plan, std::vector<std::st
 void compareNumber(const char* what, const std::optional<std::uint64_t>& claimed, std::size_t found,
                    std::vector<std::string>& wrong) {
   if (!claimed || *claimed == found) return;
-  wrong.push_back(std::string("the plan states \"") + what + "\": " + std::to_string(*claimed) + ", and there are " +
+  wrong.push_back(std::string(GLISSADE_TEXT("the plan states \"")) + what + "\": " + std::to_string(*claimed) + ", and there are " +
                   std::to_string(found));
 }
 
@@ -71,12 +71,12 @@ std::vector<std::string> wrongClaims(const Product& product, const Plan& plan, s
   compareNumber("removed", plan.removed, removed, wrong);
   compareNumber("apart", plan.apart, apart, wrong);
   const bool proved = areCertified(plan.steps) && areCertified(plan.lines);
-  if (plan.certified && !*plan.certified && proved) wrong.emplace_back("the plan states that it is not certified");
+  if (plan.certified && !*plan.certified && proved) wrong.emplace_back(GLISSADE_TEXT("the plan states that it is not certified"));
   if (plan.certified && *plan.certified && !proved) {
-    wrong.emplace_back("the plan states that it is certified, and a step says that it is not");
+    wrong.emplace_back(GLISSADE_TEXT("the plan states that it is certified, and a step says that it is not"));
   }
   if (plan.end == "complete" && parts == 0) {
-    wrong.emplace_back("the plan is called complete, and all of its bodies stay: nothing is taken apart");
+    wrong.emplace_back(GLISSADE_TEXT("the plan is called complete, and all of its bodies stay: nothing is taken apart"));
   } else if (plan.end == "complete" && removed < parts) {
     wrong.push_back("the plan is called complete, and " + std::to_string(parts - removed) + " of " +
                     std::to_string(parts) + " parts have no step");

@@ -91,7 +91,7 @@ BrokenDemands brokenDemands(const Step& step, const Group& group, const Present&
         std::any_of(together.begin(), together.end(), [&](std::size_t body) { return contains(group, body); });
     const bool all = std::all_of(together.begin(), together.end(),
                                  [&](std::size_t body) { return contains(group, body) || !there[body]; });
-    if (some && !all) refuse("it is demanded to leave together with others, which stay behind");
+    if (some && !all) refuse(GLISSADE_TEXT("it is demanded to leave together with others, which stay behind"));
   }
   for (const Demands::Place& demanded : demands.places) {
     if (bodiesOf(demanded.bodies, product) != group || demanded.place == number) continue;
@@ -104,7 +104,7 @@ BrokenDemands brokenDemands(const Step& step, const Group& group, const Present&
   }
   for (const Demands::Motion& demanded : demands.motions) {
     if (bodiesOf(demanded.bodies, product) != group) continue;
-    if (!isSameMotion(demanded.path, step.path)) refuse("another motion is demanded of it");
+    if (!isSameMotion(demanded.path, step.path)) refuse(GLISSADE_TEXT("another motion is demanded of it"));
   }
   return broken;
 }

@@ -48,7 +48,7 @@ std::vector<std::string> wrongLine(const Line& line, const std::vector<Step>& ab
   if (std::set<std::string>(group.begin(), group.end()) !=
           std::set<std::string>(line.bodies.begin(), line.bodies.end()) ||
       group.size() != line.bodies.size()) {
-    wrong.emplace_back("its bodies are not those of its step");
+    wrong.emplace_back(GLISSADE_TEXT("its bodies are not those of its step"));
   }
   for (const std::string& id : line.staying) {
     if (std::find(group.begin(), group.end(), id) != group.end()) continue;
@@ -66,7 +66,7 @@ void addLines(const std::vector<Line>& lines, const std::vector<Step>& above, co
     numbers.push_back(line.step);
     JudgedList list{numberedSteps(product, {line.steps, line.staying, presentOnly(line.bodies, product)}),
                     {numbers, {}, wrongLine(line, above), stepNumber(line.step - 1, above.size(), parent.group)}};
-    if (!known.insert(line.step).second) list.verdict.refusals.emplace_back("its step has another line");
+    if (!known.insert(line.step).second) list.verdict.refusals.emplace_back(GLISSADE_TEXT("its step has another line"));
     const LineVerdict own{numbers, {}, {}, list.verdict.group};
     lists.push_back(std::move(list));
     if (numbers.size() < kMostDepth) addLines(line.lines, line.steps, own, product, lists);

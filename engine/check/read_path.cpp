@@ -52,11 +52,11 @@ class ColumnReader {
       if (columns.empty()) continue;
       const auto point = pointIn(columns);
       if (!point) return point.error();
-      if (path.points.size() == kMostLines) return wrong("is one configuration too many");
+      if (path.points.size() == kMostLines) return wrong(GLISSADE_TEXT("is one configuration too many"));
       path.points.push_back(*point);
     }
     if (path.points.empty()) {
-      return Diagnostic{ErrorKind::MalformedInput, file_, "", "holds no configuration", "Give a path."};
+      return Diagnostic{ErrorKind::MalformedInput, file_, "", GLISSADE_TEXT("holds no configuration"), GLISSADE_TEXT("Give a path.")};
     }
     return path;
   }
@@ -64,8 +64,8 @@ class ColumnReader {
  private:
   Diagnostic wrong(const Message& reason) const {
     return {ErrorKind::MalformedInput, file_, "line " + std::to_string(line_), reason,
-            csv_ ? std::string("Each line holds ") + kHeader + "."
-                 : "Each line holds x y z qx qy qz qw; a CSV begins with its header."};
+            csv_ ? std::string(GLISSADE_TEXT("Each line holds ")) + kHeader + "."
+                 : GLISSADE_TEXT("Each line holds x y z qx qy qz qw; a CSV begins with its header.")};
   }
 
   Result<Point> pointIn(const std::vector<std::string>& columns) const {
@@ -84,7 +84,7 @@ class ColumnReader {
     point.q.position = {values[0], values[1], values[2]};
     point.q.orientation = Quaternion(values[6], values[3], values[4], values[5]);
     if (std::abs(point.q.orientation.norm() - 1.0) > tolerance::kQuaternionNorm) {
-      return wrong("has an orientation that is not a unit quaternion");
+      return wrong(GLISSADE_TEXT("has an orientation that is not a unit quaternion"));
     }
     if (!csv_) return point;
     const std::string& author = columns[11];
@@ -106,8 +106,8 @@ Result<Path> pathInJson(const std::string& text, const std::string& file) {
   const ChecksumState checksum = takeChecksum(*document);
   try {
     const JsonCursor root(*document, file, "");
-    if (root.at("format").text() != kPathFormat) root.at("format").fail("is not \"glissade-path\"");
-    if (root.at("version").wholeNumber() != 1) root.at("version").fail("is not 1", "Use a newer Glissade.");
+    if (root.at("format").text() != kPathFormat) root.at("format").fail(GLISSADE_TEXT("is not \"glissade-path\""));
+    if (root.at("version").wholeNumber() != 1) root.at("version").fail(GLISSADE_TEXT("is not 1"), GLISSADE_TEXT("Use a newer Glissade."));
     Path path{readPoints(root.at("configurations")), std::vector<StatedAllowance>()};
     auto allowances = root.find("allowances");
     if (const auto certificate = root.find("certificate"); certificate && !allowances) {
@@ -115,7 +115,7 @@ Result<Path> pathInJson(const std::string& text, const std::string& file) {
     }
     if (allowances) path.allowances = readAllowances(*allowances);
     if (checksum == ChecksumState::Wrong) {
-      return wrongChecksum(file, "Plan again. To check an edited path, remove its checksum.");
+      return wrongChecksum(file, GLISSADE_TEXT("Plan again. To check an edited path, remove its checksum."));
     }
     return path;
   } catch (const JsonError& error) {
@@ -130,8 +130,8 @@ Result<Path> readPath(const std::string& file) {
   if (!text) return text.error();
   const std::string ending = endingOf(file);
   if (ending == "glb" || ending == "gltf" || ending == "obj" || text->rfind("glTF", 0) == 0) {
-    return Diagnostic{ErrorKind::MalformedInput, file, "", "is in a format that can only be written",
-                      "Give the path as CSV, JSON or OMPL's columns."};
+    return Diagnostic{ErrorKind::MalformedInput, file, "", GLISSADE_TEXT("is in a format that can only be written"),
+                      GLISSADE_TEXT("Give the path as CSV, JSON or OMPL's columns.")};
   }
   const std::size_t first = text->find_first_not_of(" \t\r\n");
   if (first != std::string::npos && (*text)[first] == '{') return pathInJson(*text, file);

@@ -22,7 +22,7 @@ std::vector<std::string> textsOf(const JsonCursor& at) {
 /// A length in metres, at least 0.
 double lengthAt(const JsonCursor& at) {
   const double value = at.coordinate();
-  if (value < 0.0) at.fail("is below zero");
+  if (value < 0.0) at.fail(GLISSADE_TEXT("is below zero"));
   return value;
 }
 
@@ -125,15 +125,15 @@ Plan planIn(const JsonCursor& at) {
   at.allowOnly({"format", "version", "program",  "product", "strategy",  "seed",   "deflection_m",
                 "parts",  "removed", "apart",    "end",     "certified", "bodies", "staying",
                 "steps",  "stuck",   "refusals", "waiting", "sequence",  "lines"});
-  if (at.at("format").text() != kPlanFormatName) at.at("format").fail("is not \"glissade-plan\"");
-  if (at.at("version").wholeNumber() != 1) at.at("version").fail("is not 1", "Use a newer Glissade.");
+  if (at.at("format").text() != kPlanFormatName) at.at("format").fail(GLISSADE_TEXT("is not \"glissade-plan\""));
+  if (at.at("version").wholeNumber() != 1) at.at("version").fail(GLISSADE_TEXT("is not 1"), GLISSADE_TEXT("Use a newer Glissade."));
   Plan plan;
   plan.bodies = textsOf(at.at("bodies"));
   plan.staying = textsOf(at.at("staying"));
   plan.end = at.at("end").text();
   constexpr std::array<const char*, 4> kEnds{"complete", "stuck", "time_limit", "interrupted"};
   if (std::find(kEnds.begin(), kEnds.end(), plan.end) == kEnds.end()) {
-    at.at("end").fail("is not complete, stuck, time_limit or interrupted");
+    at.at("end").fail(GLISSADE_TEXT("is not complete, stuck, time_limit or interrupted"));
   }
   if (const auto demands = at.find("sequence")) {
     plan.demands = readDemands(*demands);
@@ -145,7 +145,7 @@ Plan planIn(const JsonCursor& at) {
   }
   if (const auto deflection = at.find("deflection_m")) plan.deflection = deflection->number();
   if (plan.deflection != 0.0 && !limits::isSize(plan.deflection)) {
-    at.at("deflection_m").fail("is neither 0 nor a size from 1e-12 to 1e9 m");
+    at.at("deflection_m").fail(GLISSADE_TEXT("is neither 0 nor a size from 1e-12 to 1e9 m"));
   }
   if (const auto parts = at.find("parts")) plan.parts = parts->wholeNumber();
   if (const auto removed = at.find("removed")) plan.removed = removed->wholeNumber();
@@ -167,7 +167,7 @@ Result<Plan> readPlan(const std::string& file) {
   try {
     Plan plan = planIn(JsonCursor(*document, file, ""));
     if (checksum == ChecksumState::Wrong) {
-      return wrongChecksum(file, "Plan again. To use an edited plan, remove its checksum.");
+      return wrongChecksum(file, GLISSADE_TEXT("Plan again. To use an edited plan, remove its checksum."));
     }
     return plan;
   } catch (const JsonError& error) {

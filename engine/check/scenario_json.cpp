@@ -23,7 +23,7 @@ Asset readAsset(const JsonCursor& at) {
   if (const auto hash = at.find("sha256")) asset.sha256 = hash->text();
   if (const auto unit = at.find("unit")) asset.unit = unit->length();
   if (const auto up = at.find("up_axis")) {
-    if (up->text() != "y" && up->text() != "z") up->fail("is neither \"y\" nor \"z\"");
+    if (up->text() != "y" && up->text() != "z") up->fail(GLISSADE_TEXT("is neither \"y\" nor \"z\""));
     asset.up = up->text() == "y" ? UpAxis::Y : UpAxis::Z;
   }
   if (const auto deflection = at.find("deflection")) asset.deflection = deflection->length();
@@ -32,7 +32,7 @@ Asset readAsset(const JsonCursor& at) {
 }
 
 Geometry readShape(const JsonCursor& at, const std::set<std::string>& assets) {
-  if (at.json().size() != 1) at.fail("does not name exactly one shape");
+  if (at.json().size() != 1) at.fail(GLISSADE_TEXT("does not name exactly one shape"));
   const auto asset = [&](const JsonCursor& name) {
     if (assets.count(name.text()) == 0) name.fail("names the asset '" + name.text() + "', which is not in /assets");
     return name.text();
@@ -47,7 +47,7 @@ Geometry readShape(const JsonCursor& at, const std::set<std::string>& assets) {
                         step->has("as_one") && step->at("as_one").boolean()};
   }
   if (const auto box = at.find("box")) {
-    if (!limits::isSize(readVector(*box).minCoeff())) box->fail("has a size that is not above zero, or below 1e-12 m");
+    if (!limits::isSize(readVector(*box).minCoeff())) box->fail(GLISSADE_TEXT("has a size that is not above zero, or below 1e-12 m"));
     return BoxGeometry{readVector(*box)};
   }
   if (const auto cylinder = at.find("cylinder")) {
@@ -79,28 +79,28 @@ bool saysThatItStays(const JsonCursor& body) {
 PairWord readPair(const JsonCursor& at) {
   at.allowOnly({"a", "b", "kind", "allowance", "accepted", "pitch_m", "turned"});
   PairWord word{at.at("a").nonEmptyText(), at.at("b").nonEmptyText()};
-  if (word.a == word.b) at.at("b").fail("is the same body as 'a'");
+  if (word.a == word.b) at.at("b").fail(GLISSADE_TEXT("is the same body as 'a'"));
   if (const auto kind = at.find("kind")) {
     constexpr std::array<const char*, 7> kKinds{"planar",  "cylindrical", "thread", "press",
                                                 "overlap", "contact",     "clash"};
     word.kind = kind->text();
-    if (std::find(kKinds.begin(), kKinds.end(), word.kind) == kKinds.end()) kind->fail("is not a kind of fit");
+    if (std::find(kKinds.begin(), kKinds.end(), word.kind) == kKinds.end()) kind->fail(GLISSADE_TEXT("is not a kind of fit"));
   }
   if (const auto allowance = at.find("allowance")) {
     word.allowance = allowance->coordinate();
-    if (*word.allowance < 0.0) allowance->fail("is below zero", "Give metres, 0 or more.");
+    if (*word.allowance < 0.0) allowance->fail(GLISSADE_TEXT("is below zero"), GLISSADE_TEXT("Give metres, 0 or more."));
   }
   if (const auto accepted = at.find("accepted")) word.accepted = accepted->boolean();
   if (const auto pitch = at.find("pitch_m")) {
     word.pitch = pitch->number();
     const double size = std::abs(*word.pitch);
     if (!(size >= kLeastStatedPitch && size <= kMostStatedPitch)) {
-      pitch->fail("is not a pitch", "Give metres a turn, from 0.00001 to 1; below zero for a left-handed thread.");
+      pitch->fail(GLISSADE_TEXT("is not a pitch"), GLISSADE_TEXT("Give metres a turn, from 0.00001 to 1; below zero for a left-handed thread."));
     }
   }
   if (const auto turned = at.find("turned")) {
     word.turned = turned->text();
-    if (word.turned != word.a && word.turned != word.b) turned->fail("is neither of the two bodies");
+    if (word.turned != word.a && word.turned != word.b) turned->fail(GLISSADE_TEXT("is neither of the two bodies"));
   }
   return word;
 }
@@ -108,11 +108,11 @@ PairWord readPair(const JsonCursor& at) {
 FitWords readFitWords(const JsonCursor& at) {
   FitWords fits;
   const std::string mode = at.at("mode").text();
-  if (mode != "on" && mode != "off") at.at("mode").fail("is neither \"on\" nor \"off\"");
+  if (mode != "on" && mode != "off") at.at("mode").fail(GLISSADE_TEXT("is neither \"on\" nor \"off\""));
   fits.on = mode == "on";
   if (const auto clash = at.find("accept_clashes")) {
     fits.acceptedClash = clash->coordinate();
-    if (fits.acceptedClash < 0.0) clash->fail("is below zero", "Give metres, 0 or more.");
+    if (fits.acceptedClash < 0.0) clash->fail(GLISSADE_TEXT("is below zero"), GLISSADE_TEXT("Give metres, 0 or more."));
   }
   const auto cut = at.find("cut");
   for (std::size_t i = 0; cut && i < cut->sizeUpTo(limits::kMostBodies); ++i) {
@@ -122,7 +122,7 @@ FitWords readFitWords(const JsonCursor& at) {
   for (std::size_t i = 0; pairs && i < pairs->sizeUpTo(limits::kMostBodies); ++i) {
     const PairWord word = readPair(pairs->element(i));
     if (fits.about(word.a, word.b) != nullptr) {
-      pairs->element(i).fail("is about a pair that was there before", "Remove one.");
+      pairs->element(i).fail(GLISSADE_TEXT("is about a pair that was there before"), GLISSADE_TEXT("Remove one."));
     }
     fits.pairs.push_back(word);
   }
@@ -148,13 +148,13 @@ ForbiddenRegion readForbidden(const JsonCursor& at) {
   const JsonCursor boxes = at.at("boxes");
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const JsonCursor box = boxes.element(i);
-    if (box.size() != 6) box.fail("is not six numbers");
+    if (box.size() != 6) box.fail(GLISSADE_TEXT("is not six numbers"));
     const auto corner = [&](std::size_t first) {
       return Vector3(box.element(first).coordinate(), box.element(first + 1).coordinate(),
                      box.element(first + 2).coordinate());
     };
     region.boxes.emplace_back(corner(0), corner(3));
-    if (region.boxes.back().isEmpty()) box.fail("has a minimum above its maximum");
+    if (region.boxes.back().isEmpty()) box.fail(GLISSADE_TEXT("has a minimum above its maximum"));
   }
   return region;
 }
@@ -166,8 +166,8 @@ bool forbids(const JsonCursor& edit) {
 }
 
 void readFormat(const JsonCursor& root) {
-  if (root.at("format").text() != "glissade-scenario") root.at("format").fail("is not \"glissade-scenario\"");
-  if (root.at("version").wholeNumber() != 1) root.at("version").fail("is not 1", "Use a newer Glissade.");
+  if (root.at("format").text() != "glissade-scenario") root.at("format").fail(GLISSADE_TEXT("is not \"glissade-scenario\""));
+  if (root.at("version").wholeNumber() != 1) root.at("version").fail(GLISSADE_TEXT("is not 1"), GLISSADE_TEXT("Use a newer Glissade."));
 }
 
 }  // namespace
@@ -183,7 +183,7 @@ StatedScenario readStatedScenario(const JsonCursor& root) {
   }
   std::set<std::string> ids;
   const auto addId = [&](const std::string& id, const JsonCursor& at) {
-    if (id.find('/') != std::string::npos) at.at("id").fail("holds a '/'", "Leave it out.");
+    if (id.find('/') != std::string::npos) at.at("id").fail(GLISSADE_TEXT("holds a '/'"), GLISSADE_TEXT("Leave it out."));
     if (!ids.insert(id).second) at.at("id").fail("has the id '" + id + "' a second time");
   };
   std::vector<std::string> staying;
@@ -207,13 +207,13 @@ StatedScenario readStatedScenario(const JsonCursor& root) {
   scenario.start = readPose(root.at("start"));
   const JsonCursor goal = root.at("goal");
   if (!goal.isString()) scenario.goal = readPose(goal);
-  if (goal.isString() && goal.text() != "out") goal.fail("is neither a configuration nor \"out\"");
+  if (goal.isString() && goal.text() != "out") goal.fail(GLISSADE_TEXT("is neither a configuration nor \"out\""));
   const JsonCursor workspace = root.at("workspace");
   scenario.workspace = Box3(readVector(workspace.at("min")), readVector(workspace.at("max")));
   if (const auto parameters = root.find("parameters")) {
     for (const auto& item : parameters->json().items()) {
       const auto id = parameterByKey(item.key());
-      if (!id) parameters->at(item.key()).fail("is not a parameter");
+      if (!id) parameters->at(item.key()).fail(GLISSADE_TEXT("is not a parameter"));
       scenario.parameters[*id] = parameters->at(item.key()).number();
     }
   }

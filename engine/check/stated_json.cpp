@@ -12,7 +12,7 @@ constexpr std::size_t kMostPoints = 5'000'000;
 
 double metres(const JsonCursor& at) {
   const double value = at.coordinate();
-  if (value < 0.0) at.fail("is below zero");
+  if (value < 0.0) at.fail(GLISSADE_TEXT("is below zero"));
   return value;
 }
 
@@ -31,7 +31,7 @@ std::vector<SnapWord> bendsIn(const JsonCursor& joint) {
   const auto others = joint.find("others");
   if (!bend || !direction || !others || metres(*bend) == 0.0) return snaps;
   const Vector3 way = readVector(*direction);
-  if (!(way.norm() > 0.0)) direction->fail("has no direction");
+  if (!(way.norm() > 0.0)) direction->fail(GLISSADE_TEXT("has no direction"));
   for (const std::string& edge : readTexts(*others)) {
     snaps.push_back({joint.at("body").nonEmptyText(), edge, metres(*bend), way.normalized()});
   }
@@ -67,7 +67,7 @@ StatedThread readThread(const JsonCursor& at) {
   StatedThread thread;
   thread.point = readVector(at.at("point_m"));
   thread.direction = readVector(at.at("direction"));
-  if (!(thread.direction.norm() > 0.0)) at.at("direction").fail("has no direction");
+  if (!(thread.direction.norm() > 0.0)) at.at("direction").fail(GLISSADE_TEXT("has no direction"));
   thread.pitch = at.at("pitch_m").coordinate();
   thread.radiusMoving = at.at("radius_moving_m").length();
   thread.radiusOther = at.at("radius_other_m").length();
@@ -105,11 +105,11 @@ std::vector<Point> readPoints(const JsonCursor& at) {
                                 {"orientation", point.at("orientation").json()}};
     const std::string author = point.at("author").text();
     if (author != "computer" && author != "operator" && author != "contact") {
-      point.at("author").fail("is not computer, operator or contact");
+      point.at("author").fail(GLISSADE_TEXT("is not computer, operator or contact"));
     }
     points.push_back({readPose(JsonCursor(pose, at.file(), point.pointer())), author == "contact"});
   }
-  if (points.empty()) at.fail("is empty", "Give a path.");
+  if (points.empty()) at.fail(GLISSADE_TEXT("is empty"), GLISSADE_TEXT("Give a path."));
   return points;
 }
 
@@ -179,7 +179,7 @@ Demands readDemands(const JsonCursor& at) {
   each("together", [&](const JsonCursor& names) { demands.together.push_back(readTexts(names)); });
   each("before", [&](const JsonCursor& names) {
     const std::vector<std::string> pair = readTexts(names);
-    if (pair.size() != 2) names.fail("is not two names");
+    if (pair.size() != 2) names.fail(GLISSADE_TEXT("is not two names"));
     demands.before.emplace_back(pair[0], pair[1]);
   });
   each("places", [&](const JsonCursor& place) {
@@ -193,7 +193,7 @@ Demands readDemands(const JsonCursor& at) {
   });
   each("forbidden", [&](const JsonCursor& direction) {
     const Vector3 way = readVector(direction.at("direction"));
-    if (!(way.norm() > 0.0)) direction.at("direction").fail("has no direction");
+    if (!(way.norm() > 0.0)) direction.at("direction").fail(GLISSADE_TEXT("has no direction"));
     demands.forbidden.emplace_back(direction.at("body").nonEmptyText(), way);
   });
   if (const auto stay = at.find("stay")) demands.stay = readTexts(*stay);

@@ -54,15 +54,15 @@ void takeCore(const std::vector<StatedAllowance>& stated, PairWork& work) {
     if (work.fit.applied.empty()) work.add(claim.yields, 0.0).stated = claim.allowance;
     work.fit.refusals.push_back(allowanceRefused(work.fit.applied.front(), toString(reason)));
   };
-  if (stated.size() > 1 || !claim.core) return refuse("a thread is taken away of one body of a pair, and nothing else");
+  if (stated.size() > 1 || !claim.core) return refuse(GLISSADE_TEXT("a thread is taken away of one body of a pair, and nothing else"));
   if (work.word != nullptr && !work.word->kind.empty() && !work.word->isThread())
-    return refuse("a person says that the pair is no thread");
+    return refuse(GLISSADE_TEXT("a person says that the pair is no thread"));
   Thread thread = threadOf(*claim.core);
   thread.movingIsShaft = !claim.yields;
   Result<ThreadCore> core = findCore(work, thread);
   if (!core) return refuse(core.error().reason);
   double& hole = thread.movingIsShaft ? thread.radiusOther : thread.radiusMoving;
-  if (std::abs(hole - core->hole) > kSameRadius) return refuse("the hole is not as narrow as the file states");
+  if (std::abs(hole - core->hole) > kSameRadius) return refuse(GLISSADE_TEXT("the hole is not as narrow as the file states"));
   hole = core->hole;
   takeTouching(thread, *core, work);
   AppliedAllowance& allowance = work.add(claim.yields, core->depth());
@@ -73,7 +73,7 @@ void takeCore(const std::vector<StatedAllowance>& stated, PairWork& work) {
   work.heedWord(thread, thread.pitch);
   allowance.thread = work.fit.thread = thread;
   work.fit.core = inFrame(inverse(claim.yields ? work.question.other.X_WB : thread.assembled), *core);
-  if (claim.allowance > (1.0 + kEstimate) * core->depth()) refuse("its thread is not so deep");
+  if (claim.allowance > (1.0 + kEstimate) * core->depth()) refuse(GLISSADE_TEXT("its thread is not so deep"));
 }
 
 }  // namespace glissade::check

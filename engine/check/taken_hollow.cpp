@@ -38,8 +38,8 @@ Overlapping deepestEnd(const PairWork& work) {
 /// The reason why the body that the file cuts may not be cut; empty if it may.
 std::string wrongCut(Cut cut, bool yields, const PairWork& work) {
   switch (cut) {
-    case Cut::NotClear: return "which of the two is cut is not clear, and no person names it";
-    case Cut::NotWhole: return "what would be left of it is not one piece as before";
+    case Cut::NotClear: return GLISSADE_TEXT("which of the two is cut is not clear, and no person names it");
+    case Cut::NotWhole: return GLISSADE_TEXT("what would be left of it is not one piece as before");
     case Cut::One: return yields ? "'" + work.question.moving.name + "' is the one that is cut" : "";
     case Cut::Other: return yields ? "" : "'" + work.question.other.name + "' is the one that is cut";
   }
@@ -89,13 +89,13 @@ void takeHollow(const std::vector<StatedAllowance>& stated, PairWork& work) {
     work.fit.refusals.push_back(allowanceRefused(claimed, reason));
   };
   if (stated.size() != 2 || guest.hollow || host.yields == guest.yields || host.core || host.thread || guest.thread)
-    return refuse(host, "what overlaps is taken away of one body of a pair, and the other one is taken thinner");
-  if (work.word != nullptr && work.word->isThread()) return refuse(host, "a person says that the pair is a thread");
+    return refuse(host, GLISSADE_TEXT("what overlaps is taken away of one body of a pair, and the other one is taken thinner"));
+  if (work.word != nullptr && work.word->isThread()) return refuse(host, GLISSADE_TEXT("a person says that the pair is a thread"));
   work.findBounds(work.word);
   work.fit = {};
   const Overlapping at = deepestEnd(work);
   work.fit.depth = at.depth;
-  if (at.depth <= 0.0) return refuse(host, "no overlap with the other one can be taken away of it");
+  if (at.depth <= 0.0) return refuse(host, GLISSADE_TEXT("no overlap with the other one can be taken away of it"));
   if (!work.fits.accepts(work.word, at.depth)) {
     work.fit.inSolid = screwOf(work, host.yields);
     if (!work.fit.inSolid) return refuse(host, clashRefused(at.depth));
@@ -108,7 +108,7 @@ void takeHollow(const std::vector<StatedAllowance>& stated, PairWork& work) {
     if (!wrong.empty()) return refuse(host, wrong);
   }
   const MeshPtr hollow = work.bodies.hollowOf(host.yields ? other : moving, host.yields ? moving : other, work.stop);
-  if (!hollow) return refuse(host, "no overlap with the other one can be taken away of it");
+  if (!hollow) return refuse(host, GLISSADE_TEXT("no overlap with the other one can be taken away of it"));
   (host.yields ? work.fit.hollowOther : work.fit.hollowMoving) = hollow;
   work.fit.acceptedClash = !work.fit.inSolid && isClash(work);
   AppliedAllowance& ofHost = work.add(host.yields, at.depth);

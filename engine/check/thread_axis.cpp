@@ -60,8 +60,8 @@ Result<Thread> threadAxis(const PlacedBody& moving, const PlacedBody& other,
              (face.point - thread.point).cross(thread.axis).norm() <= kOnCylinder;
     });
     if (thread.axis.allFinite() && thread.axis.norm() > 0.5 && shareSpan(moving, other, thread)) return thread;
-    return noThread("the axis that the file states for the thread is not one that the meshes of both bodies show",
-                    "Plan again.");
+    return noThread(GLISSADE_TEXT("the axis that the file states for the thread is not one that the meshes of both bodies show"),
+                    GLISSADE_TEXT("Plan again."));
   }
   std::optional<Thread> best;
   double least = std::numeric_limits<double>::infinity();
@@ -84,8 +84,8 @@ Result<Thread> threadAxis(const PlacedBody& moving, const PlacedBody& other,
     }
   }
   if (best) return *best;
-  return noThread("a person calls the pair a thread, but no shaft of the one is on the axis of a hole of the other",
-                  "Give the pair another kind.");
+  return noThread(GLISSADE_TEXT("a person calls the pair a thread, but no shaft of the one is on the axis of a hole of the other"),
+                  GLISSADE_TEXT("Give the pair another kind."));
 }
 
 std::string wrongPitch(const Thread& thread) {

@@ -98,7 +98,7 @@ std::vector<Around> crestsOf(const std::vector<Around>& shaft, const Span& threa
   return crests;
 }
 
-Diagnostic refused(const Message& reason) { return {ErrorKind::NoPath, "", "", reason, "Plan again."}; }
+Diagnostic refused(const Message& reason) { return {ErrorKind::NoPath, "", "", reason, GLISSADE_TEXT("Plan again.")}; }
 
 }  // namespace
 
@@ -110,16 +110,16 @@ Result<ThreadCore> threadCoreOf(const PlacedBody& shaft, const PlacedBody& hole,
   if (const std::string wrong = wrongPitch(rule); !wrong.empty()) return refused(wrong);
   const auto wall =
       ringAround(aroundOf(hole.mesh, claim.point, claim.axis), {0.5 * claim.crest, kWidestWall * claim.crest});
-  if (!wall) return refused("the hole is not around the axis that the file states for the thread");
+  if (!wall) return refused(GLISSADE_TEXT("the hole is not around the axis that the file states for the thread"));
   const std::vector<Around> vertices = aroundOf(shaft.mesh, claim.point, claim.axis);
   const auto claimed = threadSpan(vertices, *wall, claim.crest, claim);
   const double free = claimed ? freeRadius(hole, claim, *claimed) : 0.0;
   const auto thread = threadSpan(vertices, *wall, free, claim);
-  if (!thread) return refused("the shaft has no groove that is as narrow as the hole");
+  if (!thread) return refused(GLISSADE_TEXT("the shaft has no groove that is as narrow as the hole"));
   const std::vector<Around> crests = crestsOf(vertices, *thread, claim);
   if (!ringAround(crests, {claim.crest - offOf(claim.crest), claim.crest}))
-    return refused("the crests are not around the axis that the file states");
-  if (!areHelix(crests, claim.pitch)) return refused("the shaft has no helix of the pitch that the file states");
+    return refused(GLISSADE_TEXT("the crests are not around the axis that the file states"));
+  if (!areHelix(crests, claim.pitch)) return refused(GLISSADE_TEXT("the shaft has no helix of the pitch that the file states"));
   const Span taken = toTheEnds(*thread, vertices, std::abs(claim.pitch));
   ThreadCore core{claim.point, claim.axis, taken.low, taken.high};
   core.crest = claim.crest + offOf(claim.crest);
@@ -131,7 +131,7 @@ Result<ThreadCore> threadCoreOf(const PlacedBody& shaft, const PlacedBody& hole,
   const double deep = claim.crest - core.radius;
   const double most = std::min(kSharpThread * std::abs(claim.pitch), kDeepest * 2.0 * claim.crest);
   if (core.radius > 0.0 && deep > 0.0 && deep <= most) return core;
-  return refused("what of the shaft is wider than the hole is no thread of this pitch");
+  return refused(GLISSADE_TEXT("what of the shaft is wider than the hole is no thread of this pitch"));
 }
 
 std::vector<bool> trianglesOfThread(const TriangleMesh& shaft, const ThreadCore& core) {

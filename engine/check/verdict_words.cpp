@@ -1,53 +1,91 @@
 #include "engine/check/verdict_words.h"
 
-#include "engine/base/depth_text.h"
-#include "engine/base/quantity_text.h"
+#include <sstream>
 
 namespace glissade::check {
 
-std::string pairInWords(const std::string& one, const std::string& other) {
-  return "'" + one + "' and '" + other + "'";
+std::string numberText(double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
 }
 
-std::string inWords(const Evidence& evidence) {
-  const double measured = evidence.overlap + evidence.deflection + evidence.spacing + evidence.margin;
-  const std::string person = "a person allows " + inMillimetres(evidence.byPerson);
-  if (measured == 0.0) return evidence.byPerson > 0.0 ? person : "nothing";
-  const std::string words = "overlap " + inMillimetres(evidence.overlap) + ", deflection " +
-                            inMillimetres(evidence.deflection) + ", spacing " + inMillimetres(evidence.spacing) +
-                            ", gap " + inMillimetres(evidence.margin);
-  return evidence.byPerson > 0.0 ? words + ", as a person says of the pair " + inMillimetres(evidence.byPerson) : words;
+Message pairInWords(const std::string& one, const std::string& other) {
+  return {GLISSADE_TEXT("'%1' and '%2'"), {one, other}};
 }
 
-std::string inWords(const AppliedAllowance& allowance) {
+Message namesInWords(const std::vector<std::string>& names) {
+  std::vector<Message> quoted;
+  for (const std::string& name : names) quoted.push_back({GLISSADE_TEXT("'%1'"), {name}});
+  return joined(quoted, ", ");
+}
+
+Message inWords(const Evidence& evidence) {
+  const Length person{evidence.byPerson};
+  if (evidence.sum() == evidence.byPerson) {
+    return evidence.byPerson > 0.0 ? Message{GLISSADE_TEXT("a person allows %1"), {person}} : GLISSADE_TEXT("nothing");
+  }
+  const Length overlap{evidence.overlap};
+  const Length deflection{evidence.deflection};
+  const Length spacing{evidence.spacing};
+  const Length margin{evidence.margin};
+  if (evidence.byPerson > 0.0) {
+    return {GLISSADE_TEXT("overlap %1, deflection %2, spacing %3, gap %4, as a person says of the pair %5"),
+            {overlap, deflection, spacing, margin, person}};
+  }
+  return {GLISSADE_TEXT("overlap %1, deflection %2, spacing %3, gap %4"), {overlap, deflection, spacing, margin}};
+}
+
+Message inWords(const AppliedAllowance& allowance) {
   if (allowance.screwHole) {
-    return "'" + allowance.thinner + "' is taken without what its screw '" + allowance.against +
-           "' fills: the file has no hole there";
+    return {GLISSADE_TEXT("'%1' is taken without what its screw '%2' fills: the file has no hole there"),
+            {allowance.thinner, allowance.against}};
   }
   if (allowance.hollow) {
-    return "'" + allowance.thinner + "' is taken without what overlaps '" + allowance.against + "', up to " +
-           depthInMillimetres(allowance.applied) + " deep: a clash that a person accepts";
+    return {GLISSADE_TEXT("'%1' is taken without what overlaps '%2', up to %3 deep: a clash that a person accepts"),
+            {allowance.thinner, allowance.against, Depth{allowance.applied}}};
   }
-  std::string words = "'" + allowance.thinner + "' is taken " + inMillimetres(allowance.applied) +
-                      " thinner against '" + allowance.against + "' (" + inWords(allowance.evidence) + ")";
-  if (allowance.bend > 0.0) words += ", at the hook that a person lets bend by " + inMillimetres(allowance.bend);
-  if (allowance.core) words += ", where its thread is taken away";
-  if (allowance.thread) words += ", a thread with a pitch of " + inMillimetres(allowance.thread->pitch);
+  Message words{
+      GLISSADE_TEXT("'%1' is taken %2 thinner against '%3' (%4)"),
+      {allowance.thinner, Length{allowance.applied}, allowance.against, inWords(allowance.evidence)}};
+  if (allowance.bend > 0.0) {
+    words = {GLISSADE_TEXT("%1, at the hook that a person lets bend by %2"), {words, Length{allowance.bend}}};
+  }
+  if (allowance.core) words = {GLISSADE_TEXT("%1, where its thread is taken away"), {words}};
+  if (allowance.thread) {
+    words = {GLISSADE_TEXT("%1, a thread with a pitch of %2"), {words, Length{allowance.thread->pitch}}};
+  }
   return words;
 }
 
-std::string allowanceRefused(const AppliedAllowance& allowance, const std::string& reason) {
-  const std::string pair = pairInWords(allowance.thinner, allowance.against);
-  if (!allowance.stated) return pair + ": " + reason + ". Mend the parts, or accept the clash.";
-  const std::string amount = inMillimetres(*allowance.stated);
-  std::string words = "the file takes '" + allowance.thinner + "' ";
-  words += allowance.hollow ? "without what overlaps '" + allowance.against + "', up to " + amount + " deep"
-                            : amount + " thinner against '" + allowance.against + "'";
-  words += ", and the judge finds reason for ";
-  words += allowance.most > 0.0 ? inMillimetres(allowance.most) + " only (" + inWords(allowance.evidence) + ")"
-                                : std::string("nothing");
-  if (!reason.empty()) words += ": " + reason;
-  return words + ". Plan again, or let a person allow it for this pair.";
+namespace {
+
+/// What the file states, without the judgement.
+Message claimInWords(const AppliedAllowance& allowance) {
+  const Length amount{*allowance.stated};
+  if (allowance.hollow) {
+    return {GLISSADE_TEXT("the file takes '%1' without what overlaps '%2', up to %3 deep"),
+            {allowance.thinner, allowance.against, amount}};
+  }
+  return {GLISSADE_TEXT("the file takes '%1' %2 thinner against '%3'"),
+          {allowance.thinner, amount, allowance.against}};
+}
+
+}  // namespace
+
+Message allowanceRefused(const AppliedAllowance& allowance, const Message& reason) {
+  if (!allowance.stated) {
+    return {GLISSADE_TEXT("%1: %2. Mend the parts, or accept the clash."),
+            {pairInWords(allowance.thinner, allowance.against), reason}};
+  }
+  const Message claim = claimInWords(allowance);
+  Message words{GLISSADE_TEXT("%1, and the judge finds reason for nothing"), {claim}};
+  if (allowance.most > 0.0) {
+    words = {GLISSADE_TEXT("%1, and the judge finds reason for %2 only (%3)"),
+             {claim, Length{allowance.most}, inWords(allowance.evidence)}};
+  }
+  if (!reason.empty()) words = {GLISSADE_TEXT("%1: %2"), {words, reason}};
+  return {GLISSADE_TEXT("%1. Plan again, or let a person allow it for this pair."), {words}};
 }
 
 }  // namespace glissade::check

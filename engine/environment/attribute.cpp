@@ -14,8 +14,8 @@ Diagnostic refusal(const Message& reason, const Message& advice) {
   return {ErrorKind::MalformedInput, "", "", reason, advice};
 }
 
-AttributeDefinition builtIn(const char* name, const char* label, AttributeType type, AttributeOwner owner,
-                            const char* description) {
+AttributeDefinition builtIn(const char* name, CatalogueText label, AttributeType type, AttributeOwner owner,
+                            CatalogueText description) {
   AttributeDefinition definition;
   definition.name = name;
   definition.label = label;
@@ -67,34 +67,41 @@ AttributeValue initialValue(const AttributeDefinition& definition) {
 }
 
 Outcome checkValue(const AttributeDefinition& definition, const AttributeValue& value) {
-  const std::string what = "'" + definition.name + "'";
+  const std::string& name = definition.name;
   switch (definition.type) {
     case AttributeType::Bool:
       if (!std::holds_alternative<bool>(value))
-        return refusal(what + " is neither true nor false", "Give true or false.");
+        return refusal({GLISSADE_TEXT("'%1' is neither true nor false"), {name}}, GLISSADE_TEXT("Give true or false."));
       break;
     case AttributeType::Integer:
     case AttributeType::Number: {
       const double* number = std::get_if<double>(&value);
       const bool whole = definition.type == AttributeType::Integer;
-      const std::string kind = whole ? "a whole number" : "a number";
-      const std::string range =
-          "Give " + kind + " from " + toText(definition.minimum) + " to " + toText(definition.maximum) + ".";
-      if (number == nullptr || !std::isfinite(*number)) return refusal(what + " is not a number", range);
-      if (whole && *number != std::floor(*number)) return refusal(what + " is not a whole number", range);
+      const Message range{
+          GLISSADE_TEXT("Give %1 from %2 to %3."),
+          {whole ? GLISSADE_TEXT("a whole number") : GLISSADE_TEXT("a number"), definition.minimum, definition.maximum}};
+      if (number == nullptr || !std::isfinite(*number)) {
+        return refusal({GLISSADE_TEXT("'%1' is not a number"), {name}}, range);
+      }
+      if (whole && *number != std::floor(*number)) {
+        return refusal({GLISSADE_TEXT("'%1' is not a whole number"), {name}}, range);
+      }
       if (*number < definition.minimum || *number > definition.maximum) {
-        return refusal(what + " is " + toText(*number) + ", which is out of range", range);
+        return refusal({GLISSADE_TEXT("'%1' is %2, which is out of range"), {name, *number}}, range);
       }
       break;
     }
     case AttributeType::Text:
-      if (!std::holds_alternative<std::string>(value)) return refusal(what + " is not a text", "Give a text.");
+      if (!std::holds_alternative<std::string>(value)) {
+        return refusal({GLISSADE_TEXT("'%1' is not a text"), {name}}, GLISSADE_TEXT("Give a text."));
+      }
       break;
     case AttributeType::Choice: {
       const std::string* text = std::get_if<std::string>(&value);
       const auto& choices = definition.choices;
       if (text == nullptr || std::find(choices.begin(), choices.end(), *text) == choices.end()) {
-        return refusal(what + " is not one of its choices", "Give one of " + joined(choices) + ".");
+        return refusal({GLISSADE_TEXT("'%1' is not one of its choices"), {name}},
+                       {GLISSADE_TEXT("Give one of %1."), {joined(choices)}});
       }
       break;
     }
@@ -115,67 +122,67 @@ AttributeTable::AttributeTable() {
     return definition;
   };
   AttributeDefinition mobility =
-      builtIn("mobility", "Mobility", Type::Choice, kBody, "Static bodies shape the places; mobile ones clutter them.");
+      builtIn("mobility", GLISSADE_TEXT("Mobility"), Type::Choice, kBody, GLISSADE_TEXT("Static bodies shape the places; mobile ones clutter them."));
   mobility.choices.assign(kMobilityNames.names.begin(), kMobilityNames.names.end());
   mobility.initial = std::string(kMobilityNames.of(Mobility::Static));
-  AttributeDefinition tool = builtIn("needs_tool", "Needs tool", Type::Choice, kBody,
-                                     "Which tool turns the body: by_shape, none, or one of the tools.");
+  AttributeDefinition tool = builtIn("needs_tool", GLISSADE_TEXT("Needs tool"), Type::Choice, kBody,
+                                     GLISSADE_TEXT("Which tool turns the body: by_shape, none, or one of the tools."));
   tool.choices = {"by_shape", "none", "hex_key", "socket", "screwdriver", "open_wrench"};
   tool.initial = std::string("by_shape");
   definitions_ = {
-      bounded(builtIn("complexity", "Complexity", Type::Integer, kPlace,
-                      "How hard the place is to cross: 1 for the widest, one more each time the width halves."),
+      bounded(builtIn("complexity", GLISSADE_TEXT("Complexity"), Type::Integer, kPlace,
+                      GLISSADE_TEXT("How hard the place is to cross: 1 for the widest, one more each time the width halves.")),
               1, 99, 1, ""),
-      builtIn("cluttered", "Cluttered", Type::Bool, kPlace, "Mobile bodies are in the place."),
-      bounded(builtIn("narrowness", "Narrowness", Type::Number, kPlace,
-                      "Diameter of the largest ball that fits at the widest spot."),
+      builtIn("cluttered", GLISSADE_TEXT("Cluttered"), Type::Bool, kPlace, GLISSADE_TEXT("Mobile bodies are in the place.")),
+      bounded(builtIn("narrowness", GLISSADE_TEXT("Narrowness"), Type::Number, kPlace,
+                      GLISSADE_TEXT("Diameter of the largest ball that fits at the widest spot.")),
               0, 1e6, 0, "m"),
-      builtIn("shape", "Shape", Type::Text, kPlace, "Shape of the place's section, as the objects' shapes are called."),
-      bounded(builtIn("compatibility", "Compatibility", Type::Number, kPlace,
-                      "Whether the object goes through: 0 not at all, from 0.5 on it fits, 1 with ease."),
+      builtIn("shape", GLISSADE_TEXT("Shape"), Type::Text, kPlace, GLISSADE_TEXT("Shape of the place's section, as the objects' shapes are called.")),
+      bounded(builtIn("compatibility", GLISSADE_TEXT("Compatibility"), Type::Number, kPlace,
+                      GLISSADE_TEXT("Whether the object goes through: 0 not at all, from 0.5 on it fits, 1 with ease.")),
               0, 1, 1, ""),
-      builtIn("forbidden", "Forbidden", Type::Bool, kPlace, "No path may lead through the place."),
-      bounded(builtIn("preference", "Preference", Type::Number, kPlace,
-                      "Ways through the place count this many times shorter."),
+      builtIn("forbidden", GLISSADE_TEXT("Forbidden"), Type::Bool, kPlace, GLISSADE_TEXT("No path may lead through the place.")),
+      bounded(builtIn("preference", GLISSADE_TEXT("Preference"), Type::Number, kPlace,
+                      GLISSADE_TEXT("Ways through the place count this many times shorter.")),
               0.01, 100, 1, ""),
       mobility,
-      builtIn("shape", "Shape", Type::Text, kBody, "What the body is shaped like."),
-      builtIn("class", "Class", Type::Text, kBody,
-              "Class of the body, whose attributes it has: screw, seal, base_part."),
-      bounded(builtIn("mass", "Mass", Type::Number, kBody, "Mass of the body. 0: by its volume and density."), 0, 1e6,
+      builtIn("shape", GLISSADE_TEXT("Shape"), Type::Text, kBody, GLISSADE_TEXT("What the body is shaped like.")),
+      builtIn("class", GLISSADE_TEXT("Class"), Type::Text, kBody,
+              GLISSADE_TEXT("Class of the body, whose attributes it has: screw, seal, base_part.")),
+      bounded(builtIn("mass", GLISSADE_TEXT("Mass"), Type::Number, kBody, GLISSADE_TEXT("Mass of the body. 0: by its volume and density.")), 0, 1e6,
               0, "kg"),
-      builtIn("fragile", "Fragile", Type::Bool, kBody,
-              "The body leaves as early as it can, and is put in as late as it can."),
-      builtIn("base", "Base", Type::Bool, kBody, "The assembly begins with the body: it does not leave."),
-      builtIn("stays", "Stays", Type::Bool, kBody, "The body does not leave."),
-      builtIn("goes_with", "Goes with", Type::Text, kBody, "Bodies that leave together with this one, with commas."),
-      builtIn("goes_before", "Goes before", Type::Text, kBody, "Bodies that leave after this one, with commas."),
+      builtIn("fragile", GLISSADE_TEXT("Fragile"), Type::Bool, kBody,
+              GLISSADE_TEXT("The body leaves as early as it can, and is put in as late as it can.")),
+      builtIn("base", GLISSADE_TEXT("Base"), Type::Bool, kBody, GLISSADE_TEXT("The assembly begins with the body: it does not leave.")),
+      builtIn("stays", GLISSADE_TEXT("Stays"), Type::Bool, kBody, GLISSADE_TEXT("The body does not leave.")),
+      builtIn("goes_with", GLISSADE_TEXT("Goes with"), Type::Text, kBody, GLISSADE_TEXT("Bodies that leave together with this one, with commas.")),
+      builtIn("goes_before", GLISSADE_TEXT("Goes before"), Type::Text, kBody, GLISSADE_TEXT("Bodies that leave after this one, with commas.")),
       tool,
   };
 }
 
 Outcome AttributeTable::add(AttributeDefinition definition) {
   if (!isWord(definition.name)) {
-    return refusal("the attribute name '" + definition.name + "' is not a word",
-                   "Use lower-case letters, digits and '_', a letter first.");
+    return refusal({GLISSADE_TEXT("the attribute name '%1' is not a word"), {definition.name}},
+                   GLISSADE_TEXT("Use lower-case letters, digits and '_', a letter first."));
   }
   const AttributeDefinition* known = find(definition.owner, definition.name);
   if (known != nullptr && !isKnowledge(*known)) {
-    return refusal("there is an attribute '" + definition.name + "' already", "Choose another name.");
+    return refusal({GLISSADE_TEXT("there is an attribute '%1' already"), {definition.name}}, GLISSADE_TEXT("Choose another name."));
   }
   if (definition.type == AttributeType::Choice && definition.choices.empty()) {
-    return refusal("the attribute '" + definition.name + "' has no choices", "Give at least one.");
+    return refusal({GLISSADE_TEXT("the attribute '%1' has no choices"), {definition.name}}, GLISSADE_TEXT("Give at least one."));
   }
   for (auto choice = definition.choices.begin(); choice != definition.choices.end(); ++choice) {
     if (choice->empty()) {
-      return refusal("the attribute '" + definition.name + "' has a choice without a name", "Remove it.");
+      return refusal({GLISSADE_TEXT("the attribute '%1' has a choice without a name"), {definition.name}}, GLISSADE_TEXT("Remove it."));
     }
     if (std::find(definition.choices.begin(), choice, *choice) != choice) {
-      return refusal("the attribute '" + definition.name + "' has the choice '" + *choice + "' twice", "Remove one.");
+      return refusal({GLISSADE_TEXT("the attribute '%1' has the choice '%2' twice"), {definition.name, *choice}}, GLISSADE_TEXT("Remove one."));
     }
   }
   if (definition.minimum > definition.maximum) {
-    return refusal("the attribute '" + definition.name + "' has a minimum above its maximum", "Swap them.");
+    return refusal({GLISSADE_TEXT("the attribute '%1' has a minimum above its maximum"), {definition.name}}, GLISSADE_TEXT("Swap them."));
   }
   const Outcome initial = checkValue(definition, definition.initial);
   if (!initial) return initial;

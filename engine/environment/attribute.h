@@ -24,14 +24,14 @@ inline constexpr EnumNames<AttributeOwner, 2> kAttributeOwnerNames{{"place", "bo
 /// actual attributes are derived from a generic one).
 struct AttributeDefinition {
   std::string name;  ///< name in files and rules: lower case, digits, '_'
-  std::string label;
+  Message label;
   AttributeType type = AttributeType::Text;
   AttributeOwner owner = AttributeOwner::Place;
   std::string unit;  ///< unit for people, for example "m"
   double minimum = -1e9;
   double maximum = 1e9;
   std::vector<std::string> choices;
-  std::string description;
+  Message description;
   AttributeValue initial = std::string();  ///< value where nothing was computed or edited
   bool builtIn = false;                    ///< cannot be renamed or removed
 

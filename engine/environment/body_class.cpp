@@ -26,12 +26,12 @@ Result<BodyClasses> BodyClasses::of(const std::vector<BodyClass>& classes) {
     std::size_t ancestors = 0;
     for (const BodyClass* at = &each; !at->of.empty(); ++ancestors) {
       if (ancestors == tree.classes_.size()) {
-        return refusedClass("the parents of the class '" + each.name + "' form a cycle", "Correct 'of'.");
+        return refusedClass({GLISSADE_TEXT("the parents of the class '%1' form a cycle"), {each.name}}, GLISSADE_TEXT("Correct 'of'."));
       }
       const BodyClass* parent = tree.find(at->of);
       if (parent == nullptr) {
-        return refusedClass("the class '" + at->name + "' is of '" + at->of + "', which is not a class",
-                            "Correct 'of'.");
+        return refusedClass({GLISSADE_TEXT("the class '%1' is of '%2', which is not a class"), {at->name, at->of}},
+                            GLISSADE_TEXT("Correct 'of'."));
       }
       at = parent;
     }

@@ -27,8 +27,8 @@ void warnOfSecondEdits(const std::vector<int>& bound, Warnings& warnings) {
     if (bound[i] == kNoPlace) continue;
     const auto [first, fresh] = firstOf.emplace(bound[i], i);
     if (fresh) continue;
-    warnings.push_back(warning("places", i, "edits the same place as /places/" + std::to_string(first->second),
-                               "Merge the two edits: where they differ, the later one applies."));
+    warnings.push_back(warning("places", i, {GLISSADE_TEXT("edits the same place as /places/%1"), {first->second}},
+                               GLISSADE_TEXT("Merge the two edits: where they differ, the later one applies.")));
   }
 }
 
@@ -48,7 +48,7 @@ void warnOfSharedNames(const TopologicalMap& map, const SemanticEdits& edits, co
     if (bound[i] == kNoPlace || name.empty()) continue;
     if (placeNamed.emplace(name, bound[i]).first->second == bound[i]) continue;
     warnings.push_back(
-        warning("places", i, "has the name '" + name + "', which another place has already", "Choose another name."));
+        warning("places", i, {GLISSADE_TEXT("has the name '%1', which another place has already"), {name}}, GLISSADE_TEXT("Choose another name.")));
   }
 }
 
@@ -97,12 +97,12 @@ Warnings editWarnings(const TopologicalMap& map, const SemanticEdits& edits) {
     const Vector3& at = edits.places[i].at;
     bound.push_back(boundPlace(map, at));
     if (bound[i] == kNoPlace) {
-      warnings.push_back(warning("places", i, "lies in no place and near none, so the edit has no effect",
-                                 "Move its \"at\" into the place that it is about."));
+      warnings.push_back(warning("places", i, GLISSADE_TEXT("lies in no place and near none, so the edit has no effect"),
+                                 GLISSADE_TEXT("Move its \"at\" into the place that it is about.")));
     } else if (map.placeAt(at) == kNoPlace) {
       warnings.push_back(warning(
-          "places", i, "lies in no place; the edit applies to the nearest place, " + placeOf(map, bound[i]).name,
-          "Edit that place once more, or move its \"at\" into the place that it is about."));
+          "places", i, {GLISSADE_TEXT("lies in no place; the edit applies to the nearest place, %1"), {placeOf(map, bound[i]).name}},
+          GLISSADE_TEXT("Edit that place once more, or move its \"at\" into the place that it is about.")));
     }
   }
   warnOfSecondEdits(bound, warnings);
@@ -110,8 +110,8 @@ Warnings editWarnings(const TopologicalMap& map, const SemanticEdits& edits) {
   for (std::size_t i = 0; i < edits.milestones.size(); ++i) {
     if (!boundBorders(map, edits.milestones[i].at).empty()) continue;
     warnings.push_back(warning("milestones", i,
-                               "lies in no border of two places and near none, so the edit has no effect",
-                               "Move its \"at\" to where the two places meet."));
+                               GLISSADE_TEXT("lies in no border of two places and near none, so the edit has no effect"),
+                               GLISSADE_TEXT("Move its \"at\" to where the two places meet.")));
   }
   return warnings;
 }

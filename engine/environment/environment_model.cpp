@@ -11,23 +11,24 @@ Outcome check(const EnvironmentOptions& options, const Box3& workspace) {
     return Diagnostic{ErrorKind::MalformedInput, "", "/environment/" + key, reason, advice};
   };
   const double side = workspace.isEmpty() ? 0.0 : workspace.sizes().maxCoeff();
-  if (!(side > 0.0)) return Diagnostic{ErrorKind::MalformedInput, "", "/workspace", "is flat", "Give it a size."};
+  if (!(side > 0.0)) return Diagnostic{ErrorKind::MalformedInput, "", "/workspace", GLISSADE_TEXT("is flat"), GLISSADE_TEXT("Give it a size.")};
   const double finest = side / (1 << Octree::kDeepest);
   if (options.cellSize < 0.0 || (options.cellSize > 0.0 && options.cellSize < finest * (1.0 - 1e-9))) {
-    return refuse("cell_size", "is too small for this workspace",
-                  "Give 0, or at least " + std::to_string(finest) + ".");
+    return refuse("cell_size", GLISSADE_TEXT("is too small for this workspace"),
+                  {GLISSADE_TEXT("Give 0, or at least %1."), {std::to_string(finest)}});
   }
   if (!(options.memory >= 1.0 && options.memory <= 4096.0)) {
-    return refuse("memory", "is out of range", "Give 1 to 4096 MiB.");
+    return refuse("memory", GLISSADE_TEXT("is out of range"), GLISSADE_TEXT("Give 1 to 4096 MiB."));
   }
   if (options.topologyLevel < 2 || options.topologyLevel > 8) {
-    return refuse("topology_level", "is out of range", "Give 2 to 8.");
+    return refuse("topology_level", GLISSADE_TEXT("is out of range"), GLISSADE_TEXT("Give 2 to 8."));
   }
   const PlaceIdentifierRegistry registry = makePlaceIdentifierRegistry();
   if (registry.find(options.identifier) != nullptr) return Done{};
   std::string known;
   for (const auto& entry : registry.entries()) known += (known.empty() ? "" : ", ") + entry.id;
-  return refuse("places", "names no way to find places: '" + options.identifier + "'", "Give one of " + known + ".");
+  return refuse("places", {GLISSADE_TEXT("names no way to find places: '%1'"), {options.identifier}},
+                {GLISSADE_TEXT("Give one of %1."), {known}});
 }
 
 FreeSpace freeSpaceOf(const EnvironmentModel& model) {
@@ -49,7 +50,7 @@ void addMobileBodies(EnvironmentModel& model, const StopToken& stop) {
 }  // namespace
 
 Diagnostic environmentInterrupted() {
-  return {ErrorKind::Interrupted, "", "", "the environment model was not finished", "Start it again."};
+  return {ErrorKind::Interrupted, "", "", GLISSADE_TEXT("the environment model was not finished"), GLISSADE_TEXT("Start it again.")};
 }
 
 Result<EnvironmentModelPtr> buildEnvironment(const std::vector<RigidBody>& bodies, const Box3& workspace,

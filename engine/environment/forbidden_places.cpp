@@ -145,8 +145,8 @@ Result<ForbiddenPlaces> forbiddenPlacesOf(const TopologicalMap& map, const Seman
     const auto said = forbids(edit);
     if (place == kNoPlace && said.value_or(false)) {
       return Diagnostic{ErrorKind::MalformedInput, "", "/places/" + std::to_string(i),
-                        "forbids a place that is not there: its point lies in no place and near none",
-                        "Forbid the place where it is now, or remove this edit."};
+                        GLISSADE_TEXT("forbids a place that is not there: its point lies in no place and near none"),
+                        GLISSADE_TEXT("Forbid the place where it is now, or remove this edit.")};
     }
     if (place == kNoPlace) continue;
     const auto p = static_cast<std::size_t>(place);

@@ -68,8 +68,8 @@ Outcome checkAttributes(const AttributeTable& table, AttributeOwner owner, const
   for (const auto& [name, value] : attributes) {
     const AttributeDefinition* definition = table.find(owner, name);
     if (definition == nullptr) {
-      return Diagnostic{ErrorKind::MalformedInput, "", pointer + "/" + name, "is not a defined attribute",
-                        "Define it under /attributes, or remove it."};
+      return Diagnostic{ErrorKind::MalformedInput, "", pointer + "/" + name, GLISSADE_TEXT("is not a defined attribute"),
+                        GLISSADE_TEXT("Define it under /attributes, or remove it.")};
     }
     const Outcome sound = checkValue(*definition, value);
     if (sound) continue;
@@ -98,8 +98,8 @@ Outcome checkEdits(const SemanticEdits& edits, const std::vector<std::string>& i
   for (const auto& [id, attributes] : edits.bodies) {
     // A part "stand/bar" of a body has its own attributes.
     if (known.count(id) == 0 && known.count(bodyIdOf(id)) == 0) {
-      return Diagnostic{ErrorKind::MalformedInput, "", "/bodies/" + id, "is not a body of this scenario",
-                        "Correct the id."};
+      return Diagnostic{ErrorKind::MalformedInput, "", "/bodies/" + id, GLISSADE_TEXT("is not a body of this scenario"),
+                        GLISSADE_TEXT("Correct the id.")};
     }
     const Outcome sound = checkAttributes(*table, AttributeOwner::Body, attributes, "/bodies/" + id + "/attributes");
     if (!sound) return sound;

@@ -65,24 +65,24 @@ std::unique_ptr<OperatorDevice> makeHand(const DeviceContext& context) {
   return amongObstacles(context, std::make_unique<CombinedDevice>(std::move(devices)));
 }
 
-DeviceEntry held(Member member, std::string id, std::string label, std::string description) {
-  return {std::move(id), std::move(label), std::move(description), false,
+DeviceEntry held(Member member, std::string id, CatalogueText label, CatalogueText description) {
+  return {std::move(id), label, description, false,
           [member](const DeviceContext& context) -> std::unique_ptr<OperatorDevice> {
             if (!context.hand) return nullptr;
             return amongObstacles(context, std::make_unique<ShapedDevice>(context.hand, (*context.hand).*member));
           }};
 }
 
-DeviceEntry tracked(ControllerSide side, std::string id, std::string label, std::string description) {
-  return {std::move(id), std::move(label), std::move(description), false,
+DeviceEntry tracked(ControllerSide side, std::string id, CatalogueText label, CatalogueText description) {
+  return {std::move(id), label, description, false,
           [side](const DeviceContext& context) -> std::unique_ptr<OperatorDevice> {
             if (!context.hand || !context.world) return nullptr;
             return amongObstacles(context, std::make_unique<GraspingHand>(context.hand, side, context.world));
           }};
 }
 
-DeviceEntry simulated(const OperatorLevel& level, std::string label, std::string description) {
-  return {std::string(level.id), std::move(label), std::move(description), true,
+DeviceEntry simulated(const OperatorLevel& level, CatalogueText label, CatalogueText description) {
+  return {std::string(level.id), label, description, true,
           [level](const DeviceContext& context) -> std::unique_ptr<OperatorDevice> {
             return std::make_unique<SimulatedOperator>(level, context.route, context.metric, context.seed);
           }};
@@ -106,27 +106,27 @@ const DeviceEntry* DeviceRegistry::find(std::string_view id) const {
 
 DeviceRegistry makeDeviceRegistry() {
   DeviceRegistry registry;
-  registry.add({"hand", "By hand", "A person: keys, 6D mouse, gamepad and the controllers of a headset together.",
+  registry.add({"hand", GLISSADE_TEXT("By hand"), GLISSADE_TEXT("A person: keys, 6D mouse, gamepad and the controllers of a headset together."),
                 false, makeHand});
-  registry.add(held(&HandInputs::keyboard, "keyboard", "Keyboard", "A person: the keys of the window."));
-  registry.add(held(&HandInputs::mouse6d, "mouse6d", "6D mouse", "A person: a 3Dconnexion mouse."));
-  registry.add(held(&HandInputs::gamepad, "gamepad", "Gamepad", "A person: a game controller."));
-  registry.add(tracked(ControllerSide::Left, "left-controller", "Left controller",
-                       "A person with a headset: its left controller."));
-  registry.add(tracked(ControllerSide::Right, "right-controller", "Right controller",
-                       "A person with a headset: its right controller."));
-  registry.add(simulated(*findOperatorLevel("expert"), "Simulated expert", "Follows the way-points fast and exactly."));
-  registry.add(simulated(*findOperatorLevel("default"), "Simulated operator", "Follows the way-points."));
-  registry.add(simulated(*findOperatorLevel("novice"), "Simulated novice", "Follows the way-points, slow and unsure."));
-  registry.add(hapticEntry("simulated-haptic", "Simulated haptic hand",
-                           "Draws the object along the way-points and feels the obstacles.", true,
+  registry.add(held(&HandInputs::keyboard, "keyboard", GLISSADE_TEXT("Keyboard"), GLISSADE_TEXT("A person: the keys of the window.")));
+  registry.add(held(&HandInputs::mouse6d, "mouse6d", GLISSADE_TEXT("6D mouse"), GLISSADE_TEXT("A person: a 3Dconnexion mouse.")));
+  registry.add(held(&HandInputs::gamepad, "gamepad", GLISSADE_TEXT("Gamepad"), GLISSADE_TEXT("A person: a game controller.")));
+  registry.add(tracked(ControllerSide::Left, "left-controller", GLISSADE_TEXT("Left controller"),
+                       GLISSADE_TEXT("A person with a headset: its left controller.")));
+  registry.add(tracked(ControllerSide::Right, "right-controller", GLISSADE_TEXT("Right controller"),
+                       GLISSADE_TEXT("A person with a headset: its right controller.")));
+  registry.add(simulated(*findOperatorLevel("expert"), GLISSADE_TEXT("Simulated expert"), GLISSADE_TEXT("Follows the way-points fast and exactly.")));
+  registry.add(simulated(*findOperatorLevel("default"), GLISSADE_TEXT("Simulated operator"), GLISSADE_TEXT("Follows the way-points.")));
+  registry.add(simulated(*findOperatorLevel("novice"), GLISSADE_TEXT("Simulated novice"), GLISSADE_TEXT("Follows the way-points, slow and unsure.")));
+  registry.add(hapticEntry("simulated-haptic", GLISSADE_TEXT("Simulated haptic hand"),
+                           GLISSADE_TEXT("Draws the object along the way-points and feels the obstacles."), true,
                            makeSimulatedHaptic));
   return registry;
 }
 
 void addTaskOperators(DeviceRegistry& registry) {
   for (const TaskLevel& level : taskLevels()) {
-    registry.add({std::string(level.id), std::string(level.id), "Shows a way at the level of a task.", true,
+    registry.add({std::string(level.id), std::string(level.id), GLISSADE_TEXT("Shows a way at the level of a task."), true,
                   [level](const DeviceContext& context) -> std::unique_ptr<OperatorDevice> {
                     return std::make_unique<TaskOperator>(level, context.route, context.metric, context.seed);
                   }});

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/base/message.h"
 #include "engine/geometry/se3_metric.h"
 #include "engine/operator/hand_inputs.h"
 #include "engine/operator/operator_input.h"
@@ -25,8 +26,8 @@ struct DeviceContext {
 /// Name and factory of a device. Registered by explicit calls.
 struct DeviceEntry {
   std::string id;
-  std::string label;
-  std::string description;
+  Message label;
+  Message description;
   bool simulated = false;  ///< needs no person, so that it may run in lockstep
   /// Makes the device; null where the context lacks what the device needs.
   std::function<std::unique_ptr<OperatorDevice>(const DeviceContext&)> make;

@@ -58,11 +58,11 @@ DeviceShaping standardShaping(InputKind kind) {
 
 std::vector<ShapingPreset> shapingPresets(InputKind kind) {
   const DeviceShaping standard = standardShaping(kind);
-  return {{"standard", "Standard", standard},
-          {"cad", "As in CAD", cad(standard)},
-          {"beginner", "Beginner", beginner(standard)},
-          {"precise", "Precise", precise(standard)},
-          {"flight", "Flight", flight(standard)}};
+  return {{"standard", GLISSADE_TEXT("Standard"), standard},
+          {"cad", GLISSADE_TEXT("As in CAD"), cad(standard)},
+          {"beginner", GLISSADE_TEXT("Beginner"), beginner(standard)},
+          {"precise", GLISSADE_TEXT("Precise"), precise(standard)},
+          {"flight", GLISSADE_TEXT("Flight"), flight(standard)}};
 }
 
 }  // namespace glissade

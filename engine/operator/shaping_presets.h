@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/message.h"
 #include "engine/operator/device_shaping.h"
 
 namespace glissade {
@@ -13,7 +14,7 @@ enum class InputKind { Keyboard, Mouse6D, Gamepad, LeftController, RightControll
 /// A predefined shaping.
 struct ShapingPreset {
   std::string id;
-  std::string label;  ///< English text; listed for translation
+  CatalogueText label;
   DeviceShaping shaping;
 };
 

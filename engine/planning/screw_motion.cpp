@@ -22,9 +22,9 @@ constexpr double kSameDirection = 1e-4;
 constexpr double kSameAxis = 1e-5;
 constexpr double kSamePitch = 1e-6;
 
-std::string quoted(const CollisionWorld& world, int body) {
-  if (body == kForbiddenPlace) return "a forbidden place";
-  return "'" + world.obstacles()[static_cast<std::size_t>(body)].shown() + "'";
+Message quoted(const CollisionWorld& world, int body) {
+  if (body == kForbiddenPlace) return GLISSADE_TEXT("a forbidden place");
+  return {GLISSADE_TEXT("'%1'"), {world.obstacles()[static_cast<std::size_t>(body)].shown()}};
 }
 
 /// The thread pairs in which the object is engaged.
@@ -89,10 +89,10 @@ Tried tryScrew(CollisionQuery& query, const ThreadRule& rule, const Pose& from, 
   return tried;
 }
 
-std::string joined(const CollisionWorld& world, const std::set<int>& bodies) {
-  std::string names;
-  for (const int body : bodies) names += (names.empty() ? "" : ", ") + quoted(world, body);
-  return names;
+Message namesOf(const CollisionWorld& world, const std::set<int>& bodies) {
+  std::vector<Message> names;
+  for (const int body : bodies) names.push_back(quoted(world, body));
+  return joined(names, ", ");
 }
 
 /// Advance along the axis of the first pair after which the object has left all pairs.
@@ -107,19 +107,20 @@ double advanceOutOf(const std::vector<const ThreadPair*>& pairs, const Pose& fro
 }
 
 /// The reason why the object cannot be turned at all; empty where it can.
-std::string whyHeld(const CollisionWorld& world, const std::vector<const ThreadPair*>& pairs, std::set<int>& holding) {
+Message whyHeld(const CollisionWorld& world, const std::vector<const ThreadPair*>& pairs, std::set<int>& holding) {
   for (const ThreadPair* pair : pairs) {
     if (!pair->rule().mayTurn) holding.insert(pair->rule().obstacle);
   }
   if (!holding.empty()) {
-    return "the object is in the thread of " + joined(world, holding) + ", which would turn with it";
+    return {GLISSADE_TEXT("the object is in the thread of %1, which would turn with it"), {namesOf(world, holding)}};
   }
   const ThreadRule& first = pairs.front()->rule();
   for (const ThreadPair* pair : pairs) {
     if (turnTogether(first, pair->rule())) continue;
     holding = {first.obstacle, pair->rule().obstacle};
-    return "the object is in the threads of " + joined(world, holding) +
-           ", which no turn leaves at the same time: their axes or pitches differ";
+    return {GLISSADE_TEXT("the object is in the threads of %1, which no turn leaves at the same time: their axes or "
+                          "pitches differ"),
+            {namesOf(world, holding)}};
   }
   return {};
 }
@@ -150,8 +151,10 @@ ScrewSearch findScrewWays(const CollisionWorld& world, CollisionQuery& query, co
   std::stable_sort(search.ways.begin(), search.ways.end(),
                    [](const ScrewWay& a, const ScrewWay& b) { return std::abs(a.turns) < std::abs(b.turns); });
   if (search.ways.empty() && search.why.empty()) {
-    search.why = "the object cannot be turned out of the thread of " + quoted(world, rule.obstacle) + ", because " +
-                 (blocking.empty() ? std::string("it has no room") : joined(world, blocking) + " is in the way");
+    const Message reason = blocking.empty() ? Message(GLISSADE_TEXT("it has no room"))
+                                            : Message(GLISSADE_TEXT("%1 is in the way"), {namesOf(world, blocking)});
+    search.why = {GLISSADE_TEXT("the object cannot be turned out of the thread of %1, because %2"),
+                  {quoted(world, rule.obstacle), reason}};
   }
   search.blockedBy = {blocking.begin(), blocking.end()};
   return search;

@@ -88,8 +88,8 @@ Result<UnsavedEdits> AbandonedEdits::read() const {
   }
   try {
     const JsonCursor root(*document, file(), "");
-    if (root.at("format").text() != kEditsFormat) root.at("format").fail("is not unsaved edits of Glissade");
-    if (root.at("version").wholeNumber() != 1) root.at("version").fail("is not 1", "Use a newer Glissade.");
+    if (root.at("format").text() != kEditsFormat) root.at("format").fail(GLISSADE_TEXT("is not unsaved edits of Glissade"));
+    if (root.at("version").wholeNumber() != 1) root.at("version").fail(GLISSADE_TEXT("is not 1"), GLISSADE_TEXT("Use a newer Glissade."));
     auto scenario = parseScenario(root.at("scenario").json().dump(), file());
     if (!scenario) return scenario.error();
     UnsavedEdits edits{root.at("file").text(), root.at("sha256").text(), {}};

@@ -16,7 +16,7 @@ BodyClass readBodyClass(const JsonCursor& at) {
   if (const auto label = at.find("label")) read.label = label->text();
   if (const auto fastener = at.find("fastener")) {
     read.fastener = fastener->text();
-    if (!fastenerByName(read.fastener)) fastener->fail("is not screw, nut, washer, pin or none");
+    if (!fastenerByName(read.fastener)) fastener->fail(GLISSADE_TEXT("is not screw, nut, washer, pin or none"));
   }
   read.attributes = readAttributes(at.find("attributes"));
   return read;

@@ -12,14 +12,14 @@ using Json = JsonCursor::Json;
 
 double readAllowance(const JsonCursor& at) {
   const double value = at.coordinate();
-  if (value < 0.0) at.fail("is below zero", "Give metres, 0 or more.");
+  if (value < 0.0) at.fail(GLISSADE_TEXT("is below zero"), GLISSADE_TEXT("Give metres, 0 or more."));
   return value;
 }
 
 ContactKind readKind(const JsonCursor& at) {
   const auto kind = kindByName(at.text());
   if (!kind || *kind == ContactKind::Clearance) {
-    at.fail("is not a kind of fit", "Give planar, cylindrical, thread, press, overlap, contact or clash.");
+    at.fail(GLISSADE_TEXT("is not a kind of fit"), GLISSADE_TEXT("Give planar, cylindrical, thread, press, overlap, contact or clash."));
   }
   return *kind;
 }
@@ -27,7 +27,7 @@ ContactKind readKind(const JsonCursor& at) {
 /// Throws JsonError where a pair that is no thread has values of threads, which would have no effect.
 void demandThread(const JsonCursor& at, const FitEdit& pair) {
   if (pair.kind == ContactKind::Thread) return;
-  at.fail("has no effect, because the pair is not marked as a thread", "Add \"kind\": \"thread\", or remove it.");
+  at.fail(GLISSADE_TEXT("has no effect, because the pair is not marked as a thread"), GLISSADE_TEXT("Add \"kind\": \"thread\", or remove it."));
 }
 
 double readPitch(const JsonCursor& at, const FitEdit& pair) {
@@ -36,7 +36,7 @@ double readPitch(const JsonCursor& at, const FitEdit& pair) {
   constexpr double kLeastPitch = 1e-5;
   constexpr double kMostPitch = 1.0;
   if (!(std::abs(value) >= kLeastPitch && std::abs(value) <= kMostPitch)) {
-    at.fail("is not a pitch", "Give metres a turn, from 0.00001 to 1; below zero for a left-handed thread.");
+    at.fail(GLISSADE_TEXT("is not a pitch"), GLISSADE_TEXT("Give metres a turn, from 0.00001 to 1; below zero for a left-handed thread."));
   }
   demandThread(at, pair);
   return value;
@@ -44,7 +44,7 @@ double readPitch(const JsonCursor& at, const FitEdit& pair) {
 
 std::string readTurned(const JsonCursor& at, const FitEdit& pair) {
   std::string id = at.text();
-  if (id != pair.a && id != pair.b) at.fail("is neither of the two bodies", "Name the body that is turned.");
+  if (id != pair.a && id != pair.b) at.fail(GLISSADE_TEXT("is neither of the two bodies"), GLISSADE_TEXT("Name the body that is turned."));
   demandThread(at, pair);
   return id;
 }
@@ -54,7 +54,7 @@ FitEdit readPair(const JsonCursor& at) {
   FitEdit edit;
   edit.a = at.at("a").nonEmptyText();
   edit.b = at.at("b").nonEmptyText();
-  if (edit.a == edit.b) at.at("b").fail("is the same body as 'a'");
+  if (edit.a == edit.b) at.at("b").fail(GLISSADE_TEXT("is the same body as 'a'"));
   if (const auto kind = at.find("kind")) edit.kind = readKind(*kind);
   if (const auto allowance = at.find("allowance")) edit.allowance = readAllowance(*allowance);
   if (const auto accepted = at.find("accepted")) edit.accepted = accepted->boolean();
@@ -83,7 +83,7 @@ FitSettings readFits(const JsonCursor& at) {
   at.allowOnly({"mode", "accept_clashes", "cut", "pairs"});
   FitSettings fits;
   const std::string mode = at.at("mode").text();
-  if (mode != "on" && mode != "off") at.at("mode").fail("is neither \"on\" nor \"off\"");
+  if (mode != "on" && mode != "off") at.at("mode").fail(GLISSADE_TEXT("is neither \"on\" nor \"off\""));
   fits.on = mode == "on";
   if (const auto clash = at.find("accept_clashes")) fits.acceptedClash = readAllowance(*clash);
   const auto cut = at.find("cut");
@@ -94,7 +94,7 @@ FitSettings readFits(const JsonCursor& at) {
   for (std::size_t i = 0; pairs && i < pairs->sizeUpTo(limits::kMostBodies); ++i) {
     const FitEdit edit = readPair(pairs->element(i));
     for (const FitEdit& earlier : fits.pairs) {
-      if (isSamePair(earlier, edit)) pairs->element(i).fail("is about a pair that was there before", "Remove one.");
+      if (isSamePair(earlier, edit)) pairs->element(i).fail(GLISSADE_TEXT("is about a pair that was there before"), GLISSADE_TEXT("Remove one."));
     }
     fits.pairs.push_back(edit);
   }

@@ -15,13 +15,13 @@ constexpr EnumNames<JointEdit::Word, 4> kWordNames{{"confirmed", "dissolved", "p
 
 JointEdit::Word readWord(const JsonCursor& at) {
   if (const auto word = kWordNames.find(at.text())) return *word;
-  at.fail("is no word about a joint", "Give confirmed, dissolved, pressed_out or opened.");
+  at.fail(GLISSADE_TEXT("is no word about a joint"), GLISSADE_TEXT("Give confirmed, dissolved, pressed_out or opened."));
 }
 
 JointKind readJointKind(const JsonCursor& at) {
   const auto kind = jointByName(at.text());
   if (!kind) {
-    at.fail("is not a kind of joint", "Give screw, nut, thread, insert, pin, snap, flexible, permanent or unit.");
+    at.fail(GLISSADE_TEXT("is not a kind of joint"), GLISSADE_TEXT("Give screw, nut, thread, insert, pin, snap, flexible, permanent or unit."));
   }
   return *kind;
 }
@@ -38,12 +38,12 @@ double readPitchOf(const JsonCursor& at) {
   constexpr double kLeast = 1e-5;
   constexpr double kMost = 1.0;
   if (std::abs(pitch) >= kLeast && std::abs(pitch) <= kMost) return pitch;
-  at.fail("is not a pitch", "Give metres a turn, from 0.00001 to 1; below zero for a left-handed thread.");
+  at.fail(GLISSADE_TEXT("is not a pitch"), GLISSADE_TEXT("Give metres a turn, from 0.00001 to 1; below zero for a left-handed thread."));
 }
 
 double readNotNegative(const JsonCursor& at) {
   const double value = at.coordinate();
-  if (value < 0.0) at.fail("is below zero", "Give metres, 0 or more.");
+  if (value < 0.0) at.fail(GLISSADE_TEXT("is below zero"), GLISSADE_TEXT("Give metres, 0 or more."));
   return value;
 }
 
@@ -61,7 +61,7 @@ JointThread readThread(const JsonCursor& at) {
 Vector3 readDirection(const JsonCursor& at) {
   const Vector3 direction = readVector(at);
   const double length = direction.norm();
-  if (!(length > 1e-9)) at.fail("has no length", "Give a direction, as [0, 0, 1].");
+  if (!(length > 1e-9)) at.fail(GLISSADE_TEXT("has no length"), GLISSADE_TEXT("Give a direction, as [0, 0, 1]."));
   // A direction of unit length within rounding is kept, so that files are read and written without a change.
   return std::abs(length - 1.0) < 1e-12 ? direction : Vector3(direction / length);
 }
@@ -77,7 +77,7 @@ Joint readMade(const JsonCursor& at, JointKind kind, std::vector<std::string>* c
   if (const auto thread = at.find("thread")) joint.thread = readThread(*thread);
   if (const auto drive = at.find("drive")) {
     const auto known = driveByName(drive->text());
-    if (!known) drive->fail("is not a drive", "Give hex, hex_socket, cross, slot, six_lobe or none.");
+    if (!known) drive->fail(GLISSADE_TEXT("is not a drive"), GLISSADE_TEXT("Give hex, hex_socket, cross, slot, six_lobe or none."));
     joint.drive = *known;
   }
   if (const auto size = at.find("drive_size_m")) joint.driveSize = readNotNegative(*size);
@@ -95,7 +95,7 @@ JointEdit readJointEdit(const JsonCursor& at) {
   edit.word = readWord(at.at("word"));
   if (const auto made = at.find("made")) {
     if (edit.word != JointEdit::Word::Confirmed) {
-      made->fail("has no effect, because the joint is not confirmed", "Remove it, or say \"confirmed\".");
+      made->fail(GLISSADE_TEXT("has no effect, because the joint is not confirmed"), GLISSADE_TEXT("Remove it, or say \"confirmed\"."));
     }
     edit.made = readMade(*made, edit.key.kind, &edit.clamped);
   }
@@ -143,7 +143,7 @@ std::vector<JointEdit> readJointEdits(const JsonCursor& at) {
   for (std::size_t i = 0; i < at.sizeUpTo(limits::kMostBodies); ++i) {
     JointEdit edit = readJointEdit(at.element(i));
     for (const JointEdit& earlier : edits) {
-      if (earlier.key == edit.key) at.element(i).fail("is about a joint that was there before", "Remove one.");
+      if (earlier.key == edit.key) at.element(i).fail(GLISSADE_TEXT("is about a joint that was there before"), GLISSADE_TEXT("Remove one."));
     }
     edits.push_back(std::move(edit));
   }

@@ -14,7 +14,7 @@ constexpr std::size_t kMostKeptPaths = 1000;
 
 Author readAuthor(const JsonCursor& at) {
   const auto author = kAuthorNames.find(at.text());
-  if (!author) at.fail("is not computer, operator or contact");
+  if (!author) at.fail(GLISSADE_TEXT("is not computer, operator or contact"));
   return *author;
 }
 
@@ -40,7 +40,7 @@ KeptAllowance readKeptAllowance(const JsonCursor& at) {
 /// Reads a clearance of a path: 0 or more.
 double readKeptClearance(const JsonCursor& at) {
   const double value = at.coordinate();
-  if (value < 0.0) at.fail("is below zero", "Give metres, 0 or more.");
+  if (value < 0.0) at.fail(GLISSADE_TEXT("is below zero"), GLISSADE_TEXT("Give metres, 0 or more."));
   return value;
 }
 
@@ -64,7 +64,7 @@ KeptPath readKeptPath(const JsonCursor& at) {
   if (const auto problem = at.find("problem_sha256")) path.problemSha256 = problem->text();
   const JsonCursor points = at.at("configurations");
   for (std::size_t i = 0; i < points.size(); ++i) path.points.push_back(readPoint(points.element(i)));
-  if (path.points.empty()) points.fail("is empty", "Give a path, or remove it.");
+  if (path.points.empty()) points.fail(GLISSADE_TEXT("is empty"), GLISSADE_TEXT("Give a path, or remove it."));
   return path;
 }
 
@@ -107,7 +107,7 @@ KeptPaths readKeptPaths(const JsonCursor& at) {
     const JsonCursor element = at.element(i);
     auto path = std::make_shared<const KeptPath>(readKeptPath(element));
     if (!names.insert(path->name).second) {
-      element.at("name").fail("is the name of a path before it", "Give every path a name of its own.");
+      element.at("name").fail(GLISSADE_TEXT("is the name of a path before it"), GLISSADE_TEXT("Give every path a name of its own."));
     }
     paths.push_back(std::move(path));
   }

@@ -12,16 +12,16 @@ namespace {
 constexpr double kExact = 0.0;  // no error: numbers are written so that reading returns them bit by bit
 
 template <class Choose>
-std::string inWords(const Choose& choose) {
-  std::string words;
+Message inWords(const Choose& choose) {
+  std::vector<Message> words;
   const PathExporterRegistry registry = makePathExporterRegistry();
   for (const PathExporter& exporter : registry.entries()) {
     if (!choose(exporter)) continue;
     std::string endings;
     for (const std::string& ending : exporter.endings) endings += (endings.empty() ? "." : ", .") + ending;
-    words += (words.empty() ? "" : ", ") + exporter.label + " (" + endings + ")";
+    words.push_back({GLISSADE_TEXT("%1 (%2)"), {exporter.label, endings}});
   }
-  return words;
+  return joined(words, ", ");
 }
 
 }  // namespace
@@ -29,7 +29,7 @@ std::string inWords(const Choose& choose) {
 SaveResult PathExporter::write(const Path& path, const LoadedScenario& scenario, const PathProvenance& provenance,
                                const std::string& file) const {
   if (path.points.empty()) {
-    return notSaved({ErrorKind::Usage, file, "", "the path holds no configuration", "Give a path."});
+    return notSaved({ErrorKind::Usage, file, "", GLISSADE_TEXT("the path holds no configuration"), GLISSADE_TEXT("Give a path.")});
   }
   const auto text = content(path, scenario, provenance);
   if (!text) {
@@ -47,10 +47,10 @@ const PathExporter* PathExporterRegistry::find(std::string_view id) const {
 
 PathExporterRegistry makePathExporterRegistry() {
   PathExporterRegistry registry;
-  registry.add({"csv", {"csv"}, "Table", true, kExact, pathAsCsv});
-  registry.add({"json", {"json"}, "With provenance", true, kExact, pathAsJson});
-  registry.add({"ompl", {"path"}, "OMPL columns", false, kExact, pathAsOmpl});
-  registry.add({"glb", {"glb"}, "Animation", true, std::nullopt, pathAsGlb});
+  registry.add({"csv", {"csv"}, GLISSADE_TEXT("Table"), true, kExact, pathAsCsv});
+  registry.add({"json", {"json"}, GLISSADE_TEXT("With provenance"), true, kExact, pathAsJson});
+  registry.add({"ompl", {"path"}, GLISSADE_TEXT("OMPL columns"), false, kExact, pathAsOmpl});
+  registry.add({"glb", {"glb"}, GLISSADE_TEXT("Animation"), true, std::nullopt, pathAsGlb});
   return registry;
 }
 
@@ -61,10 +61,11 @@ Result<PathExporter> pathExporterFor(const std::string& file) {
     const auto& endings = exporter.endings;
     if (std::find(endings.begin(), endings.end(), ending) != endings.end()) return exporter;
   }
-  return Diagnostic{ErrorKind::Usage, file, "",
-                    ending.empty() ? "has no ending that says in which format the path is to be written"
-                                   : "paths are not written as '." + ending + "'",
-                    "Choose one of: " + writablePathFormats() + "."};
+  const Message reason = ending.empty()
+                             ? GLISSADE_TEXT("has no ending that says in which format the path is to be written")
+                             : Message(GLISSADE_TEXT("paths are not written as '.%1'"), {ending});
+  return Diagnostic{ErrorKind::Usage, file, "", reason,
+                    {GLISSADE_TEXT("Choose one of: %1."), {writablePathFormats()}}};
 }
 
 SaveResult writePath(const Path& path, const LoadedScenario& scenario, const PathProvenance& provenance,
@@ -74,11 +75,11 @@ SaveResult writePath(const Path& path, const LoadedScenario& scenario, const Pat
   return exporter->write(path, scenario, provenance, file);
 }
 
-std::string writablePathFormats() {
+Message writablePathFormats() {
   return inWords([](const PathExporter&) { return true; });
 }
 
-std::string readablePathFormats() {
+Message readablePathFormats() {
   return inWords([](const PathExporter& exporter) { return exporter.readBackError.has_value(); });
 }
 

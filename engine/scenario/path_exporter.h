@@ -17,7 +17,7 @@ namespace glissade {
 struct PathExporter {
   std::string id;
   std::vector<std::string> endings;  ///< file endings, lower case, without dot; the default first
-  std::string label;                 ///< name for people
+  CatalogueText label;               ///< name for people
   bool needsScenario = true;         ///< false: `scenario` may be empty
   /// Largest error of a coordinate that readPath reads back; nothing where readPath does not read the format.
   std::optional<double> readBackError;
@@ -54,8 +54,8 @@ SaveResult writePath(const Path& path, const LoadedScenario& scenario, const Pat
                      const std::string& file);
 
 /// The formats for help and errors, for example "Table (.csv), OMPL columns (.path)".
-std::string writablePathFormats();
+Message writablePathFormats();
 /// The formats that readPath reads.
-std::string readablePathFormats();
+Message readablePathFormats();
 
 }  // namespace glissade

@@ -117,8 +117,8 @@ Result<std::vector<PathPoint>> readJsonPath(const std::string& text, const std::
   const ChecksumState checksum = takeChecksum(*document);
   try {
     const JsonCursor root(*document, file, "");
-    if (root.at("format").text() != kJsonFormat) root.at("format").fail("is not \"glissade-path\"");
-    if (root.at("version").wholeNumber() != 1) root.at("version").fail("is not 1", "Use a newer Glissade.");
+    if (root.at("format").text() != kJsonFormat) root.at("format").fail(GLISSADE_TEXT("is not \"glissade-path\""));
+    if (root.at("version").wholeNumber() != 1) root.at("version").fail(GLISSADE_TEXT("is not 1"), GLISSADE_TEXT("Use a newer Glissade."));
     const JsonCursor list = root.at("configurations");
     std::vector<PathPoint> points;
     for (std::size_t i = 0; i < list.size(); ++i) {
@@ -127,11 +127,11 @@ Result<std::vector<PathPoint>> readJsonPath(const std::string& text, const std::
       PathPoint point;
       point.q = readPose(JsonCursor(pose, file, "/configurations/" + std::to_string(i)));
       const auto author = kAuthorNames.find(at.at("author").text());
-      if (!author) at.at("author").fail("is not computer, operator or contact");
+      if (!author) at.at("author").fail(GLISSADE_TEXT("is not computer, operator or contact"));
       point.author = *author;
       points.push_back(point);
     }
-    if (points.empty()) list.fail("is empty", "Give a path.");
+    if (points.empty()) list.fail(GLISSADE_TEXT("is empty"), GLISSADE_TEXT("Give a path."));
     if (checksum == ChecksumState::Wrong) {
       return wrongChecksum(file, "Plan again. To check an edited path, remove its checksum.");
     }

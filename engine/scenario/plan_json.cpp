@@ -133,8 +133,8 @@ class PlanReader {
     at.allowOnly({"format", "version", "program",  "product", "strategy",  "seed",   "deflection_m",
                   "parts",  "removed", "apart",    "end",     "certified", "bodies", "staying",
                   "steps",  "stuck",   "refusals", "waiting", "sequence",  "lines"});
-    if (at.at("format").text() != kPlanFormat) at.at("format").fail("is not \"glissade-plan\"");
-    if (at.at("version").wholeNumber() != 1) at.at("version").fail("is not 1", "Use a newer Glissade.");
+    if (at.at("format").text() != kPlanFormat) at.at("format").fail(GLISSADE_TEXT("is not \"glissade-plan\""));
+    if (at.at("version").wholeNumber() != 1) at.at("version").fail(GLISSADE_TEXT("is not 1"), GLISSADE_TEXT("Use a newer Glissade."));
     plan_.strategy = at.at("strategy").nonEmptyText();
     plan_.seed = at.at("seed").wholeNumber();
     if (const auto demands = at.find("sequence")) plan_.demands = readSequence(*demands);
@@ -143,7 +143,7 @@ class PlanReader {
     readBodies(at.at("bodies"));
     plan_.staying = readIds(at.at("staying"));
     for (std::size_t i = 0; i < plan_.staying.size(); ++i) {
-      if (!gone_.insert(plan_.staying[i]).second) at.at("staying").element(i).fail("is there twice");
+      if (!gone_.insert(plan_.staying[i]).second) at.at("staying").element(i).fail(GLISSADE_TEXT("is there twice"));
     }
     const JsonCursor steps = at.at("steps");
     for (std::size_t i = 0; i < steps.sizeUpTo(limits::kMostBodies); ++i) {
@@ -172,19 +172,19 @@ class PlanReader {
  private:
   static PlanEnd readEnd(const JsonCursor& at) {
     if (const auto end = kPlanEndNames.find(at.text())) return *end;
-    at.fail("is not complete, stuck, time_limit or interrupted");
+    at.fail(GLISSADE_TEXT("is not complete, stuck, time_limit or interrupted"));
   }
 
   void readBodies(const JsonCursor& at) {
     for (std::size_t i = 0; i < at.sizeUpTo(limits::kMostBodies); ++i) {
       plan_.bodies.push_back(at.element(i).nonEmptyText());
-      if (!known_.insert(plan_.bodies.back()).second) at.element(i).fail("is there twice");
+      if (!known_.insert(plan_.bodies.back()).second) at.element(i).fail(GLISSADE_TEXT("is there twice"));
     }
   }
 
   std::string readId(const JsonCursor& at) const {
     std::string id = at.text();
-    if (known_.count(id) == 0) at.fail("is none of the plan's bodies");
+    if (known_.count(id) == 0) at.fail(GLISSADE_TEXT("is none of the plan's bodies"));
     return id;
   }
 
@@ -197,14 +197,14 @@ class PlanReader {
   /// Reads a number of preceding steps, at most the number of steps read so far.
   std::size_t readAfter(const JsonCursor& at) const {
     const std::uint64_t after = at.wholeNumber();
-    if (after > plan_.steps.size()) at.fail("is more than the steps before it");
+    if (after > plan_.steps.size()) at.fail(GLISSADE_TEXT("is more than the steps before it"));
     return static_cast<std::size_t>(after);
   }
 
   static double readLength(const JsonCursor& at) {
     if (at.json().is_null()) return std::numeric_limits<double>::infinity();
     const double value = at.coordinate();
-    if (value < 0.0) at.fail("is below zero");
+    if (value < 0.0) at.fail(GLISSADE_TEXT("is below zero"));
     return value;
   }
 
@@ -214,17 +214,17 @@ class PlanReader {
     AssemblyStep step;
     const JsonCursor bodies = at.at("bodies");
     std::vector<std::string> ids = readIds(bodies);
-    if (ids.empty()) bodies.fail("is empty", "Name the bodies that leave.");
+    if (ids.empty()) bodies.fail(GLISSADE_TEXT("is empty"), GLISSADE_TEXT("Name the bodies that leave."));
     std::set<std::string> gone = gone_;
     for (std::size_t i = 0; i < ids.size(); ++i) {
-      if (!gone.insert(ids[i]).second) bodies.element(i).fail("stays, or has left before");
+      if (!gone.insert(ids[i]).second) bodies.element(i).fail(GLISSADE_TEXT("stays, or has left before"));
     }
     step.body = ids.front();
     step.with.assign(ids.begin() + 1, ids.end());
     step.after = readPredecessors(at);
     if (const auto fastener = at.find("fastener")) {
       const auto kind = fastenerByName(fastener->text());
-      if (!kind) fastener->fail("is not screw, nut, washer, pin or none");
+      if (!kind) fastener->fail(GLISSADE_TEXT("is not screw, nut, washer, pin or none"));
       step.fastener = *kind;
     }
     if (const auto tool = at.find("tool")) step.tool = readTool(*tool);
@@ -254,17 +254,17 @@ class PlanReader {
   StepViolation readViolation(const JsonCursor& at) const {
     at.allowOnly({"rule", "bodies"});
     const auto rule = kRuleNames.find(at.at("rule").text());
-    if (!rule) at.at("rule").fail("is not before, fastener, standing, place or joint");
+    if (!rule) at.at("rule").fail(GLISSADE_TEXT("is not before, fastener, standing, place or joint"));
     return {*rule, readIds(at.at("bodies"))};
   }
 
   StepTool readTool(const JsonCursor& at) const {
     at.allowOnly({"kind", "access", "blocked_by", "turned"});
     const auto kind = toolByName(at.at("kind").text());
-    if (!kind) at.at("kind").fail("is not hex_key, socket, screwdriver, open_wrench or none");
+    if (!kind) at.at("kind").fail(GLISSADE_TEXT("is not hex_key, socket, screwdriver, open_wrench or none"));
     StepTool tool{*kind};
     const auto access = kAccessNames.find(at.at("access").text());
-    if (!access) at.at("access").fail("is not not_asked, free or blocked");
+    if (!access) at.at("access").fail(GLISSADE_TEXT("is not not_asked, free or blocked"));
     tool.access = *access;
     if (const auto blockers = at.find("blocked_by")) tool.blockedBy = readIds(*blockers);
     if (const auto turned = at.find("turned")) tool.turned = readId(*turned);
@@ -278,7 +278,7 @@ class PlanReader {
     for (std::size_t number = 1; !at && number <= plan_.steps.size(); ++number) after.push_back(number);
     for (std::size_t i = 0; at && i < at->sizeUpTo(limits::kMostBodies); ++i) {
       const std::uint64_t number = at->element(i).wholeNumber();
-      if (number == 0 || number > plan_.steps.size()) at->element(i).fail("is not an earlier step");
+      if (number == 0 || number > plan_.steps.size()) at->element(i).fail(GLISSADE_TEXT("is not an earlier step"));
       after.push_back(static_cast<std::size_t>(number));
     }
     return after;
@@ -286,7 +286,7 @@ class PlanReader {
 
   static bool readCertified(const JsonCursor& at) {
     const std::string status = at.text();
-    if (status != kCertified && status != kNotCertified) at.fail("is not certified or not_certified");
+    if (status != kCertified && status != kNotCertified) at.fail(GLISSADE_TEXT("is not certified or not_certified"));
     return status == kCertified;
   }
 
@@ -294,13 +294,13 @@ class PlanReader {
     at.allowOnly({"kind", "body", "others", "clamped", "designation", "drive", "drive_size_m", "bend_m", "diameter_m",
                   "pitch_m", "pitch_stated", "turns"});
     const auto kind = jointByName(at.at("kind").text());
-    if (!kind) at.at("kind").fail("is not a kind of joint");
+    if (!kind) at.at("kind").fail(GLISSADE_TEXT("is not a kind of joint"));
     StepJoint joint{*kind, readId(at.at("body")), readIds(at.at("others"))};
     if (const auto clamped = at.find("clamped")) joint.clamped = readIds(*clamped);
     if (const auto designation = at.find("designation")) joint.designation = designation->text();
     if (const auto drive = at.find("drive")) {
       const auto known = driveByName(drive->text());
-      if (!known) drive->fail("is not a kind of drive");
+      if (!known) drive->fail(GLISSADE_TEXT("is not a kind of drive"));
       joint.drive = *known;
     }
     if (const auto size = at.find("drive_size_m")) joint.driveSize = readLength(*size);
@@ -336,7 +336,7 @@ class PlanReader {
     at.allowOnly({"body", "kind", "overlap_m", "allowance_m", "text", "moving", "yields", "hollow", "core", "evidence",
                   "pitch_m", "turns"});
     const auto kind = kindByName(at.at("kind").text());
-    if (!kind) at.at("kind").fail("is not a kind of fit");
+    if (!kind) at.at("kind").fail(GLISSADE_TEXT("is not a kind of fit"));
     StepAllowance allowance{readId(at.at("body")), *kind, readLength(at.at("overlap_m")),
                             readLength(at.at("allowance_m")), at.at("text").text()};
     if (const auto moving = at.find("moving")) allowance.moving = readId(*moving);
@@ -346,11 +346,11 @@ class PlanReader {
     if (const auto evidence = at.find("evidence")) allowance.evidence = readEvidence(*evidence);
     if (const auto pitch = at.find("pitch_m")) {
       allowance.pitch = pitch->coordinate();
-      if (allowance.pitch == 0.0) pitch->fail("is not a pitch");
+      if (allowance.pitch == 0.0) pitch->fail(GLISSADE_TEXT("is not a pitch"));
     }
     if (const auto turns = at.find("turns")) {
       allowance.turns = readLength(*turns);
-      if (allowance.pitch == 0.0) turns->fail("is without a pitch");
+      if (allowance.pitch == 0.0) turns->fail(GLISSADE_TEXT("is without a pitch"));
     }
     return allowance;
   }
@@ -359,7 +359,7 @@ class PlanReader {
     at.allowOnly({"part", "blocked_by", "reason"});
     StuckBody stuck{readId(at.at("part")), readIds(at.at("blocked_by"))};
     if (const auto reason = at.find("reason")) stuck.reason = reason->text();
-    if (gone_.count(stuck.body) != 0) at.at("part").fail("stays, or has left");
+    if (gone_.count(stuck.body) != 0) at.at("part").fail(GLISSADE_TEXT("stays, or has left"));
     return stuck;
   }
 
@@ -370,7 +370,7 @@ class PlanReader {
     if (depth == kMostLines) at.fail("is deeper than " + std::to_string(kMostLines) + " lines");
     SubassemblyLine line;
     line.step = static_cast<std::size_t>(at.at("step").wholeNumber());
-    if (line.step == 0 || line.step > steps) at.at("step").fail("is not a step before it");
+    if (line.step == 0 || line.step > steps) at.at("step").fail(GLISSADE_TEXT("is not a step before it"));
     line.bodies = readIds(at.at("bodies"));
     line.staying = readIds(at.at("staying"));
     PlanReader inner;
@@ -396,7 +396,7 @@ class PlanReader {
   void readRefusal(const JsonCursor& at) {
     at.allowOnly({"part", "with", "effort", "after_steps", "blocked_by"});
     const std::uint64_t effort = at.at("effort").wholeNumber();
-    if (effort >= kMostEffort) at.at("effort").fail("is too large");
+    if (effort >= kMostEffort) at.at("effort").fail(GLISSADE_TEXT("is too large"));
     plan_.refusals.push_back({readId(at.at("part")), static_cast<int>(effort), readAfter(at.at("after_steps")),
                               readIds(at.at("blocked_by"))});
     if (const auto with = at.find("with")) plan_.refusals.back().with = readIds(*with);

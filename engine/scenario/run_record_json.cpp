@@ -57,7 +57,7 @@ ParameterId readParameterId(const JsonCursor& at, const std::string& key) {
 template <class Entry>
 std::uint64_t readStep(const JsonCursor& at, const std::vector<Entry>& before) {
   const std::uint64_t step = at.wholeNumber();
-  if (!before.empty() && step < before.back().step) at.fail("comes before the step above it");
+  if (!before.empty() && step < before.back().step) at.fail(GLISSADE_TEXT("comes before the step above it"));
   return step;
 }
 
@@ -75,21 +75,21 @@ RunCheckpoint readCheckpoint(const JsonCursor& at) {
   at.allowOnly({"step", "nodes", "edges", "hash", "seconds"});
   RunCheckpoint checkpoint;
   checkpoint.step = at.at("step").wholeNumber();
-  if (checkpoint.step == 0) at.at("step").fail("is 0");
+  if (checkpoint.step == 0) at.at("step").fail(GLISSADE_TEXT("is 0"));
   checkpoint.nodes = at.at("nodes").wholeNumber();
   checkpoint.edges = at.at("edges").wholeNumber();
   checkpoint.seconds = at.at("seconds").number();
   const std::string hash = at.at("hash").text();
   const auto parsed = std::from_chars(hash.data(), hash.data() + hash.size(), checkpoint.hash, 16);
   if (hash.size() != 16 || parsed.ec != std::errc() || parsed.ptr != hash.data() + hash.size()) {
-    at.at("hash").fail("is not a number of 16 hexadecimal digits");
+    at.at("hash").fail(GLISSADE_TEXT("is not a number of 16 hexadecimal digits"));
   }
   return checkpoint;
 }
 
 RunLog::HandPose readHandPose(const JsonCursor& at, const std::vector<RunLog::HandPose>& before) {
   const std::size_t size = at.size();
-  if (size != 1 && size != 8) at.fail("is neither [step] nor [step, x, y, z, qx, qy, qz, qw]");
+  if (size != 1 && size != 8) at.fail(GLISSADE_TEXT("is neither [step] nor [step, x, y, z, qx, qy, qz, qw]"));
   RunLog::HandPose entry{readStep(at.element(0), before), std::nullopt};
   if (size == 1) return entry;
   Pose q;
@@ -97,7 +97,7 @@ RunLog::HandPose readHandPose(const JsonCursor& at, const std::vector<RunLog::Ha
   for (std::size_t i = 0; i < 4; ++i) {
     q.orientation.coeffs()[static_cast<Eigen::Index>(i)] = at.element(4 + i).number();
   }
-  if (std::abs(q.orientation.norm() - 1.0) > tolerance::kQuaternionNorm) at.fail("holds no unit quaternion");
+  if (std::abs(q.orientation.norm() - 1.0) > tolerance::kQuaternionNorm) at.fail(GLISSADE_TEXT("holds no unit quaternion"));
   entry.q_device = q;
   return entry;
 }
@@ -136,7 +136,7 @@ void readCommon(const JsonCursor& root, const WorkWatch& watch, RunRecord& recor
   record.log.start.planner = root.at("planner").nonEmptyText();
   record.log.start.seed = root.at("seed").wholeNumber();
   const JsonCursor parameters = root.at("parameters");
-  if (!parameters.json().is_object()) parameters.fail("is not an object");
+  if (!parameters.json().is_object()) parameters.fail(GLISSADE_TEXT("is not an object"));
   for (const auto& item : parameters.json().items()) {
     const JsonCursor at = parameters.at(item.key());
     record.parameters[readParameterId(at, item.key())] = at.number();
@@ -158,7 +158,7 @@ void readVersion1(const JsonCursor& root, RunRecord& record) {
 RunRecord::Loss readLoss(const JsonCursor& at) {
   at.allowOnly({"lines", "after_step"});
   const RunRecord::Loss loss{at.at("lines").wholeNumber(), at.at("after_step").wholeNumber()};
-  if (loss.lines == 0) at.at("lines").fail("is 0");
+  if (loss.lines == 0) at.at("lines").fail(GLISSADE_TEXT("is 0"));
   return loss;
 }
 
@@ -189,7 +189,7 @@ void readVersion2(const JsonCursor& root, RunRecord& record) {
   }
   if (!root.at("end").json().is_null()) log.end = readCheckpoint(root.at("end"));
   if (log.end && !log.checkpoints.empty() && log.end->step < log.checkpoints.back().step) {
-    root.at("end").at("step").fail("comes before the last checkpoint");
+    root.at("end").at("step").fail(GLISSADE_TEXT("comes before the last checkpoint"));
   }
   log.cutShort = root.at("cut_short").boolean();
   if (const auto lost = root.find("lost")) record.loss = readLoss(*lost);
@@ -247,9 +247,9 @@ void addLoss(const std::optional<RunRecord::Loss>& loss, Json& json) {
 }
 
 RunRecord readRecord(const JsonCursor& root, const WorkWatch& watch) {
-  if (root.at("format").text() != "glissade-run") root.at("format").fail("is not \"glissade-run\"");
+  if (root.at("format").text() != "glissade-run") root.at("format").fail(GLISSADE_TEXT("is not \"glissade-run\""));
   const std::uint64_t version = root.at("version").wholeNumber();
-  if (version != 1 && version != 2) root.at("version").fail("is neither 1 nor 2", "Use a newer Glissade.");
+  if (version != 1 && version != 2) root.at("version").fail(GLISSADE_TEXT("is neither 1 nor 2"), GLISSADE_TEXT("Use a newer Glissade."));
   RunRecord record;
   record.version = static_cast<int>(version);
   readCommon(root, watch, record);

@@ -28,7 +28,7 @@ constexpr std::array<Migration, kScenarioVersion - 1> kMigrations{};
 
 Colour readColour(const JsonCursor& at) {
   const Vector3 v = readVector(at);
-  if (v.minCoeff() < 0.0 || v.maxCoeff() > 1.0) at.fail("is not a colour: three numbers from 0 to 1");
+  if (v.minCoeff() < 0.0 || v.maxCoeff() > 1.0) at.fail(GLISSADE_TEXT("is not a colour: three numbers from 0 to 1"));
   return {v.x(), v.y(), v.z()};
 }
 
@@ -41,7 +41,7 @@ Asset readAsset(const JsonCursor& at) {
   if (const auto unit = at.find("unit")) asset.unit = unit->length();
   if (const auto up = at.find("up_axis")) {
     const std::string axis = up->text();
-    if (axis != "y" && axis != "z") up->fail("is neither \"y\" nor \"z\"");
+    if (axis != "y" && axis != "z") up->fail(GLISSADE_TEXT("is neither \"y\" nor \"z\""));
     asset.up = axis == "y" ? UpAxis::Y : UpAxis::Z;
   }
   if (const auto deflection = at.find("deflection")) asset.deflection = deflection->length();
@@ -52,7 +52,7 @@ Asset readAsset(const JsonCursor& at) {
 /// Exactly one of {"mesh": ...}, {"urdf": asset}, {"step": ...}, {"box": size}, {"cylinder": ...}, {"sphere": ...}.
 Geometry readGeometry(const JsonCursor& at, const std::set<std::string>& assets) {
   at.allowOnly({"mesh", "urdf", "step", "box", "cylinder", "sphere"});
-  if (at.json().size() != 1) at.fail("does not name exactly one shape");
+  if (at.json().size() != 1) at.fail(GLISSADE_TEXT("does not name exactly one shape"));
   const auto assetOf = [&](const JsonCursor& name) {
     const std::string id = name.text();
     if (assets.count(id) == 0) name.fail("names the asset '" + id + "', which is not in /assets", "Add the asset.");
@@ -71,7 +71,7 @@ Geometry readGeometry(const JsonCursor& at, const std::set<std::string>& assets)
   }
   if (const auto box = at.find("box")) {
     const Vector3 size = readVector(*box);
-    if (!limits::isSize(size.minCoeff())) box->fail("has a size that is not above zero, or below 1e-12 m");
+    if (!limits::isSize(size.minCoeff())) box->fail(GLISSADE_TEXT("has a size that is not above zero, or below 1e-12 m"));
     return BoxGeometry{size};
   }
   if (const auto cylinder = at.find("cylinder")) {
@@ -89,7 +89,7 @@ BodyDescription readDescription(const JsonCursor& at, const std::set<std::string
   body.name = at.has("name") ? at.at("name").text() : body.id;
   if (const auto mobility = at.find("mobility")) {
     const auto known = kMobilityNames.find(mobility->text());
-    if (!known) mobility->fail("is neither \"static\" nor \"mobile\"");
+    if (!known) mobility->fail(GLISSADE_TEXT("is neither \"static\" nor \"mobile\""));
     body.mobility = *known;
   }
   body.geometry = readGeometry(at.at("geometry"), assets);
@@ -118,26 +118,26 @@ ObjectDescription readObject(const JsonCursor& at, const std::set<std::string>& 
   if (const auto centre = at.find("centre_on_vertex_mean")) {
     object.centreOnVertexMean = centre->boolean();
     const bool mesh = std::holds_alternative<MeshGeometry>(object.first().geometry);
-    if (object.centreOnVertexMean && !mesh) centre->fail("is for mesh files only");
+    if (object.centreOnVertexMean && !mesh) centre->fail(GLISSADE_TEXT("is for mesh files only"));
   }
   if (const auto point = at.find("reference_point")) {
     object.referencePoint = readVector(*point);
-    if (object.centreOnVertexMean) point->fail("is said twice: there is 'centre_on_vertex_mean'");
+    if (object.centreOnVertexMean) point->fail(GLISSADE_TEXT("is said twice: there is 'centre_on_vertex_mean'"));
   }
-  if (object.centreOnVertexMean && object.isGroup()) at.at("with").fail("is not beside 'centre_on_vertex_mean'");
+  if (object.centreOnVertexMean && object.isGroup()) at.at("with").fail(GLISSADE_TEXT("is not beside 'centre_on_vertex_mean'"));
   return object;
 }
 
 Goal readGoal(const JsonCursor& at) {
   if (!at.isString()) return readPose(at);
-  if (at.text() != "out") at.fail("is neither a configuration nor \"out\"");
+  if (at.text() != "out") at.fail(GLISSADE_TEXT("is neither a configuration nor \"out\""));
   return GoalOut{};
 }
 
 Box3 readWorkspace(const JsonCursor& at) {
   at.allowOnly({"min", "max"});
   const Box3 box(readVector(at.at("min")), readVector(at.at("max")));
-  if (box.isEmpty()) at.fail("has a minimum above its maximum");
+  if (box.isEmpty()) at.fail(GLISSADE_TEXT("has a minimum above its maximum"));
   return box;
 }
 
@@ -146,7 +146,7 @@ std::map<ParameterId, double> readParameters(const std::optional<JsonCursor>& at
   if (!at) return values;
   for (const auto& item : at->json().items()) {
     const auto id = parameterByKey(item.key());
-    if (!id) at->at(item.key()).fail("is not a parameter", "Remove it, or see 'glissade-cli plan --help'.");
+    if (!id) at->at(item.key()).fail(GLISSADE_TEXT("is not a parameter"), GLISSADE_TEXT("Remove it, or see 'glissade-cli plan --help'."));
     values[*id] = at->at(item.key()).number();
   }
   return values;
@@ -154,7 +154,7 @@ std::map<ParameterId, double> readParameters(const std::optional<JsonCursor>& at
 
 /// Ids are unique and leave "<body>/<link>" to the links of URDF files.
 void checkId(std::set<std::string>& seen, const std::string& id, const JsonCursor& at) {
-  if (id.find('/') != std::string::npos) at.at("id").fail("holds a '/'", "Leave it out.");
+  if (id.find('/') != std::string::npos) at.at("id").fail(GLISSADE_TEXT("holds a '/'"), GLISSADE_TEXT("Leave it out."));
   if (!seen.insert(id).second)
     at.at("id").fail("has the id '" + id + "' a second time", "Give every one an id of its own.");
 }

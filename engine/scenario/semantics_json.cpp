@@ -16,13 +16,13 @@ namespace {
 constexpr std::size_t kMostBoxes = 4'000'000;
 
 Box3 readBox(const JsonCursor& at) {
-  if (at.size() != 6) at.fail("is not a box", "Give six coordinates: the least x, y and z, then the largest.");
+  if (at.size() != 6) at.fail(GLISSADE_TEXT("is not a box"), GLISSADE_TEXT("Give six coordinates: the least x, y and z, then the largest."));
   Box3 box;
   for (int axis = 0; axis < 3; ++axis) {
     box.min()[axis] = at.element(static_cast<std::size_t>(axis)).coordinate();
     box.max()[axis] = at.element(static_cast<std::size_t>(axis) + 3).coordinate();
   }
-  if (box.isEmpty()) at.fail("is not a box", "Give six coordinates: the least x, y and z, then the largest.");
+  if (box.isEmpty()) at.fail(GLISSADE_TEXT("is not a box"), GLISSADE_TEXT("Give six coordinates: the least x, y and z, then the largest."));
   return box;
 }
 
@@ -72,7 +72,7 @@ AttributeValue readValue(const JsonCursor& at) {
 Attributes readAttributes(const std::optional<JsonCursor>& at) {
   Attributes attributes;
   if (!at) return attributes;
-  if (!at->json().is_object()) at->fail("is not an object");
+  if (!at->json().is_object()) at->fail(GLISSADE_TEXT("is not an object"));
   for (const auto& item : at->json().items()) {
     attributes[item.key()] = readValue(at->at(item.key()));
   }
@@ -84,18 +84,18 @@ EnvironmentOptions readEnvironmentOptions(const JsonCursor& at) {
   EnvironmentOptions options;
   if (const auto size = at.find("cell_size")) {
     options.cellSize = size->coordinate();
-    if (options.cellSize < 0.0) size->fail("is below zero", "Give metres, or 0 for as fine as the memory allows.");
+    if (options.cellSize < 0.0) size->fail(GLISSADE_TEXT("is below zero"), GLISSADE_TEXT("Give metres, or 0 for as fine as the memory allows."));
   }
   if (const auto memory = at.find("memory")) options.memory = memory->positiveNumber();
   if (const auto level = at.find("topology_level")) {
     const std::uint64_t value = level->wholeNumber();
-    if (value < 2 || value > 8) level->fail("is out of range", "Give 2 to 8.");
+    if (value < 2 || value > 8) level->fail(GLISSADE_TEXT("is out of range"), GLISSADE_TEXT("Give 2 to 8."));
     options.topologyLevel = static_cast<int>(value);
   }
   if (const auto places = at.find("places")) {
     options.identifier = places->text();
     if (makePlaceIdentifierRegistry().find(options.identifier) == nullptr) {
-      places->fail("names no way to find places", "Give region-growing or watershed.");
+      places->fail(GLISSADE_TEXT("names no way to find places"), GLISSADE_TEXT("Give region-growing or watershed."));
     }
   }
   return options;
@@ -105,7 +105,7 @@ namespace {
 
 AttributeOwner readOwner(const JsonCursor& at) {
   const auto owner = kAttributeOwnerNames.find(at.text());
-  if (!owner) at.fail("is neither \"place\" nor \"body\"");
+  if (!owner) at.fail(GLISSADE_TEXT("is neither \"place\" nor \"body\""));
   return *owner;
 }
 
@@ -115,7 +115,7 @@ AttributeDefinition readDefinition(const JsonCursor& at) {
   definition.name = at.at("name").nonEmptyText();
   definition.label = at.has("label") ? at.at("label").text() : definition.name;
   const auto type = kAttributeTypeNames.find(at.at("type").text());
-  if (!type) at.at("type").fail("is not a type of attribute", "Give bool, integer, number, text or choice.");
+  if (!type) at.at("type").fail(GLISSADE_TEXT("is not a type of attribute"), GLISSADE_TEXT("Give bool, integer, number, text or choice."));
   definition.type = *type;
   definition.owner = readOwner(at.at("of"));
   if (const auto unit = at.find("unit")) definition.unit = unit->text();
@@ -223,7 +223,7 @@ SemanticEdits readSemanticEdits(const JsonCursor& at) {
   edits.milestones = readList<MilestoneEdit>(at, "milestones", readMilestone);
   const auto bodies = at.find("bodies");
   if (!bodies) return edits;
-  if (!bodies->json().is_object()) bodies->fail("is not an object");
+  if (!bodies->json().is_object()) bodies->fail(GLISSADE_TEXT("is not an object"));
   for (const auto& item : bodies->json().items()) edits.bodies[item.key()] = readAttributes(bodies->find(item.key()));
   return edits;
 }

@@ -21,9 +21,9 @@ std::vector<std::string> readNames(const JsonCursor& at, std::size_t least) {
 }
 
 Vector3 readDirection(const JsonCursor& at) {
-  if (at.size() != 3) at.fail("is not three numbers");
+  if (at.size() != 3) at.fail(GLISSADE_TEXT("is not three numbers"));
   const Vector3 gravity(at.element(0).coordinate(), at.element(1).coordinate(), at.element(2).coordinate());
-  if (!(gravity.norm() > 0.0)) at.fail("has no direction");
+  if (!(gravity.norm() > 0.0)) at.fail(GLISSADE_TEXT("has no direction"));
   return gravity;
 }
 
@@ -32,7 +32,7 @@ std::vector<std::pair<std::string, std::string>> readPairs(const std::optional<J
   std::vector<std::pair<std::string, std::string>> pairs;
   for (std::size_t i = 0; at && i < at->sizeUpTo(limits::kMostBodies); ++i) {
     const auto names = readNames(at->element(i), 2);
-    if (names.size() != 2) at->element(i).fail("is not two texts");
+    if (names.size() != 2) at->element(i).fail(GLISSADE_TEXT("is not two texts"));
     pairs.emplace_back(names[0], names[1]);
   }
   return pairs;
@@ -51,7 +51,7 @@ void readKnowledge(const JsonCursor& at, SequenceDemands& demands) {
   demands.fasteners = readPairs(at.find("fasteners"));
   for (std::size_t i = 0; i < demands.fasteners.size(); ++i) {
     if (!fastenerByName(demands.fasteners[i].second)) {
-      at.at("fasteners").element(i).fail("is not a body and screw, nut, washer, pin or none");
+      at.at("fasteners").element(i).fail(GLISSADE_TEXT("is not a body and screw, nut, washer, pin or none"));
     }
   }
   if (const auto cost = at.find("cost")) demands.cost = cost->nonEmptyText();
@@ -72,7 +72,7 @@ void readSteps(const JsonCursor& at, SequenceDemands& demands) {
     place.allowOnly({"bodies", "place", "locked"});
     demands.places.push_back({readNames(place.at("bodies"), 1)});
     demands.places.back().place = static_cast<std::size_t>(place.at("place").wholeNumber());
-    if (demands.places.back().place == 0) place.at("place").fail("is not 1 or more");
+    if (demands.places.back().place == 0) place.at("place").fail(GLISSADE_TEXT("is not 1 or more"));
     if (const auto locked = place.find("locked")) demands.places.back().locked = locked->boolean();
   }
   const auto motions = at.find("motions");
@@ -81,7 +81,7 @@ void readSteps(const JsonCursor& at, SequenceDemands& demands) {
     motion.allowOnly({"bodies", "method", "path"});
     demands.motions.push_back(
         {readNames(motion.at("bodies"), 1), readMotion(motion.at("path")), motion.at("method").nonEmptyText()});
-    if (demands.motions.back().path.size() < 2) motion.at("path").fail("has fewer than two configurations");
+    if (demands.motions.back().path.size() < 2) motion.at("path").fail(GLISSADE_TEXT("has fewer than two configurations"));
   }
   const auto forbidden = at.find("forbidden");
   for (std::size_t i = 0; forbidden && i < forbidden->sizeUpTo(limits::kMostBodies); ++i) {
@@ -127,10 +127,10 @@ std::vector<PathPoint> readMotion(const JsonCursor& at) {
     point.allowOnly({"position", "orientation", "author"});
     const SequenceJson pose{{"position", point.at("position").json()}, {"orientation", point.at("orientation").json()}};
     const auto author = kAuthorNames.find(point.at("author").text());
-    if (!author) point.at("author").fail("is not computer, operator or contact");
+    if (!author) point.at("author").fail(GLISSADE_TEXT("is not computer, operator or contact"));
     path.push_back({readPose(JsonCursor(pose, at.file(), at.pointer() + "/" + std::to_string(i))), *author});
   }
-  if (path.empty()) at.fail("is empty", "Give a path.");
+  if (path.empty()) at.fail(GLISSADE_TEXT("is empty"), GLISSADE_TEXT("Give a path."));
   return path;
 }
 
@@ -155,7 +155,7 @@ SequenceDemands readSequence(const JsonCursor& at) {
   const auto before = at.find("before");
   for (std::size_t i = 0; before && i < before->sizeUpTo(limits::kMostBodies); ++i) {
     const auto names = readNames(before->element(i), 2);
-    if (names.size() != 2) before->element(i).fail("is not two names");
+    if (names.size() != 2) before->element(i).fail(GLISSADE_TEXT("is not two names"));
     demands.before.emplace_back(names[0], names[1]);
   }
   if (const auto gravity = at.find("gravity")) demands.gravity = readDirection(*gravity);
@@ -167,7 +167,7 @@ SequenceDemands readSequence(const JsonCursor& at) {
   }
   if (const auto use = at.find("joint_use")) {
     const auto known = jointUseByName(use->text());
-    if (!known) use->fail("is not off, recognised or suggested");
+    if (!known) use->fail(GLISSADE_TEXT("is not off, recognised or suggested"));
     demands.jointUse = *known;
   }
   if (const auto joints = at.find("joints")) demands.joints = readJointEdits(*joints);

@@ -26,7 +26,7 @@ WorkTimes timesIn(const JsonCursor& at) {
   const JsonCursor rows = at.at("times");
   rows.expectObject();
   for (const auto& [name, value] : rows.json().items()) {
-    if (!isRow(name)) rows.at(name).fail("is no work time", "Take the names that 'times --write-table' writes.");
+    if (!isRow(name)) rows.at(name).fail(GLISSADE_TEXT("is no work time"), GLISSADE_TEXT("Take the names that 'times --write-table' writes."));
   }
   WorkTimes times;
   for (const WorkTimeRow& row : workTimeRows()) {

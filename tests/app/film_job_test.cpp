@@ -92,7 +92,7 @@ TEST_F(FilmJobTest, WhatTheProgramSaysIsTheError) {
   film(QStringLiteral("path.mp4"));
   ASSERT_TRUE(ends());
   EXPECT_FALSE(*result);
-  EXPECT_NE(result->why.reason.find("Unknown encoder libx264"), std::string::npos) << result->why.reason;
+  EXPECT_NE(toString(result->why.reason).find("Unknown encoder libx264"), std::string::npos) << toString(result->why.reason);
   EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files), QStringList{QStringLiteral("ffmpeg")});
   EXPECT_TRUE(restored);
 }
@@ -133,10 +133,10 @@ TEST_F(FilmJobTest, WithoutTheProgramOrWithAnotherEndingTheErrorSaysWhatToDo) {
   qputenv("PATH", folder.path().toUtf8());
   film(QStringLiteral("path.mp4"));
   ASSERT_TRUE(result.has_value());
-  EXPECT_NE(result->why.advice.find("Install the package ffmpeg"), std::string::npos);
+  EXPECT_NE(toString(result->why.advice).find("Install the package ffmpeg"), std::string::npos);
   EXPECT_FALSE(restored);
   film(QStringLiteral("path.avi"));
-  EXPECT_NE(result->why.advice.find(".webm"), std::string::npos);
+  EXPECT_NE(toString(result->why.advice).find(".webm"), std::string::npos);
 }
 
 TEST_F(FilmJobTest, ASeriesOfPicturesIsNumbered) {

@@ -49,7 +49,7 @@ TEST(JointTable, AWordThatCannotBeIsARowWithTheReasonAndTheOthersCount) {
   ASSERT_EQ(table.rows().size(), 4U);
   EXPECT_EQ(table.rows().back().state, JointRowState::Refused);
   ASSERT_TRUE(table.rows().back().refusal);
-  EXPECT_NE(table.rows().back().refusal->reason.find("nobody"), std::string::npos);
+  EXPECT_NE(toString(table.rows().back().refusal->reason).find("nobody"), std::string::npos);
   EXPECT_EQ(rowOf(table, "plate").state, JointRowState::Confirmed);
   EXPECT_EQ(table.shown("nobody"), QStringLiteral("nobody"));
 }

@@ -37,7 +37,7 @@ TEST(Script, ErrorsNameFileAndLine) {
     ASSERT_FALSE(script);
     EXPECT_EQ(script.error().kind, ErrorKind::MalformedInput);
     EXPECT_EQ(script.error().file, "a.script");
-    EXPECT_EQ(script.error().location, "line 2");
+    EXPECT_EQ(toString(script.error().location), "line 2");
   }
 }
 

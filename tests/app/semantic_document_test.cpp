@@ -132,7 +132,7 @@ TEST_F(SemanticDocumentTest, AnEditStaysWhereABodyComesToStandAndIsAsked) {
   }
   ASSERT_EQ(forbidden.size(), 1U);
   ASSERT_EQ(document.warnings().size(), 1U);
-  EXPECT_EQ(document.warnings().front().location, "/places/0");
+  EXPECT_EQ(toString(document.warnings().front().location), "/places/0");
   // A second edit binds the attributes to the place for which they count now.
   ASSERT_TRUE(document.setAttribute(places({forbidden[0]}), "preference", AttributeValue(2.0)).ok());
   EXPECT_EQ(document.edits().places.size(), 1U);
@@ -194,8 +194,8 @@ TEST_F(SemanticDocumentTest, AnAttributeThatARuleUsesStaysAsItIs) {
   for (const Outcome& refused : {document.renameDefinition(AttributeOwner::Place, "hazard", "danger"),
                                  document.removeDefinition(AttributeOwner::Place, "hazard")}) {
     ASSERT_FALSE(refused.ok());
-    EXPECT_NE(refused.error().reason.find("/rules/edge"), std::string::npos) << refused.error().reason;
-    EXPECT_NE(refused.error().reason.find("'hazard'"), std::string::npos) << refused.error().reason;
+    EXPECT_NE(toString(refused.error().reason).find("/rules/edge"), std::string::npos) << toString(refused.error().reason);
+    EXPECT_NE(toString(refused.error().reason).find("'hazard'"), std::string::npos) << toString(refused.error().reason);
   }
   EXPECT_TRUE(document.edits() == before);
 }

@@ -61,7 +61,7 @@ TEST_P(BackgroundExceptions, OfTheWorkAreTold) {
       atOnce());
   ASSERT_TRUE(failures.come());
   EXPECT_EQ(failures.said().front().kind, thrown().kind);
-  EXPECT_NE(failures.said().front().reason.find("while reading the parts"), std::string::npos);
+  EXPECT_NE(toString(failures.said().front().reason).find("while reading the parts"), std::string::npos);
   EXPECT_FALSE(task.isBusy());
   EXPECT_FALSE(delivered);
   // The next work runs as usual.
@@ -113,7 +113,7 @@ TEST_P(BackgroundExceptions, ReachTheWindowThroughTheWorkController) {
     return [] {};
   });
   ASSERT_TRUE(failures.come());
-  EXPECT_NE(failures.said().front().reason.find("while reading the parts"), std::string::npos);
+  EXPECT_NE(toString(failures.said().front().reason).find("while reading the parts"), std::string::npos);
   EXPECT_FALSE(actions[QStringLiteral("work.cancel")]->isEnabled());
   works.run(QStringLiteral("Reading the parts"),
             [&](const WorkWatch&) -> BackgroundTask::Delivery { return [&] { next = true; }; });
@@ -144,7 +144,7 @@ TEST(KnowledgeExceptions, AreToldAndTheNextBuildSucceeds) {
     ASSERT_TRUE(failures.come());
   }
   EXPECT_EQ(failures.said().front().kind, ErrorKind::LimitReached);
-  EXPECT_NE(failures.said().front().reason.find("while building the environment model"), std::string::npos);
+  EXPECT_NE(toString(failures.said().front().reason).find("while building the environment model"), std::string::npos);
   EXPECT_FALSE(finished);
   builder.build(scenario.problem, 1e-4, nullptr, false);
   EXPECT_TRUE(QTest::qWaitFor([&] { return finished; }, 60'000));
@@ -211,7 +211,7 @@ TEST_P(SessionExceptions, OfMakingASessionAreToldAndTheNextCallMakesIt) {
       ASSERT_NE(bridge.snapshot(), nullptr);
       if (const auto why = bridge.snapshot()->problem) {
         EXPECT_EQ(why->kind, ErrorKind::LimitReached);
-        if (why->reason.find("while preparing the planner") == std::string::npos)
+        if (toString(why->reason).find("while preparing the planner") == std::string::npos)
           continue;  // the diagnostic is the session's own
         ++failed;
         EXPECT_EQ(bridge.snapshot()->state, SessionState::Failed);
@@ -250,7 +250,7 @@ TEST_P(EventExceptions, OfASlotAreToldAndTheWindowGoesOn) {
   QTimer::singleShot(0, &receiver, [] { GetParam().raise(); });
   ASSERT_TRUE(QTest::qWaitFor([&] { return !said.empty(); }));
   EXPECT_EQ(said.front().kind, GetParam().kind);
-  EXPECT_NE(said.front().reason.find("while handling an event"), std::string::npos);
+  EXPECT_NE(toString(said.front().reason).find("while handling an event"), std::string::npos);
   bool next = false;
   QTimer::singleShot(0, &receiver, [&] { next = true; });
   EXPECT_TRUE(QTest::qWaitFor([&] { return next; }));

@@ -224,7 +224,7 @@ int main(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     const glissade::Outcome compared = glissade::compare(argv[i]);
     if (compared) continue;
-    std::cerr << argv[i] << ": " << compared.error().reason << "\n";
+    std::cerr << argv[i] << ": " << toString(compared.error().reason) << "\n";
     return 1;
   }
   return 0;

@@ -1,5 +1,6 @@
 #include "widgets/editors/attribute_view.h"
 
+#include <QAbstractSpinBox>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QCoreApplication>
@@ -21,6 +22,38 @@
 
 namespace glissade {
 namespace {
+
+/// A spin box (`Box`: QSpinBox or QDoubleSpinBox) whose minimum lies one step below its least value and is shown as its
+/// special text: neither steps nor typing reach it.
+template <class Box, class Number>
+class RangeBox final : public Box {
+ public:
+  RangeBox(Number least, QWidget* parent) : Box(parent), least_(least) {}
+
+  bool isInRange() const { return this->value() >= least_; }
+  void stepBy(int steps) override {
+    if (isInRange() && this->value() + steps * this->singleStep() >= least_) {
+      Box::stepBy(steps);
+    } else if (isInRange() || steps > 0) {
+      this->setValue(least_);
+    }
+  }
+
+ protected:
+  QAbstractSpinBox::StepEnabled stepEnabled() const override {
+    const auto enabled = Box::stepEnabled();
+    return this->value() > least_ ? enabled
+                                  : enabled & ~QAbstractSpinBox::StepEnabled(QAbstractSpinBox::StepDownEnabled);
+  }
+  QValidator::State validate(QString& text, int& position) const override {
+    const QValidator::State state = Box::validate(text, position);
+    const bool number = state == QValidator::Acceptable && text != this->specialValueText();
+    return number && this->valueFromText(text) < least_ ? QValidator::Intermediate : state;
+  }
+
+ private:
+  Number least_;
+};
 
 constexpr double kFinestLength = 1e-5;  ///< metres
 
@@ -121,8 +154,8 @@ QWidget* AttributeEditor::makeNumberBox(const AttributeDefinition& definition) {
 }
 
 /// The value below the range stands for different values; the box shows `scale` times the value.
-template <class Box, class Number>
-QWidget* AttributeEditor::connected(RangeBox<Box, Number>* box, const std::string& unit, double scale) {
+template <typename Box>
+QWidget* AttributeEditor::connected(Box* box, const std::string& unit, double scale) {
   box->setSpecialValueText(kDiffers);
   box->setSuffix(unit.empty() ? QString() : QStringLiteral(" ") + QString::fromStdString(unit));
   connect(box, QOverload<Number>::of(&Box::valueChanged), this, [this, box, scale](Number value) {

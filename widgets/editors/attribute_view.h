@@ -1,6 +1,5 @@
 #pragma once
 
-#include <QAbstractSpinBox>
 #include <QTreeWidget>
 #include <QWidget>
 
@@ -12,38 +11,6 @@
 #include "widgets/document/semantic_document.h"
 
 namespace glissade {
-
-/// A spin box (`Box`: QSpinBox or QDoubleSpinBox) whose minimum lies one step below its least value and is shown as its
-/// special text: neither steps nor typing reach it.
-template <class Box, class Number>
-class RangeBox final : public Box {
- public:
-  RangeBox(Number least, QWidget* parent) : Box(parent), least_(least) {}
-
-  bool isInRange() const { return this->value() >= least_; }
-  void stepBy(int steps) override {
-    if (isInRange() && this->value() + steps * this->singleStep() >= least_) {
-      Box::stepBy(steps);
-    } else if (isInRange() || steps > 0) {
-      this->setValue(least_);
-    }
-  }
-
- protected:
-  QAbstractSpinBox::StepEnabled stepEnabled() const override {
-    const auto enabled = Box::stepEnabled();
-    return this->value() > least_ ? enabled
-                                  : enabled & ~QAbstractSpinBox::StepEnabled(QAbstractSpinBox::StepDownEnabled);
-  }
-  QValidator::State validate(QString& text, int& position) const override {
-    const QValidator::State state = Box::validate(text, position);
-    const bool number = state == QValidator::Acceptable && text != this->specialValueText();
-    return number && this->valueFromText(text) < least_ ? QValidator::Intermediate : state;
-  }
-
- private:
-  Number least_;
-};
 
 /// The editor of one attribute's value, made for its type: check box, spin box with unit, combo box or line of text.
 /// Different values of several owners are shown as "—" until one is set. The wheel changes only an editor that has the
@@ -68,8 +35,8 @@ class AttributeEditor final : public QWidget {
   QWidget* makeCheckBox();
   QWidget* makeSpinBox(const AttributeDefinition& definition);
   QWidget* makeNumberBox(const AttributeDefinition& definition);
-  template <class Box, class Number>
-  QWidget* connected(RangeBox<Box, Number>* box, const std::string& unit, double scale = 1.0);
+  template <typename Box>
+  QWidget* connected(Box* box, const std::string& unit, double scale = 1.0);
   QWidget* makeComboBox(const AttributeDefinition& definition);
   QWidget* makeLine();
 

@@ -43,7 +43,7 @@ Pose SteppedHapticOperator::advance(double dt, const OperatorView& view, const B
   return cycle_.q;
 }
 
-DeviceEntry hapticEntry(std::string id, std::string label, std::string description, bool simulated,
+DeviceEntry hapticEntry(std::string id, CatalogueText label, CatalogueText description, bool simulated,
                         std::function<std::unique_ptr<HapticDevice>(const DeviceContext&)> make) {
   const auto makeOperator = [make = std::move(make)](const DeviceContext& context) -> std::unique_ptr<OperatorDevice> {
     if (!context.world) return nullptr;
@@ -52,7 +52,7 @@ DeviceEntry hapticEntry(std::string id, std::string label, std::string descripti
     if (context.realTime) return std::make_unique<HapticOperator>(context.world, std::move(device));
     return std::make_unique<SteppedHapticOperator>(context.world, std::move(device));
   };
-  return {std::move(id), std::move(label), std::move(description), simulated, makeOperator};
+  return {std::move(id), label, description, simulated, makeOperator};
 }
 
 }  // namespace glissade

@@ -48,7 +48,7 @@ class SteppedHapticOperator final : public OperatorDevice {
 };
 
 /// An entry of the registry for a haptic device. It makes no device without a world.
-DeviceEntry hapticEntry(std::string id, std::string label, std::string description, bool simulated,
+DeviceEntry hapticEntry(std::string id, CatalogueText label, CatalogueText description, bool simulated,
                         std::function<std::unique_ptr<HapticDevice>(const DeviceContext&)> make);
 
 }  // namespace glissade

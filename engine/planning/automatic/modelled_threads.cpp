@@ -95,7 +95,7 @@ ScrewSearch ModelledThreadWays::out(CollisionQuery& query, const Pose& from, dou
   std::sort(blocking.begin(), blocking.end());
   blocking.erase(std::unique(blocking.begin(), blocking.end()), blocking.end());
   search.blockedBy = std::move(blocking);
-  if (search.ways.empty()) search.why = "no screw motion out of the modelled thread is free";
+  if (search.ways.empty()) search.why = GLISSADE_TEXT("no screw motion out of the modelled thread is free");
   return search;
 }
 

@@ -27,6 +27,13 @@ constexpr double kLongestWayOut = 4.0;
 constexpr double kWayOutFactor = 1.25;
 constexpr std::size_t kWayOutFaces = 6;
 
+/// The length in millimetres with six significant digits, without the unit.
+std::string millimetres(double metres) {
+  std::ostringstream text;
+  text << 1e3 * metres;
+  return text.str();
+}
+
 class MoveToClearance {
  public:
   MoveToClearance(const CollisionWorldPtr& world, const Pose& q, double clearance, const StopToken& stop)
@@ -66,11 +73,11 @@ class MoveToClearance {
   Diagnostic failure() {
     const auto colliding = query_->collidingBody(q_);
     const auto body = static_cast<std::size_t>(colliding ? *colliding : query_->nearestObstacle(q_).body);
-    std::ostringstream reason;
-    reason << (colliding ? overlapWith(body) : nearnessTo(body)) << "; no clear position was found within "
-           << 1e3 * kLongestWayOut * world_->objectRadius() << " mm";
-    return {ErrorKind::InCollision, "", "", reason.str(),
-            "Switch fits on, put the object elsewhere, or check the parts and their unit."};
+    const Message reason = colliding ? overlapWith(body) : nearnessTo(body);
+    return {ErrorKind::InCollision, "", "",
+            {GLISSADE_TEXT("%1; no clear position was found within %2 mm"),
+             {reason, millimetres(kLongestWayOut * world_->objectRadius())}},
+            GLISSADE_TEXT("Switch fits on, put the object elsewhere, or check the parts and their unit.")};
   }
 
  private:
@@ -109,21 +116,20 @@ class MoveToClearance {
     return ends;
   }
 
-  std::string nearnessTo(std::size_t body) const {
-    return "the object is nearer to '" + world_->obstacles()[body].shown() + "' than the required clearance";
+  Message nearnessTo(std::size_t body) const {
+    return {GLISSADE_TEXT("the object is nearer to '%1' than the required clearance"),
+            {world_->obstacles()[body].shown()}};
   }
 
-  std::string overlapWith(std::size_t body) const {
+  Message overlapWith(std::size_t body) const {
     const RigidBody& obstacle = world_->obstacles()[body];
     const auto object = std::make_shared<const TriangleMesh>(world_->object());
     const ContactReport report =
         findContacts({{obstacle.id, obstacle.mesh, obstacle.X_WB}, {"object", object, q_}}, {});
-    if (report.contacts.empty()) return "the object penetrates '" + obstacle.shown() + "'";
+    if (report.contacts.empty()) return {GLISSADE_TEXT("the object penetrates '%1'"), {obstacle.shown()}};
     const double overlap = report.contacts.front().overlap;
-    if (overlap <= 0.0) return "the object touches '" + obstacle.shown() + "'";
-    std::ostringstream text;
-    text << "the object overlaps '" << obstacle.shown() << "' by " << 1e3 * overlap << " mm";
-    return text.str();
+    if (overlap <= 0.0) return {GLISSADE_TEXT("the object touches '%1'"), {obstacle.shown()}};
+    return {GLISSADE_TEXT("the object overlaps '%1' by %2 mm"), {obstacle.shown(), millimetres(overlap)}};
   }
 
   const CollisionWorldPtr& world_;
@@ -141,7 +147,7 @@ Result<Pose> moveToClearance(const CollisionWorldPtr& world, const Pose& q, doub
   if (search.isFree()) return q;
   if (const auto near = search.retract()) return *near;
   if (const auto out = search.slideOut()) return *out;
-  if (stop.stopRequested()) return Diagnostic{ErrorKind::Interrupted, "", "", "the operation was stopped", ""};
+  if (stop.stopRequested()) return Diagnostic{ErrorKind::Interrupted, "", "", GLISSADE_TEXT("the operation was stopped"), ""};
   return search.failure();
 }
 

@@ -41,8 +41,8 @@ bool PathRepair::solve(PlannerHost& host) {
     updateCounts();
     if (!path_ && queriesOf(counts_) > options_.work) {
       failure_ = Diagnostic{ErrorKind::NoPath, "", "",
-                            "the path of the shrunk object could not be repaired for the full-size object",
-                            "Start again with another seed."};
+                            GLISSADE_TEXT("the path of the shrunk object could not be repaired for the full-size object"),
+                            GLISSADE_TEXT("Start again with another seed.")};
     }
     if (!host.afterStep()) break;
   }

@@ -49,8 +49,8 @@ void ShrinkRepair::step(PlannerHost& host) {
   } else if (state == SubPlanner::State::Failed ||
              (level_ == 0 && queriesOf(counts_) - levelWork_ > options_.firstWork)) {
     failure_ = Diagnostic{ErrorKind::NoPath, "", "",
-                          "the path of the shrunk object could not be repaired for the full-size object",
-                          "Start again with another seed."};
+                          GLISSADE_TEXT("the path of the shrunk object could not be repaired for the full-size object"),
+                          GLISSADE_TEXT("Start again with another seed.")};
   }
 }
 

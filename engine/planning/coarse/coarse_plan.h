@@ -43,7 +43,7 @@ struct TopologicalStep {
 
   int place = 0;    ///< index of the place to cross, or kWholeWorkspace
   int border = -1;  ///< border to reach; -1: the goal
-  std::string placeName;
+  Message placeName;
   std::string borderName;  ///< "G" for the goal
   Pose from;
   Pose to;  ///< the milestone in the border; undefined while `milestone` is false

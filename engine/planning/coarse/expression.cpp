@@ -147,7 +147,7 @@ class Parser {
   TermPtr parse() {
     TermPtr term = number(&Parser::disjunction);
     skipSpaces();
-    if (at_ < text_.size()) fail("'" + text_.substr(at_, 8) + "' was not expected");
+    if (at_ < text_.size()) fail({GLISSADE_TEXT("'%1' was not expected"), {text_.substr(at_, 8)}});
     return term;
   }
 
@@ -164,8 +164,8 @@ class Parser {
   }
   TermPtr numeric(TermPtr term, std::size_t begin) const {
     if (term->type == RuleType::Number) return term;
-    throw SyntaxError{
-        begin, (term->name.empty() ? "a text" : "'" + term->name + "', a text,") + " stands where a number is needed"};
+    if (term->name.empty()) throw SyntaxError{begin, GLISSADE_TEXT("a text stands where a number is needed")};
+    throw SyntaxError{begin, {GLISSADE_TEXT("'%1', a text, stands where a number is needed"), {term->name}}};
   }
 
   void skipSpaces() {
@@ -185,7 +185,7 @@ class Parser {
     return true;
   }
   void expect(const std::string& token) {
-    if (!takes(token)) fail("'" + token + "' is missing");
+    if (!takes(token)) fail({GLISSADE_TEXT("'%1' is missing"), {token}});
   }
 
   /// Operands of one level of the grammar, from left to right.
@@ -244,7 +244,7 @@ class Parser {
   TermPtr primary() {
     const Nesting nesting(*this);
     skipSpaces();
-    if (at_ >= text_.size()) fail("the rule ends too early");
+    if (at_ >= text_.size()) fail(GLISSADE_TEXT("the rule ends too early"));
     if (takes("(")) {
       TermPtr term = disjunction();
       expect(")");
@@ -253,11 +253,11 @@ class Parser {
     if (text_[at_] == '"') return quoted();
     if (isDigit(text_[at_]) || text_[at_] == '.') return numeral();
     if (isLetter(text_[at_])) return named();
-    fail("'" + text_.substr(at_, 1) + "' was not expected");
+    fail({GLISSADE_TEXT("'%1' was not expected"), {text_.substr(at_, 1)}});
   }
   TermPtr quoted() {
     const std::size_t end = text_.find('"', at_ + 1);
-    if (end == std::string::npos) fail("a text is not closed");
+    if (end == std::string::npos) fail(GLISSADE_TEXT("a text is not closed"));
     TermPtr term = leaf(text_.substr(at_ + 1, end - at_ - 1));
     at_ = end + 1;
     return term;
@@ -266,7 +266,7 @@ class Parser {
     std::size_t end = at_;
     while (end < text_.size() && (isDigit(text_[end]) || text_[end] == '.')) ++end;
     const auto value = toNumber(text_.substr(at_, end - at_));
-    if (!value) fail("'" + text_.substr(at_, end - at_) + "' is not a number");
+    if (!value) fail({GLISSADE_TEXT("'%1' is not a number"), {text_.substr(at_, end - at_)}});
     at_ = end;
     return leaf(*value);
   }
@@ -284,7 +284,7 @@ class Parser {
       return leaf(std::numeric_limits<double>::infinity());
     }
     const auto type = typeOf_(name);
-    if (!type) fail("the name '" + name + "' is unknown");
+    if (!type) fail({GLISSADE_TEXT("the name '%1' is unknown"), {name}});
     at_ = end;
     return variable(name, *type);
   }
@@ -295,7 +295,7 @@ class Parser {
     while (takes(",")) arguments.push_back(chooses ? disjunction() : number(&Parser::disjunction));
     expect(")");
     if (arguments.size() < function.least || arguments.size() > function.most) {
-      fail("'" + name + "' has the wrong number of arguments");
+      fail({GLISSADE_TEXT("'%1' has the wrong number of arguments"), {name}});
     }
     const bool text = std::any_of(arguments.begin(), arguments.end(),
                                   [](const TermPtr& argument) { return argument->type == RuleType::Text; });
@@ -306,7 +306,7 @@ class Parser {
   class Nesting {
    public:
     explicit Nesting(Parser& parser) : parser_(parser) {
-      if (++parser_.depth_ > kDeepest) parser_.fail("the rule is nested too deeply");
+      if (++parser_.depth_ > kDeepest) parser_.fail(GLISSADE_TEXT("the rule is nested too deeply"));
     }
     ~Nesting() { --parser_.depth_; }
     Nesting(const Nesting&) = delete;
@@ -323,18 +323,21 @@ class Parser {
   int depth_ = 0;
 };
 
+Location columnAt(std::size_t position) { return {GLISSADE_TEXT("column %1"), {position + 1}}; }
+
 }  // namespace
 
 Result<Expression> Expression::parse(const std::string& text, const NameTypes& typeOf) {
   if (text.size() > kLongest) {
-    return Diagnostic{ErrorKind::MalformedInput, "", "column " + std::to_string(kLongest + 1), "the rule is too long",
-                      "Use at most " + std::to_string(kLongest) + " characters."};
+    return Diagnostic{ErrorKind::MalformedInput, "", columnAt(kLongest), GLISSADE_TEXT("the rule is too long"),
+                      {GLISSADE_TEXT("Use at most %1 characters."), {kLongest}}};
   }
   try {
     return Expression(text, Parser(text, typeOf).parse());
   } catch (const SyntaxError& error) {
-    return Diagnostic{ErrorKind::MalformedInput, "", "column " + std::to_string(error.position + 1), error.reason,
-                      "Correct the rule: " + (text.size() > 200 ? text.substr(0, 200) + "..." : text)};
+    const std::string shown = text.size() > 200 ? text.substr(0, 200) + "..." : text;
+    return Diagnostic{ErrorKind::MalformedInput, "", columnAt(error.position), error.reason,
+                      {GLISSADE_TEXT("Correct the rule: %1"), {shown}}};
   }
 }
 

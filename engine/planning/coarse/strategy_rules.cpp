@@ -92,14 +92,15 @@ Result<ParsedRules> parseRules(const StrategyRules& rules, const AttributeTable&
     if (std::find(localPlanners.begin(), localPlanners.end(), local) == localPlanners.end()) {
       std::string known;
       for (const std::string& id : localPlanners) known += (known.empty() ? "" : ", ") + id;
-      return Diagnostic{ErrorKind::MalformedInput, "", pointer + "/local", "there is no local planner '" + local + "'",
-                        "Give one of " + known + "."};
+      return Diagnostic{ErrorKind::MalformedInput, "", pointer + "/local", 
+                        {GLISSADE_TEXT("there is no local planner '%1'"), {local}},
+                        {GLISSADE_TEXT("Give one of %1."), {known}}};
     }
     fine.push_back({std::move(*when), rules.fine[i].geometrical, local});
   }
   if (fine.empty() || fine.back().when.text() != "1") {
-    return Diagnostic{ErrorKind::MalformedInput, "", "/rules/fine", "has no last rule that always holds",
-                      "End it with {\"when\": \"1\", ...}."};
+    return Diagnostic{ErrorKind::MalformedInput, "", "/rules/fine", GLISSADE_TEXT("has no last rule that always holds"),
+                      GLISSADE_TEXT("End it with {\"when\": \"1\", ...}.")};
   }
   return ParsedRules{std::move(*node), std::move(*edge), std::move(fine), rules.loop, rules.fitted};
 }

@@ -37,13 +37,14 @@ double numberOf(const SemanticModel& semantics, std::size_t place, const char* a
 constexpr double kRounding = 1e-9;
 
 /// The cost that a rule gives. A negative cost is an error, because Dijkstra's algorithm needs costs of at least 0.
-Result<double> costBy(const Expression& rule, const char* pointer, const NameLookup& lookup, const std::string& where) {
+Result<double> costBy(const Expression& rule, const char* pointer, const NameLookup& lookup, const Message& where) {
   const double value = rule.number(lookup);
   if (value >= -kRounding) return std::max(0.0, value);
-  return Diagnostic{
-      ErrorKind::MalformedInput, "", pointer,
-      std::isnan(value) ? "divides by zero " + where : "gives the negative cost " + toText(value) + " " + where,
-      "A cost is 0 or more: correct the rule " + rule.text()};
+  const Message reason = std::isnan(value)
+                             ? Message(GLISSADE_TEXT("divides by zero %1"), {where})
+                             : Message(GLISSADE_TEXT("gives the negative cost %1 %2"), {value, where});
+  return Diagnostic{ErrorKind::MalformedInput, "", pointer, reason,
+                    {GLISSADE_TEXT("A cost is 0 or more: correct the rule %1"), {rule.text()}}};
 }
 
 }  // namespace
@@ -81,7 +82,8 @@ Result<TopologicalGraph> makeTopologicalGraph(const TopologicalMap& map, const S
     };
     const auto nameOf = [&](int place) { return semantics.placeName(static_cast<std::size_t>(place)); };
     const auto cost =
-        costBy(rules.node, "/rules/node", lookup, "between " + nameOf(border.placeA) + " and " + nameOf(border.placeB));
+        costBy(rules.node, "/rules/node", lookup, 
+               {GLISSADE_TEXT("between %1 and %2"), {nameOf(border.placeA), nameOf(border.placeB)}});
     if (!cost) return cost.error();
     const int node = static_cast<int>(graph.nodes.size());
     graph.nodes.push_back({static_cast<int>(b), border.centre, *cost});
@@ -97,7 +99,7 @@ Result<TopologicalGraph> makeTopologicalGraph(const TopologicalMap& map, const S
         const double distance =
             (graph.nodes[static_cast<std::size_t>(from)].p_W - graph.nodes[static_cast<std::size_t>(to)].p_W).norm();
         const auto cost = costBy(rules.edge, "/rules/edge", placeLookup(semantics, place, distance, size),
-                                 "in place " + semantics.placeName(place));
+                                 {GLISSADE_TEXT("in place %1"), {semantics.placeName(place)}});
         if (!cost) return cost.error();
         double edgeCost = *cost / preference;
         const auto raised =

@@ -98,7 +98,7 @@ void MultiLayerPlanner::prepare(PlannerHost& host) {
     plan_.coarseConfigurations += knowledge_->randomConfigurations();
   }
   if (!goal_) {
-    fail("the workspace has no configuration outside the product", "Widen the workspace.");
+    fail(GLISSADE_TEXT("the workspace has no configuration outside the product"), GLISSADE_TEXT("Widen the workspace."));
     return;
   }
   coarse_.emplace(problem_, *goal_, knowledge_, rules_, edits_);
@@ -140,7 +140,7 @@ void MultiLayerPlanner::planCoarsely() {
     phase_ = Phase::LastResort;
     turn_ = 0;
   } else {
-    fail(noWay(plan_), "Check the semantic attributes of the places, or use strategy G.");
+    fail(noWay(plan_), GLISSADE_TEXT("Check the semantic attributes of the places, or use strategy G."));
   }
   publish();
 }
@@ -173,7 +173,7 @@ void MultiLayerPlanner::drawMilestone(PlannerHost& host) {
     phase_ = Phase::Fine;
     publish();
   } else if (milestoneDraws_ >= static_cast<std::uint64_t>(host.parameters()[ParameterId::BorderSamples])) {
-    stepFailed(host, "no free milestone in border " + step.borderName);
+    stepFailed(host, {GLISSADE_TEXT("no free milestone in border %1"), {step.borderName}});
   }
 }
 
@@ -209,7 +209,7 @@ void MultiLayerPlanner::crossPlace(PlannerHost& host) {
       choice_ = fallbackFor(coarse_->rules(), choice_);
       startLocalPlanner(host);
     } else {
-      stepFailed(host, "place " + step.placeName + " was not crossed");
+      stepFailed(host, {GLISSADE_TEXT("place %1 was not crossed"), {step.placeName}});
     }
   } else if (spent > 0 && step.randomConfigurations % kPublishEvery == 0) {
     publish();
@@ -256,7 +256,7 @@ void MultiLayerPlanner::stepFailed(PlannerHost& host, const Message& reason) {
   milestoneSampler_.reset();
   milestoneDraws_ = 0;
   if (!coarse_->rules().loop) {
-    fail(reason, "Change the semantic attributes, or use the strategy Layers (gts).");
+    fail(reason, GLISSADE_TEXT("Change the semantic attributes, or use the strategy Layers (gts)."));
     return;
   }
   // The milestones are drawn anew, because they may be the reason for the failure.
@@ -279,7 +279,7 @@ TopologicalStep& MultiLayerPlanner::wholeWorkspaceStep() {
   if (!plan_.steps.empty() && plan_.steps.back().place == TopologicalStep::kWholeWorkspace) return plan_.steps.back();
   TopologicalStep step;
   step.place = TopologicalStep::kWholeWorkspace;
-  step.placeName = "the whole workspace";
+  step.placeName = GLISSADE_TEXT("the whole workspace");
   step.borderName = "G";
   step.from = problem_.start;
   step.to = *goal_;
@@ -315,7 +315,7 @@ void MultiLayerPlanner::searchWorkspace(PlannerHost& host) {
     step.result = StepResult::Solved;
     publish();
   } else if (!plan_.forbidden.empty() && isSpent(*whole_, host.parameters())) {
-    fail(noWay(plan_), "Allow one of these places again, or raise the samples a step.");
+    fail(noWay(plan_), GLISSADE_TEXT("Allow one of these places again, or raise the samples a step."));
   } else if (turn_ > 0) {
     turn_ -= std::min(turn_, std::max<std::uint64_t>(spent, 1));
     if (turn_ == 0) phase_ = Phase::Coarse;
@@ -332,7 +332,7 @@ void MultiLayerPlanner::deliver(PlannerHost& host) {
   if (path.certificate.status == CertificateStatus::Certified) {
     path_ = std::move(path);
   } else if (!host.stopToken().stopRequested()) {
-    fail("the steps together cannot be certified", "Please report it with the scenario and the seed.");
+    fail(GLISSADE_TEXT("the steps together cannot be certified"), GLISSADE_TEXT("Please report it with the scenario and the seed."));
   }
   publish();
 }

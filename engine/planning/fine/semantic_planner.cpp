@@ -5,8 +5,9 @@
 namespace glissade {
 namespace {
 
-std::string planners(const FineChoice& choice) {
-  return choice.geometrical ? "geometrical planner, then " + choice.local : choice.local;
+Message planners(const FineChoice& choice) {
+  if (!choice.geometrical) return choice.local;
+  return {GLISSADE_TEXT("geometrical planner, then %1"), {choice.local}};
 }
 
 }  // namespace
@@ -16,7 +17,7 @@ FineChoice chooseFor(const TopologicalStep& step, const SceneKnowledge& knowledg
   const auto& crossing = knowledge.fits[static_cast<std::size_t>(step.place)].crossing;
   const auto isEnd = [&](const Pose& q) { return q == crossing->before || q == crossing->behind; };
   if (rules.fitted && crossing && isEnd(step.from) && isEnd(step.to)) {
-    return {false, "linear", "a straight crossing fits, so linear"};
+    return {false, "linear", GLISSADE_TEXT("a straight crossing fits, so linear")};
   }
   const double distance = (step.to.position - step.from.position).norm();
   return chooseFinePlanners(knowledge.environment->map, semantics, rules, step.place, distance);

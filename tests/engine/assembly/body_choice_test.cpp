@@ -20,12 +20,12 @@ TEST(BodyChoice, WhatMeansNothingOrEverythingIsRefused) {
     const auto refused = bodiesMeant(kIds, {name}, "--without");
     ASSERT_FALSE(refused) << name;
     EXPECT_EQ(refused.error().kind, ErrorKind::Usage);
-    EXPECT_EQ(refused.error().location, "--without");
-    EXPECT_NE(refused.error().reason.find("'" + name + "'"), std::string::npos);
+    EXPECT_EQ(toString(refused.error().location), "--without");
+    EXPECT_NE(toString(refused.error().reason).find("'" + name + "'"), std::string::npos);
   }
   const auto all = bodiesMeant(kIds, {"pump", "plate"}, "--without");
   ASSERT_FALSE(all);
-  EXPECT_EQ(all.error().reason, "leaves no body");
+  EXPECT_EQ(toString(all.error().reason), "leaves no body");
 }
 
 }  // namespace

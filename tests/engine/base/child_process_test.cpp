@@ -255,7 +255,7 @@ TEST(ChildProcess, AProgramThatCannotBeRunIsAnError) {
     ASSERT_FALSE(end.ok()) << program;
     EXPECT_EQ(end.error().kind, ErrorKind::MalformedInput);
     EXPECT_EQ(end.error().file, program);
-    EXPECT_THAT(end.error().reason, HasSubstr("cannot be started: its file cannot be run: "));
+    EXPECT_THAT(toString(end.error().reason), HasSubstr("cannot be started: its file cannot be run: "));
     EXPECT_FALSE(end.error().advice.empty());
   }
 }

@@ -67,7 +67,7 @@ bool becomeNobody() {
 void expectFailed(const SaveResult& result, const std::string& file, const std::string& reason) {
   EXPECT_EQ(result.status, SaveStatus::Failed) << file;
   EXPECT_EQ(result.why.file, file);
-  EXPECT_THAT(result.why.reason, HasSubstr(reason));
+  EXPECT_THAT(toString(result.why.reason), HasSubstr(reason));
   EXPECT_FALSE(result.why.advice.empty());
 }
 
@@ -140,8 +140,8 @@ TEST(SaveFile, SaysThatAFolderIsReadOnly) {
   EXPECT_TRUE(inChild([&] {
     if (::geteuid() == 0 && !becomeNobody()) return false;
     const SaveResult result = saveFile(file, "new");
-    return result.status == SaveStatus::Failed && result.why.reason.find("Permission denied") != std::string::npos &&
-           result.why.advice.find("folder") != std::string::npos;
+    return result.status == SaveStatus::Failed && toString(result.why.reason).find("Permission denied") != std::string::npos &&
+           toString(result.why.advice).find("folder") != std::string::npos;
   }));
   ASSERT_EQ(::chmod(folder.path().c_str(), 0755), 0);
   EXPECT_EQ(readWhole(file), "old");
@@ -157,7 +157,7 @@ TEST(SaveFile, TakesNamesOfTheGreatestLengthAndRefusesLongerOnes) {
   EXPECT_EQ(earlierVersions(file).size(), 1U);
   const std::string longer = folder / std::string(256, 'n');
   expectFailed(saveFile(longer, "x"), longer, "name too long");
-  EXPECT_THAT(saveFile(longer, "x").why.advice, HasSubstr("shorter"));
+  EXPECT_THAT(toString(saveFile(longer, "x").why.advice), HasSubstr("shorter"));
 }
 
 TEST(SaveFile, ANewFileHasThePermissionsThatTheUserWants) {
@@ -188,7 +188,7 @@ TEST(SaveFile, KeepsTheOwnerWhereItMayAndSaysWhereItMayNot) {
   EXPECT_TRUE(inChild([&] {
     if (!becomeNobody()) return false;
     const SaveResult lost = saveFile(file, "as nobody");
-    return lost && lost.warnings.size() == 1 && lost.warnings[0].reason.find("owner and group") != std::string::npos;
+    return lost && lost.warnings.size() == 1 && toString(lost.warnings[0].reason).find("owner and group") != std::string::npos;
   }));
   EXPECT_EQ(statusOf(file).st_uid, kNobody);
   EXPECT_EQ(statusOf(file).st_mode & 0777, 0666U);
@@ -201,7 +201,7 @@ TEST(SaveFile, SaysThatOtherNamesKeepTheOldContent) {
   const SaveResult result = saveFile(file, "new");
   ASSERT_TRUE(result);
   ASSERT_EQ(result.warnings.size(), 1U);
-  EXPECT_THAT(result.warnings[0].reason, HasSubstr("1 more names (hard links)"));
+  EXPECT_THAT(toString(result.warnings[0].reason), HasSubstr("1 more names (hard links)"));
   EXPECT_EQ(readWhole(folder / "b.json"), "old");
 }
 
@@ -213,7 +213,7 @@ TEST(SaveFile, TellsTheTruthWhenTheFileMayNotGrow) {
     const rlimit limit{1000, 1000};
     if (::setrlimit(RLIMIT_FSIZE, &limit) != 0) return false;
     const SaveResult result = saveFile(file, std::string(5000, 'x'));
-    return result.status == SaveStatus::Failed && result.why.reason.find("File too large") != std::string::npos;
+    return result.status == SaveStatus::Failed && toString(result.why.reason).find("File too large") != std::string::npos;
   }));
   EXPECT_EQ(readWhole(file), "old");
   EXPECT_EQ(namesIn(folder.path()).size(), 1U);
@@ -233,8 +233,8 @@ TEST(SaveFile, TellsTheTruthOnAFullDisk) {
   }
   EXPECT_TRUE(results[0]);
   EXPECT_FALSE(results[1]);
-  EXPECT_THAT(results[2].why.reason, HasSubstr("No space left"));
-  EXPECT_THAT(results[2].why.advice, HasSubstr("Free some space"));
+  EXPECT_THAT(toString(results[2].why.reason), HasSubstr("No space left"));
+  EXPECT_THAT(toString(results[2].why.advice), HasSubstr("Free some space"));
   EXPECT_EQ(namesIn(folder / "disk").size(), 2U);  // the file and its earlier versions
   ASSERT_EQ(::umount((folder / "disk").c_str()), 0);
 }

@@ -23,7 +23,7 @@ void expectRefused(const std::string& file, const std::string& reason) {
   ASSERT_FALSE(content.ok());
   EXPECT_EQ(content.error().kind, ErrorKind::MalformedInput);
   EXPECT_EQ(content.error().file, file);
-  EXPECT_THAT(content.error().reason, testing::HasSubstr(reason));
+  EXPECT_THAT(toString(content.error().reason), testing::HasSubstr(reason));
   EXPECT_FALSE(content.error().advice.empty());
 }
 

@@ -19,7 +19,7 @@ TEST(Guarded, ExhaustedMemoryIsALimit) {
   const auto why = guarded("planning", [] { throw std::bad_alloc(); });
   ASSERT_TRUE(why);
   EXPECT_EQ(why->kind, ErrorKind::LimitReached);
-  EXPECT_EQ(why->reason, "there was not enough memory while planning (std::bad_alloc)");
+  EXPECT_EQ(toString(why->reason), "there was not enough memory while planning (std::bad_alloc)");
   EXPECT_FALSE(why->advice.empty());
 }
 
@@ -27,7 +27,7 @@ TEST(Guarded, OtherExceptionsAreInternalAndNameTheWork) {
   const auto why = guarded("smoothing the path", [] { throw std::runtime_error("no motion"); });
   ASSERT_TRUE(why);
   EXPECT_EQ(why->kind, ErrorKind::Internal);
-  EXPECT_EQ(why->reason, "an error occurred while smoothing the path: no motion");
+  EXPECT_EQ(toString(why->reason), "an error occurred while smoothing the path: no motion");
   EXPECT_FALSE(why->advice.empty());
 }
 
@@ -35,7 +35,7 @@ TEST(Guarded, WhatIsNoExceptionClassIsCaughtToo) {
   const auto why = guarded("planning", [] { throw 7; });
   ASSERT_TRUE(why);
   EXPECT_EQ(why->kind, ErrorKind::Internal);
-  EXPECT_NE(why->reason.find("while planning"), std::string::npos);
+  EXPECT_NE(toString(why->reason).find("while planning"), std::string::npos);
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ TEST(ParameterValues, RefusesWhatIsOutOfRangeAndKeepsTheOldValue) {
     const Outcome outcome = values.set(ParameterId::Alpha, bad);
     ASSERT_FALSE(outcome);
     EXPECT_EQ(outcome.error().kind, ErrorKind::Usage);
-    EXPECT_EQ(outcome.error().location, "alpha");
+    EXPECT_EQ(toString(outcome.error().location), "alpha");
   }
   EXPECT_EQ(values[ParameterId::Alpha], before);
 }

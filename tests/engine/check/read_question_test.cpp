@@ -131,8 +131,8 @@ TEST(ReadQuestion, WhatIsLeftOutIsNotThereAndIsSaid) {
   ASSERT_TRUE(read.ok()) << toString(read.error());
   EXPECT_EQ(read->product.bodies.size(), 4U);
   ASSERT_EQ(read->product.warnings.size(), 1U);
-  EXPECT_EQ(read->product.warnings.front().location, "'rack/d'");
-  EXPECT_EQ(read->product.warnings.front().reason, "is left out");
+  EXPECT_EQ(toString(read->product.warnings.front().location), "'rack/d'");
+  EXPECT_EQ(toString(read->product.warnings.front().reason), "is left out");
 }
 
 TEST(ReadQuestion, ForbiddenRegionsAndPitchesAreRead) {
@@ -158,7 +158,7 @@ TEST(ReadQuestion, ForbiddenRegionsAndPitchesAreRead) {
   for (const char* wrong : {"1e6", "0", "-1e-9", "1e12"}) {
     const auto refused = pitch(wrong);
     ASSERT_FALSE(refused.ok()) << wrong;
-    EXPECT_EQ(refused.error().location, "/fits/pairs/0/pitch_m");
+    EXPECT_EQ(toString(refused.error().location), "/fits/pairs/0/pitch_m");
   }
   EXPECT_FALSE(question(R"("fits": {"mode": "on", "pairs": [{"a": "wall", "b": "nobody"}]})").ok());
 }

@@ -18,7 +18,7 @@ struct Pair {
 TEST(ThreadAxis, IsFoundFromTheMeshes) {
   const Pair pair;
   const auto found = threadAxis(pair.nut, pair.bolt, std::nullopt);
-  ASSERT_TRUE(found.ok()) << found.error().reason;
+  ASSERT_TRUE(found.ok()) << toString(found.error().reason);
   EXPECT_NEAR(found->radiusMoving, 0.0046, 1e-8);
   EXPECT_NEAR(found->radiusOther, 0.005, 1e-8);
   EXPECT_FALSE(found->movingIsShaft);

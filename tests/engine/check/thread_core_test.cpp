@@ -31,13 +31,13 @@ struct ScrewInNut {
 
 std::string refusalOf(const ScrewInNut& pair) {
   const auto core = pair.core();
-  return core ? std::string() : core.error().reason;
+  return core ? std::string() : toString(core.error().reason);
 }
 
 TEST(ThreadCore, IsWhatTheHoleLeaves) {
   const ScrewInNut pair;
   const auto core = pair.core();
-  ASSERT_TRUE(core.ok()) << core.error().reason;
+  ASSERT_TRUE(core.ok()) << toString(core.error().reason);
   const double apothem = kHole * std::cos(test::kHalfTurn / 72.0);
   EXPECT_LT(core->radius, apothem);
   EXPECT_GT(core->radius, apothem - 2e-5);
@@ -161,7 +161,7 @@ TEST(ThreadCore, ANutBesideTheThreadHasNone) {
 void expectOnlyTeethGo(const test::ThreadedScrew& screw) {
   const ScrewInNut pair(screw);
   const auto core = pair.core();
-  ASSERT_TRUE(core.ok()) << core.error().reason;
+  ASSERT_TRUE(core.ok()) << toString(core.error().reason);
   const TriangleMesh whole = screw.mesh();
   const RaySolid was(whole);
   const RaySolid is(withoutThread(whole, inFrame(inverse(pair.tilt), *core)));

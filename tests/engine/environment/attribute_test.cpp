@@ -54,7 +54,7 @@ TEST(AttributeTable, RefusesChoicesWithoutANameOrTwice) {
   definition.choices = {"low", "high", ""};
   EXPECT_FALSE(table.add(definition).ok());
   definition.choices = {"red", "green", "red"};
-  EXPECT_THAT(table.add(definition).error().reason, HasSubstr("'red' twice"));
+  EXPECT_THAT(toString(table.add(definition).error().reason), HasSubstr("'red' twice"));
 }
 
 TEST(AttributeTable, RefusesWhatCouldNotBeUsed) {
@@ -64,7 +64,7 @@ TEST(AttributeTable, RefusesWhatCouldNotBeUsed) {
     const Outcome added = table.add(definition);
     ASSERT_FALSE(added.ok()) << reason;
     EXPECT_EQ(added.error().kind, ErrorKind::MalformedInput);
-    EXPECT_THAT(added.error().reason, HasSubstr(reason));
+    EXPECT_THAT(toString(added.error().reason), HasSubstr(reason));
     EXPECT_EQ(table.definitions().size(), before);
   };
   AttributeDefinition definition = definitionOf(AttributeType::Number);
@@ -117,7 +117,7 @@ TEST(CheckValue, AcceptsTheRightTypeInRangeOnly) {
     const Outcome checked = checkValue(row.definition, row.value);
     EXPECT_EQ(checked.ok(), row.sound) << kAttributeTypeNames.of(row.definition.type) << " " << toText(row.value);
     if (!checked.ok()) {
-      EXPECT_THAT(checked.error().reason, HasSubstr("'thing'"));
+      EXPECT_THAT(toString(checked.error().reason), HasSubstr("'thing'"));
       EXPECT_FALSE(checked.error().advice.empty());
     }
   }

@@ -23,7 +23,7 @@ class EditBinding : public testing::Test {
     for (const Diagnostic& warning : editWarnings(map, edits)) {
       EXPECT_FALSE(warning.reason.empty());
       EXPECT_FALSE(warning.advice.empty());
-      places.push_back(warning.location);
+      places.push_back(toString(warning.location));
     }
     return places;
   }

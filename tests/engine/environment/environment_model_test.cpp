@@ -25,13 +25,13 @@ TEST(EnvironmentModel, RefusesOptionsOutOfRange) {
     const auto built = buildEnvironment({}, test::twoRooms(), row.options);
     ASSERT_FALSE(built.ok()) << row.place;
     EXPECT_EQ(built.error().kind, ErrorKind::MalformedInput);
-    EXPECT_EQ(built.error().location, row.place);
+    EXPECT_EQ(toString(built.error().location), row.place);
     EXPECT_FALSE(built.error().advice.empty());
   }
   for (const Box3& flat : {Box3(), Box3(Vector3::Zero(), Vector3::Zero())}) {
     const auto built = buildEnvironment({}, flat, {});
     ASSERT_FALSE(built.ok());
-    EXPECT_EQ(built.error().location, "/workspace");
+    EXPECT_EQ(toString(built.error().location), "/workspace");
   }
 }
 

@@ -102,7 +102,7 @@ TEST(ForbiddenPlaces, AreThoseOfTheEditsInTheirLastWord) {
   edits.places.push_back({test::kFarAway, "", {{"forbidden", true}}});
   places = forbiddenPlacesOf(map, edits);
   ASSERT_FALSE(places.ok());
-  EXPECT_EQ(places.error().location, "/places/3");
+  EXPECT_EQ(toString(places.error().location), "/places/3");
 }
 
 }  // namespace

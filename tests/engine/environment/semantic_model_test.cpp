@@ -158,7 +158,7 @@ TEST(CheckEdits, RefusesEachFaultAtItsPlace) {
     const Outcome checked = checkEdits(row.edits, {"me", "wall"});
     ASSERT_FALSE(checked.ok()) << row.place;
     EXPECT_EQ(checked.error().kind, ErrorKind::MalformedInput);
-    EXPECT_EQ(checked.error().location, row.place);
+    EXPECT_EQ(toString(checked.error().location), row.place);
     EXPECT_FALSE(checked.error().reason.empty());
     EXPECT_FALSE(checked.error().advice.empty());
   }

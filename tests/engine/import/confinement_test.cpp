@@ -146,7 +146,7 @@ constexpr import_protocol::Limits kLimits{450ULL << 20U, 4, 1ULL << 20U, std::ch
 
 void confineOrEnd() {
   if (const Outcome confined = confine(kLimits); !confined) {
-    say(confined.error().reason);
+    say(toString(confined.error().reason));
     test::end(12);
   }
 }

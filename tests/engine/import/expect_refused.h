@@ -21,9 +21,9 @@ inline std::string placeOfRefusal(const std::string& name, const std::string& co
   EXPECT_EQ(imported.error().kind, ErrorKind::MalformedInput);
   EXPECT_EQ(imported.error().file, file);
   EXPECT_NE(reason, "");
-  EXPECT_THAT(imported.error().reason, testing::HasSubstr(reason));
+  EXPECT_THAT(toString(imported.error().reason), testing::HasSubstr(reason));
   EXPECT_FALSE(imported.error().advice.empty());
-  return imported.error().location;
+  return toString(imported.error().location);
 }
 
 }  // namespace glissade::test

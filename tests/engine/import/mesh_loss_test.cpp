@@ -84,7 +84,7 @@ TEST(MeshLoss, ALastLineWithoutItsEndIsAWarning) {
   const auto imported = importMesh(folder.write("part.obj", kVertices + "f 1 2 3"));
   ASSERT_TRUE(imported.ok());
   ASSERT_EQ(imported->warnings.size(), 1U);
-  EXPECT_THAT(imported->warnings[0].reason, HasSubstr("line 5"));
+  EXPECT_THAT(toString(imported->warnings[0].reason), HasSubstr("line 5"));
 }
 
 TEST(MeshLoss, RequiredExtensionsOfGltfThatAreUnknownAreNamed) {
@@ -94,8 +94,8 @@ TEST(MeshLoss, RequiredExtensionsOfGltfThatAreUnknownAreNamed) {
   content.replace(content.find("KHR_materials_unlit"), 19, "KHR_draco_mesh_comp");
   const auto imported = importMesh(folder.write("part.gltf", content));
   ASSERT_FALSE(imported.ok());
-  EXPECT_EQ(imported.error().location, "/extensionsRequired");
-  EXPECT_THAT(imported.error().reason, HasSubstr("'KHR_draco_mesh_comp'"));
+  EXPECT_EQ(toString(imported.error().location), "/extensionsRequired");
+  EXPECT_THAT(toString(imported.error().reason), HasSubstr("'KHR_draco_mesh_comp'"));
 }
 
 /// Every prefix of a file is refused, unless only the last line's end is missing.

@@ -74,7 +74,7 @@ TEST(MalformedMesh, ExternalBuffersAreExplained) {
     "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}]})");
   const Result<ImportedMesh> imported = importMesh(file);
   ASSERT_FALSE(imported.ok());
-  EXPECT_THAT(imported.error().advice, testing::HasSubstr(".glb")) << toString(imported.error());
+  EXPECT_THAT(toString(imported.error().advice), testing::HasSubstr(".glb")) << toString(imported.error());
 }
 
 TEST(MalformedMesh, DamagedFilesNeverReachThisProcess) {
@@ -131,7 +131,7 @@ TEST(MalformedMesh, MemoryIsBounded) {
   const Result<ImportedMesh> lying = importMesh(folder.write("lying.dae", lyingCollada()));
   ASSERT_FALSE(lying.ok());
   if (!kMemoryCanBeLimited) return;  // sanitizers reserve terabytes of address space
-  EXPECT_THAT(lying.error().reason, testing::HasSubstr("MiB of memory"));
+  EXPECT_THAT(toString(lying.error().reason), testing::HasSubstr("MiB of memory"));
   EXPECT_LT(importersPeakMegabytes(), 500.0);
 }
 

@@ -43,8 +43,8 @@ TEST(OmplApp, FaultsAreNamedWithTheirKeyOrLine) {
     const Result<OmplAppConfig> config = readOmplAppConfig(folder.write("test.cfg", text));
     ASSERT_FALSE(config.ok());
     EXPECT_EQ(config.error().kind, ErrorKind::MalformedInput);
-    EXPECT_EQ(config.error().location, place);
-    EXPECT_THAT(config.error().reason, testing::HasSubstr(reason));
+    EXPECT_EQ(toString(config.error().location), place);
+    EXPECT_THAT(toString(config.error().reason), testing::HasSubstr(reason));
   }
 }
 

@@ -23,7 +23,7 @@ TEST(SafePath, StaysBelowTheFolder) {
     ASSERT_FALSE(resolved.ok()) << path;
     EXPECT_EQ(resolved.error().kind, ErrorKind::MalformedInput);
     EXPECT_EQ(resolved.error().file, "s.json");
-    EXPECT_EQ(resolved.error().location, "here");
+    EXPECT_EQ(toString(resolved.error().location), "here");
   }
 }
 

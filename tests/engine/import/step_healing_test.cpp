@@ -53,10 +53,10 @@ TEST(StepHealing, AConeWhoseSeamIsAtPiIsTriangulatedAndTold) {
     ASSERT_EQ(product.parts.size(), 1U);
     expectSolid(product.parts.front(), ringVolume());
     ASSERT_EQ(product.warnings.size(), 1U);
-    EXPECT_THAT(product.warnings.front().location, HasSubstr("(cone)"));
-    EXPECT_THAT(product.warnings.front().location, HasSubstr("face #9"));
-    EXPECT_THAT(product.warnings.front().reason, HasSubstr("makes no triangles"));
-    EXPECT_THAT(product.warnings.front().reason, HasSubstr("mm of its surface"));
+    EXPECT_THAT(toString(product.warnings.front().location), HasSubstr("(cone)"));
+    EXPECT_THAT(toString(product.warnings.front().location), HasSubstr("face #9"));
+    EXPECT_THAT(toString(product.warnings.front().reason), HasSubstr("makes no triangles"));
+    EXPECT_THAT(toString(product.warnings.front().reason), HasSubstr("mm of its surface"));
   }
 }
 
@@ -86,8 +86,8 @@ TEST(StepHealing, PlanesWhoseBoundariesCrossAsPolygonsAreClosed) {
   expectSolid(product.parts.front(), std::numbers::pi * (400.0 - 4.0) * 2.0);
   ASSERT_EQ(product.warnings.size(), 2U);
   for (const Diagnostic& warning : product.warnings) {
-    EXPECT_THAT(warning.location, HasSubstr("(plane) of 'disc'"));
-    EXPECT_THAT(warning.reason, HasSubstr("its boundaries cross"));
+    EXPECT_THAT(toString(warning.location), HasSubstr("(plane) of 'disc'"));
+    EXPECT_THAT(toString(warning.reason), HasSubstr("its boundaries cross"));
   }
 }
 
@@ -110,9 +110,9 @@ TEST(StepValidation, WhatTheFileStatesAgreesWithTheTriangles) {
 TEST(StepValidation, AWrongVolumeAndCentroidAreNamedWithThePart) {
   const StepProduct product = readSample("validated-wrong.step");
   ASSERT_EQ(product.warnings.size(), 2U);
-  EXPECT_THAT(product.warnings[0].location, HasSubstr("part 'plate'"));
-  EXPECT_THAT(product.warnings[0].reason, HasSubstr("cubic millimetres, and the file states"));
-  EXPECT_THAT(product.warnings[1].reason, HasSubstr("the centroid of its triangles is 1"));
+  EXPECT_THAT(toString(product.warnings[0].location), HasSubstr("part 'plate'"));
+  EXPECT_THAT(toString(product.warnings[0].reason), HasSubstr("cubic millimetres, and the file states"));
+  EXPECT_THAT(toString(product.warnings[1].reason), HasSubstr("the centroid of its triangles is 1"));
 }
 
 }  // namespace

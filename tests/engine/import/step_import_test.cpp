@@ -141,8 +141,8 @@ TEST(StepImport, NamesAreReadInTheEncodingsThatProgramsWrite) {
     EXPECT_THAT(pathsOf(product->parts), testing::Contains(each.name));
     ASSERT_EQ(product->warnings.size(), each.encoding.empty() ? 0U : 1U);
     if (each.encoding.empty()) continue;
-    EXPECT_THAT(product->warnings[0].reason, testing::HasSubstr("read as " + each.encoding + ": '" + each.name + "'"));
-    EXPECT_EQ(product->warnings[0].reason.find("cannot be told") == std::string::npos, each.isSure);
+    EXPECT_THAT(toString(product->warnings[0].reason), testing::HasSubstr("read as " + each.encoding + ": '" + each.name + "'"));
+    EXPECT_EQ(toString(product->warnings[0].reason).find("cannot be told") == std::string::npos, each.isSure);
   }
 }
 
@@ -239,7 +239,7 @@ TEST(StepImport, AnIgesSheetIsOpenAndThatIsSaid) {
   const auto product = importStep(stepFile("sheet.igs"), 0.0);
   ASSERT_TRUE(product) << toString(product.error());
   ASSERT_EQ(product->warnings.size(), 1U);
-  EXPECT_EQ(product->warnings[0].reason, "is no solid: its faces (1) bound nothing, 4 of their edges are open");
+  EXPECT_EQ(toString(product->warnings[0].reason), "is no solid: its faces (1) bound nothing, 4 of their edges are open");
 }
 
 TEST(StepImport, ASheetIsAPartThatIsNotClosedAndThatIsSaid) {
@@ -249,14 +249,14 @@ TEST(StepImport, ASheetIsAPartThatIsNotClosedAndThatIsSaid) {
   EXPECT_FALSE(audit(*product->parts[0].mesh).closed());
   EXPECT_EQ(product->parts[0].mesh->triangles.size(), 2U);
   ASSERT_EQ(product->warnings.size(), 1U);
-  EXPECT_EQ(product->warnings[0].reason, "is no solid: its faces (1) bound nothing, 4 of their edges are open");
+  EXPECT_EQ(toString(product->warnings[0].reason), "is no solid: its faces (1) bound nothing, 4 of their edges are open");
 }
 
 TEST(StepImport, PartsWithoutAnInsideAndLonelyCurvesAreNamed) {
   const auto product = importStep(stepFile("odd-shapes.step"), 0.0);
   ASSERT_TRUE(product);
   std::vector<std::string> said;
-  for (const Diagnostic& warning : product->warnings) said.push_back(warning.location + ": " + warning.reason);
+  for (const Diagnostic& warning : product->warnings) said.push_back(toString(warning.location) + ": " + toString(warning.reason));
   EXPECT_THAT(said, testing::UnorderedElementsAre(
                         "part 'sheets': is no solid: its faces (2) bound nothing, 8 of their edges are open",
                         "part 'wired': has curves that lie on no face (3): they are left out",

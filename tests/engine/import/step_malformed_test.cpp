@@ -19,7 +19,7 @@ void expectRefused(const Result<StepProduct>& parts, const std::string& file, co
   ASSERT_FALSE(parts.ok());
   EXPECT_EQ(parts.error().kind, ErrorKind::MalformedInput);
   EXPECT_EQ(parts.error().file, file);
-  EXPECT_THAT(parts.error().reason, HasSubstr(reason));
+  EXPECT_THAT(toString(parts.error().reason), HasSubstr(reason));
   EXPECT_FALSE(parts.error().advice.empty());
 }
 
@@ -183,10 +183,10 @@ TEST(MalformedStep, AFaceThatIsLostIsToldWithItsEntityAndItsConsequence) {
     EXPECT_EQ(product->parts.front().facesWithoutMesh, 1U);
     ASSERT_EQ(product->warnings.size(), 1U);
     const Diagnostic& warning = product->warnings.front();
-    EXPECT_EQ(warning.location, loss.entity);
-    EXPECT_THAT(warning.reason, HasSubstr(loss.reason));
-    EXPECT_THAT(warning.reason, HasSubstr("not closed"));
-    EXPECT_THAT(warning.reason, HasSubstr("proofs take what is missing as free space"));
+    EXPECT_EQ(toString(warning.location), loss.entity);
+    EXPECT_THAT(toString(warning.reason), HasSubstr(loss.reason));
+    EXPECT_THAT(toString(warning.reason), HasSubstr("not closed"));
+    EXPECT_THAT(toString(warning.reason), HasSubstr("proofs take what is missing as free space"));
   }
 }
 

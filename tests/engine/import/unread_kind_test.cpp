@@ -15,11 +15,11 @@ TEST(UnreadKind, IsNamedWithWhatToExport) {
                                    {"bolt.prt.3", "a part or an assembly of NX, Creo or Solid Edge"}}) {
     const auto found = unreadKind(file);
     ASSERT_TRUE(found) << file;
-    EXPECT_EQ(found->reason, std::string("is ") + kind + ", which is not read");
-    EXPECT_EQ(found->advice, "Export it as STEP (AP214 or AP242) in the program that it is from.");
+    EXPECT_EQ(toString(found->reason), std::string("is ") + kind + ", which is not read");
+    EXPECT_EQ(toString(found->advice), "Export it as STEP (AP214 or AP242) in the program that it is from.");
   }
-  EXPECT_EQ(unreadKind("a.3mf")->advice, "Export it as STL, OBJ, PLY or glTF in the program that it is from.");
-  EXPECT_EQ(unreadKind("a.step.gz")->advice, "Unpack it, and give the file that is in it.");
+  EXPECT_EQ(toString(unreadKind("a.3mf")->advice), "Export it as STL, OBJ, PLY or glTF in the program that it is from.");
+  EXPECT_EQ(toString(unreadKind("a.step.gz")->advice), "Unpack it, and give the file that is in it.");
 }
 
 TEST(UnreadKind, OtherEndingsAreNone) {

@@ -181,9 +181,9 @@ TEST(Urdf, MalformedFilesGiveOneClearMessage) {
     ASSERT_FALSE(model.ok());
     EXPECT_EQ(model.error().kind, ErrorKind::MalformedInput);
     EXPECT_THAT(model.error().file, testing::StartsWith(folder.path()));
-    EXPECT_THAT(model.error().location, testing::StartsWith(row.place));
+    EXPECT_THAT(toString(model.error().location), testing::StartsWith(row.place));
     ASSERT_NE(std::string(row.reason), "");
-    EXPECT_THAT(model.error().reason, testing::HasSubstr(row.reason));
+    EXPECT_THAT(toString(model.error().reason), testing::HasSubstr(row.reason));
     EXPECT_FALSE(model.error().advice.empty());
   }
 }

@@ -46,7 +46,7 @@ TEST(XmlPrecheck, NothingHidesADepth) {
     const auto facts = precheckXml("<robot>" + repeated(text, 50'000), "deep.urdf");
     ASSERT_FALSE(facts.ok());
     EXPECT_EQ(facts.error().kind, ErrorKind::MalformedInput);
-    EXPECT_EQ(facts.error().location, "line 1");
+    EXPECT_EQ(toString(facts.error().location), "line 1");
     EXPECT_FALSE(facts.error().reason.empty());
   }
 }
@@ -84,7 +84,7 @@ TEST(XmlPrecheck, NamesWhatItRefuses) {
     SCOPED_TRACE(row.what);
     const auto facts = precheckXml(row.text, "r.urdf");
     ASSERT_FALSE(facts.ok());
-    EXPECT_THAT(facts.error().reason, testing::HasSubstr(row.reason));
+    EXPECT_THAT(toString(facts.error().reason), testing::HasSubstr(row.reason));
     EXPECT_EQ(facts.error().file, "r.urdf");
   }
 }

@@ -114,7 +114,7 @@ TEST(ThreadedPlanner, ALooseNutHoldsItsBolt) {
   EXPECT_EQ(planner->path(), nullptr);
   ASSERT_TRUE(planner->failure());
   EXPECT_EQ(planner->failure()->kind, ErrorKind::NoPath);
-  EXPECT_NE(planner->failure()->reason.find("'nut'"), std::string::npos) << planner->failure()->reason;
+  EXPECT_NE(toString(planner->failure()->reason).find("'nut'"), std::string::npos) << toString(planner->failure()->reason);
   const auto query = bolted.problem.world->makeQuery();
   EXPECT_EQ(findScrewWays(*bolted.problem.world, *query, bolted.problem.start, 1e-7, {}).blockedBy,
             std::vector<int>{0});
@@ -164,7 +164,7 @@ TEST(ThreadedPlanner, AThreadNeedsACommonAxis) {
   const auto parts = test::fitted({block}, nut, {nut.X_WB}, test::markedThread());
   ASSERT_FALSE(parts);
   EXPECT_EQ(parts.error().kind, ErrorKind::MalformedInput);
-  EXPECT_EQ(parts.error().location, "/fits/pairs/0");
+  EXPECT_EQ(toString(parts.error().location), "/fits/pairs/0");
 }
 
 /// A thread that is modelled with clearance does not touch, but is still a thread.

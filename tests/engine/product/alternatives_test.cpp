@@ -22,7 +22,7 @@ TEST(Alternatives, AreBodiesThatFillAtLeastHalfOfThePlaceTogether) {
     ASSERT_EQ(found.size(), share >= 0.5 ? 1U : 0U) << share;
     if (share < 0.5) continue;
     EXPECT_NEAR(found.front().share, share, 0.02);
-    EXPECT_NE(warningsOf(found, bodies).front().advice.find("--without a"), std::string::npos);
+    EXPECT_NE(toString(warningsOf(found, bodies).front().advice).find("--without a"), std::string::npos);
   }
 }
 

@@ -67,7 +67,7 @@ TEST(ObjectFits, AnAcceptedRodThroughAPlateLeavesAlongAHoleOfItsOwnShape) {
   const auto refused = findObjectFits({test::productOf(obstacles, rod, settings), 1});
   ASSERT_TRUE(refused);
   ASSERT_EQ(refused->clashes.size(), 1U);
-  const std::string advice = refused->warnings.front().advice;
+  const std::string advice = toString(refused->warnings.front().advice);
   EXPECT_NE(advice.find("--accept-clashes 3mm"), std::string::npos) << advice;
   settings.acceptedClash = 4e-3;
   const auto fits = findObjectFits({test::productOf(obstacles, rod, settings), 1});
@@ -115,7 +115,7 @@ TEST(ObjectFits, AClashNeedsAPersonsWord) {
   EXPECT_TRUE(refused->allowed.empty());
   ASSERT_EQ(refused->clashes.size(), 1U);
   ASSERT_EQ(refused->warnings.size(), 1U);
-  EXPECT_EQ(refused->warnings.front().reason, "overlap by 1.203 mm, which is a clash") << "1.2 mm, of triangles";
+  EXPECT_EQ(toString(refused->warnings.front().reason), "overlap by 1.203 mm, which is a clash") << "1.2 mm, of triangles";
 
   FitSettings upTo = switchedOn();
   upTo.acceptedClash = 0.0011;
@@ -217,9 +217,9 @@ TEST(ObjectFits, BadSettingsGetOneClearMessage) {
     const auto fits = screwed.find(settings);
     if (fits) return std::string("no error");
     EXPECT_EQ(fits.error().kind, ErrorKind::MalformedInput);
-    EXPECT_EQ(fits.error().location, "/fits/pairs/1");
+    EXPECT_EQ(toString(fits.error().location), "/fits/pairs/1");
     EXPECT_FALSE(fits.error().advice.empty());
-    return fits.error().reason;
+    return toString(fits.error().reason);
   };
   EXPECT_NE(reasonOf({"screw", "washer", {}, 0.0001, false}).find("'washer', which is not there"), std::string::npos);
   EXPECT_NE(reasonOf({"screw", "plate", {}, 0.02, false}).find("thickness"), std::string::npos);
@@ -252,9 +252,9 @@ TEST(ObjectFits, TheOtherBodyGivesWayForAnOpeningAtTheContactAndWhereBothAreOpen
   ASSERT_TRUE(both);
   EXPECT_TRUE(both->allowed.empty());
   ASSERT_EQ(both->warnings.size(), 1U);
-  EXPECT_NE(both->warnings.front().reason.find("the surfaces are open 0 mm and 0 mm from the contact"),
+  EXPECT_NE(toString(both->warnings.front().reason).find("the surfaces are open 0 mm and 0 mm from the contact"),
             std::string::npos)
-      << both->warnings.front().reason;
+      << toString(both->warnings.front().reason);
 }
 
 /// The chamfers at the ends have corners between their edges. They stay where the shaft is thinned, outside of the

@@ -25,7 +25,7 @@ using test::worldBox;
 void expectRefused(const Outcome& outcome, const std::string& reason) {
   ASSERT_FALSE(outcome.ok());
   EXPECT_EQ(outcome.error().kind, ErrorKind::Usage);
-  EXPECT_NE(outcome.error().reason.find(reason), std::string::npos) << outcome.error().reason;
+  EXPECT_NE(toString(outcome.error().reason).find(reason), std::string::npos) << toString(outcome.error().reason);
   EXPECT_FALSE(outcome.error().advice.empty());
 }
 
@@ -183,7 +183,7 @@ TEST(AssemblyEdits, WhatIsLeftOutIsKeptAndComesBack) {
   ASSERT_TRUE(without) << toString(without.error());
   EXPECT_EQ(without->obstacles.size(), 2U);
   EXPECT_TRUE(std::any_of(without->warnings.begin(), without->warnings.end(), [](const Diagnostic& warning) {
-    return warning.reason.find("leaves bodies out: 'rack/b'") != std::string::npos;
+    return toString(warning.reason).find("leaves bodies out: 'rack/b'") != std::string::npos;
   })) << "a proof is about what is there";
   Scenario back = *read;
   ASSERT_TRUE(putBack("b", back).ok());

@@ -93,14 +93,14 @@ TEST(Autosave, OneThatIsDamagedIsNotRestored) {
   std::ofstream(found[0].file(), std::ios::binary) << text;
   const auto read = found[0].read();
   ASSERT_FALSE(read.ok());
-  EXPECT_EQ(read.error().location, "/checksum");
+  EXPECT_EQ(toString(read.error().location), "/checksum");
 }
 
 TEST(Autosave, SaysThatAFolderCannotBeUsed) {
   const TemporaryFolder folder;
   const auto slot = AutosaveSlot::make(folder.write("file", "") + "/below");
   ASSERT_FALSE(slot.ok());
-  EXPECT_THAT(slot.error().advice, testing::HasSubstr("not saved automatically"));
+  EXPECT_THAT(toString(slot.error().advice), testing::HasSubstr("not saved automatically"));
 }
 
 }  // namespace

@@ -102,7 +102,7 @@ TEST(HandRun, RefusesAPartOfABodyOfSeveral) {
   for (const auto& outcome : {prepareHandRun({"robot/arm"}, {}, loaded, {}, scenario),
                               prepareHandRun({"right"}, {"robot/hand"}, loaded, {}, scenario)}) {
     ASSERT_FALSE(outcome.ok());
-    EXPECT_EQ(outcome.error().location, "body 'robot'");
+    EXPECT_EQ(toString(outcome.error().location), "body 'robot'");
     EXPECT_FALSE(outcome.error().advice.empty());
   }
 }

@@ -77,8 +77,8 @@ TEST(JointsJson, EachFaultIsNamedWithItsPlace) {
   for (const Fault& fault : faults) {
     const auto read = readEdits(sound.patch(Json::parse(fault.patch)).dump());
     ASSERT_FALSE(read) << fault.patch;
-    EXPECT_EQ(read.error().location, fault.place);
-    EXPECT_THAT(read.error().reason, testing::HasSubstr(fault.reason));
+    EXPECT_EQ(toString(read.error().location), fault.place);
+    EXPECT_THAT(toString(read.error().reason), testing::HasSubstr(fault.reason));
   }
 }
 

@@ -82,7 +82,7 @@ TEST(MeshAsset, WhatIsSavedIsTheHashOfWhatWasLoaded) {
   const auto again = loadScenario(folder / "s.json");
   ASSERT_TRUE(again.ok());
   ASSERT_FALSE(again->warnings.empty());
-  EXPECT_THAT(again->warnings[0].reason, HasSubstr("changed"));
+  EXPECT_THAT(toString(again->warnings[0].reason), HasSubstr("changed"));
   EXPECT_EQ(again->scenario.assets[0].sha256, sha256(second));
 }
 
@@ -92,7 +92,7 @@ TEST(MeshAsset, TrianglesThatAreLeftOutAreCounted) {
   const auto loaded = loadGeometry(meshScenario("part.obj", "part.obj"), folder.path(), "s.json");
   ASSERT_TRUE(loaded.ok()) << toString(loaded.error());
   ASSERT_EQ(loaded->warnings.size(), 1U);  // both bodies come from the file, which is read once
-  EXPECT_THAT(loaded->warnings[0].reason, HasSubstr("has 2 triangles with two equal corners"));
+  EXPECT_THAT(toString(loaded->warnings[0].reason), HasSubstr("has 2 triangles with two equal corners"));
   EXPECT_EQ(loaded->obstacles[0].mesh->triangles.size(), 12U);
 }
 
@@ -102,7 +102,7 @@ TEST(MeshAsset, AFileThatIsTooLargeIsRefusedWithItsSizeAndTheLimit) {
   std::filesystem::resize_file(file, 5ULL << 30);  // takes no space on the disk
   const auto loaded = loadGeometry(meshScenario("part.stl", "part.stl"), folder.path(), "s.json");
   ASSERT_FALSE(loaded.ok());
-  EXPECT_THAT(loaded.error().reason, HasSubstr("it has 5120 MiB, and at most "));
+  EXPECT_THAT(toString(loaded.error().reason), HasSubstr("it has 5120 MiB, and at most "));
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ void expectRefused(const Result<T>& result, ErrorKind kind, const std::string& f
   ASSERT_FALSE(result.ok());
   EXPECT_EQ(result.error().kind, kind);
   EXPECT_THAT(result.error().file, HasSubstr(file));
-  EXPECT_THAT(result.error().reason, HasSubstr(reason));
+  EXPECT_THAT(toString(result.error().reason), HasSubstr(reason));
   EXPECT_FALSE(result.error().advice.empty());
 }
 

@@ -103,7 +103,7 @@ TEST_P(PathExporterConformance, AFailedWriteLeavesTheOldFileAndSaysWhy) {
   }();
   ASSERT_FALSE(saved.ok());
   EXPECT_EQ(saved.why.file, file);
-  EXPECT_THAT(saved.why.reason, testing::HasSubstr("cannot be saved"));
+  EXPECT_THAT(toString(saved.why.reason), testing::HasSubstr("cannot be saved"));
   EXPECT_EQ(readWhole(file), "old");
   EXPECT_EQ(filesInFolder(), 1);
 }
@@ -113,7 +113,7 @@ TEST_P(PathExporterConformance, AFileThatCannotBeIsAnErrorWithItsReason) {
   const SaveResult saved = exporter_.write(path_, scenario_, provenance_, file);
   ASSERT_FALSE(saved.ok());
   EXPECT_EQ(saved.why.file, file);
-  EXPECT_THAT(saved.why.reason, testing::HasSubstr("No such file"));
+  EXPECT_THAT(toString(saved.why.reason), testing::HasSubstr("No such file"));
   EXPECT_FALSE(saved.why.advice.empty());
 }
 
@@ -124,7 +124,7 @@ TEST_P(PathExporterConformance, WhatASaveWarnsOfIsHandedOn) {
   const SaveResult saved = exporter_.write(path_, scenario_, provenance_, file);
   ASSERT_TRUE(saved.ok()) << toString(saved.why);
   ASSERT_EQ(saved.warnings.size(), 1U);
-  EXPECT_THAT(saved.warnings.front().reason, testing::HasSubstr("hard links"));
+  EXPECT_THAT(toString(saved.warnings.front().reason), testing::HasSubstr("hard links"));
 }
 
 TEST_P(PathExporterConformance, AnEmptyPathIsRefused) {
@@ -133,7 +133,7 @@ TEST_P(PathExporterConformance, AnEmptyPathIsRefused) {
   ASSERT_FALSE(saved.ok());
   EXPECT_EQ(saved.why.kind, ErrorKind::Usage);
   EXPECT_EQ(saved.why.file, file);
-  EXPECT_THAT(saved.why.reason, testing::HasSubstr("no configuration"));
+  EXPECT_THAT(toString(saved.why.reason), testing::HasSubstr("no configuration"));
   EXPECT_EQ(readWhole(file), "old");
 }
 
@@ -180,8 +180,8 @@ TEST(PathExporterRegistry, EndingsMayBeInUpperCaseAndUnknownOnesAreOneErrorThatL
     ASSERT_FALSE(none.ok()) << file;
     EXPECT_EQ(none.error().kind, ErrorKind::Usage);
     EXPECT_EQ(none.error().file, file);
-    EXPECT_THAT(none.error().advice, testing::HasSubstr("Table (.csv), With provenance (.json)"));
-    EXPECT_THAT(none.error().advice, testing::HasSubstr(".glb"));
+    EXPECT_THAT(toString(none.error().advice), testing::HasSubstr("Table (.csv), With provenance (.json)"));
+    EXPECT_THAT(toString(none.error().advice), testing::HasSubstr(".glb"));
   }
   const test::TemporaryFolder folder;
   EXPECT_FALSE(writePath({}, {}, {}, folder / "path.unknown").ok());

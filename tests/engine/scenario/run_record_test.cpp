@@ -101,7 +101,7 @@ TEST(RunRecordFile, IsReadStrictly) {
         readRunRecord(folder.write("broken.json", sound.patch(nlohmann::json::parse(patch)).dump()));
     ASSERT_FALSE(read.ok()) << patch;
     EXPECT_EQ(read.error().kind, ErrorKind::MalformedInput);
-    EXPECT_EQ(read.error().location, place);
+    EXPECT_EQ(toString(read.error().location), place);
   }
 }
 
@@ -172,7 +172,7 @@ TEST(RunRecordFile, AChecksumThatDoesNotFitIsAnError) {
   const Result<RunRecord> read = readRunRecord(folder.write("damaged.json", text));
   ASSERT_FALSE(read.ok());
   EXPECT_EQ(read.error().kind, ErrorKind::MalformedInput);
-  EXPECT_EQ(read.error().location, "/checksum");
+  EXPECT_EQ(toString(read.error().location), "/checksum");
   const std::size_t checksum = text.find(",\n \"checksum\"");
   text.erase(checksum, text.find('\n', checksum + 2) - checksum);  // former format of records
   EXPECT_TRUE(readRunRecord(folder.write("edited.json", text)).ok());
@@ -220,7 +220,7 @@ TEST(RunJournal, ADamagedLineCostsThatLineOnly) {
   }
   const Result<RunRecord> headless = readRunRecord(folder.write("headless.journal", lines[0].substr(0, 90) + "\n"));
   ASSERT_FALSE(headless.ok());
-  EXPECT_EQ(headless.error().location, "line 1");
+  EXPECT_EQ(toString(headless.error().location), "line 1");
 }
 
 TEST(RunJournal, EveryChangedDigitCostsItsLine) {
@@ -318,7 +318,7 @@ class ReplayLog : public testing::Test {
 
   std::string refusal() {
     const auto log = replayLog(record_, *scenario_, "run.json");
-    return log ? "" : log.error().file + ": " + log.error().location;
+    return log ? "" : log.error().file + ": " + toString(log.error().location);
   }
 
   std::optional<LoadedScenario> scenario_;

@@ -77,7 +77,7 @@ TEST(ScenarioFile, AChecksumThatDoesNotFitIsAWarning) {
   edited.replace(edited.find("\"seed\": "), 9, "\"seed\": 1");
   const Warnings warnings = warningsOf(edited);
   ASSERT_EQ(warnings.size(), 1U);
-  EXPECT_EQ(warnings[0].location, "/checksum");
+  EXPECT_EQ(toString(warnings[0].location), "/checksum");
   EXPECT_FALSE(warnings[0].advice.empty());
 }
 
@@ -157,7 +157,7 @@ TEST(SaveScenario, RefusesWhatCouldNotBeLoadedAndKeepsTheOldFile) {
   broken.start.position.x() = std::nan("");
   const SaveResult saved = saveScenarioFile(broken, file, std::nullopt);
   ASSERT_FALSE(saved.ok());
-  EXPECT_THAT(saved.why.location, testing::HasSubstr("/start/position/0"));
+  EXPECT_THAT(toString(saved.why.location), testing::HasSubstr("/start/position/0"));
   EXPECT_FALSE(saveScenario(fullScenario(), file).ok());  // its assets do not exist
   EXPECT_EQ(test::readWhole(file), "old");
 }

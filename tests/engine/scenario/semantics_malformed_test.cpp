@@ -18,8 +18,8 @@ TEST(MalformedSemantics, EachFaultIsOneErrorWithFileAndPlace) {
     if (read.ok()) continue;
     EXPECT_EQ(read.error().kind, ErrorKind::MalformedInput);
     EXPECT_EQ(read.error().file, "broken.json");
-    EXPECT_THAT(read.error().location, StartsWith(row.place));
-    EXPECT_THAT(read.error().reason, HasSubstr(row.reason));
+    EXPECT_THAT(toString(read.error().location), StartsWith(row.place));
+    EXPECT_THAT(toString(read.error().reason), HasSubstr(row.reason));
     EXPECT_FALSE(read.error().advice.empty());
   }
 }

@@ -91,7 +91,7 @@ TEST(SequenceKnowledge, ClassesOfTheScenarioAreAdded) {
   known.scenario.sequence.classes = {{"glass", "fixtur"}};
   const auto wrong = knownDemands(known.scenario, known.product);
   ASSERT_FALSE(wrong.ok());
-  EXPECT_EQ(wrong.error().location, "/sequence/classes");
+  EXPECT_EQ(toString(wrong.error().location), "/sequence/classes");
 }
 
 TEST(SequenceKnowledge, RefusesAnUnknownClassAndNamesThoseThereAre) {
@@ -99,8 +99,8 @@ TEST(SequenceKnowledge, RefusesAnUnknownClassAndNamesThoseThereAre) {
   known.scenario.bodies[0].attributes = {{"class", std::string("scrw")}};
   const auto wrong = knownDemands(known.scenario, known.product);
   ASSERT_FALSE(wrong.ok());
-  EXPECT_NE(wrong.error().reason.find("'scrw'"), std::string::npos);
-  EXPECT_NE(wrong.error().advice.find("socket_head_screw"), std::string::npos);
+  EXPECT_NE(toString(wrong.error().reason).find("'scrw'"), std::string::npos);
+  EXPECT_NE(toString(wrong.error().advice).find("socket_head_screw"), std::string::npos);
 }
 
 TEST(SequenceKnowledge, CostsMayNameTheUsersAttributes) {

@@ -55,7 +55,7 @@ TEST_F(StepAsset, AChangeOfAFileThatItNamesIsTold) {
   folder.write("split-rotor.stp", test::stepText("split-rotor.stp") + "\n");
   const LoadedScenario changed = load(made);
   ASSERT_EQ(changed.warnings.size(), 1U);
-  EXPECT_THAT(changed.warnings[0].reason, HasSubstr("has changed since the scenario was saved"));
+  EXPECT_THAT(toString(changed.warnings[0].reason), HasSubstr("has changed since the scenario was saved"));
   EXPECT_NE(changed.scenario.assets[0].sha256, made.assets[0].sha256);
 }
 
@@ -66,7 +66,7 @@ TEST_F(StepAsset, WhatIsMissingIsToldWheneverItIsLoadedAndOnce) {
   EXPECT_EQ(made.bodies.size(), 3U);
   for (const LoadedScenario& loaded : {load(made), load(made, read)}) {
     ASSERT_EQ(loaded.warnings.size(), 1U);
-    EXPECT_THAT(loaded.warnings[0].reason, HasSubstr("'split-rotor.stp' is not there"));
+    EXPECT_THAT(toString(loaded.warnings[0].reason), HasSubstr("'split-rotor.stp' is not there"));
   }
   const auto product = readProduct(folder / "split.step");
   ASSERT_TRUE(product) << toString(product.error());
@@ -98,7 +98,7 @@ TEST_F(StepAsset, AProductFileTakesADeflectionAndAScenarioDoesNot) {
   const auto refused = readProduct(file, {}, 1e-5);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().kind, ErrorKind::Usage);
-  EXPECT_THAT(refused.error().reason, HasSubstr("deflection"));
+  EXPECT_THAT(toString(refused.error().reason), HasSubstr("deflection"));
 }
 
 TEST_F(StepAsset, TheHashOfAFileAloneIsThatOfItsBytes) {

@@ -44,9 +44,9 @@ TEST(UnitGuess, IsToldWithTheOption) {
   EXPECT_EQ(metres[0].unit, 1.0);
   EXPECT_EQ(metres[1].unit, 1.0);
   ASSERT_EQ(told->size(), 1U);
-  EXPECT_THAT(told->front().reason, HasSubstr("0.024 x 0.024 x 0.024"));
-  EXPECT_THAT(told->front().reason, HasSubstr("it is taken in metres; other files taken in the same way: 1"));
-  EXPECT_THAT(told->front().advice, HasSubstr("--unit 1m"));
+  EXPECT_THAT(toString(told->front().reason), HasSubstr("0.024 x 0.024 x 0.024"));
+  EXPECT_THAT(toString(told->front().reason), HasSubstr("it is taken in metres; other files taken in the same way: 1"));
+  EXPECT_THAT(toString(told->front().advice), HasSubstr("--unit 1m"));
 
   std::vector<PartFile> usual{usualPart(folder.write("c.obj", tetrahedron(24.0)))};
   told = guessUnits(usual, read);
@@ -58,7 +58,7 @@ TEST(UnitGuess, IsToldWithTheOption) {
   told = guessUnits(doubtful, read);
   ASSERT_TRUE(told) << toString(told.error());
   ASSERT_EQ(told->size(), 1U);
-  EXPECT_THAT(told->front().reason, HasSubstr("taken in millimetres; the size does not decide this"));
+  EXPECT_THAT(toString(told->front().reason), HasSubstr("taken in millimetres; the size does not decide this"));
   EXPECT_FALSE(guessUnits(doubtful = {usualPart(folder / "gone.stl")}, read).ok());
 }
 

@@ -52,11 +52,11 @@ TEST(WorkTimesJson, ValuesAreFromZeroToTheMostOfTheirRow) {
 TEST(WorkTimesJson, TheReaderSaysWhatIsWrongAndWhere) {
   const auto late = readWorkTimes(fileWith(tableWith(R"({"fetch_s": 3601})")));
   ASSERT_FALSE(late);
-  EXPECT_EQ(late.error().location, "/times/fetch_s");
-  EXPECT_EQ(late.error().reason, "is not from 0 to 3600");
+  EXPECT_EQ(toString(late.error().location), "/times/fetch_s");
+  EXPECT_EQ(toString(late.error().reason), "is not from 0 to 3600");
   const auto unknown = readWorkTimes(fileWith(tableWith(R"({"sing_s": 1})")));
   ASSERT_FALSE(unknown);
-  EXPECT_EQ(unknown.error().location, "/times/sing_s");
+  EXPECT_EQ(toString(unknown.error().location), "/times/sing_s");
 }
 
 }  // namespace

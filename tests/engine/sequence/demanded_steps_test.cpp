@@ -87,7 +87,7 @@ TEST(DemandConflicts, NoDemandGoesBecauseAnotherOneComes) {
   EXPECT_EQ(both.motions, kept.motions);
   DemandConflict conflict = conflictBetween(kept, both);
   EXPECT_EQ(conflict.motions, kept.motions) << "the kept motion leads in the forbidden direction";
-  EXPECT_NE(inWords(conflict).reason.find("'a'"), std::string::npos);
+  EXPECT_NE(toString(inWords(conflict).reason).find("'a'"), std::string::npos);
   EXPECT_TRUE(withoutEarlier(conflict, both).motions.empty());
   EXPECT_EQ(withoutEarlier(conflict, both).forbidden, both.forbidden);
   EXPECT_TRUE(conflictBetween(kept, withForbidden({"a"}, {1.0, 0.0, 0.0}, kept)).isNone());
@@ -122,7 +122,7 @@ TEST(DemandConflicts, AMotionInAForbiddenDirectionIsNotPlanned) {
   demands.forbidden = {{"cap", {0.0, 0.1, 1.0}}};
   const auto refused = resolved(demands, product);
   ASSERT_FALSE(refused.ok());
-  EXPECT_NE(refused.error().reason.find("'cap'"), std::string::npos);
+  EXPECT_NE(toString(refused.error().reason).find("'cap'"), std::string::npos);
 }
 
 TEST(DemandedSteps, ADirectionIsForbiddenWithinThirtyDegrees) {
@@ -193,7 +193,7 @@ TEST(DemandedSteps, WhatCannotBeProvedAtItsPlaceIsStuckWithItsBlockers) {
   ASSERT_EQ(plan.stuck.size(), 2U);
   const auto& pin = plan.stuck[0].body == "pin" ? plan.stuck[0] : plan.stuck[1];
   EXPECT_EQ(pin.body, "pin");
-  EXPECT_EQ(pin.reason, "it was to leave as step 1, and no motion was found there");
+  EXPECT_EQ(toString(pin.reason), "it was to leave as step 1, and no motion was found there");
   EXPECT_NE(std::find(pin.blockedBy.begin(), pin.blockedBy.end(), "cap"), pin.blockedBy.end()) << "it has left since";
 }
 
@@ -245,7 +245,7 @@ TEST(DemandedSteps, ADirectionIsForbiddenUntilThePartHasLeftWhatItTouched) {
     const AssemblyPlan stuck = planned(closed, "pit", demands, strategy);
     EXPECT_TRUE(stuck.steps.empty());
     ASSERT_EQ(stuck.stuck.size(), 1U);
-    EXPECT_NE(stuck.stuck[0].reason.find("forbidden"), std::string::npos) << stuck.stuck[0].reason;
+    EXPECT_NE(toString(stuck.stuck[0].reason).find("forbidden"), std::string::npos) << toString(stuck.stuck[0].reason);
   }
   const AssembledProduct open = blockInAPit(0.0);
   const AssemblyPlan plan = planned(open, "pit", demands);
@@ -345,7 +345,7 @@ TEST(DemandedSteps, DemandsThatContradictEachOtherAreErrors) {
   const AssembledProduct product = looseBoxes();
   const auto reasonOf = [&](const SequenceDemands& demands) {
     const auto rules = resolved(demands, product);
-    return rules ? std::string() : rules.error().reason;
+    return rules ? std::string() : toString(rules.error().reason);
   };
   SequenceDemands demands;
   demands.places = {{{"one"}, 1}, {{"two"}, 1}};

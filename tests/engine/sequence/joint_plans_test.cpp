@@ -228,7 +228,7 @@ TEST(JointPlan, WhatIsInTheWayOfATurnIsNamedAndNothingIsPulled) {
                          [&](const StuckBody& each) { return each.body == id; });
   };
   EXPECT_EQ(stuck("screw").blockedBy, std::vector<std::string>{"wall"});
-  EXPECT_EQ(stuck("cover").reason, "held by 1 screw of 5 mm: remove these first");
+  EXPECT_EQ(toString(stuck("cover").reason), "held by 1 screw of 5 mm: remove these first");
   EXPECT_EQ(stuck("cover").blockedBy, std::vector<std::string>{"screw"});
 }
 

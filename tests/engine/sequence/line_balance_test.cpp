@@ -95,11 +95,11 @@ TEST(LineBalance, OfNoTaskIsEmpty) {
 
 TEST(LineBalance, RefusesWhatIsNoLine) {
   const LineTasks tasks{{1.0, 2.0}, {{}, {0}}};
-  EXPECT_EQ(balanceLine(tasks, 0).error().location, "stations");
-  EXPECT_EQ(balanceLine(tasks, 51).error().location, "stations");
-  EXPECT_EQ(balanceLine({{1.0, -2.0}, {{}, {0}}}, 2).error().location, "seconds");
-  EXPECT_EQ(balanceLine({{1.0, 2.0}, {{1}, {}}}, 2).error().location, "before");
-  EXPECT_EQ(balanceLine({{1.0, 2.0}, {{}, {1}}}, 2).error().location, "before");
+  EXPECT_EQ(toString(balanceLine(tasks, 0).error().location), "stations");
+  EXPECT_EQ(toString(balanceLine(tasks, 51).error().location), "stations");
+  EXPECT_EQ(toString(balanceLine({{1.0, -2.0}, {{}, {0}}}, 2).error().location), "seconds");
+  EXPECT_EQ(toString(balanceLine({{1.0, 2.0}, {{1}, {}}}, 2).error().location), "before");
+  EXPECT_EQ(toString(balanceLine({{1.0, 2.0}, {{}, {1}}}, 2).error().location), "before");
 }
 
 TEST(LongestChain, TakesLongest) {

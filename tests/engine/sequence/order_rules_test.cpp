@@ -43,7 +43,7 @@ TEST(OrderRules, RefuseWhatCannotBe) {
   const AssembledProduct product = named({"a", "b", "c", "d"});
   const auto reasonOf = [&](const SequenceDemands& demands) {
     const auto rules = resolved(demands, product);
-    return rules.ok() ? std::string() : rules.error().reason;
+    return rules.ok() ? std::string() : toString(rules.error().reason);
   };
   EXPECT_NE(reasonOf(demanded({Names{"a", "x"}}, {})).find("'x'"), std::string::npos);
   EXPECT_NE(reasonOf(demanded({Names{"a", "b"}, Names{"b", "c"}}, {})).find("twice"), std::string::npos);

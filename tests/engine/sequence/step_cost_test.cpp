@@ -60,7 +60,7 @@ TEST(StepCost, RefusesUnknownNamesAndWhatDoesNotParse) {
   for (const char* text : {"lenght", "body.weight", "length +", "\"far\""}) {
     const auto cost = StepCost::of(withCost(text));
     ASSERT_FALSE(cost.ok()) << text;
-    EXPECT_EQ(cost.error().location, "/sequence/cost");
+    EXPECT_EQ(toString(cost.error().location), "/sequence/cost");
   }
 }
 

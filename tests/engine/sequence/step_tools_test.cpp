@@ -84,7 +84,7 @@ TEST(StepTools, RefusesAnUnknownTool) {
   test::QuietHost host;
   const auto plan = planSequence(product, test::fitsOf(product), {{true, false, false}, "greedy", 1, demands}, host);
   ASSERT_FALSE(plan.ok());
-  EXPECT_NE(plan.error().reason.find("hammer"), std::string::npos);
+  EXPECT_NE(toString(plan.error().reason).find("hammer"), std::string::npos);
 }
 
 TEST(FastenerHead, IsAtTheHeadsOuterEnd) {

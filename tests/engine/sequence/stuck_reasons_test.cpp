@@ -32,7 +32,7 @@ TEST(StuckReasons, AClashIsNamedWithTheOtherBodyAndItsDepth) {
   const AssemblyPlan plan = plainPlanOf(overlapping(0.005));
   ASSERT_EQ(plan.stuck.size(), 1U);
   EXPECT_EQ(plan.stuck[0].body, "sunk");
-  EXPECT_THAT(plan.stuck[0].reason, HasSubstr("it and 'base' clash where they are assembled (5 mm)"));
+  EXPECT_THAT(toString(plan.stuck[0].reason), HasSubstr("it and 'base' clash where they are assembled (5 mm)"));
 }
 
 /// A part of a CAD file with a second solid that is apart.
@@ -51,8 +51,8 @@ TEST(StuckReasons, APartOfSolidsThatDoNotTouchMayBeOpened) {
     const auto isSaid = HasSubstr(
         "; 'sunk' is one part of 2 solids that do not touch each other: take these as parts "
         "(--open \"sunk\", ");
-    const bool isNamed = testing::Value(plan.stuck[0].reason, isSaid);
-    EXPECT_EQ(isNamed, isOfCadFile) << plan.stuck[0].reason;  // a mesh cannot be opened
+    const bool isNamed = testing::Value(toString(plan.stuck[0].reason), isSaid);
+    EXPECT_EQ(isNamed, isOfCadFile) << toString(plan.stuck[0].reason);  // a mesh cannot be opened
   }
 }
 

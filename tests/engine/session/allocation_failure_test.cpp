@@ -58,7 +58,7 @@ TEST_P(AllocationFailure, InARunEndsThatRunOnly) {
     ASSERT_TRUE(hasEnded(*snapshot)) << first;
     if (snapshot->problem) {
       ++failed;
-      EXPECT_EQ(snapshot->problem->kind, ErrorKind::LimitReached) << snapshot->problem->reason;
+      EXPECT_EQ(snapshot->problem->kind, ErrorKind::LimitReached) << toString(snapshot->problem->reason);
     }
     startWithFailure(*session, kNever, 1);
     EXPECT_EQ(session->snapshot()->state, SessionState::Solved);

@@ -88,7 +88,7 @@ TEST_P(Forbidden, APathLeadsAroundThePlace) {
   if (end->path) {
     EXPECT_EQ(test::metBy(end->path->configurations(), places, test::forbiddenMarginOf(*problem.world)), "");
   } else {
-    EXPECT_NE(end->problem->reason.find(places.front().name), std::string::npos) << toString(*end->problem);
+    EXPECT_NE(toString(end->problem->reason).find(places.front().name), std::string::npos) << toString(*end->problem);
   }
 }
 
@@ -104,7 +104,7 @@ TEST_P(Forbidden, WithoutAWayTheRunFailsAndNamesWhatIsForbidden) {
   ASSERT_EQ(end->state, SessionState::Failed);
   EXPECT_EQ(end->path, nullptr);
   for (const ForbiddenPlace& place : places) {
-    EXPECT_NE(end->problem->reason.find(place.name), std::string::npos) << toString(*end->problem);
+    EXPECT_NE(toString(end->problem->reason).find(place.name), std::string::npos) << toString(*end->problem);
   }
 }
 
@@ -123,7 +123,7 @@ TEST_P(Forbidden, APlaceThatIsForbiddenWhileARunGoesOnIsNotOnItsPath) {
     const SnapshotPtr end = session->snapshot();
     if (running && isComplete() && !end->path) {
       // The path was found before, and is withdrawn.
-      EXPECT_NE(end->problem->reason.find("forbidden"), std::string::npos) << toString(*end->problem);
+      EXPECT_NE(toString(end->problem->reason).find("forbidden"), std::string::npos) << toString(*end->problem);
     }
     if (end->path) {
       EXPECT_EQ(test::metBy(end->path->configurations(), places, test::forbiddenMarginOf(*problem.world)), "") << steps;
@@ -163,7 +163,7 @@ TEST_P(Forbidden, ThePlaneOfTheFloorIsNoWay) {
   const SnapshotPtr end = ended(*session);
   ASSERT_EQ(end->state, SessionState::Failed);
   EXPECT_EQ(end->path, nullptr);
-  EXPECT_NE(end->problem->reason.find(places.front().name), std::string::npos) << toString(*end->problem);
+  EXPECT_NE(toString(end->problem->reason).find(places.front().name), std::string::npos) << toString(*end->problem);
 }
 
 std::vector<std::string> everyStrategy() { return idsOf(makePlannerRegistry()); }
@@ -179,12 +179,12 @@ TEST(ForbiddenPlace, TheStartAndTheGoalInsideOfOneAreSaid) {
   problem.scene.edits = forbidding({problem.start.position});
   SnapshotPtr end = ended(*sessionOf(problem, "gts"));
   ASSERT_EQ(end->state, SessionState::Failed);
-  EXPECT_EQ(end->problem->location, "start");
-  EXPECT_NE(end->problem->reason.find("forbidden"), std::string::npos);
+  EXPECT_EQ(toString(end->problem->location), "start");
+  EXPECT_NE(toString(end->problem->reason).find("forbidden"), std::string::npos);
   problem.scene.edits = forbidding({std::get<Pose>(problem.goal).position});
   end = ended(*sessionOf(problem, "auto"));
   ASSERT_EQ(end->state, SessionState::Failed);
-  EXPECT_EQ(end->problem->location, "goal");
+  EXPECT_EQ(toString(end->problem->location), "goal");
 }
 
 TEST(ForbiddenPlace, TheStartOnItsBoundaryIsSaid) {
@@ -196,8 +196,8 @@ TEST(ForbiddenPlace, TheStartOnItsBoundaryIsSaid) {
     problem.start.position = {box.min().x() - beside, box.center().y(), box.center().z()};
     const SnapshotPtr end = ended(*sessionOf(problem, "gts"));
     ASSERT_EQ(end->state, SessionState::Failed);
-    EXPECT_EQ(end->problem->location, "start");
-    EXPECT_NE(end->problem->reason.find("lies on the boundary of"), std::string::npos) << toString(*end->problem);
+    EXPECT_EQ(toString(end->problem->location), "start");
+    EXPECT_NE(toString(end->problem->reason).find("lies on the boundary of"), std::string::npos) << toString(*end->problem);
   }
 }
 
@@ -233,7 +233,7 @@ TEST(ForbiddenPlace, ThatIsNotThereIsSaid) {
   problem.scene.edits = forbidding({test::kFarAway});
   const SnapshotPtr end = ended(*sessionOf(problem, "contact-birrt"));
   ASSERT_EQ(end->state, SessionState::Failed);
-  EXPECT_EQ(end->problem->location, "/places/0");
+  EXPECT_EQ(toString(end->problem->location), "/places/0");
   EXPECT_EQ(end->problem->kind, ErrorKind::MalformedInput);
 }
 

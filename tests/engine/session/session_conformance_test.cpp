@@ -135,7 +135,7 @@ TEST_P(SessionConformance, ABadParameterIsRefusedInWordsAndTheRunGoesOn) {
   session->post(command::SetParameter{ParameterId::Alpha, 7.0});
   ASSERT_TRUE(waitFor(*session, [](const auto& s) { return s.problem.has_value(); }));
   EXPECT_EQ(session->snapshot()->state, SessionState::Planning);
-  EXPECT_EQ(session->snapshot()->problem->location, "alpha");
+  EXPECT_EQ(toString(session->snapshot()->problem->location), "alpha");
 }
 
 TEST_P(SessionConformance, LimitsEndTheRunWithAReason) {
@@ -157,8 +157,8 @@ TEST_P(SessionConformance, AStartInCollisionIsRefusedNamingTheBody) {
   session->post(command::Start{});
   ASSERT_TRUE(waitFor(*session, hasEnded));
   EXPECT_EQ(session->snapshot()->problem->kind, ErrorKind::InCollision);
-  EXPECT_EQ(session->snapshot()->problem->location, "start");
-  EXPECT_NE(session->snapshot()->problem->reason.find("right"), std::string::npos);
+  EXPECT_EQ(toString(session->snapshot()->problem->location), "start");
+  EXPECT_NE(toString(session->snapshot()->problem->reason).find("right"), std::string::npos);
 }
 
 TEST_P(SessionConformance, AnUnknownPlannerIsRefusedAndTheOldOneStays) {

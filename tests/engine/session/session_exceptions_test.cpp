@@ -87,9 +87,9 @@ TEST_P(SessionExceptions, EndTheRunAndTheNextStartPlans) {
     EXPECT_EQ(snapshot->state, SessionState::Failed);
     ASSERT_TRUE(snapshot->problem);
     EXPECT_EQ(snapshot->problem->kind, thrown.kind);
-    EXPECT_NE(snapshot->problem->reason.find(place == Place::Constructor ? "while starting the planner" : "while p"),
+    EXPECT_NE(toString(snapshot->problem->reason).find(place == Place::Constructor ? "while starting the planner" : "while p"),
               std::string::npos)
-        << snapshot->problem->reason;
+        << toString(snapshot->problem->reason);
     EXPECT_FALSE(snapshot->problem->advice.empty());
     // Published nodes are not lost.
     if (place == Place::Solve) {
@@ -136,7 +136,7 @@ TEST_P(DeviceExceptions, TakeTheDeviceAwayAndPlanningGoesOn) {
       makeSession(threaded, sessionConfig(windowProblem(), std::make_unique<ThrowingDevice>(thrown.raise)));
   ASSERT_TRUE(waitFor(*session, [](const SessionSnapshot& s) { return s.problem.has_value(); }));
   EXPECT_EQ(session->snapshot()->problem->kind, thrown.kind);
-  EXPECT_EQ(session->snapshot()->problem->location, "device");
+  EXPECT_EQ(toString(session->snapshot()->problem->location), "device");
   session->post(command::Start{});
   ASSERT_TRUE(waitFor(*session, hasEnded));
   EXPECT_EQ(session->snapshot()->state, SessionState::Solved);

@@ -87,7 +87,7 @@ class FailingDevice final : public OperatorDevice {
 TEST(ThreadedSession, AFailingDeviceIsReportedAndPlanningGoesOn) {
   const auto session = makeThreadedSession(sessionConfig(windowProblem(), std::make_unique<FailingDevice>()));
   ASSERT_TRUE(waitFor(*session, [](const auto& s) { return s.problem.has_value(); }));
-  EXPECT_NE(session->snapshot()->problem->reason.find("cable out"), std::string::npos);
+  EXPECT_NE(toString(session->snapshot()->problem->reason).find("cable out"), std::string::npos);
   session->post(command::Start{});
   EXPECT_TRUE(waitFor(*session, [](const auto& s) { return s.state == SessionState::Solved; }));
 }

@@ -21,7 +21,7 @@ class BenchmarkPage : public testing::Test {
     const auto report = benchmarkPage(folder / "", warnings);
     if (!report) return toString(report.error());
     const auto html = reportHtml(*report);
-    return html ? *html : html.error().reason;
+    return html ? *html : toString(html.error().reason);
   }
 
   /// Adds one row with auto and two peers; auto is solved in 1 s, the first peer in 12 s, the second one not.

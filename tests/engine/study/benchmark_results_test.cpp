@@ -80,7 +80,7 @@ TEST(BenchmarkResults, EachFaultIsNamedWithItsPlace) {
     ASSERT_FALSE(run.ok());
     EXPECT_EQ(run.error().kind, ErrorKind::MalformedInput);
     EXPECT_EQ(run.error().file, "broken.json");
-    EXPECT_THAT(run.error().location, HasSubstr(place));
+    EXPECT_THAT(toString(run.error().location), HasSubstr(place));
     EXPECT_EQ(run.error().location.empty(), place.empty());
     EXPECT_FALSE(run.error().reason.empty());
   }

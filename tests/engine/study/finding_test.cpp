@@ -51,9 +51,9 @@ TEST(Finding, IsReadAndWrittenBack) {
   }());
   Warnings warnings;
   const auto plan = planStudy(files.file, false, warnings);
-  ASSERT_TRUE(plan.ok()) << plan.error().reason;
+  ASSERT_TRUE(plan.ok()) << toString(plan.error().reason);
   const auto again = readPlan(writePlan(*plan), "plan.json");
-  ASSERT_TRUE(again.ok()) << again.error().reason;
+  ASSERT_TRUE(again.ok()) << toString(again.error().reason);
   ASSERT_EQ(again->study.heading.findings.size(), 1U);
   EXPECT_EQ(again->study.heading.findings.front().text, "People beat none");
   EXPECT_EQ(again->study.heading.findings.front().factor, 0.1);
@@ -66,7 +66,7 @@ TEST(Finding, WhatCannotBeMeantIsRefusedAtItsPlace) {
     broken[Json::json_pointer(pointer)] = value;
     const auto study = parse(broken);
     ASSERT_FALSE(study.ok()) << pointer;
-    EXPECT_EQ(study.error().location, "/findings/0" + place);
+    EXPECT_EQ(toString(study.error().location), "/findings/0" + place);
   };
   expectRefused("/measure", "noses", "/measure");
   expectRefused("/is", "beside", "/is");
@@ -82,7 +82,7 @@ TEST(Finding, WhatCannotBeMeantIsRefusedAtItsPlace) {
 
 TEST(Finding, NamesOfRowsThatQuickLeavesOutAreKnown) {
   const auto study = parse(finding(), true);
-  ASSERT_TRUE(study.ok()) << study.error().reason;
+  ASSERT_TRUE(study.ok()) << toString(study.error().reason);
   const CheckedFinding result = checkFinding(study->heading.findings.front(), *study, summariesOf({{5, 6}}));
   EXPECT_EQ(result.verdict, Verdict::Open);
   EXPECT_EQ(result.compared, 0U);

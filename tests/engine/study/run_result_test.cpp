@@ -55,7 +55,7 @@ TEST(RunResult, ReadsTheReportOfARun) {
 
 /// The message of a session without memory.
 std::string outOfMemory() {
-  return guarded(GLISSADE_TEXT("planning"), [] { throw std::bad_alloc(); })->reason;
+  return toString(guarded(GLISSADE_TEXT("planning"), [] { throw std::bad_alloc(); })->reason);
 }
 
 TEST(RunResult, ReadsTheReportOfASequence) {

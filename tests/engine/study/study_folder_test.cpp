@@ -55,7 +55,7 @@ TEST_F(StudyFolderTest, RefusesWhatIsNotItsOwn) {
   newer.version += ".1";
   EXPECT_EQ(begin("out", newer).error().kind, ErrorKind::Usage);
   files.folder.write("photos/cat.jpg", "meow");
-  EXPECT_THAT(begin("photos", plan()).error().reason, HasSubstr("not a folder of study results"));
+  EXPECT_THAT(toString(begin("photos", plan()).error().reason), HasSubstr("not a folder of study results"));
   EXPECT_FALSE(fs::exists(files.folder / "photos/runs"));
   EXPECT_EQ(StudyFolder::open(files.folder / "photos").error().kind, ErrorKind::MalformedInput);
 }
@@ -107,7 +107,7 @@ TEST_F(StudyFolderTest, MergeUnitesAndRefusesWhatDoesNotBelongTogether) {
   EXPECT_TRUE(fs::exists(merged->file("summary.json")));
 
   ASSERT_TRUE(second->save({0, 2}, solved(99)).ok());
-  EXPECT_THAT(mergeStudies({a, b}, files.folder / "m2", warnings).error().reason, HasSubstr("another result"));
+  EXPECT_THAT(toString(mergeStudies({a, b}, files.folder / "m2", warnings).error().reason), HasSubstr("another result"));
   RunOutcome slow;
   slow.result.status = RunStatus::Time;
   ASSERT_TRUE(second->save({0, 2}, slow).ok());

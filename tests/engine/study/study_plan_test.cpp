@@ -43,7 +43,7 @@ TEST(StudyPlan, OlderPlansStayReadable) {
   older["cells"][0]["parameters"].erase("contact_distance");
   const auto torn = readPlan(older.dump(), "plan.json");
   ASSERT_FALSE(torn.ok());
-  EXPECT_THAT(torn.error().reason, HasSubstr("contact_distance"));
+  EXPECT_THAT(toString(torn.error().reason), HasSubstr("contact_distance"));
 }
 
 TEST(StudyPlan, ParametersAreCheckedAgainstTheScenario) {
@@ -55,8 +55,8 @@ TEST(StudyPlan, ParametersAreCheckedAgainstTheScenario) {
   ASSERT_FALSE(plan.ok());
   EXPECT_EQ(plan.error().kind, ErrorKind::MalformedInput);
   EXPECT_EQ(plan.error().file, files.file);
-  EXPECT_THAT(plan.error().location, HasSubstr("/rows/1"));
-  EXPECT_THAT(plan.error().reason, HasSubstr("50"));
+  EXPECT_THAT(toString(plan.error().location), HasSubstr("/rows/1"));
+  EXPECT_THAT(toString(plan.error().reason), HasSubstr("50"));
 }
 
 TEST(StudyPlan, AScenarioThatIsNotThereIsNamed) {

@@ -35,7 +35,7 @@ class Report : public testing::Test {
   std::string page() {
     Warnings warnings;
     const auto html = reportHtml(reportOf(*folder, warnings));
-    return html ? *html : html.error().reason;
+    return html ? *html : toString(html.error().reason);
   }
 
   test::StudyFiles files;

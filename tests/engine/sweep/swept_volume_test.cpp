@@ -244,7 +244,7 @@ TEST(SweptVolume, OfAnySizeIsTheSame) {
     const TriangleMesh box = makeBox(size * Vector3(1.0, 0.6, 0.3));
     std::vector<Pose> path{Pose::identity(), {size * Vector3(0.5, 1.0, 0.0), fromRollPitchYaw(0.4, 1.0, -0.3)}};
     const auto sweep = usualSweptVolume(box, path);
-    ASSERT_TRUE(sweep) << sweep.error().reason;
+    ASSERT_TRUE(sweep) << toString(sweep.error().reason);
     EXPECT_LT(sweep->excess, 0.08);
     EXPECT_LT(sweep->bound, 0.1 * size);
   }

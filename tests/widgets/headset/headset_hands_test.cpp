@@ -214,7 +214,7 @@ class HeadsetHandsAtAStep : public HeadsetHandsTest {
 
   void carryOut(const char* command, const ScriptCommands::Words& words) {
     const Outcome outcome = bench().scripts.carryOut(command, words);
-    EXPECT_TRUE(outcome) << command << ": " << (outcome ? "" : outcome.error().reason);
+    EXPECT_TRUE(outcome) << command << ": " << (outcome ? "" : toString(outcome.error().reason));
   }
 };
 

@@ -157,7 +157,7 @@ TEST(HapticSession, AnExceptionInTheLoopTakesTheDeviceAwayAndPlanningGoesOn) {
         problem, std::make_unique<HapticOperator>(problem.world, std::make_unique<BreakingDevice>(raise))));
     ASSERT_TRUE(waitFor(*session, [](const SessionSnapshot& now) { return now.problem.has_value(); }));
     EXPECT_EQ(session->snapshot()->problem->kind, kind);
-    EXPECT_EQ(session->snapshot()->problem->location, "device");
+    EXPECT_EQ(toString(session->snapshot()->problem->location), "device");
     session->post(command::Start{});
     EXPECT_TRUE(waitFor(*session, [](const SessionSnapshot& now) { return now.state == SessionState::Solved; }));
   }

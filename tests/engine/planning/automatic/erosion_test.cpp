@@ -95,7 +95,7 @@ TEST(Freeing, WhatIsClearStaysAndWhatIsDeepInsideIsGivenUpWithItsDepth) {
   EXPECT_EQ(*moveToClearance(problem.world, problem.start, 1e-6), problem.start);
   const auto deep = moveToClearance(problem.world, onTheFloor(0.1), 1e-6);
   ASSERT_FALSE(deep);
-  const std::string& reason = deep.error().reason;
+  const std::string& reason = toString(deep.error().reason);
   const std::string before = "overlaps 'below' by ";
   ASSERT_NE(reason.find(before), std::string::npos) << reason;
   EXPECT_NEAR(std::stod(reason.substr(reason.find(before) + before.size())), 95.0, 5.1) << reason;  // mm
@@ -108,7 +108,7 @@ TEST(Freeing, AShaftSlidesOutOfItsHole) {
   const auto shaft = std::make_shared<const TriangleMesh>(test::makeRing(0.0, 0.100001, 0.4, 40));
   const auto world = CollisionWorld::build({ring}, shaft);
   const auto out = moveToClearance(world, Pose::identity(), 1e-6);
-  ASSERT_TRUE(out) << out.error().reason;
+  ASSERT_TRUE(out) << toString(out.error().reason);
   EXPECT_TRUE(world->makeQuery()->clearAbove(*out, 2e-6));
   EXPECT_GE(std::abs(out->position.z()), 0.3);
   EXPECT_LT(out->position.norm(), 0.4);

@@ -30,7 +30,7 @@ RuleValue lookUp(const std::string& name) {
 
 double valueOf(const std::string& text) {
   const auto expression = Expression::parse(text, known);
-  EXPECT_TRUE(expression.ok()) << text << ": " << (expression.ok() ? "" : expression.error().reason);
+  EXPECT_TRUE(expression.ok()) << text << ": " << (expression.ok() ? "" : toString(expression.error().reason));
   return expression.ok() ? expression->number(lookUp) : std::nan("");
 }
 
@@ -155,8 +155,8 @@ TEST(Expression, ErrorsNameTheColumn) {
     const auto expression = Expression::parse(row.text, known);
     ASSERT_FALSE(expression.ok()) << row.text;
     EXPECT_EQ(expression.error().kind, ErrorKind::MalformedInput);
-    EXPECT_EQ(expression.error().location, "column " + std::to_string(row.column)) << row.text;
-    EXPECT_THAT(expression.error().reason, HasSubstr(row.reason)) << row.text;
+    EXPECT_EQ(toString(expression.error().location), "column " + std::to_string(row.column)) << row.text;
+    EXPECT_THAT(toString(expression.error().reason), HasSubstr(row.reason)) << row.text;
     EXPECT_FALSE(expression.error().advice.empty());
   }
 }
@@ -178,7 +178,7 @@ TEST(Expression, DeepAndEndlessRulesAreRefused) {
       const auto expression = Expression::parse(repeated(piece, times) + "1", known);
       ASSERT_FALSE(expression.ok()) << piece;
       EXPECT_EQ(expression.error().kind, ErrorKind::MalformedInput);
-      EXPECT_LT(expression.error().advice.size(), 300U) << "the message repeats the whole rule";
+      EXPECT_LT(toString(expression.error().advice).size(), 300U) << "the message repeats the whole rule";
     }
   }
 }

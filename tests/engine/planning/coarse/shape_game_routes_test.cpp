@@ -195,8 +195,8 @@ TEST(CoarsePlanByRules, ACostThatMeansNothingNamesTheRuleAndThePlace) {
     const auto plan = planBy(rules, edits);
     ASSERT_FALSE(plan.ok()) << edge;
     EXPECT_EQ(plan.error().kind, ErrorKind::MalformedInput);
-    EXPECT_EQ(plan.error().location, rule);
-    EXPECT_NE(plan.error().reason.find(reason), std::string::npos) << plan.error().reason;
+    EXPECT_EQ(toString(plan.error().location), rule);
+    EXPECT_NE(toString(plan.error().reason).find(reason), std::string::npos) << toString(plan.error().reason);
   };
   expectRefused("0", "-distance", "/rules/edge", "gives the negative cost -");
   expectRefused("0", "-distance", "/rules/edge", " in place P1");

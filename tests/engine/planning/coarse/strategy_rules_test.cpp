@@ -64,8 +64,8 @@ TEST(StrategyRules, EachFaultIsNamedWithItsPlace) {
     const auto parsed = parseRules(rules, AttributeTable(), locals());
     ASSERT_FALSE(parsed.ok()) << row.place << " " << row.reason;
     EXPECT_EQ(parsed.error().kind, ErrorKind::MalformedInput);
-    EXPECT_EQ(parsed.error().location, row.place);
-    EXPECT_THAT(parsed.error().reason, HasSubstr(row.reason));
+    EXPECT_EQ(toString(parsed.error().location), row.place);
+    EXPECT_THAT(toString(parsed.error().reason), HasSubstr(row.reason));
   }
 }
 

@@ -161,7 +161,7 @@ TEST_F(EditsWhileRunning, RulesThatNameAnAttributeThatWasRemovedEndTheRun) {
   host.edits = std::make_shared<const SemanticEdits>(edits);
   advance(*planner, 5);
   ASSERT_TRUE(planner->failure());
-  EXPECT_NE(planner->failure()->reason.find("place.danger"), std::string::npos);
+  EXPECT_NE(toString(planner->failure()->reason).find("place.danger"), std::string::npos);
 }
 
 TEST_F(EditsWhileRunning, AMilestoneOfThePersonIsPassedThrough) {

@@ -80,7 +80,7 @@ TEST(InstructionHtml, ALogoThatIsGoneIsAnError) {
 TEST(InstructionViewer, WithoutTheLibraryItSaysWhichPackageHasIt) {
   const auto scene = instructionScene("glTF", "/gone");
   ASSERT_FALSE(scene.ok());
-  EXPECT_NE(scene.error().advice.find("libjs-three"), std::string::npos);
+  EXPECT_NE(toString(scene.error().advice).find("libjs-three"), std::string::npos);
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ TEST_F(InstructionTemplates, EveryMemberIsRead) {
   const auto made =
       read(R"(, "company": "Muster", "document": "WI-012", "logo": "logo.png", "columns": ["count", "part"],
                              "language": "fr", "paper": "Letter")");
-  ASSERT_TRUE(made.ok()) << made.error().reason;
+  ASSERT_TRUE(made.ok()) << toString(made.error().reason);
   EXPECT_EQ(made->company, "Muster");
   EXPECT_EQ(made->document, "WI-012");
   EXPECT_EQ(made->logo, std::filesystem::absolute(path("logo.png")).string());
@@ -59,7 +59,7 @@ TEST_F(InstructionTemplates, AnErrorNamesThePlaceAndWhatToDo) {
     const auto made = read(members);
     ASSERT_FALSE(made.ok()) << members;
     EXPECT_EQ(made.error().kind, ErrorKind::MalformedInput) << members;
-    EXPECT_EQ(made.error().location, place) << members;
+    EXPECT_EQ(toString(made.error().location), place) << members;
     EXPECT_FALSE(made.error().reason.empty());
     EXPECT_FALSE(made.error().advice.empty()) << members;
   }
