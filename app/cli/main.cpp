@@ -59,7 +59,8 @@ void addLength(CLI::App& command, const std::string& option, const std::function
 /// Adds one option for each row of the parameter table. Ranges are checked when the object's size is known.
 void addParameters(CLI::App& command, std::map<ParameterId, double>& values) {
   for (const ParameterSpec& spec : parameterTable()) {
-    const std::string help = std::string(spec.help) + (spec.unit.empty() ? "" : " [" + std::string(spec.unit) + "]");
+    const std::string help =
+        std::string(spec.help.english) + (spec.unit.empty() ? "" : " [" + std::string(spec.unit) + "]");
     if (spec.unit == "m") {
       addLength(
           command, std::string(spec.option), [&values, id = spec.id](double value) { values[id] = value; }, help);
@@ -120,7 +121,7 @@ CLI::App* addPlan(CLI::App& app, PlanOptions& options) {
   plan->add_flag("--edges", options.edges, "Report the certificate of every edge");
   plan->add_flag("--difficulty", options.difficulty, "Where no path is found, print the reasons");
   plan->add_option("--seed", options.seed, "Seed of everything random (default: the scenario's)");
-  plan->add_option("--out", options.out, "Write the path: " + writablePathFormats());
+  plan->add_option("--out", options.out, "Write the path: " + toString(writablePathFormats()));
   plan->add_option("--record", options.record, "Write a run record for replay");
   addFormat(*plan, options.format);
   return plan;
@@ -149,7 +150,7 @@ CLI::App* addCheck(CLI::App& app, CheckOptions& options) {
       ->add_option("SCENARIO", options.scenario,
                    "Scenario file or OMPL.app .cfg; of an assembly plan the product, as in sequence")
       ->required();
-  check->add_option("PATH", options.path, "Assembly plan, or path: " + readablePathFormats())->required();
+  check->add_option("PATH", options.path, "Assembly plan, or path: " + toString(readablePathFormats()))->required();
   addLength(
       *check, std::string(specOf(ParameterId::RequiredClearance).option),
       [&options](double value) { options.requiredClearance = value; },
@@ -169,8 +170,8 @@ CLI::App* addCheck(CLI::App& app, CheckOptions& options) {
 CLI::App* addSmooth(CLI::App& app, SmoothOptions& options) {
   CLI::App* smooth = app.add_subcommand("smooth", "Shorten a certified path and keep it certified");
   smooth->add_option("SCENARIO", options.scenario, "Scenario file or OMPL.app .cfg")->required();
-  smooth->add_option("PATH", options.input, "Path: " + readablePathFormats())->required();
-  smooth->add_option("OUT", options.output, "Write the path: " + writablePathFormats())->required();
+  smooth->add_option("PATH", options.input, "Path: " + toString(readablePathFormats()))->required();
+  smooth->add_option("OUT", options.output, "Write the path: " + toString(writablePathFormats()))->required();
   smooth->add_option("--attempts", options.attempts, "Shortcuts to try")
       ->check(CLI::Range(0, 1'000'000))
       ->capture_default_str();
@@ -182,7 +183,7 @@ CLI::App* addSmooth(CLI::App& app, SmoothOptions& options) {
 CLI::App* addSweep(CLI::App& app, SweepOptions& options) {
   CLI::App* sweep = app.add_subcommand("sweep", "Write the swept volume of a path: all that the object covers");
   sweep->add_option("SCENARIO", options.scenario, "Scenario file or OMPL.app .cfg")->required();
-  sweep->add_option("PATH", options.path, "Path: " + readablePathFormats())->required();
+  sweep->add_option("PATH", options.path, "Path: " + toString(readablePathFormats()))->required();
   sweep->add_option("OUT", options.output, "Write the swept volume: .stl (millimetres) or .glb")->required();
   addLength(
       *sweep, "--bound", [&options](double bound) { options.bound = bound; },
@@ -319,7 +320,7 @@ CLI::App* addAccess(CLI::App& app, AccessOptions& options) {
       "Hand, forearm and tool are sampled along each motion; this is no proof. Measures: ANSUR II (NATICK/TR-15/007).\n"
       "Exit codes: 0 all is reached and seen, 1 not all, 2 wrong usage, 3 unreadable input, 130 interrupted.");
   access->add_option("FILE", options.file, "The scenario of the path, or the product of the plan")->required();
-  access->add_option("--path", options.path, "Path of the object: " + readablePathFormats());
+  access->add_option("--path", options.path, "Path of the object: " + toString(readablePathFormats()));
   access->add_option("--plan", options.plan, "Assembly plan, as 'sequence --out' writes it");
   std::map<std::string, HandSize> sizes;
   for (const HandSize size : kHandSizes) sizes[kHandSizeNames.of(size)] = size;
@@ -339,9 +340,13 @@ CLI::App* addAccess(CLI::App& app, AccessOptions& options) {
 CLI::App* addConvert(CLI::App& app, ConvertOptions& options) {
   CLI::App* convert =
       app.add_subcommand("convert", "Convert an OMPL.app .cfg to a scenario, or a path to another format");
-  convert->add_option("IN", options.input, "What to read: a .cfg, a scenario; or a path: " + readablePathFormats())
+  convert
+      ->add_option("IN", options.input,
+                   "What to read: a .cfg, a scenario; or a path: " + toString(readablePathFormats()))
       ->required();
-  convert->add_option("OUT", options.output, "What to write: a scenario (.json); or a path: " + writablePathFormats())
+  convert
+      ->add_option("OUT", options.output,
+                   "What to write: a scenario (.json); or a path: " + toString(writablePathFormats()))
       ->required();
   convert->add_option("--scenario", options.scenario,
                       "Scenario of the path, for formats that hold its clearances or bodies");

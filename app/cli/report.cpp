@@ -103,8 +103,10 @@ void addUncertainties(const LoadedScenario& scenario, const std::vector<PathPoin
 
 std::string deviationInWords(const LoadedScenario& scenario, const std::vector<PathPoint>& path) {
   std::ostringstream text;
-  for (const std::string& allowance : allowancesInWords(scenario, path)) text << "allowance: " << allowance << "\n";
-  if (const MissingShapes& missing = scenario.missing; !missing.empty()) text << statementOf(missing) << "\n";
+  for (const Message& allowance : allowancesInWords(scenario, path)) {
+    text << "allowance: " << toString(allowance) << "\n";
+  }
+  if (const MissingShapes& missing = scenario.missing; !missing.empty()) text << toString(statementOf(missing)) << "\n";
   if (const double deviation = surfaceDeviation(scenario); deviation > 0.0) {
     text << "the certificate is about triangles, which are within +/- " << inMillimetres(deviation)
          << " of the CAD surfaces\n";

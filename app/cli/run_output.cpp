@@ -175,7 +175,7 @@ void printText(const SessionSnapshot& end, const CollisionWorld& world) {
     std::cout << "coarse path " << end.coarsePlan->attempt << ":\n";
     for (const TopologicalStep& step : end.coarsePlan->steps) {
       std::cout << "  " << step.placeName << " to " << step.borderName << ": " << name(step.result) << ", "
-                << step.randomConfigurations << " random configurations (" << step.why << ")\n";
+                << step.randomConfigurations << " random configurations (" << toString(step.why) << ")\n";
     }
   }
   if (end.hand) printHand(*end.hand, end.path != nullptr);

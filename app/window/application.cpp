@@ -82,7 +82,7 @@ void addOptions(QCommandLineParser& parser) {
       {"version", "Show the version and quit"},
   });
   for (const ParameterSpec& spec : parameterTable()) {
-    parser.addOption({optionName(spec), text(spec.help), QStringLiteral("VALUE")});
+    parser.addOption({optionName(spec), QString::fromUtf8(spec.help.english), QStringLiteral("VALUE")});
   }
 }
 

@@ -95,7 +95,8 @@ Outcome define(SemanticDocument& document, const std::string& name, const std::s
   AttributeDefinition definition;
   const auto known = kAttributeTypeNames.find(type);
   if (!known) return wrongCommand("there is no type '" + type + "'");
-  definition.name = definition.label = name;
+  definition.name = name;
+  definition.label = name;
   definition.type = *known;
   definition.owner = kAttributeOwnerNames.find(owner).value_or(AttributeOwner::Place);
   definition.initial = initialValue(definition);

@@ -1,6 +1,6 @@
 #include "app/window/export_dialog.h"
 
-#include <QCoreApplication>
+#include "widgets/commands/diagnostic_text.h"
 
 namespace glissade {
 
@@ -15,7 +15,7 @@ ExportDialog::ExportDialog(const PathExporterRegistry& registry, QWidget* parent
   setAcceptMode(AcceptSave);
   QStringList filters;
   for (const PathExporter& exporter : registry.entries()) {
-    const QString label = QCoreApplication::translate("PathFormats", exporter.label.c_str());
+    const QString label = engineText(exporter.label);
     filters << QStringLiteral("%1 (%2)").arg(label, patternsOf(exporter));
   }
   setNameFilters(filters);

@@ -103,10 +103,10 @@ void PathReportJob::start(const RunResults& results, const std::shared_ptr<const
   }
   const auto folder = std::make_shared<QTemporaryDir>();
   const StudyWords words(windowLanguage());
-  ReportPicture overview{folder->filePath(QStringLiteral("path.png")).toStdString(), words("The path"), kPictureShare};
+  ReportPicture overview{folder->filePath(QStringLiteral("path.png")).toStdString(), words(GLISSADE_TEXT("The path")), kPictureShare};
   if (!saveScenePicture(bench_.scene, QString::fromStdString(overview.file))) overview = {};
   ReportPicture tightest{folder->filePath(QStringLiteral("tightest.png")).toStdString(),
-                         words("The place with the smallest clearance"), kPictureShare};
+                         words(GLISSADE_TEXT("The place with the smallest clearance")), kPictureShare};
   const auto place = profile ? profile->tightest() : std::nullopt;
   if (!place || !takeTightest(profile->samples[*place], tightest.file)) tightest = {};
   const ScenarioPtr scenario = bench_.document.scenario();

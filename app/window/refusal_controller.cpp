@@ -106,8 +106,9 @@ void RefusalController::followRun(const SnapshotPtr& snapshot) {
 void RefusalController::showProblem(const SessionSnapshot& snapshot) {
   const Diagnostic& why = *snapshot.problem;
   Notice notice{tr("The run ended without a path."), diagnosticText(why), {}};
-  const bool atEnds = why.location == "start" || why.location == "goal";
-  if (atEnds) notice.title = why.location == "start" ? tr("The start is refused.") : tr("The goal is refused.");
+  const std::string place = toString(why.location);
+  const bool atEnds = place == "start" || place == "goal";
+  if (atEnds) notice.title = place == "start" ? tr("The start is refused.") : tr("The goal is refused.");
   switch (why.kind) {
     case ErrorKind::InCollision: notice.actions = {"refusal.show", "refusal.allow", "assembly.free-ends"}; break;
     case ErrorKind::MalformedInput: notice.actions = {"assembly.fit-workspace"}; break;

@@ -33,10 +33,10 @@ QString layersText(const CoarsePlanPtr& plan) {
 QString statusText(const SessionSnapshot& snapshot) {
   if (snapshot.problem) {
     const Diagnostic& why = *snapshot.problem;
-    if (why.location == "start") {
+    if (toString(why.location) == "start") {
       return say(QT_TRANSLATE_NOOP("Status", "The start is refused: see the message over the scene."));
     }
-    if (why.location == "goal") {
+    if (toString(why.location) == "goal") {
       return say(QT_TRANSLATE_NOOP("Status", "The goal is refused: see the message over the scene."));
     }
     const QString place = why.location.empty() ? QString() : engineText(why.location) + QStringLiteral(": ");

@@ -63,8 +63,12 @@ std::string describe(const Quantity& quantity, const StudyWords& words) {
   std::string measure = quantity.measure;
   std::replace(measure.begin(), measure.end(), '_', ' ');
   if (quantity.measure == "success_rate") return words(measure);
-  const std::string runs = quantity.over == "all" ? "all" : "the solved";
-  return words(quantity.statistic + " of %1 over " + runs + " runs", {words(measure)});
+  const bool ofAll = quantity.over == "all";
+  const CatalogueText mean =
+      ofAll ? GLISSADE_TEXT("mean of %1 over all runs") : GLISSADE_TEXT("mean of %1 over the solved runs");
+  const CatalogueText median =
+      ofAll ? GLISSADE_TEXT("median of %1 over all runs") : GLISSADE_TEXT("median of %1 over the solved runs");
+  return words(quantity.statistic == "mean" ? mean : median, {words(measure)});
 }
 
 std::string shortNumber(double value) {

@@ -57,7 +57,8 @@ class Check {
     const auto found = valueOf(summaries_[cell], finding_.quantity);
     if (found) return found->value;
     missing_ =
-        words_(summaries_[cell].runs == 0 ? "%1 has not been run" : "%1 was never solved", {study_.cells[cell].label});
+        words_(summaries_[cell].runs == 0 ? GLISSADE_TEXT("%1 has not been run") : GLISSADE_TEXT("%1 was never solved"),
+               {study_.cells[cell].label});
     return std::nullopt;
   }
 
@@ -72,7 +73,7 @@ class Check {
     if (!left) return;
     const double against = finding_.relation == Relation::Below ? *left - bound : bound - *left;
     note(against < 0.0, against,
-         words_(below() ? "%1: %2; wanted below %3" : "%1: %2; wanted above %3",
+         words_(below() ? GLISSADE_TEXT("%1: %2; wanted below %3") : GLISSADE_TEXT("%1: %2; wanted above %3"),
                 {study_.cells[cell].label, show(*left), show(bound)}));
   }
 
@@ -84,11 +85,12 @@ class Check {
     const bool agrees = finding_.relation == Relation::Below ? *left < bound : *left > bound;
     // Distance of the pair from its bound: a ratio, or a difference where the bound is zero.
     const double ratio = bound > 0.0 ? *left / bound : *left - bound + 1.0;
-    std::string text = words_("%1: %2 against %3: %4",
+    std::string text = words_(GLISSADE_TEXT("%1: %2 against %3: %4"),
                               {study_.cells[cell].label, show(*left), study_.cells[other].label, show(*right)});
     if (*right > 0.0) {
-      text = words_(below() ? "%1, %2 times; wanted below %3" : "%1, %2 times; wanted above %3",
-                    {text, shortNumber(*left / *right), shortNumber(finding_.factor)});
+      text = words_(
+          below() ? GLISSADE_TEXT("%1, %2 times; wanted below %3") : GLISSADE_TEXT("%1, %2 times; wanted above %3"),
+          {text, shortNumber(*left / *right), shortNumber(finding_.factor)});
     }
     note(agrees, finding_.relation == Relation::Below ? ratio : -ratio, text);
   }
@@ -109,7 +111,7 @@ class Check {
     } else if (!missing_.empty()) {
       result_.numbers += (result_.numbers.empty() ? "" : "; ") + missing_;
     } else {
-      result_.numbers = words_("Its rows are not part of this size of the study");
+      result_.numbers = words_(GLISSADE_TEXT("Its rows are not part of this size of the study"));
     }
     return result_;
   }

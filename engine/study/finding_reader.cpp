@@ -14,7 +14,7 @@ std::vector<std::string> readNames(const JsonCursor& at, const char* key) {
   const auto list = at.find(key);
   if (!list) return names;
   for (std::size_t i = 0; i < list->size(); ++i) names.push_back(list->element(i).nonEmptyText());
-  if (names.empty()) list->fail("is empty", "Remove it to mean any.");
+  if (names.empty()) list->fail(GLISSADE_TEXT("is empty"), GLISSADE_TEXT("Remove it to mean any."));
   return names;
 }
 
@@ -33,7 +33,7 @@ Json toJson(const CellSelection& selection) {
 }
 
 PairBy readPairBy(const JsonCursor& at) {
-  const std::string name = readOneOf(at, kPairNames, "pairing");
+  const std::string name = readOneOf(at, kPairNames, GLISSADE_TEXT("pairing"));
   return static_cast<PairBy>(std::find(kPairNames.begin(), kPairNames.end(), name) - kPairNames.begin());
 }
 
@@ -41,8 +41,10 @@ void readThan(const JsonCursor& at, Finding& finding) {
   const JsonCursor than = at.at("than");
   if (than.json().is_number()) {
     finding.than = than.number();
-    if (at.has("factor")) at.at("factor").fail("has no meaning beside a number", "Put it into \"than\".");
-    if (at.has("pair_by")) at.at("pair_by").fail("has no meaning beside a number", "Remove it.");
+    if (at.has("factor"))
+      at.at("factor").fail(GLISSADE_TEXT("has no meaning beside a number"), GLISSADE_TEXT("Put it into \"than\"."));
+    if (at.has("pair_by"))
+      at.at("pair_by").fail(GLISSADE_TEXT("has no meaning beside a number"), GLISSADE_TEXT("Remove it."));
     return;
   }
   finding.than = readSelection(than);
@@ -53,22 +55,22 @@ void readThan(const JsonCursor& at, Finding& finding) {
 
 }  // namespace
 
-std::string readOneOf(const JsonCursor& at, const std::vector<std::string>& known, const std::string& what) {
+std::string readOneOf(const JsonCursor& at, const std::vector<std::string>& known, CatalogueText what) {
   std::string name = at.nonEmptyText();
   if (std::find(known.begin(), known.end(), name) != known.end()) return name;
   std::string names;
   for (const std::string& one : known) names += (names.empty() ? "" : ", ") + one;
-  at.fail("names the unknown " + what + " '" + name + "'", "Choose one of " + names + ".");
+  at.fail({GLISSADE_TEXT("names the unknown %1 '%2'"), {what, name}}, {GLISSADE_TEXT("Choose one of %1."), {names}});
 }
 
 Quantity readQuantity(const JsonCursor& at) {
   std::vector<std::string> measures{"success_rate", "planning_s", "planning_cpu_s", "wall_s", "cpu_s"};
   for (const ResultColumn& column : resultColumns()) measures.emplace_back(column.name);
   Quantity quantity;
-  quantity.measure = readOneOf(at.at("measure"), measures, "measure");
+  quantity.measure = readOneOf(at.at("measure"), measures, GLISSADE_TEXT("measure"));
   if (quantity.measure == "success_rate") return quantity;
-  quantity.statistic = readOneOf(at.at("statistic"), {"median", "mean"}, "statistic");
-  quantity.over = readOneOf(at.at("over"), {"solved", "all"}, "kind of runs");
+  quantity.statistic = readOneOf(at.at("statistic"), {"median", "mean"}, GLISSADE_TEXT("statistic"));
+  quantity.over = readOneOf(at.at("over"), {"solved", "all"}, GLISSADE_TEXT("kind of runs"));
   return quantity;
 }
 
@@ -78,7 +80,7 @@ Finding readFinding(const JsonCursor& at) {
   finding.text = at.at("text").nonEmptyText();
   finding.quantity = readQuantity(at);
   finding.cells = readSelection(at.at("cells"));
-  const std::string relation = readOneOf(at.at("is"), {"below", "above"}, "relation");
+  const std::string relation = readOneOf(at.at("is"), {"below", "above"}, GLISSADE_TEXT("relation"));
   finding.relation = relation == "below" ? Relation::Below : Relation::Above;
   readThan(at, finding);
   return finding;

@@ -16,6 +16,6 @@ Json toJson(const Finding& finding);
 Quantity readQuantity(const JsonCursor& at);
 
 /// Reads a name that must be one of `known`; `what` describes it in the message.
-std::string readOneOf(const JsonCursor& at, const std::vector<std::string>& known, const std::string& what);
+std::string readOneOf(const JsonCursor& at, const std::vector<std::string>& known, CatalogueText what);
 
 }  // namespace glissade::study_json

@@ -31,12 +31,13 @@ struct Bar {
 std::vector<Bar> barsOf(const PlanTiming& timing, const StudyWords& words) {
   std::vector<Bar> bars;
   if (!timing.line) {
-    Bar all{words("One person"), std::vector<std::size_t>(timing.tasks.seconds.size()), timing.sum()};
+    Bar all{words(GLISSADE_TEXT("One person")), std::vector<std::size_t>(timing.tasks.seconds.size()), timing.sum()};
     std::iota(all.steps.begin(), all.steps.end(), std::size_t{0});
     return {all};
   }
   for (std::size_t s = 0; s < timing.line->load.size(); ++s) {
-    bars.push_back({words("Station %1", {std::to_string(s + 1)}), timing.stepsAt(s), timing.line->load[s]});
+    bars.push_back(
+        {words(GLISSADE_TEXT("Station %1"), {std::to_string(s + 1)}), timing.stepsAt(s), timing.line->load[s]});
   }
   return bars;
 }
@@ -49,14 +50,15 @@ class ChartDrawing {
         colours_(colours),
         bars_(barsOf(timing, words)),
         chain_(timing.chain.begin(), timing.chain.end()),
-        scale_(PlotScale::linear(words("seconds"), boundsOf(bars_))) {}
+        scale_(PlotScale::linear(words(GLISSADE_TEXT("seconds")), boundsOf(bars_))) {}
 
   std::string svg() const {
     const double bottom = kTop + kRow * static_cast<double>(bars_.size());
     std::string svg = svgBegin(kLeft + kWidth + kRight, bottom + kAxis + kLegend, colours_.ground) + axis(bottom);
     for (std::size_t i = 0; i < bars_.size(); ++i) svg += bar(bars_[i], kTop + kRow * static_cast<double>(i));
     if (timing_.line) svg += cycle(bottom);
-    return svg + text(kLeft, bottom + kAxis + 12.0, "start", words_("Framed steps: the longest chain")) + "</svg>\n";
+    return svg + text(kLeft, bottom + kAxis + 12.0, "start", words_(GLISSADE_TEXT("Framed steps: the longest chain"))) +
+           "</svg>\n";
   }
 
  private:
@@ -101,12 +103,13 @@ class ChartDrawing {
     const bool isInChain = chain_.count(step) != 0;
     const std::string number = std::to_string(step + 1);
     const double inset = isInChain ? 1.0 : 0.5;  // frames of neighbours lie beside each other
-    std::string svg = "<rect x=\"" + pixels(left + inset) + "\" y=\"" + pixels(top + inset) + "\" width=\"" +
-                      pixels(std::max(0.0, right - left - 2.0 * inset)) + "\" height=\"" + pixels(kBar - 2.0 * inset) +
-                      "\" fill=\"" + colours_.box + "\" stroke=\"" + (isInChain ? colours_.ink : colours_.line) +
-                      "\" stroke-width=\"" + (isInChain ? "2" : "1") + "\"><title>" +
-                      escaped(words_("Step %1: %2", {number, secondsText(timing_.tasks.seconds[step], words_)})) +
-                      "</title></rect>\n";
+    std::string svg =
+        "<rect x=\"" + pixels(left + inset) + "\" y=\"" + pixels(top + inset) + "\" width=\"" +
+        pixels(std::max(0.0, right - left - 2.0 * inset)) + "\" height=\"" + pixels(kBar - 2.0 * inset) + "\" fill=\"" +
+        colours_.box + "\" stroke=\"" + (isInChain ? colours_.ink : colours_.line) + "\" stroke-width=\"" +
+        (isInChain ? "2" : "1") + "\"><title>" +
+        escaped(words_(GLISSADE_TEXT("Step %1: %2"), {number, secondsText(timing_.tasks.seconds[step], words_)})) +
+        "</title></rect>\n";
     const bool fits = right - left >= kDigit * static_cast<double>(number.size()) + 4.0;
     return fits ? svg + text(0.5 * (left + right), top + 0.5 * kBar + 4.0, "middle", number) : svg;
   }

@@ -136,7 +136,7 @@ std::vector<PartsListRow> partsList(const AssemblyPlan& plan, const AssembledPro
 }
 
 std::string stepsText(const PartsListRow& row, const StudyWords& words) {
-  std::string steps = row.hasBase ? words("base") : std::string();
+  std::string steps = row.hasBase ? words(GLISSADE_TEXT("base")) : std::string();
   const auto add = [&](const std::string& text) { steps += (steps.empty() ? "" : ", ") + text; };
   for (const std::size_t step : row.steps) add(std::to_string(step));
   if (row.withoutStep > 0) add("–");

@@ -27,7 +27,7 @@ class PathReportComposer {
 
   StudyReport compose() {
     report_.language = words_.language();
-    report_.title = words_("Report of a path: %1", {nameOfProduct(content_.scenario)});
+    report_.title = words_(GLISSADE_TEXT("Report of a path: %1"), {nameOfProduct(content_.scenario)});
     addProblem();
     addCertificate();
     if (!content_.overview.file.empty()) report_.blocks.emplace_back(content_.overview);
@@ -38,8 +38,8 @@ class PathReportComposer {
   }
 
  private:
-  void heading(std::string_view english, bool newPage = false) {
-    report_.blocks.emplace_back(ReportHeading{words_(english), 2, newPage});
+  void heading(CatalogueText text, bool newPage = false) {
+    report_.blocks.emplace_back(ReportHeading{words_(text), 2, newPage});
   }
 
   void facts(std::vector<std::vector<std::string>> rows) {
@@ -53,53 +53,60 @@ class PathReportComposer {
 
   void addProblem() {
     const LoadedScenario& scenario = content_.scenario;
-    std::vector<std::vector<std::string>> rows{{words_("Scenario"), nameOfProduct(scenario)},
-                                               {words_("Part that moves"), scenario.object.shown()},
-                                               {words_("Other parts"), std::to_string(scenario.obstacles.size())}};
+    std::vector<std::vector<std::string>> rows{
+        {words_(GLISSADE_TEXT("Scenario")), nameOfProduct(scenario)},
+        {words_(GLISSADE_TEXT("Part that moves")), scenario.object.shown()},
+        {words_(GLISSADE_TEXT("Other parts")), std::to_string(scenario.obstacles.size())}};
     if (!content_.provenance.planner.empty()) {
-      rows.push_back({words_("Strategy"), content_.provenance.planner});
-      rows.push_back({words_("Seed"), std::to_string(content_.provenance.seed)});
+      rows.push_back({words_(GLISSADE_TEXT("Strategy")), content_.provenance.planner});
+      rows.push_back({words_(GLISSADE_TEXT("Seed")), std::to_string(content_.provenance.seed)});
     }
-    rows.push_back({words_("Length"), length_(content_.path.length())});
-    rows.push_back({words_("Turns"), toText(std::round(10.0 * kDegrees * content_.path.rotation()) / 10.0) + "°"});
-    rows.push_back({words_("Configurations"), std::to_string(content_.path.points.size())});
-    rows.push_back({words_("Program"), std::string("Glissade ") + kVersion});
+    rows.push_back({words_(GLISSADE_TEXT("Length")), length_(content_.path.length())});
+    rows.push_back(
+        {words_(GLISSADE_TEXT("Turns")), toText(std::round(10.0 * kDegrees * content_.path.rotation()) / 10.0) + "°"});
+    rows.push_back({words_(GLISSADE_TEXT("Configurations")), std::to_string(content_.path.points.size())});
+    rows.push_back({words_(GLISSADE_TEXT("Program")), std::string("Glissade ") + kVersion});
     facts(std::move(rows));
   }
 
   void addCertificate() {
     const MotionCertificate& certificate = content_.path.certificate;
-    heading("Certificate");
-    report_.blocks.emplace_back(ReportText{
-        words_("The path is proved free of penetration: the part keeps the required clearance from all other parts at "
-               "every time of the motion, not only at samples.")});
+    heading(GLISSADE_TEXT("Certificate"));
+    report_.blocks.emplace_back(ReportText{words_(GLISSADE_TEXT(
+        "The path is proved free of penetration: the part keeps the required clearance from all other parts at "
+        "every time of the motion, not only at samples."))});
     const bool isNear = certificate.nearest.body >= 0;
-    std::vector<std::vector<std::string>> rows{{words_("Required clearance"), length_(certificate.tolerance)}};
+    std::vector<std::vector<std::string>> rows{
+        {words_(GLISSADE_TEXT("Required clearance")), length_(certificate.tolerance)}};
     if (isNear) {
-      rows.push_back({words_("Proved clearance"), length_(certificate.provedClearance)});
+      rows.push_back({words_(GLISSADE_TEXT("Proved clearance")), length_(certificate.provedClearance)});
       const NearestObstacle least = smallestMet();
-      rows.push_back(
-          {words_("Smallest clearance met"), words_("%1 to %2", {length_(least.distance), nameOf(least.body)})});
+      rows.push_back({words_(GLISSADE_TEXT("Smallest clearance met")),
+                      words_(GLISSADE_TEXT("%1 to %2"), {length_(least.distance), nameOf(least.body)})});
     }
     if (const std::size_t sliding = certificate.slidingEdges(); sliding > 0) {
-      rows.push_back({words_("Edges that slide"),
-                      words_("%1 of %2", {std::to_string(sliding), std::to_string(certificate.edges.size())})});
+      rows.push_back(
+          {words_(GLISSADE_TEXT("Edges that slide")),
+           words_(GLISSADE_TEXT("%1 of %2"), {std::to_string(sliding), std::to_string(certificate.edges.size())})});
     }
     if (certificate.forbiddenMargin > 0.0) {
-      rows.push_back(
-          {words_("Forbidden places"), words_("the path keeps %1 from them", {length_(certificate.forbiddenMargin)})});
+      rows.push_back({words_(GLISSADE_TEXT("Forbidden places")),
+                      words_(GLISSADE_TEXT("the path keeps %1 from them"), {length_(certificate.forbiddenMargin)})});
     }
     for (const std::string& allowance : allowancesInWords(content_.scenario, content_.path.points)) {
-      rows.push_back({words_("Allowance"), allowance});
+      rows.push_back({words_(GLISSADE_TEXT("Allowance")), allowance});
     }
     if (const MissingShapes& missing = content_.scenario.missing; !missing.empty()) {
-      rows.push_back({words_("Not known"), words_("where these shapes of the file are: %1", {listOf(missing)})});
+      rows.push_back({words_(GLISSADE_TEXT("Not known")),
+                      words_(GLISSADE_TEXT("where these shapes of the file are: %1"), {listOf(missing)})});
     }
     if (const double deviation = surfaceDeviation(content_.scenario); deviation > 0.0) {
-      rows.push_back({words_("About triangles"), words_("within ± %1 of the CAD surfaces", {length_(deviation)})});
+      rows.push_back({words_(GLISSADE_TEXT("About triangles")),
+                      words_(GLISSADE_TEXT("within ± %1 of the CAD surfaces"), {length_(deviation)})});
     }
     if (const double spacing = coordinateSpacing(content_.scenario); spacing > 0.0) {
-      rows.push_back({words_("32-bit coordinates"), words_("surfaces may be %1 nearer", {length_(spacing)})});
+      rows.push_back({words_(GLISSADE_TEXT("32-bit coordinates")),
+                      words_(GLISSADE_TEXT("surfaces may be %1 nearer"), {length_(spacing)})});
     }
     facts(std::move(rows));
   }
@@ -123,34 +130,38 @@ class PathReportComposer {
     const std::size_t tightest = *content_.profile->tightest();
     const std::size_t step = std::max<std::size_t>(1, samples.size() / kPlotPoints);
     PlotSeries series;
-    series.name = words_("Clearance");
+    series.name = words_(GLISSADE_TEXT("Clearance"));
     std::vector<double> clearances;
     for (std::size_t i = 0; i < samples.size(); ++i) {
       if (i % step != 0 && i != tightest) continue;
       PlotPoint point;
       point.x = 100.0 * samples[i].share;
       point.y = point.low = point.high = kMillimetres * samples[i].nearest.distance;
-      point.says = words_("%1 to %2", {length_(samples[i].nearest.distance), nameOf(samples[i].nearest.body)});
+      point.says =
+          words_(GLISSADE_TEXT("%1 to %2"), {length_(samples[i].nearest.distance), nameOf(samples[i].nearest.body)});
       clearances.push_back(point.y);
       series.points.push_back(std::move(point));
     }
-    heading("Clearance along the path", true);
+    heading(GLISSADE_TEXT("Clearance along the path"), true);
     if (!content_.tightest.file.empty()) report_.blocks.emplace_back(content_.tightest);
     Plot plot;
     plot.name = "clearance";
-    plot.title = words_("Clearance along the path");
-    plot.caption = words_("Distances of triangles to the nearest part at places of the path; the smallest is %1 to %2.",
-                          {length_(samples[tightest].nearest.distance), nameOf(samples[tightest].nearest.body)});
-    plot.x = PlotScale::percentages(words_("share of the path, %"));
-    plot.y = PlotScale::fitting(words_("clearance, mm"), clearances);
+    plot.title = words_(GLISSADE_TEXT("Clearance along the path"));
+    plot.caption = words_(
+        GLISSADE_TEXT("Distances of triangles to the nearest part at places of the path; the smallest is %1 to %2."),
+        {length_(samples[tightest].nearest.distance), nameOf(samples[tightest].nearest.body)});
+    plot.x = PlotScale::percentages(words_(GLISSADE_TEXT("share of the path, %")));
+    plot.y = PlotScale::fitting(words_(GLISSADE_TEXT("clearance, mm")), clearances);
     plot.series.push_back(std::move(series));
     report_.blocks.emplace_back(std::move(plot));
   }
 
   void addParameters() {
-    heading("Parameters", true);
-    ReportTable table{
-        "", {{words_("Parameter"), ReportColumn::Kind::Text}, {words_("Value"), ReportColumn::Kind::Number}}, {}};
+    heading(GLISSADE_TEXT("Parameters"), true);
+    ReportTable table{"",
+                      {{words_(GLISSADE_TEXT("Parameter")), ReportColumn::Kind::Text},
+                       {words_(GLISSADE_TEXT("Value")), ReportColumn::Kind::Number}},
+                      {}};
     for (const ParameterSpec& spec : parameterTable()) {
       const double value = content_.scenario.parameters[spec.id];
       const std::string unit = spec.unit.empty() ? "" : " " + std::string(spec.unit);
@@ -161,12 +172,15 @@ class PathReportComposer {
 
   /// Adds the files with the hashes of their content.
   void addParts() {
-    heading("Files");
-    ReportTable table{
-        "", {{words_("File"), ReportColumn::Kind::Prose}, {words_("SHA-256"), ReportColumn::Kind::Prose}}, {}};
+    heading(GLISSADE_TEXT("Files"));
+    ReportTable table{"",
+                      {{words_(GLISSADE_TEXT("File")), ReportColumn::Kind::Prose},
+                       {words_(GLISSADE_TEXT("SHA-256")), ReportColumn::Kind::Prose}},
+                      {}};
     for (const Asset& asset : content_.scenario.scenario.assets) table.rows.push_back({asset.path, asset.sha256});
     if (table.rows.empty()) {
-      report_.blocks.emplace_back(ReportText{words_("All parts are boxes, cylinders and spheres of the scenario.")});
+      report_.blocks.emplace_back(
+          ReportText{words_(GLISSADE_TEXT("All parts are boxes, cylinders and spheres of the scenario."))});
       return;
     }
     report_.blocks.emplace_back(std::move(table));

@@ -87,7 +87,8 @@ class GraphLayout {
     const auto& staying = plan_.staying;
     const bool stays = std::find(staying.begin(), staying.end(), id) != staying.end();
     const std::string name = product_.bodies[*product_.indexOf(id)].shown();
-    return bodies_[id] = add(name + " (" + words_(stays ? "stays" : "stuck") + ")", column, false);
+    return bodies_[id] =
+               add(name + " (" + words_(stays ? GLISSADE_TEXT("stays") : GLISSADE_TEXT("stuck")) + ")", column, false);
   }
 
   void addStuck() {

@@ -23,7 +23,7 @@ class Composer {
 
   StudyReport compose() {
     report_.language = plain_.words().language();
-    report_.title = say("Report of the sequence: %1", {content_.name});
+    report_.title = say(GLISSADE_TEXT("Report of the sequence: %1"), {content_.name});
     addCover();
     addPartsList();
     const std::vector<TaskRange> tasks = taskRanges(content_.plan.steps, parts_);
@@ -36,16 +36,16 @@ class Composer {
     if (content_.timing) addTimesSection(*content_.timing, plain_.words(), report_);
     addStuck();
     if (!content_.graphPicture.empty()) {
-      report_.blocks.emplace_back(ReportHeading{say("Order of the steps"), 2, true});
+      report_.blocks.emplace_back(ReportHeading{say(GLISSADE_TEXT("Order of the steps")), 2, true});
       picture(content_.graphPicture,
-              say("An arrow leads from a step of the removal to each step that it makes way for."));
+              say(GLISSADE_TEXT("An arrow leads from a step of the removal to each step that it makes way for.")));
     }
     return std::move(report_);
   }
 
  private:
-  std::string say(std::string_view english, std::initializer_list<std::string> arguments = {}) const {
-    return plain_.words()(english, arguments);
+  std::string say(CatalogueText text, std::initializer_list<MessageArgument> arguments = {}) const {
+    return plain_.words()(text, arguments);
   }
   const std::string& nameOf(const std::string& id) const {
     return content_.product.bodies[*content_.product.indexOf(id)].shown();
@@ -59,54 +59,56 @@ class Composer {
 
   void addCover() {
     const AssemblyPlan& plan = content_.plan;
-    report_.blocks.emplace_back(facts({{say("Product"), content_.name},
-                                       {say("Parts to assemble"), std::to_string(plan.parts())},
-                                       {say("Assembly steps"), std::to_string(plan.steps.size())},
-                                       {say("Parts without a step"), std::to_string(plan.parts() - plan.removed())},
-                                       {say("Base"), plain_.base(plan, content_.product)},
-                                       {say("Seed"), std::to_string(plan.seed)},
-                                       {say("Program"), std::string("Glissade ") + kVersion}}));
-    report_.blocks.emplace_back(ReportText{say(
-        "Every motion is certified: the part keeps its clearance from all parts that are there, on all of its way.")});
+    report_.blocks.emplace_back(
+        facts({{say(GLISSADE_TEXT("Product")), content_.name},
+               {say(GLISSADE_TEXT("Parts to assemble")), std::to_string(plan.parts())},
+               {say(GLISSADE_TEXT("Assembly steps")), std::to_string(plan.steps.size())},
+               {say(GLISSADE_TEXT("Parts without a step")), std::to_string(plan.parts() - plan.removed())},
+               {say(GLISSADE_TEXT("Base")), plain_.base(plan, content_.product)},
+               {say(GLISSADE_TEXT("Seed")), std::to_string(plan.seed)},
+               {say(GLISSADE_TEXT("Program")), std::string("Glissade ") + kVersion}}));
+    report_.blocks.emplace_back(ReportText{say(GLISSADE_TEXT(
+        "Every motion is certified: the part keeps its clearance from all parts that are there, on all of its way."))});
     const auto count = std::count(content_.checks.begin(), content_.checks.end(), StepCheck::Agrees);
     const auto notAsked = std::count(content_.checks.begin(), content_.checks.end(), StepCheck::NotAsked);
     if (static_cast<std::size_t>(notAsked) < content_.checks.size()) {
-      report_.blocks.emplace_back(ReportText{say("The independent check agrees with %1 of %2 steps.",
+      report_.blocks.emplace_back(ReportText{say(GLISSADE_TEXT("The independent check agrees with %1 of %2 steps."),
                                                  {std::to_string(count), std::to_string(plan.steps.size())})});
     }
     if (!content_.missing.empty()) {
-      report_.blocks.emplace_back(ReportText{
-          say("The proof is about the product without these shapes of the file, which were not made into bodies: %1.",
-              {listOf(content_.missing)})});
+      report_.blocks.emplace_back(ReportText{say(
+          GLISSADE_TEXT(
+              "The proof is about the product without these shapes of the file, which were not made into bodies: %1."),
+          {listOf(content_.missing)})});
     }
     for (const std::string& condition : content_.conditions) {
-      report_.blocks.emplace_back(ReportText{say("The plan is valid only if %1.", {condition})});
+      report_.blocks.emplace_back(ReportText{say(GLISSADE_TEXT("The plan is valid only if %1."), {condition})});
     }
     const std::size_t joined = plan.removed() - bodiesApart(plan);
     if (joined > 0) {
-      report_.blocks.emplace_back(
-          ReportText{say("%1 parts leave in groups that are not taken apart.", {std::to_string(joined)})});
+      report_.blocks.emplace_back(ReportText{
+          say(GLISSADE_TEXT("%1 parts leave in groups that are not taken apart."), {std::to_string(joined)})});
     }
     if (content_.deviation > 0.0) {
-      report_.blocks.emplace_back(
-          ReportText{say("The certificates are about triangles, which are within ± %1 of the CAD surfaces.",
-                         {plain_.length(content_.deviation)})});
+      report_.blocks.emplace_back(ReportText{
+          say(GLISSADE_TEXT("The certificates are about triangles, which are within ± %1 of the CAD surfaces."),
+              {plain_.length(content_.deviation)})});
     }
-    picture(content_.explodedPicture, say("The product, exploded"));
+    picture(content_.explodedPicture, say(GLISSADE_TEXT("The product, exploded")));
   }
 
   void addPartsList() {
     ReportTable table{"",
-                      {{say("Part"), ReportColumn::Kind::Text},
-                       {say("Designation"), ReportColumn::Kind::Text},
-                       {say("Count"), ReportColumn::Kind::Number},
-                       {say("Steps"), ReportColumn::Kind::Prose}},
+                      {{say(GLISSADE_TEXT("Part")), ReportColumn::Kind::Text},
+                       {say(GLISSADE_TEXT("Designation")), ReportColumn::Kind::Text},
+                       {say(GLISSADE_TEXT("Count")), ReportColumn::Kind::Number},
+                       {say(GLISSADE_TEXT("Steps")), ReportColumn::Kind::Prose}},
                       {}};
     for (const PartsListRow& row : parts_) {
       table.rows.push_back({row.name, row.designation.empty() ? kDash : row.designation, std::to_string(row.count),
                             stepsText(row, plain_.words())});
     }
-    report_.blocks.emplace_back(ReportHeading{say("Parts list"), 2, true});
+    report_.blocks.emplace_back(ReportHeading{say(GLISSADE_TEXT("Parts list")), 2, true});
     report_.blocks.emplace_back(std::move(table));
   }
 
@@ -133,15 +135,17 @@ class Composer {
 
   /// `access`: text for each step; empty: not checked.
   void addSubassembly(const SubassemblyLine& line, const std::vector<std::string>& access, const std::string& number) {
-    report_.blocks.emplace_back(ReportHeading{say("Subassembly for step %1", {number}), 2, true});
-    report_.blocks.emplace_back(facts({{say("Parts"), namesOf(line.bodies)}, {say("Base"), namesOf(line.staying)}}));
+    report_.blocks.emplace_back(ReportHeading{say(GLISSADE_TEXT("Subassembly for step %1"), {number}), 2, true});
+    report_.blocks.emplace_back(facts(
+        {{say(GLISSADE_TEXT("Parts")), namesOf(line.bodies)}, {say(GLISSADE_TEXT("Base")), namesOf(line.staying)}}));
     ReportTable table{"",
-                      {{say("Step"), ReportColumn::Kind::Text},
-                       {say("Part"), ReportColumn::Kind::Prose},
-                       {say("Work"), ReportColumn::Kind::Prose},
-                       {say("Tool"), ReportColumn::Kind::Prose}},
+                      {{say(GLISSADE_TEXT("Step")), ReportColumn::Kind::Text},
+                       {say(GLISSADE_TEXT("Part")), ReportColumn::Kind::Prose},
+                       {say(GLISSADE_TEXT("Work")), ReportColumn::Kind::Prose},
+                       {say(GLISSADE_TEXT("Tool")), ReportColumn::Kind::Prose}},
                       {}};
-    if (!access.empty()) table.columns.push_back({say("Access of a hand, sampled"), ReportColumn::Kind::Prose});
+    if (!access.empty())
+      table.columns.push_back({say(GLISSADE_TEXT("Access of a hand, sampled")), ReportColumn::Kind::Prose});
     for (std::size_t i = line.steps.size(); i > 0; --i) {
       const AssemblyStep& step = line.steps[i - 1];
       const std::string tool = plain_.tool(step, content_.product);
@@ -151,7 +155,7 @@ class Composer {
     }
     report_.blocks.emplace_back(std::move(table));
     for (const StuckBody& stuck : line.stuck) {
-      report_.blocks.emplace_back(ReportText{say("%1 is not put on alone.", {nameOf(stuck.body)})});
+      report_.blocks.emplace_back(ReportText{say(GLISSADE_TEXT("%1 is not put on alone."), {nameOf(stuck.body)})});
     }
   }
 
@@ -185,48 +189,51 @@ class Composer {
       kind += (kind.empty() ? "" : ", ") + kindOfPart(body, content_.product);
     }
     const std::string first = stepNumber(range.place);
-    const std::string title = range.count == 1
-                                  ? say("Step %1 of %2: %3", {first, all, name})
-                                  : say("Steps %1 to %2 of %3: %4", {first, stepNumber(range.place + range.count - 1),
-                                                                     all, std::to_string(range.count) + " × " + kind});
+    const std::string title =
+        range.count == 1
+            ? say(GLISSADE_TEXT("Step %1 of %2: %3"), {first, all, name})
+            : say(GLISSADE_TEXT("Steps %1 to %2 of %3: %4"),
+                  {first, stepNumber(range.place + range.count - 1), all, std::to_string(range.count) + " × " + kind});
     report_.blocks.emplace_back(ReportHeading{title, 2, true});
-    if (task < content_.pictures.size()) picture(content_.pictures[task], say("%1 on its way", {name}));
+    if (task < content_.pictures.size()) picture(content_.pictures[task], say(GLISSADE_TEXT("%1 on its way"), {name}));
     report_.blocks.emplace_back(facts(factsOf(steps, bodies, range.place)));
   }
 
   Rows factsOf(const Steps& steps, const std::vector<std::string>& bodies, std::size_t place) const {
     const AssembledProduct& product = content_.product;
-    Rows rows{{say("Full name"), namesOf(bodies)}};
+    Rows rows{{say(GLISSADE_TEXT("Full name")), namesOf(bodies)}};
     const auto motionOf = [&](const AssemblyStep& step) { return Texts{plain_.motion(step, PlanOrder::Assembly)}; };
     addRows(
-        say("Work"), steps, [&](const AssemblyStep& step) { return workOf(step, steps.size()); }, rows);
-    addRows(say("Motion"), steps, motionOf, rows);
+        say(GLISSADE_TEXT("Work")), steps, [&](const AssemblyStep& step) { return workOf(step, steps.size()); }, rows);
+    addRows(say(GLISSADE_TEXT("Motion")), steps, motionOf, rows);
     addRows(
-        say("Clearance"), steps, [&](const AssemblyStep& step) { return Texts{clearanceText(step)}; }, rows);
+        say(GLISSADE_TEXT("Clearance")), steps, [&](const AssemblyStep& step) { return Texts{clearanceText(step)}; },
+        rows);
     addRows(
-        say("Tool"), steps, [&](const AssemblyStep& step) { return Texts{plain_.tool(step, product)}; }, rows);
+        say(GLISSADE_TEXT("Tool")), steps, [&](const AssemblyStep& step) { return Texts{plain_.tool(step, product)}; },
+        rows);
     for (std::size_t at = place; !content_.access.steps.empty() && at < place + steps.size(); ++at) {
       const std::string& text = content_.access.steps[content_.plan.steps.size() - 1 - at];
-      if (rows.back().back() != text) rows.push_back({say("Access of a hand, sampled"), text});
+      if (rows.back().back() != text) rows.push_back({say(GLISSADE_TEXT("Access of a hand, sampled")), text});
     }
     addRows(
-        say("To be held"), steps, [&](const AssemblyStep& step) { return Texts{plain_.standing(step, product)}; },
-        rows);
+        say(GLISSADE_TEXT("To be held")), steps,
+        [&](const AssemblyStep& step) { return Texts{plain_.standing(step, product)}; }, rows);
     addRows(
-        say("Forced, although"), steps, [&](const AssemblyStep& step) { return plain_.violations(step, product); },
-        rows);
+        say(GLISSADE_TEXT("Forced, although")), steps,
+        [&](const AssemblyStep& step) { return plain_.violations(step, product); }, rows);
     addRows(
-        say("Allowance"), steps, [&](const AssemblyStep& step) { return allowancesOf(step); }, rows);
+        say(GLISSADE_TEXT("Allowance")), steps, [&](const AssemblyStep& step) { return allowancesOf(step); }, rows);
     if (content_.timing) {
       double sum = 0.0;
       for (std::size_t at = place; at < place + steps.size(); ++at) sum += content_.timing->times[at].total();
-      rows.push_back({say("Time"), secondsText(sum, plain_.words())});
+      rows.push_back({say(GLISSADE_TEXT("Time")), secondsText(sum, plain_.words())});
     }
     addRows(
-        say("Found by"), steps, [](const AssemblyStep& step) { return Texts{step.method}; }, rows);
+        say(GLISSADE_TEXT("Found by")), steps, [](const AssemblyStep& step) { return Texts{step.method}; }, rows);
     for (std::size_t at = place; at < place + steps.size(); ++at) {
       const std::string text = checkTextAt(content_.plan.steps.size() - 1 - at);
-      if (rows.back().back() != text) rows.push_back({say("Check"), text});
+      if (rows.back().back() != text) rows.push_back({say(GLISSADE_TEXT("Check")), text});
     }
     return rows;
   }
@@ -235,12 +242,12 @@ class Composer {
   Texts workOf(const AssemblyStep& step, std::size_t count) const {
     const std::string work = plain_.work(step, content_.product, PlanOrder::Assembly);
     if (work == plain_.motion(step, PlanOrder::Assembly)) return {};
-    return {count == 1 ? work : say("%1 times: %2", {std::to_string(count), work})};
+    return {count == 1 ? work : say(GLISSADE_TEXT("%1 times: %2"), {std::to_string(count), work})};
   }
 
   Texts allowancesOf(const AssemblyStep& step) const {
     const Texts allowances = plain_.allowances(step, content_.product);
-    return allowances.empty() ? Texts{say("none")} : allowances;
+    return allowances.empty() ? Texts{say(GLISSADE_TEXT("none"))} : allowances;
   }
 
   std::string checkTextAt(std::size_t step) const {
@@ -248,23 +255,27 @@ class Composer {
   }
 
   std::string checkText(StepCheck check) const {
-    if (check == StepCheck::NotAsked) return say("not carried out");
-    return say(check == StepCheck::Agrees ? "the independent check agrees" : "the independent check does not agree");
+    if (check == StepCheck::NotAsked) return say(GLISSADE_TEXT("not carried out"));
+    return say(check == StepCheck::Agrees ? GLISSADE_TEXT("the independent check agrees")
+                                          : GLISSADE_TEXT("the independent check does not agree"));
   }
 
   std::string clearanceText(const AssemblyStep& step) const {
-    if (step.proof.nearest.empty()) return say("no part is near");
-    return say("at least %1, smallest %2 to %3", {plain_.length(step.proof.provedClearance),
-                                                  plain_.length(step.proof.minClearance), nameOf(step.proof.nearest)});
+    if (step.proof.nearest.empty()) return say(GLISSADE_TEXT("no part is near"));
+    return say(GLISSADE_TEXT("at least %1, smallest %2 to %3"),
+               {plain_.length(step.proof.provedClearance), plain_.length(step.proof.minClearance),
+                nameOf(step.proof.nearest)});
   }
 
   void addStuck() {
     if (content_.plan.stuck.empty()) return;
-    report_.blocks.emplace_back(ReportHeading{say("Parts without a step"), 2, true});
-    report_.blocks.emplace_back(
-        ReportText{say("No motion was found for these parts. They are in the product from the beginning.")});
-    ReportTable table{
-        "", {{say("Part"), ReportColumn::Kind::Text}, {say("Blocked by"), ReportColumn::Kind::Prose}}, {}};
+    report_.blocks.emplace_back(ReportHeading{say(GLISSADE_TEXT("Parts without a step")), 2, true});
+    report_.blocks.emplace_back(ReportText{
+        say(GLISSADE_TEXT("No motion was found for these parts. They are in the product from the beginning."))});
+    ReportTable table{"",
+                      {{say(GLISSADE_TEXT("Part")), ReportColumn::Kind::Text},
+                       {say(GLISSADE_TEXT("Blocked by")), ReportColumn::Kind::Prose}},
+                      {}};
     for (const StuckBody& stuck : content_.plan.stuck) {
       std::string blockers;
       for (const std::string& other : stuck.blockedBy) blockers += (blockers.empty() ? "" : ", ") + nameOf(other);

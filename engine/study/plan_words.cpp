@@ -59,7 +59,9 @@ std::string fastenerText(const StepJoint& joint, const AssembledProduct& product
 }  // namespace
 
 std::string PlanWords::direction(const Vector3& direction) const {
-  static constexpr std::array<const char*, 6> kNames{"+X", "−X", "+Y", "−Y", "up (+Z)", "down (−Z)"};
+  static constexpr std::array<CatalogueText, 6> kNames{GLISSADE_TEXT("+X"),      GLISSADE_TEXT("−X"),
+                                                       GLISSADE_TEXT("+Y"),      GLISSADE_TEXT("−Y"),
+                                                       GLISSADE_TEXT("up (+Z)"), GLISSADE_TEXT("down (−Z)")};
   for (int axis = 0; axis < 3; ++axis) {
     if (direction[axis] > kAlongAxis) return words_(kNames[2 * static_cast<std::size_t>(axis)]);
     if (direction[axis] < -kAlongAxis) return words_(kNames[2 * static_cast<std::size_t>(axis) + 1]);
@@ -74,11 +76,14 @@ std::string PlanWords::someOf(const std::vector<std::string>& ids, const Assembl
   for (std::size_t i = 0; i < std::min(kNamed, ids.size()); ++i) {
     text += (text.empty() ? "" : ", ") + shownNameOf(ids[i], product);
   }
-  return ids.size() <= kNamed ? text : words_("%1 and %2 more", {text, std::to_string(ids.size() - kNamed)});
+  return ids.size() <= kNamed ? text
+                              : words_(GLISSADE_TEXT("%1 and %2 more"), {text, std::to_string(ids.size() - kNamed)});
 }
 
 std::string PlanWords::toolName(const AssemblyStep& step) const {
-  static constexpr std::array<const char*, 5> kTools{"", "hex key", "socket", "screwdriver", "open wrench"};
+  static constexpr std::array<CatalogueText, 5> kTools{CatalogueText{""}, GLISSADE_TEXT("hex key"),
+                                                       GLISSADE_TEXT("socket"), GLISSADE_TEXT("screwdriver"),
+                                                       GLISSADE_TEXT("open wrench")};
   if (step.tool.kind == ToolKind::None) return {};
   const std::string name = words_(kTools[static_cast<std::size_t>(step.tool.kind)]);
   return step.tool.turned.empty() ? name + sizeOfTool(step, words_.language()) : name;
@@ -87,14 +92,15 @@ std::string PlanWords::toolName(const AssemblyStep& step) const {
 std::string PlanWords::tool(const AssemblyStep& step, const AssembledProduct& product) const {
   const std::string name = toolName(step);
   if (!step.tool.turned.empty()) {
-    return words_("%1 at %2, %3 is held", {name, someOf({step.tool.turned}, product), someOf({step.body}, product)});
+    return words_(GLISSADE_TEXT("%1 at %2, %3 is held"),
+                  {name, someOf({step.tool.turned}, product), someOf({step.body}, product)});
   }
   if (step.tool.access != ToolAccess::Blocked) return name;
-  return words_("%1, blocked by %2", {name, someOf(step.tool.blockedBy, product)});
+  return words_(GLISSADE_TEXT("%1, blocked by %2"), {name, someOf(step.tool.blockedBy, product)});
 }
 
 std::string PlanWords::standing(const AssemblyStep& step, const AssembledProduct& product) const {
-  return step.falling.empty() ? std::string() : words_("hold %1", {someOf(step.falling, product)});
+  return step.falling.empty() ? std::string() : words_(GLISSADE_TEXT("hold %1"), {someOf(step.falling, product)});
 }
 
 std::vector<std::string> PlanWords::violations(const AssemblyStep& step, const AssembledProduct& product) const {
@@ -102,11 +108,17 @@ std::vector<std::string> PlanWords::violations(const AssemblyStep& step, const A
   for (const StepViolation& violation : step.violates) {
     const std::string bodies = someOf(violation.bodies, product);
     switch (violation.rule) {
-      case StepViolation::Rule::Before: texts.push_back(words_("demanded before it: %1", {bodies})); break;
-      case StepViolation::Rule::Fastener: texts.push_back(words_("nuts still on it: %1", {bodies})); break;
-      case StepViolation::Rule::Standing: texts.push_back(words_("falling: %1", {bodies})); break;
-      case StepViolation::Rule::Joint: texts.push_back(words_("still joined to it: %1", {bodies})); break;
-      case StepViolation::Rule::Place: texts.push_back(words_("demanded at another place")); break;
+      case StepViolation::Rule::Before:
+        texts.push_back(words_(GLISSADE_TEXT("demanded before it: %1"), {bodies}));
+        break;
+      case StepViolation::Rule::Fastener:
+        texts.push_back(words_(GLISSADE_TEXT("nuts still on it: %1"), {bodies}));
+        break;
+      case StepViolation::Rule::Standing: texts.push_back(words_(GLISSADE_TEXT("falling: %1"), {bodies})); break;
+      case StepViolation::Rule::Joint:
+        texts.push_back(words_(GLISSADE_TEXT("still joined to it: %1"), {bodies}));
+        break;
+      case StepViolation::Rule::Place: texts.push_back(words_(GLISSADE_TEXT("demanded at another place"))); break;
     }
   }
   return texts;
@@ -126,8 +138,9 @@ std::vector<std::string> PlanWords::joints(const AssemblyStep& step, const Assem
 std::string PlanWords::base(const AssemblyPlan& plan, const AssembledProduct& product) const {
   const std::string& largest = product.bodies[largestBody(product)].id;
   const bool isLargest = std::find(plan.staying.begin(), plan.staying.end(), largest) != plan.staying.end();
-  return words_("%1 (%2)",
-                {someOf(plan.staying, product), words_(isLargest ? "the largest part" : "as a person says")});
+  return words_(GLISSADE_TEXT("%1 (%2)"),
+                {someOf(plan.staying, product),
+                 words_(isLargest ? GLISSADE_TEXT("the largest part") : GLISSADE_TEXT("as a person says"))});
 }
 
 std::string PlanWords::work(const AssemblyStep& step, const AssembledProduct& product, PlanOrder order) const {
@@ -147,21 +160,32 @@ std::string PlanWords::joint(const StepJoint& joint, const AssemblyStep& step, c
   switch (joint.kind) {
     case JointKind::Screw:
     case JointKind::Nut: {
-      if (!isOwn) return words_(removal ? "turn out of %1, %2 turns" : "turn into %1, %2 turns", {what, turns});
+      if (!isOwn)
+        return words_(removal ? GLISSADE_TEXT("turn out of %1, %2 turns") : GLISSADE_TEXT("turn into %1, %2 turns"),
+                      {what, turns});
       if (joint.kind == JointKind::Nut) {
-        return words_(removal ? "turn off nut %1, %2 turns" : "screw on nut %1, %2 turns", {what, turns});
+        return words_(removal ? GLISSADE_TEXT("turn off nut %1, %2 turns") : GLISSADE_TEXT("screw on nut %1, %2 turns"),
+                      {what, turns});
       }
-      return words_(removal ? "turn out screw %1, %2 turns" : "screw in %1, %2 turns", {what, turns});
+      return words_(removal ? GLISSADE_TEXT("turn out screw %1, %2 turns") : GLISSADE_TEXT("screw in %1, %2 turns"),
+                    {what, turns});
     }
     case JointKind::Thread: {
       const std::string with = isOwn ? someOf(joint.others, product) : what;
-      return words_(removal ? "unscrew from %1, %2 turns" : "screw together with %1, %2 turns", {with, turns});
+      return words_(
+          removal ? GLISSADE_TEXT("unscrew from %1, %2 turns") : GLISSADE_TEXT("screw together with %1, %2 turns"),
+          {with, turns});
     }
     case JointKind::Insert:
-      return words_(removal ? "press out of %1" : "press into %1", {someOf(joint.others, product)});
-    case JointKind::Pin: return words_(removal ? "pull out of %1" : "put into %1", {someOf(joint.others, product)});
-    case JointKind::Snap: return words_("bent by %1", {length_(joint.bend)});
-    case JointKind::Flexible: return words_(removal ? "take off %1" : "lay on %1", {someOf(joint.others, product)});
+      return words_(removal ? GLISSADE_TEXT("press out of %1") : GLISSADE_TEXT("press into %1"),
+                    {someOf(joint.others, product)});
+    case JointKind::Pin:
+      return words_(removal ? GLISSADE_TEXT("pull out of %1") : GLISSADE_TEXT("put into %1"),
+                    {someOf(joint.others, product)});
+    case JointKind::Snap: return words_(GLISSADE_TEXT("bent by %1"), {length_(joint.bend)});
+    case JointKind::Flexible:
+      return words_(removal ? GLISSADE_TEXT("take off %1") : GLISSADE_TEXT("lay on %1"),
+                    {someOf(joint.others, product)});
     case JointKind::Permanent:
     case JointKind::Unit: break;
   }
@@ -175,14 +199,15 @@ std::string PlanWords::turnedMotion(const AssemblyStep& step, PlanOrder order) c
   const bool removal = order == PlanOrder::Removal;
   const Vector3 way = removal ? last.direction : Vector3(-last.direction);
   const std::string straight = direction(way) + ", " + length_(last.length);
-  return words_(removal ? "%1 turns out, then %2" : "%2, then %1 turns in", {turns, straight});
+  return words_(removal ? GLISSADE_TEXT("%1 turns out, then %2") : GLISSADE_TEXT("%2, then %1 turns in"),
+                {turns, straight});
 }
 
 std::string PlanWords::motion(const AssemblyStep& step, PlanOrder order) const {
   if (!step.joints.empty() && step.joints.front().turns > 0.0) return turnedMotion(step, order);
   const auto removal = legsOf(step.path);
   const auto legs = order == PlanOrder::Assembly ? reversed(removal) : removal;
-  if (legs.empty()) return words_("does not move");
+  if (legs.empty()) return words_(GLISSADE_TEXT("does not move"));
   if (legs.size() > kMostLegs) {
     double length = 0.0;
     double turn = 0.0;
@@ -192,18 +217,19 @@ std::string PlanWords::motion(const AssemblyStep& step, PlanOrder order) const {
     }
     const Vector3 towards = exitDirection(step.path);
     const std::string travelled = turn > 0.01 ? length_(length) + ", " + degrees(turn) : length_(length);
-    return order == PlanOrder::Removal ? words_("around obstacles, %1, out %2", {travelled, direction(towards)})
-                                       : words_("around obstacles, %1, in %2", {travelled, direction(-towards)});
+    return order == PlanOrder::Removal
+               ? words_(GLISSADE_TEXT("around obstacles, %1, out %2"), {travelled, direction(towards)})
+               : words_(GLISSADE_TEXT("around obstacles, %1, in %2"), {travelled, direction(-towards)});
   }
   std::string text;
   for (const MotionLeg& leg : legs) {
-    if (!text.empty()) text += words_(", then ");
+    if (!text.empty()) text += words_(GLISSADE_TEXT(", then "));
     const std::string turn = leg.turn > 0.0 ? degrees(leg.turn) : "";
     if (leg.length > 0.0 && leg.turn > 0.0) {
-      text += words_("%1, %2, turning %3 about %4",
+      text += words_(GLISSADE_TEXT("%1, %2, turning %3 about %4"),
                      {direction(leg.direction), length_(leg.length), turn, direction(leg.axis)});
     } else if (leg.turn > 0.0) {
-      text += words_("turn %1 about %2", {turn, direction(leg.axis)});
+      text += words_(GLISSADE_TEXT("turn %1 about %2"), {turn, direction(leg.axis)});
     } else {
       text += direction(leg.direction) + ", " + length_(leg.length);
     }
@@ -217,22 +243,25 @@ std::vector<std::string> PlanWords::allowances(const AssemblyStep& step, const A
     const RigidBody& other = product.bodies[*product.indexOf(allowance.body)];
     const std::string length = length_(allowance.allowance);
     if (allowance.hollow && allowance.kind == ContactKind::Thread) {
-      texts.push_back(allowance.yields
-                          ? words_("%1 without what its screw fills (no hole in the file)", {other.shown()})
-                          : words_("without what its screw %1 fills (no hole in the file)", {other.shown()}));
+      texts.push_back(
+          allowance.yields
+              ? words_(GLISSADE_TEXT("%1 without what its screw fills (no hole in the file)"), {other.shown()})
+              : words_(GLISSADE_TEXT("without what its screw %1 fills (no hole in the file)"), {other.shown()}));
       continue;
     }
     if (allowance.hollow) {
-      texts.push_back(
-          allowance.yields
-              ? words_("%1 without what overlaps it, up to %2 deep (accepted clash)", {other.shown(), length})
-              : words_("without what overlaps %2, up to %1 deep (accepted clash)", {length, other.shown()}));
+      texts.push_back(allowance.yields
+                          ? words_(GLISSADE_TEXT("%1 without what overlaps it, up to %2 deep (accepted clash)"),
+                                   {other.shown(), length})
+                          : words_(GLISSADE_TEXT("without what overlaps %2, up to %1 deep (accepted clash)"),
+                                   {length, other.shown()}));
       continue;
     }
-    std::string kind = words_(kindName(allowance.kind));
-    if (allowance.evidence.byPerson > 0.0) kind += words_(", as a person allows");
-    texts.push_back(allowance.yields ? words_("%1 taken %2 thinner (%3)", {other.shown(), length, kind})
-                                     : words_("taken %1 thinner against %2 (%3)", {length, other.shown(), kind}));
+    std::string kind = words_(std::string(kindName(allowance.kind)));
+    if (allowance.evidence.byPerson > 0.0) kind += words_(GLISSADE_TEXT(", as a person allows"));
+    texts.push_back(allowance.yields
+                        ? words_(GLISSADE_TEXT("%1 taken %2 thinner (%3)"), {other.shown(), length, kind})
+                        : words_(GLISSADE_TEXT("taken %1 thinner against %2 (%3)"), {length, other.shown(), kind}));
   }
   return texts;
 }

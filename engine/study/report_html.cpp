@@ -56,8 +56,8 @@ std::string classOf(const ReportColumn& column, const std::string& cell, const S
   if (column.kind == ReportColumn::Kind::Number) return " class=\"number\"";
   if (column.kind == ReportColumn::Kind::Prose) return " class=\"prose\"";
   if (column.kind != ReportColumn::Kind::Verdict) return "";
-  if (cell == words(name(Verdict::Holds))) return " class=\"holds\"";
-  return cell == words(name(Verdict::Open)) ? " class=\"open\"" : " class=\"refuted\"";
+  if (cell == words(std::string(name(Verdict::Holds)))) return " class=\"holds\"";
+  return cell == words(std::string(name(Verdict::Open))) ? " class=\"open\"" : " class=\"refuted\"";
 }
 
 bool hasTitles(const ReportTable& table) {

@@ -190,15 +190,17 @@ std::optional<double> readIfThere(const JsonCursor& object, const char* key) {
 RunRow readRow(const JsonCursor& root) {
   root.allowOnly(
       {"format", "version", "plan_sha256", "cell", "seed", "status", "certificate", "message", "numbers", "timing"});
-  if (root.at("format").text() != "glissade-study-run") root.at("format").fail("is not \"glissade-study-run\"");
-  if (root.at("version").wholeNumber() != 1) root.at("version").fail("is not 1", "Use a newer Glissade.");
+  if (root.at("format").text() != "glissade-study-run")
+    root.at("format").fail(GLISSADE_TEXT("is not \"glissade-study-run\""));
+  if (root.at("version").wholeNumber() != 1)
+    root.at("version").fail(GLISSADE_TEXT("is not 1"), GLISSADE_TEXT("Use a newer Glissade."));
   RunRow row;
   row.plan = root.at("plan_sha256").text();
   row.cell = root.at("cell").wholeNumber();
   row.seed = root.at("seed").wholeNumber();
   RunResult& result = row.outcome.result;
   const auto status = runStatusOf(root.at("status").text());
-  if (!status) root.at("status").fail("is not a status");
+  if (!status) root.at("status").fail(GLISSADE_TEXT("is not a status"));
   result.status = *status;
   result.certificate = root.at("certificate").text();
   result.message = root.at("message").text();

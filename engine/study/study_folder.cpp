@@ -27,13 +27,19 @@ Outcome makeFolder(const std::string& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (!error) return Done{};
-  return Diagnostic{ErrorKind::Usage, folder, "", "cannot be made: " + error.message(), "Choose another --out."};
+  return Diagnostic{ErrorKind::Usage,
+                    folder,
+                    "",
+                    {GLISSADE_TEXT("cannot be made: %1"), {error.message()}},
+                    GLISSADE_TEXT("Choose another --out.")};
 }
 
 Diagnostic belongsToAnother(const std::string& folder) {
-  return {ErrorKind::Usage, folder, "plan.json",
-          "holds results of another study, of another version of it or of Glissade, or of its other size (--quick)",
-          "Choose another --out, or remove that folder."};
+  return {
+      ErrorKind::Usage, folder, "plan.json",
+      GLISSADE_TEXT(
+          "holds results of another study, of another version of it or of Glissade, or of its other size (--quick)"),
+      GLISSADE_TEXT("Choose another --out, or remove that folder.")};
 }
 
 /// Writes the files of a new folder. The plan comes first, because a folder with a plan is accepted as a study folder.
@@ -41,8 +47,8 @@ Outcome layOut(const std::string& folder, const std::string& studyText, const st
   const auto there = readFile(planFile(folder), kMostPlanBytes);
   if (there && *there != planText) return belongsToAnother(folder);
   if (!there && !isEmptyOrMissing(folder)) {
-    return Diagnostic{ErrorKind::Usage, folder, "", "is not a folder of study results",
-                      "Choose a new folder as --out."};
+    return Diagnostic{ErrorKind::Usage, folder, "", GLISSADE_TEXT("is not a folder of study results"),
+                      GLISSADE_TEXT("Choose a new folder as --out.")};
   }
   const Outcome made = makeFolder(folder);
   if (!made) return made;
@@ -91,7 +97,8 @@ StudyResults StudyFolder::results(Warnings& warnings, const WorkWatch& watch) co
     if (!row) {
       warnings.push_back(row.error());
     } else if (row->plan != planSha256_ || row->cell != run.cell + 1 || row->seed != run.seed) {
-      warnings.push_back({ErrorKind::MalformedInput, file, "", "is of another plan", "It is left out."});
+      warnings.push_back(
+          {ErrorKind::MalformedInput, file, "", GLISSADE_TEXT("is of another plan"), GLISSADE_TEXT("It is left out.")});
     } else {
       results.emplace(run, row->outcome);
     }
@@ -111,8 +118,12 @@ Result<std::string> StudyFolder::scenarioFile(const StudyCell& cell) const {
   const std::string found = scenarioFileOf(origin->substr(0, origin->find('\n')), cell);
   std::error_code ignored;
   if (fs::exists(found, ignored)) return found;
-  return Diagnostic{ErrorKind::MalformedInput, found, "", "the scenario of the study is no longer there",
-                    "Put it back, or write the place of the study file into " + file("origin.txt") + "."};
+  return Diagnostic{
+      ErrorKind::MalformedInput,
+      found,
+      "",
+      GLISSADE_TEXT("the scenario of the study is no longer there"),
+      {GLISSADE_TEXT("Put it back, or write the place of the study file into %1."), {file("origin.txt")}}};
 }
 
 Outcome StudyFolder::save(const StudyRun& run, const RunOutcome& outcome) const {

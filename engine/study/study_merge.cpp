@@ -14,10 +14,11 @@ Outcome unite(const StudyFolder& folder, StudyResults& all, Warnings& warnings) 
     const RunResult& known = entry->second.result;
     if (isNew || known == outcome.result) continue;
     if (dependsOnMachine(known.status) || dependsOnMachine(outcome.result.status)) continue;
-    return Diagnostic{ErrorKind::MalformedInput, folder.path(),
-                      "cell " + std::to_string(run.cell + 1) + ", seed " + std::to_string(run.seed),
-                      "has another result than a folder named before it",
-                      "The same run must end the same everywhere: look for different builds of Glissade."};
+    return Diagnostic{
+        ErrorKind::MalformedInput, folder.path(),
+        "cell " + std::to_string(run.cell + 1) + ", seed " + std::to_string(run.seed),
+        GLISSADE_TEXT("has another result than a folder named before it"),
+        GLISSADE_TEXT("The same run must end the same everywhere: look for different builds of Glissade.")};
   }
   return Done{};
 }
@@ -32,9 +33,11 @@ Result<StudyFolder> mergeStudies(const std::vector<std::string>& folders, const 
     const auto folder = StudyFolder::open(path);
     if (!folder) return folder.error();
     if (folder->planText() != first->planText()) {
-      return Diagnostic{ErrorKind::MalformedInput, path, "plan.json",
-                        "is of another study, version or size than " + first->path(),
-                        "Merge folders of one study, made by one version of Glissade."};
+      return Diagnostic{ErrorKind::MalformedInput,
+                        path,
+                        "plan.json",
+                        {GLISSADE_TEXT("is of another study, version or size than %1"), {first->path()}},
+                        GLISSADE_TEXT("Merge folders of one study, made by one version of Glissade.")};
     }
     const Outcome united = unite(*folder, all, warnings);
     if (!united) return united.error();

@@ -32,7 +32,8 @@ Outcome resolve(StudyCell& cell, const KnownScenario& known, const std::string& 
   for (const auto& [id, value] : cell.settings) {
     const Outcome set = values.set(id, value);
     if (!set) {
-      const std::string location = (cell.location.empty() ? "/" : cell.location) + ": " + toString(set.error().location);
+      const std::string location =
+          (cell.location.empty() ? "/" : cell.location) + ": " + toString(set.error().location);
       return Diagnostic{ErrorKind::MalformedInput, studyFile, location, set.error().reason, set.error().advice};
     }
   }

@@ -28,7 +28,7 @@ std::map<ParameterId, double> readParameters(const JsonCursor& object) {
   for (const auto& item : object.json().items()) {
     const JsonCursor at = object.at(item.key());
     const auto id = parameterByKey(item.key());
-    if (!id) at.fail("is not a parameter");
+    if (!id) at.fail(GLISSADE_TEXT("is not a parameter"));
     values[*id] = at.number();
   }
   return values;
@@ -40,7 +40,7 @@ std::map<ParameterId, double> readAllParameters(const JsonCursor& object) {
   std::map<ParameterId, double> values = readParameters(object);
   for (const ParameterSpec& spec : parameterTable()) {
     if (values.count(spec.id) != 0) continue;
-    if (spec.scale != ParameterScale::Absolute) object.fail("has no '" + std::string(spec.key) + "'");
+    if (spec.scale != ParameterScale::Absolute) object.fail({GLISSADE_TEXT("has no '%1'"), {spec.key}});
     values[spec.id] = spec.defaultValue;
   }
   return values;
@@ -72,15 +72,17 @@ StudyCell readCell(const JsonCursor& at) {
   const JsonCursor seeds = at.at("seeds");
   for (std::size_t i = 0; i < seeds.size(); ++i) cell.seeds.push_back(seeds.element(i).wholeNumber());
   cell.paper = readPaper(at.at("paper"));
-  if (cell.seeds.empty()) seeds.fail("is empty");
+  if (cell.seeds.empty()) seeds.fail(GLISSADE_TEXT("is empty"));
   return cell;
 }
 
 StudyPlan read(const JsonCursor& root) {
   root.allowOnly({"format", "version", "glissade", "study_sha256", "quick", "name", "title", "description", "citation",
                   "paper", "findings", "cells"});
-  if (root.at("format").text() != "glissade-study-plan") root.at("format").fail("is not \"glissade-study-plan\"");
-  if (root.at("version").wholeNumber() != 1) root.at("version").fail("is not 1", "Use a newer Glissade.");
+  if (root.at("format").text() != "glissade-study-plan")
+    root.at("format").fail(GLISSADE_TEXT("is not \"glissade-study-plan\""));
+  if (root.at("version").wholeNumber() != 1)
+    root.at("version").fail(GLISSADE_TEXT("is not 1"), GLISSADE_TEXT("Use a newer Glissade."));
   StudyPlan plan;
   plan.version = root.at("glissade").text();
   plan.studySha256 = root.at("study_sha256").text();
@@ -103,7 +105,7 @@ StudyPlan read(const JsonCursor& root) {
     }
   }
   const JsonCursor cells = root.at("cells");
-  if (cells.size() == 0) cells.fail("is empty");
+  if (cells.size() == 0) cells.fail(GLISSADE_TEXT("is empty"));
   for (std::size_t i = 0; i < cells.size(); ++i) plan.study.cells.push_back(readCell(cells.element(i)));
   return plan;
 }

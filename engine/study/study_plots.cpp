@@ -99,9 +99,9 @@ class Plotter {
     plot.name = column.key + (along_ ? "-over-" + std::string(specOf(*along_).key) : "") +
                 (panel_ ? "-at-" + toText(*panel_) : "");
     plot.kind = along_ ? PlotKind::Lines : PlotKind::Bars;
-    plot.title = along_ ? words_("%1 over %2", {words_(column.title), words_(specOf(*along_).label)})
-                        : words_("%1 over scenario and strategy", {words_(column.title)});
-    if (panel_) plot.title += words_(", OMPL's edges looked at every %1 %", {toText(100.0 * *panel_)});
+    plot.title = along_ ? words_(GLISSADE_TEXT("%1 over %2"), {words_(column.title), words_(specOf(*along_).label)})
+                        : words_(GLISSADE_TEXT("%1 over scenario and strategy"), {words_(column.title)});
+    if (panel_) plot.title += words_(GLISSADE_TEXT(", OMPL's edges looked at every %1 %"), {toText(100.0 * *panel_)});
     plot.caption = captionOf(column.quantity);
     addOurs(column, plot);
     if (plot.kind == PlotKind::Bars) spreadBars(plot);
@@ -118,11 +118,12 @@ class Plotter {
     std::string text = describe(quantity, words_);
     text.front() = static_cast<char>(std::toupper(text.front()));
     const bool share = quantity.measure == "success_rate";
-    text = words_(share ? "%1, with Wilson's 95 % interval." : "%1, with quartiles.", {text});
-    if (!along_ && !share) text += " " + words_("Above each bar: success rate in %.");
+    text = words_(share ? GLISSADE_TEXT("%1, with Wilson's 95 % interval.") : GLISSADE_TEXT("%1, with quartiles."),
+                  {text});
+    if (!along_ && !share) text += " " + words_(GLISSADE_TEXT("Above each bar: success rate in %."));
     for (const StudyCell& cell : study_.cells) {
       if (along_ && cell.settings.count(*along_) == 0) {
-        text += " " + words_("Not on this axis: %1.", {cell.label});
+        text += " " + words_(GLISSADE_TEXT("Not on this axis: %1."), {cell.label});
       }
     }
     return text;
@@ -189,7 +190,7 @@ class Plotter {
   std::string saysOf(std::size_t cell, const PaperColumn& column, const CellValue& value) const {
     const auto show = [&](double number) { return isShare(column) ? percent(number) : shortNumber(number); };
     const CellSummary& summary = summaries_[cell];
-    return words_("%1: %2 (%3 to %4), %5 of %6 solved",
+    return words_(GLISSADE_TEXT("%1: %2 (%3 to %4), %5 of %6 solved"),
                   {study_.cells[cell].label, show(value.value), show(value.low), show(value.high),
                    std::to_string(summary.solved()), std::to_string(summary.runs)});
   }
@@ -210,7 +211,7 @@ class Plotter {
       const double value = isShare(column) ? 100.0 * *number : *number;
       const std::string shown = isShare(column) ? percent(*number) : shortNumber(*number);
       plot.series[entry->second].points.push_back(
-          {*x, value, value, value, "", words_("%1, paper: %2", {cell.row, shown}), {}});
+          {*x, value, value, value, "", words_(GLISSADE_TEXT("%1, paper: %2"), {cell.row, shown}), {}});
     }
     for (auto& [strategy, index] : seriesOf) {
       auto& points = plot.series[index].points;
@@ -221,7 +222,7 @@ class Plotter {
   PlotSeries paperSeries(const StudyCell& cell, const Plot& plot) const {
     PlotSeries series;
     series.ofPaper = true;
-    series.name = words_("paper");
+    series.name = words_(GLISSADE_TEXT("paper"));
     if (along_) return series;
     const std::string beside = seriesName(cell);
     for (const PlotSeries& ours : plot.series) {
@@ -255,7 +256,7 @@ class Plotter {
       }
     }
     plot.x = along_ ? PlotScale::fitting(titleOf(*along_, words_), xs)
-                    : PlotScale::categories(words_("Scenario"), scenarios_);
+                    : PlotScale::categories(words_(GLISSADE_TEXT("Scenario")), scenarios_);
     if (isShare(column)) {
       plot.y = PlotScale::percentages(words_(column.title) + " (%)");
     } else {

@@ -25,7 +25,7 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
-void expectOneOf(const JsonCursor& at, const std::vector<std::string>& known, const std::string& what) {
+void expectOneOf(const JsonCursor& at, const std::vector<std::string>& known, CatalogueText what) {
   study_json::readOneOf(at, known, what);
 }
 
@@ -43,7 +43,7 @@ template <class Read>
 auto readList(const JsonCursor& list, Read read) {
   std::vector<decltype(read(list))> values;
   for (std::size_t i = 0; i < list.size(); ++i) values.push_back(read(list.element(i)));
-  if (values.empty()) list.fail("is empty");
+  if (values.empty()) list.fail(GLISSADE_TEXT("is empty"));
   return values;
 }
 
@@ -53,15 +53,17 @@ auto readSet(const JsonCursor& list, Read read) {
   auto values = readList(list, read);
   std::set<typename decltype(values)::value_type> seen;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!seen.insert(values[i]).second) list.element(i).fail("is there a second time", "Remove it.");
+    if (!seen.insert(values[i]).second)
+      list.element(i).fail(GLISSADE_TEXT("is there a second time"), GLISSADE_TEXT("Remove it."));
   }
   return values;
 }
 
 ParameterId readParameterId(const JsonCursor& at, const std::string& key) {
   const auto id = parameterByKey(key);
-  if (!id) at.fail("is not a parameter", "See 'glissade-cli plan --help'; '_' stands for '-'.");
-  if (isLimit(*id)) at.fail("is a limit", "Move it to \"limits\".");
+  if (!id)
+    at.fail(GLISSADE_TEXT("is not a parameter"), GLISSADE_TEXT("See 'glissade-cli plan --help'; '_' stands for '-'."));
+  if (isLimit(*id)) at.fail(GLISSADE_TEXT("is a limit"), GLISSADE_TEXT("Move it to \"limits\"."));
   return *id;
 }
 
@@ -77,8 +79,10 @@ class Reader {
   Study read(bool quick) {
     root_.allowOnly({"format", "version", "name", "title", "description", "citation", "paper", "scenarios",
                      "strategies", "operators", "parameters", "grid", "limits", "seeds", "rows", "findings", "quick"});
-    if (root_.at("format").text() != "glissade-study") root_.at("format").fail("is not \"glissade-study\"");
-    if (root_.at("version").wholeNumber() != 1) root_.at("version").fail("is not 1", "Use a newer Glissade.");
+    if (root_.at("format").text() != "glissade-study")
+      root_.at("format").fail(GLISSADE_TEXT("is not \"glissade-study\""));
+    if (root_.at("version").wholeNumber() != 1)
+      root_.at("version").fail(GLISSADE_TEXT("is not 1"), GLISSADE_TEXT("Use a newer Glissade."));
     readHeading();
     StudyAxes axes;
     readAxes(root_, axes);
@@ -129,12 +133,12 @@ class Reader {
   }
 
   std::string readStrategy(const JsonCursor& at) const {
-    expectOneOf(at, strategies_, "strategy");
+    expectOneOf(at, strategies_, GLISSADE_TEXT("strategy"));
     return at.text();
   }
 
   static std::string readOperator(const JsonCursor& at) {
-    expectOneOf(at, knownOperators(), "operator");
+    expectOneOf(at, knownOperators(), GLISSADE_TEXT("operator"));
     return at.text();
   }
 
@@ -164,7 +168,7 @@ class Reader {
         axes.settings[*id] = at.number();
       } else {
         axes.memoryLimitMb = at.wholeNumber();
-        if (axes.memoryLimitMb > kMostMegabytes) at.fail("is beyond " + std::to_string(kMostMegabytes));
+        if (axes.memoryLimitMb > kMostMegabytes) at.fail({GLISSADE_TEXT("is beyond %1"), {kMostMegabytes}});
       }
     }
   }
@@ -179,7 +183,7 @@ class Reader {
     const std::uint64_t first = at.at("first").wholeNumber();
     const std::uint64_t count = at.at("count").wholeNumber();
     if (count == 0 || count > kMostRuns || first > UINT64_MAX - count) {
-      at.at("count").fail("is not from 1 to " + std::to_string(kMostRuns));
+      at.at("count").fail({GLISSADE_TEXT("is not from 1 to %1"), {kMostRuns}});
     }
     std::vector<std::uint64_t> seeds(count);
     for (std::size_t i = 0; i < seeds.size(); ++i) seeds[i] = first + i;
@@ -196,7 +200,8 @@ class Reader {
     list->sizeUpTo(kMostRows);
     rows_ = readList(*list, [&](const JsonCursor& at) {
       StudyRow row = readRow(at, axes);
-      if (!labels.insert(row.label).second) at.at("label").fail("is there a second time", "Labels name rows.");
+      if (!labels.insert(row.label).second)
+        at.at("label").fail(GLISSADE_TEXT("is there a second time"), GLISSADE_TEXT("Labels name rows."));
       row.location = "/rows/" + std::to_string(labels.size() - 1);
       return row;
     });
@@ -213,7 +218,8 @@ class Reader {
 
   void countSeeds(const StudyRow& row, const JsonCursor& at) {
     seedsOfRows_ += row.axes.seeds.size();
-    if (seedsOfRows_ > kMostRuns) at.fail("makes too many runs", "Vary less, or less finely.");
+    if (seedsOfRows_ > kMostRuns)
+      at.fail(GLISSADE_TEXT("makes too many runs"), GLISSADE_TEXT("Vary less, or less finely."));
   }
 
   std::map<std::string, PaperValue> readPaper(const JsonCursor& paper) const {
@@ -224,7 +230,7 @@ class Reader {
     for (const auto& item : paper.json().items()) {
       const JsonCursor at = paper.at(item.key());
       if (std::find(keys.begin(), keys.end(), item.key()) == keys.end()) {
-        at.fail("is not a column of \"paper\"", "Use one of: " + listed(keys) + ".");
+        at.fail(GLISSADE_TEXT("is not a column of \"paper\""), {GLISSADE_TEXT("Use one of: %1."), {listed(keys)}});
       }
       if (item.value().is_null()) continue;
       values[item.key()] = item.value().is_string() ? PaperValue(at.text()) : PaperValue(at.number());
@@ -252,14 +258,14 @@ class Reader {
       labels.push_back(row.label);
       scenarios.insert(scenarios.end(), row.axes.scenarios.begin(), row.axes.scenarios.end());
     }
-    const auto expectAll = [&](const char* key, const std::vector<std::string>& known, const std::string& what) {
+    const auto expectAll = [&](const char* key, const std::vector<std::string>& known, CatalogueText what) {
       const auto names = selection.find(key);
       for (std::size_t i = 0; names && i < names->size(); ++i) expectOneOf(names->element(i), known, what);
     };
-    expectAll("rows", labels, "row");
-    expectAll("scenarios", scenarios, "scenario");
-    expectAll("strategies", strategies_, "strategy");
-    expectAll("operators", knownOperators(), "operator");
+    expectAll("rows", labels, GLISSADE_TEXT("row"));
+    expectAll("scenarios", scenarios, GLISSADE_TEXT("scenario"));
+    expectAll("strategies", strategies_, GLISSADE_TEXT("strategy"));
+    expectAll("operators", knownOperators(), GLISSADE_TEXT("operator"));
   }
 
   /// Reads the quick section, even where it does not apply, so that its errors are found.
@@ -286,7 +292,7 @@ class Reader {
     std::vector<std::string> labels;
     for (const StudyRow& row : rows_) labels.push_back(row.label);
     const auto names = readSet(*list, [&](const JsonCursor& at) {
-      expectOneOf(at, labels, "row");
+      expectOneOf(at, labels, GLISSADE_TEXT("row"));
       return at.text();
     });
     std::vector<StudyRow> chosen;
@@ -304,7 +310,7 @@ class Reader {
       cells += cellCount(row);
       runs += cellCount(row) * static_cast<double>(row.axes.seeds.size());
       if (cells > kMostCells || runs > kMostRuns)
-        locationOf(row).fail("makes too many runs", "Vary less, or less finely.");
+        locationOf(row).fail(GLISSADE_TEXT("makes too many runs"), GLISSADE_TEXT("Vary less, or less finely."));
       for (StudyCell& cell : cellsOf(row)) {
         if (isSequence(cell)) expectOfSequence(cell, row);
         study_.cells.push_back(std::move(cell));
@@ -314,13 +320,16 @@ class Reader {
 
   /// Checks a cell of a sequence, which has a time limit but no parameters of paths and no other limits.
   void expectOfSequence(const StudyCell& cell, const StudyRow& row) const {
-    if (cell.operatorName != "none") locationOf(row).fail("is a sequence with an operator", "Say \"none\".");
+    if (cell.operatorName != "none")
+      locationOf(row).fail(GLISSADE_TEXT("is a sequence with an operator"), GLISSADE_TEXT("Say \"none\"."));
     if (cell.settings.count(ParameterId::TimeLimit) == 0) {
-      locationOf(row).fail("is a sequence without a time limit", "Give time_limit under \"limits\".");
+      locationOf(row).fail(GLISSADE_TEXT("is a sequence without a time limit"),
+                           GLISSADE_TEXT("Give time_limit under \"limits\"."));
     }
     for (const auto& [id, value] : cell.settings) {
       if (isLimit(id)) continue;
-      locationOf(row).fail("is a sequence, which has no parameter " + std::string(specOf(id).key), "Give limits only.");
+      locationOf(row).fail({GLISSADE_TEXT("is a sequence, which has no parameter %1"), {specOf(id).key}},
+                           GLISSADE_TEXT("Give limits only."));
     }
   }
 
@@ -329,11 +338,14 @@ class Reader {
       const auto found = row.axes.settings.find(id);
       return found != row.axes.settings.end() && found->second > 0.0;
     };
-    if (row.axes.scenarios.empty()) locationOf(row).fail("has no scenario", "Add \"scenarios\".");
-    if (row.axes.strategies.empty()) locationOf(row).fail("has no strategy", "Add \"strategies\".");
-    if (row.axes.seeds.empty()) locationOf(row).fail("has no seeds", "Add \"seeds\".");
+    if (row.axes.scenarios.empty())
+      locationOf(row).fail(GLISSADE_TEXT("has no scenario"), GLISSADE_TEXT("Add \"scenarios\"."));
+    if (row.axes.strategies.empty())
+      locationOf(row).fail(GLISSADE_TEXT("has no strategy"), GLISSADE_TEXT("Add \"strategies\"."));
+    if (row.axes.seeds.empty()) locationOf(row).fail(GLISSADE_TEXT("has no seeds"), GLISSADE_TEXT("Add \"seeds\"."));
     if (!limited(ParameterId::TimeLimit) && !limited(ParameterId::MaxSteps) && !limited(ParameterId::MaxSamples)) {
-      locationOf(row).fail("may run for ever", "Give time_limit, max_steps or max_samples under \"limits\".");
+      locationOf(row).fail(GLISSADE_TEXT("may run for ever"),
+                           GLISSADE_TEXT("Give time_limit, max_steps or max_samples under \"limits\"."));
     }
   }
 

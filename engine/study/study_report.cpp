@@ -45,16 +45,18 @@ ReportTable whatWasRun(const StudyFolder& folder, const std::vector<CellSummary>
   }
   ReportTable table;
   table.columns = {{""}, {""}};
-  table.rows = {{words("Study"), words(study.quick ? "%1, quick size" : "%1, full size", {study.heading.name})},
-                {words("Runs"), words("%1 of %2, %3 of them solved, in %4 cells",
-                                      {std::to_string(run), std::to_string(planned), std::to_string(solved),
-                                       std::to_string(study.cells.size())})},
-                {words("Scenarios"), joined(scenarios)},
-                {words("Strategies"), joined(strategies)},
-                {words("Operators"), joined(operators)},
-                {"Glissade", folder.plan().version},
-                {words("Study file, SHA-256"), folder.plan().studySha256},
-                {words("Plan, SHA-256"), folder.planSha256()}};
+  table.rows = {
+      {words(GLISSADE_TEXT("Study")),
+       words(study.quick ? GLISSADE_TEXT("%1, quick size") : GLISSADE_TEXT("%1, full size"), {study.heading.name})},
+      {words(GLISSADE_TEXT("Runs")), words(GLISSADE_TEXT("%1 of %2, %3 of them solved, in %4 cells"),
+                                           {std::to_string(run), std::to_string(planned), std::to_string(solved),
+                                            std::to_string(study.cells.size())})},
+      {words(GLISSADE_TEXT("Scenarios")), joined(scenarios)},
+      {words(GLISSADE_TEXT("Strategies")), joined(strategies)},
+      {words(GLISSADE_TEXT("Operators")), joined(operators)},
+      {"Glissade", folder.plan().version},
+      {words(GLISSADE_TEXT("Study file, SHA-256")), folder.plan().studySha256},
+      {words(GLISSADE_TEXT("Plan, SHA-256")), folder.planSha256()}};
   return table;
 }
 
@@ -66,7 +68,7 @@ void addPictures(const StudyFolder& folder, const StudyWords& words, StudyReport
   }
   if (files.empty()) return;
   std::sort(files.begin(), files.end());
-  report.blocks.emplace_back(ReportHeading{words("Typical roadmaps")});
+  report.blocks.emplace_back(ReportHeading{words(GLISSADE_TEXT("Typical roadmaps"))});
   for (const fs::path& file : files) {
     const auto caption = readFile(fs::path(file).replace_extension(".txt").string(), kMostCaptionBytes);
     report.blocks.emplace_back(ReportPicture{file.string(), caption ? *caption : file.stem().string()});
@@ -76,14 +78,14 @@ void addPictures(const StudyFolder& folder, const StudyWords& words, StudyReport
 void addCommands(const Study& study, const StudyWords& words, StudyReport& report) {
   const std::string quick = study.quick ? " --quick" : "";
   const std::string out = " --out out/" + shellWord(study.heading.name);
-  report.blocks.emplace_back(ReportHeading{words("How to repeat it")});
-  report.blocks.emplace_back(ReportText{words("The whole study, from the folder of its file:")});
+  report.blocks.emplace_back(ReportHeading{words(GLISSADE_TEXT("How to repeat it"))});
+  report.blocks.emplace_back(ReportText{words(GLISSADE_TEXT("The whole study, from the folder of its file:"))});
   report.blocks.emplace_back(
       ReportCommands{{"glissade-cli study " + shellWord(study.heading.name + ".json") + out + quick + " --jobs 2",
                       "glissade-offscreen --study-pictures out/" + shellWord(study.heading.name),
                       "glissade-cli report out/" + shellWord(study.heading.name)}});
-  report.blocks.emplace_back(
-      ReportText{words("The first run of each cell, from the same folder; the others differ in their --seed only:")});
+  report.blocks.emplace_back(ReportText{words(
+      GLISSADE_TEXT("The first run of each cell, from the same folder; the others differ in their --seed only:"))});
   ReportCommands commands;
   for (const StudyCell& cell : study.cells) {
     commands.lines.push_back("# " + cell.label);
@@ -102,29 +104,30 @@ StudyReport reportOf(const StudyFolder& folder, Warnings& warnings, Language lan
   StudyReport report{words(heading.title), {}, language};
   const auto add = [&report](auto block) { report.blocks.emplace_back(std::move(block)); };
   if (!heading.description.empty()) add(ReportText{words(heading.description)});
-  if (!heading.citation.empty()) add(ReportText{words("After: %1.", {heading.citation})});
-  add(ReportHeading{words("What was run")});
+  if (!heading.citation.empty()) add(ReportText{words(GLISSADE_TEXT("After: %1."), {heading.citation})});
+  add(ReportHeading{words(GLISSADE_TEXT("What was run"))});
   add(whatWasRun(folder, summaries, words));
-  add(ReportHeading{words(heading.paper.empty() ? "Results" : "The paper's table, and ours")});
+  add(ReportHeading{
+      words(heading.paper.empty() ? GLISSADE_TEXT("Results") : GLISSADE_TEXT("The paper's table, and ours"))});
   add(study_report::paperTable(study, summaries, words));
   ReportTable notes = study_report::notesTable(study, words);
   if (!notes.rows.empty()) add(std::move(notes));
   if (!heading.findings.empty()) {
-    add(ReportHeading{words("Findings")});
+    add(ReportHeading{words(GLISSADE_TEXT("Findings"))});
     add(study_report::findingsTable(study, summaries, words));
   }
-  add(ReportHeading{words("Plots")});
+  add(ReportHeading{words(GLISSADE_TEXT("Plots"))});
   for (Plot& plot : plotsOf(study, summaries, words)) add(std::move(plot));
   addPictures(folder, words, report);
-  add(ReportHeading{words("How runs ended")});
+  add(ReportHeading{words(GLISSADE_TEXT("How runs ended"))});
   add(study_report::endingsTable(study, summaries, words));
   addCommands(study, words, report);
-  add(ReportHeading{words("Time on the machine")});
-  add(
-      ReportText{words("Seconds and memory are those of the machines that carried out the runs; they differ from "
-                       "machine to machine, and of what stands above only what names them depends on them. This report "
-                       "was written on %1.",
-                       {describeMachine()})});
+  add(ReportHeading{words(GLISSADE_TEXT("Time on the machine"))});
+  add(ReportText{words(
+      GLISSADE_TEXT("Seconds and memory are those of the machines that carried out the runs; they differ from "
+                    "machine to machine, and of what stands above only what names them depends on them. This report "
+                    "was written on %1."),
+      {describeMachine()})});
   add(study_report::timingTable(study, summaries, words));
   return report;
 }
@@ -133,7 +136,11 @@ Outcome writeReport(const StudyFolder& folder, const std::string& out, Warnings&
   std::error_code error;
   fs::create_directories(out, error);
   if (error) {
-    return Diagnostic{ErrorKind::Usage, out, "", "cannot be made: " + error.message(), "Choose another --out."};
+    return Diagnostic{ErrorKind::Usage,
+                      out,
+                      "",
+                      {GLISSADE_TEXT("cannot be made: %1"), {error.message()}},
+                      GLISSADE_TEXT("Choose another --out.")};
   }
   const auto page = reportHtml(reportOf(folder, warnings, language));
   if (!page) return page.error();

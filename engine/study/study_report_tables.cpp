@@ -22,7 +22,7 @@ std::string successText(const CellSummary& summary) {
 }
 
 std::string shareText(std::size_t part, std::size_t all, const StudyWords& words) {
-  return words("%1 of %2", {std::to_string(part), std::to_string(all)});
+  return words(GLISSADE_TEXT("%1 of %2"), {std::to_string(part), std::to_string(all)});
 }
 
 bool isSuccess(const PaperColumn& column) { return column.quantity.measure == "success_rate"; }
@@ -43,16 +43,18 @@ std::string noteOf(const StudyCell& cell) {
 
 ReportTable paperTable(const Study& study, const std::vector<CellSummary>& summaries, const StudyWords& words) {
   ReportTable table;
-  table.caption =
-      words("Ours: median or mean as the column says, quartiles in brackets; success with Wilson's 95 % interval.");
-  table.columns = {
-      {words("Row")}, {words("Solved"), ReportColumn::Kind::Number}, {words("Success"), ReportColumn::Kind::Number}};
+  table.caption = words(GLISSADE_TEXT(
+      "Ours: median or mean as the column says, quartiles in brackets; success with Wilson's 95 % interval."));
+  table.columns = {{words(GLISSADE_TEXT("Row"))},
+                   {words(GLISSADE_TEXT("Solved")), ReportColumn::Kind::Number},
+                   {words(GLISSADE_TEXT("Success")), ReportColumn::Kind::Number}};
   for (const PaperColumn& column : study.heading.paper) {
     const bool printed = isPrinted(study, column);
     const std::string title = words(column.title);
-    if (printed) table.columns.push_back({words("%1, paper", {title}), ReportColumn::Kind::Number});
+    if (printed) table.columns.push_back({words(GLISSADE_TEXT("%1, paper"), {title}), ReportColumn::Kind::Number});
     if (!isSuccess(column))
-      table.columns.push_back({printed ? words("%1, ours", {title}) : title, ReportColumn::Kind::Number});
+      table.columns.push_back(
+          {printed ? words(GLISSADE_TEXT("%1, ours"), {title}) : title, ReportColumn::Kind::Number});
   }
   for (std::size_t i = 0; i < study.cells.size(); ++i) {
     const StudyCell& cell = study.cells[i];
@@ -68,7 +70,7 @@ ReportTable paperTable(const Study& study, const std::vector<CellSummary>& summa
 
 ReportTable notesTable(const Study& study, const StudyWords& words) {
   ReportTable table;
-  table.columns = {{words("Row")}, {words("Note on the paper")}};
+  table.columns = {{words(GLISSADE_TEXT("Row"))}, {words(GLISSADE_TEXT("Note on the paper"))}};
   for (const StudyCell& cell : study.cells) {
     const std::string note = noteOf(cell);
     const Row row{cell.row, words(note)};
@@ -79,16 +81,16 @@ ReportTable notesTable(const Study& study, const StudyWords& words) {
 
 ReportTable findingsTable(const Study& study, const std::vector<CellSummary>& summaries, const StudyWords& words) {
   ReportTable table;
-  table.caption = words(
-      "Each compares every pair of cells that it speaks of; the numbers are of the pair that speaks most against it.");
-  table.columns = {{words("Finding"), ReportColumn::Kind::Prose},
-                   {words("Verdict"), ReportColumn::Kind::Verdict},
-                   {words("Pairs"), ReportColumn::Kind::Number},
-                   {words("Quantity")},
-                   {words("Numbers")}};
+  table.caption = words(GLISSADE_TEXT(
+      "Each compares every pair of cells that it speaks of; the numbers are of the pair that speaks most against it."));
+  table.columns = {{words(GLISSADE_TEXT("Finding")), ReportColumn::Kind::Prose},
+                   {words(GLISSADE_TEXT("Verdict")), ReportColumn::Kind::Verdict},
+                   {words(GLISSADE_TEXT("Pairs")), ReportColumn::Kind::Number},
+                   {words(GLISSADE_TEXT("Quantity"))},
+                   {words(GLISSADE_TEXT("Numbers"))}};
   for (const Finding& finding : study.heading.findings) {
     const CheckedFinding checked = checkFinding(finding, study, summaries, words);
-    table.rows.push_back({words(finding.text), words(name(checked.verdict)),
+    table.rows.push_back({words(finding.text), words(std::string(name(checked.verdict))),
                           shareText(checked.agreeing, checked.compared, words), describe(finding.quantity, words),
                           checked.numbers});
   }
@@ -97,13 +99,13 @@ ReportTable findingsTable(const Study& study, const std::vector<CellSummary>& su
 
 ReportTable endingsTable(const Study& study, const std::vector<CellSummary>& summaries, const StudyWords& words) {
   ReportTable table;
-  table.columns = {{words("Row")},
-                   {words("Strategy")},
-                   {words("Operator")},
-                   {words("Planned"), ReportColumn::Kind::Number},
-                   {words("Run"), ReportColumn::Kind::Number}};
+  table.columns = {{words(GLISSADE_TEXT("Row"))},
+                   {words(GLISSADE_TEXT("Strategy"))},
+                   {words(GLISSADE_TEXT("Operator"))},
+                   {words(GLISSADE_TEXT("Planned")), ReportColumn::Kind::Number},
+                   {words(GLISSADE_TEXT("Run")), ReportColumn::Kind::Number}};
   for (std::size_t s = 0; s < kRunStatusCount; ++s) {
-    table.columns.push_back({words(name(static_cast<RunStatus>(s))), ReportColumn::Kind::Number});
+    table.columns.push_back({words(std::string(name(static_cast<RunStatus>(s)))), ReportColumn::Kind::Number});
   }
   for (std::size_t i = 0; i < study.cells.size(); ++i) {
     const StudyCell& cell = study.cells[i];
@@ -117,13 +119,13 @@ ReportTable endingsTable(const Study& study, const std::vector<CellSummary>& sum
 
 ReportTable timingTable(const Study& study, const std::vector<CellSummary>& summaries, const StudyWords& words) {
   ReportTable table;
-  table.caption = words("Median and quartiles over all runs.");
-  table.columns = {{words("Row")},
-                   {words("Planning (s)"), ReportColumn::Kind::Number},
-                   {words("Planning (CPU s)"), ReportColumn::Kind::Number},
-                   {words("Process (s)"), ReportColumn::Kind::Number},
-                   {words("Process (CPU s)"), ReportColumn::Kind::Number},
-                   {words("Memory (MB)"), ReportColumn::Kind::Number}};
+  table.caption = words(GLISSADE_TEXT("Median and quartiles over all runs."));
+  table.columns = {{words(GLISSADE_TEXT("Row"))},
+                   {words(GLISSADE_TEXT("Planning (s)")), ReportColumn::Kind::Number},
+                   {words(GLISSADE_TEXT("Planning (CPU s)")), ReportColumn::Kind::Number},
+                   {words(GLISSADE_TEXT("Process (s)")), ReportColumn::Kind::Number},
+                   {words(GLISSADE_TEXT("Process (CPU s)")), ReportColumn::Kind::Number},
+                   {words(GLISSADE_TEXT("Memory (MB)")), ReportColumn::Kind::Number}};
   for (std::size_t i = 0; i < study.cells.size(); ++i) {
     const auto show = [&](const char* measure) {
       return spreadText(valueOf(summaries[i], {measure, "median", "all"}));

@@ -141,10 +141,11 @@ class Runner {
   }
 
   Diagnostic interrupted() const {
-    return {ErrorKind::Interrupted, folder_.path(), "",
-            "interrupted with " + std::to_string(progress_.done) + " of " + std::to_string(progress_.planned) +
-                " runs done",
-            "The same command goes on from here."};
+    return {ErrorKind::Interrupted,
+            folder_.path(),
+            "",
+            {GLISSADE_TEXT("interrupted with %1 of %2 runs done"), {progress_.done, progress_.planned}},
+            GLISSADE_TEXT("The same command goes on from here.")};
   }
 
   const StudyFolder& folder_;

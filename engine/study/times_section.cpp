@@ -11,14 +11,14 @@ Plot loadPlot(const LineBalance& line, const StudyWords& words) {
   constexpr double kBarShare = 0.6;
   Plot plot;
   plot.name = "station_load";
-  plot.title = words("Work of each station");
+  plot.title = words(GLISSADE_TEXT("Work of each station"));
   plot.kind = PlotKind::Bars;
   std::vector<std::string> names;
   for (std::size_t s = 0; s < line.load.size(); ++s) names.push_back(std::to_string(s + 1));
-  plot.x = PlotScale::categories(words("Station"), names);
+  plot.x = PlotScale::categories(words(GLISSADE_TEXT("Station")), names);
   std::vector<double> values = line.load;
   values.push_back(0.0);
-  plot.y = PlotScale::linear(words("seconds"), values);
+  plot.y = PlotScale::linear(words(GLISSADE_TEXT("seconds")), values);
   plot.barWidth = kBarShare / static_cast<double>(line.load.size());
   PlotSeries series;
   for (std::size_t s = 0; s < line.load.size(); ++s) {
@@ -31,13 +31,15 @@ Plot loadPlot(const LineBalance& line, const StudyWords& words) {
 
 void addLine(const PlanTiming& timing, const StudyWords& words, StudyReport& report) {
   const LineBalance& line = *timing.line;
-  report.blocks.emplace_back(ReportHeading{words("Line of %1 stations", {std::to_string(line.load.size())}), 3});
-  report.blocks.emplace_back(ReportText{words("A product leaves the line every %1. No division is faster than %2.",
-                                              {secondsText(line.cycle, words), secondsText(line.least, words)})});
+  report.blocks.emplace_back(
+      ReportHeading{words(GLISSADE_TEXT("Line of %1 stations"), {std::to_string(line.load.size())}), 3});
+  report.blocks.emplace_back(
+      ReportText{words(GLISSADE_TEXT("A product leaves the line every %1. No division is faster than %2."),
+                       {secondsText(line.cycle, words), secondsText(line.least, words)})});
   ReportTable table{"",
-                    {{words("Station"), ReportColumn::Kind::Number},
-                     {words("Time"), ReportColumn::Kind::Number},
-                     {words("Steps"), ReportColumn::Kind::Prose}},
+                    {{words(GLISSADE_TEXT("Station")), ReportColumn::Kind::Number},
+                     {words(GLISSADE_TEXT("Time")), ReportColumn::Kind::Number},
+                     {words(GLISSADE_TEXT("Steps")), ReportColumn::Kind::Prose}},
                     {}};
   for (std::size_t s = 0; s < line.load.size(); ++s) {
     table.rows.push_back({std::to_string(s + 1), secondsText(line.load[s], words), numbersText(timing.stepsAt(s))});
@@ -49,13 +51,14 @@ void addLine(const PlanTiming& timing, const StudyWords& words, StudyReport& rep
 /// The source of the times.
 std::string sourceText(const PlanTiming& timing, const StudyWords& words) {
   if (timing.edited == 0) {
-    return words(
+    return words(GLISSADE_TEXT(
         "The times are estimates of the size of tables for manual assembly (Boothroyd, Dewhurst and Knight 2011). They "
-        "were not measured.");
+        "were not measured."));
   }
   return words(
-      "The times follow an edited table. %1 of its %2 values were edited. The others are estimates of the size of "
-      "tables for manual assembly (Boothroyd, Dewhurst and Knight 2011) and were not measured.",
+      GLISSADE_TEXT(
+          "The times follow an edited table. %1 of its %2 values were edited. The others are estimates of the size of "
+          "tables for manual assembly (Boothroyd, Dewhurst and Knight 2011) and were not measured."),
       {std::to_string(timing.edited), std::to_string(workTimeRows().size())});
 }
 
@@ -64,17 +67,18 @@ std::string sourceText(const PlanTiming& timing, const StudyWords& words) {
 std::string secondsText(double seconds, const StudyWords& words) {
   std::ostringstream text;
   text << std::fixed << std::setprecision(1) << seconds;
-  return words("%1 s", {text.str()});
+  return words(GLISSADE_TEXT("%1 s"), {text.str()});
 }
 
 void addTimesSection(const PlanTiming& timing, const StudyWords& words, StudyReport& report) {
-  report.blocks.emplace_back(ReportHeading{words("Times"), 2, true});
+  report.blocks.emplace_back(ReportHeading{words(GLISSADE_TEXT("Times")), 2, true});
   report.blocks.emplace_back(ReportText{sourceText(timing, words)});
-  report.blocks.emplace_back(ReportTable{"",
-                                         {{"", ReportColumn::Kind::Text}, {"", ReportColumn::Kind::Prose}},
-                                         {{words("One person"), secondsText(timing.sum(), words)},
-                                          {words("Longest chain"), secondsText(timing.chainSeconds(), words)},
-                                          {words("Steps of the longest chain"), numbersText(timing.chain)}}});
+  report.blocks.emplace_back(
+      ReportTable{"",
+                  {{"", ReportColumn::Kind::Text}, {"", ReportColumn::Kind::Prose}},
+                  {{words(GLISSADE_TEXT("One person")), secondsText(timing.sum(), words)},
+                   {words(GLISSADE_TEXT("Longest chain")), secondsText(timing.chainSeconds(), words)},
+                   {words(GLISSADE_TEXT("Steps of the longest chain")), numbersText(timing.chain)}}});
   if (timing.line) addLine(timing, words, report);
 }
 

@@ -1,6 +1,5 @@
 #include "widgets/devices/calibration_dialog.h"
 
-#include <QCoreApplication>
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QGroupBox>
@@ -11,6 +10,8 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+
+#include "widgets/commands/diagnostic_text.h"
 
 namespace glissade {
 namespace {
@@ -119,10 +120,9 @@ CalibrationDialog::CalibrationDialog(HandInputsPtr hand, DeviceSettings& setting
 }
 
 QLayout* CalibrationDialog::makeHeader() {
-  for (const char* name : {QT_TRANSLATE_NOOP("Devices", "Keyboard"), QT_TRANSLATE_NOOP("Devices", "6D mouse"),
-                           QT_TRANSLATE_NOOP("Devices", "Gamepad"), QT_TRANSLATE_NOOP("Devices", "Left controller"),
-                           QT_TRANSLATE_NOOP("Devices", "Right controller")}) {
-    device_->addItem(QCoreApplication::translate("Devices", name));
+  for (const CatalogueText name : {GLISSADE_TEXT("Keyboard"), GLISSADE_TEXT("6D mouse"), GLISSADE_TEXT("Gamepad"),
+                                   GLISSADE_TEXT("Left controller"), GLISSADE_TEXT("Right controller")}) {
+    device_->addItem(engineText(name));
   }
   device_->setObjectName(QStringLiteral("device"));
   preset_->setObjectName(QStringLiteral("preset"));
@@ -233,7 +233,7 @@ void CalibrationDialog::chooseDevice(int /*index*/) {
   nameButtons();
   preset_->clear();
   for (const ShapingPreset& preset : shapingPresets(input().kind)) {
-    preset_->addItem(QCoreApplication::translate("Presets", preset.label.c_str()));
+    preset_->addItem(engineText(preset.label));
   }
   preset_->addItem(tr("own"));
   dominant_.reset();

@@ -102,7 +102,8 @@ void AttributeDialog::accept() {
 
 Result<AttributeDefinition> AttributeDialog::definition() const {
   AttributeDefinition definition;
-  definition.name = definition.label = textOf(*name_);
+  definition.name = textOf(*name_);
+  definition.label = definition.name;
   definition.type = type();
   definition.owner = static_cast<AttributeOwner>(owner_->currentData().toInt());
   definition.description = textOf(*description_);

@@ -3,7 +3,6 @@
 #include <QAbstractSpinBox>
 #include <QCheckBox>
 #include <QComboBox>
-#include <QCoreApplication>
 #include <QDoubleSpinBox>
 #include <QEvent>
 #include <QHBoxLayout>
@@ -18,6 +17,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include "widgets/commands/diagnostic_text.h"
 #include "widgets/commands/length_text.h"
 
 namespace glissade {
@@ -95,7 +95,7 @@ AttributeEditor::AttributeEditor(const AttributeDefinition& definition, QWidget*
     case AttributeType::Text: editor = makeLine(); break;
   }
   editor->setObjectName(QString::fromStdString("attribute-" + definition.name));
-  editor->setToolTip(QString::fromStdString(definition.description));
+  editor->setToolTip(engineText(definition.description));
   editor->setFocusPolicy(Qt::StrongFocus);
   editor->installEventFilter(this);
   setFocusProxy(editor);
@@ -266,8 +266,8 @@ void AttributeView::keyPressEvent(QKeyEvent* event) {
 
 void AttributeView::addRow(const AttributeDefinition& definition) {
   auto* item = new QTreeWidgetItem(this);
-  item->setText(0, QCoreApplication::translate("Attributes", definition.label.c_str()));
-  item->setToolTip(0, QCoreApplication::translate("Attributes", definition.description.c_str()));
+  item->setText(0, engineText(definition.label));
+  item->setToolTip(0, engineText(definition.description));
   auto* editor = new AttributeEditor(definition);
   setItemWidget(item, 1, editor);
   connect(editor, &AttributeEditor::edited, this,

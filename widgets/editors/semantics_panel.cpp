@@ -1,6 +1,5 @@
 #include "widgets/editors/semantics_panel.h"
 
-#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QInputDialog>
 #include <QSignalBlocker>
@@ -29,8 +28,7 @@ SemanticsPanel::SemanticsPanel(SemanticDocument& document, const ActionCatalogue
   filter_->setClearButtonEnabled(true);
   const PlaceIdentifierRegistry identifiers = makePlaceIdentifierRegistry();
   for (const PlaceIdentifierEntry& entry : identifiers.entries()) {
-    identifier_->addItem(QCoreApplication::translate("PlaceIdentifiers", entry.label.c_str()),
-                         QString::fromStdString(entry.id));
+    identifier_->addItem(engineText(entry.label), QString::fromStdString(entry.id));
     identifier_->setItemData(identifier_->count() - 1, engineText(entry.description), Qt::ToolTipRole);
   }
   identifier_->setToolTip(tr("How the places are found"));

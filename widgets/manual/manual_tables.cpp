@@ -12,6 +12,7 @@
 #include "engine/operator/device_registry.h"
 #include "engine/planning/planner.h"
 #include "engine/scenario/path_exporter.h"
+#include "widgets/commands/diagnostic_text.h"
 
 namespace glissade {
 namespace {
@@ -20,9 +21,7 @@ struct ManualTables {
   Q_DECLARE_TR_FUNCTIONS(ManualTables)
 };
 
-QString translatedIn(const char* context, std::string_view text) {
-  return QCoreApplication::translate(context, std::string(text).c_str()).toHtmlEscaped();
-}
+QString htmlOf(const Message& text) { return engineText(text).toHtmlEscaped(); }
 
 QString codeText(std::string_view text) {
   return QStringLiteral("<code>%1</code>").arg(QString::fromUtf8(text.data(), static_cast<int>(text.size())));
@@ -94,9 +93,9 @@ QString parameterTableHtml() {
     const QString symbol =
         spec.symbol.empty() ? QString() : QStringLiteral(" (%1)").arg(QString::fromUtf8(spec.symbol.data()));
     const QString anchor = QStringLiteral("<a name=\"%1\"></a>").arg(QString::fromUtf8(spec.key.data()));
-    rows += rowOf({anchor + translatedIn("Parameters", spec.label) + symbol, translatedIn("Parameters", spec.help),
-                   rangeText(spec), valueOf(spec, spec.defaultValue),
-                   spec.live ? ManualTables::tr("yes") : ManualTables::tr("no"), codeText(spec.key)});
+    rows += rowOf({anchor + htmlOf(spec.label) + symbol, htmlOf(spec.help), rangeText(spec),
+                   valueOf(spec, spec.defaultValue), spec.live ? ManualTables::tr("yes") : ManualTables::tr("no"),
+                   codeText(spec.key)});
   }
   return tableOf({ManualTables::tr("Parameter"), ManualTables::tr("Meaning"), ManualTables::tr("Range"),
                   ManualTables::tr("Default"), ManualTables::tr("During a run"), ManualTables::tr("In files")},
@@ -107,8 +106,7 @@ QString strategyTable() {
   QString rows;
   const PlannerRegistry planners = makePlannerRegistry();
   for (const PlannerEntry& entry : planners.entries()) {
-    rows +=
-        rowOf({translatedIn("Planners", entry.label), codeText(entry.id), translatedIn("Planners", entry.description)});
+    rows += rowOf({htmlOf(entry.label), codeText(entry.id), htmlOf(entry.description)});
   }
   return tableOf({ManualTables::tr("Strategy"), ManualTables::tr("In files, on the command line"),
                   ManualTables::tr("What it does")},
@@ -119,8 +117,7 @@ QString operatorTable() {
   QString rows;
   const DeviceRegistry devices = makeDeviceRegistry();
   for (const DeviceEntry& entry : devices.entries()) {
-    rows +=
-        rowOf({translatedIn("Devices", entry.label), codeText(entry.id), translatedIn("Devices", entry.description)});
+    rows += rowOf({htmlOf(entry.label), codeText(entry.id), htmlOf(entry.description)});
   }
   return tableOf({ManualTables::tr("Operator"), ManualTables::tr("In files, on the command line"),
                   ManualTables::tr("What it does")},
@@ -131,9 +128,9 @@ QString attributeTable() {
   QString rows;
   const AttributeTable attributes;
   for (const AttributeDefinition& definition : attributes.definitions()) {
-    rows += rowOf({translatedIn("Attributes", definition.label), codeText(definition.name),
+    rows += rowOf({htmlOf(definition.label), codeText(definition.name),
                    definition.owner == AttributeOwner::Place ? ManualTables::tr("place") : ManualTables::tr("body"),
-                   translatedIn("Attributes", definition.description)});
+                   htmlOf(definition.description)});
   }
   return tableOf({ManualTables::tr("Attribute"), ManualTables::tr("In files and rules"), ManualTables::tr("Of"),
                   ManualTables::tr("Meaning")},
@@ -146,7 +143,7 @@ QString pathFormatTable() {
   for (const PathExporter& exporter : exporters.entries()) {
     QStringList endings;
     for (const std::string& ending : exporter.endings) endings << codeText("." + ending);
-    rows += rowOf({translatedIn("PathFormats", exporter.label), endings.join(QStringLiteral(", ")),
+    rows += rowOf({htmlOf(exporter.label), endings.join(QStringLiteral(", ")),
                    exporter.readBackError ? ManualTables::tr("yes") : ManualTables::tr("no")});
   }
   return tableOf({ManualTables::tr("Format"), ManualTables::tr("Ending"), ManualTables::tr("Can be read again")}, rows);

@@ -6,6 +6,7 @@
 #include "engine/operator/device_registry.h"
 #include "engine/planning/planner.h"
 #include "widgets/commands/action_catalogue.h"
+#include "widgets/commands/diagnostic_text.h"
 #include "widgets/manual/manual_tables.h"
 
 namespace glissade {
@@ -15,10 +16,6 @@ namespace {
 QString readText(const QString& text) { return commandName(text).toHtmlEscaped(); }
 
 QString uiHtml(const QString& text) { return QStringLiteral("<span class=\"ui\">%1</span>").arg(readText(text)); }
-
-QString windowText(const char* context, const std::string& text) {
-  return uiHtml(QCoreApplication::translate(context, text.c_str()));
-}
 
 /// The text for an argument such as "PathPanel/Speed". Contexts of classes with Q_OBJECT include the namespace.
 QString anyWindowText(const QString& argument) {
@@ -33,9 +30,7 @@ QString anyWindowText(const QString& argument) {
 QString parameterHtml(const QString& key) {
   const auto id = parameterByKey(key.toStdString());
   if (!id) return {};
-  const std::string label(specOf(*id).label);
-  return QStringLiteral("<a href=\"parameters.html#%1\">%2</a>")
-      .arg(key, readText(QCoreApplication::translate("Parameters", label.c_str())));
+  return QStringLiteral("<a href=\"parameters.html#%1\">%2</a>").arg(key, readText(engineText(specOf(*id).label)));
 }
 
 }  // namespace
@@ -59,12 +54,12 @@ QString ManualTerms::known(const QString& kind, const QString& argument) const {
   if (kind == QStringLiteral("strategy")) {
     const PlannerRegistry planners = makePlannerRegistry();
     const PlannerEntry* entry = planners.find(argument.toStdString());
-    return entry != nullptr ? windowText("Planners", entry->label) : QString();
+    return entry != nullptr ? uiHtml(engineText(entry->label)) : QString();
   }
   if (kind == QStringLiteral("operator")) {
     const DeviceRegistry devices = makeDeviceRegistry();
     const DeviceEntry* entry = devices.find(argument.toStdString());
-    return entry != nullptr ? windowText("Devices", entry->label) : QString();
+    return entry != nullptr ? uiHtml(engineText(entry->label)) : QString();
   }
   if (kind == QStringLiteral("ui")) return anyWindowText(argument);
   return actionHtml(kind, argument);

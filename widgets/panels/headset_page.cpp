@@ -1,11 +1,11 @@
 #include "widgets/panels/headset_page.h"
 
-#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "widgets/commands/diagnostic_text.h"
 #include "widgets/commands/flow_layout.h"
 #include "widgets/panels/strategy_use.h"
 
@@ -130,8 +130,8 @@ QLayout* HeadsetPage::makeStrategies() {
     if (!isMainStrategy(entry.id)) continue;
     auto* button = new QToolButton(this);
     button->setObjectName(QString::fromStdString(entry.id));
-    button->setText(QCoreApplication::translate("Planners", entry.label.c_str()));
-    button->setToolTip(QCoreApplication::translate("Planners", entry.description.c_str()));
+    button->setText(engineText(entry.label));
+    button->setToolTip(engineText(entry.description));
     button->setCheckable(true);
     strategies_->addButton(button);
     row->addWidget(button);
@@ -171,9 +171,7 @@ void HeadsetPage::setSnapshot(const SessionSnapshot& snapshot, const QString& st
   strategies_->setExclusive(true);
   const PlannerRegistry planners = makePlannerRegistry();
   const PlannerEntry* entry = planners.find(snapshot.plannerId);
-  strategy_->setText(isMain || entry == nullptr
-                         ? tr("Strategy")
-                         : tr("Strategy: %1").arg(QCoreApplication::translate("Planners", entry->label.c_str())));
+  strategy_->setText(isMain || entry == nullptr ? tr("Strategy") : tr("Strategy: %1").arg(engineText(entry->label)));
   status_->setText(status);
   status_->setVisible(!status.isEmpty());
   sliders_->setSnapshot(snapshot);

@@ -1,13 +1,13 @@
 #include "widgets/panels/interaction_panel.h"
 
 #include <QAbstractItemView>
-#include <QCoreApplication>
 #include <QFormLayout>
 #include <QSignalBlocker>
 #include <QStandardItemModel>
 #include <QVBoxLayout>
 
 #include "engine/operator/device_registry.h"
+#include "widgets/commands/diagnostic_text.h"
 #include "widgets/panels/strategy_use.h"
 
 namespace glissade {
@@ -57,9 +57,8 @@ InteractionPanel::InteractionPanel(QWidget* parent)
   about_->setObjectName(QStringLiteral("about-strategy"));
   const DeviceRegistry devices = makeDeviceRegistry();
   for (const DeviceEntry& entry : devices.entries()) {
-    device_->addItem(QCoreApplication::translate("Devices", entry.label.c_str()), text(entry.id));
-    device_->setItemData(device_->count() - 1, QCoreApplication::translate("Devices", entry.description.c_str()),
-                         Qt::ToolTipRole);
+    device_->addItem(engineText(entry.label), text(entry.id));
+    device_->setItemData(device_->count() - 1, engineText(entry.description), Qt::ToolTipRole);
   }
   planner_->setObjectName(QStringLiteral("strategy"));
   planner_->setToolTip(tr("The strategy of the next run"));
@@ -110,9 +109,8 @@ void InteractionPanel::fillStrategies() {
 void InteractionPanel::addStrategies(bool main) {
   for (const PlannerEntry& entry : planners_.entries()) {
     if (isMainStrategy(entry.id) != main) continue;
-    planner_->addItem(QCoreApplication::translate("Planners", entry.label.c_str()), text(entry.id));
-    planner_->setItemData(planner_->count() - 1, QCoreApplication::translate("Planners", entry.description.c_str()),
-                          Qt::ToolTipRole);
+    planner_->addItem(engineText(entry.label), text(entry.id));
+    planner_->setItemData(planner_->count() - 1, engineText(entry.description), Qt::ToolTipRole);
   }
   planner_->view()->setMinimumWidth(planner_->view()->sizeHintForColumn(0) + 24);
   planner_->setMaxVisibleItems(planner_->count() + 1);
@@ -143,7 +141,7 @@ void InteractionPanel::showUse() {
   shownUse_ = strategy + "/" + device;
   const PlannerEntry* entry = planners_.find(strategy);
   if (entry == nullptr) return;
-  about_->setText(QCoreApplication::translate("Planners", entry->description.c_str()));
+  about_->setText(engineText(entry->description));
   sliders_->showOnly(parametersInUse(*entry, device));
   authorityTitle_->setVisible(entry->usesOperator);
   authority_->setVisible(entry->usesOperator);

@@ -1,6 +1,5 @@
 #include "widgets/panels/kept_paths_panel.h"
 
-#include <QCoreApplication>
 #include <QEvent>
 #include <QHeaderView>
 #include <QLocale>
@@ -14,6 +13,7 @@
 #include <numbers>
 
 #include "engine/planning/planner.h"
+#include "widgets/commands/diagnostic_text.h"
 #include "widgets/commands/length_text.h"
 
 namespace glissade {
@@ -91,7 +91,7 @@ QString strategyName(const std::string& plannerId) {
   const PlannerRegistry planners = makePlannerRegistry();
   const PlannerEntry* entry = planners.find(plannerId);
   if (entry == nullptr) return QString::fromStdString(plannerId);
-  return QCoreApplication::translate("Planners", entry->label.c_str());
+  return engineText(entry->label);
 }
 
 QString proofText(const KeptPathProof& proof) {

@@ -1,6 +1,5 @@
 #include "widgets/panels/parameter_slider.h"
 
-#include <QCoreApplication>
 #include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
@@ -10,6 +9,7 @@
 #include <cmath>
 
 #include "engine/planning/contact/interaction_settings.h"
+#include "widgets/commands/diagnostic_text.h"
 #include "widgets/commands/length_text.h"
 
 namespace glissade {
@@ -29,9 +29,7 @@ QString text(std::string_view view) { return QString::fromUtf8(view.data(), stat
 
 }  // namespace
 
-QString parameterLabel(const ParameterSpec& spec) {
-  return QCoreApplication::translate("Parameters", std::string(spec.label).c_str());
-}
+QString parameterLabel(const ParameterSpec& spec) { return engineText(spec.label); }
 
 ParameterSlider::ParameterSlider(ParameterId id, QWidget* parent)
     : QWidget(parent),
@@ -51,7 +49,7 @@ ParameterSlider::ParameterSlider(ParameterId id, QWidget* parent)
   number_->setDecimals(spec.integer ? 0 : 3);
   number_->setKeyboardTracking(false);
   number_->setAlignment(Qt::AlignRight);
-  const QString help = QCoreApplication::translate("Parameters", std::string(spec.help).c_str());
+  const QString help = engineText(spec.help);
   setToolTip(help);
   setWhatsThis(help);
   auto* layout = new QGridLayout(this);

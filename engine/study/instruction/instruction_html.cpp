@@ -68,8 +68,8 @@ class Page {
   }
 
  private:
-  std::string say(std::string_view english, std::initializer_list<std::string> arguments = {}) const {
-    return words_(english, arguments);
+  std::string say(CatalogueText text, std::initializer_list<MessageArgument> arguments = {}) const {
+    return words_(text, arguments);
   }
 
   static bool isInSubassembly(const InstructionPanel& panel) {
@@ -110,11 +110,12 @@ class Page {
     for (const PartsListRow& row : instruction_.parts) parts += row.count;
     std::string tools;
     for (const std::string& tool : instruction_.tools) tools += (tools.empty() ? "" : " · ") + tool;
-    out_ += "<section>\n<div class=\"top\"><div class=\"words\">\n" + paragraph("work", instruction_.title) +
-            paragraph("", say("%1 parts, %2 steps", {std::to_string(parts), std::to_string(instruction_.steps)})) +
-            (tools.empty() ? std::string() : paragraph("", say("Tools: %1", {tools}))) + "</div></div>\n" +
-            "<div class=\"picture\">" + image("image/png", pictures_.finished, instruction_.title) +
-            "</div>\n</section>\n";
+    out_ +=
+        "<section>\n<div class=\"top\"><div class=\"words\">\n" + paragraph("work", instruction_.title) +
+        paragraph(
+            "", say(GLISSADE_TEXT("%1 parts, %2 steps"), {std::to_string(parts), std::to_string(instruction_.steps)})) +
+        (tools.empty() ? std::string() : paragraph("", say(GLISSADE_TEXT("Tools: %1"), {tools}))) + "</div></div>\n" +
+        "<div class=\"picture\">" + image("image/png", pictures_.finished, instruction_.title) + "</div>\n</section>\n";
   }
 
   std::string cell(PartsColumn column, const PartsListRow& row) const {
@@ -129,7 +130,7 @@ class Page {
   }
 
   void addParts() {
-    out_ += "<section>\n" + paragraph("work", say("Parts list")) + "<table><thead><tr>";
+    out_ += "<section>\n" + paragraph("work", say(GLISSADE_TEXT("Parts list"))) + "<table><thead><tr>";
     for (const PartsColumn column : look_.columns) out_ += "<th>" + escaped(titleOf(column, words_)) + "</th>";
     out_ += "</tr></thead><tbody>\n";
     for (const PartsListRow& row : instruction_.parts) {
@@ -151,11 +152,12 @@ class Page {
       out_ += " data-line=\"" + std::to_string(index) + "\" data-view=\"" + std::to_string(index) + "\"";
     }
     out_ += ">\n<div class=\"top\"><div class=\"number\">" +
-            escaped(panel.number.empty() ? say("Start") : panel.number) + "</div>\n<div class=\"words\">\n" +
-            paragraph("turn", panel.turn) + paragraph("work", panel.work) + paragraph("", panel.tool);
+            escaped(panel.number.empty() ? say(GLISSADE_TEXT("Start")) : panel.number) +
+            "</div>\n<div class=\"words\">\n" + paragraph("turn", panel.turn) + paragraph("work", panel.work) +
+            paragraph("", panel.tool);
     for (const std::string& note : panel.notes) out_ += paragraph("", note);
     if (!panel.subassembly.empty()) {
-      out_ += paragraph("soft", say("Subassembly for step %1", {panel.subassembly}));
+      out_ += paragraph("soft", say(GLISSADE_TEXT("Subassembly for step %1"), {panel.subassembly}));
     }
     out_ += "</div>\n<div class=\"fetch\">\n";
     for (const FetchedPart& part : panel.fetched) {
@@ -194,10 +196,10 @@ Result<std::string> instructionHtml(const WorkInstruction& instruction, const In
       "\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
       escaped(instruction.title) + "</title>\n<style>" + kInstructionStyle + "</style>\n</head>\n<body>\n<header>" +
       head + "<span id=\"place\"></span></header>\n<main>\n" + page.sections() +
-      "</main>\n<nav><button id=\"previous\">◀ " + escaped(words("Previous")) + "</button>";
+      "</main>\n<nav><button id=\"previous\">◀ " + escaped(words(GLISSADE_TEXT("Previous"))) + "</button>";
   if (scene != nullptr) html += "<button id=\"scene\" class=\"scene\">3D</button>";
-  html += "<button id=\"next\">" + escaped(words("Next")) + " ▶</button></nav>\n<script>" + kInstructionScript +
-          "</script>\n";
+  html += "<button id=\"next\">" + escaped(words(GLISSADE_TEXT("Next"))) + " ▶</button></nav>\n<script>" +
+          kInstructionScript + "</script>\n";
   if (scene != nullptr) {
     html += "<script type=\"application/octet-stream\" id=\"glb\">" + base64(scene->glb) + "</script>\n<script>" +
             inScript(scene->library) + "</script>\n<script>window.instructionScene = " + page.sceneData() +

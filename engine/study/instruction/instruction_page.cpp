@@ -99,20 +99,26 @@ InstructionPage PageMaker::cover() const {
   made.texts.erase(made.texts.begin());  // the title is larger, below
   made.texts.push_back(
       {{area.x, area.y + 2.0, area.width, 14.0}, instruction_.title, kTitlePoints, true, PageText::Align::Left});
-  made.texts.push_back(
-      {{area.x, area.y + 17.0, area.width, 10.0}, say("Work instruction"), 14.0, false, PageText::Align::Left, true});
+  made.texts.push_back({{area.x, area.y + 17.0, area.width, 10.0},
+                        say(GLISSADE_TEXT("Work instruction")),
+                        14.0,
+                        false,
+                        PageText::Align::Left,
+                        true});
   made.pictures.push_back({{area.x, area.y + kTitle, area.width, area.height - kTitle - kFacts}, std::nullopt});
   std::size_t parts = 0;
   for (const PartsListRow& row : instruction_.parts) parts += row.count;
   const double top = area.bottom() - kFacts + 3.0;
-  made.texts.push_back({{area.x, top, area.width, 8.0},
-                        say("%1 parts, %2 steps", {std::to_string(parts), std::to_string(instruction_.steps)}),
-                        kWorkPoints,
-                        true});
+  made.texts.push_back(
+      {{area.x, top, area.width, 8.0},
+       say(GLISSADE_TEXT("%1 parts, %2 steps"), {std::to_string(parts), std::to_string(instruction_.steps)}),
+       kWorkPoints,
+       true});
   std::string tools;
   for (const std::string& tool : instruction_.tools) tools += (tools.empty() ? "" : " · ") + tool;
   if (!tools.empty()) {
-    made.texts.push_back({{area.x, top + 8.0, area.width, 13.0}, say("Tools: %1", {tools}), kNotePoints});
+    made.texts.push_back(
+        {{area.x, top + 8.0, area.width, 13.0}, say(GLISSADE_TEXT("Tools: %1"), {tools}), kNotePoints});
   }
   return made;
 }
@@ -137,7 +143,7 @@ std::vector<InstructionPage> PageMaker::partsPages() const {
   for (const PartsListRow& row : instruction_.parts) {
     if (y + kRowHeight > area.bottom()) {
       pages.push_back(page());
-      pages.back().texts.push_back({{area.x, area.y, area.width, 9.0}, say("Parts list"), 15.0, true});
+      pages.back().texts.push_back({{area.x, area.y, area.width, 9.0}, say(GLISSADE_TEXT("Parts list")), 15.0, true});
       y = area.y + 11.0;
       double x = area.x;
       for (const PartsColumn column : look_.columns) {
@@ -191,7 +197,7 @@ void PageMaker::addPanel(std::size_t index, const PageRect& frame, InstructionPa
   const bool isWide = frame.width > 0.75 * body().width;
   const PageRect inside{frame.x + kInside, frame.y + kInside, frame.width - 2.0 * kInside,
                         frame.height - 2.0 * kInside};
-  const std::string number = panel.number.empty() ? say("Start") : panel.number;
+  const std::string number = panel.number.empty() ? say(GLISSADE_TEXT("Start")) : panel.number;
   const bool isLong = lettersOf(number) > 3;
   const double numberPoints = isLong ? kRangePoints : kNumberPoints;
   const double numberWidth =
@@ -215,7 +221,7 @@ void PageMaker::addPanel(std::size_t index, const PageRect& frame, InstructionPa
   if (!panel.tool.empty()) add(panel.tool, kNotePoints, false, false);
   for (const std::string& note : panel.notes) add(note, kLeastPoints, false, false);
   if (!panel.subassembly.empty()) {
-    add(say("Subassembly for step %1", {panel.subassembly}), kLeastPoints, false, false);
+    add(say(GLISSADE_TEXT("Subassembly for step %1"), {panel.subassembly}), kLeastPoints, false, false);
     page.texts.back().soft = true;
   }
   double top = std::max(y, inside.y + 12.0);

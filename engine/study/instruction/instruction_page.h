@@ -27,8 +27,8 @@ class PageMaker {
   std::vector<InstructionPage> partsPages() const;
 
  private:
-  std::string say(std::string_view english, std::initializer_list<std::string> arguments = {}) const {
-    return words_(english, arguments);
+  std::string say(CatalogueText text, std::initializer_list<MessageArgument> arguments = {}) const {
+    return words_(text, arguments);
   }
   /// The text of a row in a column of the parts list.
   std::string cell(PartsColumn column, const PartsListRow& row) const;

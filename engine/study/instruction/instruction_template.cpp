@@ -19,7 +19,8 @@ PartsColumn columnIn(const JsonCursor& at) {
   const std::string word = at.text();
   const auto found = std::find(kColumnNames.begin(), kColumnNames.end(), word);
   if (found == kColumnNames.end()) {
-    at.fail("is no column of the parts list", "Take picture, part, designation, count or steps.");
+    at.fail(GLISSADE_TEXT("is no column of the parts list"),
+            GLISSADE_TEXT("Take picture, part, designation, count or steps."));
   }
   return kAllPartsColumns[static_cast<std::size_t>(found - kColumnNames.begin())];
 }
@@ -27,11 +28,12 @@ PartsColumn columnIn(const JsonCursor& at) {
 std::vector<PartsColumn> columnsIn(const JsonCursor& at) {
   std::vector<PartsColumn> columns;
   const std::size_t count = at.sizeUpTo(kAllPartsColumns.size());
-  if (count == 0) at.fail("names no column", "Name at least one column, or leave the member out.");
+  if (count == 0)
+    at.fail(GLISSADE_TEXT("names no column"), GLISSADE_TEXT("Name at least one column, or leave the member out."));
   for (std::size_t i = 0; i < count; ++i) {
     const PartsColumn column = columnIn(at.element(i));
     if (std::find(columns.begin(), columns.end(), column) != columns.end()) {
-      at.element(i).fail("is given twice", "Name each column once.");
+      at.element(i).fail(GLISSADE_TEXT("is given twice"), GLISSADE_TEXT("Name each column once."));
     }
     columns.push_back(column);
   }
@@ -45,20 +47,23 @@ std::string logoIn(const JsonCursor& at) {
   const fs::path named(at.exactText());
   const bool leaves = std::find(named.begin(), named.end(), "..") != named.end();
   if (named.is_absolute() || leaves) {
-    at.fail("is not below the folder of the template", "Copy the picture beside the template and give its name.");
+    at.fail(GLISSADE_TEXT("is not below the folder of the template"),
+            GLISSADE_TEXT("Copy the picture beside the template and give its name."));
   }
   const std::string file = fs::absolute(fs::path(at.file()).parent_path() / named).lexically_normal().string();
   const auto bytes = readFile(file, kMostLogoBytes);
   if (!bytes) throw JsonError{bytes.error()};
-  if (pictureType(*bytes).empty()) at.fail("is neither a PNG nor a JPEG picture", "Save the logo as PNG.");
+  if (pictureType(*bytes).empty())
+    at.fail(GLISSADE_TEXT("is neither a PNG nor a JPEG picture"), GLISSADE_TEXT("Save the logo as PNG."));
   return file;
 }
 
 InstructionTemplate templateIn(const JsonCursor& at) {
   at.allowOnly({"format", "version", "description", "company", "document", "logo", "columns", "language", "paper"});
-  if (at.at("format").text() != kTemplateFormat) at.at("format").fail(std::string("is not ") + kTemplateFormat);
+  if (at.at("format").text() != kTemplateFormat)
+    at.at("format").fail({GLISSADE_TEXT("is not %1"), {kTemplateFormat}});
   if (at.at("version").number() != kTemplateVersion) {
-    at.at("version").fail("is not " + std::to_string(kTemplateVersion));
+    at.at("version").fail({GLISSADE_TEXT("is not %1"), {kTemplateVersion}});
   }
   InstructionTemplate made;
   if (const auto company = at.find("company")) made.company = company->nonEmptyText();
@@ -66,11 +71,12 @@ InstructionTemplate templateIn(const JsonCursor& at) {
   if (const auto columns = at.find("columns")) made.columns = columnsIn(*columns);
   if (const auto language = at.find("language")) {
     made.language = languageOf(language->text());
-    if (!made.language) language->fail("is no language of the instructions", "Take en or fr.");
+    if (!made.language)
+      language->fail(GLISSADE_TEXT("is no language of the instructions"), GLISSADE_TEXT("Take en or fr."));
   }
   if (const auto paper = at.find("paper")) {
     made.paper = paperNamed(paper->text());
-    if (!made.paper) paper->fail("is no paper of the instructions", "Take A4 or Letter.");
+    if (!made.paper) paper->fail(GLISSADE_TEXT("is no paper of the instructions"), GLISSADE_TEXT("Take A4 or Letter."));
   }
   if (const auto logo = at.find("logo")) made.logo = logoIn(*logo);
   return made;
@@ -90,10 +96,10 @@ std::optional<Paper> paperNamed(const std::string& word) {
 }
 
 std::string titleOf(PartsColumn column, const StudyWords& words) {
-  static constexpr std::array<const char*, kAllPartsColumns.size()> kTitles{"", "Part", "Designation", "Count",
-                                                                            "Steps"};
-  const char* const title = kTitles[static_cast<std::size_t>(column)];
-  return *title == '\0' ? std::string() : words(title);
+  static constexpr std::array<CatalogueText, kAllPartsColumns.size()> kTitles{
+      CatalogueText{""}, GLISSADE_TEXT("Part"), GLISSADE_TEXT("Designation"), GLISSADE_TEXT("Count"),
+      GLISSADE_TEXT("Steps")};
+  return words(kTitles[static_cast<std::size_t>(column)]);
 }
 
 std::string pictureType(const std::string& bytes) {

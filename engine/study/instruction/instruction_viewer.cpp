@@ -13,16 +13,18 @@ constexpr std::size_t kMostLibraryBytes = 8U << 20;
 
 Result<InstructionScene> instructionScene(const std::string& glb, const std::string& folder) {
   if (glb.size() > kMostAnimationBytes) {
-    return Diagnostic{ErrorKind::LimitReached, "", "", "the page has no 3D view, because the animation is too large",
-                      "Save the animation as GLB, and open it in a 3D viewer."};
+    return Diagnostic{ErrorKind::LimitReached, "", "",
+                      GLISSADE_TEXT("the page has no 3D view, because the animation is too large"),
+                      GLISSADE_TEXT("Save the animation as GLB, and open it in a 3D viewer.")};
   }
   InstructionScene scene{glb, {}};
   for (const char* file :
        {"/build/three.min.js", "/examples/js/loaders/GLTFLoader.js", "/examples/js/controls/OrbitControls.js"}) {
     const auto text = readFile(folder + file, kMostLibraryBytes);
     if (!text) {
-      return Diagnostic{ErrorKind::MalformedInput, "", "", "the page has no 3D view, because three.js is not installed",
-                        "Install the package libjs-three, and save the page again."};
+      return Diagnostic{ErrorKind::MalformedInput, "", "",
+                        GLISSADE_TEXT("the page has no 3D view, because three.js is not installed"),
+                        GLISSADE_TEXT("Install the package libjs-three, and save the page again.")};
     }
     scene.library += *text + "\n";
   }

@@ -1,6 +1,7 @@
 #include "engine/study/instruction/instruction_words.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "engine/sequence/step_motion.h"
 
@@ -10,20 +11,21 @@ namespace {
 /// Radians. A motion with a larger rotation is described as turning.
 constexpr double kTurns = 0.1;
 
-/// The sentence for a joint that the step makes; null where the step is described like that of a part without joints.
-const char* sentenceOf(const StepJoint& joint, bool isOwn) {
+/// The sentence for a joint that the step makes. Nothing where the step is described like that of a part without
+/// joints.
+std::optional<CatalogueText> sentenceOf(const StepJoint& joint, bool isOwn) {
   switch (joint.kind) {
-    case JointKind::Screw: return "Screw in %1.";
-    case JointKind::Nut: return isOwn ? "Screw on %1." : "Screw in %1.";
-    case JointKind::Thread: return "Screw on %1.";
-    case JointKind::Insert: return "Press in %1.";
-    case JointKind::Pin: return "Push in %1.";
-    case JointKind::Snap: return "Snap in %1.";
-    case JointKind::Flexible: return "Lay on %1.";
+    case JointKind::Screw: return GLISSADE_TEXT("Screw in %1.");
+    case JointKind::Nut: return isOwn ? GLISSADE_TEXT("Screw on %1.") : GLISSADE_TEXT("Screw in %1.");
+    case JointKind::Thread: return GLISSADE_TEXT("Screw on %1.");
+    case JointKind::Insert: return GLISSADE_TEXT("Press in %1.");
+    case JointKind::Pin: return GLISSADE_TEXT("Push in %1.");
+    case JointKind::Snap: return GLISSADE_TEXT("Snap in %1.");
+    case JointKind::Flexible: return GLISSADE_TEXT("Lay on %1.");
     case JointKind::Permanent:
     case JointKind::Unit: break;
   }
-  return nullptr;
+  return std::nullopt;
 }
 
 bool isInAHole(const AssemblyStep& step) {
@@ -43,13 +45,14 @@ std::string workSentence(const AssemblyStep& step, const std::string& what, cons
   const std::vector<std::string> bodies = step.bodies();
   for (const StepJoint& joint : step.joints) {
     const bool isOwn = std::find(bodies.begin(), bodies.end(), joint.body) != bodies.end();
-    if (const char* sentence = sentenceOf(joint, isOwn)) return words(sentence, {what});
+    if (const auto sentence = sentenceOf(joint, isOwn)) return words(*sentence, {what});
   }
-  if (step.fastener == FastenerKind::Nut) return words("Screw on %1.", {what});
-  if (step.fastener == FastenerKind::Screw && step.tool.kind != ToolKind::None) return words("Screw in %1.", {what});
-  if (step.method == kFlexible) return words("Lay on %1.", {what});
-  if (turnsOnItsWay(step)) return words("Turn in %1.", {what});
-  return words(isInAHole(step) ? "Insert %1." : "Place %1.", {what});
+  if (step.fastener == FastenerKind::Nut) return words(GLISSADE_TEXT("Screw on %1."), {what});
+  if (step.fastener == FastenerKind::Screw && step.tool.kind != ToolKind::None)
+    return words(GLISSADE_TEXT("Screw in %1."), {what});
+  if (step.method == kFlexible) return words(GLISSADE_TEXT("Lay on %1."), {what});
+  if (turnsOnItsWay(step)) return words(GLISSADE_TEXT("Turn in %1."), {what});
+  return words(isInAHole(step) ? GLISSADE_TEXT("Insert %1.") : GLISSADE_TEXT("Place %1."), {what});
 }
 
 std::string turnSentence(const Viewpoint& from, const Viewpoint& to, const StudyWords& words) {
@@ -58,14 +61,17 @@ std::string turnSentence(const Viewpoint& from, const Viewpoint& to, const Study
   // Seen from above, the product turns to the left when the viewpoint moves to the right.
   const bool left = (quarters == 1) != to.turnedOver;
   switch (quarters) {
-    case 0: return over ? words("Turn the product over.") : std::string();
-    case 2: return words(over ? "Turn the product over and by half a turn." : "Turn the product by half a turn.");
+    case 0: return over ? words(GLISSADE_TEXT("Turn the product over.")) : std::string();
+    case 2:
+      return words(over ? GLISSADE_TEXT("Turn the product over and by half a turn.")
+                        : GLISSADE_TEXT("Turn the product by half a turn."));
     default: break;
   }
   if (over) {
-    return words(left ? "Turn the product over and to the left." : "Turn the product over and to the right.");
+    return words(left ? GLISSADE_TEXT("Turn the product over and to the left.")
+                      : GLISSADE_TEXT("Turn the product over and to the right."));
   }
-  return words(left ? "Turn the product to the left." : "Turn the product to the right.");
+  return words(left ? GLISSADE_TEXT("Turn the product to the left.") : GLISSADE_TEXT("Turn the product to the right."));
 }
 
 std::string countedName(const std::string& name, std::size_t count) {

@@ -53,8 +53,8 @@ class Instructor {
  private:
   using Ids = std::vector<std::string>;
 
-  std::string say(std::string_view english, std::initializer_list<std::string> arguments = {}) const {
-    return words_.words()(english, arguments);
+  std::string say(CatalogueText text, std::initializer_list<MessageArgument> arguments = {}) const {
+    return words_.words()(text, arguments);
   }
 
   /// Adds the steps of the product, or of a group. `group`: number of the step that brings the group.
@@ -106,9 +106,9 @@ class Instructor {
     panel.subassembly = group;
     panel.present = base;
     panel.fetched = fetched(base);
-    panel.work = panel.fetched.size() == 1
-                     ? say("Put %1 on the bench.", {countedName(panel.fetched[0].name, panel.fetched[0].count)})
-                     : say("Put these parts on the bench.");
+    panel.work = panel.fetched.size() == 1 ? say(GLISSADE_TEXT("Put %1 on the bench."),
+                                                 {countedName(panel.fetched[0].name, panel.fetched[0].count)})
+                                           : say(GLISSADE_TEXT("Put these parts on the bench."));
     made_.panels.push_back(std::move(panel));
   }
 
@@ -141,7 +141,7 @@ class Instructor {
     Ids coming;
     for (const AssemblyStep& step : panel.steps) append(step.bodies(), coming);
     if (isSubassembly) {
-      panel.fetched = {{coming, say("subassembly %1", {panel.number}), 1}};
+      panel.fetched = {{coming, say(GLISSADE_TEXT("subassembly %1"), {panel.number}), 1}};
     } else {
       panel.fetched = fetched(coming);
     }
@@ -151,7 +151,7 @@ class Instructor {
     }
     panel.work = workSentence(panel.steps.front(), what, words_.words());
     if (panel.steps.size() >= kCrosswise && isScrewed(panel.steps.front())) {
-      panel.notes.push_back(say("Start all by hand, then tighten crosswise."));
+      panel.notes.push_back(say(GLISSADE_TEXT("Start all by hand, then tighten crosswise.")));
     }
     std::set<std::string> said;
     for (const AssemblyStep& step : panel.steps) {
@@ -161,11 +161,12 @@ class Instructor {
         made_.tools.push_back(tool);
       }
       if (!step.tool.turned.empty()) {
-        const std::string note = say("Hold %1, turn %2.", {supported({step.body}), supported({step.tool.turned})});
+        const std::string note =
+            say(GLISSADE_TEXT("Hold %1, turn %2."), {supported({step.body}), supported({step.tool.turned})});
         if (said.insert(note).second) panel.notes.push_back(note);
       }
       if (step.falling.empty()) continue;
-      const std::string note = say("Needs support: %1", {supported(step.falling)});
+      const std::string note = say(GLISSADE_TEXT("Needs support: %1"), {supported(step.falling)});
       if (said.insert(note).second) panel.notes.push_back(note);
     }
   }
@@ -182,7 +183,8 @@ class Instructor {
       const double upwards = exitDirection(step.path).dot(panel.view.up());
       if (!held && upwards < -kFallsOut * panel.view.up().norm()) append(step.bodies(), loose);
     }
-    if (!loose.empty()) panel.notes.push_back(say("Hold while you turn it over: %1", {supported(loose)}));
+    if (!loose.empty())
+      panel.notes.push_back(say(GLISSADE_TEXT("Hold while you turn it over: %1"), {supported(loose)}));
   }
 
   static bool isScrewed(const AssemblyStep& step) {

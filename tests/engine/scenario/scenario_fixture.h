@@ -33,7 +33,8 @@ inline Scenario boxScenario() {
 inline std::vector<AttributeDefinition> ownAttributes() {
   const auto define = [](const char* name, AttributeType type, AttributeOwner owner, AttributeValue initial) {
     AttributeDefinition definition;
-    definition.name = definition.label = name;
+    definition.name = name;
+    definition.label = name;
     definition.type = type;
     definition.owner = owner;
     definition.initial = std::move(initial);

@@ -16,7 +16,8 @@ inline constexpr const char* kRunRecordOfVersion1 = R"({
 inline std::shared_ptr<const SemanticEdits> someEdits() {
   auto edits = std::make_shared<SemanticEdits>();
   AttributeDefinition fragile;
-  fragile.name = fragile.label = "fragile";
+  fragile.name = "fragile";
+  fragile.label = "fragile";
   fragile.type = AttributeType::Bool;
   fragile.initial = false;
   edits->definitions.push_back(fragile);

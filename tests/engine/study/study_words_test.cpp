@@ -17,16 +17,16 @@ namespace {
 TEST(StudyWords, PutsArgumentsWhereTheLanguageHasThem) {
   const StudyWords english;
   const StudyWords french(Language::French);
-  EXPECT_EQ(english("%1 of %2", {"3", "4"}), "3 of 4");
-  EXPECT_EQ(french("%1 of %2", {"3", "4"}), "3 sur 4");
-  EXPECT_EQ(english("success rate in %."), "success rate in %.");
-  EXPECT_EQ(french("%1 over %2", {"%2", "x"}), "%2 selon x");  // placeholders within arguments are not replaced
+  EXPECT_EQ(english(GLISSADE_TEXT("%1 of %2"), {"3", "4"}), "3 of 4");
+  EXPECT_EQ(french(GLISSADE_TEXT("%1 of %2"), {"3", "4"}), "3 sur 4");
+  EXPECT_EQ(english(std::string("success rate in %.")), "success rate in %.");
+  EXPECT_EQ(french(GLISSADE_TEXT("%1 over %2"), {"%2", "x"}), "%2 selon x");  // placeholders within arguments are not replaced
 }
 
 TEST(StudyWords, WhatIsNotKnownStaysAsItIs) {
   const StudyWords french(Language::French);
-  EXPECT_FALSE(french.knows("My own finding."));
-  EXPECT_EQ(french("My own finding."), "My own finding.");
+  EXPECT_FALSE(hasFrench("My own finding."));
+  EXPECT_EQ(french(std::string("My own finding.")), "My own finding.");
   EXPECT_EQ(languageOf("de"), std::nullopt);
   EXPECT_EQ(languageOf(code(Language::French)), Language::French);
 }
@@ -45,7 +45,6 @@ std::set<std::string> sentencesOf(const Study& study) {
 }
 
 TEST(StudyWords, ThePapersStudiesAreWhollyTranslated) {
-  const StudyWords french(Language::French);
   const std::filesystem::path folder = std::filesystem::path(test::sourceDirectory()) / "samples/studies";
   std::size_t studies = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
@@ -54,12 +53,12 @@ TEST(StudyWords, ThePapersStudiesAreWhollyTranslated) {
     const auto study = parseStudy(*text, entry.path().string(), false);
     ASSERT_TRUE(study.ok()) << toString(study.error());
     ++studies;
-    for (const std::string& sentence : sentencesOf(*study)) EXPECT_TRUE(french.knows(sentence)) << sentence;
+    for (const std::string& sentence : sentencesOf(*study)) EXPECT_TRUE(hasFrench(sentence)) << sentence;
   }
   EXPECT_GE(studies, 7U);
-  for (std::size_t i = 0; i < kRunStatusCount; ++i) EXPECT_TRUE(french.knows(name(static_cast<RunStatus>(i))));
+  for (std::size_t i = 0; i < kRunStatusCount; ++i) EXPECT_TRUE(hasFrench(name(static_cast<RunStatus>(i))));
   for (const Verdict verdict : {Verdict::Holds, Verdict::Refuted, Verdict::Open}) {
-    EXPECT_TRUE(french.knows(name(verdict)));
+    EXPECT_TRUE(hasFrench(name(verdict)));
   }
 }
 

@@ -40,8 +40,8 @@ TEST_F(SemanticPlanner, HardPlacesGetTheGeometricalPlannerAndATreeEasyOnesAStrai
     EXPECT_FALSE(choice(place, rules).geometrical) << place;
     EXPECT_EQ(choice(place, rules).local, "linear") << place;
   }
-  EXPECT_THAT(choice("P2", rules).why, HasSubstr("cluttered"));
-  EXPECT_THAT(choice("P6", rules).why, HasSubstr("complexity 4"));
+  EXPECT_THAT(toString(choice("P2", rules).why), HasSubstr("cluttered"));
+  EXPECT_THAT(toString(choice("P6", rules).why), HasSubstr("complexity 4"));
 }
 
 TEST_F(SemanticPlanner, TheFirstRuleThatHoldsDecides) {
