@@ -36,13 +36,15 @@ class ScriptCommands {
   std::map<std::string, Entry> commands_;
 };
 
-/// The script is wrong.
-inline Diagnostic wrongCommand(const Message& reason, const Message& advice = "Correct the line.") {
-  return {ErrorKind::MalformedInput, "", "", reason, advice};
+/// The script is wrong. Scripts and what is said about them are English.
+inline Diagnostic wrongCommand(const std::string& reason, const std::string& advice = "Correct the line.") {
+  return {ErrorKind::MalformedInput, "", "", Message(reason), Message(advice)};
 }
 
 /// The script is right, but the window's state differs from what it expects.
-inline Diagnostic unmetExpectation(const Message& reason) { return {ErrorKind::NoPath, "", "", reason, ""}; }
+inline Diagnostic unmetExpectation(const std::string& reason) {
+  return {ErrorKind::NoPath, "", "", Message(reason), {}};
+}
 
 inline Outcome outcomeOf(const std::optional<Diagnostic>& why) { return why ? Outcome(*why) : Outcome(Done{}); }
 inline Outcome outcomeOf(const SaveResult& saved) { return saved ? Outcome(Done{}) : Outcome(saved.why); }

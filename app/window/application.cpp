@@ -108,7 +108,9 @@ std::optional<Diagnostic> applyParameters(const QCommandLineParser& parser, Main
     if (!parser.isSet(optionName(spec))) continue;
     const auto value = toNumber(parser.value(optionName(spec)).toStdString());
     ParameterValues trial = window.workbench().document.settings().parameters;
-    if (!value) return Diagnostic{ErrorKind::Usage, "", std::string(spec.option), "is not a number", "Give a number."};
+    if (!value)
+      return Diagnostic{ErrorKind::Usage, "", std::string(spec.option), GLISSADE_TEXT("is not a number"),
+                        GLISSADE_TEXT("Give a number.")};
     const Outcome outcome = trial.set(spec.id, *value);
     if (!outcome) return outcome.error();
     window.workbench().session.post(command::SetParameter{spec.id, *value});
@@ -116,7 +118,9 @@ std::optional<Diagnostic> applyParameters(const QCommandLineParser& parser, Main
   if (!parser.isSet(QStringLiteral("seed"))) return std::nullopt;
   bool ok = false;
   const qulonglong seed = parser.value(QStringLiteral("seed")).toULongLong(&ok);
-  if (!ok) return Diagnostic{ErrorKind::Usage, "", "--seed", "is not a whole number", "Give a number of 0 or more."};
+  if (!ok)
+    return Diagnostic{ErrorKind::Usage, "", "--seed", GLISSADE_TEXT("is not a whole number"),
+                      GLISSADE_TEXT("Give a number of 0 or more.")};
   window.workbench().session.post(command::SetSeed{seed});
   return std::nullopt;
 }
@@ -137,11 +141,12 @@ std::optional<Diagnostic> applyStereo(const QCommandLineParser& parser, const Ac
   if (!parser.isSet("stereo")) return std::nullopt;
   const auto mode = stereoModeNamed(parser.value("stereo").toStdString());
   if (!mode) {
-    return Diagnostic{ErrorKind::Usage, "", "--stereo", "is not a mode of stereo", "glissade --help names them."};
+    return Diagnostic{ErrorKind::Usage, "", "--stereo", GLISSADE_TEXT("is not a mode of stereo"),
+                      GLISSADE_TEXT("glissade --help names them.")};
   }
   QAction* action = actions[QLatin1String(entryOf(*mode).action)];
   if (!action->isEnabled())
-    return Diagnostic{ErrorKind::Usage, "", "--stereo", "is a mode that is not possible here", ""};
+    return Diagnostic{ErrorKind::Usage, "", "--stereo", GLISSADE_TEXT("is a mode that is not possible here"), ""};
   action->trigger();
   return std::nullopt;
 }
@@ -163,8 +168,9 @@ bool areParts(const QStringList& files) {
 std::optional<Diagnostic> tooManyFiles(const QCommandLineParser& parser) {
   const QStringList files = parser.positionalArguments();
   if (files.size() < 2 || (!isBatch(parser) && areParts(files))) return std::nullopt;
-  return Diagnostic{ErrorKind::Usage, files[1].toStdString(), "", "is a file too many: one scenario is opened",
-                    "Give one scenario, or on screen part files only. glissade-cli new makes a scenario of parts."};
+  return Diagnostic{
+      ErrorKind::Usage, files[1].toStdString(), "", GLISSADE_TEXT("is a file too many: one scenario is opened"),
+      GLISSADE_TEXT("Give one scenario, or on screen part files only. glissade-cli new makes a scenario of parts.")};
 }
 
 int runWindow(const QCommandLineParser& parser, MainWindow& window) {
@@ -240,7 +246,7 @@ int tell(int argc, char** argv) {
   QCommandLineParser parser;
   addOptions(parser);
   if (!parser.parse(QCoreApplication::arguments())) {
-    return failUsage("", parser.errorText().toStdString(), "See glissade --help.");
+    return failUsage("", parser.errorText().toStdString(), GLISSADE_TEXT("See glissade --help."));
   }
   if (parser.isSet("help")) {
     std::cout << parser.helpText().toStdString();
@@ -273,19 +279,21 @@ int runApplication(int argc, char** argv, const SceneWidgetFactory& makeScene, S
   QCommandLineParser parser;
   addOptions(parser);
   if (!parser.parse(QApplication::arguments())) {
-    return failUsage("", parser.errorText().toStdString(), "See glissade --help.");
+    return failUsage("", parser.errorText().toStdString(), GLISSADE_TEXT("See glissade --help."));
   }
   const auto size = parseSize(parser.value("size"));
-  if (!size) return failUsage("--size", "is not WIDTHxHEIGHT", "Give for example 1280x720.");
+  if (!size)
+    return failUsage("--size", GLISSADE_TEXT("is not WIDTHxHEIGHT"), GLISSADE_TEXT("Give for example 1280x720."));
   if (!parseThumbnailPixels(parser)) {
-    return failUsage("--thumbnail-pixels", "is not a whole number from 16 to 2048", "Give for example 256.");
+    return failUsage("--thumbnail-pixels", GLISSADE_TEXT("is not a whole number from 16 to 2048"),
+                     GLISSADE_TEXT("Give for example 256."));
   }
   if (const auto why = tooManyFiles(parser)) return fail(*why);
   const QString theme = parser.value("theme");
-  if (theme != "light" && theme != "dark") return failUsage("--theme", "is neither light nor dark", "");
+  if (theme != "light" && theme != "dark") return failUsage("--theme", GLISSADE_TEXT("is neither light nor dark"), "");
   const QString asked = parser.value("language");
   if (parser.isSet("language") && asked != "en" && asked != "fr") {
-    return failUsage("--language", "is neither en nor fr", "");
+    return failUsage("--language", GLISSADE_TEXT("is neither en nor fr"), "");
   }
   const Preferences preferences = isBatch(parser) ? Preferences{"en"} : WindowMemory().preferences();
   const QString language = languageOf(asked, preferences, QLocale::system().name().section(QLatin1Char('_'), 0, 0));

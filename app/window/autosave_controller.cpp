@@ -60,7 +60,8 @@ AutosaveController::Written AutosaveController::write(AutosaveSlot& slot, const 
       return Done{};
     } catch (const std::exception& error) {
       return Diagnostic{ErrorKind::Internal, "", "",
-                        std::string("edits cannot be saved automatically: ") + error.what(), "Save the scenario."};
+                        {GLISSADE_TEXT("edits cannot be saved automatically: %1"), {error.what()}},
+                        GLISSADE_TEXT("Save the scenario.")};
     }
   }();
   return {outcome, static_cast<double>(timer.nsecsElapsed()) / 1e9};

@@ -127,9 +127,9 @@ void FfmpegWriter::end(const SaveResult& result) {
 }
 
 SaveResult FfmpegWriter::refused(const QString& reason) const {
-  return notSaved({ErrorKind::Usage, file_.toStdString(), "",
-                   "ffmpeg could not write the film: " + reason.toStdString(),
-                   "Check the folder, its free space, and that ffmpeg has the codecs libx264 and libvpx-vp9."});
+  return notSaved(
+      {ErrorKind::Usage, file_.toStdString(), "", {GLISSADE_TEXT("ffmpeg could not write the film: %1"), {reason.toStdString()}},
+       GLISSADE_TEXT("Check the folder, its free space, and that ffmpeg has the codecs libx264 and libvpx-vp9.")});
 }
 
 }  // namespace glissade

@@ -35,7 +35,8 @@ void FilmJob::start(FilmSubject subject, const QString& file, Finished finished)
 
 void FilmJob::cancel() {
   if (!writer_) return;
-  end(notSaved({ErrorKind::Interrupted, file_.toStdString(), "", "the film was cancelled", "Start it again."}));
+  end(notSaved({ErrorKind::Interrupted, file_.toStdString(), "", GLISSADE_TEXT("the film was cancelled"),
+                GLISSADE_TEXT("Start it again.")}));
 }
 
 /// Takes one picture now, and the next ones at later turns of the event loop.

@@ -55,14 +55,15 @@ QString filmFilter(bool withFfmpeg) {
 
 std::optional<Diagnostic> whyNoFfmpeg() {
   if (!ffmpeg().isEmpty()) return std::nullopt;
-  return Diagnostic{ErrorKind::Usage, "", "", "ffmpeg is needed for films, and is not installed",
-                    "Install the package ffmpeg, or give a name that ends with .png for a series of pictures."};
+  return Diagnostic{
+      ErrorKind::Usage, "", "", GLISSADE_TEXT("ffmpeg is needed for films, and is not installed"),
+      GLISSADE_TEXT("Install the package ffmpeg, or give a name that ends with .png for a series of pictures.")};
 }
 
 Result<std::unique_ptr<FilmWriter>> makeFilmWriter(const QString& file) {
   if (!isFilm(file)) {
-    return Diagnostic{ErrorKind::Usage, file.toStdString(), "", "films are not written in this format",
-                      "Choose one of: .mp4, .webm, .png."};
+    return Diagnostic{ErrorKind::Usage, file.toStdString(), "", GLISSADE_TEXT("films are not written in this format"),
+                      GLISSADE_TEXT("Choose one of: .mp4, .webm, .png.")};
   }
   if (!isFfmpegFilm(endingOf(file))) return std::unique_ptr<FilmWriter>(std::make_unique<PictureSeries>(file));
   if (auto missing = whyNoFfmpeg()) {

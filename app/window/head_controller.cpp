@@ -105,10 +105,11 @@ void HeadController::setOn(bool on) {
 bool HeadController::listen() {
   if (bench_.session.clock() == SessionClock::Lockstep) return true;
   if (!receiver_.open(preferences_.port, preferences_.fromAnywhere)) {
-    bench_.messages.showError(tr("The head cannot be tracked"),
-                              {ErrorKind::MalformedInput, "", "UDP port " + std::to_string(preferences_.port),
-                               tr("cannot be used: %1").arg(receiver_.trouble()).toStdString(),
-                               tr("Choose another port, and set it in the tracker, too.").toStdString()});
+    bench_.messages.showError(
+        tr("The head cannot be tracked"),
+        {ErrorKind::MalformedInput, "", {GLISSADE_TEXT("UDP port %1"), {preferences_.port}},
+         tr(GLISSADE_TEXT("cannot be used: %1")).arg(receiver_.trouble()).toStdString(),
+         tr(GLISSADE_TEXT("Choose another port, and set it in the tracker, too.")).toStdString()});
     return false;
   }
   silence_.start();

@@ -44,11 +44,12 @@ void InstructionController::write(PlanDocument document, const QString& file,
                                   const InstructionJob::Finished& finished) {
   const ShownPlan& shown = sequence_.shown();
   if (!shown.plan || shown.plan->steps.empty()) {
-    finished(
-        notSaved({ErrorKind::Usage, file.toStdString(), "", "there is no plan to write", "Plan the sequence first."}));
+    finished(notSaved({ErrorKind::Usage, file.toStdString(), "", GLISSADE_TEXT("there is no plan to write"),
+                       GLISSADE_TEXT("Plan the sequence first.")}));
   } else if (!isDocument(file)) {
-    finished(notSaved({ErrorKind::Usage, file.toStdString(), "", "documents are not written in this format",
-                       "Choose .html or .pdf."}));
+    finished(
+        notSaved({ErrorKind::Usage, file.toStdString(), "", GLISSADE_TEXT("documents are not written in this format"),
+                  GLISSADE_TEXT("Choose .html or .pdf.")}));
   } else {
     job_->start(document, file, finished);
   }

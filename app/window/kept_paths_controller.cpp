@@ -198,11 +198,12 @@ Outcome KeptPathsController::openPath(const std::string& name) {
   const KeptPathPtr path = bench_.document.paths().find(name);
   if (!path) return wrongCommand("there is no kept path '" + name + "'");
   if (path->object != idOf(bench_.document.scenario()->scenario.object)) {
-    return Diagnostic{ErrorKind::Usage, "", name, "another object moves now",
-                      "Make '" + path->object + "' the object first."};
+    return Diagnostic{ErrorKind::Usage, "", name, GLISSADE_TEXT("another object moves now"),
+                      {GLISSADE_TEXT("Make '%1' the object first."), {path->object}}};
   }
   if (isRunning(*bench_.session.snapshot())) {
-    return Diagnostic{ErrorKind::Usage, "", name, "a run is going on", "Stop the run first."};
+    return Diagnostic{ErrorKind::Usage, "", name, GLISSADE_TEXT("a run is going on"),
+                      GLISSADE_TEXT("Stop the run first.")};
   }
   bench_.document.whenArranged([this, path] {
     give(*path);

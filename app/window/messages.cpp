@@ -19,8 +19,8 @@ void Messages::showError(const QString& title, const Diagnostic& why) {
   log_.add(LogLevel::Error, title + QStringLiteral(": ") + file + diagnosticText(why));
   if (quiet_) return;
   QString details;
-  for (const std::string& part : {why.file, why.location, why.reason}) {
-    if (!part.empty()) details += (details.isEmpty() ? "" : "\n") + engineText(part);
+  for (const QString& part : {QString::fromStdString(why.file), engineText(why.location), engineText(why.reason)}) {
+    if (!part.isEmpty()) details += (details.isEmpty() ? "" : "\n") + part;
   }
   if (!why.advice.empty()) details += QStringLiteral("\n\n") + engineText(why.advice);
   PlainMessageBox box(QMessageBox::Warning, title, title, details, &window_);

@@ -97,13 +97,15 @@ void PathReportJob::start(const RunResults& results, const std::shared_ptr<const
   shownPose_ = shownPose;
   if (!file.endsWith(QLatin1String(".html"), Qt::CaseInsensitive) &&
       !file.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive)) {
-    finished(notSaved({ErrorKind::Usage, file.toStdString(), "", "the report of a path is written as .html or .pdf",
-                       "Give a file name with one of these endings."}));
+    finished(notSaved({ErrorKind::Usage, file.toStdString(), "",
+                       GLISSADE_TEXT("the report of a path is written as .html or .pdf"),
+                       GLISSADE_TEXT("Give a file name with one of these endings.")}));
     return;
   }
   const auto folder = std::make_shared<QTemporaryDir>();
   const StudyWords words(windowLanguage());
-  ReportPicture overview{folder->filePath(QStringLiteral("path.png")).toStdString(), words(GLISSADE_TEXT("The path")), kPictureShare};
+  ReportPicture overview{folder->filePath(QStringLiteral("path.png")).toStdString(), words(GLISSADE_TEXT("The path")),
+                         kPictureShare};
   if (!saveScenePicture(bench_.scene, QString::fromStdString(overview.file))) overview = {};
   ReportPicture tightest{folder->filePath(QStringLiteral("tightest.png")).toStdString(),
                          words(GLISSADE_TEXT("The place with the smallest clearance")), kPictureShare};
@@ -213,13 +215,16 @@ std::optional<Diagnostic> PathController::open(const QString& file) {
   const std::string name = file.toStdString();
   const SnapshotPtr live = bench_.session.snapshot();
   if (!live) {
-    return Diagnostic{ErrorKind::Usage, name, "", "no scenario is open", "Open its scenario first."};
+    return Diagnostic{ErrorKind::Usage, name, "", GLISSADE_TEXT("no scenario is open"),
+                      GLISSADE_TEXT("Open its scenario first.")};
   }
   if (isRunning(*live)) {
-    return Diagnostic{ErrorKind::Usage, name, "", "a run is going on", "Stop the run first."};
+    return Diagnostic{ErrorKind::Usage, name, "", GLISSADE_TEXT("a run is going on"),
+                      GLISSADE_TEXT("Stop the run first.")};
   }
   if (!bench_.run.isLive()) {
-    return Diagnostic{ErrorKind::Usage, name, "", "a recording is shown", "Close the replay first."};
+    return Diagnostic{ErrorKind::Usage, name, "", GLISSADE_TEXT("a recording is shown"),
+                      GLISSADE_TEXT("Close the replay first.")};
   }
   auto points = readPath(name);
   if (!points) return points.error();
@@ -284,7 +289,8 @@ void PathController::chooseExport() {
 
 SaveResult PathController::exportTo(const QString& file) {
   if (!results_.path) {
-    return notSaved({ErrorKind::Usage, file.toStdString(), "", "there is no path to export", "Solve first."});
+    return notSaved({ErrorKind::Usage, file.toStdString(), "", GLISSADE_TEXT("there is no path to export"),
+                     GLISSADE_TEXT("Solve first.")});
   }
   SaveResult saved = writePath(*results_.path, *bench_.document.scenario(), results_.provenance, file.toStdString());
   if (saved) bench_.document.noteExported(results_.path);
@@ -305,7 +311,8 @@ void PathController::chooseReport() {
 
 void PathController::reportTo(const QString& file, const PathReportJob::Finished& finished) {
   if (!results_.path) {
-    finished(notSaved({ErrorKind::Usage, file.toStdString(), "", "there is no path to report", "Solve first."}));
+    finished(notSaved({ErrorKind::Usage, file.toStdString(), "", GLISSADE_TEXT("there is no path to report"),
+                       GLISSADE_TEXT("Solve first.")}));
     return;
   }
   report_.start(results_, profile_, shownPose_, file, finished);
@@ -323,7 +330,8 @@ void PathController::chooseFilm() {
 
 void PathController::filmTo(const QString& file, const FilmJob::Finished& finished) {
   if (!results_.path) {
-    finished(notSaved({ErrorKind::Usage, file.toStdString(), "", "there is no path to film", "Solve first."}));
+    finished(notSaved({ErrorKind::Usage, file.toStdString(), "", GLISSADE_TEXT("there is no path to film"),
+                       GLISSADE_TEXT("Solve first.")}));
     return;
   }
   bench_.actions["path.play"]->setChecked(false);

@@ -144,7 +144,8 @@ std::optional<Diagnostic> ReplayController::open(
 
 SaveResult ReplayController::save(const QString& file) {
   if (!recorder_.hasRecording()) {
-    return notSaved({ErrorKind::Usage, file.toStdString(), "", "there is no run to save", "Start one first."});
+    return notSaved({ErrorKind::Usage, file.toStdString(), "", GLISSADE_TEXT("there is no run to save"),
+                     GLISSADE_TEXT("Start one first.")});
   }
   const auto record = recorder_.record();
   return record ? writeRunRecord(*record, file.toStdString()) : notSaved(record.error());

@@ -343,7 +343,8 @@ std::optional<Diagnostic> SequenceController::open(const QString& file) {
   const std::string name = file.toStdString();
   const ScenarioPtr& scenario = bench_.document.scenario();
   if (!scenario) {
-    return Diagnostic{ErrorKind::Usage, name, "", "no product is open", "Open the product first."};
+    return Diagnostic{ErrorKind::Usage, name, "", GLISSADE_TEXT("no product is open"),
+                      GLISSADE_TEXT("Open the product first.")};
   }
   const auto plan = readPlan(name);
   if (!plan) return plan.error();
@@ -405,8 +406,8 @@ void SequenceController::exportTo(const QString& file, const InstructionJob::Fin
   if (isDocument(file)) {
     instructions_->write(PlanDocument::Instruction, file, finished);
   } else if (!shown().plan || shown().plan->steps.empty()) {
-    finished(
-        notSaved({ErrorKind::Usage, file.toStdString(), "", "there is no plan to write", "Plan the sequence first."}));
+    finished(notSaved({ErrorKind::Usage, file.toStdString(), "", GLISSADE_TEXT("there is no plan to write"),
+                       GLISSADE_TEXT("Plan the sequence first.")}));
   } else if (isFilm(file)) {
     film(file, finished);
   } else {
@@ -469,7 +470,8 @@ Outcome SequenceController::written(const std::string& file,
     write([this, file](const SaveResult& saved) { tell(QString::fromStdString(file), saved); });
     return Done{};
   }
-  SaveResult result = notSaved({ErrorKind::Usage, file, "", "is not written yet", "Wait."});
+  SaveResult result =
+      notSaved({ErrorKind::Usage, file, "", GLISSADE_TEXT("is not written yet"), GLISSADE_TEXT("Wait.")});
   write([&result](const SaveResult& saved) { result = saved; });
   if (result) tell(QString::fromStdString(file), result);
   return outcomeOf(result);

@@ -26,8 +26,8 @@ SaveResult writeSequence(const ShownPlan& shown, PlanOrder order, const std::str
     const auto content = planAsGlb(*shown.plan, *shown.product, order, name);
     return content ? saveFile(path, *content) : notSaved(content.error());
   }
-  return notSaved({ErrorKind::Usage, path, "", "assembly plans are not written in this format",
-                   "Choose one of: .json, .csv, .glb, .html, .pdf, .mp4, .webm, .png."});
+  return notSaved({ErrorKind::Usage, path, "", GLISSADE_TEXT("assembly plans are not written in this format"),
+                   GLISSADE_TEXT("Choose one of: .json, .csv, .glb, .html, .pdf, .mp4, .webm, .png.")});
 }
 
 bool isDocument(const QString& file) {

@@ -60,8 +60,9 @@ std::optional<Diagnostic> takePicture(const StudyFolder& folder, const StudyRun&
   while (isRunning(*bench.session.snapshot())) bench.session.advance(kSlice);
   if (studies.isAsInStudy(outcome) == false) {
     return Diagnostic{ErrorKind::MalformedInput, folder.path(),
-                      "cell " + std::to_string(run.cell + 1) + ", seed " + std::to_string(run.seed),
-                      "ends otherwise than in the study", "Use the version that made it, or make the study again."};
+                      {GLISSADE_TEXT("cell %1, seed %2"), {run.cell + 1, run.seed}},
+                      GLISSADE_TEXT("ends otherwise than in the study"),
+                      GLISSADE_TEXT("Use the version that made it, or make the study again.")};
   }
   bench.scene.view().fit();
   QApplication::processEvents();
@@ -87,7 +88,8 @@ Result<StudyReport> studyReport(const QString& path, Warnings& warnings) {
 
 std::optional<Diagnostic> takeStudyPictures(const QString& path, const Workbench& bench, StudyController& studies) {
   if (bench.session.clock() != SessionClock::Lockstep) {
-    return Diagnostic{ErrorKind::Usage, "", "--study-pictures", "is for runs without a display", "Add --offscreen."};
+    return Diagnostic{ErrorKind::Usage, "", "--study-pictures", GLISSADE_TEXT("is for runs without a display"),
+                      GLISSADE_TEXT("Add --offscreen.")};
   }
   const auto folder = StudyFolder::open(path.toStdString());
   if (!folder) return folder.error();

@@ -197,16 +197,18 @@ void StudyController::show(const Content& content) {
 std::optional<Diagnostic> StudyController::startRun(const StudyFolder& folder, const StudyRun& run) {
   const StudyCell& cell = folder.plan().study.cells[run.cell];
   if (isSequence(cell)) {
-    return Diagnostic{ErrorKind::Usage, "", cell.label, "is a run of a sequence, which is not shown as a path",
-                      "Open its scenario and plan the sequence with this seed."};
+    return Diagnostic{ErrorKind::Usage, "", cell.label,
+                      GLISSADE_TEXT("is a run of a sequence, which is not shown as a path"),
+                      GLISSADE_TEXT("Open its scenario and plan the sequence with this seed.")};
   }
   const auto file = folder.scenarioFile(cell);
   if (!file) return file.error();
   const auto loaded = loadScenario(*file);
   if (!loaded) return loaded.error();
   if (sha256(scenarioText(loaded->scenario)) != cell.scenarioSha256) {
-    return Diagnostic{ErrorKind::MalformedInput, *file, "", "the scenario has changed since the study was made",
-                      "Put the old one back, or make the study again."};
+    return Diagnostic{ErrorKind::MalformedInput, *file, "",
+                      GLISSADE_TEXT("the scenario has changed since the study was made"),
+                      GLISSADE_TEXT("Put the old one back, or make the study again.")};
   }
   if (const auto why = files_.openScenario(QString::fromStdString(*file), true)) return why;
   ParameterValues parameters = loaded->parameters;

@@ -64,8 +64,8 @@ Outcome JournalWriter::write(const Part& part) {
     journal_ = std::move(*journal);
     return Done{};
   } catch (const std::exception& error) {
-    return Diagnostic{ErrorKind::Internal, folder_, "", std::string("the journal cannot be written: ") + error.what(),
-                      "The run is not recorded on disk."};
+    return Diagnostic{ErrorKind::Internal, folder_, "", {GLISSADE_TEXT("the journal cannot be written: %1"), {error.what()}},
+                      GLISSADE_TEXT("The run is not recorded on disk.")};
   }
 }
 

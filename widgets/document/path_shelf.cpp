@@ -53,7 +53,8 @@ Outcome PathShelf::replace(const std::string& name, const QString& text,
   KeptPaths after = paths_;
   const auto found =
       std::find_if(after.begin(), after.end(), [&name](const KeptPathPtr& path) { return path->name == name; });
-  if (found == after.end()) return refused(name, "there is no kept path of this name", "Choose one of the list.");
+  if (found == after.end())
+    return refused(name, GLISSADE_TEXT("there is no kept path of this name"), GLISSADE_TEXT("Choose one of the list."));
   const KeptPathPtr changedPath = change(**found);
   if (changedPath) {
     *found = changedPath;
@@ -66,8 +67,9 @@ Outcome PathShelf::replace(const std::string& name, const QString& text,
 
 Outcome PathShelf::rename(const std::string& name, const std::string& newName) {
   if (newName == name) return Done{};
-  if (newName.empty()) return refused(name, "the new name is empty", "Give a name.");
-  if (find(newName)) return refused(newName, "another path has this name", "Give another name.");
+  if (newName.empty()) return refused(name, GLISSADE_TEXT("the new name is empty"), GLISSADE_TEXT("Give a name."));
+  if (find(newName))
+    return refused(newName, GLISSADE_TEXT("another path has this name"), GLISSADE_TEXT("Give another name."));
   return replace(name, tr("Rename a path"), [&newName](KeptPath path) {
     path.name = newName;
     return std::make_shared<const KeptPath>(std::move(path));

@@ -122,7 +122,8 @@ Outcome SemanticDocument::setAttribute(const SemanticSelection& targets, const s
   const auto set = [&](AttributeOwner owner, Attributes& attributes) -> Outcome {
     const AttributeDefinition* definition = table_.find(owner, attribute);
     if (definition == nullptr) {
-      return Diagnostic{ErrorKind::Usage, "", attribute, "there is no such attribute", "Add it first."};
+      return Diagnostic{ErrorKind::Usage, "", attribute, GLISSADE_TEXT("there is no such attribute"),
+                        GLISSADE_TEXT("Add it first.")};
     }
     if (!value) {
       attributes.erase(attribute);
@@ -164,7 +165,8 @@ Outcome SemanticDocument::renamePlace(int place, const QString& name) {
   const std::string newName = name.trimmed().toStdString();
   for (std::size_t other = 0; other < semantics_->placeCount(); ++other) {
     if (static_cast<int>(other) != place && semantics_->placeName(other) == newName) {
-      return Diagnostic{ErrorKind::Usage, "", newName, "another place has this name", "Choose another."};
+      return Diagnostic{ErrorKind::Usage, "", newName, GLISSADE_TEXT("another place has this name"),
+                        GLISSADE_TEXT("Choose another.")};
     }
   }
   SemanticEdits after = edits_;
@@ -206,8 +208,8 @@ Outcome SemanticDocument::checkDefinitions(const SemanticEdits& edits, const std
   if (parsed) return Done{};
   const std::string rule = toString(parsed.error().location);
   return Diagnostic{ErrorKind::Usage, "", rule,
-                    "the scenario's rule " + rule + " uses the attribute '" + attribute + "'",
-                    "Change the rule first."};
+                    {GLISSADE_TEXT("the scenario's rule %1 uses the attribute '%2'"), {rule, attribute}},
+                    GLISSADE_TEXT("Change the rule first.")};
 }
 
 Outcome SemanticDocument::renameDefinition(AttributeOwner owner, const std::string& from, const std::string& to) {

@@ -19,7 +19,8 @@ Outcome readNumber(const QLineEdit& line, double& number) {
   const std::string text = textOf(line);
   if (text.empty()) return Done{};
   const auto read = toNumber(text);
-  if (!read) return Diagnostic{ErrorKind::Usage, "", "", "'" + text + "' is not a number", "Write it like 0.25."};
+  if (!read)
+    return Diagnostic{ErrorKind::Usage, "", "", "'" + text + "' is not a number", GLISSADE_TEXT("Write it like 0.25.")};
   number = *read;
   return Done{};
 }

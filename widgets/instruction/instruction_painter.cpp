@@ -100,8 +100,8 @@ SaveResult writeInstructionPdf(const WorkInstruction& instruction, const Instruc
     QImageReader reader(QString::fromStdString(look.logo));
     logo = reader.read();
     if (logo.isNull()) {
-      return notSaved({ErrorKind::MalformedInput, look.logo, "", "is a picture that cannot be read",
-                       "Save the logo as PNG again."});
+      return notSaved({ErrorKind::MalformedInput, look.logo, "", GLISSADE_TEXT("is a picture that cannot be read"),
+                       GLISSADE_TEXT("Save the logo as PNG again.")});
     }
   }
   QBuffer content;
@@ -118,7 +118,8 @@ SaveResult writeInstructionPdf(const WorkInstruction& instruction, const Instruc
   PagePainter pagePainter(painter, instruction, drawer, logo);
   for (std::size_t i = 0; i < pages.size(); ++i) {
     if (watch.stop.stopRequested()) {
-      return notSaved({ErrorKind::Interrupted, file.toStdString(), "", "the document was cancelled", ""});
+      return notSaved(
+          {ErrorKind::Interrupted, file.toStdString(), "", GLISSADE_TEXT("the document was cancelled"), ""});
     }
     if (i > 0) writer.newPage();
     pagePainter.paint(pages[i]);

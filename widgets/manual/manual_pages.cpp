@@ -36,12 +36,13 @@ Result<std::vector<ManualPage>> manualPages(const ManualFacts& facts) {
     MarkdownPage content = renderMarkdown(
         source, [&terms](const QString& kind, const QString& argument) { return terms.html(kind, argument); });
     if (content.headings.empty()) {
-      return Diagnostic{ErrorKind::Internal, file, "", "the page of the manual has no heading", "Write it."};
+      return Diagnostic{ErrorKind::Internal, file, "", GLISSADE_TEXT("the page of the manual has no heading"),
+                        GLISSADE_TEXT("Write it.")};
     }
     if (!terms.problems().isEmpty()) {
       return Diagnostic{ErrorKind::Internal, file, "",
-                        "the manual names what does not exist: " + terms.problems().join(' ').toStdString(),
-                        "Correct the page."};
+                        {GLISSADE_TEXT("the manual names what does not exist: %1"), {terms.problems().join(' ').toStdString()}},
+                        GLISSADE_TEXT("Correct the page.")};
     }
     const QString title = content.headings.front().title;
     pages.push_back({name, title, std::move(content)});

@@ -61,8 +61,8 @@ Outcome writeManual(const ManualFacts& facts, const QString& folder) {
   if (!pages) return pages.error();
   const QString target = folder + QLatin1Char('/') + facts.language;
   if (!QDir().mkpath(target)) {
-    return Diagnostic{ErrorKind::MalformedInput, target.toStdString(), "", "the folder cannot be made",
-                      "Choose another folder."};
+    return Diagnostic{ErrorKind::MalformedInput, target.toStdString(), "", GLISSADE_TEXT("the folder cannot be made"),
+                      GLISSADE_TEXT("Choose another folder.")};
   }
   for (std::size_t i = 0; i < pages->size(); ++i) {
     const QString file = target + QLatin1Char('/') + (*pages)[i].name + QStringLiteral(".html");

@@ -152,8 +152,8 @@ void WorkTimesEditor::setTimes(const WorkTimes& times) {
 void WorkTimesEditor::take(std::size_t row, const QString& text) {
   const WorkTimeRow& time = workTimeRows()[row];
   const auto value = workTimeIn(text);
-  const Outcome fits =
-      value ? checkWorkTime(time, *value) : Diagnostic{ErrorKind::MalformedInput, "", "", "is not a number", ""};
+  const Outcome fits = value ? checkWorkTime(time, *value)
+                             : Diagnostic{ErrorKind::MalformedInput, "", "", GLISSADE_TEXT("is not a number"), ""};
   if (!fits) {
     refuse(time, text, fits.error().reason);
     return;
