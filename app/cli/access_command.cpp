@@ -83,15 +83,15 @@ int accessExitCode(bool reached) { return reached ? 0 : exitCode(ErrorKind::NoPa
 
 int accessOfPath(const AccessOptions& options, const StopToken& stop) {
   const auto loaded = loadScenario(options.file);
-  if (!loaded) return reportError(loaded.error(), options.format);
+  if (!loaded) return reportError(loaded.error(), options.console);
   reportWarnings(loaded->warnings);
   const auto points = readPath(options.path);
-  if (!points) return reportError(points.error(), options.format);
+  if (!points) return reportError(points.error(), options.console);
   const auto access = pathAccess(loaded->obstacles, loaded->object, configurationsOf(*points), personOf(options), stop);
-  if (!access) return reportError(access.error(), options.format);
+  if (!access) return reportError(access.error(), options.console);
   std::vector<RigidBody> bodies = loaded->obstacles;
   bodies.push_back(loaded->object);
-  if (options.format == Format::Json) {
+  if (options.console.json) {
     Json json = header(options);
     json["path"] = options.path;
     json["place"] = access->beginsAtEnd ? "end" : "start";
@@ -147,19 +147,19 @@ Json linesJson(const LineAccess& access, const std::vector<SubassemblyLine>& lin
 
 int accessOfPlan(const AccessOptions& options, const StopToken& stop) {
   const auto plan = readPlan(options.plan);
-  if (!plan) return reportError(plan.error(), options.format);
+  if (!plan) return reportError(plan.error(), options.console);
   const auto loaded = loadProduct(options.file, stop, plan->deflection, {{}, plan->bodies});
-  if (!loaded) return reportError(loaded.error(), options.format);
+  if (!loaded) return reportError(loaded.error(), options.console);
   reportWarnings(loaded->warnings);
   const AssembledProduct& product = loaded->product;
   std::vector<std::string> ids;
   for (const RigidBody& body : product.bodies) ids.push_back(body.id);
   if (const Outcome same = checkSameBodies(*plan, ids, options.plan); !same) {
-    return reportError(same.error(), options.format);
+    return reportError(same.error(), options.console);
   }
   const auto access = planAccess(product, *plan, personOf(options), stop);
-  if (!access) return reportError(access.error(), options.format);
-  if (options.format == Format::Json) {
+  if (!access) return reportError(access.error(), options.console);
+  if (options.console.json) {
     Json json = header(options);
     json["plan"] = options.plan;
     json["steps"] = stepsJson(*access, plan->steps, product);
@@ -178,11 +178,11 @@ int runAccess(const AccessOptions& options) {
   if (options.path.empty() == options.plan.empty()) {
     return reportError({ErrorKind::Usage, options.file, "--path, --plan", "one of them is needed, and not both",
                         "Give a path of the scenario's object, or an assembly plan."},
-                       options.format);
+                       options.console);
   }
   if (!std::all_of(options.eye.begin(), options.eye.end(), [](double x) { return std::isfinite(x); })) {
     return reportError({ErrorKind::Usage, "", "--eye", "is not a place", "Give three numbers in metres."},
-                       options.format);
+                       options.console);
   }
   const Interrupt interrupt;
   return options.path.empty() ? accessOfPlan(options, interrupt.token()) : accessOfPath(options, interrupt.token());

@@ -51,9 +51,9 @@ int exitCodeOf(bool valid, bool refused, const MissingShapes& missing, const Int
 }
 
 /// Reports the error. A reader that the time limit stopped reports Interrupted; this becomes LimitReached.
-int reportStopped(Diagnostic error, const Interrupt& interrupt, Format format) {
+int reportStopped(Diagnostic error, const Interrupt& interrupt, const Console& console) {
   if (error.kind == ErrorKind::Interrupted && !interrupt.requested()) error.kind = ErrorKind::LimitReached;
-  return reportError(error, format);
+  return reportError(error, console);
 }
 
 /// Adds the forbidden places of the scenario as planners find them, and the regions that its file states.
@@ -75,34 +75,34 @@ int checkPath(const CheckOptions& options, const Interrupt& interrupt, const Sto
   if (!options.without.empty()) {
     return reportError({ErrorKind::Usage, options.scenario, "--without",
                         "is for assembly plans: a path is of a scenario", "Remove the body from the scenario."},
-                       options.format);
+                       options.console);
   }
   if (options.trustPlan) {
     return reportError({ErrorKind::Usage, options.scenario, "--trust-plan",
                         "is for assembly plans: a path states no words of a person", "Leave it out."},
-                       options.format);
+                       options.console);
   }
   const auto path = check::readPath(options.path);
-  if (!path) return reportError(path.error(), options.format);
+  if (!path) return reportError(path.error(), options.console);
   auto question =
       check::readQuestion(options.scenario, {options.fits.on, options.fits.acceptedClash, options.fits.cut}, stop);
-  if (!question) return reportStopped(question.error(), interrupt, options.format);
+  if (!question) return reportStopped(question.error(), interrupt, options.console);
   reportWarnings(question->product.warnings);
   if (const Outcome found = addForbiddenPlaces(options.scenario, stop, *question); !found) {
-    return reportStopped(found.error(), interrupt, options.format);
+    return reportStopped(found.error(), interrupt, options.console);
   }
   if (options.requiredClearance) {
     ParameterValues parameters(radiusAboutOrigin(*question->object().mesh));
     const Outcome set = parameters.set(ParameterId::RequiredClearance, *options.requiredClearance);
-    if (!set) return reportError(set.error(), options.format);
+    if (!set) return reportError(set.error(), options.console);
     question->requiredClearance = *options.requiredClearance;
   }
   check::PathVerdict verdict;
   {
-    CheckProgress progress(options.format == Format::Text);
+    CheckProgress progress(!options.console.json);
     verdict = check::judgePath(*question, *path, {stop, [&](double share) { progress.show(share); }});
   }
-  if (options.format == Format::Json) {
+  if (options.console.json) {
     printJson(check::reportJson(verdict, *question, options.edges));
   } else {
     std::cout << check::reportText(verdict, *question, options.edges);
@@ -112,24 +112,24 @@ int checkPath(const CheckOptions& options, const Interrupt& interrupt, const Sto
 
 int checkPlan(const CheckOptions& options, const Interrupt& interrupt, const StopToken& stop) {
   const auto plan = check::readPlan(options.path);
-  if (!plan) return reportError(plan.error(), options.format);
+  if (!plan) return reportError(plan.error(), options.console);
   auto product = check::readProduct(options.scenario, plan->deflection,
                                     {options.fits.on, options.fits.acceptedClash, options.fits.cut}, stop,
                                     {options.open, plan->bodies});
-  if (!product) return reportStopped(product.error(), interrupt, options.format);
+  if (!product) return reportStopped(product.error(), interrupt, options.console);
   if (const Outcome left = check::leaveOut(options.without, *product); !left) {
-    return reportError(left.error(), options.format);
+    return reportError(left.error(), options.console);
   }
   reportWarnings(product->warnings);
   if (product->forbidsPlaces) reportWarnings({placesHoldForPathsOnly(options.scenario)});
   check::PlanVerdict verdict;
   {
-    CheckProgress progress(options.format == Format::Text);
+    CheckProgress progress(!options.console.json);
     verdict = check::judgePlan(*product, *plan, options.requiredClearance,
                                {stop, [&](double share) { progress.show(share); }});
   }
   verdict.planIsTrusted = options.trustPlan;
-  if (options.format == Format::Json) {
+  if (options.console.json) {
     printJson(check::reportJson(verdict, *product));
   } else {
     std::cout << check::reportText(verdict, *product);
@@ -146,7 +146,7 @@ int checkPlan(const CheckOptions& options, const Interrupt& interrupt, const Sto
 int runCheck(const CheckOptions& options) {
   if (!(options.timeLimit >= 0.0)) {
     return reportError({ErrorKind::Usage, "", "--time-limit", "is below zero", "Give seconds, 0 for none."},
-                       options.format);
+                       options.console);
   }
   const Interrupt interrupt;
   const StopToken stop = withTimeLimit(interrupt.token(), options.timeLimit);

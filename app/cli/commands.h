@@ -37,7 +37,7 @@ struct PlanOptions {
   std::string record;       ///< run record to write; empty: none
   bool edges = false;       ///< certificates of every edge
   bool difficulty = false;  ///< report the reasons if no path is found
-  Format format = Format::Text;
+  Console console;
 };
 
 /// glissade-cli plan: plans in lockstep and delivers a certified path. Exit code 0 solved, 5 limit
@@ -47,7 +47,7 @@ int runPlan(const PlanOptions& options);
 struct ReplayOptions {
   std::string record;
   std::string scenario;  ///< empty: the scenario that the record names
-  Format format = Format::Text;
+  Console console;
 };
 
 /// glissade-cli replay: runs a recorded run again and compares the roadmaps bit by bit. Exit code 0 equal, 1 different.
@@ -64,7 +64,7 @@ struct CheckOptions {
   std::vector<std::string> open{};     ///< parts of several solids that are taken as their solids
   bool edges = false;                  ///< certificates of every edge
   double timeLimit = 0.0;              ///< seconds; 0: none
-  Format format = Format::Text;
+  Console console;
 };
 
 /// glissade-cli check: judges a path or an assembly plan (engine/check). Exit code 0 valid, 1 invalid or incomplete, 5
@@ -78,7 +78,7 @@ struct SmoothOptions {
   std::string output;  ///< format by its ending
   int attempts = kUsualShortcuts;
   std::uint64_t seed = 1;
-  Format format = Format::Text;
+  Console console;
 };
 
 /// glissade-cli smooth: shortens a path and keeps it certified. Exit code 0 written, 1 if the given path is not
@@ -90,7 +90,7 @@ struct SweepOptions {
   std::string path;
   std::string output;
   std::optional<double> bound;  ///< metres
-  Format format = Format::Text;
+  Console console;
 };
 
 /// glissade-cli sweep: writes the volume that the object covers along a path as STL or GLB. Exit code 0 written.
@@ -101,7 +101,7 @@ struct InfoOptions {
   bool places = false;              ///< build the environment model too
   bool saveRegions = false;         ///< write the regions of the forbidden places into the scenario file
   std::vector<std::string> open{};  ///< parts of several solids that are taken as their solids
-  Format format = Format::Text;
+  Console console;
 };
 
 /// glissade-cli info: reports bodies, triangles, units, the quality of the meshes as solids, and on request octree,
@@ -117,7 +117,7 @@ struct FitsOptions {
   double deflection = 0.0;             ///< metres, for STEP files; 0: from the size of each part
   std::size_t lanes = usualLanes();    ///< threads; they do not change the fits
   bool csv = false;
-  Format format = Format::Text;
+  Console console;
 };
 
 /// glissade-cli fits: contacts, fits and clashes of a product or scenario.
@@ -129,7 +129,7 @@ struct JointsOptions {
   std::vector<std::string> open{};  ///< parts of several solids that are taken as their solids
   double deflection = 0.0;          ///< metres, for STEP files; 0: from the size of each part
   bool confirmsSuggested = false;   ///< suggested joints count as if a person had confirmed each of them
-  Format format = Format::Text;
+  Console console;
 };
 
 /// glissade-cli joints: reports how the bodies of a product or scenario are joined, including the scenario's joints.
@@ -156,7 +156,7 @@ struct SequenceOptions {
   double saveEvery = 5.0;              ///< seconds between two writings of the unfinished plan
   std::string resume;                  ///< plan file to resume; empty: none
   FitOptions fits;
-  Format format = Format::Text;
+  Console console;
 };
 
 /// glissade-cli sequence: plans the order in which the parts of a product leave, with certified motions. Exit code 0 if
@@ -171,7 +171,7 @@ struct TimesOptions {
   std::string table;       ///< file of work times; empty: the defaults
   std::string writeTable;  ///< file to write the table in force to; empty: none
   std::optional<std::size_t> stations;
-  Format format = Format::Text;
+  Console console;
 };
 
 /// glissade-cli times: reports how long a person takes for the steps of an assembly plan, which steps have to follow
@@ -184,7 +184,7 @@ struct AccessOptions {
   std::string plan;  ///< assembly plan of the product, or empty
   HandSize hand = HandSize::Average;
   std::vector<double> eye;  ///< eye position: three numbers, metres; empty: positions are tried
-  Format format = Format::Text;
+  Console console;
 };
 
 /// glissade-cli access: reports whether a hand reaches the object along a path, or the parts of the steps of a plan.
@@ -229,7 +229,7 @@ struct ConvertOptions {
   std::string input;
   std::string output;
   std::string scenario;  ///< for path formats that hold clearances
-  Format format = Format::Text;
+  Console console;
 };
 
 /// glissade-cli convert: converts an OMPL.app .cfg to a scenario, or a path to another path format.
@@ -248,7 +248,7 @@ struct NewOptions {
   bool groups = false;      ///< groups of OBJ files are parts
   FitOptions fits;          ///< on unless the user turns them off
   bool clear = false;       ///< move the start clear of the bodies that it touches
-  Format format = Format::Text;
+  Console console;
 };
 
 /// glissade-cli new: makes a scenario of part files, one of which moves.

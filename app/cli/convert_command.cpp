@@ -22,7 +22,7 @@ bool saysScenario(const std::string& file) {
 }
 
 int finish(const SaveResult& saved, const ConvertOptions& options) {
-  if (!saved) return reportError(saved.why, options.format);
+  if (!saved) return reportError(saved.why, options.console);
   reportWarnings(saved.warnings);
   std::cout << "wrote " << options.output << "\n";
   return 0;
@@ -30,9 +30,9 @@ int finish(const SaveResult& saved, const ConvertOptions& options) {
 
 int convertPath(const ConvertOptions& options) {
   const auto exporter = pathExporterFor(options.output);
-  if (!exporter) return reportError(exporter.error(), options.format);
+  if (!exporter) return reportError(exporter.error(), options.console);
   auto points = readPath(options.input);
-  if (!points) return reportError(points.error(), options.format);
+  if (!points) return reportError(points.error(), options.console);
   Path path;
   path.points = std::move(*points);
   if (!exporter->needsScenario) {
@@ -42,12 +42,12 @@ int convertPath(const ConvertOptions& options) {
   if (options.scenario.empty()) {
     return reportError({ErrorKind::Usage, options.output, "", "this format holds more than the path",
                         "Name the scenario with --scenario, or write OMPL's format (.path)."},
-                       options.format);
+                       options.console);
   }
   const auto scenario = loadScenario(options.scenario);
-  if (!scenario) return reportError(scenario.error(), options.format);
+  if (!scenario) return reportError(scenario.error(), options.console);
   const auto kept = keepingOut(scenario->problem);
-  if (!kept) return reportError(kept.error(), options.format);
+  if (!kept) return reportError(kept.error(), options.console);
   const auto query = kept->world->makeQuery();
   path.certificate = certifyPath(*query, path.points, scenario->parameters);
   return finish(exporter->write(path, *scenario, {}, options.output), options);
@@ -55,7 +55,7 @@ int convertPath(const ConvertOptions& options) {
 
 int convertScenario(const ConvertOptions& options) {
   const auto opened = openScenarioFile(options.input);
-  if (!opened) return reportError(opened.error(), options.format);
+  if (!opened) return reportError(opened.error(), options.console);
   const LoadedScenario& loaded = opened->scenario;
   reportWarnings(loaded.warnings);
   std::error_code notThere;

@@ -205,7 +205,7 @@ void printTable(const std::vector<PairFit>& rows, const Volumes& volumes, std::s
   }
   std::cout << "\n";
   if (const std::size_t plain = plainOverlapsIn(rows); plain > 0)
-    std::cout << check::plainOverlapsInWords(plain) << "\n";
+    std::cout << toString(check::plainOverlapsInWords(plain)) << "\n";
   printVolumes(rows, volumes);
 }
 
@@ -221,11 +221,11 @@ Outcome checkLimits(const ContactLimits& limits) {
 }  // namespace
 
 int runFits(const FitsOptions& options) {
-  if (const Outcome sound = checkLimits(options.limits); !sound) return reportError(sound.error(), options.format);
+  if (const Outcome sound = checkLimits(options.limits); !sound) return reportError(sound.error(), options.console);
   const Interrupt interrupt;
   auto loaded = readProduct(options.file, interrupt.token(), options.deflection, {options.open, {}});
-  if (!loaded) return reportError(loaded.error(), options.format);
-  if (const Outcome left = leaveOut(options.without, *loaded); !left) return reportError(left.error(), options.format);
+  if (!loaded) return reportError(loaded.error(), options.console);
+  if (const Outcome left = leaveOut(options.without, *loaded); !left) return reportError(left.error(), options.console);
   reportWarnings(loaded->warnings);
   AssembledProduct product = loaded->product;
   product.fits = withOptions(product.fits, options.fits);
@@ -235,13 +235,13 @@ int runFits(const FitsOptions& options) {
   if (!table) {
     Diagnostic why = table.error();
     why.file = options.file;
-    return reportError(why, options.format);
+    return reportError(why, options.console);
   }
   const std::vector<PairFit>& rows = table->pairs();
   reportWarnings(warningsOfPlainOverlaps(rows));
   reportWarnings(warningsOf(findAlternatives(product.bodies, interrupt.token()), product.bodies));
   const Volumes volumes = options.csv ? Volumes(rows.size()) : commonVolumesOf(rows, options.file, interrupt.token());
-  if (options.format == Format::Json) {
+  if (options.console.json) {
     printPairs(rows, volumes, loaded->missing);
   } else if (options.csv) {
     printCsv(rows, product.tree);

@@ -242,13 +242,13 @@ int runProductInfo(const InfoOptions& options) {
   if (options.places) {
     return reportError({ErrorKind::Usage, options.file, "--places", "needs a scenario: a part file has no object",
                         "Make a scenario of the file with glissade-cli new."},
-                       options.format);
+                       options.console);
   }
   const Interrupt interrupt;
   const auto loaded = readProduct(options.file, interrupt.token(), 0.0, {options.open, {}});
-  if (!loaded) return reportError(loaded.error(), options.format);
+  if (!loaded) return reportError(loaded.error(), options.console);
   reportWarnings(loaded->warnings);
-  if (options.format == Format::Json) {
+  if (options.console.json) {
     Json report = toJson(options.file, loaded->product);
     report["missing_shapes"] = missingShapesJson(loaded->missing);
     printJson(report);
@@ -272,21 +272,21 @@ Outcome saveRegions(const std::string& file, LoadedScenario& loaded) {
 int runInfo(const InfoOptions& options) {
   if (isPartFile(usualPart(options.file).path)) return runProductInfo(options);
   auto loaded = loadScenario(options.file);
-  if (!loaded) return reportError(loaded.error(), options.format);
+  if (!loaded) return reportError(loaded.error(), options.console);
   reportWarnings(loaded->warnings);
   if (options.saveRegions) {
     if (const Outcome saved = saveRegions(options.file, *loaded); !saved) {
-      return reportError(saved.error(), options.format);
+      return reportError(saved.error(), options.console);
     }
   }
   SceneKnowledgePtr knowledge;
   if (options.places) {
     const auto built = buildSceneKnowledge(loaded->problem, loaded->parameters[ParameterId::RequiredClearance]);
-    if (!built) return reportError(built.error(), options.format);
+    if (!built) return reportError(built.error(), options.console);
     knowledge = *built;
     warnOfEdits(*loaded, *knowledge);
   }
-  if (options.format == Format::Text) {
+  if (!options.console.json) {
     printText(*loaded);
     printMissing(loaded->missing);
     if (knowledge) printEnvironment(*knowledge, semanticsOf(loaded->problem, *knowledge, loaded->problem.scene.edits));

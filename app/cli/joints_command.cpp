@@ -133,17 +133,17 @@ Result<Joints> jointsOf(const ProductFile& loaded, bool confirmsSuggested, const
 int runJoints(const JointsOptions& options) {
   const Interrupt interrupt;
   auto loaded = readProduct(options.file, interrupt.token(), options.deflection, {options.open, {}});
-  if (!loaded) return reportError(loaded.error(), options.format);
-  if (const Outcome left = leaveOut(options.without, *loaded); !left) return reportError(left.error(), options.format);
+  if (!loaded) return reportError(loaded.error(), options.console);
+  if (const Outcome left = leaveOut(options.without, *loaded); !left) return reportError(left.error(), options.console);
   reportWarnings(loaded->warnings);
   loaded->product.bodies = aboutTheirMiddles(std::move(loaded->product.bodies));
   const auto joints = jointsOf(*loaded, options.confirmsSuggested, interrupt.token());
   if (!joints) {
     Diagnostic why = joints.error();
     why.file = options.file;
-    return reportError(why, options.format);
+    return reportError(why, options.console);
   }
-  if (options.format == Format::Json) {
+  if (options.console.json) {
     printJoints(*joints, loaded->product);
   } else {
     printTable(*joints, loaded->product);

@@ -38,9 +38,8 @@ double metres(const std::string& text) {
   return *length;
 }
 
-void addFormat(CLI::App& command, Format& format) {
-  command.add_flag_callback(
-      "--json", [&format] { format = Format::Json; }, "One JSON object on standard output and nothing else");
+void addConsole(CLI::App& command, Console& console) {
+  command.add_flag("--json", console.json, "One JSON object on standard output and nothing else");
 }
 
 std::string plannerNames() {
@@ -123,7 +122,7 @@ CLI::App* addPlan(CLI::App& app, PlanOptions& options) {
   plan->add_option("--seed", options.seed, "Seed of everything random (default: the scenario's)");
   plan->add_option("--out", options.out, "Write the path: " + toString(writablePathFormats()));
   plan->add_option("--record", options.record, "Write a run record for replay");
-  addFormat(*plan, options.format);
+  addConsole(*plan, options.console);
   return plan;
 }
 
@@ -163,7 +162,7 @@ CLI::App* addCheck(CLI::App& app, CheckOptions& options) {
   addWithout(*check, options.without);
   addOpen(*check, options.open);
   check->add_option("--time-limit", options.timeLimit, "Time limit in seconds; 0: none")->capture_default_str();
-  addFormat(*check, options.format);
+  addConsole(*check, options.console);
   return check;
 }
 
@@ -176,7 +175,7 @@ CLI::App* addSmooth(CLI::App& app, SmoothOptions& options) {
       ->check(CLI::Range(0, 1'000'000))
       ->capture_default_str();
   smooth->add_option("--seed", options.seed, "Seed of the shortcuts")->capture_default_str();
-  addFormat(*smooth, options.format);
+  addConsole(*smooth, options.console);
   return smooth;
 }
 
@@ -189,7 +188,7 @@ CLI::App* addSweep(CLI::App& app, SweepOptions& options) {
       *sweep, "--bound", [&options](double bound) { options.bound = bound; },
       "How far its surface may be from the object, as 0.5mm (default: one with which the volume is about 7 % too "
       "large)");
-  addFormat(*sweep, options.format);
+  addConsole(*sweep, options.console);
   return sweep;
 }
 
@@ -201,7 +200,7 @@ CLI::App* addInfo(CLI::App& app, InfoOptions& options) {
   info->add_flag("--save-regions", options.saveRegions,
                  "Write into the scenario file where its forbidden places are, which 'check' reads");
   addOpen(*info, options.open);
-  addFormat(*info, options.format);
+  addConsole(*info, options.console);
   return info;
 }
 
@@ -236,7 +235,7 @@ CLI::App* addFits(CLI::App& app, FitsOptions& options) {
   addOpen(*fits, options.open);
   addLanes(*fits, options.lanes);
   fits->add_flag("--csv", options.csv, "Comma-separated values, a line a pair");
-  addFormat(*fits, options.format);
+  addConsole(*fits, options.console);
   return fits;
 }
 
@@ -254,7 +253,7 @@ CLI::App* addJoints(CLI::App& app, JointsOptions& options) {
   addPartDeflection(*joints, options.deflection);
   addWithout(*joints, options.without);
   addOpen(*joints, options.open);
-  addFormat(*joints, options.format);
+  addConsole(*joints, options.console);
   return joints;
 }
 
@@ -297,7 +296,7 @@ CLI::App* addSequence(CLI::App& app, SequenceOptions& options) {
   addWithout(*sequence, options.without);
   addOpen(*sequence, options.open);
   addFitOptions(*sequence, options.fits, "on, or the scenario's");
-  addFormat(*sequence, options.format);
+  addConsole(*sequence, options.console);
   return sequence;
 }
 
@@ -309,7 +308,7 @@ CLI::App* addTimes(CLI::App& app, TimesOptions& options) {
   times->add_option("--stations", options.stations, "Divide the steps over so many stations, one person each");
   times->add_option("--table", options.table, "File of work times (default: the program's estimates)");
   times->add_option("--write-table", options.writeTable, "Write the table of work times to a file, to be edited");
-  addFormat(*times, options.format);
+  addConsole(*times, options.console);
   return times;
 }
 
@@ -333,7 +332,7 @@ CLI::App* addAccess(CLI::App& app, AccessOptions& options) {
       ->add_option("--eye", options.eye,
                    "From where the place is looked at: x y z in metres (default: 17 positions above it are tried)")
       ->expected(3);
-  addFormat(*access, options.format);
+  addConsole(*access, options.console);
   return access;
 }
 
@@ -436,7 +435,7 @@ CLI::App* addReplay(CLI::App& app, ReplayOptions& options) {
   CLI::App* replay = app.add_subcommand("replay", "Run a recorded run again and compare the roadmaps bit by bit");
   replay->add_option("RECORD", options.record, "Run record, or the journal of a run that was interrupted")->required();
   replay->add_option("--scenario", options.scenario, "Scenario of the run (default: the one that the record names)");
-  addFormat(*replay, options.format);
+  addConsole(*replay, options.console);
   return replay;
 }
 

@@ -73,26 +73,26 @@ int runNew(const NewOptions& options) {
   std::vector<PartFile> parts = partsOf(options);
   if (!options.unit) {
     const auto guessed = guessUnits(parts, read);
-    if (!guessed) return reportError(guessed.error(), options.format);
+    if (!guessed) return reportError(guessed.error(), options.console);
     reportWarnings(*guessed);
   }
   auto scenario = scenarioOfParts(parts, &read);
-  if (!scenario) return reportError(scenario.error(), options.format);
+  if (!scenario) return reportError(scenario.error(), options.console);
   if (const Outcome left = leaveOut(options.without, *scenario); !left)
-    return reportError(left.error(), options.format);
+    return reportError(left.error(), options.console);
   scenario->fits = withOptions(scenario->fits, options.fits);
   const auto loaded = loadGeometry(*scenario, ".", "", read);
-  if (!loaded) return reportError(loaded.error(), options.format);
+  if (!loaded) return reportError(loaded.error(), options.console);
   reportWarnings(loaded->warnings);
   if (!options.clear) reportWarnings(loaded->fits.warnings);
   if (options.clear) {
     const auto gone = clearStart(*loaded, *scenario);
-    if (!gone) return reportError(gone.error(), options.format);
+    if (!gone) return reportError(gone.error(), options.console);
     if (*gone > 0.0) std::cout << "start moved clear by " << *gone << " mm\n";
   }
   const SaveResult saved =
       saveScenarioFile(movedTo(options.output, std::move(*scenario), ""), options.output, std::nullopt);
-  if (!saved) return reportError(saved.why, options.format);
+  if (!saved) return reportError(saved.why, options.console);
   reportWarnings(saved.warnings);
   std::cout << "wrote " << options.output << "\n";
   return 0;

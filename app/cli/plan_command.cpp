@@ -177,10 +177,10 @@ Outcome knowsOutput(const PlanOptions& options) {
 }  // namespace
 
 int runPlan(const PlanOptions& options) {
-  if (const Outcome known = knowsOutput(options); !known) return reportError(known.error(), options.format);
+  if (const Outcome known = knowsOutput(options); !known) return reportError(known.error(), options.console);
   const Interrupt interrupt;
   auto loaded = loadScenario(options.scenario, options.fits, interrupt.token());
-  if (!loaded) return reportError(loaded.error(), options.format);
+  if (!loaded) return reportError(loaded.error(), options.console);
   reportWarnings(loaded->warnings);
   reportWarnings(loaded->fits.warnings);
   if (options.collision != loaded->problem.world->backend()) {
@@ -189,8 +189,8 @@ int runPlan(const PlanOptions& options) {
   checkEdits(*loaded, interrupt.token());
   warnOfUnused(options, *loaded);
   const auto session = setUpRun(options, *loaded, interrupt.token());
-  if (!session) return reportError(session.error(), options.format);
-  if (options.format == Format::Text) std::cout << "seed " << (*session)->snapshot()->seed << "\n";
+  if (!session) return reportError(session.error(), options.console);
+  if (!options.console.json) std::cout << "seed " << (*session)->snapshot()->seed << "\n";
   const SnapshotPtr end = planInLockstep(**session, interrupt);
   return deliver(options, *loaded, *end, interrupt.token());
 }

@@ -93,12 +93,12 @@ void printText(const Replayed& replayed, const std::optional<RunDifference>& dif
 int runReplay(const ReplayOptions& options) {
   const Interrupt interrupt;
   const auto replayed = replay(options, interrupt);
-  if (!replayed) return reportError(replayed.error(), options.format);
+  if (!replayed) return reportError(replayed.error(), options.console);
   if (const auto loss = lossWarning(replayed->record, options.record)) reportWarnings({*loss});
   // A run that failed before its first step has an empty log.
   const RunLog again = replayed->end->log.empty() ? RunLog() : joined(replayed->end->log);
   const auto difference = firstDifference(replayed->recorded, again);
-  if (options.format == Format::Json) {
+  if (options.console.json) {
     printJson(toJson(*replayed, difference));
   } else {
     printText(*replayed, difference);

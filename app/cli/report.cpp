@@ -21,9 +21,13 @@ std::string bodyName(const CollisionWorld& world, int body) {
 
 void printJson(const Json& json) { std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << "\n"; }
 
-int reportError(const Diagnostic& error, Format format) {
-  std::cerr << "glissade-cli: " << toString(error) << "\n";
-  if (format == Format::Json) printJson({{"error", toJson(error)}});
+void Console::print(const Message& line) const { std::cout << toString(line, language) << "\n"; }
+
+void Console::note(const Message& line) const { std::cerr << "glissade-cli: " << toString(line, language) << "\n"; }
+
+int reportError(const Diagnostic& error, const Console& console) {
+  std::cerr << "glissade-cli: " << toString(error, console.language) << "\n";
+  if (console.json) printJson({{"error", toJson(error)}});
   return exitCode(error.kind);
 }
 
@@ -33,8 +37,10 @@ Diagnostic placesHoldForPathsOnly(const std::string& file) {
           "Forbid directions of parts instead (--forbid)."};
 }
 
-void reportWarnings(const Warnings& warnings) {
-  for (const Diagnostic& warning : warnings) std::cerr << "glissade-cli: warning: " << toString(warning) << "\n";
+void reportWarnings(const Warnings& warnings, const Console& console) {
+  for (const Diagnostic& warning : warnings) {
+    console.note({GLISSADE_TEXT("warning: %1"), {toString(warning, console.language)}});
+  }
 }
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
@@ -48,9 +54,9 @@ Json poseJson(const Pose& pose) {
 
 Json toJson(const Diagnostic& error) {
   return {{"file", printableLine(error.file)},
-          {"place", printableLine(error.location)},
-          {"reason", printableText(error.reason)},
-          {"advice", printableText(error.advice)}};
+          {"place", printableLine(toString(error.location))},
+          {"reason", printableText(toString(error.reason))},
+          {"advice", printableText(toString(error.advice))}};
 }
 
 Json toJson(const MotionCertificate& certificate, const CollisionWorld& world, bool edges) {

@@ -10,8 +10,16 @@
 
 namespace glissade::cli {
 
-/// Output format of a command: text for people, or one JSON object on stdout and nothing else.
-enum class Format { Text, Json };
+/// What a command prints: text for people in a language, or one JSON object on standard output and nothing else.
+struct Console {
+  bool json = false;
+  Language language = Language::English;
+
+  /// Prints a line of text to standard output.
+  void print(const Message& line) const;
+  /// Prints a line about the progress of the command to standard error.
+  void note(const Message& line) const;
+};
 
 /// Exit code of a plan that is complete or valid except for flexible bodies that leave without a proof.
 inline constexpr int kExitWithoutProof = 6;
@@ -22,8 +30,8 @@ inline constexpr int kExitUnderConditions = 7;
 void printJson(const nlohmann::ordered_json& json);
 
 /// Prints the error to stderr (and as JSON to stdout) and returns its exit code.
-int reportError(const Diagnostic& error, Format format);
-void reportWarnings(const Warnings& warnings);
+int reportError(const Diagnostic& error, const Console& console);
+void reportWarnings(const Warnings& warnings, const Console& console);
 /// A warning that the forbidden places of a scenario hold only for the path of its object, not for a plan.
 Diagnostic placesHoldForPathsOnly(const std::string& file);
 

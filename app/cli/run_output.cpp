@@ -268,7 +268,7 @@ int deliver(const PlanOptions& options, const LoadedScenario& scenario, const Se
     if (options.difficulty) difficulty = difficultyOf(scenario, end, stop);
     blockedBy = blockingBodies(scenario, end, stop);
   }
-  if (options.format == Format::Json) {
+  if (options.console.json) {
     Json report = toJson(end, world, options.edges);
     if (end.path) addUncertainties(scenario, end.path->points, report["certificate"]);
     if (foundNone(end)) report["blocked_by"] = idsOf(blockedBy);

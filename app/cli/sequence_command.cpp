@@ -390,10 +390,10 @@ int deliver(const AssemblyPlan& plan, const ProductFile& loaded, const SequenceO
   if (!loaded.product.fits.on && !plan.stuck.empty()) reportWarnings({fitsAreOff(options.file)});
   if (!options.out.empty()) {
     if (const Outcome saved = savePlan(plan, options.file, options.out); !saved) {
-      return reportError(saved.error(), options.format);
+      return reportError(saved.error(), options.console);
     }
   }
-  if (options.format == Format::Json) {
+  if (options.console.json) {
     nlohmann::ordered_json report = planJson(plan, options.file);
     report["wall_s"] = seconds;
     report["surface_deviation_m"] = loaded.deviation;
@@ -403,7 +403,7 @@ int deliver(const AssemblyPlan& plan, const ProductFile& loaded, const SequenceO
   } else {
     printPlan(plan, host, seconds);
     if (!loaded.missing.empty()) std::cout << statementOf(loaded.missing) << "\n";
-    if (plainOverlaps > 0) std::cout << check::plainOverlapsInWords(plainOverlaps) << "\n";
+    if (plainOverlaps > 0) std::cout << toString(check::plainOverlapsInWords(plainOverlaps)) << "\n";
   }
   return exitCodeOf(plan);
 }
@@ -411,49 +411,49 @@ int deliver(const AssemblyPlan& plan, const ProductFile& loaded, const SequenceO
 }  // namespace
 
 int runSequence(const SequenceOptions& options) {
-  if (const Outcome sound = checkOptions(options); !sound) return reportError(sound.error(), options.format);
+  if (const Outcome sound = checkOptions(options); !sound) return reportError(sound.error(), options.console);
   const Interrupt interrupt;
   const auto begin = Clock::now();
   const StopToken stop = withTimeLimit(interrupt.token(), options.timeLimit);
   std::optional<AssemblyPlan> earlier;
   if (!options.resume.empty()) {
     auto read = resumedPlan(options);
-    if (!read) return reportError(read.error(), options.format);
+    if (!read) return reportError(read.error(), options.console);
     earlier = std::move(*read);
   }
   const double deflection = earlier ? earlier->deflection : options.deflection;
   const PartChoice choice{options.open, earlier ? earlier->bodies : std::vector<std::string>()};
   auto loaded = loadProduct(options.file, interrupt.token(), deflection, choice);
-  if (!loaded) return reportError(loaded.error(), options.format);
-  if (const Outcome left = leaveOut(options.without, *loaded); !left) return reportError(left.error(), options.format);
+  if (!loaded) return reportError(loaded.error(), options.console);
+  if (const Outcome left = leaveOut(options.without, *loaded); !left) return reportError(left.error(), options.console);
   AssembledProduct& product = loaded->product;
   product.fits = withOptions(product.fits, options.fits);
   if (earlier) {
     std::vector<std::string> ids;
     for (const RigidBody& body : product.bodies) ids.push_back(body.id);
     if (const Outcome same = checkSameBodies(*earlier, ids, options.resume); !same) {
-      return reportError(same.error(), options.format);
+      return reportError(same.error(), options.console);
     }
   }
   const bool hasDemands = earlier && earlier->demands != SequenceDemands();
   if (!hasDemands) loaded->demands.joints = loaded->joints;
   const auto demands = demandsOf(options, hasDemands ? earlier->demands : loaded->demands);
-  if (!demands) return reportError(demands.error(), options.format);
+  if (!demands) return reportError(demands.error(), options.console);
   const auto staying = stayingBodies(product, earlier ? earlier->staying : stayingNames(options, *demands));
   if (!staying) {
     Diagnostic why = staying.error();
     why.location = "--stay";
-    return reportError(why, options.format);
+    return reportError(why, options.console);
   }
   ThreadTeam team(options.lanes - 1);
   const std::uint64_t seed = earlier ? earlier->seed : options.seed.value_or(1);
   const auto joints = jointsOf(*loaded, *demands, stop);
-  if (!joints) return reportError(joints.error(), options.format);
+  if (!joints) return reportError(joints.error(), options.console);
   product.snaps = bendsOf(countingJoints(*joints, demands->jointUse), product);
   FitProgress progress(begin);
   const auto fits = ProductFits::find(product, team, {stop, [&](double share) { progress.show(share); }});
   const bool outOfTime = !fits && fits.error().kind == ErrorKind::Interrupted && !interrupt.requested();
-  if (!fits && !outOfTime) return reportError(fits.error(), options.format);
+  if (!fits && !outOfTime) return reportError(fits.error(), options.console);
   reportWarnings(loaded->warnings);
   if (loaded->forbidsPlaces) reportWarnings({placesHoldForPathsOnly(options.file)});
   ProgressHost host(stop, team, product, begin);
@@ -471,7 +471,7 @@ int runSequence(const SequenceOptions& options) {
     if (!options.out.empty()) host.keepIn(options, deflection);
   }
   auto planned = outOfTime ? planWithout(product, request) : planSequence(product, *fits, request, host);
-  if (!planned) return reportError(ofOptions(planned.error(), options), options.format);
+  if (!planned) return reportError(ofOptions(planned.error(), options), options.console);
   AssemblyPlan& plan = *planned;
   if (plan.end == PlanEnd::Interrupted && !interrupt.requested()) plan.end = PlanEnd::TimeLimit;
   plan.deflection = deflection;

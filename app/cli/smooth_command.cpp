@@ -23,15 +23,15 @@ double metricLength(const Path& path, const Problem& problem) {
 
 int runSmooth(const SmoothOptions& options) {
   const auto exporter = pathExporterFor(options.output);
-  if (!exporter) return reportError(exporter.error(), options.format);
+  if (!exporter) return reportError(exporter.error(), options.console);
   const Interrupt interrupt;
   const auto loaded = loadScenario(options.scenario);
-  if (!loaded) return reportError(loaded.error(), options.format);
+  if (!loaded) return reportError(loaded.error(), options.console);
   reportWarnings(loaded->warnings);
   auto points = readPath(options.input);
-  if (!points) return reportError(points.error(), options.format);
+  if (!points) return reportError(points.error(), options.console);
   const auto kept = keepingOut(loaded->problem, interrupt.token());
-  if (!kept) return reportError(kept.error(), options.format);
+  if (!kept) return reportError(kept.error(), options.console);
   const Problem& problem = *kept;
 
   Path path;
@@ -42,17 +42,17 @@ int runSmooth(const SmoothOptions& options) {
     return reportError({ErrorKind::NoPath, options.input, "edge " + std::to_string(path.certificate.edge),
                         inWords(path.certificate, *problem.world),
                         "Only certified paths are smoothed. glissade-cli check says more about the path."},
-                       options.format);
+                       options.console);
   }
   const Path shorter =
       withShortcuts(path, problem, loaded->parameters, options.seed, options.attempts, interrupt.token());
   const SaveResult saved = exporter->write(shorter, *loaded, {"smooth", options.seed}, options.output);
-  if (!saved) return reportError(saved.why, options.format);
+  if (!saved) return reportError(saved.why, options.console);
   reportWarnings(saved.warnings);
 
   const double before = metricLength(path, problem);
   const double after = metricLength(shorter, problem);
-  if (options.format == Format::Json) {
+  if (options.console.json) {
     const nlohmann::ordered_json report{{"metric_length_before_m", before},
                                         {"metric_length_m", after},
                                         {"configurations_before", path.points.size()},

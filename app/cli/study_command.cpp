@@ -157,11 +157,11 @@ Outcome writeResults(const StudyFolder& folder, Warnings& warnings) {
 
 int carryOut(const StudyOptions& options, const StudyPlan& plan, const Shard& shard, const Interrupt& interrupt) {
   const auto text = readFile(options.study, kMostStudyBytes);
-  if (!text) return reportError(text.error(), Format::Text);
+  if (!text) return reportError(text.error(), {});
   const auto folder = StudyFolder::begin(options.out, plan, *text);
-  if (!folder) return reportError(folder.error(), Format::Text);
+  if (!folder) return reportError(folder.error(), {});
   const Outcome noted = folder->noteStudyFile(options.study);
-  if (!noted) return reportError(noted.error(), Format::Text);
+  if (!noted) return reportError(noted.error(), {});
   Warnings warnings;
   ProgressLine line;
   const RunnerOptions runner{std::filesystem::read_symlink("/proc/self/exe").string(), options.study, options.jobs,
@@ -170,10 +170,10 @@ int carryOut(const StudyOptions& options, const StudyPlan& plan, const Shard& sh
       *folder, runner, interrupt.token(), [&line](const StudyProgress& progress) { line.show(progress); }, warnings);
   line.end();
   reportWarnings(warnings);
-  if (!ran && ran.error().kind != ErrorKind::Interrupted) return reportError(ran.error(), Format::Text);
+  if (!ran && ran.error().kind != ErrorKind::Interrupted) return reportError(ran.error(), {});
   const Outcome written = writeResults(*folder, warnings);
-  if (!written) return reportError(written.error(), Format::Text);
-  if (!ran) return reportError(ran.error(), Format::Text);
+  if (!written) return reportError(written.error(), {});
+  if (!ran) return reportError(ran.error(), {});
   printSummary(*folder, warnings);
   return 0;
 }
@@ -183,11 +183,11 @@ int carryOut(const StudyOptions& options, const StudyPlan& plan, const Shard& sh
 int runStudyCommand(const StudyOptions& options) {
   const Interrupt interrupt;
   const auto shard = parseShard(options.shard);
-  if (!shard) return reportError(shard.error(), Format::Text);
+  if (!shard) return reportError(shard.error(), {});
   Warnings warnings;
   const auto plan = planStudy(options.study, options.quick, warnings);
   reportWarnings(warnings);
-  if (!plan) return reportError(plan.error(), Format::Text);
+  if (!plan) return reportError(plan.error(), {});
   return options.dryRun ? describe(options, *plan, *shard) : carryOut(options, *plan, *shard, interrupt);
 }
 
@@ -195,9 +195,9 @@ int runMerge(const MergeOptions& options) {
   Warnings warnings;
   const auto merged = mergeStudies(options.folders, options.out, warnings);
   reportWarnings(warnings);
-  if (!merged) return reportError(merged.error(), Format::Text);
+  if (!merged) return reportError(merged.error(), {});
   const Outcome written = writeReport(*merged, merged->path(), warnings);
-  if (!written) return reportError(written.error(), Format::Text);
+  if (!written) return reportError(written.error(), {});
   printSummary(*merged, warnings);
   return 0;
 }
@@ -205,11 +205,11 @@ int runMerge(const MergeOptions& options) {
 int runReport(const ReportOptions& options) {
   Warnings warnings;
   const auto folder = StudyFolder::open(options.folder);
-  if (!folder) return reportError(folder.error(), Format::Text);
+  if (!folder) return reportError(folder.error(), {});
   const std::string& out = options.out.empty() ? options.folder : options.out;
   const Outcome written = writeReport(*folder, out, warnings, *languageOf(options.language));
   reportWarnings(warnings);
-  if (!written) return reportError(written.error(), Format::Text);
+  if (!written) return reportError(written.error(), {});
   std::cout << out << "/report.html\n";
   return 0;
 }
@@ -218,7 +218,7 @@ int runBenchmarkPage(const std::string& folder) {
   Warnings warnings;
   const Outcome written = writeBenchmarkPage(folder, warnings);
   reportWarnings(warnings);
-  if (!written) return reportError(written.error(), Format::Text);
+  if (!written) return reportError(written.error(), {});
   std::cout << folder << "/benchmarks.html\n";
   return 0;
 }

@@ -15,7 +15,7 @@ namespace glissade::cli {
 namespace {
 
 void report(const SweptVolume& sweep, const std::vector<std::string>& within, const SweepOptions& options) {
-  if (options.format == Format::Json) {
+  if (options.console.json) {
     printJson({{"file", options.output},
                {"bound_m", sweep.bound},
                {"volume_m3", sweep.volume},
@@ -42,16 +42,16 @@ void report(const SweptVolume& sweep, const std::vector<std::string>& within, co
 int runSweep(const SweepOptions& options) {
   const Interrupt interrupt;
   const auto loaded = loadScenario(options.scenario);
-  if (!loaded) return reportError(loaded.error(), options.format);
+  if (!loaded) return reportError(loaded.error(), options.console);
   reportWarnings(loaded->warnings);
   const auto points = readPath(options.path);
-  if (!points) return reportError(points.error(), options.format);
+  if (!points) return reportError(points.error(), options.console);
 
   const TriangleMesh& object = *loaded->object.mesh;
   const std::vector<Pose> poses = configurationsOf(*points);
   const auto sweep = options.bound ? sweptVolume(object, poses, *options.bound, interrupt.token())
                                    : usualSweptVolume(object, poses, interrupt.token());
-  if (!sweep) return reportError(sweep.error(), options.format);
+  if (!sweep) return reportError(sweep.error(), options.console);
   std::vector<std::string> within;
   for (const std::size_t body : bodiesWithin(*sweep, loaded->obstacles, interrupt.token())) {
     within.push_back(loaded->obstacles[body].shown());
@@ -59,12 +59,12 @@ int runSweep(const SweepOptions& options) {
   if (interrupt.requested()) {
     return reportError(
         {ErrorKind::Interrupted, options.output, "", "the swept volume was not written", "Start it again."},
-        options.format);
+        options.console);
   }
   Warnings warnings;
   const Outcome saved = saveSweptVolume(*sweep, "Swept volume of " + loaded->object.name, loaded->object.colour,
                                         options.output, warnings);
-  if (!saved) return reportError(saved.error(), options.format);
+  if (!saved) return reportError(saved.error(), options.console);
   reportWarnings(warnings);
   report(*sweep, within, options);
   return 0;

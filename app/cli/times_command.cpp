@@ -86,29 +86,29 @@ Json toJson(const PlanTiming& timing, const AssemblyPlan& plan) {
 
 int runTimes(const TimesOptions& options) {
   const auto plan = readPlan(options.plan);
-  if (!plan) return reportError(plan.error(), options.format);
+  if (!plan) return reportError(plan.error(), options.console);
   const auto loaded = loadProduct(options.product, {}, plan->deflection, {{}, plan->bodies});
-  if (!loaded) return reportError(loaded.error(), options.format);
+  if (!loaded) return reportError(loaded.error(), options.console);
   reportWarnings(loaded->warnings);
   std::vector<std::string> ids;
   for (const RigidBody& body : loaded->product.bodies) ids.push_back(body.id);
   if (const Outcome same = checkSameBodies(*plan, ids, options.plan); !same) {
-    return reportError(same.error(), options.format);
+    return reportError(same.error(), options.console);
   }
   const Result<WorkTimes> table = options.table.empty() ? WorkTimes() : readWorkTimes(options.table);
-  if (!table) return reportError(table.error(), options.format);
+  if (!table) return reportError(table.error(), options.console);
   if (!options.writeTable.empty()) {
     if (const Outcome saved = saveWorkTimes(*table, options.writeTable); !saved) {
-      return reportError(saved.error(), options.format);
+      return reportError(saved.error(), options.console);
     }
   }
   const auto timing = planTiming(*plan, loaded->product, *table, options.stations);
   if (!timing) {
     Diagnostic error = timing.error();
     error.location = "--" + error.location;
-    return reportError(error, options.format);
+    return reportError(error, options.console);
   }
-  if (options.format == Format::Json) {
+  if (options.console.json) {
     std::cout << toJson(*timing, *plan).dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
   } else {
     printText(*timing, *plan, loaded->product);

@@ -16,14 +16,15 @@ Result<std::vector<ScriptLine>> parseScript(const std::string& text, const std::
     if (!(words >> line.name) || line.name.front() == '#') continue;
     for (std::string word; words >> word && word.front() != '#';) line.words.push_back(word);
     const auto count = line.name == "quit" ? std::optional<std::size_t>(0) : commands.wordCount(line.name);
-    const std::string place = "line " + std::to_string(number);
+    const Location place = {GLISSADE_TEXT("line %1"), {number}};
     if (!count) {
-      return Diagnostic{ErrorKind::MalformedInput, file, place, "there is no command '" + line.name + "'",
-                        "Use one of " + commands.names() + ", quit."};
+      return Diagnostic{ErrorKind::MalformedInput, file, place, Message("there is no command '" + line.name + "'"),
+                        Message("Use one of " + commands.names() + ", quit.")};
     }
     if (line.words.size() != *count) {
       return Diagnostic{ErrorKind::MalformedInput, file, place,
-                        "'" + line.name + "' takes " + std::to_string(*count) + " words", "Correct the line."};
+                        Message("'" + line.name + "' takes " + std::to_string(*count) + " words"),
+                        Message("Correct the line.")};
     }
     lines.push_back(std::move(line));
   }

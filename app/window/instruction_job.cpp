@@ -123,7 +123,7 @@ SaveResult InstructionJob::writeReport(Content& content, const WorkWatch& watch)
   const StepDrawer drawer(*content.product);
   PlanReportContent report{
       plan, *content.product, content.title, content.deviation, content.missing, content.check.steps};
-  for (const std::string& each : content.check.conditions) report.conditions.push_back(engineText(each).toStdString());
+  for (const Message& each : content.check.conditions) report.conditions.push_back(engineText(each).toStdString());
   report.access = content.access;
   const auto add = [&](const QImage& picture, const QString& name, std::string& file) {
     file = pathOf(name).toStdString();

@@ -11,7 +11,8 @@ namespace glissade {
 namespace {
 
 Diagnostic interrupted() {
-  return {ErrorKind::Interrupted, "", "", GLISSADE_TEXT("the access of the hand was not checked to its end"), GLISSADE_TEXT("Start it again.")};
+  return {ErrorKind::Interrupted, "", "", GLISSADE_TEXT("the access of the hand was not checked to its end"),
+          GLISSADE_TEXT("Start it again.")};
 }
 
 ReachedMotion motionOf(const AssemblyStep& step, const AssembledProduct& product, std::vector<std::size_t> bodies,

@@ -28,11 +28,15 @@ Result<std::vector<bool>> bodiesMeant(const std::vector<std::string>& ids, const
     const std::vector<std::size_t> bodies = bodiesMeant(ids, name, product);
     for (const std::size_t body : bodies) meant[body] = true;
     if (!bodies.empty()) continue;
-    return Diagnostic{ErrorKind::Usage, "", option, "names '" + name + "', which is not a body of the product",
-                      "See 'glissade-cli fits' for the names."};
+    return Diagnostic{ErrorKind::Usage,
+                      "",
+                      option,
+                      {GLISSADE_TEXT("names '%1', which is not a body of the product"), {name}},
+                      GLISSADE_TEXT("See 'glissade-cli fits' for the names.")};
   }
   if (!ids.empty() && std::find(meant.begin(), meant.end(), false) == meant.end()) {
-    return Diagnostic{ErrorKind::Usage, "", option, "leaves no body", "Name fewer bodies."};
+    return Diagnostic{ErrorKind::Usage, "", option, GLISSADE_TEXT("leaves no body"),
+                      GLISSADE_TEXT("Name fewer bodies.")};
   }
   return meant;
 }

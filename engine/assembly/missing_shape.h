@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/message.h"
+
 namespace glissade {
 
 /// A stated shape that is no body, a product without a stated shape, or a part that a scenario neither names nor leaves
@@ -12,7 +14,7 @@ struct MissingShape {
   std::string product;  ///< name of the product; empty: none
   std::string entity;   ///< "#12"; empty: it is the part `product`
   std::string kind;     ///< kind in the file: "CSG_SOLID"
-  std::string reason;   ///< "its kind is not read"
+  Message reason;       ///< "its kind is not read"
 
   bool operator==(const MissingShape&) const = default;
 };
@@ -34,8 +36,9 @@ inline std::string listOf(const MissingShapes& shapes) {
 }
 
 /// The sentence that a proof states. Precondition: there are missing shapes.
-inline std::string statementOf(const MissingShapes& shapes) {
-  return "the proof is about the product without these shapes, which the file states: " + listOf(shapes);
+inline Message statementOf(const MissingShapes& shapes) {
+  return {GLISSADE_TEXT("the proof is about the product without these shapes, which the file states: %1"),
+          {listOf(shapes)}};
 }
 
 }  // namespace glissade

@@ -1,5 +1,4 @@
 // Makes the table of French texts of the engine from the file of translations: make_french_texts IN.ts OUT.cpp.
-// The context of a text is not used: an English text has one French text in the engine.
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
@@ -38,10 +37,12 @@ Element elementFrom(const std::string& ts, const std::string& name, std::size_t 
   return {withoutEntities(ts.substr(first + begin.size(), last - first - begin.size())), last + end.size()};
 }
 
-/// English and French texts. Plural forms are left out: the engine has none.
+/// English and French texts of the context "Messages". Unfinished ones are left out.
 std::map<std::string, std::string> textsOf(const std::string& ts) {
   std::map<std::string, std::string> texts;
-  for (std::size_t at = ts.find("<message>"); at != std::string::npos; at = ts.find("<message>", at + 1)) {
+  const std::size_t context = ts.find("<name>Messages</name>");
+  const std::size_t end = ts.find("</context>", context);
+  for (std::size_t at = ts.find("<message>", context); at < end; at = ts.find("<message>", at + 1)) {
     const Element english = elementFrom(ts, "source", at);
     const Element french = english.end == std::string::npos ? Element() : elementFrom(ts, "translation", english.end);
     if (french.end < ts.find("</message>", at)) texts.emplace(english.content, french.content);

@@ -90,6 +90,9 @@ struct MessageStyle {
 /// The text for a reader. A text that the catalogue has not is English in every language.
 std::string toString(const Message& message, const MessageStyle& style = {});
 
+/// True if the catalogue has a French text for the English one.
+bool hasFrench(std::string_view english);
+
 /// The messages with a separator between them; `separator` is equal in all languages.
 Message joined(const std::vector<Message>& messages, std::string_view separator);
 

@@ -19,12 +19,18 @@ std::string toString(const MessageArgument& argument, const MessageStyle& style)
                     argument.value);
 }
 
-/// The English text where there is no French one.
-std::string_view inFrench(std::string_view english) {
+/// The position of the English text in the catalogue; the end where it is not there.
+auto findFrench(std::string_view english) {
   const auto texts = frenchTexts();
   const auto found = std::lower_bound(texts.begin(), texts.end(), english,
                                       [](const FrenchText& text, std::string_view of) { return text.english < of; });
-  return found != texts.end() && found->english == english ? found->french : english;
+  return found != texts.end() && found->english == english ? found : texts.end();
+}
+
+/// The English text where there is no French one.
+std::string_view inFrench(std::string_view english) {
+  const auto found = findFrench(english);
+  return found == frenchTexts().end() ? english : found->french;
 }
 
 bool isPlaceholder(std::string_view text, std::size_t at) {
@@ -32,6 +38,8 @@ bool isPlaceholder(std::string_view text, std::size_t at) {
 }
 
 }  // namespace
+
+bool hasFrench(std::string_view english) { return findFrench(english) != frenchTexts().end(); }
 
 std::string toString(const Message& message, const MessageStyle& style) {
   const std::string_view text =

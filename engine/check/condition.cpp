@@ -32,8 +32,8 @@ Condition leavesBefore(const std::string& body, const std::string& other) {
 }
 
 Condition leavesAs(const std::string& body, std::size_t number, std::size_t demanded) {
-  return {{GLISSADE_TEXT("'%1' may leave as number %2, although it is demanded as number %3"),
-           {body, number, demanded}}};
+  return {
+      {GLISSADE_TEXT("'%1' may leave as number %2, although it is demanded as number %3"), {body, number, demanded}}};
 }
 
 Condition hasPitch(const std::string& body, const std::string& other, double pitch, double diameter) {
@@ -51,8 +51,8 @@ Condition isLeftHanded(const std::string& body, const std::string& other) {
 }
 
 Condition isRightHanded(const std::string& body, const std::string& other) {
-  return {{GLISSADE_TEXT("the thread of '%1' in '%2' is right-handed, although a name says left-handed"),
-           {body, other}}};
+  return {
+      {GLISSADE_TEXT("the thread of '%1' in '%2' is right-handed, although a name says left-handed"), {body, other}}};
 }
 
 }  // namespace glissade::check

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 
-#include "engine/base/depth_text.h"
 #include "engine/base/tolerances.h"
 #include "engine/check/overlap.h"
 #include "engine/check/pulled_thread.h"

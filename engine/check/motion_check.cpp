@@ -271,19 +271,23 @@ MotionVerdict MotionCheck::check(const std::vector<Pose>& path, const std::vecto
   return result;
 }
 
-std::string MotionCheck::whyUndecided(const Pose& from, const Pose& to, double requiredClearance) const {
+Message MotionCheck::whyUndecided(const Pose& from, const Pose& to, double requiredClearance) const {
   const double scale = geometry_->scale;
   const Pose begin = scaledPose(from, scale);
   const Pose end = scaledPose(to, scale);
   if (Course(begin, end).isHalfACircle()) {
-    return GLISSADE_TEXT("the edge turns by half a circle, and rounding decides which way; insert a configuration between its ends");
+    return GLISSADE_TEXT(
+        "the edge turns by half a circle, and rounding decides which way; insert a configuration between its ends");
   }
   if (!geometry_->resolves(begin, end, scale * requiredClearance)) {
-    return GLISSADE_TEXT("the rounding of coordinates of this size is not small against the required clearance; move the scene to "
-           "the origin, or require more clearance");
+    return GLISSADE_TEXT(
+        "the rounding of coordinates of this size is not small against the required clearance; move the scene to "
+        "the origin, or require more clearance");
   }
-  return "the clearance is so close to the required one that " + std::to_string(EdgeProof::kMostCompared) +
-         " comparisons of triangles do not prove it; require less clearance, or divide the edge";
+  return {
+      GLISSADE_TEXT("the clearance is so close to the required one that %1 comparisons of triangles do not prove it; "
+                    "require less clearance, or divide the edge"),
+      {EdgeProof::kMostCompared}};
 }
 
 /// Works in the scaled geometry. A motion that is straight, or nearly so, is proved by the volume that the object

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/message.h"
 #include "engine/base/work_watch.h"
 #include "engine/check/body.h"
 #include "engine/check/thread.h"
@@ -54,7 +55,7 @@ class MotionCheck {
                       const WorkWatch& watch = {}) const;
 
   /// The reason why check() leaves this motion undecided without a stop, as in "the edge turns by half a circle".
-  std::string whyUndecided(const Pose& from, const Pose& to, double requiredClearance) const;
+  Message whyUndecided(const Pose& from, const Pose& to, double requiredClearance) const;
 
  private:
   struct Group;

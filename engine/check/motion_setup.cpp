@@ -51,13 +51,13 @@ JudgedMotion judgeMotion(const MotionQuestion& question, MotionBodies& prepared,
     threads.push_back({thread, pair.other->mesh, pair.other->X_WB, wholeOther});
   }
   const MotionCheck check(against, *whole, scale, threads);
-  JudgedMotion judged{check.check(question.path, question.demands, watch), ""};
+  JudgedMotion judged{check.check(question.path, question.demands, watch), {}};
   MotionVerdict& verdict = judged.verdict;
   const std::size_t edge = verdict.edge;
   if (verdict.status == Status::Undecided) {
     const std::size_t end = std::min(edge + 1, question.path.size() - 1);
     judged.why = watch.stop.stopRequested()
-                     ? GLISSADE_TEXT("the check was stopped")
+                     ? Message(GLISSADE_TEXT("the check was stopped"))
                      : check.whyUndecided(question.path[edge], question.path[end], question.demands[edge].clearance);
   }
   const auto named = [&](int& body) {

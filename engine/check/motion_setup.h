@@ -27,7 +27,7 @@ struct MotionQuestion {
 
 struct JudgedMotion {
   MotionVerdict verdict;
-  std::string why{};  ///< reason of an undecided verdict; else empty
+  Message why{};  ///< reason of an undecided verdict; else empty
 };
 
 JudgedMotion judgeMotion(const MotionQuestion& question, MotionBodies& prepared, const WorkWatch& watch);

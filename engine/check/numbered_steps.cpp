@@ -16,8 +16,8 @@ std::set<std::size_t> predecessorsOf(std::size_t number, const std::vector<std::
   std::set<std::size_t> before;
   for (const std::size_t each : numbered.step->after) {
     if (each == 0 || each >= number) {
-      numbered.wrong.push_back("it states \"after\": " + std::to_string(each) + ", and " + std::to_string(number - 1) +
-                               " steps come before it");
+      numbered.wrong.push_back(
+          {GLISSADE_TEXT("it states \"after\": %1, and %2 steps come before it"), {each, number - 1}});
       continue;
     }
     before.insert(each);
@@ -30,8 +30,9 @@ std::set<std::size_t> predecessorsOf(std::size_t number, const std::vector<std::
 void checkProof(NumberedStep& numbered) {
   const Step& step = *numbered.step;
   if (step.certified == !step.flexible) return;
-  numbered.wrong.emplace_back(step.certified ? GLISSADE_TEXT("it is of a flexible body, and says that it is certified")
-                                             : GLISSADE_TEXT("it says that it is not certified, and its body is not flexible"));
+  numbered.wrong.emplace_back(step.certified
+                                  ? GLISSADE_TEXT("it is of a flexible body, and says that it is certified")
+                                  : GLISSADE_TEXT("it says that it is not certified, and its body is not flexible"));
 }
 
 void numberBodies(const Product& product, const StepList& list, Present& left, NumberedStep& numbered) {
@@ -40,13 +41,13 @@ void numberBodies(const Product& product, const StepList& list, Present& left, N
         std::find_if(product.bodies.begin(), product.bodies.end(), [&](const Body& each) { return each.id == id; });
     const bool stays = std::find(list.staying.begin(), list.staying.end(), id) != list.staying.end();
     if (body == product.bodies.end()) {
-      numbered.wrong.push_back("it moves '" + id + "', which is not a body of the product");
+      numbered.wrong.push_back({GLISSADE_TEXT("it moves '%1', which is not a body of the product"), {id}});
       continue;
     }
     const auto index = static_cast<std::size_t>(body - product.bodies.begin());
-    if (stays) numbered.wrong.push_back("it moves '" + id + "', which is said to stay");
-    if (left[index]) numbered.wrong.push_back("it moves '" + id + "', which has left before");
-    if (!list.there[index]) numbered.wrong.push_back("it moves '" + id + "', which is not in the group");
+    if (stays) numbered.wrong.push_back({GLISSADE_TEXT("it moves '%1', which is said to stay"), {id}});
+    if (left[index]) numbered.wrong.push_back({GLISSADE_TEXT("it moves '%1', which has left before"), {id}});
+    if (!list.there[index]) numbered.wrong.push_back({GLISSADE_TEXT("it moves '%1', which is not in the group"), {id}});
     left[index] = true;
     numbered.group.push_back(index);
   }

@@ -18,10 +18,10 @@ struct StepList {
 struct NumberedStep {
   const Step* step = nullptr;
   Group group{};
-  Present there{};                   ///< bodies that are there in the order of the list
-  Present mayBeThere{};              ///< bodies that are there in some order that keeps all predecessors
-  std::vector<std::string> wrong{};  ///< errors for people; empty: none
-  std::size_t earlier = 0;           ///< number of earlier steps of the list
+  Present there{};               ///< bodies that are there in the order of the list
+  Present mayBeThere{};          ///< bodies that are there in some order that keeps all predecessors
+  std::vector<Message> wrong{};  ///< errors for people; empty: none
+  std::size_t earlier = 0;       ///< number of earlier steps of the list
 };
 
 std::vector<NumberedStep> numberedSteps(const Product& product, const StepList& list);

@@ -48,7 +48,8 @@ void refuseOff(const StatedAllowance& stated, PairWork& work) {
   if (stated.allowance <= 0.0) return;
   AppliedAllowance& allowance = work.add(stated.yields, 0.0);
   allowance.stated = stated.allowance;
-  work.fit.refusals.push_back(allowanceRefused(allowance, GLISSADE_TEXT("fits are off: every pair has to keep its clearance")));
+  work.fit.refusals.push_back(
+      allowanceRefused(allowance, GLISSADE_TEXT("fits are off: every pair has to keep its clearance")));
 }
 
 void apply(const StatedAllowance& stated, PairWork& work) {
@@ -59,7 +60,12 @@ void apply(const StatedAllowance& stated, PairWork& work) {
   allowance.stated = stated.allowance;
   const double enough = bound.most + std::max(kEstimateAtLeast, kEstimate * bound.most);
   if (stated.allowance <= (bound.most > 0.0 ? enough : 0.0)) return;
-  const std::string why = bound.isClash ? clashRefused(work.bounds.depth) : bound.inFit ? "" : GLISSADE_TEXT("they are apart");
+  Message why;
+  if (bound.isClash) {
+    why = clashRefused(work.bounds.depth);
+  } else if (!bound.inFit) {
+    why = GLISSADE_TEXT("they are apart");
+  }
   work.fit.refusals.push_back(allowanceRefused(allowance, why));
 }
 
@@ -80,7 +86,7 @@ bool isFree(const PairWork& work) {
 /// If one body is below a part of a face of the other one, both are thinned at once, because they slide past the rest
 /// of the face.
 void applyOwn(PairWork& work) {
-  if (const std::string refused = work.bounds.refused(); !refused.empty()) {
+  if (const Message refused = work.bounds.refused(); !refused.empty()) {
     AppliedAllowance& allowance = work.add(false, 0.0);
     work.fit.refusals.push_back(allowanceRefused(allowance, refused));
   }
@@ -96,6 +102,11 @@ void applyOwn(PairWork& work) {
   }
   if (!work.fit.moving.empty()) work.add(false, largest(work.fit.moving));
   if (!work.fit.other.empty()) work.add(true, largest(work.fit.other));
+}
+
+void refusePair(const Message& reason, PairWork& work) {
+  const Message pair = pairInWords(work.question.moving.name, work.question.other.name);
+  work.fit.refusals.push_back({GLISSADE_TEXT("%1: %2"), {pair, reason}});
 }
 
 void takeThread(const std::vector<StatedAllowance>& stated, PairWork& work) {
@@ -115,16 +126,13 @@ void takeThread(const std::vector<StatedAllowance>& stated, PairWork& work) {
     if (found) break;
   }
   if (!found) {
-    work.fit.refusals.push_back(pairInWords(work.question.moving.name, work.question.other.name) + ": " +
-                                toString(found.error().reason));
+    refusePair(found.error().reason, work);
     return;
   }
   Thread thread = *found;
   thread.assembled = assembled;
   work.heedWord(thread, pitch);
-  if (const std::string wrong = wrongPitch(thread); !wrong.empty()) {
-    work.fit.refusals.push_back(pairInWords(work.question.moving.name, work.question.other.name) + ": " + wrong);
-  }
+  if (const Message wrong = wrongPitch(thread); !wrong.empty()) refusePair(wrong, work);
   for (AppliedAllowance& allowance : work.fit.applied) allowance.thread = thread;
   work.fit.thread = thread;
 }

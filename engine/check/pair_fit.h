@@ -49,7 +49,7 @@ struct PairFit {
   /// Core of the shaft of the thread, in its frame; nothing: no thread is taken away.
   std::optional<ThreadCore> core{};
   std::vector<AppliedAllowance> applied{};
-  std::vector<std::string> refusals{};  ///< errors for people; empty: none
+  std::vector<Message> refusals{};  ///< errors for people; empty: none
 
   bool isThinned() const { return !moving.empty() || !other.empty() || core || hollowMoving || hollowOther; }
   /// Null: the body's thread is kept.

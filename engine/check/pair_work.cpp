@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/check/verdict_words.h"
-
 namespace glissade::check {
 namespace {
 
@@ -81,8 +79,9 @@ AppliedAllowance& PairWork::add(bool yields, double applied) {
 void PairWork::heedWord(Thread& thread, const std::optional<double>& stated) {
   const std::optional<double> said = word != nullptr ? word->pitch : std::nullopt;
   if (said && stated && std::abs(*said - *stated) > 1e-9) {
-    fit.refusals.push_back(pairInWords(question.moving.name, question.other.name) +
-                           ": the file's pitch is not the one that a person gives for the thread");
+    fit.refusals.push_back(
+        {GLISSADE_TEXT("'%1' and '%2': the file's pitch is not the one that a person gives for the thread"),
+         {question.moving.name, question.other.name}});
   }
   thread.pitch = said ? *said : stated.value_or(pitchOfPath(question.path, thread));
   thread.mayTurn = word == nullptr || word->turned.empty() || word->turned == question.moving.id;

@@ -84,8 +84,9 @@ void checkNames(const Question& question, const std::vector<StatedAllowance>& st
   for (const StatedAllowance& each : stated) {
     const bool known = std::any_of(bodies.begin(), bodies.end() - 1, [&](const Body& b) { return b.id == each.body; });
     if (known && (each.moving.empty() || each.moving == question.object().id)) continue;
-    verdict.refusals.push_back("the file states an allowance of '" + each.moving + "' against '" + each.body +
-                               "', which are not the object and another body");
+    verdict.refusals.push_back(
+        {GLISSADE_TEXT("the file states an allowance of '%1' against '%2', which are not the object and another body"),
+         {each.moving, each.body}});
   }
 }
 
@@ -122,8 +123,9 @@ PathVerdict judgePath(const Question& question, const Path& path, const WorkWatc
   judgeForbidden(question, configurations, verdict);
   if (verdict.outside) {
     verdict.motion.verdict.edge = *verdict.outside == 0 ? 0 : *verdict.outside - 1;
-    verdict.motion.why = "configuration " + std::to_string(*verdict.outside) +
-                         " is outside the scenario's workspace; the path was not examined further";
+    verdict.motion.why = {
+        GLISSADE_TEXT("configuration %1 is outside the scenario's workspace; the path was not examined further"),
+        {*verdict.outside}};
     return verdict;
   }
   if (path.allowances) checkNames(question, *path.allowances, verdict);

@@ -24,9 +24,9 @@ struct PathVerdict {
   std::optional<ForbiddenEdge> forbidden{};  ///< the first edge that does not keep the margin from a forbidden place
   double forbiddenMargin = 0.0;              ///< metres; 0: no place is forbidden
   std::vector<AppliedAllowance> allowances{};
-  std::vector<std::string> refusals{};  ///< refused allowances and threads, for people
-  double deviation = 0.0;               ///< metres by which surfaces may be nearer than their triangles
-  double spacing = 0.0;  ///< deviation of the coordinates of two bodies from their files together, metres
+  std::vector<Message> refusals{};  ///< refused allowances and threads, for people
+  double deviation = 0.0;           ///< metres by which surfaces may be nearer than their triangles
+  double spacing = 0.0;             ///< deviation of the coordinates of two bodies from their files together, metres
 
   bool valid() const {
     return motion.verdict.status == Status::Certified && beginsAtStart && endsAtGoal && !outside && !forbidden &&

@@ -4,14 +4,11 @@
 #include <tuple>
 #include <utility>
 
-#include "engine/base/depth_text.h"
-#include "engine/check/verdict_words.h"
-
 namespace glissade::check {
 
-std::string plainOverlapsInWords(std::size_t pairs) {
-  const std::string subject = pairs == 1 ? "1 pair overlaps" : std::to_string(pairs) + " pairs overlap";
-  return subject + " without being a fit, a thread or a press";
+Message plainOverlapsInWords(std::size_t pairs) {
+  if (pairs == 1) return GLISSADE_TEXT("1 pair overlaps without being a fit, a thread or a press");
+  return {GLISSADE_TEXT("%1 pairs overlap without being a fit, a thread or a press"), {pairs}};
 }
 
 void addPlainOverlaps(const std::vector<AppliedAllowance>& allowances, std::vector<PlainOverlap>& overlaps) {
@@ -26,14 +23,13 @@ void addPlainOverlaps(const std::vector<AppliedAllowance>& allowances, std::vect
   }
 }
 
-std::string inWords(const std::vector<PlainOverlap>& overlaps) {
+Message inWords(const std::vector<PlainOverlap>& overlaps) {
   if (overlaps.empty()) return {};
-  std::string words = plainOverlapsInWords(overlaps.size()) + ": ";
-  for (std::size_t i = 0; i < overlaps.size(); ++i) {
-    words += (i == 0 ? "" : ", ") + pairInWords(overlaps[i].one, overlaps[i].other) + " by " +
-             depthInMillimetres(overlaps[i].depth);
+  std::vector<Message> pairs;
+  for (const PlainOverlap& each : overlaps) {
+    pairs.push_back({GLISSADE_TEXT("'%1' and '%2' by %3"), {each.one, each.other, Depth{each.depth}}});
   }
-  return words;
+  return {GLISSADE_TEXT("%1: %2"), {plainOverlapsInWords(overlaps.size()), joined(pairs, ", ")}};
 }
 
 }  // namespace glissade::check

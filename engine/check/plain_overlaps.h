@@ -16,12 +16,12 @@ struct PlainOverlap {
 };
 
 /// "1 pair overlaps without being a fit, a thread or a press"
-std::string plainOverlapsInWords(std::size_t pairs);
+Message plainOverlapsInWords(std::size_t pairs);
 
 /// Adds the plain overlaps that allowances state, each pair once.
 void addPlainOverlaps(const std::vector<AppliedAllowance>& allowances, std::vector<PlainOverlap>& overlaps);
 
 /// "1 pair overlaps without being a fit, a thread or a press: 'bar' and 'post' by 0.75 mm"; empty if there is none.
-std::string inWords(const std::vector<PlainOverlap>& overlaps);
+Message inWords(const std::vector<PlainOverlap>& overlaps);
 
 }  // namespace glissade::check

@@ -22,8 +22,8 @@ Group bodiesOf(const std::vector<std::string>& names, const Product& product) {
 }
 
 /// Names the body of the step that moves in a direction forbidden to it, for people; empty: none.
-std::string againstDirections(const Step& step, const Group& group, const Present& there, const Product& product,
-                              const Demands& demands) {
+Message againstDirections(const Step& step, const Group& group, const Present& there, const Product& product,
+                          const Demands& demands) {
   for (const auto& [name, direction] : demands.forbidden) {
     for (const std::size_t body : bodiesNamed(product, name)) {
       if (!contains(group, body) || step.path.empty()) continue;
@@ -36,7 +36,8 @@ std::string againstDirections(const Step& step, const Group& group, const Presen
       const Pose X_PB = inverse(step.path.front().q) * own.X_WB;
       for (const Point& point : step.path) ofBody.push_back(point.q * X_PB);
       if (keepsOut(forbidden, ofBody)) continue;
-      return "'" + own.name + "' moves in a direction that is forbidden to it before it is clear of what it touched";
+      return {GLISSADE_TEXT("'%1' moves in a direction that is forbidden to it before it is clear of what it touched"),
+              {own.name}};
     }
   }
   return {};
@@ -68,10 +69,10 @@ Group bodiesNamed(const Product& product, const std::string& name) {
 BrokenDemands brokenDemands(const Step& step, const Group& group, const Present& there, std::size_t number,
                             const Product& product, const Demands& demands) {
   BrokenDemands broken;
-  const auto refuse = [&](const std::string& why) {
+  const auto refuse = [&](const Message& why) {
     if (broken.refused.empty()) broken.refused = why;
   };
-  if (const std::string wrong = againstDirections(step, group, there, product, demands); !wrong.empty()) refuse(wrong);
+  if (const Message wrong = againstDirections(step, group, there, product, demands); !wrong.empty()) refuse(wrong);
   for (const auto& [first, then] : demands.before) {
     const Group later = bodiesNamed(product, then);
     if (std::none_of(later.begin(), later.end(), [&](std::size_t body) { return contains(group, body); })) continue;
@@ -81,7 +82,7 @@ BrokenDemands brokenDemands(const Step& step, const Group& group, const Present&
       if (says(step, "before", product.bodies[body].id)) {
         broken.givenUp.push_back(leavesBefore(nameOf(group, product), name));
       } else {
-        refuse("'" + name + "' is demanded to leave before, and the step does not say that it does not");
+        refuse({GLISSADE_TEXT("'%1' is demanded to leave before, and the step does not say that it does not"), {name}});
       }
     }
   }
@@ -98,8 +99,7 @@ BrokenDemands brokenDemands(const Step& step, const Group& group, const Present&
     if (says(step, "place", "")) {
       broken.givenUp.push_back(leavesAs(nameOf(group, product), number, demanded.place));
     } else {
-      refuse("it is demanded as number " + std::to_string(demanded.place) + ", and is number " +
-             std::to_string(number) + " of the removal");
+      refuse({GLISSADE_TEXT("it is demanded as number %1, and is number %2 of the removal"), {demanded.place, number}});
     }
   }
   for (const Demands::Motion& demanded : demands.motions) {

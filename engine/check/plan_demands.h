@@ -18,7 +18,7 @@ Group bodiesNamed(const Product& product, const std::string& name);
 
 /// The demands that a step breaks, for people.
 struct BrokenDemands {
-  std::string refused{};             ///< the first broken demand that the step does not admit; empty: none
+  Message refused{};                 ///< the first broken demand that the step does not admit; empty: none
   std::vector<Condition> givenUp{};  ///< broken demands that the step admits
 };
 

@@ -5,6 +5,7 @@
 
 #include "engine/check/plan_demands.h"
 #include "engine/check/pulled_thread.h"
+#include "engine/check/verdict_words.h"
 
 namespace glissade::check {
 namespace {
@@ -14,15 +15,15 @@ using Ids = std::set<std::string>;
 Ids idsOf(const std::vector<std::string>& ids) { return {ids.begin(), ids.end()}; }
 
 /// "'a', 'b', 'c'" or, for many, "'a', 'b', 'c', … (17)".
-std::string namesInWords(const Ids& ids, const Product& product) {
+Message shortListOf(const Ids& ids, const Product& product) {
   constexpr std::size_t kMostNames = 3;
-  std::string words;
+  std::vector<std::string> names;
   std::size_t count = 0;
   for (const Body& body : product.bodies) {
-    if (ids.count(body.id) == 0 || ++count > kMostNames) continue;
-    words += (words.empty() ? "'" : ", '") + body.name + "'";
+    if (ids.count(body.id) != 0 && ++count <= kMostNames) names.push_back(body.name);
   }
-  return count <= kMostNames ? words : words + ", … (" + std::to_string(count) + ")";
+  const Message words = namesInWords(names);
+  return count <= kMostNames ? words : Message{GLISSADE_TEXT("%1, … (%2)"), {words, count}};
 }
 
 const Body* bodyOf(const std::string& id, const Product& product) {
@@ -101,7 +102,7 @@ class LeavingCount {
       leaving_.asUnits += ids.size();
     } else if (isSaidToBeUnit) {
       leaving_.asUnits += ids.size();
-      leaving_.conditions.push_back(areOneUnit(namesInWords(ids, product_)));
+      leaving_.conditions.push_back(areOneUnit(shortListOf(ids, product_)));
     } else {
       leaving_.inGroups += ids.size();
     }
@@ -126,7 +127,7 @@ std::vector<Condition> baseOf(const Plan& plan, const Product& product, PlacedBo
     for (const std::size_t body : bodiesNamed(product, name)) said.insert(product.bodies[body].id);
   }
   if (std::includes(said.begin(), said.end(), staying.begin(), staying.end())) return {};
-  return {areTheBase(namesInWords(staying, product))};
+  return {areTheBase(shortListOf(staying, product))};
 }
 
 }  // namespace glissade::check

@@ -40,11 +40,11 @@ Present presentOnly(const std::vector<std::string>& ids, const Product& product)
 }
 
 /// Claims of a line that contradict the step by which its group has left.
-std::vector<std::string> wrongLine(const Line& line, const std::vector<Step>& above) {
+std::vector<Message> wrongLine(const Line& line, const std::vector<Step>& above) {
   if (line.step == 0 || line.step > above.size())
-    return {"it states \"step\": " + std::to_string(line.step) + ", and there are " + std::to_string(above.size())};
+    return {{GLISSADE_TEXT("it states \"step\": %1, and there are %2"), {line.step, above.size()}}};
   const auto& group = above[line.step - 1].bodies;
-  std::vector<std::string> wrong;
+  std::vector<Message> wrong;
   if (std::set<std::string>(group.begin(), group.end()) !=
           std::set<std::string>(line.bodies.begin(), line.bodies.end()) ||
       group.size() != line.bodies.size()) {
@@ -52,7 +52,7 @@ std::vector<std::string> wrongLine(const Line& line, const std::vector<Step>& ab
   }
   for (const std::string& id : line.staying) {
     if (std::find(group.begin(), group.end(), id) != group.end()) continue;
-    wrong.push_back("'" + id + "' is said to stay and is not in the group");
+    wrong.push_back({GLISSADE_TEXT("'%1' is said to stay and is not in the group"), {id}});
   }
   return wrong;
 }
@@ -200,7 +200,7 @@ PlanVerdict judgePlan(const Product& read, const Plan& plan, std::optional<doubl
     const NumberedStep& step = list->steps[i];
     StepVerdict& result = list->verdict.steps[i];
     result.bodies = step.step->bodies;
-    result.motion.why = "the check was stopped";
+    result.motion.why = GLISSADE_TEXT("the check was stopped");
     if (watch.stop.stopRequested()) return;
     result = judgeStep(step, tools);
     const bool isLine = !list->verdict.line.empty();

@@ -15,14 +15,14 @@ struct StepVerdict {
   std::vector<std::string> bodies;  ///< ids
   JudgedMotion motion{};            ///< names bodies by number in the product; for a group, the least clear one
   bool endsOutside = false;         ///< each body ends clear of the bounding box of the others
-  std::string againstDemand{};      ///< demand of a person that the step breaks; empty: none
+  Message againstDemand{};          ///< demand of a person that the step breaks; empty: none
   std::vector<AppliedAllowance> allowances{};
-  std::vector<std::string> refusals{};  ///< refused statements of the step, for people
-  bool isFlexible = false;              ///< the step is of a flexible body: its motion is not judged
+  std::vector<Message> refusals{};  ///< refused statements of the step, for people
+  bool isFlexible = false;          ///< the step is of a flexible body: its motion is not judged
   /// Threads that the step pulls although they are drawn as threads, and the reason why it may, for people.
-  std::vector<std::string> pulls{};
+  std::vector<Message> pulls{};
   std::vector<Condition> conditions{};  ///< conditions on which the verdict depends
-  std::vector<std::string> notes{};     ///< rules that the step says it breaks, for people
+  std::vector<Message> notes{};         ///< rules that the step says it breaks, for people
 
   bool certified() const { return motion.verdict.status == Status::Certified; }
   bool valid() const { return (certified() || isFlexible) && endsOutside && againstDemand.empty() && refusals.empty(); }
@@ -37,8 +37,8 @@ struct StepVerdict {
 struct LineVerdict {
   std::vector<std::size_t> line{};  ///< step numbers, from 1, on the way to it: in the plan, in the line above, ...
   std::vector<StepVerdict> steps{};
-  std::vector<std::string> refusals{};  ///< refused statements of the line, for people
-  std::string group{};                  ///< number of its step, see stepNumber()
+  std::vector<Message> refusals{};  ///< refused statements of the line, for people
+  std::string group{};              ///< number of its step, see stepNumber()
 
   bool valid() const;
   bool refused() const;  ///< see StepVerdict::refused()
@@ -60,7 +60,7 @@ enum class PlanOutcome {
 
 struct PlanVerdict {
   std::vector<StepVerdict> steps;
-  std::vector<std::string> refusals{};  ///< refused statements of the plan, for people
+  std::vector<Message> refusals{};      ///< refused statements of the plan, for people
   std::size_t parts = 0;                ///< bodies that are to leave
   std::size_t remaining = 0;            ///< bodies without a step
   std::size_t alone = 0;                ///< bodies that leave alone, or are taken off their group
@@ -88,6 +88,6 @@ PlanVerdict judgePlan(const Product& product, const Plan& plan, std::optional<do
 
 /// Claims of a plan that contradict its steps or the product, for people. `apart`: number of bodies that leave alone or
 /// in a unit by the plan's statement.
-std::vector<std::string> wrongClaims(const Product& product, const Plan& plan, std::size_t apart);
+std::vector<Message> wrongClaims(const Product& product, const Plan& plan, std::size_t apart);
 
 }  // namespace glissade::check

@@ -56,7 +56,7 @@ struct FitWords {
   /// The snap of the pair in either order; null: the pair is no snap.
   const SnapWord* snapOf(const std::string& a, const std::string& b) const;
   /// The statement by which the pair may come apart without a turn, for people; empty: none.
-  std::string partingOf(const std::string& a, const std::string& b) const;
+  Message partingOf(const std::string& a, const std::string& b) const;
   /// True if a person accepts a clash of this depth, metres, to a nanometre. `word`: the statement about the pair, or
   /// null.
   bool accepts(const PairWord* word, double depth) const {

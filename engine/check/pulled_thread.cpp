@@ -5,7 +5,6 @@
 #include <numbers>
 #include <optional>
 
-#include "engine/base/quantity_text.h"
 #include "engine/check/crests.h"
 #include "engine/check/thread.h"
 
@@ -175,11 +174,11 @@ std::vector<CommonThread> commonThreads(const LeavingPair& pair) {
   return threads;
 }
 
-std::string pulledThread(const std::vector<CommonThread>& threads, const std::vector<Pose>& path) {
+Message pulledThread(const std::vector<CommonThread>& threads, const std::vector<Pose>& path) {
   for (const CommonThread& thread : threads) {
     const double pulled = TurnOut(thread).pulled(path);
     if (pulled <= 0.0) continue;
-    return inMillimetres(pulled) + " of a thread of " + inMillimetres(2.0 * thread.radius);
+    return {GLISSADE_TEXT("%1 of a thread of %2"), {Length{pulled}, Length{2.0 * thread.radius}}};
   }
   return {};
 }

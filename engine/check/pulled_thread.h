@@ -1,9 +1,9 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
+#include "engine/base/message.h"
 #include "engine/check/named_screw.h"
 #include "engine/check/placed_body.h"
 
@@ -51,7 +51,7 @@ std::vector<CommonThread> commonThreads(const LeavingPair& pair);
 /// Describes how much of the threads a motion pulls instead of turning the body off, for people; empty: nothing. While
 /// the two cylinders are engaged, the body turns about the axis and advances by the same pitch in each turn. The last
 /// pitch may be pulled, because a thread ends in its run-out. `path`: of the moving body, from its assembled pose.
-std::string pulledThread(const std::vector<CommonThread>& threads, const std::vector<Pose>& path);
+Message pulledThread(const std::vector<CommonThread>& threads, const std::vector<Pose>& path);
 
 /// True if an assembled shaft of one body is thicker than the hole of the other that contains it, by an excess that can
 /// be pressed in.

@@ -43,7 +43,7 @@ class ColumnReader {
     std::string line;
     for (line_ = 1; std::getline(stream, line); ++line_) {
       if (!line.empty() && line.back() == '\r') line.pop_back();
-      if (line.size() > kLongestLine) return wrong("is longer than " + std::to_string(kLongestLine) + " bytes");
+      if (line.size() > kLongestLine) return wrong({GLISSADE_TEXT("is longer than %1 bytes"), {kLongestLine}});
       if (line_ == 1 && line == kHeader) {
         csv_ = true;
         continue;
@@ -56,28 +56,29 @@ class ColumnReader {
       path.points.push_back(*point);
     }
     if (path.points.empty()) {
-      return Diagnostic{ErrorKind::MalformedInput, file_, "", GLISSADE_TEXT("holds no configuration"), GLISSADE_TEXT("Give a path.")};
+      return Diagnostic{ErrorKind::MalformedInput, file_, "", GLISSADE_TEXT("holds no configuration"),
+                        GLISSADE_TEXT("Give a path.")};
     }
     return path;
   }
 
  private:
   Diagnostic wrong(const Message& reason) const {
-    return {ErrorKind::MalformedInput, file_, "line " + std::to_string(line_), reason,
-            csv_ ? std::string(GLISSADE_TEXT("Each line holds ")) + kHeader + "."
-                 : GLISSADE_TEXT("Each line holds x y z qx qy qz qw; a CSV begins with its header.")};
+    Message advice = GLISSADE_TEXT("Each line holds x y z qx qy qz qw; a CSV begins with its header.");
+    if (csv_) advice = {GLISSADE_TEXT("Each line holds %1."), {kHeader}};
+    return {ErrorKind::MalformedInput, file_, {GLISSADE_TEXT("line %1"), {line_}}, reason, advice};
   }
 
   Result<Point> pointIn(const std::vector<std::string>& columns) const {
     const std::size_t expected = csv_ ? 12 : 7;
-    if (columns.size() != expected) return wrong("does not have " + std::to_string(expected) + " columns");
+    if (columns.size() != expected) return wrong({GLISSADE_TEXT("does not have %1 columns"), {expected}});
     std::array<double, 7> values{};
     for (std::size_t i = 0; i < values.size(); ++i) {
       const std::string& column = columns[i + (csv_ ? 2 : 0)];
       const auto number = toNumber(column);
-      const std::string shown = "'" + printableLine(column.substr(0, 40)) + (column.size() > 40 ? "...'" : "'");
-      if (!number) return wrong("holds " + shown + ", which is not a finite number");
-      if (!limits::isCoordinate(*number)) return wrong("holds " + shown + ", which is beyond 1e9 m");
+      const std::string shown = printableLine(column.substr(0, 40)) + (column.size() > 40 ? "..." : "");
+      if (!number) return wrong({GLISSADE_TEXT("holds '%1', which is not a finite number"), {shown}});
+      if (!limits::isCoordinate(*number)) return wrong({GLISSADE_TEXT("holds '%1', which is beyond 1e9 m"), {shown}});
       values[i] = *number;
     }
     Point point;
@@ -89,7 +90,7 @@ class ColumnReader {
     if (!csv_) return point;
     const std::string& author = columns[11];
     if (author != "computer" && author != "operator" && author != "contact") {
-      return wrong("names an unknown author '" + printableLine(author.substr(0, 40)) + "'");
+      return wrong({GLISSADE_TEXT("names an unknown author '%1'"), {printableLine(author.substr(0, 40))}});
     }
     point.contact = author == "contact";
     return point;
@@ -107,7 +108,8 @@ Result<Path> pathInJson(const std::string& text, const std::string& file) {
   try {
     const JsonCursor root(*document, file, "");
     if (root.at("format").text() != kPathFormat) root.at("format").fail(GLISSADE_TEXT("is not \"glissade-path\""));
-    if (root.at("version").wholeNumber() != 1) root.at("version").fail(GLISSADE_TEXT("is not 1"), GLISSADE_TEXT("Use a newer Glissade."));
+    if (root.at("version").wholeNumber() != 1)
+      root.at("version").fail(GLISSADE_TEXT("is not 1"), GLISSADE_TEXT("Use a newer Glissade."));
     Path path{readPoints(root.at("configurations")), std::vector<StatedAllowance>()};
     auto allowances = root.find("allowances");
     if (const auto certificate = root.find("certificate"); certificate && !allowances) {

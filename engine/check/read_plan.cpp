@@ -126,7 +126,8 @@ Plan planIn(const JsonCursor& at) {
                 "parts",  "removed", "apart",    "end",     "certified", "bodies", "staying",
                 "steps",  "stuck",   "refusals", "waiting", "sequence",  "lines"});
   if (at.at("format").text() != kPlanFormatName) at.at("format").fail(GLISSADE_TEXT("is not \"glissade-plan\""));
-  if (at.at("version").wholeNumber() != 1) at.at("version").fail(GLISSADE_TEXT("is not 1"), GLISSADE_TEXT("Use a newer Glissade."));
+  if (at.at("version").wholeNumber() != 1)
+    at.at("version").fail(GLISSADE_TEXT("is not 1"), GLISSADE_TEXT("Use a newer Glissade."));
   Plan plan;
   plan.bodies = textsOf(at.at("bodies"));
   plan.staying = textsOf(at.at("staying"));

@@ -54,9 +54,13 @@ void warnIfOpen(const Body& body, const std::string& file, std::map<MeshPtr, boo
   const auto [at, isNew] = known.try_emplace(body.mesh, false);
   if (isNew) at->second = edgeFactsOf(welded(*body.mesh)).open == 0;
   if (at->second) return;
-  warnings.push_back({ErrorKind::MalformedInput, file, "body '" + body.name + "'", GLISSADE_TEXT("is not a closed surface"),
-                      GLISSADE_TEXT("Being inside it is not seen as a collision; close its surface, or let planar holes be "
-                      "closed (--close-holes).")});
+  warnings.push_back(
+      {ErrorKind::MalformedInput,
+       file,
+       {GLISSADE_TEXT("body '%1'"), {body.name}},
+       GLISSADE_TEXT("is not a closed surface"),
+       GLISSADE_TEXT("Being inside it is not seen as a collision; close its surface, or let planar holes be "
+                     "closed (--close-holes).")});
 }
 
 Outcome checkPairs(const Product& product, const std::string& file) {
@@ -65,8 +69,11 @@ Outcome checkPairs(const Product& product, const std::string& file) {
       const bool known =
           std::any_of(product.bodies.begin(), product.bodies.end(), [&](const Body& body) { return body.id == id; });
       if (known) continue;
-      return Diagnostic{ErrorKind::MalformedInput, file, "/fits/pairs/" + std::to_string(i),
-                        "names the body '" + id + "', which is not there", GLISSADE_TEXT("See 'glissade-cli fits' for the names.")};
+      return Diagnostic{ErrorKind::MalformedInput,
+                        file,
+                        "/fits/pairs/" + std::to_string(i),
+                        {GLISSADE_TEXT("names the body '%1', which is not there"), {id}},
+                        GLISSADE_TEXT("See 'glissade-cli fits' for the names.")};
     }
   }
   return Done{};
@@ -94,8 +101,9 @@ Result<StatedScenario> statedIn(const std::string& file, Warnings& warnings) {
     return statedBy(*config);
   }
   if (isCadFile(file) || isUrdf(file) || isMeshFile(file)) {
-    return Diagnostic{ErrorKind::Usage, file, "", GLISSADE_TEXT("is a part file, and a scenario is needed"),
-                      GLISSADE_TEXT("Make a scenario of it: glissade-cli new OUT.json --moves FILE:PART --static FILE.")};
+    return Diagnostic{
+        ErrorKind::Usage, file, "", GLISSADE_TEXT("is a part file, and a scenario is needed"),
+        GLISSADE_TEXT("Make a scenario of it: glissade-cli new OUT.json --moves FILE:PART --static FILE.")};
   }
   if (const auto unread = unreadKind(file)) return *unread;
   const auto text = readFile(file, limits::kMostScenarioBytes);
@@ -103,7 +111,8 @@ Result<StatedScenario> statedIn(const std::string& file, Warnings& warnings) {
   auto document = parseJson(*text, file);
   if (!document) return document.error();
   if (takeChecksum(*document) == ChecksumState::Wrong) {
-    warnings.push_back(wrongChecksum(file, GLISSADE_TEXT("Check the scenario, then save it again or remove the checksum.")));
+    warnings.push_back(
+        wrongChecksum(file, GLISSADE_TEXT("Check the scenario, then save it again or remove the checksum.")));
   }
   try {
     return readStatedScenario(JsonCursor(*document, file, ""));
@@ -288,7 +297,10 @@ Result<ReadScenario> readScenario(const std::string& file, const StopToken& stop
   read.stated = std::move(*stated);
   if (const Outcome bodies = readBodies(file, stop, read); !bodies) return bodies.error();
   for (const StatedScenario::StatedBody& body : read.stated.leftOut) {
-    read.warnings.push_back({ErrorKind::MalformedInput, file, "'" + body.name + "'", GLISSADE_TEXT("is left out"),
+    read.warnings.push_back({ErrorKind::MalformedInput,
+                             file,
+                             {GLISSADE_TEXT("'%1'"), {body.name}},
+                             GLISSADE_TEXT("is left out"),
                              GLISSADE_TEXT("Proofs are about the product without it.")});
   }
   return read;
@@ -356,7 +368,8 @@ Result<Product> readProduct(const std::string& file, double deflection, const Fi
   Product product = std::move(*read);
   if (isPart) choose(fits, product.fits);
   if (product.bodies.size() < 2) {
-    return Diagnostic{ErrorKind::MalformedInput, file, "", GLISSADE_TEXT("holds one body: there is nothing to take apart"),
+    return Diagnostic{ErrorKind::MalformedInput, file, "",
+                      GLISSADE_TEXT("holds one body: there is nothing to take apart"),
                       GLISSADE_TEXT("Give a product of several parts.")};
   }
   centre(product.bodies);
@@ -375,7 +388,10 @@ Outcome leaveOut(const std::vector<std::string>& names, Product& product) {
       rest.push_back(product.bodies[i]);
       continue;
     }
-    product.warnings.push_back({ErrorKind::MalformedInput, "", "'" + product.bodies[i].name + "'", GLISSADE_TEXT("is left out"),
+    product.warnings.push_back({ErrorKind::MalformedInput,
+                                "",
+                                {GLISSADE_TEXT("'%1'"), {product.bodies[i].name}},
+                                GLISSADE_TEXT("is left out"),
                                 GLISSADE_TEXT("Proofs are about the product without it.")});
     std::erase_if(product.fits.pairs, [&](const PairWord& word) { return word.a == ids[i] || word.b == ids[i]; });
   }

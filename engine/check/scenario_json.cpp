@@ -34,7 +34,8 @@ Asset readAsset(const JsonCursor& at) {
 Geometry readShape(const JsonCursor& at, const std::set<std::string>& assets) {
   if (at.json().size() != 1) at.fail(GLISSADE_TEXT("does not name exactly one shape"));
   const auto asset = [&](const JsonCursor& name) {
-    if (assets.count(name.text()) == 0) name.fail("names the asset '" + name.text() + "', which is not in /assets");
+    if (assets.count(name.text()) == 0)
+      name.fail({GLISSADE_TEXT("names the asset '%1', which is not in /assets"), {name.text()}});
     return name.text();
   };
   if (const auto mesh = at.find("mesh")) {
@@ -47,7 +48,8 @@ Geometry readShape(const JsonCursor& at, const std::set<std::string>& assets) {
                         step->has("as_one") && step->at("as_one").boolean()};
   }
   if (const auto box = at.find("box")) {
-    if (!limits::isSize(readVector(*box).minCoeff())) box->fail(GLISSADE_TEXT("has a size that is not above zero, or below 1e-12 m"));
+    if (!limits::isSize(readVector(*box).minCoeff()))
+      box->fail(GLISSADE_TEXT("has a size that is not above zero, or below 1e-12 m"));
     return BoxGeometry{readVector(*box)};
   }
   if (const auto cylinder = at.find("cylinder")) {
@@ -84,18 +86,21 @@ PairWord readPair(const JsonCursor& at) {
     constexpr std::array<const char*, 7> kKinds{"planar",  "cylindrical", "thread", "press",
                                                 "overlap", "contact",     "clash"};
     word.kind = kind->text();
-    if (std::find(kKinds.begin(), kKinds.end(), word.kind) == kKinds.end()) kind->fail(GLISSADE_TEXT("is not a kind of fit"));
+    if (std::find(kKinds.begin(), kKinds.end(), word.kind) == kKinds.end())
+      kind->fail(GLISSADE_TEXT("is not a kind of fit"));
   }
   if (const auto allowance = at.find("allowance")) {
     word.allowance = allowance->coordinate();
-    if (*word.allowance < 0.0) allowance->fail(GLISSADE_TEXT("is below zero"), GLISSADE_TEXT("Give metres, 0 or more."));
+    if (*word.allowance < 0.0)
+      allowance->fail(GLISSADE_TEXT("is below zero"), GLISSADE_TEXT("Give metres, 0 or more."));
   }
   if (const auto accepted = at.find("accepted")) word.accepted = accepted->boolean();
   if (const auto pitch = at.find("pitch_m")) {
     word.pitch = pitch->number();
     const double size = std::abs(*word.pitch);
     if (!(size >= kLeastStatedPitch && size <= kMostStatedPitch)) {
-      pitch->fail(GLISSADE_TEXT("is not a pitch"), GLISSADE_TEXT("Give metres a turn, from 0.00001 to 1; below zero for a left-handed thread."));
+      pitch->fail(GLISSADE_TEXT("is not a pitch"),
+                  GLISSADE_TEXT("Give metres a turn, from 0.00001 to 1; below zero for a left-handed thread."));
     }
   }
   if (const auto turned = at.find("turned")) {
@@ -166,8 +171,10 @@ bool forbids(const JsonCursor& edit) {
 }
 
 void readFormat(const JsonCursor& root) {
-  if (root.at("format").text() != "glissade-scenario") root.at("format").fail(GLISSADE_TEXT("is not \"glissade-scenario\""));
-  if (root.at("version").wholeNumber() != 1) root.at("version").fail(GLISSADE_TEXT("is not 1"), GLISSADE_TEXT("Use a newer Glissade."));
+  if (root.at("format").text() != "glissade-scenario")
+    root.at("format").fail(GLISSADE_TEXT("is not \"glissade-scenario\""));
+  if (root.at("version").wholeNumber() != 1)
+    root.at("version").fail(GLISSADE_TEXT("is not 1"), GLISSADE_TEXT("Use a newer Glissade."));
 }
 
 }  // namespace
@@ -183,8 +190,9 @@ StatedScenario readStatedScenario(const JsonCursor& root) {
   }
   std::set<std::string> ids;
   const auto addId = [&](const std::string& id, const JsonCursor& at) {
-    if (id.find('/') != std::string::npos) at.at("id").fail(GLISSADE_TEXT("holds a '/'"), GLISSADE_TEXT("Leave it out."));
-    if (!ids.insert(id).second) at.at("id").fail("has the id '" + id + "' a second time");
+    if (id.find('/') != std::string::npos)
+      at.at("id").fail(GLISSADE_TEXT("holds a '/'"), GLISSADE_TEXT("Leave it out."));
+    if (!ids.insert(id).second) at.at("id").fail({GLISSADE_TEXT("has the id '%1' a second time"), {id}});
   };
   std::vector<std::string> staying;
   const auto addBodies = [&](const JsonCursor& list, std::vector<StatedScenario::StatedBody>& bodies) {

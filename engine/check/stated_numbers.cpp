@@ -4,12 +4,11 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <sstream>
 #include <tuple>
 
-#include "engine/base/quantity_text.h"
 #include "engine/check/motion_setup.h"
 #include "engine/check/pair_work.h"
+#include "engine/check/verdict_words.h"
 
 namespace glissade::check {
 namespace {
@@ -26,13 +25,6 @@ constexpr double kLeastTurn = 1e-3;
 
 bool isNear(double stated, double found, double share, double least) {
   return std::abs(stated - found) <= share * std::max(std::abs(stated), std::abs(found)) + least;
-}
-
-std::string numberText(double value) {
-  std::ostringstream text;
-  text.precision(6);
-  text << value;
-  return text.str();
 }
 
 /// The rotation of a path, about any axis.
@@ -60,7 +52,7 @@ class Numbers {
   explicit Numbers(const NumbersQuestion& question)
       : question_(question), step_(*question.numbered.step), turning_(turningOf(step_.path)) {}
 
-  std::vector<std::string> wrong() {
+  std::vector<Message> wrong() {
     compareCounts();
     if (step_.proof && step_.certified) compareProof(*step_.proof);
     for (const StatedJoint& joint : step_.joints) compareJoint(joint);
@@ -69,8 +61,14 @@ class Numbers {
   }
 
  private:
-  void refuse(const std::string& key, const std::string& stated, const std::string& found, const std::string& of = "") {
-    wrong_.push_back("it states \"" + key + "\": " + stated + of + ", and the judge finds " + found);
+  void refuse(const char* key, const MessageArgument& stated, const MessageArgument& found) {
+    wrong_.push_back({GLISSADE_TEXT("it states \"%1\": %2, and the judge finds %3"), {key, stated, found}});
+  }
+
+  /// `of`: the joint or the allowance that the number belongs to.
+  void refuse(const char* key, double stated, const MessageArgument& found, const Message& of) {
+    wrong_.push_back(
+        {GLISSADE_TEXT("it states \"%1\": %2 of %3, and the judge finds %4"), {key, numberText(stated), of, found}});
   }
 
   const Body* bodyOf(const std::string& id) const {
@@ -79,59 +77,63 @@ class Numbers {
     return found == question_.product.bodies.end() ? nullptr : &*found;
   }
 
+  static Message atMost(double value) { return {GLISSADE_TEXT("at most %1"), {numberText(value)}}; }
+
+  /// The name for people, or the id if there is no such body.
   std::string nameOf(const std::string& id) const {
     const Body* body = bodyOf(id);
-    return "'" + (body == nullptr ? id : body->name) + "'";
+    return body == nullptr ? id : body->name;
   }
 
   void compareCounts() {
     const std::size_t bodies = question_.product.bodies.size();
     for (const auto& [key, number] : {std::pair("wave", step_.wave), std::pair("task", step_.task)}) {
-      if (number && *number > bodies) refuse(key, std::to_string(*number), "at most " + std::to_string(bodies));
+      if (number && *number > bodies) refuse(key, *number, Message{GLISSADE_TEXT("at most %1"), {bodies}});
     }
   }
 
   void compareProof(const StatedProof& proof) {
     const std::size_t before = question_.numbered.earlier;
     if (proof.afterSteps > before) {
-      refuse("after_steps", std::to_string(proof.afterSteps), std::to_string(before) + " steps before it");
+      refuse("after_steps", proof.afterSteps, Message{GLISSADE_TEXT("%1 steps before it"), {before}});
     }
     if (!proof.nearest.empty() && bodyOf(proof.nearest) == nullptr) {
-      refuse("nearest", "'" + proof.nearest + "'", "no such body");
+      refuse("nearest", Message{GLISSADE_TEXT("'%1'"), {proof.nearest}}, GLISSADE_TEXT("no such body"));
     }
     if (proof.required && question_.required && !isNear(*proof.required, *question_.required, kClearanceShare, 0.0)) {
       refuse("required_m", numberText(*proof.required), numberText(*question_.required));
     }
     const double met = question_.farthest;
     if (proof.provedClearance && *proof.provedClearance > (1.0 + kClearanceShare) * met + kLeastLength) {
-      refuse("proved_clearance_m", numberText(*proof.provedClearance), "at most " + numberText(met));
+      refuse("proved_clearance_m", numberText(*proof.provedClearance), atMost(met));
     }
     const double proved = question_.verdict.motion.verdict.provedClearance;
     const bool isOfSameBodies = proof.afterSteps == before;
     if (proof.minClearance && isOfSameBodies && question_.verdict.certified() &&
         *proof.minClearance < (1.0 - kClearanceShare) * proved - kLeastLength) {
-      refuse("min_clearance_m", numberText(*proof.minClearance), "at least " + numberText(proved));
+      refuse("min_clearance_m", numberText(*proof.minClearance),
+             Message{GLISSADE_TEXT("at least %1"), {numberText(proved)}});
     }
     if (proof.minClearance && proof.provedClearance &&
         *proof.minClearance < (1.0 - kClearanceShare) * *proof.provedClearance) {
       refuse("min_clearance_m", numberText(*proof.minClearance),
-             "at least the proved " + numberText(*proof.provedClearance));
+             Message{GLISSADE_TEXT("at least the proved %1"), {numberText(*proof.provedClearance)}});
     }
     if (proof.minClearance && std::isfinite(met) && !std::isfinite(*proof.minClearance)) {
-      refuse("min_clearance_m", "null", "at most " + numberText(met));
+      refuse("min_clearance_m", "null", atMost(met));
     }
   }
 
   void compareJoint(const StatedJoint& joint) {
-    const std::string of = " of the joint of " + nameOf(joint.body);
+    const Message of{GLISSADE_TEXT("the joint of '%1'"), {nameOf(joint.body)}};
     if (joint.turns && !isNear(*joint.turns, turning_.turns, kTurnShare, kLeastTurn)) {
-      refuse("turns", numberText(*joint.turns), numberText(turning_.turns), of);
+      refuse("turns", *joint.turns, numberText(turning_.turns), of);
     }
     const bool turns = joint.turns && *joint.turns > 0.0 && turning_.pitch != 0.0;
     if (joint.pitch && *joint.pitch != 0.0 && turns) {
       // The hand is that of the motion, whichever of the two bodies moves.
       if (!isNear(*joint.pitch, turning_.pitch, kEstimate, kLeastLength)) {
-        refuse("pitch_m", numberText(*joint.pitch), numberText(turning_.pitch), of);
+        refuse("pitch_m", *joint.pitch, numberText(turning_.pitch), of);
       }
     }
     if (joint.diameter && *joint.diameter > 0.0) compareDiameter(joint, of);
@@ -140,7 +142,7 @@ class Numbers {
   }
 
   /// A thread may be drawn anywhere from its core to its crests, on either body.
-  void compareDiameter(const StatedJoint& joint, const std::string& of) {
+  void compareDiameter(const StatedJoint& joint, const Message& of) {
     std::vector<std::string> ids = joint.others;
     ids.push_back(joint.body);
     double nearest = 0.0;
@@ -160,34 +162,35 @@ class Numbers {
     const bool isDrawn = nearest > (1.0 - kCoreShare) * *joint.diameter - kLeastLength &&
                          nearest < (1.0 + kDiameterShare) * *joint.diameter;
     if (nearest > 0.0 && !isDrawn) {
-      refuse("diameter_m", numberText(*joint.diameter), "a cylinder of " + numberText(nearest), of);
+      refuse("diameter_m", *joint.diameter, Message{GLISSADE_TEXT("a cylinder of %1"), {numberText(nearest)}}, of);
     } else if (nearest == 0.0 && *joint.diameter > largest) {
-      refuse("diameter_m", numberText(*joint.diameter), "bodies of " + numberText(largest), of);
+      refuse("diameter_m", *joint.diameter, Message{GLISSADE_TEXT("bodies of %1"), {numberText(largest)}}, of);
     }
   }
 
-  void compareBend(const StatedJoint& joint, const std::string& of) {
+  void compareBend(const StatedJoint& joint, const Message& of) {
     for (const std::string& other : joint.others) {
       const SnapWord* snap = question_.product.fits.snapOf(joint.body, other);
       const double bend = snap == nullptr ? 0.0 : snap->bend;
       if (isNear(*joint.bend, bend, kEstimate, kLeastLength)) continue;
-      refuse("bend_m", numberText(*joint.bend), snap == nullptr ? "no word about a bend" : numberText(bend), of);
+      const MessageArgument noWord = GLISSADE_TEXT("no word about a bend");
+      refuse("bend_m", *joint.bend, snap == nullptr ? noWord : numberText(bend), of);
     }
   }
 
   /// The width across flats of a hexagon is the distance between two faces; other drives are no larger than their
   /// bodies.
-  void compareDrive(const StatedJoint& joint, const std::string& of) {
+  void compareDrive(const StatedJoint& joint, const Message& of) {
     const Body* body = bodyOf(joint.body);
     if (body == nullptr) return;
     const double size = boundingBox(*body->mesh).diagonal().norm();
     if (*joint.driveSize > size) {
-      refuse("drive_size_m", numberText(*joint.driveSize), "a body of " + numberText(size), of);
+      refuse("drive_size_m", *joint.driveSize, Message{GLISSADE_TEXT("a body of %1"), {numberText(size)}}, of);
       return;
     }
     const bool isHexagon = joint.drive == "hex" || joint.drive == "hex_socket";
     if (!isHexagon || joint.isNamed || hasFlats(*body->mesh, *joint.driveSize)) return;
-    refuse("drive_size_m", numberText(*joint.driveSize), "no two parallel faces so far apart", of);
+    refuse("drive_size_m", *joint.driveSize, GLISSADE_TEXT("no two parallel faces so far apart"), of);
   }
 
   static bool hasFlats(const TriangleMesh& mesh, double across) {
@@ -225,9 +228,9 @@ class Numbers {
 
   void compareAllowance(const StatedAllowance& stated) {
     const std::string moving = stated.moving.empty() ? step_.bodies.front() : stated.moving;
-    const std::string of = " of the allowance for " + nameOf(moving) + " and " + nameOf(stated.body);
+    const Message of{GLISSADE_TEXT("the allowance for '%1' and '%2'"), {nameOf(moving), nameOf(stated.body)}};
     if (stated.turns && *stated.turns > turning_.turns * (1.0 + kTurnShare) + kLeastTurn) {
-      refuse("turns", numberText(*stated.turns), numberText(turning_.turns), of);
+      refuse("turns", *stated.turns, numberText(turning_.turns), of);
     }
     bool isKnown = false;
     bool isOverlap = !stated.overlap;
@@ -242,12 +245,12 @@ class Numbers {
       overlap = numberText(applied.evidence.overlap);
       evidence = numberText(applied.evidence.sum());
       if (applied.hollow && stated.hollow && !isNear(stated.allowance, applied.most, kEstimate, kLeastLength)) {
-        refuse("allowance_m", numberText(stated.allowance), numberText(applied.most), of);
+        refuse("allowance_m", stated.allowance, numberText(applied.most), of);
       }
     }
     if (!isKnown) return;
-    if (!isOverlap) refuse("overlap_m", numberText(*stated.overlap), overlap, of);
-    if (!isEvidence) refuse("evidence", numberText(stated.evidence->sum()), evidence, of);
+    if (!isOverlap) refuse("overlap_m", *stated.overlap, overlap, of);
+    if (!isEvidence) refuse("evidence", stated.evidence->sum(), evidence, of);
   }
 
   static bool isOverlapOf(double stated, const AppliedAllowance& applied) {
@@ -268,11 +271,11 @@ class Numbers {
   const NumbersQuestion& question_;
   const Step& step_;
   Turning turning_;
-  std::vector<std::string> wrong_;
+  std::vector<Message> wrong_;
 };
 
 }  // namespace
 
-std::vector<std::string> wrongNumbers(const NumbersQuestion& question) { return Numbers(question).wrong(); }
+std::vector<Message> wrongNumbers(const NumbersQuestion& question) { return Numbers(question).wrong(); }
 
 }  // namespace glissade::check

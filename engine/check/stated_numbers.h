@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "engine/check/numbered_steps.h"
@@ -22,6 +21,6 @@ struct NumbersQuestion {
 
 /// Numbers stated by the step that contradict its motion, its allowances or the product, for people: the number, its
 /// key in the file, and the right value.
-std::vector<std::string> wrongNumbers(const NumbersQuestion& question);
+std::vector<Message> wrongNumbers(const NumbersQuestion& question);
 
 }  // namespace glissade::check

@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "engine/base/parameters.h"
-#include "engine/base/quantity_text.h"
 #include "engine/check/pair_work.h"
 #include "engine/check/pulled_thread.h"
 #include "engine/check/standard_pitch.h"
@@ -53,7 +52,7 @@ class StepJudge {
   }
 
   StepVerdict judge() {
-    StepVerdict verdict{numbered_.step->bodies, {}, true, "", {}, numbered_.wrong};
+    StepVerdict verdict{numbered_.step->bodies, {}, true, {}, {}, numbered_.wrong};
     verdict.isFlexible = numbered_.step->flexible;
     if (numbered_.group.empty()) return verdict;
     checkNames(verdict);
@@ -103,13 +102,14 @@ class StepJudge {
       const bool known = std::any_of(product_.bodies.begin(), product_.bodies.end(),
                                      [&](const Body& body) { return body.id == each.body; });
       if (known && isInStep(each.moving)) continue;
-      verdict.refusals.push_back("it states an allowance of '" + each.moving + "' against '" + each.body +
-                                 "', which are not a body of the step and one of the product");
+      verdict.refusals.push_back({GLISSADE_TEXT("it states an allowance of '%1' against '%2', which are not a body of "
+                                                "the step and one of the product"),
+                                  {each.moving, each.body}});
     }
   }
 
   /// Refuses the allowances that the step states for a pair that is not compared.
-  void refuseStated(const Body& own, const Body& other, const char* why, StepVerdict& verdict) const {
+  void refuseStated(const Body& own, const Body& other, CatalogueText why, StepVerdict& verdict) const {
     for (const StatedAllowance& each : numbered_.step->allowances) {
       if (!each.isAbout(own.id, other.id, numbered_.step->bodies.front()) || each.allowance <= 0.0) continue;
       AppliedAllowance refused{own.id, other.id, own.name, other.name};
@@ -137,9 +137,10 @@ class StepJudge {
   void noteRules(StepVerdict& verdict) const {
     for (const StatedViolation& each : numbered_.step->violates) {
       if (each.rule == "before" || each.rule == "place") continue;
-      std::string names;
-      for (const std::string& id : each.bodies) names += (names.empty() ? "'" : ", '") + nameOf(id) + "'";
-      verdict.notes.push_back("it says that it does not keep the rule \"" + each.rule + "\" about " + names);
+      std::vector<std::string> names;
+      for (const std::string& id : each.bodies) names.push_back(nameOf(id));
+      verdict.notes.push_back(
+          {GLISSADE_TEXT("it says that it does not keep the rule \"%1\" about %2"), {each.rule, namesInWords(names)}});
     }
   }
 
@@ -202,9 +203,9 @@ class StepJudge {
     }
     if (thread.modelled != 0.0) {
       if (std::abs(thread.modelled - thread.pitch) <= kModelledPitchShare * std::abs(thread.modelled)) return;
-      verdict.refusals.push_back(pairInWords(moving, other) + ": the thread is modelled with a pitch of " +
-                                 inMillimetres(thread.modelled) + ", and the motion has " +
-                                 inMillimetres(thread.pitch));
+      verdict.refusals.push_back(
+          {GLISSADE_TEXT("'%1' and '%2': the thread is modelled with a pitch of %3, and the motion has %4"),
+           {moving, other, Length{thread.modelled}, Length{thread.pitch}}});
       return;
     }
     if (!isStandardPitch(thread.diameter, thread.pitch)) {
@@ -256,26 +257,37 @@ class StepJudge {
         {placed_.at({asked.moving, asked.moving.X_WB}), placed_.at({asked.other, asked.other.X_WB}), overlap, isCalled,
          fit.inSolid ? &*fit.inSolid : nullptr, screwSizeIn(asked.moving.name), screwSizeIn(asked.other.name)});
     for (const TurnedThread& each : turnedThreads(threads, asked.path)) judgePitch(asked, each, verdict);
-    const std::string pulled = pulledThread(threads, asked.path);
+    const Message pulled = pulledThread(threads, asked.path);
     if (pulled.empty()) return;
-    const std::string what =
-        "'" + asked.moving.name + "' is pulled off '" + asked.other.name + "' without a turn: " + pulled;
-    std::string may = product_.fits.partingOf(asked.moving.id, asked.other.id);
-    if (may.empty() && fit.acceptedClash) may = "a person accepts their clash";
-    if (asked.moving.mesh->faces.empty() || asked.other.mesh->faces.empty()) may = "their meshes state no cylinders";
-    if (may.empty()) may = partingByPlan(asked, verdict);
-    (may.empty() ? verdict.refusals : verdict.pulls).push_back(what + (may.empty() ? "" : "; " + may));
+    const Message what{GLISSADE_TEXT("'%1' is pulled off '%2' without a turn: %3"),
+                       {asked.moving.name, asked.other.name, pulled}};
+    const Message may = mayBePulled(asked, fit, verdict);
+    if (may.empty()) {
+      verdict.refusals.push_back(what);
+    } else {
+      verdict.pulls.push_back(joined({what, may}, "; "));
+    }
+  }
+
+  /// The reason why the threads of the pair may be pulled; empty: they may not.
+  Message mayBePulled(const PairQuestion& asked, const PairFit& fit, StepVerdict& verdict) const {
+    if (asked.moving.mesh->faces.empty() || asked.other.mesh->faces.empty()) {
+      return GLISSADE_TEXT("their meshes state no cylinders");
+    }
+    if (Message said = product_.fits.partingOf(asked.moving.id, asked.other.id); !said.empty()) return said;
+    if (fit.acceptedClash) return GLISSADE_TEXT("a person accepts their clash");
+    return partingByPlan(asked, verdict);
   }
 
   /// The plan's statement by which the pair may come apart without a turn, which is a condition; empty: none.
-  std::string partingByPlan(const PairQuestion& asked, StepVerdict& verdict) const {
+  Message partingByPlan(const PairQuestion& asked, StepVerdict& verdict) const {
     FitWords ofPlan;
     ofPlan.partings = plan_.partings;
     if (ofPlan.partingOf(asked.moving.id, asked.other.id).empty()) return {};
     const Condition condition =
         plan_.partings.anyPair ? noJointsAreUsed() : comesApart(asked.moving.name, asked.other.name);
     verdict.conditions.push_back(condition);
-    return "the plan says that " + condition.text;
+    return {GLISSADE_TEXT("the plan says that %1"), {condition.text}};
   }
 
   BodyMotion judgeBody(std::size_t body, const std::vector<Pose>& path, StepVerdict& verdict) const {
@@ -294,13 +306,15 @@ class StepJudge {
       if (watch_.stop.stopRequested()) continue;
       const Body& obstacle = product_.bodies[other];
       if (!numbered_.mayBeThere[other] || moves) {
-        refuseStated(own, obstacle, moves ? "they leave together" : "the other one has left before", verdict);
+        refuseStated(own, obstacle,
+                     moves ? GLISSADE_TEXT("they leave together") : GLISSADE_TEXT("the other one has left before"),
+                     verdict);
         continue;
       }
       const double apart = sweep.exteriorDistance(boundingBox(*obstacle.mesh, obstacle.X_WB));
       if (apart > near) {
         leastOfFar = std::min(leastOfFar, apart);
-        refuseStated(own, obstacle, "they are apart", verdict);
+        refuseStated(own, obstacle, GLISSADE_TEXT("they are apart"), verdict);
         continue;
       }
       const PairQuestion asked{own, obstacle, {own.X_WB}, stated, numbered_.step->bodies.front(), ofBody};

@@ -52,9 +52,10 @@ void takeCore(const std::vector<StatedAllowance>& stated, PairWork& work) {
   const StatedAllowance& claim = stated.front();
   const auto refuse = [&](const Message& reason) {
     if (work.fit.applied.empty()) work.add(claim.yields, 0.0).stated = claim.allowance;
-    work.fit.refusals.push_back(allowanceRefused(work.fit.applied.front(), toString(reason)));
+    work.fit.refusals.push_back(allowanceRefused(work.fit.applied.front(), reason));
   };
-  if (stated.size() > 1 || !claim.core) return refuse(GLISSADE_TEXT("a thread is taken away of one body of a pair, and nothing else"));
+  if (stated.size() > 1 || !claim.core)
+    return refuse(GLISSADE_TEXT("a thread is taken away of one body of a pair, and nothing else"));
   if (work.word != nullptr && !work.word->kind.empty() && !work.word->isThread())
     return refuse(GLISSADE_TEXT("a person says that the pair is no thread"));
   Thread thread = threadOf(*claim.core);
@@ -62,7 +63,8 @@ void takeCore(const std::vector<StatedAllowance>& stated, PairWork& work) {
   Result<ThreadCore> core = findCore(work, thread);
   if (!core) return refuse(core.error().reason);
   double& hole = thread.movingIsShaft ? thread.radiusOther : thread.radiusMoving;
-  if (std::abs(hole - core->hole) > kSameRadius) return refuse(GLISSADE_TEXT("the hole is not as narrow as the file states"));
+  if (std::abs(hole - core->hole) > kSameRadius)
+    return refuse(GLISSADE_TEXT("the hole is not as narrow as the file states"));
   hole = core->hole;
   takeTouching(thread, *core, work);
   AppliedAllowance& allowance = work.add(claim.yields, core->depth());

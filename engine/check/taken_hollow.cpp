@@ -35,15 +35,17 @@ Overlapping deepestEnd(const PairWork& work) {
   return deepest;
 }
 
+Message isCut(const Body& body) { return {GLISSADE_TEXT("'%1' is the one that is cut"), {body.name}}; }
+
 /// The reason why the body that the file cuts may not be cut; empty if it may.
-std::string wrongCut(Cut cut, bool yields, const PairWork& work) {
+Message wrongCut(Cut cut, bool yields, const PairWork& work) {
   switch (cut) {
     case Cut::NotClear: return GLISSADE_TEXT("which of the two is cut is not clear, and no person names it");
     case Cut::NotWhole: return GLISSADE_TEXT("what would be left of it is not one piece as before");
-    case Cut::One: return yields ? "'" + work.question.moving.name + "' is the one that is cut" : "";
-    case Cut::Other: return yields ? "" : "'" + work.question.other.name + "' is the one that is cut";
+    case Cut::One: return yields ? isCut(work.question.moving) : Message();
+    case Cut::Other: return yields ? Message() : isCut(work.question.other);
   }
-  return "";
+  return {};
 }
 
 /// The hole that the body in the hollow one makes as a screw; nothing if it makes none.
@@ -72,7 +74,7 @@ void takeAllAround(const StatedAllowance& stated, PairWork& work) {
   allowance.most = room;
   const double ofWall = wallDeflection(thinner);
   allowance.evidence = {0.0, ofWall, spacing, room - ofWall - spacing, 0.0};
-  if (stated.allowance > (1.0 + kEstimate) * room) work.fit.refusals.push_back(allowanceRefused(allowance, ""));
+  if (stated.allowance > (1.0 + kEstimate) * room) work.fit.refusals.push_back(allowanceRefused(allowance, {}));
 }
 
 }  // namespace
@@ -81,7 +83,7 @@ void takeHollow(const std::vector<StatedAllowance>& stated, PairWork& work) {
   const bool isFirst = stated.front().hollow;
   const StatedAllowance& host = isFirst ? stated.front() : stated.back();
   const StatedAllowance& guest = isFirst ? stated.back() : stated.front();
-  const auto refuse = [&](const StatedAllowance& claim, const std::string& reason) {
+  const auto refuse = [&](const StatedAllowance& claim, const Message& reason) {
     AppliedAllowance& allowance = work.add(claim.yields, 0.0);
     allowance.stated = claim.allowance;
     AppliedAllowance claimed = allowance;
@@ -89,8 +91,10 @@ void takeHollow(const std::vector<StatedAllowance>& stated, PairWork& work) {
     work.fit.refusals.push_back(allowanceRefused(claimed, reason));
   };
   if (stated.size() != 2 || guest.hollow || host.yields == guest.yields || host.core || host.thread || guest.thread)
-    return refuse(host, GLISSADE_TEXT("what overlaps is taken away of one body of a pair, and the other one is taken thinner"));
-  if (work.word != nullptr && work.word->isThread()) return refuse(host, GLISSADE_TEXT("a person says that the pair is a thread"));
+    return refuse(
+        host, GLISSADE_TEXT("what overlaps is taken away of one body of a pair, and the other one is taken thinner"));
+  if (work.word != nullptr && work.word->isThread())
+    return refuse(host, GLISSADE_TEXT("a person says that the pair is a thread"));
   work.findBounds(work.word);
   work.fit = {};
   const Overlapping at = deepestEnd(work);
@@ -104,7 +108,7 @@ void takeHollow(const std::vector<StatedAllowance>& stated, PairWork& work) {
   const Placement moving{work.question.moving, at.end};
   const Placement other{work.question.other, work.question.other.X_WB};
   if (!work.fit.inSolid) {
-    const std::string wrong = wrongCut(work.bodies.cutOf(moving, other, work.fits, work.stop), host.yields, work);
+    const Message wrong = wrongCut(work.bodies.cutOf(moving, other, work.fits, work.stop), host.yields, work);
     if (!wrong.empty()) return refuse(host, wrong);
   }
   const MeshPtr hollow = work.bodies.hollowOf(host.yields ? other : moving, host.yields ? moving : other, work.stop);

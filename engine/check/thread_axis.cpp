@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <utility>
+
+#include "engine/check/verdict_words.h"
 
 namespace glissade::check {
 namespace {
@@ -60,8 +61,9 @@ Result<Thread> threadAxis(const PlacedBody& moving, const PlacedBody& other,
              (face.point - thread.point).cross(thread.axis).norm() <= kOnCylinder;
     });
     if (thread.axis.allFinite() && thread.axis.norm() > 0.5 && shareSpan(moving, other, thread)) return thread;
-    return noThread(GLISSADE_TEXT("the axis that the file states for the thread is not one that the meshes of both bodies show"),
-                    GLISSADE_TEXT("Plan again."));
+    return noThread(
+        GLISSADE_TEXT("the axis that the file states for the thread is not one that the meshes of both bodies show"),
+        GLISSADE_TEXT("Plan again."));
   }
   std::optional<Thread> best;
   double least = std::numeric_limits<double>::infinity();
@@ -84,18 +86,17 @@ Result<Thread> threadAxis(const PlacedBody& moving, const PlacedBody& other,
     }
   }
   if (best) return *best;
-  return noThread(GLISSADE_TEXT("a person calls the pair a thread, but no shaft of the one is on the axis of a hole of the other"),
-                  GLISSADE_TEXT("Give the pair another kind."));
+  return noThread(
+      GLISSADE_TEXT("a person calls the pair a thread, but no shaft of the one is on the axis of a hole of the other"),
+      GLISSADE_TEXT("Give the pair another kind."));
 }
 
-std::string wrongPitch(const Thread& thread) {
+Message wrongPitch(const Thread& thread) {
   const double diameter = 2.0 * std::max(thread.radiusMoving, thread.radiusOther);
   const double pitch = std::abs(thread.pitch);
   if (pitch >= kLeastThreadPitch && pitch <= kMostPitchInDiameters * diameter) return {};
-  std::ostringstream text;
-  text << "a pitch of " << pitch * 1e3 << " mm is none of a thread of " << diameter * 1e3
-       << " mm: it has to be from 0.01 mm to two diameters";
-  return text.str();
+  return {GLISSADE_TEXT("a pitch of %1 mm is none of a thread of %2 mm: it has to be from 0.01 mm to two diameters"),
+          {numberText(pitch * 1e3), numberText(diameter * 1e3)}};
 }
 
 }  // namespace glissade::check

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "engine/base/result.h"
 #include "engine/check/path.h"
@@ -24,6 +23,6 @@ Thread threadOf(const StatedThread& stated);
 Result<Thread> threadAxis(const PlacedBody& moving, const PlacedBody& other, const std::optional<StatedThread>& stated);
 
 /// The reason why this is no pitch of a thread with these radii; empty if it is one.
-std::string wrongPitch(const Thread& thread);
+Message wrongPitch(const Thread& thread);
 
 }  // namespace glissade::check

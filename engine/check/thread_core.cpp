@@ -107,7 +107,7 @@ Result<ThreadCore> threadCoreOf(const PlacedBody& shaft, const PlacedBody& hole,
   Thread rule;
   rule.pitch = claim.pitch;
   rule.radiusMoving = claim.crest;
-  if (const std::string wrong = wrongPitch(rule); !wrong.empty()) return refused(wrong);
+  if (const Message wrong = wrongPitch(rule); !wrong.empty()) return refused(wrong);
   const auto wall =
       ringAround(aroundOf(hole.mesh, claim.point, claim.axis), {0.5 * claim.crest, kWidestWall * claim.crest});
   if (!wall) return refused(GLISSADE_TEXT("the hole is not around the axis that the file states for the thread"));
@@ -119,7 +119,8 @@ Result<ThreadCore> threadCoreOf(const PlacedBody& shaft, const PlacedBody& hole,
   const std::vector<Around> crests = crestsOf(vertices, *thread, claim);
   if (!ringAround(crests, {claim.crest - offOf(claim.crest), claim.crest}))
     return refused(GLISSADE_TEXT("the crests are not around the axis that the file states"));
-  if (!areHelix(crests, claim.pitch)) return refused(GLISSADE_TEXT("the shaft has no helix of the pitch that the file states"));
+  if (!areHelix(crests, claim.pitch))
+    return refused(GLISSADE_TEXT("the shaft has no helix of the pitch that the file states"));
   const Span taken = toTheEnds(*thread, vertices, std::abs(claim.pitch));
   ThreadCore core{claim.point, claim.axis, taken.low, taken.high};
   core.crest = claim.crest + offOf(claim.crest);

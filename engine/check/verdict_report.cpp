@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
-#include "engine/base/quantity_text.h"
 #include "engine/check/plain_overlaps.h"
 #include "engine/check/verdict_words.h"
 #include "engine/geometry/pose_json.h"
@@ -36,48 +34,52 @@ std::size_t slidingEdges(const MotionVerdict& verdict) {
                                                 [](const EdgeVerdict& edge) { return edge.demand.sliding; }));
 }
 
-std::string motionInWords(const MotionVerdict& verdict, const Product& product) {
-  std::ostringstream text;
+Message certifiedInWords(const MotionVerdict& verdict, const std::string& body) {
+  Message near = GLISSADE_TEXT("nothing near");
+  if (!body.empty()) {
+    near = {GLISSADE_TEXT("clearance %1 mm to '%2'"), {numberText(verdict.minClearance * 1e3), body}};
+  }
+  const std::string demanded = numberText(verdict.demanded * 1e3);
+  const std::size_t sliding = slidingEdges(verdict);
+  if (sliding == 0) return {GLISSADE_TEXT("certified: %1 (required %2 mm)"), {near, demanded}};
+  return {GLISSADE_TEXT("certified: %1 (required %2 mm, %3 of %4 edges slide)"),
+          {near, demanded, sliding, verdict.edges.size()}};
+}
+
+Message violatedInWords(const MotionVerdict& verdict, const std::string& body) {
+  if (verdict.againstThread) {
+    return {GLISSADE_TEXT("violated: on edge %1 the object is in the thread of '%2', and the edge is no turn about "
+                          "their axis by the pitch"),
+            {verdict.edge, body}};
+  }
+  return {GLISSADE_TEXT("violated: %1 mm to '%2' on edge %3 at %4 (required %5 mm)"),
+          {numberText(verdict.minClearance * 1e3), body, verdict.edge, numberText(verdict.at),
+           numberText(verdict.demanded * 1e3)}};
+}
+
+Message motionInWords(const MotionVerdict& verdict, const Product& product) {
   const std::string body = bodyName(verdict.nearest, product);
   switch (verdict.status) {
-    case Status::Certified:
-      text << "certified: ";
-      if (body.empty()) {
-        text << "nothing near";
-      } else {
-        text << "clearance " << verdict.minClearance * 1e3 << " mm to '" << body << "'";
-      }
-      text << " (required " << verdict.demanded * 1e3 << " mm";
-      if (const std::size_t sliding = slidingEdges(verdict); sliding > 0) {
-        text << ", " << sliding << " of " << verdict.edges.size() << " edges slide";
-      }
-      text << ")";
-      break;
-    case Status::Violated:
-      if (verdict.againstThread) {
-        text << "violated: on edge " << verdict.edge << " the object is in the thread of '" << body
-             << "', and the edge is no turn about their axis by the pitch";
-        break;
-      }
-      text << "violated: " << verdict.minClearance * 1e3 << " mm to '" << body << "' on edge " << verdict.edge << " at "
-           << verdict.at << " (required " << verdict.demanded * 1e3 << " mm)";
-      break;
-    case Status::Undecided: text << "undecided on edge " << verdict.edge; break;
+    case Status::Certified: return certifiedInWords(verdict, body);
+    case Status::Violated: return violatedInWords(verdict, body);
+    case Status::Undecided: return {GLISSADE_TEXT("undecided on edge %1"), {verdict.edge}};
   }
-  return text.str();
+  return {};
 }
 
 /// The motion that a thread needs, for a path that does not turn in it.
-std::string threadInWords(const PathVerdict& verdict, const Question& question) {
+Message threadInWords(const PathVerdict& verdict, const Question& question) {
   const Nearest& nearest = verdict.motion.verdict.nearest;
   if (!verdict.motion.verdict.againstThread || nearest.body < 0) return {};
   const Body& other = question.product.bodies[static_cast<std::size_t>(nearest.body)];
-  std::string words =
-      pairInWords(question.object().name, other.name) + " are a thread, which comes apart by turning only";
+  const Message words{GLISSADE_TEXT("'%1' and '%2' are a thread, which comes apart by turning only"),
+                      {question.object().name, other.name}};
   for (const AppliedAllowance& each : verdict.allowances) {
     if (!each.thread || each.other != other.id) continue;
-    return words + (each.thread->mayTurn ? ": each turn about its axis advances by " + inMillimetres(each.thread->pitch)
-                                         : ": '" + other.name + "' is turned, and has to leave first");
+    if (!each.thread->mayTurn) {
+      return {GLISSADE_TEXT("%1: '%2' is turned, and has to leave first"), {words, other.name}};
+    }
+    return {GLISSADE_TEXT("%1: each turn about its axis advances by %2"), {words, Length{each.thread->pitch}}};
   }
   return words;
 }
@@ -101,12 +103,12 @@ Report allowancesJson(const std::vector<AppliedAllowance>& allowances) {
   Report list = Report::array();
   for (const AppliedAllowance& each : allowances) {
     const Evidence& evidence = each.evidence;
-    Report json{{"moving", each.moving},         {"body", each.other},
-                {"yields", each.yields},         {"stated_m", each.stated ? Report(*each.stated) : Report(nullptr)},
-                {"allowance_m", each.applied},   {"at_most_m", each.most},
-                {"overlap_m", evidence.overlap}, {"deflection_m", evidence.deflection},
-                {"spacing_m", evidence.spacing}, {"margin_m", evidence.margin},
-                {"text", inWords(each)}};
+    Report json{{"moving", each.moving},          {"body", each.other},
+                {"yields", each.yields},          {"stated_m", each.stated ? Report(*each.stated) : Report(nullptr)},
+                {"allowance_m", each.applied},    {"at_most_m", each.most},
+                {"overlap_m", evidence.overlap},  {"deflection_m", evidence.deflection},
+                {"spacing_m", evidence.spacing},  {"margin_m", evidence.margin},
+                {"text", toString(inWords(each))}};
     if (evidence.byPerson > 0.0) json["by_person_m"] = evidence.byPerson;
     if (each.core) json["core"] = true;
     if (each.hollow) json["hollow"] = true;
@@ -123,25 +125,23 @@ Report allowancesJson(const std::vector<AppliedAllowance>& allowances) {
   return list;
 }
 
-std::string triangleWords(double deviation) {
-  if (deviation <= 0.0) return {};
-  std::ostringstream text;
-  text << "the certificate is about triangles, which are within +/- " << inMillimetres(deviation)
-       << " of the CAD surfaces\n";
-  return text.str();
+Message edgeInWords(std::size_t number, const EdgeVerdict& edge, const Product& product) {
+  const std::string body = bodyName(edge.nearest, product);
+  const Message clearance{
+      body.empty() ? GLISSADE_TEXT("clearance %1 to %2 mm") : GLISSADE_TEXT("clearance %1 to %2 mm to '%3'"),
+      {numberText(edge.provedClearance * 1e3), numberText(edge.minClearance * 1e3), body}};
+  switch (edge.status) {
+    case Status::Certified: return {GLISSADE_TEXT("  edge %1: certified, %2"), {number, clearance}};
+    case Status::Violated: return {GLISSADE_TEXT("  edge %1: violated, %2"), {number, clearance}};
+    case Status::Undecided: return {GLISSADE_TEXT("  edge %1: undecided, %2"), {number, clearance}};
+  }
+  return {};
 }
 
-std::string missingWords(const MissingShapes& missing) {
-  return missing.empty() ? std::string() : statementOf(missing) + "\n";
-}
-
-void addEdges(const MotionVerdict& verdict, const Product& product, std::ostringstream& text) {
+void addEdges(const MotionVerdict& verdict, const Product& product, std::vector<Message>& lines) {
   for (std::size_t i = 0; i < verdict.edges.size(); ++i) {
-    const EdgeVerdict& edge = verdict.edges[i];
-    text << "  edge " << i << ": " << nameOf(edge.status) << ", clearance " << edge.provedClearance * 1e3 << " to "
-         << edge.minClearance * 1e3 << " mm";
-    if (edge.nearest.body >= 0) text << " to '" << bodyName(edge.nearest, product) << "'";
-    text << (edge.demand.sliding ? ", slides\n" : "\n");
+    const Message line = edgeInWords(i, verdict.edges[i], product);
+    lines.push_back(verdict.edges[i].demand.sliding ? Message{GLISSADE_TEXT("%1, slides"), {line}} : line);
   }
 }
 
@@ -153,10 +153,23 @@ std::string shownName(const std::string& id, const Product& product) {
   return id;
 }
 
-std::string placesInWords(const std::vector<ForbiddenRegion>& regions) {
-  std::string words;
-  for (const ForbiddenRegion& region : regions) words += (words.empty() ? "'" : ", '") + region.place + "'";
-  return words;
+Message placesInWords(const std::vector<ForbiddenRegion>& regions) {
+  std::vector<std::string> places;
+  for (const ForbiddenRegion& region : regions) places.push_back(region.place);
+  return namesInWords(places);
+}
+
+Report textsOf(const std::vector<Message>& messages) {
+  Report texts = Report::array();
+  for (const Message& each : messages) texts.push_back(toString(each));
+  return texts;
+}
+
+/// Each message on a line.
+std::string textOf(const std::vector<Message>& lines, const MessageStyle& style) {
+  std::string text;
+  for (const Message& line : lines) text += toString(line, style) + "\n";
+  return text;
 }
 
 Report overlapsJson(const std::vector<PlainOverlap>& overlaps) {
@@ -175,47 +188,67 @@ std::vector<PlainOverlap> plainOverlapsOf(const PlanVerdict& verdict) {
   return overlaps;
 }
 
-const char* validWords(const Product& product) {
-  return product.missing.empty() ? "valid: " : "valid without shapes that the files state: ";
+/// `body`: the text after the outcome.
+Message validInWords(const Product& product, const Message& body) {
+  return {product.missing.empty() ? GLISSADE_TEXT("valid: %1")
+                                  : GLISSADE_TEXT("valid without shapes that the files state: %1"),
+          {body}};
 }
 
-std::string headlineOf(const PathVerdict& verdict, const Product& product) {
-  if (verdict.valid()) return validWords(product);
-  return verdict.refused() ? "invalid: " : "undecided: ";
+Message headlineOf(const PathVerdict& verdict, const Product& product, const Message& body) {
+  if (verdict.valid()) return validInWords(product, body);
+  if (verdict.refused()) return {GLISSADE_TEXT("invalid: %1"), {body}};
+  return {GLISSADE_TEXT("undecided: %1"), {body}};
+}
+
+/// The first line of the report.
+Message headlineOf(const PathVerdict& verdict, const Question& question) {
+  Message body{GLISSADE_TEXT("%1 configurations, %2"),
+               {verdict.configurations, motionInWords(verdict.motion.verdict, question.product)}};
+  for (const Message& why : {verdict.motion.why, threadInWords(verdict, question)}) {
+    if (!why.empty()) body = {GLISSADE_TEXT("%1: %2"), {body, why}};
+  }
+  return headlineOf(verdict, question.product, body);
+}
+
+void addForbidden(const PathVerdict& verdict, const Question& question, std::vector<Message>& lines) {
+  const Length margin{verdict.forbiddenMargin};
+  if (verdict.forbidden) {
+    lines.push_back({GLISSADE_TEXT("edge %1 meets the place '%2', which a person forbids, or its margin of %3"),
+                     {verdict.forbidden->edge, verdict.forbidden->place, margin}});
+  } else if (verdict.forbiddenMargin > 0.0) {
+    lines.push_back(
+        {GLISSADE_TEXT("forbidden places: the path keeps %1 from %2"), {margin, placesInWords(question.forbidden)}});
+  }
 }
 
 }  // namespace
 
-std::string reportText(const PathVerdict& verdict, const Question& question, bool edges) {
+std::string reportText(const PathVerdict& verdict, const Question& question, bool edges, const MessageStyle& style) {
   const Product& product = question.product;
-  const MotionVerdict& motion = verdict.motion.verdict;
-  std::ostringstream text;
-  const std::string thread = threadInWords(verdict, question);
-  text << headlineOf(verdict, product) << verdict.configurations << " configurations, "
-       << motionInWords(motion, product);
-  for (const std::string& why : {verdict.motion.why, thread}) text << (why.empty() ? "" : ": ") << why;
-  text << "\n";
-  for (const AppliedAllowance& each : verdict.allowances) text << "allowance: " << inWords(each) << "\n";
-  for (const std::string& refusal : verdict.refusals) text << "refused: " << refusal << "\n";
+  std::vector<Message> lines{headlineOf(verdict, question)};
+  for (const AppliedAllowance& each : verdict.allowances) {
+    lines.push_back({GLISSADE_TEXT("allowance: %1"), {inWords(each)}});
+  }
+  for (const Message& refusal : verdict.refusals) lines.push_back({GLISSADE_TEXT("refused: %1"), {refusal}});
   std::vector<PlainOverlap> overlaps;
   addPlainOverlaps(verdict.allowances, overlaps);
-  if (!overlaps.empty()) text << inWords(overlaps) << "\n";
-  if (verdict.forbidden) {
-    text << "edge " << verdict.forbidden->edge << " meets the place '" << verdict.forbidden->place
-         << "', which a person forbids, or its margin of " << inMillimetres(verdict.forbiddenMargin) << "\n";
-  } else if (verdict.forbiddenMargin > 0.0) {
-    text << "forbidden places: the path keeps " << inMillimetres(verdict.forbiddenMargin) << " from "
-         << placesInWords(question.forbidden) << "\n";
+  if (!overlaps.empty()) lines.push_back(inWords(overlaps));
+  addForbidden(verdict, question, lines);
+  if (!product.missing.empty()) lines.push_back(statementOf(product.missing));
+  if (verdict.deviation > 0.0) {
+    lines.push_back({GLISSADE_TEXT("the certificate is about triangles, which are within +/- %1 of the CAD surfaces"),
+                     {Length{verdict.deviation}}});
   }
-  text << missingWords(product.missing) << triangleWords(verdict.deviation);
   if (verdict.spacing > 0.0) {
-    text << "coordinate spacing: mesh files hold 32-bit numbers or were closed at T-junctions, so that bodies may be "
-         << verdict.spacing * 1e3 << " mm nearer\n";
+    lines.push_back({GLISSADE_TEXT("coordinate spacing: mesh files hold 32-bit numbers or were closed at T-junctions, "
+                                   "so that bodies may be %1 mm nearer"),
+                     {numberText(verdict.spacing * 1e3)}});
   }
-  if (edges) addEdges(motion, product, text);
-  if (!verdict.beginsAtStart) text << "the path does not begin at the scenario's start\n";
-  if (!verdict.endsAtGoal) text << "the path does not end at the scenario's goal\n";
-  return text.str();
+  if (edges) addEdges(verdict.motion.verdict, product, lines);
+  if (!verdict.beginsAtStart) lines.push_back(GLISSADE_TEXT("the path does not begin at the scenario's start"));
+  if (!verdict.endsAtGoal) lines.push_back(GLISSADE_TEXT("the path does not end at the scenario's goal"));
+  return textOf(lines, style);
 }
 
 Report reportJson(const PathVerdict& verdict, const Question& question, bool edges) {
@@ -235,8 +268,8 @@ Report reportJson(const PathVerdict& verdict, const Question& question, bool edg
   for (std::size_t i = 0; edges && i < motion.edges.size(); ++i) {
     certificate["edges"].push_back(edgeJson(motion.edges[i], product));
   }
-  if (!verdict.motion.why.empty()) certificate["why_undecided"] = verdict.motion.why;
-  if (const std::string why = threadInWords(verdict, question); !why.empty()) certificate["why_refused"] = why;
+  if (!verdict.motion.why.empty()) certificate["why_undecided"] = toString(verdict.motion.why);
+  if (const Message why = threadInWords(verdict, question); !why.empty()) certificate["why_refused"] = toString(why);
   certificate["surface_deviation_m"] = verdict.deviation;
   certificate["coordinate_spacing_m"] = verdict.spacing;
   if (!verdict.allowances.empty()) certificate["allowances"] = allowancesJson(verdict.allowances);
@@ -252,73 +285,106 @@ Report reportJson(const PathVerdict& verdict, const Question& question, bool edg
   if (verdict.forbidden) {
     report["forbidden"] = {{"edge", verdict.forbidden->edge}, {"place", verdict.forbidden->place}};
   }
-  report["refusals"] = verdict.refusals;
+  report["refusals"] = textsOf(verdict.refusals);
   report["missing_shapes"] = missingShapesJson(product.missing);
   report["certificate"] = std::move(certificate);
   return report;
 }
 
-std::string whyInvalid(const StepVerdict& step, const Product& product) {
+namespace {
+
+/// How the motion of a step fails. `body`: the nearest other body; empty: there is none.
+Message failureInWords(const MotionVerdict& motion, const std::string& body) {
+  if (motion.againstThread) {
+    return {GLISSADE_TEXT("its motion is violated on edge %1, because it is no turn in the thread it has with '%2'"),
+            {motion.edge, body}};
+  }
+  if (motion.status == Status::Violated) {
+    return {body.empty() ? GLISSADE_TEXT("its motion is violated on edge %1")
+                         : GLISSADE_TEXT("its motion is violated on edge %1 by '%2'"),
+            {motion.edge, body}};
+  }
+  return {body.empty() ? GLISSADE_TEXT("its motion is undecided on edge %1")
+                       : GLISSADE_TEXT("its motion is undecided on edge %1 by '%2'"),
+          {motion.edge, body}};
+}
+
+}  // namespace
+
+Message whyInvalid(const StepVerdict& step, const Product& product) {
   if (step.valid()) return {};
-  std::ostringstream text;
-  const MotionVerdict& motion = step.motion.verdict;
+  std::vector<Message> reasons;
   if (!step.certified() && !step.isFlexible) {
-    const std::string body = bodyName(motion.nearest, product);
-    text << " its motion is " << nameOf(motion.status) << " on edge " << motion.edge;
-    if (motion.againstThread) text << ", because it is no turn in the thread it has with";
-    if (!body.empty()) text << (motion.againstThread ? " '" : " by '") << body << "'";
-    text << (step.motion.why.empty() ? "" : ": ") << step.motion.why << ";";
+    const Message& why = step.motion.why;
+    const Message failure = failureInWords(step.motion.verdict, bodyName(step.motion.verdict.nearest, product));
+    reasons.push_back(why.empty() ? failure : Message{GLISSADE_TEXT("%1: %2"), {failure, why}});
   }
-  if (!step.endsOutside) text << " it does not end outside of the others' bounding box;";
-  if (!step.againstDemand.empty()) text << " " << step.againstDemand << ";";
-  for (const std::string& refusal : step.refusals) text << " " << refusal << ";";
-  return text.str();
+  if (!step.endsOutside) reasons.push_back(GLISSADE_TEXT("it does not end outside of the others' bounding box"));
+  if (!step.againstDemand.empty()) reasons.push_back(step.againstDemand);
+  reasons.insert(reasons.end(), step.refusals.begin(), step.refusals.end());
+  return joined(reasons, "; ");
 }
 
-/// `name`: name of the step, as "step 3".
-void addStep(const StepVerdict& step, const std::string& name, bool isTrusted, const Product& product,
-             std::ostream& text) {
+namespace {
+
+/// `number`: see stepNumber().
+void addStep(const StepVerdict& step, const std::string& number, bool isTrusted, const Product& product,
+             std::vector<Message>& lines) {
   const std::string body = step.bodies.empty() ? "" : shownName(step.bodies.front(), product);
-  for (const AppliedAllowance& each : step.allowances) text << name << ": allowance: " << inWords(each) << "\n";
-  for (const std::string& each : step.pulls) text << name << ": note: " << each << "\n";
-  for (const std::string& each : step.notes) text << name << ": note: " << each << "\n";
+  for (const AppliedAllowance& each : step.allowances) {
+    lines.push_back({GLISSADE_TEXT("step %1: allowance: %2"), {number, inWords(each)}});
+  }
+  for (const auto* notes : {&step.pulls, &step.notes}) {
+    for (const Message& each : *notes) lines.push_back({GLISSADE_TEXT("step %1: note: %2"), {number, each}});
+  }
   for (const Condition& each : step.conditions) {
-    text << name << " (" << body << ")" << (isTrusted ? ": as the plan says: " : ": only if ") << each.text << "\n";
+    lines.push_back(
+        {isTrusted ? GLISSADE_TEXT("step %1 (%2): as the plan says: %3") : GLISSADE_TEXT("step %1 (%2): only if %3"),
+         {number, body, each.text}});
   }
-  if (step.isFlexible) text << name << " (" << body << "): nothing is proved of its motion, it is flexible\n";
+  if (step.isFlexible) {
+    lines.push_back({GLISSADE_TEXT("step %1 (%2): nothing is proved of its motion, it is flexible"), {number, body}});
+  }
   if (!step.valid()) {
-    text << name << " (" << body << ") is " << (step.refused() ? "invalid:" : "undecided:") << whyInvalid(step, product)
-         << "\n";
+    lines.push_back({step.refused() ? GLISSADE_TEXT("step %1 (%2) is invalid: %3;")
+                                    : GLISSADE_TEXT("step %1 (%2) is undecided: %3;"),
+                     {number, body, whyInvalid(step, product)}});
   }
 }
 
-/// How many parts leave, in which way, and how many have no step.
-std::string partsInWords(const PlanVerdict& verdict) {
-  std::ostringstream text;
-  text << verdict.remaining << " of " << verdict.parts << " parts have no step, " << verdict.alone << " leave alone, "
-       << verdict.asUnits << " as units, " << verdict.inGroups << " in groups that are not taken apart";
-  return text.str();
+/// How many steps are proved; how many parts leave, in which way, and how many have no step.
+Message countsInWords(const PlanVerdict& verdict) {
+  const Message parts{GLISSADE_TEXT("%1 of %2 parts have no step, %3 leave alone, %4 as units, %5 in groups that are "
+                                    "not taken apart"),
+                      {verdict.remaining, verdict.parts, verdict.alone, verdict.asUnits, verdict.inGroups}};
+  return {verdict.stepsWithoutProof() == 0 ? GLISSADE_TEXT("%1 of %2 steps are certified, %3")
+                                           : GLISSADE_TEXT("%1 of %2 steps are as stated, %3"),
+          {verdict.validSteps(), verdict.steps.size(), parts}};
 }
 
-std::string headlineOf(const PlanVerdict& verdict, const Product& product) {
+Message headlineOf(const PlanVerdict& verdict, const Product& product) {
+  const Message counts = countsInWords(verdict);
   switch (verdict.outcome()) {
-    case PlanOutcome::Valid: return validWords(product);
-    case PlanOutcome::Incomplete: return "incomplete: ";
-    case PlanOutcome::Undecided: return "undecided: ";
-    case PlanOutcome::Invalid: return "invalid: ";
+    case PlanOutcome::Valid: return validInWords(product, counts);
+    case PlanOutcome::Incomplete: return {GLISSADE_TEXT("incomplete: %1"), {counts}};
+    case PlanOutcome::Undecided: return {GLISSADE_TEXT("undecided: %1"), {counts}};
+    case PlanOutcome::Invalid: return {GLISSADE_TEXT("invalid: %1"), {counts}};
     case PlanOutcome::Conditional: break;
   }
   const std::vector<Condition> conditions = verdict.allConditions();
-  if (conditions.size() == 1) return "valid only if " + conditions.front().text + ": ";
-  return "valid only under " + std::to_string(conditions.size()) + " conditions that the plan states itself: ";
+  if (conditions.size() == 1) {
+    return {GLISSADE_TEXT("valid only if %1: %2"), {conditions.front().text, counts}};
+  }
+  return {GLISSADE_TEXT("valid only under %1 conditions that the plan states itself: %2"), {conditions.size(), counts}};
 }
 
-/// Writes the conditions that a person has to confirm, each once.
-void addConditions(const PlanVerdict& verdict, std::ostream& text) {
+/// Adds the conditions that a person has to confirm, each once.
+void addConditions(const PlanVerdict& verdict, std::vector<Message>& lines) {
   const std::vector<Condition> conditions = verdict.allConditions();
   if (conditions.empty() || verdict.planIsTrusted) return;
-  for (const Condition& each : conditions) text << "condition: " << each.text << "\n";
-  text << "Nobody but the plan says so. State the conditions in the scenario, or trust the plan (--trust-plan).\n";
+  for (const Condition& each : conditions) lines.push_back({GLISSADE_TEXT("condition: %1"), {each.text}});
+  lines.push_back(GLISSADE_TEXT(
+      "Nobody but the plan says so. State the conditions in the scenario, or trust the plan (--trust-plan)."));
 }
 
 /// Number of screws that leave holes which the file does not have.
@@ -335,43 +401,51 @@ std::size_t screwHoles(const PlanVerdict& verdict) {
   return holes;
 }
 
-std::string reportText(const PlanVerdict& verdict, const Product& product) {
-  std::ostringstream text;
+void addSteps(const PlanVerdict& verdict, const Product& product, std::vector<Message>& lines) {
   const bool isTrusted = verdict.planIsTrusted;
   for (std::size_t i = 0; i < verdict.steps.size(); ++i) {
-    addStep(verdict.steps[i], "step " + stepNumber(i, verdict.steps.size()), isTrusted, product, text);
+    addStep(verdict.steps[i], stepNumber(i, verdict.steps.size()), isTrusted, product, lines);
   }
   for (const LineVerdict& line : verdict.lines) {
     for (std::size_t i = 0; i < line.steps.size(); ++i) {
-      addStep(line.steps[i], "step " + stepNumber(i, line.steps.size(), line.group), isTrusted, product, text);
+      addStep(line.steps[i], stepNumber(i, line.steps.size(), line.group), isTrusted, product, lines);
     }
-    for (const std::string& refusal : line.refusals) {
-      text << "refused: the line of step " << line.group << ": " << refusal << "\n";
+    for (const Message& refusal : line.refusals) {
+      lines.push_back({GLISSADE_TEXT("refused: the line of step %1: %2"), {line.group, refusal}});
     }
   }
-  for (const std::string& refusal : verdict.refusals) text << "refused: " << refusal << "\n";
-  text << headlineOf(verdict, product) << verdict.validSteps() << " of " << verdict.steps.size() << " steps are "
-       << (verdict.stepsWithoutProof() == 0 ? "certified" : "as stated") << ", " << partsInWords(verdict) << "\n";
-  addConditions(verdict, text);
-  if (verdict.stepsWithoutProof() > 0) {
-    text << verdict.stepsWithoutProof() << " steps of flexible bodies have no proof\n";
-  }
-  text << missingWords(product.missing);
-  if (const std::size_t holes = screwHoles(verdict); holes > 0) {
-    text << "screws in bodies without a hole in the file, each of which makes its own: " << holes << "\n";
-  }
-  if (const auto overlaps = plainOverlapsOf(verdict); !overlaps.empty()) text << inWords(overlaps) << "\n";
-  if (verdict.deviation > 0.0) {
-    text << "the certificates are about triangles, which are within +/- " << inMillimetres(verdict.deviation)
-         << " of the CAD surfaces\n";
-  }
-  return text.str();
 }
+
+}  // namespace
+
+std::string reportText(const PlanVerdict& verdict, const Product& product, const MessageStyle& style) {
+  std::vector<Message> lines;
+  addSteps(verdict, product, lines);
+  for (const Message& refusal : verdict.refusals) lines.push_back({GLISSADE_TEXT("refused: %1"), {refusal}});
+  lines.push_back(headlineOf(verdict, product));
+  addConditions(verdict, lines);
+  if (verdict.stepsWithoutProof() > 0) {
+    lines.push_back({GLISSADE_TEXT("%1 steps of flexible bodies have no proof"), {verdict.stepsWithoutProof()}});
+  }
+  if (!product.missing.empty()) lines.push_back(statementOf(product.missing));
+  if (const std::size_t holes = screwHoles(verdict); holes > 0) {
+    lines.push_back(
+        {GLISSADE_TEXT("screws in bodies without a hole in the file, each of which makes its own: %1"), {holes}});
+  }
+  if (const auto overlaps = plainOverlapsOf(verdict); !overlaps.empty()) lines.push_back(inWords(overlaps));
+  if (verdict.deviation > 0.0) {
+    lines.push_back({GLISSADE_TEXT("the certificates are about triangles, which are within +/- %1 of the CAD surfaces"),
+                     {Length{verdict.deviation}}});
+  }
+  return textOf(lines, style);
+}
+
+namespace {
 
 Report conditionsJson(const std::vector<Condition>& conditions) {
   Report list = Report::array();
   for (const Condition& each : conditions) {
-    list.push_back({{"text", each.text}});
+    list.push_back({{"text", toString(each.text)}});
     if (each.acceptedClash > 0.0) list.back()["accept_clashes_m"] = each.acceptedClash;
   }
   return list;
@@ -401,19 +475,21 @@ Report stepsJson(const std::vector<StepVerdict>& steps, const std::string& group
          {"certified", step.certified()},
          {"against_thread", motion.againstThread},
          {"ends_outside", step.endsOutside},
-         {"against_demand", step.againstDemand},
-         {"refusals", step.refusals},
+         {"against_demand", toString(step.againstDemand)},
+         {"refusals", textsOf(step.refusals)},
          {"min_clearance_m", finite(motion.minClearance)},
          {"proved_clearance_m", finite(motion.provedClearance)},
          {"nearest", nearest < 0 ? Report(nullptr) : Report(product.bodies[static_cast<std::size_t>(nearest)].id)},
          {"allowances", allowancesJson(step.allowances)}});
     if (step.isFlexible) report.back()["flexible"] = true;
-    if (!step.pulls.empty()) report.back()["pulls"] = step.pulls;
-    if (!step.notes.empty()) report.back()["notes"] = step.notes;
+    if (!step.pulls.empty()) report.back()["pulls"] = textsOf(step.pulls);
+    if (!step.notes.empty()) report.back()["notes"] = textsOf(step.notes);
     if (!step.conditions.empty()) report.back()["conditions"] = conditionsJson(step.conditions);
   }
   return report;
 }
+
+}  // namespace
 
 Report reportJson(const PlanVerdict& verdict, const Product& product) {
   const PlanOutcome outcome = verdict.outcome();
@@ -430,12 +506,12 @@ Report reportJson(const PlanVerdict& verdict, const Product& product) {
                 {"conditions", conditionsJson(verdict.allConditions())},
                 {"plan_is_trusted", verdict.planIsTrusted},
                 {"screw_holes", screwHoles(verdict)},
-                {"refusals", verdict.refusals},
+                {"refusals", textsOf(verdict.refusals)},
                 {"steps", stepsJson(verdict.steps, "", product)}};
   for (const LineVerdict& line : verdict.lines) {
     report["lines"].push_back({{"line", line.line},
                                {"valid", line.valid()},
-                               {"refusals", line.refusals},
+                               {"refusals", textsOf(line.refusals)},
                                {"steps", stepsJson(line.steps, line.group, product)}});
   }
   if (const auto overlaps = plainOverlapsOf(verdict); !overlaps.empty()) {

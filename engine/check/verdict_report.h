@@ -8,15 +8,16 @@
 
 namespace glissade::check {
 
-// Reports of a verdict for people and programs. `edges`: includes every edge of the path.
+// Reports of a verdict for people and, in English, for programs. `edges`: includes every edge of the path.
 
-std::string reportText(const PathVerdict& verdict, const Question& question, bool edges);
+std::string reportText(const PathVerdict& verdict, const Question& question, bool edges,
+                       const MessageStyle& style = {});
 nlohmann::ordered_json reportJson(const PathVerdict& verdict, const Question& question, bool edges);
 
-std::string reportText(const PlanVerdict& verdict, const Product& product);
+std::string reportText(const PlanVerdict& verdict, const Product& product, const MessageStyle& style = {});
 nlohmann::ordered_json reportJson(const PlanVerdict& verdict, const Product& product);
 
 /// The reason why a step is not valid; empty if it is valid.
-std::string whyInvalid(const StepVerdict& step, const Product& product);
+Message whyInvalid(const StepVerdict& step, const Product& product);
 
 }  // namespace glissade::check

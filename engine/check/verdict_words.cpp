@@ -22,7 +22,7 @@ Message namesInWords(const std::vector<std::string>& names) {
 
 Message inWords(const Evidence& evidence) {
   const Length person{evidence.byPerson};
-  if (evidence.sum() == evidence.byPerson) {
+  if (evidence.overlap + evidence.deflection + evidence.spacing + evidence.margin == 0.0) {
     return evidence.byPerson > 0.0 ? Message{GLISSADE_TEXT("a person allows %1"), {person}} : GLISSADE_TEXT("nothing");
   }
   const Length overlap{evidence.overlap};
@@ -45,9 +45,8 @@ Message inWords(const AppliedAllowance& allowance) {
     return {GLISSADE_TEXT("'%1' is taken without what overlaps '%2', up to %3 deep: a clash that a person accepts"),
             {allowance.thinner, allowance.against, Depth{allowance.applied}}};
   }
-  Message words{
-      GLISSADE_TEXT("'%1' is taken %2 thinner against '%3' (%4)"),
-      {allowance.thinner, Length{allowance.applied}, allowance.against, inWords(allowance.evidence)}};
+  Message words{GLISSADE_TEXT("'%1' is taken %2 thinner against '%3' (%4)"),
+                {allowance.thinner, Length{allowance.applied}, allowance.against, inWords(allowance.evidence)}};
   if (allowance.bend > 0.0) {
     words = {GLISSADE_TEXT("%1, at the hook that a person lets bend by %2"), {words, Length{allowance.bend}}};
   }
@@ -67,8 +66,7 @@ Message claimInWords(const AppliedAllowance& allowance) {
     return {GLISSADE_TEXT("the file takes '%1' without what overlaps '%2', up to %3 deep"),
             {allowance.thinner, allowance.against, amount}};
   }
-  return {GLISSADE_TEXT("the file takes '%1' %2 thinner against '%3'"),
-          {allowance.thinner, amount, allowance.against}};
+  return {GLISSADE_TEXT("the file takes '%1' %2 thinner against '%3'"), {allowance.thinner, amount, allowance.against}};
 }
 
 }  // namespace

@@ -77,9 +77,9 @@ Outcome checkValue(const AttributeDefinition& definition, const AttributeValue& 
     case AttributeType::Number: {
       const double* number = std::get_if<double>(&value);
       const bool whole = definition.type == AttributeType::Integer;
-      const Message range{
-          GLISSADE_TEXT("Give %1 from %2 to %3."),
-          {whole ? GLISSADE_TEXT("a whole number") : GLISSADE_TEXT("a number"), definition.minimum, definition.maximum}};
+      const Message range{GLISSADE_TEXT("Give %1 from %2 to %3."),
+                          {whole ? GLISSADE_TEXT("a whole number") : GLISSADE_TEXT("a number"), definition.minimum,
+                           definition.maximum}};
       if (number == nullptr || !std::isfinite(*number)) {
         return refusal({GLISSADE_TEXT("'%1' is not a number"), {name}}, range);
       }
@@ -121,8 +121,8 @@ AttributeTable::AttributeTable() {
     definition.unit = unit;
     return definition;
   };
-  AttributeDefinition mobility =
-      builtIn("mobility", GLISSADE_TEXT("Mobility"), Type::Choice, kBody, GLISSADE_TEXT("Static bodies shape the places; mobile ones clutter them."));
+  AttributeDefinition mobility = builtIn("mobility", GLISSADE_TEXT("Mobility"), Type::Choice, kBody,
+                                         GLISSADE_TEXT("Static bodies shape the places; mobile ones clutter them."));
   mobility.choices.assign(kMobilityNames.names.begin(), kMobilityNames.names.end());
   mobility.initial = std::string(kMobilityNames.of(Mobility::Static));
   AttributeDefinition tool = builtIn("needs_tool", GLISSADE_TEXT("Needs tool"), Type::Choice, kBody,
@@ -131,17 +131,22 @@ AttributeTable::AttributeTable() {
   tool.initial = std::string("by_shape");
   definitions_ = {
       bounded(builtIn("complexity", GLISSADE_TEXT("Complexity"), Type::Integer, kPlace,
-                      GLISSADE_TEXT("How hard the place is to cross: 1 for the widest, one more each time the width halves.")),
+                      GLISSADE_TEXT(
+                          "How hard the place is to cross: 1 for the widest, one more each time the width halves.")),
               1, 99, 1, ""),
-      builtIn("cluttered", GLISSADE_TEXT("Cluttered"), Type::Bool, kPlace, GLISSADE_TEXT("Mobile bodies are in the place.")),
+      builtIn("cluttered", GLISSADE_TEXT("Cluttered"), Type::Bool, kPlace,
+              GLISSADE_TEXT("Mobile bodies are in the place.")),
       bounded(builtIn("narrowness", GLISSADE_TEXT("Narrowness"), Type::Number, kPlace,
                       GLISSADE_TEXT("Diameter of the largest ball that fits at the widest spot.")),
               0, 1e6, 0, "m"),
-      builtIn("shape", GLISSADE_TEXT("Shape"), Type::Text, kPlace, GLISSADE_TEXT("Shape of the place's section, as the objects' shapes are called.")),
-      bounded(builtIn("compatibility", GLISSADE_TEXT("Compatibility"), Type::Number, kPlace,
-                      GLISSADE_TEXT("Whether the object goes through: 0 not at all, from 0.5 on it fits, 1 with ease.")),
-              0, 1, 1, ""),
-      builtIn("forbidden", GLISSADE_TEXT("Forbidden"), Type::Bool, kPlace, GLISSADE_TEXT("No path may lead through the place.")),
+      builtIn("shape", GLISSADE_TEXT("Shape"), Type::Text, kPlace,
+              GLISSADE_TEXT("Shape of the place's section, as the objects' shapes are called.")),
+      bounded(
+          builtIn("compatibility", GLISSADE_TEXT("Compatibility"), Type::Number, kPlace,
+                  GLISSADE_TEXT("Whether the object goes through: 0 not at all, from 0.5 on it fits, 1 with ease.")),
+          0, 1, 1, ""),
+      builtIn("forbidden", GLISSADE_TEXT("Forbidden"), Type::Bool, kPlace,
+              GLISSADE_TEXT("No path may lead through the place.")),
       bounded(builtIn("preference", GLISSADE_TEXT("Preference"), Type::Number, kPlace,
                       GLISSADE_TEXT("Ways through the place count this many times shorter.")),
               0.01, 100, 1, ""),
@@ -149,14 +154,18 @@ AttributeTable::AttributeTable() {
       builtIn("shape", GLISSADE_TEXT("Shape"), Type::Text, kBody, GLISSADE_TEXT("What the body is shaped like.")),
       builtIn("class", GLISSADE_TEXT("Class"), Type::Text, kBody,
               GLISSADE_TEXT("Class of the body, whose attributes it has: screw, seal, base_part.")),
-      bounded(builtIn("mass", GLISSADE_TEXT("Mass"), Type::Number, kBody, GLISSADE_TEXT("Mass of the body. 0: by its volume and density.")), 0, 1e6,
-              0, "kg"),
+      bounded(builtIn("mass", GLISSADE_TEXT("Mass"), Type::Number, kBody,
+                      GLISSADE_TEXT("Mass of the body. 0: by its volume and density.")),
+              0, 1e6, 0, "kg"),
       builtIn("fragile", GLISSADE_TEXT("Fragile"), Type::Bool, kBody,
               GLISSADE_TEXT("The body leaves as early as it can, and is put in as late as it can.")),
-      builtIn("base", GLISSADE_TEXT("Base"), Type::Bool, kBody, GLISSADE_TEXT("The assembly begins with the body: it does not leave.")),
+      builtIn("base", GLISSADE_TEXT("Base"), Type::Bool, kBody,
+              GLISSADE_TEXT("The assembly begins with the body: it does not leave.")),
       builtIn("stays", GLISSADE_TEXT("Stays"), Type::Bool, kBody, GLISSADE_TEXT("The body does not leave.")),
-      builtIn("goes_with", GLISSADE_TEXT("Goes with"), Type::Text, kBody, GLISSADE_TEXT("Bodies that leave together with this one, with commas.")),
-      builtIn("goes_before", GLISSADE_TEXT("Goes before"), Type::Text, kBody, GLISSADE_TEXT("Bodies that leave after this one, with commas.")),
+      builtIn("goes_with", GLISSADE_TEXT("Goes with"), Type::Text, kBody,
+              GLISSADE_TEXT("Bodies that leave together with this one, with commas.")),
+      builtIn("goes_before", GLISSADE_TEXT("Goes before"), Type::Text, kBody,
+              GLISSADE_TEXT("Bodies that leave after this one, with commas.")),
       tool,
   };
 }
@@ -168,21 +177,26 @@ Outcome AttributeTable::add(AttributeDefinition definition) {
   }
   const AttributeDefinition* known = find(definition.owner, definition.name);
   if (known != nullptr && !isKnowledge(*known)) {
-    return refusal({GLISSADE_TEXT("there is an attribute '%1' already"), {definition.name}}, GLISSADE_TEXT("Choose another name."));
+    return refusal({GLISSADE_TEXT("there is an attribute '%1' already"), {definition.name}},
+                   GLISSADE_TEXT("Choose another name."));
   }
   if (definition.type == AttributeType::Choice && definition.choices.empty()) {
-    return refusal({GLISSADE_TEXT("the attribute '%1' has no choices"), {definition.name}}, GLISSADE_TEXT("Give at least one."));
+    return refusal({GLISSADE_TEXT("the attribute '%1' has no choices"), {definition.name}},
+                   GLISSADE_TEXT("Give at least one."));
   }
   for (auto choice = definition.choices.begin(); choice != definition.choices.end(); ++choice) {
     if (choice->empty()) {
-      return refusal({GLISSADE_TEXT("the attribute '%1' has a choice without a name"), {definition.name}}, GLISSADE_TEXT("Remove it."));
+      return refusal({GLISSADE_TEXT("the attribute '%1' has a choice without a name"), {definition.name}},
+                     GLISSADE_TEXT("Remove it."));
     }
     if (std::find(definition.choices.begin(), choice, *choice) != choice) {
-      return refusal({GLISSADE_TEXT("the attribute '%1' has the choice '%2' twice"), {definition.name, *choice}}, GLISSADE_TEXT("Remove one."));
+      return refusal({GLISSADE_TEXT("the attribute '%1' has the choice '%2' twice"), {definition.name, *choice}},
+                     GLISSADE_TEXT("Remove one."));
     }
   }
   if (definition.minimum > definition.maximum) {
-    return refusal({GLISSADE_TEXT("the attribute '%1' has a minimum above its maximum"), {definition.name}}, GLISSADE_TEXT("Swap them."));
+    return refusal({GLISSADE_TEXT("the attribute '%1' has a minimum above its maximum"), {definition.name}},
+                   GLISSADE_TEXT("Swap them."));
   }
   const Outcome initial = checkValue(definition, definition.initial);
   if (!initial) return initial;

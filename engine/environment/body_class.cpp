@@ -26,7 +26,8 @@ Result<BodyClasses> BodyClasses::of(const std::vector<BodyClass>& classes) {
     std::size_t ancestors = 0;
     for (const BodyClass* at = &each; !at->of.empty(); ++ancestors) {
       if (ancestors == tree.classes_.size()) {
-        return refusedClass({GLISSADE_TEXT("the parents of the class '%1' form a cycle"), {each.name}}, GLISSADE_TEXT("Correct 'of'."));
+        return refusedClass({GLISSADE_TEXT("the parents of the class '%1' form a cycle"), {each.name}},
+                            GLISSADE_TEXT("Correct 'of'."));
       }
       const BodyClass* parent = tree.find(at->of);
       if (parent == nullptr) {

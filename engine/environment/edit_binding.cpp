@@ -47,8 +47,9 @@ void warnOfSharedNames(const TopologicalMap& map, const SemanticEdits& edits, co
     const std::string& name = edits.places[i].name;
     if (bound[i] == kNoPlace || name.empty()) continue;
     if (placeNamed.emplace(name, bound[i]).first->second == bound[i]) continue;
-    warnings.push_back(
-        warning("places", i, {GLISSADE_TEXT("has the name '%1', which another place has already"), {name}}, GLISSADE_TEXT("Choose another name.")));
+    warnings.push_back(warning("places", i,
+                               {GLISSADE_TEXT("has the name '%1', which another place has already"), {name}},
+                               GLISSADE_TEXT("Choose another name.")));
   }
 }
 
@@ -97,11 +98,13 @@ Warnings editWarnings(const TopologicalMap& map, const SemanticEdits& edits) {
     const Vector3& at = edits.places[i].at;
     bound.push_back(boundPlace(map, at));
     if (bound[i] == kNoPlace) {
-      warnings.push_back(warning("places", i, GLISSADE_TEXT("lies in no place and near none, so the edit has no effect"),
+      warnings.push_back(warning("places", i,
+                                 GLISSADE_TEXT("lies in no place and near none, so the edit has no effect"),
                                  GLISSADE_TEXT("Move its \"at\" into the place that it is about.")));
     } else if (map.placeAt(at) == kNoPlace) {
       warnings.push_back(warning(
-          "places", i, {GLISSADE_TEXT("lies in no place; the edit applies to the nearest place, %1"), {placeOf(map, bound[i]).name}},
+          "places", i,
+          {GLISSADE_TEXT("lies in no place; the edit applies to the nearest place, %1"), {placeOf(map, bound[i]).name}},
           GLISSADE_TEXT("Edit that place once more, or move its \"at\" into the place that it is about.")));
     }
   }
@@ -109,9 +112,9 @@ Warnings editWarnings(const TopologicalMap& map, const SemanticEdits& edits) {
   warnOfSharedNames(map, edits, bound, warnings);
   for (std::size_t i = 0; i < edits.milestones.size(); ++i) {
     if (!boundBorders(map, edits.milestones[i].at).empty()) continue;
-    warnings.push_back(warning("milestones", i,
-                               GLISSADE_TEXT("lies in no border of two places and near none, so the edit has no effect"),
-                               GLISSADE_TEXT("Move its \"at\" to where the two places meet.")));
+    warnings.push_back(warning(
+        "milestones", i, GLISSADE_TEXT("lies in no border of two places and near none, so the edit has no effect"),
+        GLISSADE_TEXT("Move its \"at\" to where the two places meet.")));
   }
   return warnings;
 }

@@ -11,7 +11,10 @@ Outcome check(const EnvironmentOptions& options, const Box3& workspace) {
     return Diagnostic{ErrorKind::MalformedInput, "", "/environment/" + key, reason, advice};
   };
   const double side = workspace.isEmpty() ? 0.0 : workspace.sizes().maxCoeff();
-  if (!(side > 0.0)) return Diagnostic{ErrorKind::MalformedInput, "", "/workspace", GLISSADE_TEXT("is flat"), GLISSADE_TEXT("Give it a size.")};
+  if (!(side > 0.0)) {
+    return Diagnostic{ErrorKind::MalformedInput, "", "/workspace", GLISSADE_TEXT("is flat"),
+                      GLISSADE_TEXT("Give it a size.")};
+  }
   const double finest = side / (1 << Octree::kDeepest);
   if (options.cellSize < 0.0 || (options.cellSize > 0.0 && options.cellSize < finest * (1.0 - 1e-9))) {
     return refuse("cell_size", GLISSADE_TEXT("is too small for this workspace"),
@@ -50,7 +53,8 @@ void addMobileBodies(EnvironmentModel& model, const StopToken& stop) {
 }  // namespace
 
 Diagnostic environmentInterrupted() {
-  return {ErrorKind::Interrupted, "", "", GLISSADE_TEXT("the environment model was not finished"), GLISSADE_TEXT("Start it again.")};
+  return {ErrorKind::Interrupted, "", "", GLISSADE_TEXT("the environment model was not finished"),
+          GLISSADE_TEXT("Start it again.")};
 }
 
 Result<EnvironmentModelPtr> buildEnvironment(const std::vector<RigidBody>& bodies, const Box3& workspace,

@@ -13,9 +13,10 @@ const PlaceIdentifierEntry* PlaceIdentifierRegistry::find(std::string_view id) c
 PlaceIdentifierRegistry makePlaceIdentifierRegistry() {
   PlaceIdentifierRegistry registry;
   registry.add({"region-growing", GLISSADE_TEXT("Region growing"),
-                GLISSADE_TEXT("Grows places from the coarsest free cells down (Cailhol et al. 2019, section 5.1.2)."), growRegions});
-  registry.add(
-      {"watershed", GLISSADE_TEXT("Watershed"), GLISSADE_TEXT("Floods the distance transform from its widest spots (Meyer 1994)."), watershed});
+                GLISSADE_TEXT("Grows places from the coarsest free cells down (Cailhol et al. 2019, section 5.1.2)."),
+                growRegions});
+  registry.add({"watershed", GLISSADE_TEXT("Watershed"),
+                GLISSADE_TEXT("Floods the distance transform from its widest spots (Meyer 1994)."), watershed});
   return registry;
 }
 

@@ -27,8 +27,8 @@ struct IdentificationInput {
 /// go on without gaps. The same input gives the same labels.
 struct PlaceIdentifierEntry {
   std::string id;
-  CatalogueText label;      ///< name in the window
-  CatalogueText description; ///< one sentence with the source
+  CatalogueText label;        ///< name in the window
+  CatalogueText description;  ///< one sentence with the source
   std::function<PlaceLabels(const IdentificationInput&)> identify;
 };
 

@@ -68,7 +68,8 @@ Outcome checkAttributes(const AttributeTable& table, AttributeOwner owner, const
   for (const auto& [name, value] : attributes) {
     const AttributeDefinition* definition = table.find(owner, name);
     if (definition == nullptr) {
-      return Diagnostic{ErrorKind::MalformedInput, "", pointer + "/" + name, GLISSADE_TEXT("is not a defined attribute"),
+      return Diagnostic{ErrorKind::MalformedInput, "", pointer + "/" + name,
+                        GLISSADE_TEXT("is not a defined attribute"),
                         GLISSADE_TEXT("Define it under /attributes, or remove it.")};
     }
     const Outcome sound = checkValue(*definition, value);

@@ -5,9 +5,11 @@
 #include <cstring>
 #include <exception>
 #include <new>
+#include <nlohmann/json.hpp>
 #include <string_view>
 #include <vector>
 
+#include "engine/base/message_json.h"
 #include "engine/import/confinement.h"
 #include "engine/import/formats/assimp_reader.h"
 #include "engine/import/formats/gltf_reader.h"
@@ -30,7 +32,7 @@ MeshContent readMesh(std::string_view bytes, const std::string& ending) {
 
 void write(const MeshContent& content, const ImportOutput& output) {
   std::string warnings;
-  for (const std::string& warning : content.warnings) warnings += warning + "\n";
+  for (const Message& warning : content.warnings) warnings += lineOf(toJson(warning));
   protocol::Header header;
   header.kind = protocol::kMesh;
   header.vertices = static_cast<std::uint32_t>(content.mesh.vertices.size());
@@ -55,14 +57,14 @@ void importOne(std::string_view bytes, const std::string& ending, const ImportOu
   try {
     const MeshContent content = readMesh(bytes, ending);
     if (content.mesh.empty()) {
-      output.fail("holds no triangle");
+      output.fail(GLISSADE_TEXT("holds no triangle"));
     } else {
       write(content, output);
     }
   } catch (const FormatError& error) {
     output.fail(error.reason, error.location);
   } catch (const std::exception& error) {
-    output.fail(error.what());
+    output.fail(Message(error.what()));
   }
 }
 
@@ -83,7 +85,7 @@ int importSeveral(std::size_t size, const ImportOutput& output) {
 int import(const std::string& ending, std::size_t size, const ImportOutput& output) {
   const std::vector<char> bytes = readStandardInput(protocol::kMeshLimits.bytes, size);
   const MeshContent content = readMesh(std::string_view(bytes.data(), bytes.size()), ending);
-  if (content.mesh.empty()) return output.fail("holds no triangle");
+  if (content.mesh.empty()) return output.fail(GLISSADE_TEXT("holds no triangle"));
   write(content, output);
   return 0;
 }
@@ -101,10 +103,11 @@ int confinedImport(const std::string& ending) {
   } catch (const FormatError& error) {
     return output.fail(error.reason, error.location);
   } catch (const std::bad_alloc&) {
-    return output.fail("needs more than the " + std::to_string(memory.rlim_cur >> 20) +
-                       " MiB of memory that a file of its size may take on this machine");
+    return output.fail(
+        {GLISSADE_TEXT("needs more than the %1 MiB of memory that a file of its size may take on this machine"),
+         {memory.rlim_cur >> 20}});
   } catch (const std::exception& error) {
-    return output.fail(error.what());
+    return output.fail(Message(error.what()));
   }
 }
 

@@ -24,8 +24,8 @@ namespace {
 
 namespace protocol = import_protocol;
 
-Diagnostic failed(const std::string& what) {
-  return {ErrorKind::Internal, "", "", what + ": " + std::strerror(errno), ""};
+Diagnostic failed(CatalogueText what) {
+  return {ErrorKind::Internal, "", "", {GLISSADE_TEXT("%1: %2"), {what, std::strerror(errno)}}, ""};
 }
 
 /// Never raises a lower limit.
@@ -40,12 +40,14 @@ bool setLimit(__rlimit_resource resource, rlim_t soft, rlim_t hard) {
 Outcome limitResources(const protocol::Limits& limits) {
   for (const __rlimit_resource resource :
        {RLIMIT_CORE, RLIMIT_FSIZE, RLIMIT_NOFILE, RLIMIT_NPROC, RLIMIT_MEMLOCK, RLIMIT_MSGQUEUE}) {
-    if (!setLimit(resource, 0, 0)) return failed("a limit cannot be set");
+    if (!setLimit(resource, 0, 0)) return failed(GLISSADE_TEXT("a limit cannot be set"));
   }
   // SIGXCPU at the first limit tells why the process ended; SIGKILL at the second one cannot be ignored.
-  if (!setLimit(RLIMIT_CPU, limits.seconds, limits.seconds + 1)) return failed("the time cannot be limited");
+  if (!setLimit(RLIMIT_CPU, limits.seconds, limits.seconds + 1)) {
+    return failed(GLISSADE_TEXT("the time cannot be limited"));
+  }
   if (kMemoryCanBeLimited && !setLimit(RLIMIT_AS, limits.memory, limits.memory)) {
-    return failed("the memory cannot be limited");
+    return failed(GLISSADE_TEXT("the memory cannot be limited"));
   }
   return Done{};
 }
@@ -59,8 +61,12 @@ void leaveNamespaces() {
 Outcome dropCapabilities() {
   __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
   const std::array<__user_cap_data_struct, _LINUX_CAPABILITY_U32S_3> none{};
-  if (::syscall(SYS_capset, &header, none.data()) != 0) return failed("the capabilities cannot be given up");
-  if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return failed("new privileges cannot be given up");
+  if (::syscall(SYS_capset, &header, none.data()) != 0) {
+    return failed(GLISSADE_TEXT("the capabilities cannot be given up"));
+  }
+  if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) {
+    return failed(GLISSADE_TEXT("new privileges cannot be given up"));
+  }
   return Done{};
 }
 
@@ -91,6 +97,10 @@ std::vector<char> readStandardInput(std::uint64_t mostBytes, std::size_t expecte
   return content;
 }
 
+std::string lineOf(const nlohmann::json& json) {
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
 ImportOutput::ImportOutput() {
   ::dup2(STDOUT_FILENO, kOutputDescriptor);
   ::dup2(STDERR_FILENO, STDOUT_FILENO);
@@ -113,7 +123,7 @@ int ImportOutput::fail(const Message& reason, const Location& location) const {
 int ImportOutput::refuse(const Diagnostic& why) const { return writeText(protocol::kNotConfined, {}, why.reason); }
 
 int ImportOutput::writeText(std::uint32_t kind, const Location& location, const Message& reason) const {
-  const std::string text = nlohmann::json{{"location", toJson(location)}, {"reason", toJson(reason)}}.dump();
+  const std::string text = lineOf({{"location", toJson(location)}, {"reason", toJson(reason)}});
   protocol::Header header;
   header.kind = kind;
   header.vertices = static_cast<std::uint32_t>(text.size());

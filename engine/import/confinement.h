@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,9 @@ std::size_t sizeOfStandardInput();
 
 /// All of standard input; empty if it is larger than `mostBytes`. `expected`: number of bytes; there may be more.
 std::vector<char> readStandardInput(std::uint64_t mostBytes, std::size_t expected = 0);
+
+/// JSON as one line of a message. Bytes that are not UTF-8 are replaced.
+std::string lineOf(const nlohmann::json& json);
 
 /// Output of an importing process: the former standard output (kOutputDescriptor). Text that libraries print to
 /// standard output is dropped from construction on.

@@ -63,17 +63,17 @@ LoadedGeometryPtr found(const std::string& key, const GeometryCache* cache) {
 void warnOfRemovedTriangles(std::size_t count, const std::string& file, Warnings& warnings) {
   if (count == 0) return;
   warnings.push_back({ErrorKind::MalformedInput, file, "",
-                      "has " + std::to_string(count) + " triangles with two equal corners, which were left out",
-                      "They have no area, so that no surface is missing."});
+                      {GLISSADE_TEXT("has %1 triangles with two equal corners, which were left out"), {count}},
+                      GLISSADE_TEXT("They have no area, so that no surface is missing.")});
 }
 
 /// Warns that the surface was changed, and by how little.
 void warnOfTJunctions(const ClosedAtTJunctions& closed, const std::string& file, Warnings& warnings) {
   warnings.push_back(
       {ErrorKind::MalformedInput, file, "",
-       "was closed along " + std::to_string(closed.edges) +
-           " edges on which vertices of neighbouring faces lie (T-junctions)",
-       "The surface has moved by at most " + toText(std::ceil(1e8 * closed.moved) / 1e2) + " micrometres."});
+       {GLISSADE_TEXT("was closed along %1 edges on which vertices of neighbouring faces lie (T-junctions)"),
+        {closed.edges}},
+       {GLISSADE_TEXT("The surface has moved by at most %1 micrometres."), {std::ceil(1e8 * closed.moved) / 1e2}}});
 }
 
 /// Closes planar holes, with a warning.
@@ -81,9 +81,9 @@ TriangleMesh withoutHoles(const TriangleMesh& mesh, const std::string& file, War
   ClosedHoles closed = withPlanarHolesClosed(mesh);
   if (closed.closed + closed.left == 0) return mesh;
   warnings.push_back({ErrorKind::MalformedInput, file, "",
-                      "had " + std::to_string(closed.closed) + " planar holes, which were closed as asked for; " +
-                          std::to_string(closed.left) + " holes are left open",
-                      "Look at them: what is behind a closed hole is solid."});
+                      {GLISSADE_TEXT("had %1 planar holes, which were closed as asked for; %2 holes are left open"),
+                       {closed.closed, closed.left}},
+                      GLISSADE_TEXT("Look at them: what is behind a closed hole is solid.")});
   return std::move(closed.mesh);
 }
 
@@ -302,8 +302,8 @@ Result<FileContent> GeometryLoader::readAsset(const Asset& asset) {
 void GeometryLoader::noteHash(const Asset& asset, const std::string& file, const std::string& hash) {
   hashes_[asset.id] = hash;
   if (asset.sha256.empty() || hash == asset.sha256) return;
-  warnings_.push_back({ErrorKind::MalformedInput, file, "", "has changed since the scenario was saved",
-                       "Check the scenario and save it again."});
+  warnings_.push_back({ErrorKind::MalformedInput, file, "", GLISSADE_TEXT("has changed since the scenario was saved"),
+                       GLISSADE_TEXT("Check the scenario and save it again.")});
 }
 
 namespace {
@@ -381,8 +381,8 @@ Result<LoadedGeometry> GeometryLoader::readMesh(const Asset& asset, bool groups)
     geometry.parts.push_back(std::move(*solid));
   }
   if (geometry.parts.empty()) {
-    return Diagnostic{ErrorKind::MalformedInput, file, "", "holds no triangle with three corners",
-                      "Export the part again."};
+    return Diagnostic{ErrorKind::MalformedInput, file, "", GLISSADE_TEXT("holds no triangle with three corners"),
+                      GLISSADE_TEXT("Export the part again.")};
   }
   TriangleMesh point;
   point.vertices = {imported->vertexMean};
@@ -463,9 +463,11 @@ Result<LoadedGeometry> GeometryLoader::partOf(const std::string& asset, const st
 
 Outcome GeometryLoader::checkOwnUnit(const Asset& asset, const std::string& kind) const {
   if (asset.unit == 1.0 && asset.up == UpAxis::Z) return Done{};
-  return Diagnostic{ErrorKind::MalformedInput, file_, "asset '" + asset.id + "'",
-                    "has a unit or an up-axis, but a " + kind + " file says itself what its numbers mean, and is z up",
-                    "Leave out 'unit' and 'up_axis'."};
+  return Diagnostic{ErrorKind::MalformedInput, file_, {GLISSADE_TEXT("asset '%1'"), {asset.id}},
+                    {GLISSADE_TEXT("has a unit or an up-axis, but a %1 file says itself what its numbers mean, and is "
+                                   "z up"),
+                     {kind}},
+                    GLISSADE_TEXT("Leave out 'unit' and 'up_axis'.")};
 }
 
 std::string partId(const std::string& bodyId, const Occurrence& part) { return joinedPath(bodyId, part.path); }
@@ -474,10 +476,11 @@ void warnOfMissingFaces(const LoadedGeometry& geometry, const std::string& bodyI
                         Warnings& warnings) {
   for (const Occurrence& part : geometry.parts) {
     if (part.facesWithoutMesh == 0) continue;
-    warnings.push_back({ErrorKind::MalformedInput, file, "body '" + partId(bodyId, part) + "'",
-                        "is not closed: faces or boundaries that could not be made: " +
-                            std::to_string(part.facesWithoutMesh) + "; proofs take what is missing as free space",
-                        "Do not trust paths near it; export it again, or as a mesh."});
+    warnings.push_back({ErrorKind::MalformedInput, file, {GLISSADE_TEXT("body '%1'"), {partId(bodyId, part)}},
+                        {GLISSADE_TEXT("is not closed: faces or boundaries that could not be made: %1; proofs take "
+                                       "what is missing as free space"),
+                         {part.facesWithoutMesh}},
+                        GLISSADE_TEXT("Do not trust paths near it; export it again, or as a mesh.")});
   }
 }
 
@@ -504,7 +507,7 @@ MissingShapes missingShapesOf(const GeometryCache& read, const std::vector<const
     const Asset& asset = assetById(*assetOf(*geometry), assets);
     for (const Occurrence& part : whole->second->parts) {
       if (isNamed(part, asset.id, named)) continue;
-      missing.push_back({asset.path, part.path, "", "", "the scenario neither names it nor leaves it out"});
+      missing.push_back({asset.path, part.path, "", "", GLISSADE_TEXT("the scenario neither names it nor leaves it out")});
     }
   }
   for (const auto& [key, geometry] : read) {

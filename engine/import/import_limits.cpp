@@ -38,9 +38,9 @@ import_protocol::Limits meshLimits(std::uint64_t fileBytes, std::uint64_t availa
   return limits;
 }
 
-std::string sizeInWords(std::uint64_t bytes) {
-  if (bytes < kMebibyte) return std::to_string(bytes) + " bytes";
-  return std::to_string((bytes + kMebibyte - 1) / kMebibyte) + " MiB";
+Message sizeInWords(std::uint64_t bytes) {
+  if (bytes < kMebibyte) return {GLISSADE_TEXT("%1 bytes"), {bytes}};
+  return {GLISSADE_TEXT("%1 MiB"), {(bytes + kMebibyte - 1) / kMebibyte}};
 }
 
 }  // namespace glissade

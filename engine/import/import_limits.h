@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 
+#include "engine/base/message.h"
 #include "engine/import/import_protocol.h"
 
 namespace glissade {
@@ -18,6 +19,6 @@ std::uint64_t mostFileBytes(std::uint64_t available = availableMemory());
 import_protocol::Limits meshLimits(std::uint64_t fileBytes, std::uint64_t available = availableMemory());
 
 /// "312 MiB", for people.
-std::string sizeInWords(std::uint64_t bytes);
+Message sizeInWords(std::uint64_t bytes);
 
 }  // namespace glissade

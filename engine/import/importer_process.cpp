@@ -26,6 +26,18 @@ std::string besideThisProgram(const std::string& name) {
   return (self.parent_path() / name).string();
 }
 
+/// True if each text names each argument at most once. Others could make a text of any length of a short message.
+bool cannotGrow(const Message& message) {
+  for (char digit = '1'; digit <= '9'; ++digit) {
+    const std::string argument{'%', digit};
+    if (message.text.find(argument) != message.text.rfind(argument)) return false;
+  }
+  return std::all_of(message.arguments.begin(), message.arguments.end(), [](const MessageArgument& argument) {
+    const auto* inner = std::get_if<Message>(&argument.value);
+    return inner == nullptr || cannotGrow(*inner);
+  });
+}
+
 /// The message of a process that reads nothing. The process is not trusted: a text of another form is empty.
 struct ImporterRefusal {
   Location location;
@@ -34,7 +46,7 @@ struct ImporterRefusal {
 ImporterRefusal refusalIn(const std::string& text) {
   const auto json = nlohmann::json::parse(text, nullptr, false);
   const auto part = [&](const char* key) {
-    return json.is_object() && json.contains(key) ? messageFrom(json[key]).value_or(Message()) : Message();
+    return json.is_object() && json.contains(key) ? messageOfProgram(json[key]).value_or(Message()) : Message();
   };
   return {part("location"), part("reason")};
 }
@@ -82,21 +94,25 @@ Result<ImporterAnswer> callImporter(const ImporterCall& call, std::string_view c
   }
   if (!child) return child.error();
   if (child->ending == ChildEnding::Stopped) {
-    return Diagnostic{ErrorKind::Interrupted, call.file, "", "was not read to its end", "Read it again."};
+    return Diagnostic{ErrorKind::Interrupted, call.file, "", GLISSADE_TEXT("was not read to its end"),
+                      GLISSADE_TEXT("Read it again.")};
   }
-  if (child->ending == ChildEnding::OutputTooLarge) return refusalOf(call, "is too large");
+  if (child->ending == ChildEnding::OutputTooLarge) return refusalOf(call, GLISSADE_TEXT("is too large"));
   if (child->ending == ChildEnding::TimeOver || child->signal == SIGXCPU) {
-    return refusalOf(call, "takes too long to read: it is too complex or malformed");
+    return refusalOf(call, GLISSADE_TEXT("takes too long to read: it is too complex or malformed"));
   }
   if (hasCrashed(*child)) {
     const char* signal = child->signal == 0 ? nullptr : ::strsignal(child->signal);
-    return refusalOf(call, "was not read: the library that reads this format crashed on it" +
-                               (signal == nullptr ? std::string() : std::string(" (") + signal + ")"));
+    if (signal == nullptr) {
+      return refusalOf(call, GLISSADE_TEXT("was not read: the library that reads this format crashed on it"));
+    }
+    return refusalOf(call,
+                     {GLISSADE_TEXT("was not read: the library that reads this format crashed on it (%1)"), {signal}});
   }
   ImporterAnswer answer{{}, ImportMessage(std::move(child->output))};
   const protocol::Header& header = answer.header;
   if (!answer.message.take(&answer.header, 1) || header.magic != protocol::kMagic) {
-    return refusalOf(call, "the importer failed on it");
+    return refusalOf(call, GLISSADE_TEXT("the importer failed on it"));
   }
   const bool refused = header.kind == protocol::kNotConfined || header.kind == protocol::kError;
   const ImporterRefusal why = refused ? refusalIn(answer.message.rest()) : ImporterRefusal();
@@ -104,26 +120,31 @@ Result<ImporterAnswer> callImporter(const ImporterCall& call, std::string_view c
     return Diagnostic{
         ErrorKind::MalformedInput, call.file, "",
         {GLISSADE_TEXT("was not read: the importing process cannot give up its rights (%1)"), {why.reason}},
-        "Files are read only where the kernel permits seccomp filters: use another machine or container."};
+        GLISSADE_TEXT(
+            "Files are read only where the kernel permits seccomp filters: use another machine or container.")};
   }
   if (header.kind == protocol::kError) return refusalOf(call, why.reason, why.location);
   if (header.vertices > protocol::kMostElements || header.triangles > protocol::kMostElements) {
-    return refusalOf(call, "holds " + std::to_string(header.vertices) + " vertices and " +
-                               std::to_string(header.triangles) + " triangles; at most " +
-                               std::to_string(protocol::kMostElements) + " of each are read");
+    return refusalOf(call, {GLISSADE_TEXT("holds %1 vertices and %2 triangles; at most %3 of each are read"),
+                            {header.vertices, header.triangles, protocol::kMostElements}});
   }
   return answer;
 }
 
-std::optional<std::string> faultOf(const TriangleMesh& mesh) {
+std::optional<Message> messageOfProgram(const nlohmann::json& json) {
+  auto message = messageFrom(json);
+  return message && cannotGrow(*message) ? message : std::nullopt;
+}
+
+std::optional<Message> faultOf(const TriangleMesh& mesh) {
   constexpr double kLargestCoordinate = 1e9;
   for (const Vector3& vertex : mesh.vertices) {
     if (vertex.allFinite() && vertex.cwiseAbs().maxCoeff() <= kLargestCoordinate) continue;
-    return "has a vertex whose coordinates are not finite, or too large";
+    return GLISSADE_TEXT("has a vertex whose coordinates are not finite, or too large");
   }
   for (const TriangleIndices& triangle : mesh.triangles) {
     if (*std::max_element(triangle.begin(), triangle.end()) < mesh.vertices.size()) continue;
-    return "has a triangle with a corner that does not exist";
+    return GLISSADE_TEXT("has a triangle with a corner that does not exist");
   }
   return std::nullopt;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstring>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,7 +20,7 @@ struct ImporterCall {
   std::vector<std::string> arguments;  ///< arguments of the program
   std::string file;                    ///< for messages
   import_protocol::Limits limits;
-  std::string advice;  ///< advice of errors
+  Message advice;  ///< advice of errors
   /// If the program crashes, it is started once more with these arguments; empty: the crash is an error.
   std::vector<std::string> argumentsAfterCrash = {};
 };
@@ -66,7 +67,10 @@ std::string callImporterOfSeveral(const ImporterCall& call, std::string_view con
 /// The error that the file, or the program's output for it, is malformed.
 Diagnostic refusalOf(const ImporterCall& call, const Message& reason, const Location& location = {});
 
+/// The text that a program wrote as data; nothing if it has another form, or could grow: see import_protocol.h.
+std::optional<Message> messageOfProgram(const nlohmann::json& json);
+
 /// The fault of a mesh that a program wrote: a number or an index out of range.
-std::optional<std::string> faultOf(const TriangleMesh& mesh);
+std::optional<Message> faultOf(const TriangleMesh& mesh);
 
 }  // namespace glissade

@@ -25,7 +25,7 @@ ChecksumState takeChecksum(Json& document) {
 
 Diagnostic wrongChecksum(const std::string& file, const Message& advice) {
   return {ErrorKind::MalformedInput, file, "/checksum",
-          "does not fit the content: the file was edited outside of Glissade, or it is damaged", advice};
+          GLISSADE_TEXT("does not fit the content: the file was edited outside of Glissade, or it is damaged"), advice};
 }
 
 }  // namespace glissade

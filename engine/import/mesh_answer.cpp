@@ -1,6 +1,7 @@
 #include "engine/import/mesh_answer.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
 
@@ -19,16 +20,22 @@ std::optional<Diagnostic> refuseCoarseCoordinates(const ImporterCall& call, cons
   const double diagonal = boundingBox(imported.mesh).diagonal().norm();
   if (imported.coordinateSpacing <= kCoarsestSpacing * diagonal) return std::nullopt;
   return Diagnostic{ErrorKind::MalformedInput, call.file, "",
-                    "holds 32-bit coordinates whose spacing of " + toText(imported.coordinateSpacing) +
-                        " is too coarse for a part with a diagonal of " + toText(diagonal) + " (units of the file)",
-                    "Export the part nearer to its origin, or as STL text, OBJ or PLY text with enough digits."};
+                    {GLISSADE_TEXT("holds 32-bit coordinates whose spacing of %1 is too coarse for a part with a "
+                                   "diagonal of %2 (units of the file)"),
+                     {imported.coordinateSpacing, diagonal}},
+                    GLISSADE_TEXT("Export the part nearer to its origin, or as STL text, OBJ or PLY text with enough "
+                                  "digits.")};
 }
 
-/// One warning for each line.
-Warnings warningsOf(const ImporterCall& call, const std::string& text) {
+/// One warning for each line; nothing if a line is no message.
+std::optional<Warnings> warningsOf(const ImporterCall& call, const std::string& text) {
   Warnings warnings;
   std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) warnings.push_back(refusalOf(call, line));
+  for (std::string line; std::getline(lines, line);) {
+    const auto message = messageOfProgram(nlohmann::json::parse(line, nullptr, false));
+    if (!message) return std::nullopt;
+    warnings.push_back(refusalOf(call, *message));
+  }
   return warnings;
 }
 
@@ -60,7 +67,7 @@ ImporterCall meshImporterCall(const std::string& argument, const std::string& fi
           {argument},
           file,
           meshLimits(bytes),
-          "Export the part again, for example as binary STL or GLB."};
+          GLISSADE_TEXT("Export the part again, for example as binary STL or GLB.")};
 }
 
 Result<ImportedMesh> decodeMeshAnswer(const ImporterCall& call, const import_protocol::Header& header,
@@ -77,17 +84,18 @@ Result<ImportedMesh> decodeMeshAnswer(const ImporterCall& call, const import_pro
       !message.take(result.mesh.triangles.data(), result.mesh.triangles.size()) ||
       !message.takeText(facts.warningBytes, warnings) || !message.takeText(facts.groupBytes, groups) ||
       !(facts.coordinateSpacing >= 0.0)) {
-    return refusalOf(call, "the importer failed on it");
+    return refusalOf(call, GLISSADE_TEXT("the importer failed on it"));
   }
-  if (result.mesh.empty()) return refusalOf(call, "holds no triangle");
+  if (result.mesh.empty()) return refusalOf(call, GLISSADE_TEXT("holds no triangle"));
   if (const auto fault = faultOf(result.mesh)) return refusalOf(call, *fault);
   result.coordinateSpacing = facts.coordinateSpacing;
   if (const auto coarse = refuseCoarseCoordinates(call, result)) return *coarse;
   result.vertexMean = Vector3(facts.vertexMean[0], facts.vertexMean[1], facts.vertexMean[2]);
-  if (!result.vertexMean.allFinite()) return refusalOf(call, "the importer failed on it");
-  result.warnings = warningsOf(call, warnings);
+  if (!result.vertexMean.allFinite()) return refusalOf(call, GLISSADE_TEXT("the importer failed on it"));
+  auto said = warningsOf(call, warnings);
   auto read = groupsOf(groups, result.mesh.triangles.size());
-  if (!read) return refusalOf(call, "the importer failed on it");
+  if (!said || !read) return refusalOf(call, GLISSADE_TEXT("the importer failed on it"));
+  result.warnings = std::move(*said);
   result.groups = std::move(*read);
   return result;
 }

@@ -16,8 +16,8 @@ constexpr std::array<const char*, 6> kEndings{"stl", "obj", "ply", "dae", "gltf"
 
 Diagnostic unknownKind(const std::string& file) {
   if (const auto known = unreadKind(file)) return *known;
-  return {ErrorKind::MalformedInput, file, "", "is of a kind that is not read ('" + endingOf(file) + "')",
-          "Use STL, OBJ, PLY, DAE, glTF or GLB; \"step\" and \"urdf\" are shapes of their own in a scenario."};
+  return {ErrorKind::MalformedInput, file, "", {GLISSADE_TEXT("is of a kind that is not read ('%1')"), {endingOf(file)}},
+          GLISSADE_TEXT("Use STL, OBJ, PLY, DAE, glTF or GLB; \"step\" and \"urdf\" are shapes of their own in a scenario.")};
 }
 
 }  // namespace
@@ -31,12 +31,14 @@ Result<ImportedMesh> importMesh(const FileContent& content, const StopToken& sto
   const std::string ending = endingOf(content.file);
   if (!isMeshFile(content.file)) return unknownKind(content.file);
   const ImporterCall call = meshImporterCall(ending, content.file, content.bytes.size());
-  if (content.bytes.empty()) return refusalOf(call, "is empty");
+  if (content.bytes.empty()) return refusalOf(call, GLISSADE_TEXT("is empty"));
   auto answer = callImporter(call, content.bytes, stop);
   if (answer) return decodeMeshAnswer(call, answer->header, answer->message);
   Diagnostic why = answer.error();
   const bool external = toString(why.reason).find("file of its own") != std::string::npos;
-  if (external) why.advice = "Buffers in files of their own are not read: export it as one .glb file.";
+  if (external) {
+    why.advice = GLISSADE_TEXT("Buffers in files of their own are not read: export it as one .glb file.");
+  }
   return why;
 }
 

@@ -13,7 +13,7 @@ nlohmann::ordered_json missingShapesJson(const MissingShapes& shapes) {
                     {"product", shape.product},
                     {"entity", shape.entity},
                     {"kind", shape.kind},
-                    {"reason", shape.reason}});
+                    {"reason", toString(shape.reason)}});
   }
   return list;
 }

@@ -17,7 +17,7 @@ constexpr std::size_t kMostConfigBytes = 1U << 20;
 using Keys = std::map<std::string, std::string>;
 
 Diagnostic malformedConfig(const std::string& file, const Location& location, const Message& reason) {
-  return {ErrorKind::MalformedInput, file, location, reason, "Correct the OMPL.app problem file."};
+  return {ErrorKind::MalformedInput, file, location, reason, GLISSADE_TEXT("Correct the OMPL.app problem file.")};
 }
 
 std::string trimmed(const std::string& text) {
@@ -40,15 +40,15 @@ Result<Keys> problemSection(const std::string& text, const std::string& file) {
       continue;
     }
     const auto equals = line.find('=');
-    if (equals == std::string::npos)
-      return malformedConfig(file, "line " + std::to_string(number), "is not 'key = value'");
+    const Location place{GLISSADE_TEXT("line %1"), {number}};
+    if (equals == std::string::npos) return malformedConfig(file, place, GLISSADE_TEXT("is not 'key = value'"));
     if (section != "[problem]") continue;
     const std::string key = trimmed(line.substr(0, equals));
     if (!keys.emplace(key, trimmed(line.substr(equals + 1))).second) {
-      return malformedConfig(file, "line " + std::to_string(number), "gives '" + key + "' a second time");
+      return malformedConfig(file, place, {GLISSADE_TEXT("gives '%1' a second time"), {key}});
     }
   }
-  if (keys.empty()) return malformedConfig(file, "[problem]", "is missing or empty");
+  if (keys.empty()) return malformedConfig(file, "[problem]", GLISSADE_TEXT("is missing or empty"));
   return keys;
 }
 
@@ -60,12 +60,12 @@ class Numbers {
   double get(const std::string& key) {
     const auto entry = keys_.find(key);
     if (entry == keys_.end()) {
-      complain(key, "is missing");
+      complain(key, GLISSADE_TEXT("is missing"));
       return 0.0;
     }
     const auto number = toNumber(entry->second);
-    if (!number) complain(key, "is not a finite number");
-    if (number && !limits::isCoordinate(*number)) complain(key, "is beyond 1e9");
+    if (!number) complain(key, GLISSADE_TEXT("is not a finite number"));
+    if (number && !limits::isCoordinate(*number)) complain(key, GLISSADE_TEXT("is beyond 1e9"));
     return number.value_or(0.0);
   }
 
@@ -77,7 +77,7 @@ class Numbers {
     const double angle = get(key + ".theta");
     const Vector3 axis = vector(key + ".axis");
     if (axis.norm() > 0.0) pose.orientation = Quaternion(Eigen::AngleAxisd(angle, axis.normalized()));
-    if (axis.norm() == 0.0 && angle != 0.0) complain(key + ".axis", "is zero");
+    if (axis.norm() == 0.0 && angle != 0.0) complain(key + ".axis", GLISSADE_TEXT("is zero"));
     return pose;
   }
 
@@ -108,13 +108,13 @@ Result<OmplAppConfig> readOmplAppConfig(const std::string& file) {
   config.name = printableLine(textOf("name"));
   config.robot = textOf("robot");
   config.world = textOf("world");
-  if (config.robot.empty()) return malformedConfig(file, "robot", "is missing");
+  if (config.robot.empty()) return malformedConfig(file, "robot", GLISSADE_TEXT("is missing"));
   Numbers numbers(*keys, file);
   config.start = numbers.pose("start");
   config.goal = numbers.pose("goal");
   config.volume = Box3(numbers.vector("volume.min"), numbers.vector("volume.max"));
   if (numbers.complaint()) return *numbers.complaint();
-  if (config.volume.isEmpty()) return malformedConfig(file, "volume", "has a minimum above its maximum");
+  if (config.volume.isEmpty()) return malformedConfig(file, "volume", GLISSADE_TEXT("has a minimum above its maximum"));
   config.volume.extend(config.start.position);
   config.volume.extend(config.goal.position);
   return config;

@@ -177,8 +177,9 @@ Result<std::vector<Occurrence>> chosenParts(const std::vector<Occurrence>& solid
     for (const std::size_t node : tree.named(name)) nodes.push_back(tree.nodes()[node].path);
     if (nodes.empty() && name == whole) nodes.emplace_back();
     if (open(nodes, named, opened)) continue;
-    return Diagnostic{ErrorKind::Usage, "", "--open", "names '" + name + "', which is no part of several solids",
-                      "See 'glissade-cli info' for the names."};
+    return Diagnostic{ErrorKind::Usage, "", "--open",
+                      {GLISSADE_TEXT("names '%1', which is no part of several solids"), {name}},
+                      GLISSADE_TEXT("See 'glissade-cli info' for the names.")};
   }
   return joinedParts(named, [&](const std::string& part) { return opened.count(part) == 0; });
 }

@@ -10,10 +10,11 @@ namespace glissade {
 /// The file `name` (relative, '/' as separator) below `folder`. Refuses absolute names and names that leave the folder,
 /// even through symbolic links. `file` and `location` are used in the message.
 inline Result<std::string> resolveBelow(const std::string& folder, const std::string& name, const std::string& file,
-                                        const std::string& location) {
+                                        const Location& location) {
   namespace fs = std::filesystem;
-  const Diagnostic refused{ErrorKind::MalformedInput, file, location, "the file name '" + name + "' leaves the folder",
-                           "Put the file beside the scenario or below it and name it relative to it."};
+  const Diagnostic refused{ErrorKind::MalformedInput, file, location,
+                           {GLISSADE_TEXT("the file name '%1' leaves the folder"), {name}},
+                           GLISSADE_TEXT("Put the file beside the scenario or below it and name it relative to it.")};
   const fs::path relative(name);
   if (name.empty() || relative.is_absolute()) return refused;
   std::error_code error;

@@ -7,12 +7,12 @@ namespace glissade {
 namespace {
 
 /// A list of limited length for people.
-std::string nameList(const std::vector<std::string>& names) {
+Message nameList(const std::vector<std::string>& names) {
   constexpr std::size_t kMost = 30;
   std::string text;
   for (std::size_t i = 0; i < std::min(names.size(), kMost); ++i) text += (i > 0 ? ", " : "") + names[i];
-  if (names.size() > kMost) text += " and " + std::to_string(names.size() - kMost) + " more";
-  return text;
+  if (names.size() <= kMost) return text;
+  return {GLISSADE_TEXT("%1 and %2 more"), {text, names.size() - kMost}};
 }
 
 std::vector<std::string> bodiesOf(const Product& tree) {
@@ -44,14 +44,15 @@ Result<std::string> nodeNamed(const std::string& name, const Product& tree, cons
   if (found.count(name) > 0) return name;
   if (found.empty()) return noSuchPart(file, name, bodiesOf(tree));
   if (found.size() == 1) return *found.begin();
-  return Diagnostic{ErrorKind::MalformedInput, file, "part '" + name + "'", "is the name of several parts",
-                    "Give the whole name: " + nameList({found.begin(), found.end()}) + "."};
+  return Diagnostic{ErrorKind::MalformedInput, file, {GLISSADE_TEXT("part '%1'"), {name}}, GLISSADE_TEXT("is the name of several parts"),
+                    {GLISSADE_TEXT("Give the whole name: %1."), {nameList({found.begin(), found.end()})}}};
 }
 
 Diagnostic noSuchPart(const std::string& file, const std::string& name, const std::vector<std::string>& parts) {
   const bool single = parts.size() == 1 && parts.front().empty();
-  return {ErrorKind::MalformedInput, file, "part '" + name + "'", "is not in the file",
-          single ? "The file holds one part: leave out the name." : "It holds: " + nameList(parts) + "."};
+  return {ErrorKind::MalformedInput, file, {GLISSADE_TEXT("part '%1'"), {name}}, GLISSADE_TEXT("is not in the file"),
+          single ? Message(GLISSADE_TEXT("The file holds one part: leave out the name."))
+                 : Message(GLISSADE_TEXT("It holds: %1."), {nameList(parts)})};
 }
 
 }  // namespace glissade

@@ -60,7 +60,7 @@ std::vector<Rule> permitted() {
 /// libseccomp returns its errors as negative numbers of errno.
 Diagnostic cannotLoad(int error) {
   return {ErrorKind::Internal, "", "",
-          std::string("the filter of system calls cannot be loaded: ") + std::strerror(-error), ""};
+          {GLISSADE_TEXT("the filter of system calls cannot be loaded: %1"), {std::strerror(-error)}}, ""};
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ constexpr std::size_t kMostLinks = 4000;
 constexpr std::size_t kMostTriangles = 8U << 20;
 
 Diagnostic malformedUrdf(const std::string& file, const Location& location, const Message& reason) {
-  return {ErrorKind::MalformedInput, file, location, reason, "Correct the URDF file."};
+  return {ErrorKind::MalformedInput, file, location, reason, GLISSADE_TEXT("Correct the URDF file.")};
 }
 
 /// Collects the messages of urdfdom about a file during the lifetime of this object.
@@ -40,7 +40,8 @@ class ParserMessages final : public console_bridge::OutputHandler {
   void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
     if (level >= console_bridge::CONSOLE_BRIDGE_LOG_WARN && first_.empty()) first_ = text;
   }
-  const std::string& first() const { return first_; }
+  /// The first warning or error; `otherwise` if there is none.
+  Message firstOr(CatalogueText otherwise) const { return first_.empty() ? Message(otherwise) : Message(first_); }
 
  private:
   console_bridge::OutputHandler* previous_;
@@ -75,14 +76,14 @@ class LinkBuilder {
     for (std::size_t i = 0; i < open.size(); ++i) {
       // Two joints with one child would be followed twice, and a chain of such pairs without end.
       if (open.size() > model.links_.size())
-        return malformedUrdf(file_, "", "has a link that is the child of two joints");
+        return malformedUrdf(file_, "", GLISSADE_TEXT("has a link that is the child of two joints"));
       const auto [link, X_RL] = open[i];
       coordinateSpacing_ = 0.0;
       auto mesh = meshOf(*link);
       if (!mesh) return mesh.error();
       triangles_ += mesh->triangles.size();
       if (triangles_ > kMostTriangles) {
-        return malformedUrdf(file_, "", "has more than " + std::to_string(kMostTriangles) + " triangles");
+        return malformedUrdf(file_, "", {GLISSADE_TEXT("has more than %1 triangles"), {kMostTriangles}});
       }
       if (!mesh->empty()) {
         Occurrence part{printableLine(link->name), std::make_shared<const TriangleMesh>(std::move(*mesh)), X_RL,
@@ -91,18 +92,19 @@ class LinkBuilder {
         links.push_back(std::move(part));
       }
       for (const auto& joint : link->child_joints) {
+        const Location place{GLISSADE_TEXT("joint '%1'"), {joint->name}};
         if (joint->type != urdf::Joint::FIXED) {
-          return malformedUrdf(file_, "joint '" + joint->name + "'", "is not fixed: only rigid bodies are read");
+          return malformedUrdf(file_, place, GLISSADE_TEXT("is not fixed: only rigid bodies are read"));
         }
         const Pose X_LC = toPose(joint->parent_to_joint_origin_transform);
         const Pose X_RC = X_RL * X_LC;
-        if (!isSound(X_LC) || !isSound(X_RC)) return malformedUrdf(file_, "joint '" + joint->name + "'", kFarOrigin);
+        if (!isSound(X_LC) || !isSound(X_RC)) return malformedUrdf(file_, place, kFarOrigin);
         open.emplace_back(model.getLink(joint->child_link_name), X_RC);
       }
     }
     if (open.size() < model.links_.size())
-      return malformedUrdf(file_, "", "has links that no joint connects to its root");
-    if (links.empty()) return malformedUrdf(file_, "", "holds no shape");
+      return malformedUrdf(file_, "", GLISSADE_TEXT("has links that no joint connects to its root"));
+    if (links.empty()) return malformedUrdf(file_, "", GLISSADE_TEXT("holds no shape"));
     return links;
   }
 
@@ -111,7 +113,7 @@ class LinkBuilder {
     TriangleMesh mesh;
     const auto add = [&](const auto& shapes) -> Outcome {
       for (const auto& shape : shapes) {
-        const std::string location = "link '" + link.name + "'";
+        const Location location{GLISSADE_TEXT("link '%1'"), {link.name}};
         auto part = meshOf(*shape->geometry, location);
         if (!part) return part.error();
         const Pose X_LS = toPose(shape->origin);
@@ -125,12 +127,12 @@ class LinkBuilder {
     return mesh;
   }
 
-  Result<TriangleMesh> meshOf(const urdf::Geometry& geometry, const std::string& location) {
+  Result<TriangleMesh> meshOf(const urdf::Geometry& geometry, const Location& location) {
     const auto sized = [](std::initializer_list<double> sizes) {
       return std::all_of(sizes.begin(), sizes.end(), limits::isSize);
     };
     const Diagnostic badSize =
-        malformedUrdf(file_, location, "has a shape whose size is not a positive number from 1e-12 m to 1e9 m");
+        malformedUrdf(file_, location, GLISSADE_TEXT("has a shape whose size is not a positive number from 1e-12 m to 1e9 m"));
     switch (geometry.type) {
       case urdf::Geometry::BOX: {
         const auto& box = static_cast<const urdf::Box&>(geometry);
@@ -149,14 +151,14 @@ class LinkBuilder {
       }
       case urdf::Geometry::MESH: return meshOf(static_cast<const urdf::Mesh&>(geometry), location);
     }
-    return malformedUrdf(file_, location, "has an unknown shape");
+    return malformedUrdf(file_, location, GLISSADE_TEXT("has an unknown shape"));
   }
 
-  Result<TriangleMesh> meshOf(const urdf::Mesh& mesh, const std::string& location) {
+  Result<TriangleMesh> meshOf(const urdf::Mesh& mesh, const Location& location) {
     constexpr const char* kPackage = "package://";
     const Vector3 scale(mesh.scale.x, mesh.scale.y, mesh.scale.z);
     if (!limits::isSize(scale.cwiseAbs().minCoeff()) || !limits::isSize(scale.cwiseAbs().maxCoeff())) {
-      return malformedUrdf(file_, location, "has a mesh whose scale is not a number from 1e-12 to 1e9");
+      return malformedUrdf(file_, location, GLISSADE_TEXT("has a mesh whose scale is not a number from 1e-12 to 1e9"));
     }
     std::string name = mesh.filename;
     if (name.rfind(kPackage, 0) == 0) name.erase(0, std::string(kPackage).size());
@@ -178,7 +180,7 @@ class LinkBuilder {
     return std::array<double, 3>{colour.r, colour.g, colour.b};
   }
 
-  static constexpr const char* kFarOrigin = "has an origin that is not finite, or beyond 1e9 m";
+  static constexpr CatalogueText kFarOrigin = GLISSADE_TEXT("has an origin that is not finite, or beyond 1e9 m");
 
   std::string file_;
   std::string packageFolder_;
@@ -216,15 +218,15 @@ Result<std::vector<Occurrence>> importUrdf(const FileContent& content, const std
   const auto facts = precheckXml(text, file);
   if (!facts) return facts.error();
   if (facts->links > kMostLinks) {
-    return malformedUrdf(file, "", "has more than " + std::to_string(kMostLinks) + " links");
+    return malformedUrdf(file, "", {GLISSADE_TEXT("has more than %1 links"), {kMostLinks}});
   }
   ParserMessages messages;
   const urdf::ModelInterfaceSharedPtr model = parse(text);
   if (!model || !model->getRoot()) {
-    return malformedUrdf(file, "", messages.first().empty() ? "is not a URDF file" : messages.first());
+    return malformedUrdf(file, "", messages.firstOr(GLISSADE_TEXT("is not a URDF file")));
   }
   if (shapesIn(*model) != facts->geometries) {
-    return malformedUrdf(file, "", messages.first().empty() ? "has a shape that cannot be read" : messages.first());
+    return malformedUrdf(file, "", messages.firstOr(GLISSADE_TEXT("has a shape that cannot be read")));
   }
   return LinkBuilder(file, packageFolder, stop).build(*model);
 }

@@ -34,7 +34,9 @@ class XmlScanner {
   XmlFacts scan() {
     checkCharacters();
     for (at_ = text_.find('<'); at_ != std::string_view::npos; at_ = text_.find('<', at_)) takeMarkup();
-    if (!open_.empty()) refuse(text_.size(), "ends inside the element '" + std::string(open_.back()) + "'");
+    if (!open_.empty()) {
+      refuse(text_.size(), {GLISSADE_TEXT("ends inside the element '%1'"), {open_.back()}});
+    }
     return facts_;
   }
 
@@ -46,7 +48,7 @@ class XmlScanner {
   void checkCharacters() const {
     for (std::size_t at = 0; at < text_.size();) {
       const std::size_t length = utf8LengthAt(text_, at);
-      if (length == 0 || text_[at] == '\0') refuse(at, "is not valid UTF-8 text");
+      if (length == 0 || text_[at] == '\0') refuse(at, GLISSADE_TEXT("is not valid UTF-8 text"));
       at += length;
     }
   }
@@ -54,17 +56,17 @@ class XmlScanner {
   bool follows(std::string_view token) const { return text_.substr(at_, token.size()) == token; }
 
   void takeMarkup() {
-    if (follows("<!--")) return skipBehind("-->", 4, "a comment");
-    if (follows("<![CDATA[")) return skipBehind("]]>", 9, "a CDATA section");
-    if (follows("<!")) refuse(at_, "has a document type, which is not read");
+    if (follows("<!--")) return skipBehind("-->", 4, GLISSADE_TEXT("a comment"));
+    if (follows("<![CDATA[")) return skipBehind("]]>", 9, GLISSADE_TEXT("a CDATA section"));
+    if (follows("<!")) refuse(at_, GLISSADE_TEXT("has a document type, which is not read"));
     if (follows("<?")) return takeInstruction();
     if (follows("</")) return takeEndTag();
     takeStartTag();
   }
 
-  void skipBehind(std::string_view end, std::size_t opening, const std::string& what) {
+  void skipBehind(std::string_view end, std::size_t opening, CatalogueText what) {
     const std::size_t found = text_.find(end, at_ + opening);
-    if (found == std::string_view::npos) refuse(at_, "has " + what + " that does not end");
+    if (found == std::string_view::npos) refuse(at_, {GLISSADE_TEXT("has %1 that does not end"), {what}});
     at_ = found + end.size();
   }
 
@@ -72,7 +74,7 @@ class XmlScanner {
   void takeInstruction() {
     const std::size_t end = text_.find('>', at_);
     if (end == std::string_view::npos || text_[end - 1] != '?' || end < at_ + 3) {
-      refuse(at_, "has a processing instruction that does not end with its first '>'");
+      refuse(at_, GLISSADE_TEXT("has a processing instruction that does not end with its first '>'"));
     }
     at_ = end + 1;
   }
@@ -82,21 +84,23 @@ class XmlScanner {
     at_ += 2;
     const std::string_view name = takeName();
     skipSpaces();
-    if (open_.empty() || name != open_.back()) refuse(begin, "has the end tag of an element that is not open");
-    if (!take('>')) refuse(begin, "has a tag that does not end");
+    if (open_.empty() || name != open_.back()) {
+      refuse(begin, GLISSADE_TEXT("has the end tag of an element that is not open"));
+    }
+    if (!take('>')) refuse(begin, GLISSADE_TEXT("has a tag that does not end"));
     open_.pop_back();
   }
 
   void takeStartTag() {
     const std::size_t begin = at_++;
     const std::string_view name = takeName();
-    if (++elements_ > kMostElements) refuse(begin, "has more than " + std::to_string(kMostElements) + " elements");
+    if (++elements_ > kMostElements) refuse(begin, {GLISSADE_TEXT("has more than %1 elements"), {kMostElements}});
     takeAttributes(begin);
     const bool alone = take('/');
-    if (!take('>')) refuse(begin, "has a tag that does not end");
+    if (!take('>')) refuse(begin, GLISSADE_TEXT("has a tag that does not end"));
     open_.push_back(name);
     if (open_.size() > kDeepestElement) {
-      refuse(begin, "is nested too deeply (more than " + std::to_string(kDeepestElement) + " elements)");
+      refuse(begin, {GLISSADE_TEXT("is nested too deeply (more than %1 elements)"), {kDeepestElement}});
     }
     count();
     if (alone) open_.pop_back();
@@ -106,13 +110,13 @@ class XmlScanner {
     for (std::size_t attributes = 0;;) {
       const bool apart = skipSpaces();
       if (at_ >= text_.size() || text_[at_] == '>' || text_[at_] == '/') return;
-      if (!apart) refuse(tag, "has a tag that is not valid XML");
+      if (!apart) refuse(tag, GLISSADE_TEXT("has a tag that is not valid XML"));
       if (++attributes > kMostAttributes) {
-        refuse(tag, "has an element with more than " + std::to_string(kMostAttributes) + " attributes");
+        refuse(tag, {GLISSADE_TEXT("has an element with more than %1 attributes"), {kMostAttributes}});
       }
       takeName();
       skipSpaces();
-      if (!take('=')) refuse(at_, "has an attribute without a value");
+      if (!take('=')) refuse(at_, GLISSADE_TEXT("has an attribute without a value"));
       skipSpaces();
       takeValue();
     }
@@ -121,18 +125,20 @@ class XmlScanner {
   void takeValue() {
     const std::size_t begin = at_;
     const char quote = at_ < text_.size() ? text_[at_] : ' ';
-    if (quote != '"' && quote != '\'') refuse(begin, "has an attribute whose value is not quoted");
+    if (quote != '"' && quote != '\'') refuse(begin, GLISSADE_TEXT("has an attribute whose value is not quoted"));
     const std::size_t end = text_.find(quote, begin + 1);
-    if (end == std::string_view::npos) refuse(begin, "has an attribute whose value does not end");
+    if (end == std::string_view::npos) refuse(begin, GLISSADE_TEXT("has an attribute whose value does not end"));
     if (text_.substr(begin, end - begin).find('<') != std::string_view::npos) {
-      refuse(begin, "has '<' in the value of an attribute, which XML writes as &lt;");
+      refuse(begin, GLISSADE_TEXT("has '<' in the value of an attribute, which XML writes as &lt;"));
     }
     at_ = end + 1;
   }
 
   std::string_view takeName() {
     const std::size_t begin = at_;
-    if (at_ >= text_.size() || !beginsName(text_[at_])) refuse(begin, "has a tag or an attribute without a name");
+    if (at_ >= text_.size() || !beginsName(text_[at_])) {
+      refuse(begin, GLISSADE_TEXT("has a tag or an attribute without a name"));
+    }
     while (at_ < text_.size() && continuesName(text_[at_])) ++at_;
     return text_.substr(begin, at_ - begin);
   }
@@ -170,8 +176,8 @@ Result<XmlFacts> precheckXml(const std::string& text, const std::string& file) {
   } catch (const XmlRefusal& refusal) {
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(refusal.position);
     const auto line = 1 + std::count(text.begin(), end, '\n');
-    return Diagnostic{ErrorKind::MalformedInput, file, "line " + std::to_string(line), refusal.reason,
-                      "Correct the file."};
+    return Diagnostic{ErrorKind::MalformedInput, file, {GLISSADE_TEXT("line %1"), {line}}, refusal.reason,
+                      GLISSADE_TEXT("Correct the file.")};
   }
 }
 

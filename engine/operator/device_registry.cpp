@@ -106,18 +106,25 @@ const DeviceEntry* DeviceRegistry::find(std::string_view id) const {
 
 DeviceRegistry makeDeviceRegistry() {
   DeviceRegistry registry;
-  registry.add({"hand", GLISSADE_TEXT("By hand"), GLISSADE_TEXT("A person: keys, 6D mouse, gamepad and the controllers of a headset together."),
-                false, makeHand});
-  registry.add(held(&HandInputs::keyboard, "keyboard", GLISSADE_TEXT("Keyboard"), GLISSADE_TEXT("A person: the keys of the window.")));
-  registry.add(held(&HandInputs::mouse6d, "mouse6d", GLISSADE_TEXT("6D mouse"), GLISSADE_TEXT("A person: a 3Dconnexion mouse.")));
-  registry.add(held(&HandInputs::gamepad, "gamepad", GLISSADE_TEXT("Gamepad"), GLISSADE_TEXT("A person: a game controller.")));
+  registry.add({"hand", GLISSADE_TEXT("By hand"),
+                GLISSADE_TEXT("A person: keys, 6D mouse, gamepad and the controllers of a headset together."), false,
+                makeHand});
+  registry.add(held(&HandInputs::keyboard, "keyboard", GLISSADE_TEXT("Keyboard"),
+                    GLISSADE_TEXT("A person: the keys of the window.")));
+  registry.add(held(&HandInputs::mouse6d, "mouse6d", GLISSADE_TEXT("6D mouse"),
+                    GLISSADE_TEXT("A person: a 3Dconnexion mouse.")));
+  registry.add(
+      held(&HandInputs::gamepad, "gamepad", GLISSADE_TEXT("Gamepad"), GLISSADE_TEXT("A person: a game controller.")));
   registry.add(tracked(ControllerSide::Left, "left-controller", GLISSADE_TEXT("Left controller"),
                        GLISSADE_TEXT("A person with a headset: its left controller.")));
   registry.add(tracked(ControllerSide::Right, "right-controller", GLISSADE_TEXT("Right controller"),
                        GLISSADE_TEXT("A person with a headset: its right controller.")));
-  registry.add(simulated(*findOperatorLevel("expert"), GLISSADE_TEXT("Simulated expert"), GLISSADE_TEXT("Follows the way-points fast and exactly.")));
-  registry.add(simulated(*findOperatorLevel("default"), GLISSADE_TEXT("Simulated operator"), GLISSADE_TEXT("Follows the way-points.")));
-  registry.add(simulated(*findOperatorLevel("novice"), GLISSADE_TEXT("Simulated novice"), GLISSADE_TEXT("Follows the way-points, slow and unsure.")));
+  registry.add(simulated(*findOperatorLevel("expert"), GLISSADE_TEXT("Simulated expert"),
+                         GLISSADE_TEXT("Follows the way-points fast and exactly.")));
+  registry.add(simulated(*findOperatorLevel("default"), GLISSADE_TEXT("Simulated operator"),
+                         GLISSADE_TEXT("Follows the way-points.")));
+  registry.add(simulated(*findOperatorLevel("novice"), GLISSADE_TEXT("Simulated novice"),
+                         GLISSADE_TEXT("Follows the way-points, slow and unsure.")));
   registry.add(hapticEntry("simulated-haptic", GLISSADE_TEXT("Simulated haptic hand"),
                            GLISSADE_TEXT("Draws the object along the way-points and feels the obstacles."), true,
                            makeSimulatedHaptic));
@@ -126,8 +133,8 @@ DeviceRegistry makeDeviceRegistry() {
 
 void addTaskOperators(DeviceRegistry& registry) {
   for (const TaskLevel& level : taskLevels()) {
-    registry.add({std::string(level.id), std::string(level.id), GLISSADE_TEXT("Shows a way at the level of a task."), true,
-                  [level](const DeviceContext& context) -> std::unique_ptr<OperatorDevice> {
+    registry.add({std::string(level.id), std::string(level.id), GLISSADE_TEXT("Shows a way at the level of a task."),
+                  true, [level](const DeviceContext& context) -> std::unique_ptr<OperatorDevice> {
                     return std::make_unique<TaskOperator>(level, context.route, context.metric, context.seed);
                   }});
   }

@@ -85,9 +85,9 @@ const Report* reportOf(const Planner& planner) {
 
 /// Name and factory of a planner. Registered by explicit calls (no static initialisers).
 struct PlannerEntry {
-  std::string id;           ///< id on the command line and in files, for example "birrt"
-  Message label;            ///< name in the window
-  Message description;      ///< one sentence with the source
+  std::string id;       ///< id on the command line and in files, for example "birrt"
+  Message label;        ///< name in the window
+  Message description;  ///< one sentence with the source
   bool usesOperator = false;
   bool complete = true;  ///< goes on until it finds a path or is stopped; false: it may give up
   std::function<std::unique_ptr<Planner>(const Problem&, std::uint64_t seed)> make;

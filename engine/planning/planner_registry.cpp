@@ -39,13 +39,14 @@ PlannerEntry multiLayer(const std::string& id, CatalogueText label, CatalogueTex
 }
 
 void addFirstPapersPlanners(PlannerRegistry& registry) {
-  registry.add(
-      interactive("contact-birrt", GLISSADE_TEXT("Interactive with contact (paper)"),
-                  GLISSADE_TEXT("You steer the object and the computer searches with you; near an obstacle the object slides "
-                  "on it (Blin et al. 2016, Algorithm 1)."),
-                  OperatorUse::GuideAndContact));
+  registry.add(interactive(
+      "contact-birrt", GLISSADE_TEXT("Interactive with contact (paper)"),
+      GLISSADE_TEXT("You steer the object and the computer searches with you; near an obstacle the object slides "
+                    "on it (Blin et al. 2016, Algorithm 1)."),
+      OperatorUse::GuideAndContact));
   registry.add(interactive("birrt", GLISSADE_TEXT("Two trees, without you"),
-                           GLISSADE_TEXT("The computer alone: the same planner with an authority of 1."), OperatorUse::None));
+                           GLISSADE_TEXT("The computer alone: the same planner with an authority of 1."),
+                           OperatorUse::None));
 }
 
 void addOmplPlanners(PlannerRegistry& registry) {
@@ -58,19 +59,25 @@ void addOmplPlanners(PlannerRegistry& registry) {
   add("ompl-rrtconnect", GLISSADE_TEXT("Two trees of OMPL (RRT-Connect)"),
       GLISSADE_TEXT("Two trees that grow towards each other (Kuffner and LaValle 2000)."), OmplAlgorithm::RrtConnect);
   add("ompl-bkpiece", GLISSADE_TEXT("Cells explored, of OMPL (BKPIECE)"),
-      GLISSADE_TEXT("Two trees that grow from the border of the cells explored (Sucan and Kavraki 2009)."), OmplAlgorithm::Bkpiece);
-  add("ompl-prm", GLISSADE_TEXT("Roadmap of OMPL (PRM)"), GLISSADE_TEXT("A roadmap of the whole space (Kavraki et al. 1996)."), OmplAlgorithm::Prm);
-  add("ompl-est", GLISSADE_TEXT("One tree of OMPL (EST)"), GLISSADE_TEXT("One tree that grows where it is sparse (Hsu et al. 1999)."),
-      OmplAlgorithm::Est);
+      GLISSADE_TEXT("Two trees that grow from the border of the cells explored (Sucan and Kavraki 2009)."),
+      OmplAlgorithm::Bkpiece);
+  add("ompl-prm", GLISSADE_TEXT("Roadmap of OMPL (PRM)"),
+      GLISSADE_TEXT("A roadmap of the whole space (Kavraki et al. 1996)."), OmplAlgorithm::Prm);
+  add("ompl-est", GLISSADE_TEXT("One tree of OMPL (EST)"),
+      GLISSADE_TEXT("One tree that grows where it is sparse (Hsu et al. 1999)."), OmplAlgorithm::Est);
 }
 
 /// Adds the planners for comparison with ours.
 void addPeers(PlannerRegistry& registry) {
   const auto add = [&](std::string id, const std::string& algorithm, OmplAlgorithm which) {
-    registry.add({std::move(id), {GLISSADE_TEXT("For comparison: unmodified %1"), {algorithm}},
+    registry.add({std::move(id),
+                  {GLISSADE_TEXT("For comparison: unmodified %1"), {algorithm}},
                   {GLISSADE_TEXT("%1 as OMPL's users run it: collisions by FCL, edges looked at every so often; the "
-                                 "first path is judged by our certificate."), {algorithm}},
-                  false, false, [which](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {
+                                 "first path is judged by our certificate."),
+                   {algorithm}},
+                  false,
+                  false,
+                  [which](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {
                     return std::make_unique<OmplPlanner>(problem, seed, which, OmplManner::AsItIs);
                   }});
   };
@@ -111,47 +118,55 @@ PlannerEntry turningThreads(PlannerEntry entry) {
 
 PlannerRegistry allWholePlanners() {
   PlannerRegistry registry;
-  registry.add({"auto", GLISSADE_TEXT("Automatic"),
-                GLISSADE_TEXT("Several planners work side by side; those that make progress get more time. No settings are needed."),
-                false, true, [](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {
-                  return std::make_unique<AutomaticPlanner>(problem, seed);
-                }});
+  registry.add(
+      {"auto", GLISSADE_TEXT("Automatic"),
+       GLISSADE_TEXT(
+           "Several planners work side by side; those that make progress get more time. No settings are needed."),
+       false, true, [](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {
+         return std::make_unique<AutomaticPlanner>(problem, seed);
+       }});
   registry.add(
       {"interactive", GLISSADE_TEXT("Interactive"),
-       GLISSADE_TEXT("You steer the object, and the automatic planners search along the way that you show. Without your hand "
-       "it is the automatic strategy."),
+       GLISSADE_TEXT(
+           "You steer the object, and the automatic planners search along the way that you show. Without your hand "
+           "it is the automatic strategy."),
        true, true, [](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {
          return std::make_unique<AutomaticPlanner>(problem, seed, std::thread::hardware_concurrency(),
                                                    std::make_unique<HandPartner>(problem, seed));
        }});
   addFirstPapersPlanners(registry);
-  registry.add(interactive("interactive-birrt", GLISSADE_TEXT("Interactive without contact"),
-                           GLISSADE_TEXT("Operator and computer share authority, no contact sampling (Blin et al. 2016, table I)."),
-                           OperatorUse::Guide));
-  registry.add(interactive("contact-following-birrt", GLISSADE_TEXT("Interactive, contact that follows"),
-                           GLISSADE_TEXT("Near an obstacle the object follows its surfaces from one contact to the next, and turns "
-                           "as they make it turn."),
-                           OperatorUse::GuideAndFollow));
-  registry.add(interactive("contact-first-birrt", GLISSADE_TEXT("Interactive, contact first"),
-                           GLISSADE_TEXT("As the papers' software of 2016: near an obstacle contact sampling pre-empts the "
-                           "authority draw."),
-                           OperatorUse::ContactFirst));
-  registry.add({"g", GLISSADE_TEXT("One tree (G)"), GLISSADE_TEXT("One RRT in the whole workspace (Cailhol et al. 2019, section 6.1)."), false, false,
+  registry.add(interactive(
+      "interactive-birrt", GLISSADE_TEXT("Interactive without contact"),
+      GLISSADE_TEXT("Operator and computer share authority, no contact sampling (Blin et al. 2016, table I)."),
+      OperatorUse::Guide));
+  registry.add(interactive(
+      "contact-following-birrt", GLISSADE_TEXT("Interactive, contact that follows"),
+      GLISSADE_TEXT("Near an obstacle the object follows its surfaces from one contact to the next, and turns "
+                    "as they make it turn."),
+      OperatorUse::GuideAndFollow));
+  registry.add(
+      interactive("contact-first-birrt", GLISSADE_TEXT("Interactive, contact first"),
+                  GLISSADE_TEXT("As the papers' software of 2016: near an obstacle contact sampling pre-empts the "
+                                "authority draw."),
+                  OperatorUse::ContactFirst));
+  registry.add({"g", GLISSADE_TEXT("One tree (G)"),
+                GLISSADE_TEXT("One RRT in the whole workspace (Cailhol et al. 2019, section 6.1)."), false, false,
                 [](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {
                   return std::make_unique<Rrt>(problem, seed, Rrt::Limit::GlobalSamples);
                 }});
   registry.add(multiLayer("gt", GLISSADE_TEXT("Shortest way through places (GT)"),
                           GLISSADE_TEXT("The shortest way through the places, RRT in each of them "
-                          "(Cailhol et al. 2019, section 6.1).")));
+                                        "(Cailhol et al. 2019, section 6.1).")));
   registry.add(multiLayer("gts1", GLISSADE_TEXT("Places: holes of the same shape (GTS1)"),
                           GLISSADE_TEXT("Holes of the object's shape and easy places "
-                          "first (Cailhol et al. 2019, section 6.2).")));
+                                        "first (Cailhol et al. 2019, section 6.2).")));
   registry.add(multiLayer("gts2", GLISSADE_TEXT("Places: holes that fit (GTS2)"),
                           GLISSADE_TEXT("Holes that the object fits and easy places "
-                          "first (Cailhol et al. 2019, section 6.2, table 1).")));
-  registry.add(multiLayer("gts", GLISSADE_TEXT("Layers"),
-                          GLISSADE_TEXT("Geometry, places and semantics (GTS): the object goes through the passages that "
-                          "it fits best, and takes the next best way where one fails.")));
+                                        "first (Cailhol et al. 2019, section 6.2, table 1).")));
+  registry.add(
+      multiLayer("gts", GLISSADE_TEXT("Layers"),
+                 GLISSADE_TEXT("Geometry, places and semantics (GTS): the object goes through the passages that "
+                               "it fits best, and takes the next best way where one fails.")));
   registry.add(multiLayer("own", GLISSADE_TEXT("Places: own rules"), GLISSADE_TEXT("The rules of the scenario.")));
   addOmplPlanners(registry);
   addPeers(registry);
@@ -169,15 +184,17 @@ PlannerRegistry makePlannerRegistry() {
 
 PlannerRegistry makeLocalPlannerRegistry() {
   PlannerRegistry registry;
-  registry.add({"linear", GLISSADE_TEXT("Linear interpolation"), GLISSADE_TEXT("The straight motion, where it is free."), false, false,
+  registry.add({"linear", GLISSADE_TEXT("Linear interpolation"),
+                GLISSADE_TEXT("The straight motion, where it is free."), false, false,
                 [](const Problem& problem, std::uint64_t) -> std::unique_ptr<Planner> {
                   return std::make_unique<LinearPlanner>(problem);
                 }});
-  registry.add({"rrt", GLISSADE_TEXT("RRT"), GLISSADE_TEXT("One tree (LaValle 1998)."), false, true,
+  registry.add({"rrt", "RRT", GLISSADE_TEXT("One tree (LaValle 1998)."), false, true,
                 [](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {
                   return std::make_unique<Rrt>(problem, seed);
                 }});
-  registry.add({"potential-field", GLISSADE_TEXT("Potential field"), GLISSADE_TEXT("Down the slope to the goal (Khatib 1985)."), false, false,
+  registry.add({"potential-field", GLISSADE_TEXT("Potential field"),
+                GLISSADE_TEXT("Down the slope to the goal (Khatib 1985)."), false, false,
                 [](const Problem& problem, std::uint64_t) -> std::unique_ptr<Planner> {
                   return std::make_unique<PotentialFieldPlanner>(problem);
                 }});

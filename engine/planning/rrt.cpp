@@ -25,7 +25,8 @@ bool Rrt::solve(PlannerHost& host) {
     updateCounts();
     if (!path_ && limit_ == Limit::GlobalSamples &&
         static_cast<double>(counts_.randomConfigurations) >= host.parameters()[ParameterId::GlobalSamples]) {
-      failure_ = Diagnostic{ErrorKind::LimitReached, "", "", GLISSADE_TEXT("strategy G found no path within its limit of samples"),
+      failure_ = Diagnostic{ErrorKind::LimitReached, "", "",
+                            GLISSADE_TEXT("strategy G found no path within its limit of samples"),
                             GLISSADE_TEXT("Raise --global-samples, or use the strategy Layers (gts).")};
     }
     if (!host.afterStep()) break;

@@ -21,7 +21,7 @@ struct ScrewSearch {
   bool engaged = false;        ///< the object is in at least one thread
   std::vector<ScrewWay> ways;  ///< free motions, the shortest first; at most one for each sense
   std::vector<int> blockedBy;  ///< obstacles that block the other motions, or hold the object; ascending
-  Message why;             ///< reason, with names of obstacles, where there is no motion
+  Message why;                 ///< reason, with names of obstacles, where there is no motion
 };
 
 /// Searches in both senses. Every motion keeps the required clearance (metres) by `query`, which queries `world`.

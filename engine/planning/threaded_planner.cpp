@@ -78,7 +78,8 @@ bool ThreadedPlanner::findWays(const Pose& end, PlannerHost& host, std::vector<P
   counts_.queries = query_->counts();
   if (!search.engaged || host.stopToken().stopRequested()) return true;
   if (search.ways.empty()) {
-    failure_ = Diagnostic{ErrorKind::NoPath, "", "", search.why, GLISSADE_TEXT("Remove what is named first, or change the thread.")};
+    failure_ = Diagnostic{ErrorKind::NoPath, "", "", search.why,
+                          GLISSADE_TEXT("Remove what is named first, or change the thread.")};
     return false;
   }
   const double ahead = 2.0 * (problem_.world->obstaclesBox().diagonal().norm() + problem_.world->objectRadius());
@@ -139,8 +140,9 @@ bool ThreadedPlanner::deliver(PlannerHost& host, const std::vector<PathPoint>& m
   path.certificate = certifyPath(*query_, path.points, host.parameters(), host.stopToken());
   if (path.certificate.status != CertificateStatus::Certified) {
     if (host.stopToken().stopRequested()) return false;
-    failure_ = Diagnostic{ErrorKind::NoPath, "", "", GLISSADE_TEXT("the path through the threads could not be certified"),
-                          GLISSADE_TEXT("Require less clearance.")};
+    failure_ =
+        Diagnostic{ErrorKind::NoPath, "", "", GLISSADE_TEXT("the path through the threads could not be certified"),
+                   GLISSADE_TEXT("Require less clearance.")};
     return false;
   }
   path_ = std::move(path);

@@ -122,9 +122,11 @@ Warnings warningsOf(const std::vector<Alternative>& alternatives, const std::vec
     const std::string& b = bodies[each.b].shown();
     const auto percent = static_cast<int>(std::round(100.0 * each.share));
     warnings.push_back(
-        {ErrorKind::InCollision, "", "'" + a + "' and '" + b + "'",
-         "fill the same place (" + std::to_string(percent) + " % of the larger one): they may be variants of one part",
-         "Leave one out (--without " + a + ")."});
+        {ErrorKind::InCollision,
+         "",
+         {GLISSADE_TEXT("'%1' and '%2'"), {a, b}},
+         {GLISSADE_TEXT("fill the same place (%1 % of the larger one): they may be variants of one part"), {percent}},
+         {GLISSADE_TEXT("Leave one out (--without %1)."), {a}}});
   }
   return warnings;
 }

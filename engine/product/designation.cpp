@@ -509,9 +509,11 @@ std::optional<Designation> readDesignation(const std::string& name, bool* isUnkn
 
 }  // namespace
 
-const char* standardPartName(StandardPart part) {
-  constexpr std::array<const char*, 10> kNames{"screw",   "set screw",      "nut",  "washer", "insert", "pin",
-                                               "bearing", "retaining ring", "belt", "seal"};
+CatalogueText standardPartName(StandardPart part) {
+  constexpr std::array<CatalogueText, 10> kNames{
+      GLISSADE_TEXT("screw"),  GLISSADE_TEXT("set screw"), GLISSADE_TEXT("nut"),     GLISSADE_TEXT("washer"),
+      GLISSADE_TEXT("insert"), GLISSADE_TEXT("pin"),       GLISSADE_TEXT("bearing"), GLISSADE_TEXT("retaining ring"),
+      GLISSADE_TEXT("belt"),   GLISSADE_TEXT("seal")};
   return kNames[static_cast<std::size_t>(part)];
 }
 
@@ -524,9 +526,13 @@ Result<Designation> designationOf(const std::string& text) {
   bool isUnknown = false;
   const auto found = readDesignation(text.substr(0, kLongestName), &isUnknown);
   if (found && !isUnknown) return *found;
-  const std::string reason = isUnknown ? "'" + text + "' names a standard that is not known"
-                                       : "'" + text + "' is no designation of a standard part that is known";
-  return Diagnostic{ErrorKind::Usage, "", "", reason, "Give one as 'ISO 4762 M3x8', 'DIN 934 M5' or 'M3x8 SHCS'."};
+  const CatalogueText reason = isUnknown ? GLISSADE_TEXT("'%1' names a standard that is not known")
+                                         : GLISSADE_TEXT("'%1' is no designation of a standard part that is known");
+  return Diagnostic{ErrorKind::Usage,
+                    "",
+                    "",
+                    {reason, {text}},
+                    GLISSADE_TEXT("Give one as 'ISO 4762 M3x8', 'DIN 934 M5' or 'M3x8 SHCS'.")};
 }
 
 bool isShaftName(const std::string& name) {

@@ -12,7 +12,7 @@ namespace glissade {
 enum class StandardPart { Screw, SetScrew, Nut, Washer, Insert, Pin, Bearing, Ring, Belt, Seal };
 
 /// "screw", "set screw", "nut", ... for people.
-const char* standardPartName(StandardPart part);
+CatalogueText standardPartName(StandardPart part);
 
 /// A standard part as a name states it: "ISO 4762 M3x8", "M3x8 SHCS", "608ZZ".
 struct Designation {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "engine/base/message.h"
 #include "engine/check/evidence.h"
 #include "engine/collision/thread_rule.h"
 #include "engine/product/contact_report.h"
@@ -29,18 +30,18 @@ struct Fit {
   check::Evidence evidence{};  ///< evidence for the largest permitted allowance
   /// Set if a person marks the pair as a thread, or if the thread of the shaft is taken away.
   std::optional<FitThread> thread{};
-  bool core = false;      ///< the shaft's thread is taken away (core_fit.h)
-  bool hollow = false;    ///< the volume that the other body of the pair fills is taken away (check/hollow.h)
-  MeshPtr thinned{};      ///< the thinned body; null if it is whole
-  bool yields = false;    ///< the obstacle is taken thinner, not the object
-  std::string refused{};  ///< reason why nothing is allowed, for people; empty: it is allowed
+  bool core = false;    ///< the shaft's thread is taken away (core_fit.h)
+  bool hollow = false;  ///< the volume that the other body of the pair fills is taken away (check/hollow.h)
+  MeshPtr thinned{};    ///< the thinned body; null if it is whole
+  bool yields = false;  ///< the obstacle is taken thinner, not the object
+  Message refused{};    ///< reason why nothing is allowed; empty: it is allowed
 };
 
 /// "screw taken 0.41 mm thinner in the tapped hole of plate (thread)", and the pitch of a known thread: "..., pitch 1.5
 /// mm (ISO coarse, M10)". Takes the names of the object and the obstacle.
-std::string inWords(const Fit& fit, const std::string& object, const std::string& obstacle);
+Message inWords(const Fit& fit, const std::string& object, const std::string& obstacle);
 
-/// ", 9.3 turns", to follow other words; empty for no turns.
-std::string turnsInWords(double turns);
+/// The words followed by ", 9.3 turns"; the words alone for no turns.
+Message withTurns(Message words, double turns);
 
 }  // namespace glissade

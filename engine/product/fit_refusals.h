@@ -1,16 +1,16 @@
 #pragma once
 
-#include <string>
+#include "engine/base/message.h"
 
 namespace glissade {
 
 // Reasons why a pair of bodies counts as a clash, for people; lengths in metres.
 
 /// Neither body has room for the allowance.
-std::string noRoom(double allowance);
+Message noRoom(double allowance);
 /// Neither body has room, and the surface of one is open at this distance from the contact.
-std::string noRoomBeside(double allowance, double opening);
+Message noRoomBeside(double allowance, double opening);
 /// The surfaces of both bodies are open at these distances from the contact.
-std::string openOnBothSides(double opening, double othersOpening);
+Message openOnBothSides(double opening, double othersOpening);
 
 }  // namespace glissade

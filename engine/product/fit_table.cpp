@@ -4,7 +4,6 @@
 #include <mutex>
 #include <tuple>
 
-#include "engine/base/depth_text.h"
 #include "engine/product/giving_way.h"
 
 namespace glissade {
@@ -96,7 +95,8 @@ Result<FitTable> FitTable::find(const AssembledProduct& product, ThreadTeam& tea
     }
   });
   if (stop.stopRequested()) {
-    return Diagnostic{ErrorKind::Interrupted, "", "", "was stopped while fits were searched", "Start again."};
+    return Diagnostic{ErrorKind::Interrupted, "", "", GLISSADE_TEXT("was stopped while fits were searched"),
+                      GLISSADE_TEXT("Start again.")};
   }
   for (Result<ObjectFits>& object : objects) {
     if (!object) return object.error();
@@ -143,13 +143,18 @@ Warnings warningsOfPlainOverlaps(const std::vector<PairFit>& fits) {
       continue;
     }
     warnings.push_back(
-        {ErrorKind::InCollision, "", "'" + fit.shown[0] + "' and '" + fit.shown[1] + "'",
-         "overlap by " + depthInMillimetres(fit.contact.overlap) + " without being a fit, a thread or a press",
-         "Mend the parts, or say what kind of fit they are."});
+        {ErrorKind::InCollision,
+         "",
+         {GLISSADE_TEXT("'%1' and '%2'"), {fit.shown[0], fit.shown[1]}},
+         {GLISSADE_TEXT("overlap by %1 without being a fit, a thread or a press"), {Depth{fit.contact.overlap}}},
+         GLISSADE_TEXT("Mend the parts, or say what kind of fit they are.")});
   }
   if (more > 0) {
-    warnings.push_back({ErrorKind::InCollision, "", "", std::to_string(more) + " more pairs overlap in the same way",
-                        "See 'glissade-cli fits' for all of them."});
+    warnings.push_back({ErrorKind::InCollision,
+                        "",
+                        "",
+                        {GLISSADE_TEXT("%1 more pairs overlap in the same way"), {more}},
+                        GLISSADE_TEXT("See 'glissade-cli fits' for all of them.")});
   }
   return warnings;
 }

@@ -24,7 +24,7 @@ const char* statusName(FitStatus status);
 /// The shapes of a pair while one of its bodies moves past the other.
 struct PairWay {
   std::vector<Fit> taken{};  ///< the thinned body, or both; none: both are whole
-  std::string refused{};     ///< reason why no motion passes, for people; empty: motions pass
+  Message refused{};         ///< reason why no motion passes; empty: motions pass
 
   /// The larger allowance of the two bodies, metres; 0 if neither is thinned.
   double allowance() const;

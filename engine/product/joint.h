@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/message.h"
 #include "engine/geometry/pose.h"
 
 namespace glissade {
@@ -77,11 +78,11 @@ struct Joint {
   /// Size of the drive, metres: across the flats of a hexagon, the width of a slot, the width of a cross or of six
   /// lobes from tip to tip; 0: not known.
   double driveSize = 0.0;
-  double bend = 0.0;                    ///< bend that the hook of a snap needs, metres
-  std::string designation{};            ///< as stated by a name, "ISO 4762 M3x8"; empty: none
-  bool isDoubtful = false;              ///< its evidence is contradictory; for a recognised joint the shape counts
-  bool makesHole = false;               ///< it is a screw in a body that is drawn without a hole
-  std::vector<std::string> evidence{};  ///< for people, in English: each fact that supports it
+  double bend = 0.0;                ///< bend that the hook of a snap needs, metres
+  std::string designation{};        ///< as stated by a name, "ISO 4762 M3x8"; empty: none
+  bool isDoubtful = false;          ///< its evidence is contradictory; for a recognised joint the shape counts
+  bool makesHole = false;           ///< it is a screw in a body that is drawn without a hole
+  std::vector<Message> evidence{};  ///< each fact that supports it
 };
 
 /// Identifies a joint in files and to people: its kind and the ids of its bodies.

@@ -1,9 +1,9 @@
 #include "engine/product/joint_edits.h"
 
 #include <algorithm>
+#include <array>
 #include <set>
 
-#include "engine/base/quantity_text.h"
 #include "engine/check/hook.h"
 #include "engine/product/designation.h"
 #include "engine/product/joint_order.h"
@@ -31,7 +31,7 @@ class JointEditor {
     if (const Outcome known = knowBodies(edit); !known) return known;
     switch (edit.word) {
       case JointEdit::Word::Confirmed: return edit.made ? make(edit) : confirm(edit);
-      case JointEdit::Word::Dissolved: return dissolve(edit, "dissolved");
+      case JointEdit::Word::Dissolved: return dissolve(edit, GLISSADE_TEXT("dissolved"));
       case JointEdit::Word::PressedOut: return pressOut(edit);
       case JointEdit::Word::Opened: return open(edit);
     }
@@ -47,11 +47,12 @@ class JointEditor {
     ids.insert(ids.end(), edit.clamped.begin(), edit.clamped.end());
     for (const std::string& id : ids) {
       if (product_.indexOf(id)) continue;
-      return refusal(edit.key, "there is no body '" + id + "'", "Name bodies by the ids that 'joints --json' prints.");
+      return refusal(edit.key, {GLISSADE_TEXT("there is no body '%1'"), {id}},
+                     GLISSADE_TEXT("Name bodies by the ids that 'joints --json' prints."));
     }
     const std::set<std::string> distinct(ids.begin(), ids.end());
     if (distinct.size() == ids.size()) return Done{};
-    return refusal(edit.key, "it names a body twice", "Name each body of a joint once.");
+    return refusal(edit.key, GLISSADE_TEXT("it names a body twice"), GLISSADE_TEXT("Name each body of a joint once."));
   }
 
   Joints::iterator find(const JointKey& key) {
@@ -66,19 +67,19 @@ class JointEditor {
     return one == other;
   }
 
-  static Outcome isMissing(const JointKey& key, const std::string& word) {
-    return refusal(key, "there is no such joint that could be " + word,
-                   "'glissade-cli joints' lists those that are found; 'made' makes one.");
+  static Outcome isMissing(const JointKey& key, CatalogueText word) {
+    return refusal(key, {GLISSADE_TEXT("there is no such joint that could be %1"), {word}},
+                   GLISSADE_TEXT("'glissade-cli joints' lists those that are found; 'made' makes one."));
   }
 
   Outcome confirm(const JointEdit& edit) {
     const auto joint = find(edit.key);
-    if (joint == joints_.end()) return isMissing(edit.key, "confirmed");
+    if (joint == joints_.end()) return isMissing(edit.key, GLISSADE_TEXT("confirmed"));
     joint->state = JointState::Confirmed;
     return Done{};
   }
 
-  Outcome dissolve(const JointEdit& edit, const std::string& word) {
+  Outcome dissolve(const JointEdit& edit, CatalogueText word) {
     const auto joint = find(edit.key);
     if (joint == joints_.end()) return isMissing(edit.key, word);
     joints_.erase(joint);
@@ -87,19 +88,22 @@ class JointEditor {
 
   Outcome pressOut(const JointEdit& edit) {
     if (edit.key.kind != JointKind::Insert) {
-      return refusal(edit.key, "only an insert is pressed out", "Dissolve the joint, or say 'opened' of a unit.");
+      return refusal(edit.key, GLISSADE_TEXT("only an insert is pressed out"),
+                     GLISSADE_TEXT("Dissolve the joint, or say 'opened' of a unit."));
     }
     const auto joint = find(edit.key);
-    if (joint == joints_.end()) return isMissing(edit.key, "pressed out");
+    if (joint == joints_.end()) return isMissing(edit.key, GLISSADE_TEXT("pressed out"));
     joint->kind = JointKind::Pin;
     joint->state = JointState::Confirmed;
-    joint->evidence.emplace_back("a person says that it is pressed out");
+    joint->evidence.emplace_back(GLISSADE_TEXT("a person says that it is pressed out"));
     return Done{};
   }
 
   Outcome open(const JointEdit& edit) {
-    if (edit.key.kind != JointKind::Unit) return refusal(edit.key, "only a unit is opened", "Dissolve the joint.");
-    return dissolve(edit, "opened");
+    if (edit.key.kind != JointKind::Unit) {
+      return refusal(edit.key, GLISSADE_TEXT("only a unit is opened"), GLISSADE_TEXT("Dissolve the joint."));
+    }
+    return dissolve(edit, GLISSADE_TEXT("opened"));
   }
 
   Outcome make(const JointEdit& edit) {
@@ -110,7 +114,8 @@ class JointEditor {
     made.others = indicesOf(edit.key.others);
     made.clamped = indicesOf(edit.clamped);
     if (made.others.empty() && made.kind != JointKind::Flexible) {
-      return refusal(edit.key, "it has one body only", "Name what it is joined with in 'others'.");
+      return refusal(edit.key, GLISSADE_TEXT("it has one body only"),
+                     GLISSADE_TEXT("Name what it is joined with in 'others'."));
     }
     if (const Outcome near = checkNear(made, edit.key); !near) return near;
     if (const Outcome sound = checkBend(made, edit.key); !sound) return sound;
@@ -119,9 +124,10 @@ class JointEditor {
       if (!said) return refusal(edit.key, said.error().reason, said.error().advice);
     }
     if (isScrewed(made.kind) && (!made.thread || made.thread->pitch == 0.0)) {
-      return refusal(edit.key, "its thread is not stated", "Give 'thread' with diameter, pitch and engaged length.");
+      return refusal(edit.key, GLISSADE_TEXT("its thread is not stated"),
+                     GLISSADE_TEXT("Give 'thread' with diameter, pitch and engaged length."));
     }
-    made.evidence = {"a person says so"};
+    made.evidence = {GLISSADE_TEXT("a person says so")};
     const auto before = find(edit.key);
     if (before == joints_.end()) {
       joints_.push_back(std::move(made));
@@ -155,19 +161,19 @@ class JointEditor {
     }
     if (open.empty()) return Done{};
     const std::string far = product_.bodies[open.front()].id;
-    return refusal(key, "'" + far + "' is far from '" + product_.bodies[joint.body].id + "'",
-                   "Join bodies that touch, or nearly do.");
+    return refusal(key, {GLISSADE_TEXT("'%1' is far from '%2'"), {far, product_.bodies[joint.body].id}},
+                   GLISSADE_TEXT("Join bodies that touch, or nearly do."));
   }
 
   Outcome checkBend(const Joint& joint, const JointKey& key) const {
     if (joint.kind != JointKind::Snap) {
       if (joint.bend == 0.0) return Done{};
-      return refusal(key, "only a snap bends", "Remove 'bend_m'.");
+      return refusal(key, GLISSADE_TEXT("only a snap bends"), GLISSADE_TEXT("Remove 'bend_m'."));
     }
     const double most = check::mostBendOf(*product_.bodies[joint.body].mesh);
     if (joint.bend >= 0.0 && joint.bend <= most) return Done{};
-    return refusal(key, "a hook does not bend by " + inMillimetres(joint.bend),
-                   "Give 0 to " + inMillimetres(most) + " for this body.");
+    return refusal(key, {GLISSADE_TEXT("a hook does not bend by %1"), {Length{joint.bend}}},
+                   {GLISSADE_TEXT("Give 0 to %1 for this body."), {Length{most}}});
   }
 
   Joints joints_;
@@ -189,7 +195,13 @@ JointKey keyOf(const Joint& joint, const AssembledProduct& product) {
   return key;
 }
 
-std::string inWords(const JointKey& key) { return std::string(jointName(key.kind)) + " of " + key.body; }
+Message inWords(const JointKey& key) {
+  constexpr std::array<CatalogueText, 9> kOfBody{
+      GLISSADE_TEXT("screw of %1"),    GLISSADE_TEXT("nut of %1"),       GLISSADE_TEXT("thread of %1"),
+      GLISSADE_TEXT("insert of %1"),   GLISSADE_TEXT("pin of %1"),       GLISSADE_TEXT("snap of %1"),
+      GLISSADE_TEXT("flexible of %1"), GLISSADE_TEXT("permanent of %1"), GLISSADE_TEXT("unit of %1")};
+  return {kOfBody[static_cast<std::size_t>(key.kind)], {key.body}};
+}
 
 Result<Joints> applied(Joints joints, const std::vector<JointEdit>& edits, const AssembledProduct& product) {
   if (edits.empty()) return joints;
@@ -201,8 +213,8 @@ Result<Joints> applied(Joints joints, const std::vector<JointEdit>& edits, const
     if (!edit.made) continue;
     const auto circle = circleThrough(*product.indexOf(edit.key.body), editor.joints(), product.bodies.size());
     if (circle.empty()) continue;
-    return refusal(edit.key, "joints hold each other in a circle: " + joinedIds(circle, product),
-                   "Dissolve or change one of them.");
+    return refusal(edit.key, {GLISSADE_TEXT("joints hold each other in a circle: %1"), {joinedIds(circle, product)}},
+                   GLISSADE_TEXT("Dissolve or change one of them."));
   }
   std::stable_sort(editor.joints().begin(), editor.joints().end(),
                    [](const Joint& a, const Joint& b) { return a.body != b.body ? a.body < b.body : a.kind < b.kind; });

@@ -33,6 +33,6 @@ std::vector<check::SnapWord> bendsOf(const Joints& joints, const AssembledProduc
 std::vector<JointEdit> withBends(std::vector<JointEdit> edits, const Joints& joints, const AssembledProduct& product);
 
 /// "screw of bolt": the key for people.
-std::string inWords(const JointKey& key);
+Message inWords(const JointKey& key);
 
 }  // namespace glissade

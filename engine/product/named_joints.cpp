@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/base/quantity_text.h"
 #include "engine/product/thread_pitch.h"
 
 namespace glissade {
@@ -39,7 +38,7 @@ bool agrees(StandardPart part, JointKind kind) {
   return false;
 }
 
-void doubt(Joint& joint, const std::string& why) {
+void doubt(Joint& joint, const Message& why) {
   joint.isDoubtful = true;
   joint.evidence.push_back(why);
 }
@@ -49,17 +48,17 @@ void addThread(const Designation& said, Joint& joint) {
   if (said.diameter <= 0.0) return;
   const double share = thread.diameter / said.diameter;
   if (share < kThinnestCore || share > (thread.isPitchStated ? kThickestCrest : 1.0 + kSameDiameter)) {
-    doubt(joint, "the name says a thread of " + inMillimetres(said.diameter) + ", the shape is " +
-                     inMillimetres(thread.diameter));
+    doubt(joint, {GLISSADE_TEXT("the name says a thread of %1, the shape is %2"),
+                  {Length{said.diameter}, Length{thread.diameter}}});
     return;
   }
   if (share <= 1.0 + kSameDiameter) thread.diameter = said.diameter;
   if (said.pitch < 0.0 && thread.isPitchStated && thread.pitch > 0.0) {
-    doubt(joint, "the name says a left-hand thread, the shape is a right-hand one");
+    doubt(joint, GLISSADE_TEXT("the name says a left-hand thread, the shape is a right-hand one"));
   }
   if (thread.isPitchStated) return;
   thread.pitch = said.pitch != 0.0 ? said.pitch : isoCoarsePitch(0.5 * said.diameter).pitch;
-  if (said.pitch < 0.0) joint.evidence.emplace_back("the name says a left-hand thread");
+  if (said.pitch < 0.0) joint.evidence.emplace_back(GLISSADE_TEXT("the name says a left-hand thread"));
 }
 
 /// Adds the thread that the other body's name states, if the body's own name states none.
@@ -73,29 +72,29 @@ void addDrive(const Designation& said, Joint& joint) {
   if (joint.drive == DriveKind::None) {
     joint.drive = said.drive;
     joint.driveSize = said.driveSize;
-    joint.evidence.emplace_back("the drive is that of the name");
+    joint.evidence.emplace_back(GLISSADE_TEXT("the drive is that of the name"));
     return;
   }
   if (joint.drive != said.drive) {
-    doubt(joint, std::string("the name says the drive '") + driveName(said.drive) + "', the shape is '" +
-                     driveName(joint.drive) + "'");
+    doubt(joint, {GLISSADE_TEXT("the name says the drive '%1', the shape is '%2'"),
+                  {driveName(said.drive), driveName(joint.drive)}});
   } else if (said.driveSize > 0.0 && joint.driveSize > 0.0 &&
              std::abs(joint.driveSize - said.driveSize) > kSameDriveSize * said.driveSize) {
-    doubt(joint, "the name says a drive of " + inMillimetres(said.driveSize) + ", the shape has " +
-                     inMillimetres(joint.driveSize));
+    doubt(joint, {GLISSADE_TEXT("the name says a drive of %1, the shape has %2"),
+                  {Length{said.driveSize}, Length{joint.driveSize}}});
   }
 }
 
 /// Adds the designation of the body's name.
 void addDesignation(const Designation& said, Joint& joint) {
   if (!agrees(said.part, joint.kind)) {
-    doubt(joint, std::string("the name says '") + standardPartName(said.part) + "'");
+    doubt(joint, {GLISSADE_TEXT("the name says '%1'"), {standardPartName(said.part)}});
     return;
   }
   // A word such as "screw" is evidence, but no designation.
   const bool statesSize = std::any_of(said.text.begin(), said.text.end(), [](char c) { return c >= '0' && c <= '9'; });
   if (statesSize) joint.designation = said.text;
-  joint.evidence.push_back("the name says '" + said.text + "'");
+  joint.evidence.push_back({GLISSADE_TEXT("the name says '%1'"), {said.text}});
   if (joint.thread) addThread(said, joint);
   addDrive(said, joint);
 }
@@ -140,7 +139,7 @@ void addUsualDrive(const TurnedShape& shape, Joint& joint) {
   if (!isCapHead) return;
   joint.drive = DriveKind::HexSocket;
   joint.driveSize = usualDriveSize(DriveKind::HexSocket, diameter);
-  joint.evidence.emplace_back("the head has the proportions of ISO 4762");
+  joint.evidence.emplace_back(GLISSADE_TEXT("the head has the proportions of ISO 4762"));
 }
 
 }  // namespace glissade

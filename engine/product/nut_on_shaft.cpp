@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/base/quantity_text.h"
 #include "engine/product/nut_size.h"
 #include "engine/product/thread_pitch.h"
 
@@ -62,18 +61,22 @@ NutOnShaft nutOnShaft(const ProductShapes& shapes, const Designations& said, con
   NutOnShaft found{true, {}, {}, isTight};
   if (areKnown && !haveOneSize(ofNut, ofShaft)) {
     if (!isTight && !isNamed && !(isScrew && shape.sides == 6)) return {};
-    found.doubt =
-        "the sizes do not agree: a shaft of " + inMillimetres(2.0 * radius) + " in a nut " + ofNut.front().name;
+    found.doubt = {GLISSADE_TEXT("the sizes do not agree: a shaft of %1 in a nut %2"),
+                   {Length{2.0 * radius}, ofNut.front().name}};
   } else if (!isTight && !isEqual && !areKnown) {
     return {};
   }
   // A square with a hole as wide as a plain rod may be any plate.
   if (!isTight && !isNamed && !isScrew && shape.sides != 6) return {};
-  if (says(said, shaft, {StandardPart::Pin})) found.doubt = "the name says '" + said[shaft]->text + "'";
+  if (says(said, shaft, {StandardPart::Pin})) {
+    found.doubt = {GLISSADE_TEXT("the name says '%1'"), {said[shaft]->text}};
+  }
   if (isTight) {
-    found.evidence = "the shaft is thicker than the hole";
+    found.evidence = GLISSADE_TEXT("the shaft is thicker than the hole");
+  } else if (isNamed) {
+    found.evidence = GLISSADE_TEXT("the name says that it is a nut");
   } else {
-    found.evidence = isNamed ? "the name says that it is a nut" : "it has the width of a nut " + ofNut.front().name;
+    found.evidence = {GLISSADE_TEXT("it has the width of a nut %1"), {ofNut.front().name}};
   }
   return found;
 }

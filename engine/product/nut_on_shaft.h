@@ -1,7 +1,6 @@
 #pragma once
 
-#include <string>
-
+#include "engine/base/message.h"
 #include "engine/product/named_joints.h"
 #include "engine/product/product_shapes.h"
 
@@ -10,8 +9,8 @@ namespace glissade {
 /// Evidence for a thread between a shaft and a prism with a hole that is on it.
 struct NutOnShaft {
   bool isThread = false;    ///< false: it is no nut, or one that only passes the shaft
-  std::string evidence{};   ///< for people: evidence for the thread
-  std::string doubt{};      ///< evidence against it; empty: none
+  Message evidence{};       ///< evidence for the thread
+  Message doubt{};          ///< evidence against it; empty: none
   bool isDeepened = false;  ///< the hole is narrower by a thread: the joint counts despite doubts
 };
 

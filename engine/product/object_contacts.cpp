@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "engine/base/quantity_text.h"
 #include "engine/product/common_axis.h"
 
 namespace glissade {
@@ -47,7 +46,8 @@ class ObjectContacts {
     for (std::size_t i = 0; i < edits().size(); ++i) {
       for (const std::string& id : {edits()[i].a, edits()[i].b}) {
         if (question_.product.indexOf(id)) continue;
-        return refused(i, "names the body '" + id + "', which is not there", "See 'glissade-cli fits' for the names.");
+        return refused(i, {GLISSADE_TEXT("names the body '%1', which is not there"), {id}},
+                       GLISSADE_TEXT("See 'glissade-cli fits' for the names."));
       }
     }
     return Done{};
@@ -93,16 +93,17 @@ class ObjectContacts {
       if (edit.a != object_.id && edit.b != object_.id) continue;
       const std::size_t other = *question_.product.indexOf(edit.a == object_.id ? edit.b : edit.a);
       if (contacts_.count(other) == 0) {
-        return refused(i,
-                       "allows for '" + edit.a + "' and '" + edit.b + "', which do not touch where they are assembled",
-                       "Remove the allowance.");
+        return refused(
+            i,
+            {GLISSADE_TEXT("allows for '%1' and '%2', which do not touch where they are assembled"), {edit.a, edit.b}},
+            GLISSADE_TEXT("Remove the allowance."));
       }
       const double most = kMostThinning * std::max(thicknessOf(object_), thicknessOf(body(other)));
       if (*edit.allowance > most) {
         return refused(i,
-                       "allows " + inMillimetres(*edit.allowance) + ", more than the thickness of '" + edit.a +
-                           "' or of '" + edit.b + "' gives",
-                       "Give at most " + inMillimetres(most) + ".");
+                       {GLISSADE_TEXT("allows %1, more than the thickness of '%2' or of '%3' gives"),
+                        {Length{*edit.allowance}, edit.a, edit.b}},
+                       {GLISSADE_TEXT("Give at most %1."), {Length{most}}});
       }
     }
     return Done{};
@@ -133,9 +134,10 @@ class ObjectContacts {
       }
       if (!found.contact.axis) {
         return refused(static_cast<std::size_t>(&edit - edits().data()),
-                       "calls '" + edit.a + "' and '" + edit.b +
-                           "' a thread, but no shaft of the one is on the axis of a hole of the other",
-                       "Give another kind.");
+                       {GLISSADE_TEXT("calls '%1' and '%2' a thread, but no shaft of the one is on the axis of a hole "
+                                      "of the other"),
+                        {edit.a, edit.b}},
+                       GLISSADE_TEXT("Give another kind."));
       }
       contacts_[obstacle] = std::move(found);
     }

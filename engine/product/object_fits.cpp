@@ -195,10 +195,13 @@ class FitFinder {
     return fitThreadOf({question_.product, question_.object, found.contact, found.measuredAt, found.at, edit}, stop_);
   }
 
-  void refuse(Fit fit, const std::string& reason, const std::string& advice) {
+  void refuse(Fit fit, const Message& reason, const Message& advice) {
     fit.refused = reason;
-    fits_.warnings.push_back({ErrorKind::InCollision, "",
-                              "'" + object_.shown() + "' and '" + body(fit.obstacle).shown() + "'", reason, advice});
+    fits_.warnings.push_back({ErrorKind::InCollision,
+                              "",
+                              {GLISSADE_TEXT("'%1' and '%2'"), {object_.shown(), body(fit.obstacle).shown()}},
+                              reason,
+                              advice});
     fits_.clashes.push_back(std::move(fit));
   }
 
@@ -208,21 +211,23 @@ class FitFinder {
     fit.allowance = overlap + found.contact.deviation;
     if (words_.accepts(wordAbout(fit.obstacle), overlap)) {
       const bool isNotClear = cutOf(fit.obstacle, found) == check::Cut::NotClear;
-      const std::string depth = depthInMillimetres(overlap);
-      refuse(fit,
-             isNotClear ? "overlap by " + depth + ", and which of the two is cut is not clear"
-                        : "overlap by " + depth + ", and neither can be cut and stay in one piece",
-             isNotClear ? "Name the one that is cut (--cut NAME), or mend the parts." : "Mend the parts.");
+      const CatalogueText reason = isNotClear
+                                       ? GLISSADE_TEXT("overlap by %1, and which of the two is cut is not clear")
+                                       : GLISSADE_TEXT("overlap by %1, and neither can be cut and stay in one piece");
+      refuse(fit, {reason, {Depth{overlap}}},
+             isNotClear ? GLISSADE_TEXT("Name the one that is cut (--cut NAME), or mend the parts.")
+                        : GLISSADE_TEXT("Mend the parts."));
       return;
     }
     if (fit.kind == ContactKind::Press && isPressedInsert(fit.obstacle, found.contact)) {
-      refuse(fit, "overlap by " + depthInMillimetres(overlap) + ", because the insert is pressed or melted in",
-             "It leaves with its host. To press it out, accept the clash (--accept-clashes " + depthAsOption(overlap) +
-                 ") and say so of the joint.");
+      refuse(fit, {GLISSADE_TEXT("overlap by %1, because the insert is pressed or melted in"), {Depth{overlap}}},
+             {GLISSADE_TEXT("It leaves with its host. To press it out, accept the clash (--accept-clashes %1) and say "
+                            "so of the joint."),
+              {depthAsOption(overlap)}});
       return;
     }
-    refuse(fit, "overlap by " + depthInMillimetres(overlap) + ", which is a clash",
-           "Accept it (--accept-clashes " + depthAsOption(overlap) + "), or mend the parts.");
+    refuse(fit, {GLISSADE_TEXT("overlap by %1, which is a clash"), {Depth{overlap}}},
+           {GLISSADE_TEXT("Accept it (--accept-clashes %1), or mend the parts."), {depthAsOption(overlap)}});
   }
 
   /// One body alone gives way where that frees the pair. Of a shaft in a hole it has to free the way along the axis,
@@ -266,7 +271,7 @@ class FitFinder {
     const auto ownOpening = openBeside(object_, bounds.one);
     const auto othersOpening = openBeside(other, bounds.other);
     if (ownOpening && othersOpening) {
-      refuse(fit, openOnBothSides(*ownOpening, *othersOpening), "Close the surface of one of them.");
+      refuse(fit, openOnBothSides(*ownOpening, *othersOpening), GLISSADE_TEXT("Close the surface of one of them."));
       return;
     }
     // The smaller allowance is reported.
@@ -274,7 +279,8 @@ class FitFinder {
     Fit lacking = fit;
     lacking.allowance = fromOther ? bounds.other.most : bounds.one.most;
     const auto opening = ownOpening ? ownOpening : othersOpening;
-    refuse(lacking, opening ? noRoomBeside(lacking.allowance, *opening) : noRoom(lacking.allowance), "Mend the parts.");
+    refuse(lacking, opening ? noRoomBeside(lacking.allowance, *opening) : noRoom(lacking.allowance),
+           GLISSADE_TEXT("Mend the parts."));
   }
 
   check::Cut cutOf(std::size_t obstacle, const FoundContact& found) const {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <set>
 
-#include "engine/base/quantity_text.h"
 #include "engine/product/nut_on_shaft.h"
 #include "engine/product/shaft_helix.h"
 #include "engine/product/thread_pitch.h"
@@ -213,9 +212,8 @@ class PressedJointFinder {
     }
     if (best == nullptr) return;
     Joint joint = jointOf(JointKind::Insert, body, {*best}, shapes_.axisOf(body));
-    joint.evidence.push_back("a ring in a hole");
-    joint.evidence.push_back(fitWords(*best));
-    if (hasThread_.count(body) != 0) joint.evidence.emplace_back("a thread is in it");
+    joint.evidence = {GLISSADE_TEXT("a ring in a hole"), fitWords(*best)};
+    if (hasThread_.count(body) != 0) joint.evidence.emplace_back(GLISSADE_TEXT("a thread is in it"));
     joints.push_back(std::move(joint));
   }
 
@@ -249,10 +247,10 @@ class PressedJointFinder {
       const bool isScrewedIn = !isPinByName && hasDepthOfCoarseThread(shape.shaft, deepest->excess);
       if (isScrewedIn || modelledPitch(shapes_.axial(body), shape)) return;
       Joint joint = jointOf(JointKind::Insert, body, {*deepest}, axis);
-      joint.evidence = {"a pin in a hole", fitWords(*deepest)};
+      joint.evidence = {GLISSADE_TEXT("a pin in a hole"), fitWords(*deepest)};
       if (hasDepthOfCoarseThread(shape.shaft, deepest->excess)) {
         joint.isDoubtful = true;
-        joint.evidence.emplace_back("it is thicker by as much as a thread");
+        joint.evidence.emplace_back(GLISSADE_TEXT("it is thicker by as much as a thread"));
       }
       joints.push_back(std::move(joint));
       return;
@@ -260,7 +258,7 @@ class PressedJointFinder {
     if (loose.empty()) return;
     Joint joint = jointOf(JointKind::Pin, body, loose, axis);
     joint.direction = wayOut(shape, loose, axis);
-    joint.evidence = {"a shaft of " + inMillimetres(2.0 * shape.shaft) + " in a hole"};
+    joint.evidence.push_back({GLISSADE_TEXT("a shaft of %1 in a hole"), {Length{2.0 * shape.shaft}}});
     joints.push_back(std::move(joint));
   }
 
@@ -287,9 +285,9 @@ class PressedJointFinder {
     return joint;
   }
 
-  static std::string fitWords(const HostFit& fit) {
-    if (fit.excess > 0.0) return "it is " + inMillimetres(fit.excess) + " thicker than its hole";
-    return "it is as wide as its hole";
+  static Message fitWords(const HostFit& fit) {
+    if (fit.excess > 0.0) return {GLISSADE_TEXT("it is %1 thicker than its hole"), {Length{fit.excess}}};
+    return GLISSADE_TEXT("it is as wide as its hole");
   }
 
   const ProductShapes& shapes_;

@@ -109,8 +109,9 @@ class RollingBearingFinder {
     std::sort(unit.others.begin(), unit.others.end());
     unit.point = axis.point;
     unit.direction = axis.direction;
-    unit.evidence = {"two rings with " + std::to_string(balls + rollers) + (balls > 0 ? " balls" : " rollers") +
-                     " between them"};
+    const CatalogueText rings = balls > 0 ? GLISSADE_TEXT("two rings with %1 balls between them")
+                                          : GLISSADE_TEXT("two rings with %1 rollers between them");
+    unit.evidence.push_back({rings, {balls + rollers}});
     return unit;
   }
 

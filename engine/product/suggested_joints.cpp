@@ -8,7 +8,6 @@
 #include <set>
 #include <string_view>
 
-#include "engine/base/quantity_text.h"
 #include "engine/product/snap_ways.h"
 
 namespace glissade {
@@ -201,14 +200,14 @@ class SuggestedJointFinder {
       joint.body = bodies.front();
       joint.others.assign(bodies.begin() + 1, bodies.end());
       joint.point = shapes_.box(joint.body).center();
-      joint.evidence = {"the assembly is called '" + tree.nodes()[node].names.product + "'"};
+      joint.evidence.push_back({GLISSADE_TEXT("the assembly is called '%1'"), {tree.nodes()[node].names.product}});
       for (const std::size_t body : bodies) isTaken_[body] = true;
       joints.push_back(std::move(joint));
     }
   }
 
   void addByBody(std::size_t body, Joints& joints) const {
-    std::string reason;
+    Message reason;
     const auto kind = kindOf(body, &reason);
     if (!kind) return;
     Joint joint;
@@ -237,20 +236,20 @@ class SuggestedJointFinder {
 
   /// Belts side by side touch. Neither goes around the other one.
   bool isFlexible(std::size_t body) const {
-    std::string reason;
+    Message reason;
     return kindOf(body, &reason) == JointKind::Flexible;
   }
 
-  std::optional<JointKind> kindOf(std::size_t body, std::string* reason) const {
+  std::optional<JointKind> kindOf(std::size_t body, Message* reason) const {
     const RigidBody& rigid = shapes_.body(body);
     if (body < classes_.size() && !classes_[body].empty()) {
-      *reason = "its class is '" + classes_[body] + "'";
+      *reason = {GLISSADE_TEXT("its class is '%1'"), {classes_[body]}};
       if (const auto hint = hintOfClass(classes_[body])) return hint;
     }
     const std::string& name = shapes_.product().nameInFile(body);
-    *reason = "the name says '" + name + "'";
+    *reason = {GLISSADE_TEXT("the name says '%1'"), {name}};
     if (const auto hint = hintOf(wordsOfName(name))) return hint;
-    *reason = "it is a ring of round section";
+    *reason = GLISSADE_TEXT("it is a ring of round section");
     if (isTorus(*rigid.mesh)) return JointKind::Flexible;
     return std::nullopt;
   }
@@ -264,7 +263,8 @@ class SuggestedJointFinder {
     joint.direction = least == ways.end() ? wayOut(joint) : least->direction;
     if (least == ways.end() || !(least->bend > 0.0)) return;
     joint.bend = least->bend;
-    joint.evidence.push_back("its hooks bend by " + inMillimetres(least->bend) + " when it leaves along a line");
+    joint.evidence.push_back(
+        {GLISSADE_TEXT("its hooks bend by %1 when it leaves along a line"), {Length{least->bend}}});
   }
 
   /// Direction away from the centre of the bodies that it is on.

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <set>
 
-#include "engine/base/quantity_text.h"
 #include "engine/product/loose_nut.h"
 #include "engine/product/nut_on_shaft.h"
 #include "engine/product/shaft_helix.h"
@@ -34,13 +33,13 @@ constexpr double kMostTilt = 0.5;
 struct ScrewStack {
   std::vector<AroundShaft> hosts;    ///< the nearest to the head first
   std::vector<AroundShaft> clamped;  ///< the nearest to the head first
-  std::string reason;                ///< reason why the hosts count as hosts
-  std::string doubt;                 ///< evidence against it; empty: none
+  Message reason;                    ///< reason why the hosts count as hosts
+  Message doubt;                     ///< evidence against it; empty: none
   bool isDeepened = false;           ///< a hole is narrower by a thread
 };
 
 /// A contradictory joint waits for a person, unless the hole is narrower by a thread.
-void addDoubt(const std::string& doubt, bool isDeepened, Joint& joint) {
+void addDoubt(const Message& doubt, bool isDeepened, Joint& joint) {
   if (doubt.empty()) return;
   joint.isDoubtful = true;
   joint.evidence.push_back(doubt);
@@ -140,7 +139,7 @@ class ThreadedJointFinder {
       }
       stack.hosts.push_back(around);
     }
-    stack.reason = "the shaft is thicker than the hole";
+    stack.reason = GLISSADE_TEXT("the shaft is thicker than the hole");
     stack.isDeepened = !stack.hosts.empty();
   }
 
@@ -164,7 +163,7 @@ class ThreadedJointFinder {
       const NutOnShaft nut = nutOnShaft(shapes_, said_, {around.body, body, shape.shaft, isScrew(body)});
       if (!nut.isThread) continue;
       stack.doubt = nut.doubt;
-      stack.reason = "a nut is on the shaft";
+      stack.reason = GLISSADE_TEXT("a nut is on the shaft");
       stack.hosts.push_back(around);
     }
   }
@@ -175,12 +174,14 @@ class ThreadedJointFinder {
     std::erase_if(all, [&](const AroundShaft& each) { return isNut(shapes_, said_, each.body); });
     if (all.empty()) return;
     const std::string name = shapes_.product().nameInFile(body);
-    if (says(said_, body, {StandardPart::Pin}) || isShaftName(name)) stack.doubt = "the name says '" + name + "'";
+    if (says(said_, body, {StandardPart::Pin}) || isShaftName(name)) {
+      stack.doubt = {GLISSADE_TEXT("the name says '%1'"), {name}};
+    }
     const double least = kLeastEngaged * shape.shaft;
     for (auto around = all.rbegin(); around != all.rend(); ++around) {
       if (around->equal < least) continue;
       stack.hosts.push_back(*around);
-      stack.reason = "the hole is as wide as the shaft, and the farthest from the head";
+      stack.reason = GLISSADE_TEXT("the hole is as wide as the shaft, and the farthest from the head");
       return;
     }
     const AroundShaft& last = all.back();
@@ -194,7 +195,7 @@ class ThreadedJointFinder {
     const bool isNarrowest = all.size() > 1 && std::all_of(all.begin(), all.end() - 1, isWiderOrRing);
     if (!isNarrowest && !last.isBlind) return;
     stack.hosts.push_back(last);
-    stack.reason = "the hole is the narrowest, and the farthest from the head";
+    stack.reason = GLISSADE_TEXT("the hole is the narrowest, and the farthest from the head");
   }
 
   /// Takes the bodies that the head, or a washer below it, does not pass.
@@ -242,13 +243,15 @@ class ThreadedJointFinder {
     joint.thread = threadOf(stack, body, shape);
     joint.drive = shape.drive.kind;
     joint.driveSize = shape.drive.size;
-    joint.evidence.push_back("a shaft of " + inMillimetres(2.0 * shape.shaft) +
-                             (shape.kind == TurnedKind::Screw ? " with a head" : " with a recess"));
+    const CatalogueText shaft = shape.kind == TurnedKind::Screw ? GLISSADE_TEXT("a shaft of %1 with a head")
+                                                                : GLISSADE_TEXT("a shaft of %1 with a recess");
+    joint.evidence.push_back({shaft, {Length{2.0 * shape.shaft}}});
     joint.evidence.push_back(stack.reason);
     if (joint.thread->isPitchStated) joint.evidence.emplace_back(kModelledHelix);
     joint.makesHole =
         std::any_of(stack.hosts.begin(), stack.hosts.end(), [](const AroundShaft& host) { return host.hasNoHole(); });
-    if (joint.makesHole) joint.evidence.emplace_back("the file has no hole there, so the screw makes it");
+    if (joint.makesHole)
+      joint.evidence.emplace_back(GLISSADE_TEXT("the file has no hole there, so the screw makes it"));
     addDoubt(stack.doubt, stack.isDeepened, joint);
     for (const AroundShaft& host : stack.hosts) {
       if (isNutOn(host.body, axis, shape.shaft)) nutsTaken_.insert(host.body);
@@ -281,7 +284,7 @@ class ThreadedJointFinder {
     joint.point = shapes_.axisOf(nut).point;
     joint.drive = shape.drive.kind;
     joint.driveSize = shape.drive.size;
-    joint.evidence.emplace_back("the nut is free to be turned");
+    joint.evidence.emplace_back(GLISSADE_TEXT("the nut is free to be turned"));
   }
 
   /// A body that a screw clamps counts as a nut on it only if its name says so.
@@ -338,7 +341,7 @@ class ThreadedJointFinder {
     joint.thread = thread;
     joint.drive = shape.drive.kind;
     joint.driveSize = shape.drive.size;
-    joint.evidence = {"a nut with a hole of " + inMillimetres(2.0 * shape.hole)};
+    joint.evidence.push_back({GLISSADE_TEXT("a nut with a hole of %1"), {Length{2.0 * shape.hole}}});
     return joint;
   }
 

@@ -5,7 +5,6 @@
 #include <optional>
 #include <set>
 
-#include "engine/base/quantity_text.h"
 #include "engine/check/crests.h"
 #include "engine/product/contact_report.h"
 #include "engine/product/shaft_helix.h"
@@ -81,9 +80,9 @@ class ThreadJointMaker {
       joint.drive = DriveKind::HexOutside;
       joint.driveSize = *flats;
     }
-    joint.evidence = {"a shaft of " + inMillimetres(2.0 * thread.shaft) + " is " + inMillimetres(thread.depth()) +
-                          " thicker than the hole around it, as a thread is",
-                      "neither body is a screw or a nut by its shape"};
+    joint.evidence.push_back({GLISSADE_TEXT("a shaft of %1 is %2 thicker than the hole around it, as a thread is"),
+                              {Length{2.0 * thread.shaft}, Length{thread.depth()}}});
+    joint.evidence.emplace_back(GLISSADE_TEXT("neither body is a screw or a nut by its shape"));
     if (turned.isPitchStated) joint.evidence.emplace_back(kModelledHelix);
     return joint;
   }

@@ -15,8 +15,10 @@ Diagnostic refusal(const Location& location, const Message& reason, const Messag
   return {ErrorKind::Usage, "", location, reason, advice};
 }
 
+Location placeOf(const std::string& bodyId) { return {GLISSADE_TEXT("body '%1'"), {bodyId}}; }
+
 Diagnostic noSuchBody(const std::string& id) {
-  return refusal("body '" + id + "'", "there is no such body", "Choose one of the scene panel.");
+  return refusal(placeOf(id), GLISSADE_TEXT("there is no such body"), GLISSADE_TEXT("Choose one of the scene panel."));
 }
 
 std::vector<BodyDescription>::iterator findBody(const std::string& id, Scenario& scenario) {
@@ -104,7 +106,8 @@ std::optional<Pose> poseOf(const Scenario& scenario, const AssemblyItem& item) {
 }
 
 Outcome place(const AssemblyItem& item, const Pose& X_WB, Scenario& scenario) {
-  if (!isValid(X_WB)) return refusal("", "this is not a position in space", "Give finite numbers.");
+  if (!isValid(X_WB))
+    return refusal("", GLISSADE_TEXT("this is not a position in space"), GLISSADE_TEXT("Give finite numbers."));
   if (item.kind == AssemblyItem::Kind::Start) {
     scenario.start = X_WB;
   } else if (item.kind == AssemblyItem::Kind::Goal) {
@@ -128,7 +131,8 @@ Outcome removeBody(const std::string& bodyId, Scenario& scenario) {
 
 Outcome leaveOut(const std::string& bodyId, Scenario& scenario) {
   for (const BodyDescription& moving : scenario.object.bodies) {
-    if (moving.id == bodyId) return refusal("body '" + bodyId + "'", "is what moves", "Choose another object first.");
+    if (moving.id == bodyId)
+      return refusal(placeOf(bodyId), GLISSADE_TEXT("is what moves"), GLISSADE_TEXT("Choose another object first."));
   }
   auto body = taken(bodyId, scenario.bodies);
   if (!body) return noSuchBody(bodyId);
@@ -148,7 +152,8 @@ Outcome putBack(const std::string& bodyId, Scenario& scenario) {
 Outcome swapEnds(Scenario& scenario) {
   Pose* goal = std::get_if<Pose>(&scenario.goal);
   if (goal == nullptr)
-    return refusal("goal", "the goal is \"out\", which has no position", "Give the goal a position first.");
+    return refusal(GLISSADE_TEXT("goal"), GLISSADE_TEXT("the goal is \"out\", which has no position"),
+                   GLISSADE_TEXT("Give the goal a position first."));
   std::swap(scenario.start, *goal);
   return Done{};
 }
@@ -161,8 +166,9 @@ bool isObject(const std::vector<std::string>& bodyIds, const Scenario& scenario)
 }
 
 Outcome markMoving(const std::vector<std::string>& bodyIds, const LoadedScenario& loaded, Scenario& scenario) {
-  if (bodyIds.empty()) return refusal("", "no body is chosen", "Choose what moves.");
-  if (isObject(bodyIds, scenario)) return refusal("", "this is the object already", "Choose other bodies.");
+  if (bodyIds.empty()) return refusal("", GLISSADE_TEXT("no body is chosen"), GLISSADE_TEXT("Choose what moves."));
+  if (isObject(bodyIds, scenario))
+    return refusal("", GLISSADE_TEXT("this is the object already"), GLISSADE_TEXT("Choose other bodies."));
   const std::vector<BodyDescription> before = placedBodiesOf(scenario.object, loaded, scenario.start);
   std::vector<BodyDescription> others = scenario.bodies;
   const auto first = std::find_if(others.begin(), others.end(),

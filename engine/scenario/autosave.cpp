@@ -26,8 +26,12 @@ constexpr const char* kLockEnding = ".lock";
 constexpr const char* kEditsEnding = ".edits";
 constexpr const char* kEditsFormat = "glissade-unsaved-edits";
 
-Diagnostic unusable(const std::string& folder, const std::string& what) {
-  return {ErrorKind::Unwritable, folder, "", what + ": " + std::strerror(errno), "Edits are not saved automatically."};
+Diagnostic unusable(const std::string& folder, CatalogueText what) {
+  return {ErrorKind::Unwritable,
+          folder,
+          "",
+          {GLISSADE_TEXT("%1: %2"), {what, std::strerror(errno)}},
+          GLISSADE_TEXT("Edits are not saved automatically.")};
 }
 
 /// True if the file still exists. Another program may have removed it as abandoned before it was locked.
@@ -59,13 +63,13 @@ Result<std::unique_ptr<AutosaveSlot>> AutosaveSlot::make(const std::string& fold
     std::string name = (fs::path(folder) / "edits-XXXXXX").string() + kLockEnding;
     const auto endingLength = std::strlen(kLockEnding);
     Descriptor lock(::mkostemps(name.data(), static_cast<int>(endingLength), O_CLOEXEC));
-    if (!lock.valid()) return unusable(folder, "the folder takes no new file");
+    if (!lock.valid()) return unusable(folder, GLISSADE_TEXT("the folder takes no new file"));
     if (::flock(lock.get(), LOCK_EX | LOCK_NB) == 0 && isThere(lock)) {
       name.resize(name.size() - endingLength);
       return std::unique_ptr<AutosaveSlot>(new AutosaveSlot(std::move(lock), std::move(name)));
     }
   }
-  return unusable(folder, "the new file cannot be locked");
+  return unusable(folder, GLISSADE_TEXT("the new file cannot be locked"));
 }
 
 AutosaveSlot::~AutosaveSlot() { removeFiles(base_); }
@@ -84,12 +88,14 @@ Result<UnsavedEdits> AbandonedEdits::read() const {
   auto document = parseJson(*text, file());
   if (!document) return document.error();
   if (takeChecksum(*document) != ChecksumState::Right) {
-    return wrongChecksum(file(), "The edits cannot be restored.");
+    return wrongChecksum(file(), GLISSADE_TEXT("The edits cannot be restored."));
   }
   try {
     const JsonCursor root(*document, file(), "");
-    if (root.at("format").text() != kEditsFormat) root.at("format").fail(GLISSADE_TEXT("is not unsaved edits of Glissade"));
-    if (root.at("version").wholeNumber() != 1) root.at("version").fail(GLISSADE_TEXT("is not 1"), GLISSADE_TEXT("Use a newer Glissade."));
+    if (root.at("format").text() != kEditsFormat)
+      root.at("format").fail(GLISSADE_TEXT("is not unsaved edits of Glissade"));
+    if (root.at("version").wholeNumber() != 1)
+      root.at("version").fail(GLISSADE_TEXT("is not 1"), GLISSADE_TEXT("Use a newer Glissade."));
     auto scenario = parseScenario(root.at("scenario").json().dump(), file());
     if (!scenario) return scenario.error();
     UnsavedEdits edits{root.at("file").text(), root.at("sha256").text(), {}};

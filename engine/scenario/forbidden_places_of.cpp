@@ -20,10 +20,11 @@ std::optional<Diagnostic> regionsWarning(const Scenario& scenario, const Forbidd
                                          const std::string& file) {
   if (scenario.forbiddenRegions == places) return std::nullopt;
   const bool missing = scenario.forbiddenRegions.empty();
-  return Diagnostic{ErrorKind::MalformedInput, file, "/forbidden_regions",
-                    missing ? "is missing, so that the file does not say where the forbidden places are"
-                            : "is not where the forbidden places are",
-                    "Write it with glissade-cli info --save-regions, or save the scenario in the window."};
+  return Diagnostic{
+      ErrorKind::MalformedInput, file, "/forbidden_regions",
+      missing ? GLISSADE_TEXT("is missing, so that the file does not say where the forbidden places are")
+              : GLISSADE_TEXT("is not where the forbidden places are"),
+      GLISSADE_TEXT("Write it with glissade-cli info --save-regions, or save the scenario in the window.")};
 }
 
 }  // namespace glissade

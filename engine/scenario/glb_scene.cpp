@@ -135,8 +135,9 @@ Result<std::string> GlbBuilder::bytes() const {
   text.resize((text.size() + 3) / 4 * 4, ' ');  // chunks are aligned; the buffer holds whole floats
   const std::size_t size = kHeaderBytes + 2 * kChunkHeaderBytes + text.size() + buffer_.size();
   if (size > std::numeric_limits<std::uint32_t>::max()) {
-    return Diagnostic{ErrorKind::LimitReached, "", "", "the bodies have too many triangles for a GLB file (4 GiB)",
-                      "Export the path in another format."};
+    return Diagnostic{ErrorKind::LimitReached, "", "",
+                      GLISSADE_TEXT("the bodies have too many triangles for a GLB file (4 GiB)"),
+                      GLISSADE_TEXT("Export the path in another format.")};
   }
   std::string bytes;
   bytes.reserve(size);

@@ -25,9 +25,12 @@ Outcome checkWhole(const std::vector<std::string>& ids, const LoadedScenario& lo
     const auto sister = partOf.find(bodyIdOf(each.id));
     if (sister == partOf.end() || named.count(each.id) > 0) continue;
     return Diagnostic{
-        ErrorKind::Usage, loaded.file, "body '" + sister->first + "'",
-        "is several parts in one body of the scenario, of which '" + sister->second + "' cannot be moved alone",
-        "Make a scenario that has each part as a body: New from parts does so with STEP files."};
+        ErrorKind::Usage,
+        loaded.file,
+        {GLISSADE_TEXT("body '%1'"), {sister->first}},
+        {GLISSADE_TEXT("is several parts in one body of the scenario, of which '%1' cannot be moved alone"),
+         {sister->second}},
+        GLISSADE_TEXT("Make a scenario that has each part as a body: New from parts does so with STEP files.")};
   }
   return Done{};
 }

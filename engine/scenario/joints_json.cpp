@@ -15,13 +15,15 @@ constexpr EnumNames<JointEdit::Word, 4> kWordNames{{"confirmed", "dissolved", "p
 
 JointEdit::Word readWord(const JsonCursor& at) {
   if (const auto word = kWordNames.find(at.text())) return *word;
-  at.fail(GLISSADE_TEXT("is no word about a joint"), GLISSADE_TEXT("Give confirmed, dissolved, pressed_out or opened."));
+  at.fail(GLISSADE_TEXT("is no word about a joint"),
+          GLISSADE_TEXT("Give confirmed, dissolved, pressed_out or opened."));
 }
 
 JointKind readJointKind(const JsonCursor& at) {
   const auto kind = jointByName(at.text());
   if (!kind) {
-    at.fail(GLISSADE_TEXT("is not a kind of joint"), GLISSADE_TEXT("Give screw, nut, thread, insert, pin, snap, flexible, permanent or unit."));
+    at.fail(GLISSADE_TEXT("is not a kind of joint"),
+            GLISSADE_TEXT("Give screw, nut, thread, insert, pin, snap, flexible, permanent or unit."));
   }
   return *kind;
 }
@@ -38,7 +40,8 @@ double readPitchOf(const JsonCursor& at) {
   constexpr double kLeast = 1e-5;
   constexpr double kMost = 1.0;
   if (std::abs(pitch) >= kLeast && std::abs(pitch) <= kMost) return pitch;
-  at.fail(GLISSADE_TEXT("is not a pitch"), GLISSADE_TEXT("Give metres a turn, from 0.00001 to 1; below zero for a left-handed thread."));
+  at.fail(GLISSADE_TEXT("is not a pitch"),
+          GLISSADE_TEXT("Give metres a turn, from 0.00001 to 1; below zero for a left-handed thread."));
 }
 
 double readNotNegative(const JsonCursor& at) {
@@ -77,7 +80,9 @@ Joint readMade(const JsonCursor& at, JointKind kind, std::vector<std::string>* c
   if (const auto thread = at.find("thread")) joint.thread = readThread(*thread);
   if (const auto drive = at.find("drive")) {
     const auto known = driveByName(drive->text());
-    if (!known) drive->fail(GLISSADE_TEXT("is not a drive"), GLISSADE_TEXT("Give hex, hex_socket, cross, slot, six_lobe or none."));
+    if (!known)
+      drive->fail(GLISSADE_TEXT("is not a drive"),
+                  GLISSADE_TEXT("Give hex, hex_socket, cross, slot, six_lobe or none."));
     joint.drive = *known;
   }
   if (const auto size = at.find("drive_size_m")) joint.driveSize = readNotNegative(*size);
@@ -95,7 +100,8 @@ JointEdit readJointEdit(const JsonCursor& at) {
   edit.word = readWord(at.at("word"));
   if (const auto made = at.find("made")) {
     if (edit.word != JointEdit::Word::Confirmed) {
-      made->fail(GLISSADE_TEXT("has no effect, because the joint is not confirmed"), GLISSADE_TEXT("Remove it, or say \"confirmed\"."));
+      made->fail(GLISSADE_TEXT("has no effect, because the joint is not confirmed"),
+                 GLISSADE_TEXT("Remove it, or say \"confirmed\"."));
     }
     edit.made = readMade(*made, edit.key.kind, &edit.clamped);
   }
@@ -143,7 +149,8 @@ std::vector<JointEdit> readJointEdits(const JsonCursor& at) {
   for (std::size_t i = 0; i < at.sizeUpTo(limits::kMostBodies); ++i) {
     JointEdit edit = readJointEdit(at.element(i));
     for (const JointEdit& earlier : edits) {
-      if (earlier.key == edit.key) at.element(i).fail(GLISSADE_TEXT("is about a joint that was there before"), GLISSADE_TEXT("Remove one."));
+      if (earlier.key == edit.key)
+        at.element(i).fail(GLISSADE_TEXT("is about a joint that was there before"), GLISSADE_TEXT("Remove one."));
     }
     edits.push_back(std::move(edit));
   }
@@ -175,7 +182,8 @@ Json toJson(const Joint& joint, const AssembledProduct& product) {
   if (!joint.designation.empty()) json["designation"] = joint.designation;
   json["doubtful"] = joint.isDoubtful;
   if (joint.makesHole) json["makes_hole"] = true;
-  json["evidence"] = joint.evidence;
+  json["evidence"] = Json::array();
+  for (const Message& each : joint.evidence) json["evidence"].push_back(toString(each));
   return json;
 }
 

@@ -144,10 +144,11 @@ Diagnostic usage(const std::string& file, const Message& reason, const Message& 
 bool moves(const PartFile& part) { return part.role == PartRole::Moves; }
 
 Outcome checkParts(const std::vector<PartFile>& parts) {
-  if (parts.empty()) return usage("", "there is no part", "Give the files of the parts.");
+  if (parts.empty()) return usage("", GLISSADE_TEXT("there is no part"), GLISSADE_TEXT("Give the files of the parts."));
   for (const PartFile& part : parts) {
     if (limits::isSize(part.unit)) continue;
-    return usage(part.path, "has a unit that is not from 1e-12 m to 1e9 m", "Give the metres in a unit of the file.");
+    return usage(part.path, GLISSADE_TEXT("has a unit that is not from 1e-12 m to 1e9 m"),
+                 GLISSADE_TEXT("Give the metres in a unit of the file."));
   }
   return Done{};
 }
@@ -265,7 +266,7 @@ Result<Scenario> scenarioOfParts(const std::vector<PartFile>& files, GeometryCac
   if (!entries) return entries.error();
   const std::vector<PartFile>& parts = *entries;
   if (std::none_of(parts.begin(), parts.end(), moves)) {
-    return usage("", "no part moves", "Choose the part that moves.");
+    return usage("", GLISSADE_TEXT("no part moves"), GLISSADE_TEXT("Choose the part that moves."));
   }
   Scenario scenario;
   PartAdder adder(scenario, "");
@@ -299,13 +300,15 @@ Result<Scenario> withParts(Scenario scenario, const std::string& scenarioFile, c
                            GeometryCache* read, const StopToken& stop) {
   if (const Outcome sound = checkParts(files); !sound) return sound.error();
   if (const auto moving = std::find_if(files.begin(), files.end(), moves); moving != files.end()) {
-    return usage(moving->path, "cannot be what moves: the scenario has its object", "Make it static or mobile.");
+    return usage(moving->path, GLISSADE_TEXT("cannot be what moves: the scenario has its object"),
+                 GLISSADE_TEXT("Make it static or mobile."));
   }
   GeometryCache known = read != nullptr ? *read : GeometryCache();
   const auto parts = oneEntryEach(files, scenario, scenarioFile, known, stop);
   if (!parts) return parts.error();
   if (parts->empty()) {
-    return usage(files.front().path, "has no part that the scenario does not have", "Name the part to have it twice.");
+    return usage(files.front().path, GLISSADE_TEXT("has no part that the scenario does not have"),
+                 GLISSADE_TEXT("Name the part to have it twice."));
   }
   const std::size_t before = scenario.bodies.size();
   PartAdder adder(scenario, scenarioFile);

@@ -29,7 +29,8 @@ Message inWords(const Choose& choose) {
 SaveResult PathExporter::write(const Path& path, const LoadedScenario& scenario, const PathProvenance& provenance,
                                const std::string& file) const {
   if (path.points.empty()) {
-    return notSaved({ErrorKind::Usage, file, "", GLISSADE_TEXT("the path holds no configuration"), GLISSADE_TEXT("Give a path.")});
+    return notSaved(
+        {ErrorKind::Usage, file, "", GLISSADE_TEXT("the path holds no configuration"), GLISSADE_TEXT("Give a path.")});
   }
   const auto text = content(path, scenario, provenance);
   if (!text) {
@@ -64,8 +65,7 @@ Result<PathExporter> pathExporterFor(const std::string& file) {
   const Message reason = ending.empty()
                              ? GLISSADE_TEXT("has no ending that says in which format the path is to be written")
                              : Message(GLISSADE_TEXT("paths are not written as '.%1'"), {ending});
-  return Diagnostic{ErrorKind::Usage, file, "", reason,
-                    {GLISSADE_TEXT("Choose one of: %1."), {writablePathFormats()}}};
+  return Diagnostic{ErrorKind::Usage, file, "", reason, {GLISSADE_TEXT("Choose one of: %1."), {writablePathFormats()}}};
 }
 
 SaveResult writePath(const Path& path, const LoadedScenario& scenario, const PathProvenance& provenance,

@@ -26,8 +26,9 @@ std::size_t addBodies(GlbBuilder& glb, const LoadedScenario& scenario, const Pos
 Result<std::string> pathAsGlb(const Path& path, const LoadedScenario& scenario, const PathProvenance& provenance) {
   const std::vector<KeyFrame> frames = keyFramesOf(path.configurations(), scenario.problem.metric(), kSeconds);
   if (!isWithinSinglePrecision(frames)) {
-    return Diagnostic{ErrorKind::MalformedInput, "", "", "a position of the path is beyond single precision",
-                      "Export the path in another format."};
+    return Diagnostic{ErrorKind::MalformedInput, "", "",
+                      GLISSADE_TEXT("a position of the path is beyond single precision"),
+                      GLISSADE_TEXT("Export the path in another format.")};
   }
   GlbBuilder glb(std::string("Glissade ") + kVersion);
   glb.json()["scene"] = 0;

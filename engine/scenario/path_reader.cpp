@@ -38,9 +38,9 @@ std::vector<std::string> split(const std::string& line, const char* separators) 
 }
 
 /// A word of the file for a message.
-std::string quoted(const std::string& word) {
+Message quoted(const std::string& word) {
   constexpr std::size_t kLongest = 40;
-  return "'" + printableLine(word.substr(0, kLongest)) + (word.size() > kLongest ? "...'" : "'");
+  return {GLISSADE_TEXT("'%1'"), {printableLine(word.substr(0, kLongest)) + (word.size() > kLongest ? "..." : "")}};
 }
 
 /// Reads one of the two text formats, line by line.
@@ -54,7 +54,7 @@ class TextPathReader {
     std::vector<PathPoint> points;
     for (line_ = 1; std::getline(stream, line); ++line_) {
       if (!line.empty() && line.back() == '\r') line.pop_back();
-      if (line.size() > kLongestLine) return malformed("is longer than " + std::to_string(kLongestLine) + " bytes");
+      if (line.size() > kLongestLine) return malformed({GLISSADE_TEXT("is longer than %1 bytes"), {kLongestLine}});
       if (line_ == 1 && line == kCsvHeader) {
         csv_ = true;
         continue;
@@ -64,43 +64,48 @@ class TextPathReader {
       const auto point = readPoint(words);
       if (!point) return point.error();
       if (points.size() == kMostConfigurations) {
-        return malformed("is one too many: a path has at most " + std::to_string(kMostConfigurations) +
-                         " configurations");
+        return malformed(
+            {GLISSADE_TEXT("is one too many: a path has at most %1 configurations"), {kMostConfigurations}});
       }
       points.push_back(*point);
     }
     if (points.empty())
-      return Diagnostic{ErrorKind::MalformedInput, file_, "", "holds no configuration", "Give a path."};
+      return Diagnostic{ErrorKind::MalformedInput, file_, "", GLISSADE_TEXT("holds no configuration"),
+                        GLISSADE_TEXT("Give a path.")};
     return points;
   }
 
  private:
   Diagnostic malformed(const Message& reason) const {
-    return {ErrorKind::MalformedInput, file_, "line " + std::to_string(line_), reason,
-            csv_ ? std::string("Each line holds ") + kCsvHeader + "."
-                 : "Each line holds x y z qx qy qz qw; a CSV begins with its header."};
+    return {ErrorKind::MalformedInput,
+            file_,
+            {GLISSADE_TEXT("line %1"), {line_}},
+            reason,
+            csv_ ? Message(GLISSADE_TEXT("Each line holds %1."), {kCsvHeader})
+                 : Message(GLISSADE_TEXT("Each line holds x y z qx qy qz qw; a CSV begins with its header."))};
   }
 
   Result<PathPoint> readPoint(const std::vector<std::string>& words) const {
     const std::size_t expected = csv_ ? 12 : 7;
-    if (words.size() != expected) return malformed("does not have " + std::to_string(expected) + " columns");
+    if (words.size() != expected) return malformed({GLISSADE_TEXT("does not have %1 columns"), {expected}});
     std::array<double, 7> values{};
     for (std::size_t i = 0; i < values.size(); ++i) {
       const std::string& word = words[i + (csv_ ? 2 : 0)];
       const auto number = toNumber(word);
-      if (!number) return malformed("holds " + quoted(word) + ", which is not a finite number");
-      if (!limits::isCoordinate(*number)) return malformed("holds " + quoted(word) + ", which is beyond 1e9 m");
+      if (!number) return malformed({GLISSADE_TEXT("holds %1, which is not a finite number"), {quoted(word)}});
+      if (!limits::isCoordinate(*number))
+        return malformed({GLISSADE_TEXT("holds %1, which is beyond 1e9 m"), {quoted(word)}});
       values[i] = *number;
     }
     PathPoint point;
     point.q.position = {values[0], values[1], values[2]};
     point.q.orientation = Quaternion(values[6], values[3], values[4], values[5]);
     if (std::abs(point.q.orientation.norm() - 1.0) > tolerance::kQuaternionNorm) {
-      return malformed("has an orientation that is not a unit quaternion");
+      return malformed(GLISSADE_TEXT("has an orientation that is not a unit quaternion"));
     }
     if (csv_) {
       const auto author = kAuthorNames.find(words[11]);
-      if (!author) return malformed("names an unknown author " + quoted(words[11]));
+      if (!author) return malformed({GLISSADE_TEXT("names an unknown author %1"), {quoted(words[11])}});
       point.author = *author;
     }
     return point;
@@ -117,8 +122,10 @@ Result<std::vector<PathPoint>> readJsonPath(const std::string& text, const std::
   const ChecksumState checksum = takeChecksum(*document);
   try {
     const JsonCursor root(*document, file, "");
-    if (root.at("format").text() != kJsonFormat) root.at("format").fail(GLISSADE_TEXT("is not \"glissade-path\""));
-    if (root.at("version").wholeNumber() != 1) root.at("version").fail(GLISSADE_TEXT("is not 1"), GLISSADE_TEXT("Use a newer Glissade."));
+    if (root.at("format").text() != kJsonFormat)
+      root.at("format").fail({GLISSADE_TEXT("is not \"%1\""), {kJsonFormat}});
+    if (root.at("version").wholeNumber() != 1)
+      root.at("version").fail(GLISSADE_TEXT("is not 1"), GLISSADE_TEXT("Use a newer Glissade."));
     const JsonCursor list = root.at("configurations");
     std::vector<PathPoint> points;
     for (std::size_t i = 0; i < list.size(); ++i) {
@@ -133,7 +140,7 @@ Result<std::vector<PathPoint>> readJsonPath(const std::string& text, const std::
     }
     if (points.empty()) list.fail(GLISSADE_TEXT("is empty"), GLISSADE_TEXT("Give a path."));
     if (checksum == ChecksumState::Wrong) {
-      return wrongChecksum(file, "Plan again. To check an edited path, remove its checksum.");
+      return wrongChecksum(file, GLISSADE_TEXT("Plan again. To check an edited path, remove its checksum."));
     }
     return points;
   } catch (const JsonError& error) {
@@ -149,8 +156,11 @@ Result<std::vector<PathPoint>> readPath(const std::string& file) {
   const auto exporter = pathExporterFor(file);
   const bool writtenOnly = exporter && !exporter->readBackError;
   if (writtenOnly || text->rfind("glTF", 0) == 0) {
-    return Diagnostic{ErrorKind::MalformedInput, file, "", "is in a format that can only be written",
-                      "Give the path as one of: " + readablePathFormats() + "."};
+    return Diagnostic{ErrorKind::MalformedInput,
+                      file,
+                      "",
+                      GLISSADE_TEXT("is in a format that can only be written"),
+                      {GLISSADE_TEXT("Give the path as one of: %1."), {readablePathFormats()}}};
   }
   const std::size_t first = text->find_first_not_of(" \t\r\n");
   if (first != std::string::npos && (*text)[first] == '{') return readJsonPath(*text, file);

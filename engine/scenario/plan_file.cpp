@@ -29,7 +29,7 @@ Result<AssemblyPlan> parsePlan(const std::string& text, const std::string& file)
   try {
     auto plan = readPlanJson(JsonCursor(*document, file, ""));
     if (checksum == ChecksumState::Wrong) {
-      return wrongChecksum(file, "Plan again. To use an edited plan, remove its checksum.");
+      return wrongChecksum(file, GLISSADE_TEXT("Plan again. To use an edited plan, remove its checksum."));
     }
     return plan;
   } catch (const JsonError& error) {
@@ -57,9 +57,11 @@ Outcome checkSameBodies(const AssemblyPlan& plan, const std::vector<std::string>
   const auto missing = std::find_if(plan.bodies.begin(), plan.bodies.end(), [&](const std::string& id) {
     return std::find(bodies.begin(), bodies.end(), id) == bodies.end();
   });
-  const std::string reason = missing != plan.bodies.end() ? "is about a product that has '" + *missing + "'"
-                                                          : "is about a product with other bodies";
-  return Diagnostic{ErrorKind::MalformedInput, file, "/bodies", reason, "Give the product that was planned."};
+  const Message reason = missing != plan.bodies.end()
+                             ? Message(GLISSADE_TEXT("is about a product that has '%1'"), {*missing})
+                             : Message(GLISSADE_TEXT("is about a product with other bodies"));
+  return Diagnostic{ErrorKind::MalformedInput, file, "/bodies", reason,
+                    GLISSADE_TEXT("Give the product that was planned.")};
 }
 
 }  // namespace glissade

@@ -52,8 +52,9 @@ Result<std::string> planAsGlb(const AssemblyPlan& plan, const AssembledProduct& 
       const Pose X_PB = inverse(step.path.front().q) * moved.X_WB;  // the path's frame may differ from the body's
       for (KeyFrame& frame : frames) frame.q = frame.q * X_PB;
       if (!isWithinSinglePrecision(frames)) {
-        return Diagnostic{ErrorKind::MalformedInput, "", "", "a position of the plan is beyond single precision",
-                          "Export the plan as JSON."};
+        return Diagnostic{ErrorKind::MalformedInput, "", "",
+                          GLISSADE_TEXT("a position of the plan is beyond single precision"),
+                          GLISSADE_TEXT("Export the plan as JSON.")};
       }
       tracks.push_back({nodes[body], laterBy(begin, frames)});
     }

@@ -2,12 +2,15 @@
 
 #include <glissade/version.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
 #include <utility>
+#include <variant>
 
 #include "engine/base/limits.h"
+#include "engine/base/message_json.h"
 #include "engine/check/stated_json.h"
 #include "engine/product/contact_report.h"
 #include "engine/scenario/plan_file.h"
@@ -53,7 +56,7 @@ Json toJson(const StepAllowance& allowance) {
             {"kind", kindName(allowance.kind)},
             {"overlap_m", allowance.overlap},
             {"allowance_m", allowance.allowance},
-            {"text", allowance.text}};
+            {"text", toString(allowance.text)}};
   if (!allowance.moving.empty()) json["moving"] = allowance.moving;
   if (allowance.yields) json["yields"] = true;
   if (allowance.hollow) json["hollow"] = true;
@@ -110,8 +113,23 @@ Json toJson(const AssemblyStep& step) {
   return json;
 }
 
+/// Deepest nesting of a reason that is stored as data, because the JSON reader refuses files that nest deeper than 32.
+constexpr int kDeepestReason = 4;
+
+bool isNestedWithin(int levels, const Message& message) {
+  return levels > 0 &&
+         std::all_of(message.arguments.begin(), message.arguments.end(), [&](const MessageArgument& each) {
+           const auto* nested = std::get_if<Message>(&each.value);
+           return nested == nullptr || isNestedWithin(levels - 1, *nested);
+         });
+}
+
 Json toJson(const StuckBody& stuck) {
-  return {{"part", stuck.body}, {"blocked_by", stuck.blockedBy}, {"reason", stuck.reason}};
+  Json json{{"part", stuck.body}, {"blocked_by", stuck.blockedBy}, {"reason", toString(stuck.reason)}};
+  if (!stuck.reason.empty() && isNestedWithin(kDeepestReason, stuck.reason)) {
+    json["reason_message"] = glissade::toJson(stuck.reason);
+  }
+  return json;
 }
 
 Json toJson(const SubassemblyLine& line) {
@@ -133,8 +151,9 @@ class PlanReader {
     at.allowOnly({"format", "version", "program",  "product", "strategy",  "seed",   "deflection_m",
                   "parts",  "removed", "apart",    "end",     "certified", "bodies", "staying",
                   "steps",  "stuck",   "refusals", "waiting", "sequence",  "lines"});
-    if (at.at("format").text() != kPlanFormat) at.at("format").fail(GLISSADE_TEXT("is not \"glissade-plan\""));
-    if (at.at("version").wholeNumber() != 1) at.at("version").fail(GLISSADE_TEXT("is not 1"), GLISSADE_TEXT("Use a newer Glissade."));
+    if (at.at("format").text() != kPlanFormat) at.at("format").fail({GLISSADE_TEXT("is not \"%1\""), {kPlanFormat}});
+    if (at.at("version").wholeNumber() != 1)
+      at.at("version").fail(GLISSADE_TEXT("is not 1"), GLISSADE_TEXT("Use a newer Glissade."));
     plan_.strategy = at.at("strategy").nonEmptyText();
     plan_.seed = at.at("seed").wholeNumber();
     if (const auto demands = at.find("sequence")) plan_.demands = readSequence(*demands);
@@ -355,10 +374,19 @@ class PlanReader {
     return allowance;
   }
 
+  /// The reason as data, unless its English text differs from the plain one, which a person may have edited.
+  static Message readReason(const JsonCursor& at) {
+    const auto reason = at.find("reason");
+    if (!reason) return {};
+    const auto data = at.find("reason_message");
+    const auto message = data ? messageFrom(nlohmann::json(data->json())) : std::nullopt;
+    return message && toString(*message) == reason->text() ? *message : Message(reason->text());
+  }
+
   StuckBody readStuck(const JsonCursor& at) const {
-    at.allowOnly({"part", "blocked_by", "reason"});
+    at.allowOnly({"part", "blocked_by", "reason", "reason_message"});
     StuckBody stuck{readId(at.at("part")), readIds(at.at("blocked_by"))};
-    if (const auto reason = at.find("reason")) stuck.reason = reason->text();
+    stuck.reason = readReason(at);
     if (gone_.count(stuck.body) != 0) at.at("part").fail(GLISSADE_TEXT("stays, or has left"));
     return stuck;
   }
@@ -367,7 +395,7 @@ class PlanReader {
   /// number of steps of the plan that contains it.
   SubassemblyLine readLine(const JsonCursor& at, std::size_t steps, std::size_t depth) const {
     at.allowOnly({"step", "bodies", "staying", "steps", "stuck", "lines"});
-    if (depth == kMostLines) at.fail("is deeper than " + std::to_string(kMostLines) + " lines");
+    if (depth == kMostLines) at.fail({GLISSADE_TEXT("is deeper than %1 lines"), {kMostLines}});
     SubassemblyLine line;
     line.step = static_cast<std::size_t>(at.at("step").wholeNumber());
     if (line.step == 0 || line.step > steps) at.at("step").fail(GLISSADE_TEXT("is not a step before it"));

@@ -86,13 +86,15 @@ Result<ProductFile> readProduct(const std::string& file, const StopToken& stop, 
                                 const PartChoice& choice) {
   const bool isPart = isPartFile(usualPart(file).path);
   if (!isPart && deflection > 0.0) {
-    return Diagnostic{ErrorKind::Usage, file, "", "is a scenario, which states the deflection of each of its assets",
-                      "Change \"deflection\" of the asset there, or give the part file."};
+    return Diagnostic{ErrorKind::Usage, file, "",
+                      GLISSADE_TEXT("is a scenario, which states the deflection of each of its assets"),
+                      GLISSADE_TEXT("Change \"deflection\" of the asset there, or give the part file.")};
   }
   if (!isPart && !choice.open.empty()) {
     return Diagnostic{
-        ErrorKind::Usage, file, "--open", "is a scenario, which says itself which bodies it has",
-        "Name the solids when it is made: glissade-cli new OUT.json --static FILE:PART/SOLID --static FILE."};
+        ErrorKind::Usage, file, "--open", GLISSADE_TEXT("is a scenario, which says itself which bodies it has"),
+        GLISSADE_TEXT(
+            "Name the solids when it is made: glissade-cli new OUT.json --static FILE:PART/SOLID --static FILE.")};
   }
   auto loaded = isPart ? productOfParts(file, stop, deflection, choice) : productOfScenario(file, stop);
   if (loaded) loaded->deviation = largestTwo(loaded->product.deflections);
@@ -100,7 +102,11 @@ Result<ProductFile> readProduct(const std::string& file, const StopToken& stop, 
 }
 
 Diagnostic isLeftOut(const std::string& name) {
-  return {ErrorKind::MalformedInput, "", "'" + name + "'", "is left out", "Proofs are about the product without it."};
+  return {ErrorKind::MalformedInput,
+          "",
+          {GLISSADE_TEXT("'%1'"), {name}},
+          GLISSADE_TEXT("is left out"),
+          GLISSADE_TEXT("Proofs are about the product without it.")};
 }
 
 Outcome leaveOut(const std::vector<std::string>& names, ProductFile& loaded) {
@@ -144,13 +150,17 @@ Result<ProductFile> loadProduct(const std::string& file, const StopToken& stop, 
   auto loaded = readProduct(file, stop, deflection, choice);
   if (!loaded) return loaded;
   if (loaded->product.bodies.size() < 2 && loaded->canOpen) {
-    return Diagnostic{ErrorKind::MalformedInput, file, "",
-                      "holds one part of several solids: there is nothing to take apart",
-                      "Give a product of several parts, or take it as its solids: --open " + lastStepOf(file) + "."};
+    return Diagnostic{
+        ErrorKind::MalformedInput,
+        file,
+        "",
+        GLISSADE_TEXT("holds one part of several solids: there is nothing to take apart"),
+        {GLISSADE_TEXT("Give a product of several parts, or take it as its solids: --open %1."), {lastStepOf(file)}}};
   }
   if (loaded->product.bodies.size() < 2) {
-    return Diagnostic{ErrorKind::MalformedInput, file, "", "holds one body: there is nothing to take apart",
-                      "Give a product of several parts."};
+    return Diagnostic{ErrorKind::MalformedInput, file, "",
+                      GLISSADE_TEXT("holds one body: there is nothing to take apart"),
+                      GLISSADE_TEXT("Give a product of several parts.")};
   }
   loaded->product.bodies = aboutTheirMiddles(std::move(loaded->product.bodies));
   return loaded;

@@ -23,8 +23,12 @@ constexpr const char* kEnding = ".journal";
 /// Every journal begins with this text, and no record does: a record has a line break after "{".
 constexpr const char* kFirst = R"({"format":"glissade-run",)";
 
-Diagnostic failed(const std::string& file, const std::string& what) {
-  return {ErrorKind::Unwritable, file, "", what + ": " + std::strerror(errno), "The run is not recorded on disk."};
+Diagnostic failed(const std::string& file, CatalogueText what) {
+  return {ErrorKind::Unwritable,
+          file,
+          "",
+          {GLISSADE_TEXT("%1: %2"), {what, std::strerror(errno)}},
+          GLISSADE_TEXT("The run is not recorded on disk.")};
 }
 
 std::string withChecksum(Json line) {
@@ -77,8 +81,11 @@ class JournalMerger {
  private:
   Outcome begin(Result<Json>& line, bool whole, ChecksumState checksum) {
     if (!whole) {
-      return Diagnostic{ErrorKind::MalformedInput, file_, "line 1",
-                        "is damaged, and names the scenario and the settings of the run", "Use an undamaged copy."};
+      return Diagnostic{ErrorKind::MalformedInput,
+                        file_,
+                        {GLISSADE_TEXT("line %1"), {1}},
+                        GLISSADE_TEXT("is damaged, and names the scenario and the settings of the run"),
+                        GLISSADE_TEXT("Use an undamaged copy.")};
     }
     record_ = std::move(*line);
     ofHead_ = checksum;
@@ -126,9 +133,9 @@ Result<std::unique_ptr<RunJournal>> RunJournal::begin(const RunRecord& record, c
   fs::create_directories(folder, trouble);
   std::string file = (fs::path(folder) / "run-XXXXXX").string() + kEnding;
   const int descriptor = ::mkostemps(file.data(), static_cast<int>(std::strlen(kEnding)), O_CLOEXEC | O_APPEND);
-  if (descriptor < 0) return failed(folder, "the folder refuses a new file");
+  if (descriptor < 0) return failed(folder, GLISSADE_TEXT("the folder refuses a new file"));
   std::unique_ptr<RunJournal> journal(new RunJournal(descriptor, file));
-  if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) return failed(file, "cannot be locked");
+  if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) return failed(file, GLISSADE_TEXT("cannot be locked"));
   Json head = headToJson(record);
   addEvents({}, head);
   const Outcome written = journal->writeLine(withChecksum(std::move(head)));
@@ -152,7 +159,7 @@ Outcome RunJournal::writeLine(const std::string& line) {
     size_ += static_cast<long>(line.size());
     return Done{};
   }
-  const Diagnostic why = failed(file_, "cannot be written");
+  const Diagnostic why = failed(file_, GLISSADE_TEXT("cannot be written"));
   (void)::ftruncate(descriptor_, size_);  // removes the partial line, so that the next line does not continue it
   return why;
 }

@@ -117,7 +117,8 @@ Result<RunRecord> readRunRecord(const std::string& file, const WorkWatch& watch)
   try {
     RunRecord record = readRecord(JsonCursor(*document, file, ""), watch.part(kParsing, 1.0));
     if (checksum == ChecksumState::Wrong) {
-      return wrongChecksum(file, "Use an undamaged copy. To replay an edited recording, remove its checksum.");
+      return wrongChecksum(file,
+                           GLISSADE_TEXT("Use an undamaged copy. To replay an edited recording, remove its checksum."));
     }
     record.scenario = findScenario(record.scenario, file);
     return record;
@@ -128,10 +129,12 @@ Result<RunRecord> readRunRecord(const std::string& file, const WorkWatch& watch)
 
 std::optional<Diagnostic> lossWarning(const RunRecord& record, const std::string& file) {
   if (!record.loss) return std::nullopt;
-  return Diagnostic{ErrorKind::MalformedInput, file, "",
-                    "is damaged: " + std::to_string(record.loss->lines) + " lines of the journal are lost",
-                    "Nothing is missing until step " + std::to_string(record.loss->afterStep) +
-                        "; the replay may differ from the run after it."};
+  return Diagnostic{ErrorKind::MalformedInput,
+                    file,
+                    "",
+                    {GLISSADE_TEXT("is damaged: %1 lines of the journal are lost"), {record.loss->lines}},
+                    {GLISSADE_TEXT("Nothing is missing until step %1; the replay may differ from the run after it."),
+                     {record.loss->afterStep}}};
 }
 
 }  // namespace glissade

@@ -6,13 +6,17 @@
 namespace glissade {
 namespace {
 
-constexpr const char* kOtherScenario = "Name the scenario that the run was recorded on, as it was then.";
+constexpr CatalogueText kOtherScenario =
+    GLISSADE_TEXT("Name the scenario that the run was recorded on, as it was then.");
 
 Outcome checkScenario(const RunRecord& record, const LoadedScenario& scenario, const std::string& file) {
   if (record.version == 1) return Done{};
   if (record.problemSha256 != problemSha256(scenario.scenario)) {
-    return Diagnostic{ErrorKind::Usage, file, "/problem_sha256",
-                      "the run was recorded on another scenario than '" + scenario.file + "'", kOtherScenario};
+    return Diagnostic{ErrorKind::Usage,
+                      file,
+                      "/problem_sha256",
+                      {GLISSADE_TEXT("the run was recorded on another scenario than '%1'"), {scenario.file}},
+                      kOtherScenario};
   }
   for (const RunRecord::AssetHash& recorded : record.assets) {
     for (const Asset& asset : scenario.scenario.assets) {
@@ -20,8 +24,11 @@ Outcome checkScenario(const RunRecord& record, const LoadedScenario& scenario, c
       const auto now = assetSha256(asset, scenario.file);
       if (!now) return now.error();
       if (*now != recorded.sha256) {
-        return Diagnostic{ErrorKind::Usage, file, "/assets",
-                          "the asset '" + asset.id + "' has changed since the run was recorded", kOtherScenario};
+        return Diagnostic{ErrorKind::Usage,
+                          file,
+                          "/assets",
+                          {GLISSADE_TEXT("the asset '%1' has changed since the run was recorded"), {asset.id}},
+                          kOtherScenario};
       }
     }
   }
@@ -73,8 +80,11 @@ Result<RunLog> replayLog(const RunRecord& record, const LoadedScenario& scenario
   const Outcome same = checkScenario(record, scenario, file);
   if (!same) return same.error();
   if (makePlannerRegistry().find(log.start.planner) == nullptr) {
-    return Diagnostic{ErrorKind::MalformedInput, file, "/planner", "there is no planner '" + log.start.planner + "'",
-                      "Replay it with the Glissade that recorded it: " + record.program + "."};
+    return Diagnostic{ErrorKind::MalformedInput,
+                      file,
+                      "/planner",
+                      {GLISSADE_TEXT("there is no planner '%1'"), {log.start.planner}},
+                      {GLISSADE_TEXT("Replay it with the Glissade that recorded it: %1."), {record.program}}};
   }
   // Records of earlier versions do not have this parameter; the automatic planner had one slot.
   if (record.parameters.count(ParameterId::Slots) == 0) (void)log.start.parameters.set(ParameterId::Slots, 1.0);

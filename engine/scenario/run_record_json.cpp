@@ -49,7 +49,7 @@ Json toJson(const KnowledgeSource& source) {
 
 ParameterId readParameterId(const JsonCursor& at, const std::string& key) {
   const auto id = parameterByKey(key);
-  if (!id) at.fail("names the unknown parameter '" + key + "'");
+  if (!id) at.fail({GLISSADE_TEXT("names the unknown parameter '%1'"), {key}});
   return *id;
 }
 
@@ -97,7 +97,8 @@ RunLog::HandPose readHandPose(const JsonCursor& at, const std::vector<RunLog::Ha
   for (std::size_t i = 0; i < 4; ++i) {
     q.orientation.coeffs()[static_cast<Eigen::Index>(i)] = at.element(4 + i).number();
   }
-  if (std::abs(q.orientation.norm() - 1.0) > tolerance::kQuaternionNorm) at.fail(GLISSADE_TEXT("holds no unit quaternion"));
+  if (std::abs(q.orientation.norm() - 1.0) > tolerance::kQuaternionNorm)
+    at.fail(GLISSADE_TEXT("holds no unit quaternion"));
   entry.q_device = q;
   return entry;
 }
@@ -247,9 +248,11 @@ void addLoss(const std::optional<RunRecord::Loss>& loss, Json& json) {
 }
 
 RunRecord readRecord(const JsonCursor& root, const WorkWatch& watch) {
-  if (root.at("format").text() != "glissade-run") root.at("format").fail(GLISSADE_TEXT("is not \"glissade-run\""));
+  if (root.at("format").text() != "glissade-run")
+    root.at("format").fail({GLISSADE_TEXT("is not \"%1\""), {"glissade-run"}});
   const std::uint64_t version = root.at("version").wholeNumber();
-  if (version != 1 && version != 2) root.at("version").fail(GLISSADE_TEXT("is neither 1 nor 2"), GLISSADE_TEXT("Use a newer Glissade."));
+  if (version != 1 && version != 2)
+    root.at("version").fail(GLISSADE_TEXT("is neither 1 nor 2"), GLISSADE_TEXT("Use a newer Glissade."));
   RunRecord record;
   record.version = static_cast<int>(version);
   readCommon(root, watch, record);

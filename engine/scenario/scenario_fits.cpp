@@ -119,11 +119,11 @@ double turnsOn(const std::vector<PathPoint>& path, const LoadedScenario& scenari
   return 0.0;
 }
 
-std::vector<std::string> allowancesInWords(const LoadedScenario& scenario, const std::vector<PathPoint>& path) {
-  std::vector<std::string> words;
+std::vector<Message> allowancesInWords(const LoadedScenario& scenario, const std::vector<PathPoint>& path) {
+  std::vector<Message> words;
   for (const Fit& fit : scenario.fits.allowed) {
-    words.push_back(inWords(fit, scenario.object.shown(), scenario.obstacles[fit.obstacle].shown()) +
-                    turnsInWords(turnsOn(path, scenario, fit)));
+    words.push_back(withTurns(inWords(fit, scenario.object.shown(), scenario.obstacles[fit.obstacle].shown()),
+                              turnsOn(path, scenario, fit)));
   }
   return words;
 }
@@ -139,7 +139,7 @@ nlohmann::ordered_json threadJson(const check::StatedThread& thread) {
 
 nlohmann::ordered_json allowancesJson(const LoadedScenario& scenario, const std::vector<PathPoint>& path) {
   auto list = nlohmann::ordered_json::array();
-  const std::vector<std::string> words = allowancesInWords(scenario, path);
+  const std::vector<Message> words = allowancesInWords(scenario, path);
   for (std::size_t i = 0; i < words.size(); ++i) {
     const Fit& fit = scenario.fits.allowed[i];
     list.push_back({{"object", scenario.object.id},
@@ -150,7 +150,7 @@ nlohmann::ordered_json allowancesJson(const LoadedScenario& scenario, const std:
                     {"deflection_m", fit.evidence.deflection},
                     {"spacing_m", fit.evidence.spacing},
                     {"margin_m", fit.evidence.margin},
-                    {"text", words[i]}});
+                    {"text", toString(words[i])}});
     if (fit.yields) list.back()["yields"] = true;
     if (fit.hollow) list.back()["hollow"] = true;
     if (fit.core) list.back()["core"] = threadJson(statedThread(fit.thread->rule));

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/message.h"
 #include "engine/check/path.h"
 #include "engine/planning/path.h"
 #include "engine/product/assembled_product.h"
@@ -32,7 +33,7 @@ CollisionWorldPtr wholeWorld(const LoadedScenario& scenario);
 /// Descriptions of the fits for which a certificate of this scenario's object holds: "nut taken 0.021 mm thinner on the
 /// shaft of bolt (cylindrical)". Empty where the certificate is about the whole object. Threads have their turns on the
 /// path, if one is given.
-std::vector<std::string> allowancesInWords(const LoadedScenario& scenario, const std::vector<PathPoint>& path = {});
+std::vector<Message> allowancesInWords(const LoadedScenario& scenario, const std::vector<PathPoint>& path = {});
 
 /// These descriptions for files and reports: an array with one object for each fit, lengths in metres.
 nlohmann::ordered_json allowancesJson(const LoadedScenario& scenario, const std::vector<PathPoint>& path = {});

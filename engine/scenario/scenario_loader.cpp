@@ -5,7 +5,6 @@
 #include "engine/base/file.h"
 #include "engine/base/file_versions.h"
 #include "engine/base/limits.h"
-#include "engine/base/number_text.h"
 #include "engine/base/result.h"
 #include "engine/base/utf8.h"
 #include "engine/environment/held_edits.h"
@@ -29,24 +28,28 @@
 namespace glissade {
 namespace {
 
+Location placeOf(const RigidBody& body) { return {GLISSADE_TEXT("body '%1'"), {body.name}}; }
+
 Diagnostic refused(const std::string& file, const Location& location, const Message& reason) {
-  return {ErrorKind::MalformedInput, file, location, reason, "Check its pose, its size and the unit of its file."};
+  return {ErrorKind::MalformedInput, file, location, reason,
+          GLISSADE_TEXT("Check its pose, its size and the unit of its file.")};
 }
 
 Outcome checkReach(const RigidBody& body, const std::string& file) {
   const Box3 box = boundingBox(*body.mesh, body.X_WB);
   const double reach = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
   if (limits::isCoordinate(reach)) return Done{};
-  return refused(file, "body '" + body.name + "'",
-                 "reaches " + toText(reach) + " m from the world's origin, beyond 1e9 m");
+  return refused(file, placeOf(body), {GLISSADE_TEXT("reaches %1 m from the world's origin, beyond 1e9 m"), {reach}});
 }
 
 /// Refuses a scenario that has expanded to more than limits::kMostBodies rigid bodies.
 Outcome checkNumberOfBodies(const LoadedScenario& loaded, const std::string& file) {
   if (loaded.obstacles.size() <= limits::kMostBodies) return Done{};
-  return Diagnostic{ErrorKind::MalformedInput, file, "/bodies",
-                    "expand to more than " + std::to_string(limits::kMostBodies) + " rigid bodies",
-                    "Give the parts that matter, or fewer bodies made of the same file."};
+  return Diagnostic{ErrorKind::MalformedInput,
+                    file,
+                    "/bodies",
+                    {GLISSADE_TEXT("expand to more than %1 rigid bodies"), {limits::kMostBodies}},
+                    GLISSADE_TEXT("Give the parts that matter, or fewer bodies made of the same file.")};
 }
 
 /// Refuses a scenario whose bodies or object, as they are placed, reach beyond limits::kLargestLength, whose object is
@@ -59,12 +62,13 @@ Outcome checkExtents(const LoadedScenario& loaded, const Box3& workspace, const 
   if (const Outcome near = checkReach(loaded.object, file); !near) return near;
   const double radius = radiusAboutOrigin(*loaded.object.mesh);
   if (!limits::isSize(radius)) {
-    return refused(file, "body '" + loaded.object.name + "'",
-                   "has a radius of " + toText(radius) + " m, which is not from 1e-12 m to 1e9 m");
+    return refused(file, placeOf(loaded.object),
+                   {GLISSADE_TEXT("has a radius of %1 m, which is not from 1e-12 m to 1e9 m"), {radius}});
   }
   if (workspace.diagonal().norm() > limits::kLargestRatio * radius) {
-    return Diagnostic{ErrorKind::MalformedInput, file, "/workspace", "is more than 1e10 times as large as the object",
-                      "Check the units of both, or give a smaller workspace."};
+    return Diagnostic{ErrorKind::MalformedInput, file, "/workspace",
+                      GLISSADE_TEXT("is more than 1e10 times as large as the object"),
+                      GLISSADE_TEXT("Check the units of both, or give a smaller workspace.")};
   }
   return Done{};
 }
@@ -82,9 +86,10 @@ void warnIfOpen(const RigidBody& body, const std::string& file, const LoadedScen
     found = loaded.closed.emplace(body.mesh, closed).first;
   }
   if (found->second) return;
-  loaded.warnings.push_back({ErrorKind::MalformedInput, file, "body '" + body.name + "'", "is not a closed surface",
-                             "Being inside it is not seen as a collision; close its surface, or let planar holes be "
-                             "closed (--close-holes)."});
+  loaded.warnings.push_back(
+      {ErrorKind::MalformedInput, file, placeOf(body), GLISSADE_TEXT("is not a closed surface"),
+       GLISSADE_TEXT("Being inside it is not seen as a collision; close its surface, or let planar holes be "
+                     "closed (--close-holes).")});
 }
 
 /// Notes the meshes that the importer found closed, so that they are not checked again.
@@ -217,10 +222,13 @@ void labelAll(LoadedScenario& loaded) {
 
 std::optional<Diagnostic> leftOutWarning(const Scenario& scenario, const std::string& file) {
   if (scenario.leftOut.empty()) return std::nullopt;
-  std::string names;
-  for (const BodyDescription& body : scenario.leftOut) names += (names.empty() ? "'" : ", '") + body.name + "'";
-  return Diagnostic{ErrorKind::MalformedInput, file, "/left_out", "leaves bodies out: " + names,
-                    "Proofs are about the product without them."};
+  std::vector<Message> names;
+  for (const BodyDescription& body : scenario.leftOut) names.push_back({GLISSADE_TEXT("'%1'"), {body.name}});
+  return Diagnostic{ErrorKind::MalformedInput,
+                    file,
+                    "/left_out",
+                    {GLISSADE_TEXT("leaves bodies out: %1"), {joined(names, ", ")}},
+                    GLISSADE_TEXT("Proofs are about the product without them.")};
 }
 
 MissingShapes missingShapesIn(const GeometryCache& read, const Scenario& scenario, const std::string& folder) {
@@ -286,8 +294,9 @@ Result<ReadScenario> readScenario(const std::string& file) {
     return ReadScenario{toScenario(*config), "", {}};
   }
   if (isPartFile(file)) {
-    return Diagnostic{ErrorKind::Usage, file, "", "is a part file, and a scenario is needed",
-                      "Make a scenario of it: glissade-cli new OUT.json --moves FILE:PART --static FILE."};
+    return Diagnostic{
+        ErrorKind::Usage, file, "", GLISSADE_TEXT("is a part file, and a scenario is needed"),
+        GLISSADE_TEXT("Make a scenario of it: glissade-cli new OUT.json --moves FILE:PART --static FILE.")};
   }
   if (const auto unread = unreadKind(file)) return *unread;
   const auto text = readFile(file, limits::kMostScenarioBytes);
@@ -402,8 +411,8 @@ SaveResult saveScenarioFile(const Scenario& scenario, const std::string& file,
   for (Asset& asset : hashed.assets) {
     if (!isUtf8(asset.path)) {
       return notSaved({ErrorKind::MalformedInput, asset.path, "",
-                       "has a name that is not valid UTF-8, which a scenario file cannot hold",
-                       "Rename the file or its folder."});
+                       GLISSADE_TEXT("has a name that is not valid UTF-8, which a scenario file cannot hold"),
+                       GLISSADE_TEXT("Rename the file or its folder.")});
     }
     const auto hash = assetSha256(asset, file);
     if (!hash) return notSaved(hash.error());

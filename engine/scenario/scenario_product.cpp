@@ -32,19 +32,24 @@ Outcome checkNodes(const Scenario& scenario) {
       return Diagnostic{ErrorKind::MalformedInput, "", pointer + "/" + key, reason, advice};
     };
     if (!seen.insert(said.id).second) {
-      return wrong("id", "has the id '" + said.id + "' a second time", "Say all of a node at one place.");
+      return wrong("id", {GLISSADE_TEXT("has the id '%1' a second time"), {said.id}},
+                   GLISSADE_TEXT("Say all of a node at one place."));
     }
     const auto node = product.find(said.id);
-    if (!node) return wrong("id", "is neither a body nor an assembly of this product", "Correct the id.");
+    if (!node)
+      return wrong("id", GLISSADE_TEXT("is neither a body nor an assembly of this product"),
+                   GLISSADE_TEXT("Correct the id."));
     const Product::Node& made = product.nodes()[*node];
     if (!made.isAssembly && !said.attributes.empty()) {
-      return wrong("attributes", "is about a body, which has its attributes itself", "Write them there.");
+      return wrong("attributes", GLISSADE_TEXT("is about a body, which has its attributes itself"),
+                   GLISSADE_TEXT("Write them there."));
     }
     if (!said.in) continue;
     const std::string parent = made.parent ? product.nodes()[*made.parent].id : "";
     const bool isThere = said.in->empty() || (made.parent && product.nodes()[*made.parent].isAssembly);
     if (parent != *said.in || !isThere) {
-      return wrong("in", "is no assembly that the node can be in", "Name an assembly that is not below it.");
+      return wrong("in", GLISSADE_TEXT("is no assembly that the node can be in"),
+                   GLISSADE_TEXT("Name an assembly that is not below it."));
     }
   }
   return Done{};

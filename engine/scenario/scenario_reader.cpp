@@ -55,7 +55,9 @@ Geometry readGeometry(const JsonCursor& at, const std::set<std::string>& assets)
   if (at.json().size() != 1) at.fail(GLISSADE_TEXT("does not name exactly one shape"));
   const auto assetOf = [&](const JsonCursor& name) {
     const std::string id = name.text();
-    if (assets.count(id) == 0) name.fail("names the asset '" + id + "', which is not in /assets", "Add the asset.");
+    if (assets.count(id) == 0)
+      name.fail({GLISSADE_TEXT("names the asset '%1', which is not in /assets"), {id}},
+                GLISSADE_TEXT("Add the asset."));
     return id;
   };
   if (const auto mesh = at.find("mesh")) {
@@ -71,7 +73,8 @@ Geometry readGeometry(const JsonCursor& at, const std::set<std::string>& assets)
   }
   if (const auto box = at.find("box")) {
     const Vector3 size = readVector(*box);
-    if (!limits::isSize(size.minCoeff())) box->fail(GLISSADE_TEXT("has a size that is not above zero, or below 1e-12 m"));
+    if (!limits::isSize(size.minCoeff()))
+      box->fail(GLISSADE_TEXT("has a size that is not above zero, or below 1e-12 m"));
     return BoxGeometry{size};
   }
   if (const auto cylinder = at.find("cylinder")) {
@@ -124,7 +127,8 @@ ObjectDescription readObject(const JsonCursor& at, const std::set<std::string>& 
     object.referencePoint = readVector(*point);
     if (object.centreOnVertexMean) point->fail(GLISSADE_TEXT("is said twice: there is 'centre_on_vertex_mean'"));
   }
-  if (object.centreOnVertexMean && object.isGroup()) at.at("with").fail(GLISSADE_TEXT("is not beside 'centre_on_vertex_mean'"));
+  if (object.centreOnVertexMean && object.isGroup())
+    at.at("with").fail(GLISSADE_TEXT("is not beside 'centre_on_vertex_mean'"));
   return object;
 }
 
@@ -146,8 +150,11 @@ std::map<ParameterId, double> readParameters(const std::optional<JsonCursor>& at
   if (!at) return values;
   for (const auto& item : at->json().items()) {
     const auto id = parameterByKey(item.key());
-    if (!id) at->at(item.key()).fail(GLISSADE_TEXT("is not a parameter"), GLISSADE_TEXT("Remove it, or see 'glissade-cli plan --help'."));
-    values[*id] = at->at(item.key()).number();
+    const JsonCursor value = at->at(item.key());
+    if (!id) {
+      value.fail(GLISSADE_TEXT("is not a parameter"), GLISSADE_TEXT("Remove it, or see 'glissade-cli plan --help'."));
+    }
+    values[*id] = value.number();
   }
   return values;
 }
@@ -156,7 +163,8 @@ std::map<ParameterId, double> readParameters(const std::optional<JsonCursor>& at
 void checkId(std::set<std::string>& seen, const std::string& id, const JsonCursor& at) {
   if (id.find('/') != std::string::npos) at.at("id").fail(GLISSADE_TEXT("holds a '/'"), GLISSADE_TEXT("Leave it out."));
   if (!seen.insert(id).second)
-    at.at("id").fail("has the id '" + id + "' a second time", "Give every one an id of its own.");
+    at.at("id").fail({GLISSADE_TEXT("has the id '%1' a second time"), {id}},
+                     GLISSADE_TEXT("Give every one an id of its own."));
 }
 
 void checkIds(std::set<std::string>& seen, const ObjectDescription& object, const JsonCursor& at) {
@@ -235,13 +243,12 @@ Scenario readScenario(const JsonCursor& root) {
 
 std::uint64_t readVersion(const JsonCursor& root) {
   if (root.at("format").text() != kScenarioFormat)
-    root.at("format").fail("is not \"" + std::string(kScenarioFormat) + "\"");
+    root.at("format").fail({GLISSADE_TEXT("is not \"%1\""), {kScenarioFormat}});
   const JsonCursor at = root.at("version");
   const std::uint64_t version = at.wholeNumber();
   if (version < 1 || version > kScenarioVersion) {
-    at.fail("is version " + std::to_string(version) + "; this program reads up to version " +
-                std::to_string(kScenarioVersion),
-            "Use a newer Glissade.");
+    at.fail({GLISSADE_TEXT("is version %1; this program reads up to version %2"), {version, kScenarioVersion}},
+            GLISSADE_TEXT("Use a newer Glissade."));
   }
   return version;
 }
@@ -257,7 +264,8 @@ Result<Scenario> parseScenario(const std::string& text, const std::string& file,
   auto document = parseJson(text, file);
   if (!document) return document.error();
   if (takeChecksum(*document) == ChecksumState::Wrong) {
-    warnings.push_back(wrongChecksum(file, "Check the scenario, then save it again or remove the checksum."));
+    warnings.push_back(
+        wrongChecksum(file, GLISSADE_TEXT("Check the scenario, then save it again or remove the checksum.")));
   }
   try {
     const std::uint64_t version = readVersion(JsonCursor(*document, file, ""));

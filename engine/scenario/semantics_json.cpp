@@ -16,13 +16,17 @@ namespace {
 constexpr std::size_t kMostBoxes = 4'000'000;
 
 Box3 readBox(const JsonCursor& at) {
-  if (at.size() != 6) at.fail(GLISSADE_TEXT("is not a box"), GLISSADE_TEXT("Give six coordinates: the least x, y and z, then the largest."));
+  if (at.size() != 6)
+    at.fail(GLISSADE_TEXT("is not a box"),
+            GLISSADE_TEXT("Give six coordinates: the least x, y and z, then the largest."));
   Box3 box;
   for (int axis = 0; axis < 3; ++axis) {
     box.min()[axis] = at.element(static_cast<std::size_t>(axis)).coordinate();
     box.max()[axis] = at.element(static_cast<std::size_t>(axis) + 3).coordinate();
   }
-  if (box.isEmpty()) at.fail(GLISSADE_TEXT("is not a box"), GLISSADE_TEXT("Give six coordinates: the least x, y and z, then the largest."));
+  if (box.isEmpty())
+    at.fail(GLISSADE_TEXT("is not a box"),
+            GLISSADE_TEXT("Give six coordinates: the least x, y and z, then the largest."));
   return box;
 }
 
@@ -84,7 +88,8 @@ EnvironmentOptions readEnvironmentOptions(const JsonCursor& at) {
   EnvironmentOptions options;
   if (const auto size = at.find("cell_size")) {
     options.cellSize = size->coordinate();
-    if (options.cellSize < 0.0) size->fail(GLISSADE_TEXT("is below zero"), GLISSADE_TEXT("Give metres, or 0 for as fine as the memory allows."));
+    if (options.cellSize < 0.0)
+      size->fail(GLISSADE_TEXT("is below zero"), GLISSADE_TEXT("Give metres, or 0 for as fine as the memory allows."));
   }
   if (const auto memory = at.find("memory")) options.memory = memory->positiveNumber();
   if (const auto level = at.find("topology_level")) {
@@ -115,7 +120,9 @@ AttributeDefinition readDefinition(const JsonCursor& at) {
   definition.name = at.at("name").nonEmptyText();
   definition.label = at.has("label") ? at.at("label").text() : definition.name;
   const auto type = kAttributeTypeNames.find(at.at("type").text());
-  if (!type) at.at("type").fail(GLISSADE_TEXT("is not a type of attribute"), GLISSADE_TEXT("Give bool, integer, number, text or choice."));
+  if (!type)
+    at.at("type").fail(GLISSADE_TEXT("is not a type of attribute"),
+                       GLISSADE_TEXT("Give bool, integer, number, text or choice."));
   definition.type = *type;
   definition.owner = readOwner(at.at("of"));
   if (const auto unit = at.find("unit")) definition.unit = unit->text();
@@ -184,8 +191,8 @@ void checkSemantics(const Scenario& scenario, const JsonCursor& root) {
     for (const auto& [id, attributes] : scenario.sequence.attributes) {
       const std::string byPart = "/bodies/" + id + "/attributes/";
       if (at.rfind(byPart, 0) != 0) continue;
-      why.location = "/sequence/attributes/" + bodyIdOf(id) + "~1" + pathWithin(id, bodyIdOf(id)) + "/" +
-                     at.substr(byPart.size());
+      why.location =
+          "/sequence/attributes/" + bodyIdOf(id) + "~1" + pathWithin(id, bodyIdOf(id)) + "/" + at.substr(byPart.size());
     }
     for (std::size_t i = 0; i < scenario.nodes.size(); ++i) {
       const std::string byNode = "/bodies/" + scenario.nodes[i].id + "/attributes/";
@@ -258,7 +265,7 @@ namespace {
 Json toJson(const AttributeDefinition& definition) {
   Json json;
   json["name"] = definition.name;
-  json["label"] = definition.label;
+  json["label"] = toString(definition.label);
   json["type"] = kAttributeTypeNames.of(definition.type);
   json["of"] = kAttributeOwnerNames.of(definition.owner);
   if (!definition.unit.empty()) json["unit"] = definition.unit;
@@ -266,7 +273,7 @@ Json toJson(const AttributeDefinition& definition) {
   if (definition.minimum != usual.minimum) json["minimum"] = definition.minimum;
   if (definition.maximum != usual.maximum) json["maximum"] = definition.maximum;
   if (!definition.choices.empty()) json["choices"] = definition.choices;
-  if (!definition.description.empty()) json["description"] = definition.description;
+  if (!definition.description.empty()) json["description"] = toString(definition.description);
   std::visit([&](const auto& typed) { json["initial"] = typed; }, definition.initial);
   return json;
 }

@@ -16,7 +16,7 @@ using SequenceJson = JsonCursor::Json;
 std::vector<std::string> readNames(const JsonCursor& at, std::size_t least) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < at.sizeUpTo(limits::kMostBodies); ++i) names.push_back(at.element(i).nonEmptyText());
-  if (names.size() < least) at.fail("names fewer than " + std::to_string(least) + " bodies");
+  if (names.size() < least) at.fail({GLISSADE_TEXT("names fewer than %1 bodies"), {least}});
   return names;
 }
 
@@ -81,7 +81,8 @@ void readSteps(const JsonCursor& at, SequenceDemands& demands) {
     motion.allowOnly({"bodies", "method", "path"});
     demands.motions.push_back(
         {readNames(motion.at("bodies"), 1), readMotion(motion.at("path")), motion.at("method").nonEmptyText()});
-    if (demands.motions.back().path.size() < 2) motion.at("path").fail(GLISSADE_TEXT("has fewer than two configurations"));
+    if (demands.motions.back().path.size() < 2)
+      motion.at("path").fail(GLISSADE_TEXT("has fewer than two configurations"));
   }
   const auto forbidden = at.find("forbidden");
   for (std::size_t i = 0; forbidden && i < forbidden->sizeUpTo(limits::kMostBodies); ++i) {

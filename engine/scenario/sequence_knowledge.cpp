@@ -88,9 +88,11 @@ Attributes forCosts(const Attributes& attributes, const SemanticEdits& edits) {
 Diagnostic unknownClass(const std::string& id, const std::string& name, const BodyClasses& classes) {
   std::string known;
   for (const BodyClass& each : classes.all()) known += (known.empty() ? "" : ", ") + each.name;
-  return {ErrorKind::MalformedInput, "", "/bodies",
-          "the class of '" + id + "' is '" + name + "', which is not a class of bodies",
-          "Choose one of " + known + ", or add it under /sequence/classes."};
+  return {ErrorKind::MalformedInput,
+          "",
+          "/bodies",
+          {GLISSADE_TEXT("the class of '%1' is '%2', which is not a class of bodies"), {id, name}},
+          {GLISSADE_TEXT("Choose one of %1, or add it under /sequence/classes."), {known}}};
 }
 
 }  // namespace

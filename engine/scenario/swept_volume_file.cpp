@@ -64,8 +64,8 @@ Outcome saveSweptVolume(const SweptVolume& sweep, const std::string& name, const
                         const std::string& file, Warnings& warnings) {
   const std::string ending = endingOf(file);
   if (ending != "stl" && ending != "glb") {
-    return Diagnostic{ErrorKind::Usage, file, "", "a swept volume is written as .stl or .glb",
-                      "Give a file name with one of these endings."};
+    return Diagnostic{ErrorKind::Usage, file, "", GLISSADE_TEXT("a swept volume is written as .stl or .glb"),
+                      GLISSADE_TEXT("Give a file name with one of these endings.")};
   }
   const Result<std::string> content =
       ending == "stl" ? Result<std::string>(asStl(sweep.surface_W)) : asGlb(sweep, name, colour);

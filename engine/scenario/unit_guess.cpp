@@ -46,12 +46,14 @@ std::string sizeOf(const Box3& box) {
 
 Diagnostic warningOf(const UnitGuess& guess, const std::string& file, const Box3& box, std::size_t files) {
   const bool millimetres = guess.unit == kMillimetre;
-  std::string reason = "does not say its unit; its size is " + sizeOf(box);
-  reason += millimetres ? "; it is taken in millimetres" : "; it is taken in metres";
-  if (guess.inDoubt) reason += "; the size does not decide this";
-  if (files > 1) reason += "; other files taken in the same way: " + std::to_string(files - 1);
-  return {ErrorKind::MalformedInput, file, "", reason,
-          millimetres ? "Give the unit: --unit 1mm, or --unit 1m." : "Give the unit: --unit 1m, or --unit 1mm."};
+  std::vector<Message> reasons{{GLISSADE_TEXT("does not say its unit; its size is %1"), {sizeOf(box)}}};
+  reasons.emplace_back(millimetres ? GLISSADE_TEXT("it is taken in millimetres")
+                                   : GLISSADE_TEXT("it is taken in metres"));
+  if (guess.inDoubt) reasons.emplace_back(GLISSADE_TEXT("the size does not decide this"));
+  if (files > 1) reasons.push_back({GLISSADE_TEXT("other files taken in the same way: %1"), {files - 1}});
+  return {ErrorKind::MalformedInput, file, "", joined(reasons, "; "),
+          millimetres ? GLISSADE_TEXT("Give the unit: --unit 1mm, or --unit 1m.")
+                      : GLISSADE_TEXT("Give the unit: --unit 1m, or --unit 1mm.")};
 }
 
 }  // namespace

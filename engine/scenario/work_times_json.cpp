@@ -6,7 +6,6 @@
 #include "engine/base/file_save.h"
 #include "engine/base/json_reader.h"
 #include "engine/base/limits.h"
-#include "engine/base/number_text.h"
 
 namespace glissade {
 namespace {
@@ -21,12 +20,14 @@ bool isRow(const std::string& name) {
 
 WorkTimes timesIn(const JsonCursor& at) {
   at.allowOnly({"format", "version", "description", "times"});
-  if (at.at("format").text() != kTableFormat) at.at("format").fail(std::string("is not ") + kTableFormat);
-  if (at.at("version").number() != kTableVersion) at.at("version").fail("is not " + std::to_string(kTableVersion));
+  if (at.at("format").text() != kTableFormat) at.at("format").fail({GLISSADE_TEXT("is not %1"), {kTableFormat}});
+  if (at.at("version").number() != kTableVersion) at.at("version").fail({GLISSADE_TEXT("is not %1"), {kTableVersion}});
   const JsonCursor rows = at.at("times");
   rows.expectObject();
   for (const auto& [name, value] : rows.json().items()) {
-    if (!isRow(name)) rows.at(name).fail(GLISSADE_TEXT("is no work time"), GLISSADE_TEXT("Take the names that 'times --write-table' writes."));
+    if (!isRow(name))
+      rows.at(name).fail(GLISSADE_TEXT("is no work time"),
+                         GLISSADE_TEXT("Take the names that 'times --write-table' writes."));
   }
   WorkTimes times;
   for (const WorkTimeRow& row : workTimeRows()) {
@@ -52,8 +53,11 @@ nlohmann::ordered_json toJson(const WorkTimes& times) {
 
 Outcome checkWorkTime(const WorkTimeRow& row, double value) {
   if (value >= 0.0 && value <= row.most) return Done{};
-  return Diagnostic{ErrorKind::MalformedInput, "", std::string("/times/") + row.id,
-                    "is not from 0 to " + toText(row.most), ""};
+  return Diagnostic{ErrorKind::MalformedInput,
+                    "",
+                    std::string("/times/") + row.id,
+                    {GLISSADE_TEXT("is not from 0 to %1"), {row.most}},
+                    ""};
 }
 
 Result<WorkTimes> readWorkTimes(const std::string& file) {

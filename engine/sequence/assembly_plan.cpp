@@ -1,5 +1,8 @@
 #include "engine/sequence/assembly_plan.h"
 
+#include <algorithm>
+#include <array>
+
 namespace glissade {
 namespace {
 
@@ -16,6 +19,15 @@ std::size_t withoutProof(const std::vector<SubassemblyLine>& lines) {
 }
 
 }  // namespace
+
+Message methodInWords(const std::string& method) {
+  constexpr std::array<CatalogueText, 5> kMethods{GLISSADE_TEXT("straight"), GLISSADE_TEXT("two lines"),
+                                                  GLISSADE_TEXT("turned"), GLISSADE_TEXT("by hand"),
+                                                  GLISSADE_TEXT("flexible")};
+  const auto* known =
+      std::find_if(kMethods.begin(), kMethods.end(), [&](const CatalogueText& each) { return method == each.english; });
+  return known != kMethods.end() ? Message(*known) : Message(method);
+}
 
 std::size_t AssemblyPlan::removed() const {
   std::size_t count = 0;

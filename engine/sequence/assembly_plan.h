@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/message.h"
 #include "engine/planning/path.h"
 #include "engine/product/fit.h"
 #include "engine/product/fit_thread.h"
@@ -21,7 +22,7 @@ struct StepAllowance {
   ContactKind kind = ContactKind::Contact;
   double overlap = 0.0;                       ///< measured overlap, metres
   double allowance = 0.0;                     ///< metres
-  std::string text;                           ///< description for people, with names
+  Message text;                               ///< description, with names
   std::string moving{};                       ///< id of the moving body; empty: the first body of the step
   bool yields = false;                        ///< the other body is taken thinner, not the moving one
   bool hollow = false;                        ///< the volume that the other body of the pair fills is taken away
@@ -86,6 +87,9 @@ struct StepViolation {
 /// AssemblyStep::method of a flexible body; its motion is not proved.
 inline constexpr const char* kFlexible = "flexible";
 
+/// AssemblyStep::method for people.
+Message methodInWords(const std::string& method);
+
 /// The removal of one body, or of several that move as one. A motion that is proved against a set of bodies is proved
 /// against each subset.
 struct AssemblyStep {
@@ -144,7 +148,7 @@ struct StuckBody {
   /// Ids of blocking bodies that are still there; for a step with a demanded place, those that were there at that
   /// place.
   std::vector<std::string> blockedBy;
-  std::string reason{};  ///< for people, with names; may be empty
+  Message reason{};  ///< with names; may be empty
 };
 
 /// The disassembly of a group that has left. It is planned in a frame of the group: only its bodies are there, at their

@@ -33,8 +33,6 @@ void remove(const std::vector<Each>& these, std::vector<Each>& from) {
   std::erase_if(from, [&](const Each& each) { return has(these, each); });
 }
 
-void add(const std::string& sentence, std::string& reason) { reason += (reason.empty() ? "" : "; ") + sentence; }
-
 }  // namespace
 
 bool excludes(const ForbiddenDirection& direction, const DemandedMotion& motion) {
@@ -71,17 +69,19 @@ SequenceDemands withoutEarlier(const DemandConflict& conflict, SequenceDemands d
 }
 
 Diagnostic inWords(const DemandConflict& conflict) {
-  std::string reason;
+  std::vector<Message> reasons;
   for (const DemandedMotion& each : conflict.motions) {
-    add("the motion that '" + each.bodies.front() + "' keeps begins in the direction that is to be forbidden", reason);
+    reasons.push_back({GLISSADE_TEXT("the motion that '%1' keeps begins in the direction that is to be forbidden"),
+                       {each.bodies.front()}});
   }
   for (const ForbiddenDirection& each : conflict.forbidden) {
-    add("the motion begins in a direction that is forbidden to '" + each.body + "'", reason);
+    reasons.push_back({GLISSADE_TEXT("the motion begins in a direction that is forbidden to '%1'"), {each.body}});
   }
   for (const auto& [first, then] : conflict.before) {
-    add("'" + first + "' is to leave before '" + then + "'", reason);
+    reasons.push_back({GLISSADE_TEXT("'%1' is to leave before '%2'"), {first, then}});
   }
-  return {ErrorKind::Usage, "", "", reason, "Remove the earlier demand, or leave out the new one."};
+  return {ErrorKind::Usage, "", "", joined(reasons, "; "),
+          GLISSADE_TEXT("Remove the earlier demand, or leave out the new one.")};
 }
 
 }  // namespace glissade

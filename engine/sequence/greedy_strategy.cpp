@@ -429,8 +429,9 @@ class GreedySearch {
     if (refusedThere != notAtPlace_.end()) {
       const Refusal& refusal = refusedThere->second;
       plan_.stuck.push_back(
-          {idOf(body), idsOf(refusal.blockedBy),
-           "it was to leave as step " + std::to_string(refusal.afterSteps + 1) + ", and no motion was found there"});
+          {idOf(body),
+           idsOf(refusal.blockedBy),
+           {GLISSADE_TEXT("it was to leave as step %1, and no motion was found there"), {refusal.afterSteps + 1}}});
       return;
     }
     const std::vector<std::size_t> holding = heldBy(unit, false);

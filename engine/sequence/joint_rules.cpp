@@ -21,13 +21,22 @@ bool isBonded(const Joint& joint) {
 }
 
 /// "M3x8" or "ISO 4762 M3x8"; the size of the thread if there is no designation.
-std::string sizeInWords(const Joint& joint) {
-  if (!joint.designation.empty()) return joint.designation;
+Message sizeInWords(const Joint& joint) {
+  if (!joint.designation.empty()) return Message(joint.designation);
   if (!joint.thread || joint.thread->diameter <= 0.0) return {};
   const long tenths = std::lround(1e4 * joint.thread->diameter);
-  std::string text = "of " + std::to_string(tenths / 10);
-  if (tenths % 10 != 0) text += "." + std::to_string(tenths % 10);
-  return text + " mm";
+  std::string millimetres = std::to_string(tenths / 10);
+  if (tenths % 10 != 0) millimetres += "." + std::to_string(tenths % 10);
+  return {GLISSADE_TEXT("of %1 mm"), {millimetres}};
+}
+
+/// "4 screws". Only joints of these kinds hold bodies.
+Message countInWords(JointKind kind, std::size_t count) {
+  const bool isOne = count == 1;
+  if (kind == JointKind::Screw) return {isOne ? GLISSADE_TEXT("%1 screw") : GLISSADE_TEXT("%1 screws"), {count}};
+  if (kind == JointKind::Nut) return {isOne ? GLISSADE_TEXT("%1 nut") : GLISSADE_TEXT("%1 nuts"), {count}};
+  if (kind == JointKind::Thread) return {isOne ? GLISSADE_TEXT("%1 thread") : GLISSADE_TEXT("%1 threads"), {count}};
+  return {isOne ? GLISSADE_TEXT("%1 flexible") : GLISSADE_TEXT("%1 flexibles"), {count}};
 }
 
 /// Sizes of thread and drive, in steps of ten micrometres.
@@ -205,18 +214,25 @@ std::vector<std::pair<std::size_t, std::size_t>> JointRules::links(const BodySet
   return links;
 }
 
-std::string JointRules::inWords(const std::vector<std::size_t>& joints) const {
-  std::map<std::pair<JointKind, std::string>, std::set<std::size_t>> alike;
+Message JointRules::inWords(const std::vector<std::size_t>& joints) const {
+  struct Alike {
+    Message size;
+    std::set<std::size_t> bodies;
+  };
+  std::map<std::pair<JointKind, std::string>, Alike> alike;
   for (const std::size_t index : joints) {
-    alike[{joints_[index].kind, sizeInWords(joints_[index])}].insert(joints_[index].body);
+    const Message size = sizeInWords(joints_[index]);
+    Alike& each = alike[{joints_[index].kind, toString(size)}];
+    each.size = size;
+    each.bodies.insert(joints_[index].body);
   }
-  std::string text;
-  for (const auto& [what, bodies] : alike) {
-    text += text.empty() ? "held by " : " and ";
-    text += std::to_string(bodies.size()) + " " + jointName(what.first) + (bodies.size() > 1 ? "s" : "");
-    if (!what.second.empty()) text += " " + what.second;
+  Message words;
+  for (const auto& [what, each] : alike) {
+    const Message count = countInWords(what.first, each.bodies.size());
+    const Message next = each.size.empty() ? count : joined({count, each.size}, " ");
+    words = words.empty() ? next : Message(GLISSADE_TEXT("%1 and %2"), {words, next});
   }
-  return text;
+  return words;
 }
 
 }  // namespace glissade

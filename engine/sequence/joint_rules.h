@@ -42,8 +42,8 @@ class JointRules {
   /// Number, from 1, of the body's task (alike joints that clamp the same bodies); 0: no task.
   std::size_t taskOf(std::size_t body) const { return tasks_[body]; }
 
-  /// "held by 4 screws M3x8", for people.
-  std::string inWords(const std::vector<std::size_t>& joints) const;
+  /// "4 screws M3x8 and 1 nut of 5 mm".
+  Message inWords(const std::vector<std::size_t>& joints) const;
 
  private:
   bool isClosed(const Joint& joint, const BodySet& present) const;

@@ -145,21 +145,27 @@ class Program {
 
 Outcome checked(const LineTasks& tasks, std::size_t stations) {
   if (stations == 0 || stations > kMostStations) {
-    return Diagnostic{ErrorKind::Usage, "", "stations", "is not from 1 to " + std::to_string(kMostStations),
-                      "Give a number of stations in this range."};
+    return Diagnostic{ErrorKind::Usage,
+                      "",
+                      "stations",
+                      {GLISSADE_TEXT("is not from 1 to %1"), {kMostStations}},
+                      GLISSADE_TEXT("Give a number of stations in this range.")};
   }
   for (std::size_t i = 0; i < tasks.seconds.size(); ++i) {
     if (!(tasks.seconds[i] >= 0.0) || !std::isfinite(tasks.seconds[i])) {
-      return Diagnostic{ErrorKind::Usage, "", "seconds",
-                        "of task " + std::to_string(i + 1) + " are below 0, or no number",
-                        "Give finite seconds, 0 or more."};
+      return Diagnostic{ErrorKind::Usage,
+                        "",
+                        "seconds",
+                        {GLISSADE_TEXT("of task %1 are below 0, or no number"), {i + 1}},
+                        GLISSADE_TEXT("Give finite seconds, 0 or more.")};
     }
     for (const std::size_t earlier : tasks.before[i]) {
       if (earlier < i) continue;
-      return Diagnostic{
-          ErrorKind::Usage, "", "before",
-          "names task " + std::to_string(earlier + 1) + ", which is no earlier one, for task " + std::to_string(i + 1),
-          "Number the tasks in an order that can be carried out."};
+      return Diagnostic{ErrorKind::Usage,
+                        "",
+                        "before",
+                        {GLISSADE_TEXT("names task %1, which is no earlier one, for task %2"), {earlier + 1, i + 1}},
+                        GLISSADE_TEXT("Number the tasks in an order that can be carried out.")};
     }
   }
   return Done{};

@@ -17,8 +17,8 @@ Diagnostic refusedDemand(const Message& reason, const Message& advice) {
 }
 
 Diagnostic unknownBody(const std::string& name) {
-  return refusedDemand("a demand names '" + name + "', which is not a body of the product",
-                       "See 'glissade-cli fits' for the names.");
+  return refusedDemand({GLISSADE_TEXT("a demand names '%1', which is not a body of the product"), {name}},
+                       GLISSADE_TEXT("See 'glissade-cli fits' for the names."));
 }
 
 /// Finds circles by removing nodes that nothing has to precede until none is left. Bodies that leave together are one
@@ -52,7 +52,10 @@ Result<BodyGroup> stepNamed(const std::vector<std::string>& names, const Assembl
     if (named.empty()) return unknownBody(name);
     bodies.insert(named.begin(), named.end());
   }
-  if (bodies.empty()) return refusedDemand("a demand about a step names no body", "Name the bodies that leave.");
+  if (bodies.empty()) {
+    return refusedDemand(GLISSADE_TEXT("a demand about a step names no body"),
+                         GLISSADE_TEXT("Name the bodies that leave."));
+  }
   return BodyGroup(bodies.begin(), bodies.end());
 }
 
@@ -62,8 +65,9 @@ Outcome leaveTogether(const BodyGroup& group, const AssembledProduct& product, O
     if (other == group) return Done{};
     for (const std::size_t body : group) {
       if (!std::binary_search(other.begin(), other.end(), body)) continue;
-      return refusedDemand("'" + product.bodies[body].id + "' is in two steps or groups that are demanded",
-                           "Name the same bodies in both, or remove one.");
+      return refusedDemand(
+          {GLISSADE_TEXT("'%1' is in two steps or groups that are demanded"), {product.bodies[body].id}},
+          GLISSADE_TEXT("Name the same bodies in both, or remove one."));
     }
   }
   if (group.size() > 1) rules.together.push_back(group);
@@ -79,12 +83,13 @@ Outcome addPlaces(const SequenceDemands& demands, const AssembledProduct& produc
     const Outcome together = leaveTogether(*group, product, rules);
     if (!together) return together;
     if (demand.place == 0 || !taken.insert(demand.place).second) {
-      return refusedDemand("two steps are demanded at place " + std::to_string(demand.place),
-                           "Give each a place of its own, from 1.");
+      return refusedDemand({GLISSADE_TEXT("two steps are demanded at place %1"), {demand.place}},
+                           GLISSADE_TEXT("Give each a place of its own, from 1."));
     }
     for (const std::size_t body : *group) {
       if (placed.insert(body).second) continue;
-      return refusedDemand("'" + product.bodies[body].id + "' is demanded at two places", "Remove one of them.");
+      return refusedDemand({GLISSADE_TEXT("'%1' is demanded at two places"), {product.bodies[body].id}},
+                           GLISSADE_TEXT("Remove one of them."));
     }
     rules.placed.push_back({std::move(*group), demand.place});
   }
@@ -98,10 +103,13 @@ Outcome addMotions(const SequenceDemands& demands, const AssembledProduct& produ
     if (!group) return group.error();
     const Outcome together = leaveTogether(*group, product, rules);
     if (!together) return together;
-    if (demand.path.size() < 2)
-      return refusedDemand("a demanded motion has fewer than two configurations", "Give two configurations.");
+    if (demand.path.size() < 2) {
+      return refusedDemand(GLISSADE_TEXT("a demanded motion has fewer than two configurations"),
+                           GLISSADE_TEXT("Give two configurations."));
+    }
     if (rules.motionOf(*group) != nullptr) {
-      return refusedDemand("'" + product.bodies[group->front()].id + "' has two demanded motions", "Remove one.");
+      return refusedDemand({GLISSADE_TEXT("'%1' has two demanded motions"), {product.bodies[group->front()].id}},
+                           GLISSADE_TEXT("Remove one."));
     }
     rules.motions.push_back({std::move(*group), demand.path, demand.method});
   }
@@ -114,8 +122,8 @@ Outcome addForbidden(const SequenceDemands& demands, const AssembledProduct& pro
     const BodyGroup bodies = bodiesNamed(product, demand.body);
     if (bodies.empty()) return unknownBody(demand.body);
     if (!(demand.direction.norm() > 0.0)) {
-      return refusedDemand("a direction that is forbidden to '" + demand.body + "' has no length",
-                           "Give three numbers, as 0 0 -1.");
+      return refusedDemand({GLISSADE_TEXT("a direction that is forbidden to '%1' has no length"), {demand.body}},
+                           GLISSADE_TEXT("Give three numbers, as 0 0 -1."));
     }
     for (const std::size_t body : bodies) rules.forbidden[body].push_back(demand.direction.normalized());
   }
@@ -126,9 +134,9 @@ Outcome addForbidden(const SequenceDemands& demands, const AssembledProduct& pro
 Outcome checkMotions(const OrderRules& rules, const AssembledProduct& product) {
   for (const OrderRules::GivenMotion& motion : rules.motions) {
     if (!isForbidden(firstDirection(motion.path), rules.forbiddenTo(motion.group))) continue;
-    return refusedDemand("'" + product.bodies[motion.group.front()].id +
-                             "' has a demanded motion in a direction that is forbidden to it",
-                         "Remove one of the two demands.");
+    return refusedDemand({GLISSADE_TEXT("'%1' has a demanded motion in a direction that is forbidden to it"),
+                          {product.bodies[motion.group.front()].id}},
+                         GLISSADE_TEXT("Remove one of the two demands."));
   }
   return Done{};
 }
@@ -174,8 +182,11 @@ Result<BodySet> stayingBodies(const AssembledProduct& product, const std::vector
     const BodyGroup bodies = bodiesNamed(product, name);
     for (const std::size_t body : bodies) staying[body] = true;
     if (bodies.empty()) {
-      return Diagnostic{ErrorKind::Usage, "", "stay", "names '" + name + "', which is not a body of the product",
-                        "See 'glissade-cli fits' for the names."};
+      return Diagnostic{ErrorKind::Usage,
+                        "",
+                        "stay",
+                        {GLISSADE_TEXT("names '%1', which is not a body of the product"), {name}},
+                        GLISSADE_TEXT("See 'glissade-cli fits' for the names.")};
     }
   }
   return staying;
@@ -191,8 +202,9 @@ Result<OrderRules> resolved(const SequenceDemands& demands, const AssembledProdu
       if (bodies.empty()) return unknownBody(name);
       for (const std::size_t body : bodies) {
         if (!grouped.insert(body).second) {
-          return refusedDemand("'" + product.bodies[body].id + "' is demanded to leave with others twice",
-                               "Name each body once.");
+          return refusedDemand(
+              {GLISSADE_TEXT("'%1' is demanded to leave with others twice"), {product.bodies[body].id}},
+              GLISSADE_TEXT("Name each body once."));
         }
         group.push_back(body);
       }
@@ -215,7 +227,8 @@ Result<OrderRules> resolved(const SequenceDemands& demands, const AssembledProdu
   }
   if (const Outcome possible = checkMotions(rules, product); !possible) return possible.error();
   if (isCircular(rules, product.bodies.size())) {
-    return refusedDemand("the demands about the order form a cycle", "Remove one of them.");
+    return refusedDemand(GLISSADE_TEXT("the demands about the order form a cycle"),
+                         GLISSADE_TEXT("Remove one of them."));
   }
   return rules;
 }

@@ -105,7 +105,7 @@ void addAllowances(AssemblyStep& step, const BodyGroup& group, const std::vector
     if (fit.thread) {
       allowance.pitch = fit.thread->rule.pitch;
       allowance.turns = turnsIn(fit.thread->rule, body, other, step.path);
-      allowance.text += turnsInWords(allowance.turns);
+      allowance.text = withTurns(std::move(allowance.text), allowance.turns);
     }
     step.allowances.push_back(std::move(allowance));
   }

@@ -42,9 +42,11 @@ Outcome checkPlaces(const AssembledProduct& product, const OrderRules& rules, co
     for (const std::size_t body : step.group) {
       if (!staying[body]) continue;
       return Diagnostic{
-          ErrorKind::Usage, "", "",
-          "'" + product.bodies[body].id + "' stays, and is demanded to leave as step " + std::to_string(step.place),
-          "Let another body stay, or remove the demand."};
+          ErrorKind::Usage,
+          "",
+          "",
+          {GLISSADE_TEXT("'%1' stays, and is demanded to leave as step %2"), {product.bodies[body].id, step.place}},
+          GLISSADE_TEXT("Let another body stay, or remove the demand.")};
     }
   }
   return Done{};
@@ -90,8 +92,11 @@ Result<AssemblyPlan> planSequence(const AssembledProduct& product, const Product
   const SequenceStrategyRegistry registry = makeSequenceStrategyRegistry();
   const SequenceStrategyEntry* strategy = registry.find(request.strategy);
   if (strategy == nullptr) {
-    return Diagnostic{ErrorKind::Usage, "", "strategy", "is unknown: " + request.strategy,
-                      "Choose greedy or best-first."};
+    return Diagnostic{ErrorKind::Usage,
+                      "",
+                      "strategy",
+                      {GLISSADE_TEXT("is unknown: %1"), {request.strategy}},
+                      GLISSADE_TEXT("Choose greedy or best-first.")};
   }
   auto rules = resolved(request.demands, product);
   if (!rules) return rules.error();

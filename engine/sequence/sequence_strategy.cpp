@@ -14,13 +14,13 @@ const SequenceStrategyEntry* SequenceStrategyRegistry::find(std::string_view id)
 
 SequenceStrategyRegistry makeSequenceStrategyRegistry() {
   SequenceStrategyRegistry registry;
-  registry.add({"greedy", "Greedy",
-                "Whatever can leave leaves, the smallest first; what cannot is asked again when one of those in its "
-                "way has left.",
+  registry.add({"greedy", GLISSADE_TEXT("Greedy"),
+                GLISSADE_TEXT("Whatever can leave leaves, the smallest first; what cannot is asked again when one of "
+                              "those in its way has left."),
                 [] { return std::make_unique<GreedyStrategy>(); }});
-  registry.add({"best-first", "Best first",
-                "The motions of the greedy strategy in the order that costs least: length, changes of direction and of "
-                "tools, bodies that would fall.",
+  registry.add({"best-first", GLISSADE_TEXT("Best first"),
+                GLISSADE_TEXT("The motions of the greedy strategy in the order that costs least: length, changes of "
+                              "direction and of tools, bodies that would fall."),
                 [] { return std::make_unique<BestFirstStrategy>(); }});
   return registry;
 }

@@ -63,8 +63,8 @@ class SequenceStrategy {
 /// Id, texts and factory of a strategy.
 struct SequenceStrategyEntry {
   std::string id;
-  std::string label;
-  std::string description;  ///< one sentence
+  Message label;
+  Message description;  ///< one sentence
   std::function<std::unique_ptr<SequenceStrategy>()> make;
 };
 

@@ -63,16 +63,18 @@ std::optional<RuleType> typeOfAttribute(const std::string& name, const std::map<
 }  // namespace
 
 std::vector<StepCostPreset> stepCostPresets() {
-  return {{"fitter", "As a fitter would",
+  return {{"fitter", GLISSADE_TEXT("As a fitter would"),
            "20 * tool_blocked + 10 * falling + 4 * task_change + 4 * assembly_change + 2 * tool_change + "
            "4 * turn_over + direction_change + "
            "2 * distance + 4 * size * early - 4 * fragile * early"},
-          {"balanced", "Balanced", "length + direction_change + tool_change + 10 * falling"},
-          {"steady", "Steady", "100 * falling + 0.1 * (length + direction_change + tool_change)"},
-          {"few-tools", "Few changes of tools", "10 * tool_change + direction_change + length + 10 * falling"},
-          {"short", "Short motions", "length + turns + 10 * falling"},
-          {"fragile-first", "Fragile parts leave first", "if(fragile, 0, 5) + length + direction_change + tool_change"},
-          {"as-found", "As found", "0"}};
+          {"balanced", GLISSADE_TEXT("Balanced"), "length + direction_change + tool_change + 10 * falling"},
+          {"steady", GLISSADE_TEXT("Steady"), "100 * falling + 0.1 * (length + direction_change + tool_change)"},
+          {"few-tools", GLISSADE_TEXT("Few changes of tools"),
+           "10 * tool_change + direction_change + length + 10 * falling"},
+          {"short", GLISSADE_TEXT("Short motions"), "length + turns + 10 * falling"},
+          {"fragile-first", GLISSADE_TEXT("Fragile parts leave first"),
+           "if(fragile, 0, 5) + length + direction_change + tool_change"},
+          {"as-found", GLISSADE_TEXT("As found"), "0"}};
 }
 
 Result<StepCost> StepCost::of(const SequenceDemands& demands) {

@@ -31,7 +31,7 @@ struct StepFigures {
 /// An expression with a name.
 struct StepCostPreset {
   std::string id;
-  std::string label;
+  Message label;
   std::string expression;
 };
 

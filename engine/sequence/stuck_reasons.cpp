@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "engine/base/depth_text.h"
 #include "engine/geometry/separate_solids.h"
 
 namespace glissade {
@@ -14,47 +13,50 @@ BodyGroup unitOf(std::size_t body, const OrderRules& rules) {
   return {body};
 }
 
-std::string StuckReasons::of(std::size_t body, const std::vector<std::size_t>& holding,
-                             const std::set<std::size_t>& blocking) const {
-  const std::string reason = withoutAdvice(body, holding, blocking);
+Message StuckReasons::of(std::size_t body, const std::vector<std::size_t>& holding,
+                         const std::set<std::size_t>& blocking) const {
+  const Message reason = withoutAdvice(body, holding, blocking);
   std::set<std::size_t> involved = blocking;
   involved.insert(body);
   for (const std::size_t each : involved) {
-    const std::string solids = aboutSolids(each);
-    if (!solids.empty()) return reason + "; " + solids;
+    const Message solids = aboutSolids(each);
+    if (!solids.empty()) return joined({reason, solids}, "; ");
   }
   return reason;
 }
 
 /// A part of a CAD file whose solids hang together nowhere may be several parts; empty where it is none.
-std::string StuckReasons::aboutSolids(std::size_t body) const {
+Message StuckReasons::aboutSolids(std::size_t body) const {
   constexpr double kTouchingSolids = 5e-5;  // metres: what tessellation is off
   const TriangleMesh& mesh = *question_.product.bodies[body].mesh;
   const std::size_t count = mesh.faces.empty() ? 1 : separateSolids(mesh, kTouchingSolids);
   if (count < 2) return {};
-  const std::string name = question_.product.bodies[body].shown();
-  return "'" + name + "' is one part of " + std::to_string(count) +
-         " solids that do not touch each other: take these as parts (--open \"" + name +
-         "\", or \"Groups and solids are parts\" in the list of parts)";
+  return {GLISSADE_TEXT("'%1' is one part of %2 solids that do not touch each other: take these as parts (--open "
+                        "\"%3\", or \"Groups and solids are parts\" in the list of parts)"),
+          {name(body), count, name(body)}};
 }
 
-std::string StuckReasons::withoutAdvice(std::size_t body, const std::vector<std::size_t>& holding,
-                                        const std::set<std::size_t>& blocking) const {
+Message StuckReasons::withoutAdvice(std::size_t body, const std::vector<std::size_t>& holding,
+                                    const std::set<std::size_t>& blocking) const {
   const BodyGroup unit = unitOf(body, question_.rules);
-  if (std::string joints = ofJoints(unit); !joints.empty()) return joints;
-  if (std::string clashes = ofClashes(unit); !clashes.empty()) return clashes;
-  if (!holding.empty()) return "it is demanded that " + name(holding.front()) + " leaves before";
+  if (Message joints = ofJoints(unit); !joints.empty()) return joints;
+  if (Message clashes = ofClashes(unit); !clashes.empty()) return clashes;
+  if (!holding.empty()) return {GLISSADE_TEXT("it is demanded that '%1' leaves before"), {name(holding.front())}};
   for (const std::size_t other : blocking) {
     if (question_.staying[other] || !holdEachOther(body, other)) continue;
-    return "it and " + name(other) +
-           " hold each other: neither was found to leave alone, nor both as one; motions of several bodies at the "
-           "same time are not searched";
+    return {GLISSADE_TEXT("it and '%1' hold each other: neither was found to leave alone, nor both as one; motions of "
+                          "several bodies at the same time are not searched"),
+            {name(other)}};
   }
-  if (question_.rules.motionOf(unit) != nullptr) return "the motion that a person gave it is not free";
-  if (!question_.rules.forbiddenTo(unit).empty()) return "no motion was found in a direction that is not forbidden";
-  if (isCaged(unit, blocking)) return "it is between parts that are pressed together: press one of them out";
-  if (std::string turns = ofTurns(unit); !turns.empty()) return turns;
-  return "no motion was found, alone or with others";
+  if (question_.rules.motionOf(unit) != nullptr) return GLISSADE_TEXT("the motion that a person gave it is not free");
+  if (!question_.rules.forbiddenTo(unit).empty()) {
+    return GLISSADE_TEXT("no motion was found in a direction that is not forbidden");
+  }
+  if (isCaged(unit, blocking)) {
+    return GLISSADE_TEXT("it is between parts that are pressed together: press one of them out");
+  }
+  if (Message turns = ofTurns(unit); !turns.empty()) return turns;
+  return GLISSADE_TEXT("no motion was found, alone or with others");
 }
 
 /// True if all blocking bodies, at least two, belong to one other unit.
@@ -68,30 +70,32 @@ bool StuckReasons::isCaged(const BodyGroup& unit, const std::set<std::size_t>& b
 
 /// "held by 4 screws M3x8: remove these first", and the reason why these do not leave; empty if no joint holds the
 /// unit.
-std::string StuckReasons::ofJoints(const BodyGroup& unit) const {
+Message StuckReasons::ofJoints(const BodyGroup& unit) const {
   if (question_.joints == nullptr) return {};
   const std::vector<std::size_t> joints = question_.joints->holding(unit, present_, false);
   if (joints.empty()) return {};
-  const std::string reason = question_.joints->inWords(joints) + ": remove these first";
+  const Message words = question_.joints->inWords(joints);
   for (const std::size_t body : question_.joints->holders(joints, unit, present_)) {
     if (!isBlockedBy(unitOf(body, question_.rules), unit)) continue;
-    return reason + "; " + name(body) + " is captive: " + name(unit.front()) + " is in its way";
+    return {GLISSADE_TEXT("held by %1: remove these first; '%2' is captive: '%3' is in its way"),
+            {words, name(body), name(unit.front())}};
   }
-  return reason;
+  return {GLISSADE_TEXT("held by %1: remove these first"), {words}};
 }
 
 /// Says that the unit is in a thread and cannot be turned out; empty if it is in none.
-std::string StuckReasons::ofTurns(const BodyGroup& unit) const {
+Message StuckReasons::ofTurns(const BodyGroup& unit) const {
   if (question_.joints == nullptr) return {};
   const std::vector<std::size_t> opened = question_.joints->opened(unit, present_);
   const BodyGroup holders = question_.joints->holders(opened, unit, present_);
   if (holders.empty()) return {};
-  return "it is " + question_.joints->inWords(opened) + " in " + name(holders.front()) +
-         ", and no free turn out of it was found: free the way, or dissolve the joint";
+  return {GLISSADE_TEXT("it is held by %1 in '%2', and no free turn out of it was found: free the way, or dissolve the "
+                        "joint"),
+          {question_.joints->inWords(opened), name(holders.front())}};
 }
 
 /// Names the deepest clash with a present body; empty if there is none.
-std::string StuckReasons::ofClashes(const BodyGroup& unit) const {
+Message StuckReasons::ofClashes(const BodyGroup& unit) const {
   if (question_.fits == nullptr) return {};
   const Fit* deepest = nullptr;
   for (const std::size_t other : bodiesIn(without(present_, unit))) {
@@ -103,9 +107,12 @@ std::string StuckReasons::ofClashes(const BodyGroup& unit) const {
   if (deepest == nullptr) return {};
   // If the bodies only touch, the table of fits says why none is thinned.
   constexpr double kOverlap = 1e-5;
-  const std::string depth = deepest->overlap < kOverlap ? "" : " (" + depthInMillimetres(deepest->overlap) + ")";
-  return "it and " + name(deepest->obstacle) + " clash where they are assembled" + depth +
-         ": mend the parts, or accept the clash";
+  if (deepest->overlap < kOverlap) {
+    return {GLISSADE_TEXT("it and '%1' clash where they are assembled: mend the parts, or accept the clash"),
+            {name(deepest->obstacle)}};
+  }
+  return {GLISSADE_TEXT("it and '%1' clash where they are assembled (%2): mend the parts, or accept the clash"),
+          {name(deepest->obstacle), Depth{deepest->overlap}}};
 }
 
 bool StuckReasons::isBlockedBy(const BodyGroup& unit, const BodyGroup& others) const {

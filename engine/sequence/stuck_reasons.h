@@ -26,17 +26,16 @@ class StuckReasons {
       : question_(question), present_(present), refusals_(refusals) {}
 
   /// `holding`: bodies that are demanded to leave before it; `blocking`: bodies that block its motion.
-  std::string of(std::size_t body, const std::vector<std::size_t>& holding,
-                 const std::set<std::size_t>& blocking) const;
+  Message of(std::size_t body, const std::vector<std::size_t>& holding, const std::set<std::size_t>& blocking) const;
 
  private:
-  std::string name(std::size_t body) const { return "'" + question_.product.bodies[body].shown() + "'"; }
-  std::string withoutAdvice(std::size_t body, const std::vector<std::size_t>& holding,
-                            const std::set<std::size_t>& blocking) const;
-  std::string aboutSolids(std::size_t body) const;
-  std::string ofJoints(const BodyGroup& unit) const;
-  std::string ofTurns(const BodyGroup& unit) const;
-  std::string ofClashes(const BodyGroup& unit) const;
+  const std::string& name(std::size_t body) const { return question_.product.bodies[body].shown(); }
+  Message withoutAdvice(std::size_t body, const std::vector<std::size_t>& holding,
+                        const std::set<std::size_t>& blocking) const;
+  Message aboutSolids(std::size_t body) const;
+  Message ofJoints(const BodyGroup& unit) const;
+  Message ofTurns(const BodyGroup& unit) const;
+  Message ofClashes(const BodyGroup& unit) const;
   bool isCaged(const BodyGroup& unit, const std::set<std::size_t>& blocking) const;
   bool isBlockedBy(const BodyGroup& unit, const BodyGroup& others) const;
   bool holdEachOther(std::size_t body, std::size_t other) const;

@@ -53,9 +53,9 @@ const ThreadDemands::Threads* ThreadDemands::of(std::size_t body, std::size_t ot
   return found == threads_.end() ? nullptr : &found->second;
 }
 
-std::string ThreadDemands::pulled(std::size_t body, std::size_t other, const std::vector<Pose>& path) const {
+Message ThreadDemands::pulled(std::size_t body, std::size_t other, const std::vector<Pose>& path) const {
   const Threads* threads = of(body, other);
-  return threads == nullptr ? std::string() : check::pulledThread(*threads, path);
+  return threads == nullptr ? Message() : check::pulledThread(*threads, path);
 }
 
 Joints ThreadDemands::withThreads(Joints joints, const ProductShapes& shapes) const {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <map>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -25,7 +24,7 @@ class ThreadDemands {
   /// The threads of the body while it leaves the other body; null: there are none.
   const Threads* of(std::size_t body, std::size_t other) const;
   /// The threads of the pair that the motion of the body pulls, as a text for people; empty: none.
-  std::string pulled(std::size_t body, std::size_t other, const std::vector<Pose>& path) const;
+  Message pulled(std::size_t body, std::size_t other, const std::vector<Pose>& path) const;
   /// The joints, and a joint of kind Thread for each pair that has a thread and no joint of any kind.
   Joints withThreads(Joints joints, const ProductShapes& shapes) const;
 

@@ -82,8 +82,11 @@ Result<ToolChoices> chooseTools(const ProductShapes& shapes, const std::vector<F
   for (const auto& [name, tool] : demands.tools) {
     const auto kind = toolByName(tool);
     if (!kind) {
-      return Diagnostic{ErrorKind::Usage, "", "", "'" + name + "' needs the tool '" + tool + "', which is unknown",
-                        "Choose hex_key, socket, screwdriver, open_wrench or none."};
+      return Diagnostic{ErrorKind::Usage,
+                        "",
+                        "",
+                        {GLISSADE_TEXT("'%1' needs the tool '%2', which is unknown"), {name, tool}},
+                        GLISSADE_TEXT("Choose hex_key, socket, screwdriver, open_wrench or none.")};
     }
     for (const std::size_t body : bodiesNamed(shapes.product(), name)) {
       choices[body] = *kind == ToolKind::None ? std::vector<ToolUse>() : std::vector<ToolUse>{{*kind, body}};

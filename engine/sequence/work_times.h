@@ -41,7 +41,7 @@ struct WorkTimeRow {
   const char* id;  ///< "fetch_small_s"
   double WorkTimes::*value;
   double most;  ///< largest value that a file may give; the least is 0
-  const char* meaning;
+  CatalogueText meaning;
 };
 
 /// All rows, in the order in which they are shown.

@@ -40,8 +40,8 @@ Diagnostic OperatorHand::giveUp(Diagnostic why) {
   device_.reset();
   // If memory does not suffice for these words, the diagnostic is unchanged.
   (void)guarded(kWork, [&] {
-    why.location = "device";
-    why.advice = "Choose a device again.";
+    why.location = GLISSADE_TEXT("device");
+    why.advice = GLISSADE_TEXT("Choose a device again.");
   });
   return why;
 }

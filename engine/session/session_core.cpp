@@ -17,8 +17,11 @@ namespace glissade {
 namespace {
 
 Diagnostic limit(const ParameterSpec& spec, const Message& reason) {
-  return {ErrorKind::LimitReached, "", "", reason,
-          "Raise the limit (" + std::string(spec.option) + "), steer the object yourself, or try another seed."};
+  return {ErrorKind::LimitReached,
+          "",
+          "",
+          reason,
+          {GLISSADE_TEXT("Raise the limit (%1), steer the object yourself, or try another seed."), {spec.option}}};
 }
 
 std::string grouped(std::uint64_t count) {
@@ -51,12 +54,12 @@ void RoadmapPublisher::update(const Planner& planner) {
 
 void RoadmapPublisher::reset() { *this = RoadmapPublisher(); }
 
-std::string_view workOf(const Command& command) {
-  if (std::holds_alternative<command::Start>(command)) return "starting the planner";
-  if (std::holds_alternative<command::SmoothPath>(command)) return "smoothing the path";
-  if (std::holds_alternative<command::ExaminePath>(command)) return "examining the path";
-  if (std::holds_alternative<command::Stop>(command)) return "stopping the planner";
-  return "changing the settings of the run";
+CatalogueText workOf(const Command& command) {
+  if (std::holds_alternative<command::Start>(command)) return GLISSADE_TEXT("starting the planner");
+  if (std::holds_alternative<command::SmoothPath>(command)) return GLISSADE_TEXT("smoothing the path");
+  if (std::holds_alternative<command::ExaminePath>(command)) return GLISSADE_TEXT("examining the path");
+  if (std::holds_alternative<command::Stop>(command)) return GLISSADE_TEXT("stopping the planner");
+  return GLISSADE_TEXT("changing the settings of the run");
 }
 
 /// The planner's view of the session.
@@ -112,7 +115,7 @@ void SessionCore::endAfterException(Diagnostic why) {
   if (state_ != SessionState::Planning && state_ != SessionState::Paused) return;
   state_ = path_ ? SessionState::Solved : SessionState::Failed;
   const auto second = guarded(GLISSADE_TEXT("completing the roadmap"), [this] {
-    trouble_->location = plannerId_ + ", seed " + std::to_string(seed_);
+    trouble_->location = {GLISSADE_TEXT("%1, seed %2"), {plannerId_, seed_}};
     if (planner_) planner_->completeRoadmap();
   });
   if (second) setPlannerAside();
@@ -159,7 +162,11 @@ void SessionCore::setPlanner(const std::string& id) {
   }
   std::string known;
   for (const PlannerEntry& entry : registry_.entries()) known += (known.empty() ? "" : ", ") + entry.id;
-  trouble_ = Diagnostic{ErrorKind::Usage, "", id, "there is no such planner", "Choose one of " + known + "."};
+  trouble_ = Diagnostic{ErrorKind::Usage,
+                        "",
+                        id,
+                        GLISSADE_TEXT("there is no such planner"),
+                        {GLISSADE_TEXT("Choose one of %1."), {known}}};
 }
 
 void SessionCore::setParameter(ParameterId id, double value) {
@@ -257,8 +264,11 @@ void SessionCore::plan(const Hooks& hooks) {
   const bool solved = planner_->solve(host);
   const auto forbidden = solved ? forbiddenOn(*planner_->path()) : std::nullopt;
   if (forbidden) {
-    fail({ErrorKind::NoPath, "", "",
-          "the path that was found leads through '" + *forbidden + "', which was forbidden meanwhile", "Start again."});
+    fail({ErrorKind::NoPath,
+          "",
+          "",
+          {GLISSADE_TEXT("the path that was found leads through '%1', which was forbidden meanwhile"), {*forbidden}},
+          GLISSADE_TEXT("Start again.")});
   } else if (solved) {
     deliverPath(hooks.stop);
     endRun(SessionState::Solved);
@@ -340,16 +350,18 @@ std::optional<Diagnostic> SessionCore::limitReached() const {
   };
   if (reached(ParameterId::MaxSteps, static_cast<double>(counts.steps))) {
     return limit(specOf(ParameterId::MaxSteps),
-                 "the step limit of " + grouped(counts.steps) + " was reached without a path");
+                 {GLISSADE_TEXT("the step limit of %1 was reached without a path"), {grouped(counts.steps)}});
   }
   if (reached(ParameterId::MaxSamples, static_cast<double>(counts.randomConfigurations))) {
-    return limit(specOf(ParameterId::MaxSamples), "the limit of " + grouped(counts.randomConfigurations) +
-                                                      " random configurations was reached without a path");
+    return limit(specOf(ParameterId::MaxSamples),
+                 {GLISSADE_TEXT("the limit of %1 random configurations was reached without a path"),
+                  {grouped(counts.randomConfigurations)}});
   }
   if (reached(ParameterId::TimeLimit, planningSeconds())) {
-    std::ostringstream what;
-    what << "the time limit of " << parameters_[ParameterId::TimeLimit] << " s was reached without a path";
-    return limit(specOf(ParameterId::TimeLimit), what.str());
+    std::ostringstream seconds;
+    seconds << parameters_[ParameterId::TimeLimit];
+    return limit(specOf(ParameterId::TimeLimit),
+                 {GLISSADE_TEXT("the time limit of %1 s was reached without a path"), {seconds.str()}});
   }
   return std::nullopt;
 }

@@ -38,7 +38,7 @@ class RoadmapPublisher {
 };
 
 /// Name of the work for a command, for guarded().
-std::string_view workOf(const Command& command);
+CatalogueText workOf(const Command& command);
 
 /// The common part of a session's two implementations: the state machine of a run. It is used on the planning thread
 /// (or in the lockstep loop) and has no threads nor operator clocks.

@@ -1,58 +1,89 @@
 #include "engine/session/start_check.h"
 
-#include "engine/base/number_text.h"
+#include <sstream>
+#include <string>
+
 #include "engine/planning/goal_roots.h"
 
 namespace glissade {
 namespace {
 
+/// Texts about the start or the goal.
+struct EndTexts {
+  CatalogueText name;
+  CatalogueText isOutside;
+  CatalogueText isForbidden;
+  CatalogueText collides;
+  CatalogueText isNear;
+};
+
+constexpr EndTexts kStart{GLISSADE_TEXT("start"), GLISSADE_TEXT("Enlarge the workspace or move the start inside."),
+                          GLISSADE_TEXT("Allow the place again, or move the start out of it."),
+                          GLISSADE_TEXT("Move the start to a position clear of all bodies."),
+                          GLISSADE_TEXT("Move the start away or lower the required clearance.")};
+constexpr EndTexts kGoal{GLISSADE_TEXT("goal"), GLISSADE_TEXT("Enlarge the workspace or move the goal inside."),
+                         GLISSADE_TEXT("Allow the place again, or move the goal out of it."),
+                         GLISSADE_TEXT("Move the goal to a position clear of all bodies."),
+                         GLISSADE_TEXT("Move the goal away or lower the required clearance.")};
+
+/// The number with six significant digits.
+std::string rounded(double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
 /// Describes the forbidden place that the reference point meets at a configuration, or at a milestone.
-std::string forbiddenAt(const Problem& problem, const Pose& q, bool isMilestone) {
+Message forbiddenAt(const Problem& problem, const Pose& q, bool isMilestone) {
   const ForbiddenRegionsPtr regions = problem.world->forbidden();
   const ForbiddenPlaces& places = regions->places();
   for (std::size_t place = 0; place < places.size(); ++place) {
     if (!regions->isInside(place, q.position)) continue;
     const std::string& name = places[place].name;
-    if (isMilestone) return "the milestone is inside of '" + name + "', which is forbidden";
-    return "the reference point is inside of '" + name + "', which is forbidden";
+    if (isMilestone) return {GLISSADE_TEXT("the milestone is inside of '%1', which is forbidden"), {name}};
+    return {GLISSADE_TEXT("the reference point is inside of '%1', which is forbidden"), {name}};
   }
   const std::string& name = places[*regions->holding(q.position)].name;
-  const std::string margin = toText(regions->margin());
   if (isMilestone) {
-    return "the milestone lies on the boundary of '" + name + "', which is forbidden, or within the margin of " +
-           margin + " m";
+    return {
+        GLISSADE_TEXT("the milestone lies on the boundary of '%1', which is forbidden, or within the margin of %2 m"),
+        {name, regions->margin()}};
   }
-  return "the reference point lies on the boundary of '" + name + "', which is forbidden, or within the margin of " +
-         margin + " m";
+  return {GLISSADE_TEXT(
+              "the reference point lies on the boundary of '%1', which is forbidden, or within the margin of %2 m"),
+          {name, regions->margin()}};
 }
 
-Outcome checkConfiguration(const Problem& problem, CollisionQuery& query, const Pose& q, const std::string& which,
+Outcome checkConfiguration(const Problem& problem, CollisionQuery& query, const Pose& q, const EndTexts& end,
                            double requiredClearance) {
   const auto& obstacles = problem.world->obstacles();
   if (!isValid(q)) {
-    return Diagnostic{ErrorKind::MalformedInput, "", which, "is not a valid configuration",
-                      "Give finite numbers and a unit quaternion."};
+    return Diagnostic{ErrorKind::MalformedInput, "", end.name, GLISSADE_TEXT("is not a valid configuration"),
+                      GLISSADE_TEXT("Give finite numbers and a unit quaternion.")};
   }
   if (!problem.bounds.contains(q.position)) {
-    return Diagnostic{ErrorKind::MalformedInput, "", which, "lies outside the workspace bounds",
-                      "Enlarge the workspace or move the " + which + " inside."};
+    return Diagnostic{ErrorKind::MalformedInput, "", end.name, GLISSADE_TEXT("lies outside the workspace bounds"),
+                      end.isOutside};
   }
   if (const auto body = query.collidingBody(q); body == kForbiddenPlace) {
-    return Diagnostic{ErrorKind::NoPath, "", which, forbiddenAt(problem, q, false),
-                      "Allow the place again, or move the " + which + " out of it."};
+    return Diagnostic{ErrorKind::NoPath, "", end.name, forbiddenAt(problem, q, false), end.isForbidden};
   } else if (body) {
-    return Diagnostic{ErrorKind::InCollision, "", which,
-                      "the object penetrates '" + obstacles[static_cast<std::size_t>(*body)].shown() + "'",
-                      "Move the " + which + " to a position clear of all bodies."};
+    return Diagnostic{
+        ErrorKind::InCollision,
+        "",
+        end.name,
+        {GLISSADE_TEXT("the object penetrates '%1'"), {obstacles[static_cast<std::size_t>(*body)].shown()}},
+        end.collides};
   }
   const NearestObstacle nearest = query.nearestObstacle(q);
   if (nearest.distance < requiredClearance) {
-    std::ostringstream reason;
-    reason << "the object is " << nearest.distance << " m from '"
-           << obstacles[static_cast<std::size_t>(nearest.body)].shown() << "', nearer than the required clearance of "
-           << requiredClearance << " m";
-    return Diagnostic{ErrorKind::InCollision, "", which, reason.str(),
-                      "Move the " + which + " away or lower the required clearance."};
+    return Diagnostic{ErrorKind::InCollision,
+                      "",
+                      end.name,
+                      {GLISSADE_TEXT("the object is %1 m from '%2', nearer than the required clearance of %3 m"),
+                       {rounded(nearest.distance), obstacles[static_cast<std::size_t>(nearest.body)].shown(),
+                        rounded(requiredClearance)}},
+                      end.isNear};
   }
   return Done{};
 }
@@ -66,31 +97,33 @@ Outcome checkMilestones(const Problem& problem) {
   for (std::size_t i = 0; i < milestones.size(); ++i) {
     const auto body = query->collidingBody(milestones[i].q);
     if (!body) continue;
-    const std::string reason = *body == kForbiddenPlace
-                                   ? forbiddenAt(problem, milestones[i].q, true)
-                                   : "the milestone is in collision with '" +
-                                         problem.world->obstacles()[static_cast<std::size_t>(*body)].shown() + "'";
+    const Message reason = *body == kForbiddenPlace
+                               ? forbiddenAt(problem, milestones[i].q, true)
+                               : Message(GLISSADE_TEXT("the milestone is in collision with '%1'"),
+                                         {problem.world->obstacles()[static_cast<std::size_t>(*body)].shown()});
     return Diagnostic{ErrorKind::NoPath, "", "/milestones/" + std::to_string(i), reason,
-                      "Put it where the object is free, or remove it."};
+                      GLISSADE_TEXT("Put it where the object is free, or remove it.")};
   }
   return Done{};
 }
 
 Outcome checkStart(const Problem& problem, double requiredClearance) {
   if (problem.bounds.isEmpty()) {
-    return Diagnostic{ErrorKind::MalformedInput, "", "workspace", "is empty", "Give a minimum below the maximum."};
+    return Diagnostic{ErrorKind::MalformedInput, "", GLISSADE_TEXT("workspace"), GLISSADE_TEXT("is empty"),
+                      GLISSADE_TEXT("Give a minimum below the maximum.")};
   }
   const auto query = problem.world->makeQuery();
-  Outcome start = checkConfiguration(problem, *query, problem.start, "start", requiredClearance);
+  Outcome start = checkConfiguration(problem, *query, problem.start, kStart, requiredClearance);
   if (!start) return start;
   if (const Pose* goal = std::get_if<Pose>(&problem.goal)) {
-    return checkConfiguration(problem, *query, *goal, "goal", requiredClearance);
+    return checkConfiguration(problem, *query, *goal, kGoal, requiredClearance);
   }
   if (goalRoots(problem, *query).empty()) {
     return Diagnostic{
-        ErrorKind::MalformedInput, "", "goal",
-        "the goal 'out' cannot be reached: the workspace has no room outside the box around the obstacles",
-        "Enlarge the workspace by the size of the object on one side at least."};
+        ErrorKind::MalformedInput, "", kGoal.name,
+        GLISSADE_TEXT(
+            "the goal 'out' cannot be reached: the workspace has no room outside the box around the obstacles"),
+        GLISSADE_TEXT("Enlarge the workspace by the size of the object on one side at least.")};
   }
   return Done{};
 }

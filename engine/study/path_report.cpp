@@ -93,8 +93,8 @@ class PathReportComposer {
       rows.push_back({words_(GLISSADE_TEXT("Forbidden places")),
                       words_(GLISSADE_TEXT("the path keeps %1 from them"), {length_(certificate.forbiddenMargin)})});
     }
-    for (const std::string& allowance : allowancesInWords(content_.scenario, content_.path.points)) {
-      rows.push_back({words_(GLISSADE_TEXT("Allowance")), allowance});
+    for (const Message& allowance : allowancesInWords(content_.scenario, content_.path.points)) {
+      rows.push_back({words_(GLISSADE_TEXT("Allowance")), toString(allowance, words_.language())});
     }
     if (const MissingShapes& missing = content_.scenario.missing; !missing.empty()) {
       rows.push_back({words_(GLISSADE_TEXT("Not known")),

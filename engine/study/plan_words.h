@@ -15,8 +15,8 @@ enum class StepCheck { NotAsked, Agrees, Disagrees };
 
 /// The result of the independent check of a plan.
 struct PlanCheck {
-  std::vector<StepCheck> steps{};         ///< check of each step; empty: not checked
-  std::vector<std::string> conditions{};  ///< conditions that only the plan states and on which the check rests
+  std::vector<StepCheck> steps{};     ///< check of each step; empty: not checked
+  std::vector<Message> conditions{};  ///< conditions that only the plan states and on which the check rests
 
   bool operator==(const PlanCheck&) const = default;
 };

@@ -116,11 +116,13 @@ Diagnostic refusal(ErrorKind kind, const Message& reason, const Message& advice)
 }
 
 Diagnostic interruption() {
-  return refusal(ErrorKind::Interrupted, GLISSADE_TEXT("the swept volume was not finished"), GLISSADE_TEXT("Start it again."));
+  return refusal(ErrorKind::Interrupted, GLISSADE_TEXT("the swept volume was not finished"),
+                 GLISSADE_TEXT("Start it again."));
 }
 
 Diagnostic nothingMoves() {
-  return refusal(ErrorKind::Usage, GLISSADE_TEXT("there is nothing that moves"), GLISSADE_TEXT("Give a body with triangles and a path."));
+  return refusal(ErrorKind::Usage, GLISSADE_TEXT("there is nothing that moves"),
+                 GLISSADE_TEXT("Give a body with triangles and a path."));
 }
 
 /// The volume by which the surface is larger than what is covered, as a share of that.
@@ -150,9 +152,10 @@ class Attempts {
 Result<SweptVolume> sweepWithSpacing(const TriangleMesh& body, const std::vector<Pose>& path, Box3 box, double spacing,
                                      const WorkWatch& watch) {
   if (const double least = spacingOfSinglePrecision(box); spacing < least) {
-    return refusal(ErrorKind::LimitReached,
-                   GLISSADE_TEXT("the bound of the swept volume is finer than 32-bit coordinates are so far from the origin"),
-                   {GLISSADE_TEXT("Give at least %1 mm."), {1e3 * kBound * least}});
+    return refusal(
+        ErrorKind::LimitReached,
+        GLISSADE_TEXT("the bound of the swept volume is finer than 32-bit coordinates are so far from the origin"),
+        {GLISSADE_TEXT("Give at least %1 mm."), {1e3 * kBound * least}});
   }
   if (pointsIn(box, spacing) > kMostPoints) {
     return refusal(ErrorKind::LimitReached, GLISSADE_TEXT("the bound of the swept volume needs more than 4 GiB"),
@@ -179,7 +182,8 @@ Result<SweptVolume> sweptVolume(const TriangleMesh& body, const std::vector<Pose
                                 const WorkWatch& watch) {
   if (body.empty() || path.empty()) return nothingMoves();
   if (!(bound > 0.0) || !std::isfinite(bound)) {
-    return refusal(ErrorKind::Usage, GLISSADE_TEXT("the bound of the swept volume is not above 0"), GLISSADE_TEXT("Give a length as 0.5mm."));
+    return refusal(ErrorKind::Usage, GLISSADE_TEXT("the bound of the swept volume is not above 0"),
+                   GLISSADE_TEXT("Give a length as 0.5mm."));
   }
   const Box3 box = boxOf(body, path);
   double spacing = bound / kBound;

@@ -234,7 +234,7 @@ QString SequencePanel::summary() const {
   const auto& checks = shown_.check.steps;
   const auto refuted = std::count(checks.begin(), checks.end(), StepCheck::Disagrees);
   if (refuted > 0) text += QLatin1Char(' ') + tr("%n step(s) do not hold here.", "", static_cast<int>(refuted));
-  for (const std::string& condition : shown_.check.conditions) {
+  for (const Message& condition : shown_.check.conditions) {
     text += QLatin1Char(' ') + tr("Valid only if %1.").arg(engineText(condition));
   }
   return text;

@@ -67,7 +67,7 @@ TriangleMesh trianglesOf(const aiScene& scene) {
       TriangleIndices triangle;
       for (unsigned int i = 0; i < 3; ++i) {
         const unsigned int vertex = mesh.mFaces[f].mIndices[i];
-        if (vertex >= mesh.mNumVertices) throw FormatError{"", "has a triangle with a corner that does not exist"};
+        if (vertex >= mesh.mNumVertices) throw FormatError{"", GLISSADE_TEXT("has a triangle with a corner that does not exist")};
         const aiVector3D p = transform * mesh.mVertices[vertex];
         triangle[i] = welder.indexOf(Vector3(p.x, p.y, p.z));
       }
@@ -83,7 +83,7 @@ TriangleMesh trianglesOf(const aiScene& scene) {
 [[noreturn]] void refuse(const Assimp::Importer& importer) {
   const std::string reason = importer.GetErrorString();
   if (reason.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
-  throw FormatError{"", "cannot be read: " + reason};
+  throw FormatError{"", {GLISSADE_TEXT("cannot be read: %1"), {reason}}};
 }
 
 /// The mean that OMPL.app computes: all vertices that assimp has, in single precision.
@@ -110,7 +110,7 @@ MeshContent readWithAssimp(std::string_view bytes, const std::string& ending) {
   keepOnlyImportersOf(importer, ending);
   const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, ending.c_str());
   if (scene == nullptr) refuse(importer);
-  if (scene->mRootNode == nullptr) throw FormatError{"", "holds no geometry"};
+  if (scene->mRootNode == nullptr) throw FormatError{"", GLISSADE_TEXT("holds no geometry")};
   MeshContent content;
   // Assimp's parser of numbers may miss the nearest float by one.
   content.coordinateSpacing = spacingOf(*scene, *scene->mRootNode, Eigen::Matrix4d::Identity(), 2.0);

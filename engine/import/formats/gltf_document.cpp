@@ -19,7 +19,7 @@ constexpr std::uint32_t kBinaryChunk = 0x004e4942;
 template <class T>
 T valueAt(std::string_view bytes, std::uint64_t at) {
   if (at > bytes.size() || bytes.size() - at < sizeof(T)) {
-    throw FormatError{"byte " + std::to_string(bytes.size()), "ends before its last chunk"};
+    throw FormatError{{GLISSADE_TEXT("byte %1"), {bytes.size()}}, GLISSADE_TEXT("ends before its last chunk")};
   }
   T value;
   std::memcpy(&value, bytes.data() + at, sizeof(T));
@@ -40,7 +40,7 @@ std::size_t bytesOf(std::uint64_t type, const std::string& location) {
     case kUShort: return 2;
     case kUInt:
     case kFloat: return 4;
-    default: throw FormatError{location, "has the unknown component type " + std::to_string(type)};
+    default: throw FormatError{location, {GLISSADE_TEXT("has the unknown component type %1"), {type}}};
   }
 }
 
@@ -64,9 +64,9 @@ double component(const char* at, std::uint64_t type, bool normalized) {
 }
 
 /// The `size` bytes from `offset` on.
-std::string_view part(std::string_view bytes, std::uint64_t offset, std::uint64_t size, const std::string& location) {
+std::string_view part(std::string_view bytes, std::uint64_t offset, std::uint64_t size, const Location& location) {
   if (offset > bytes.size() || size > bytes.size() - offset)
-    throw FormatError{location, "goes beyond the end of its data"};
+    throw FormatError{location, GLISSADE_TEXT("goes beyond the end of its data")};
   return bytes.substr(offset, size);
 }
 
@@ -75,7 +75,7 @@ std::string_view part(std::string_view bytes, std::uint64_t offset, std::uint64_
 std::uint64_t wholeNumber(const Json& object, const char* key, const std::string& location) {
   const auto found = object.is_object() ? object.find(key) : object.end();
   if (!object.is_object() || found == object.end() || !found->is_number_unsigned()) {
-    throw FormatError{location, std::string("has no whole number '") + key + "'"};
+    throw FormatError{location, {GLISSADE_TEXT("has no whole number '%1'"), {key}}};
   }
   return found->get<std::uint64_t>();
 }
@@ -91,7 +91,7 @@ GltfDocument::GltfDocument(std::string_view bytes) {
   } else {
     root_ = Json::parse(text.begin(), text.end(), nullptr, false);
   }
-  if (!root_.is_object()) throw FormatError{"", "is not a glTF file: its JSON is malformed or cut off"};
+  if (!root_.is_object()) throw FormatError{"", GLISSADE_TEXT("is not a glTF file: its JSON is malformed or cut off")};
   checkVersion();
   readBuffers();
 }
@@ -100,17 +100,17 @@ void GltfDocument::readContainer(std::string_view bytes) {
   constexpr std::uint64_t kHeader = 12;
   constexpr std::uint64_t kChunkHeader = 8;
   const auto version = valueAt<std::uint32_t>(bytes, 4);
-  if (version != 2) throw FormatError{"byte 4", "is of version " + std::to_string(version) + "; only 2 is read"};
+  if (version != 2) throw FormatError{{GLISSADE_TEXT("byte %1"), {4}}, {GLISSADE_TEXT("is of version %1; only 2 is read"), {version}}};
   const auto length = valueAt<std::uint32_t>(bytes, 8);
   if (length > bytes.size()) {
-    throw FormatError{"byte 8", "claims a length of " + std::to_string(length) + " bytes but is only " +
-                                    std::to_string(bytes.size()) + " bytes long"};
+    throw FormatError{{GLISSADE_TEXT("byte %1"), {8}},
+                      {GLISSADE_TEXT("claims a length of %1 bytes but is only %2 bytes long"), {length, bytes.size()}}};
   }
   const std::string_view whole = bytes.substr(0, length);
   for (std::uint64_t at = kHeader; at < whole.size();) {
     const auto size = valueAt<std::uint32_t>(whole, at);
     const auto type = valueAt<std::uint32_t>(whole, at + 4);
-    const std::string_view chunk = part(whole, at + kChunkHeader, size, "byte " + std::to_string(at));
+    const std::string_view chunk = part(whole, at + kChunkHeader, size, {GLISSADE_TEXT("byte %1"), {at}});
     if (type == kJsonChunk) root_ = Json::parse(chunk.begin(), chunk.end(), nullptr, false);
     if (type == kBinaryChunk) binary_ = chunk;
     at += kChunkHeader + size;
@@ -122,7 +122,7 @@ void GltfDocument::checkVersion() const {
   const std::string version =
       asset != root_.end() && asset->contains("version") && (*asset)["version"].is_string() ? (*asset)["version"] : "";
   if (version.rfind("2.", 0) != 0)
-    throw FormatError{"/asset", "is of version " + inQuotes(version) + "; only 2 is read"};
+    throw FormatError{"/asset", {GLISSADE_TEXT("is of version %1; only 2 is read"), {inQuotes(version)}}};
 }
 
 void GltfDocument::readBuffers() {
@@ -136,14 +136,14 @@ void GltfDocument::readBuffers() {
     const auto uri = buffer.find("uri");
     std::string_view bytes = binary_;
     if (uri != buffer.end()) {
-      if (!uri->is_string()) throw FormatError{location, "has a 'uri' that is not a text"};
+      if (!uri->is_string()) throw FormatError{location, GLISSADE_TEXT("has a 'uri' that is not a text")};
       const auto& text = uri->get_ref<const std::string&>();
       const std::size_t data = text.find(";base64,");
       if (text.rfind("data:", 0) != 0 || data == std::string::npos) {
-        throw FormatError{location, "keeps its data in a file of its own (" + inQuotes(text) + ")"};
+        throw FormatError{location, {GLISSADE_TEXT("keeps its data in a file of its own (%1)"), {inQuotes(text)}}};
       }
       auto decoded = decodeBase64(std::string_view(text).substr(data + 8));
-      if (!decoded) throw FormatError{location, "holds data that is not base64"};
+      if (!decoded) throw FormatError{location, GLISSADE_TEXT("holds data that is not base64")};
       decoded_[i] = std::move(*decoded);
       bytes = decoded_[i];
     }
@@ -154,7 +154,7 @@ void GltfDocument::readBuffers() {
 const GltfDocument::Json& GltfDocument::element(const char* list, std::uint64_t index) const {
   const auto found = root_.find(list);
   if (found == root_.end() || !found->is_array() || index >= found->size() || !(*found)[index].is_object()) {
-    throw FormatError{locationOf(list, index), "does not exist"};
+    throw FormatError{locationOf(list, index), GLISSADE_TEXT("does not exist")};
   }
   return (*found)[index];
 }
@@ -163,7 +163,7 @@ GltfDocument::View GltfDocument::view(std::uint64_t index) const {
   const std::string location = locationOf("bufferViews", index);
   const Json& json = element("bufferViews", index);
   const std::uint64_t buffer = wholeNumber(json, "buffer", location);
-  if (buffer >= buffers_.size()) throw FormatError{location, "names a buffer that does not exist"};
+  if (buffer >= buffers_.size()) throw FormatError{location, GLISSADE_TEXT("names a buffer that does not exist")};
   return {part(buffers_[buffer], wholeNumber(json, "byteOffset", location, 0),
                wholeNumber(json, "byteLength", location), location),
           wholeNumber(json, "byteStride", location, 0)};
@@ -174,14 +174,14 @@ GltfNumbers GltfDocument::numbers(std::uint64_t index, std::size_t components) c
   const Json& accessor = element("accessors", index);
   static constexpr std::array kTypes{"", "SCALAR", "VEC2", "VEC3"};
   if (!accessor.contains("type") || accessor["type"] != kTypes[components]) {
-    throw FormatError{location, std::string("is not of the type ") + kTypes[components]};
+    throw FormatError{location, {GLISSADE_TEXT("is not of the type %1"), {kTypes[components]}}};
   }
   GltfNumbers numbers;
   numbers.single = wholeNumber(accessor, "componentType", location) == kFloat;
   if (accessor.contains("bufferView")) {
     readPlain(accessor, location, components, numbers);
   } else if (!accessor.contains("sparse")) {
-    throw FormatError{location, "has no data"};
+    throw FormatError{location, GLISSADE_TEXT("has no data")};
   }
   if (accessor.contains("sparse")) replaceSparse(accessor, location, components, numbers);
   return numbers;
@@ -196,10 +196,10 @@ void GltfDocument::readPlain(const Json& accessor, const std::string& location, 
   const std::uint64_t offset = wholeNumber(accessor, "byteOffset", location, 0);
   const std::uint64_t size = components * bytes;
   const std::uint64_t stride = source.stride == 0 ? size : source.stride;
-  if (count == 0) throw FormatError{location, "has no element"};
+  if (count == 0) throw FormatError{location, GLISSADE_TEXT("has no element")};
   if (stride < size || offset > source.bytes.size() || source.bytes.size() - offset < size ||
       (source.bytes.size() - offset - size) / stride < count - 1) {
-    throw FormatError{location, "claims " + std::to_string(count) + " elements, more than its data holds"};
+    throw FormatError{location, {GLISSADE_TEXT("claims %1 elements, more than its data holds"), {count}}};
   }
   const bool normalized = accessor.value("normalized", false);
   numbers.values.reserve(count * components);
@@ -215,13 +215,13 @@ void GltfDocument::replaceSparse(const Json& accessor, const std::string& locati
   const Json& sparse = accessor["sparse"];
   const std::uint64_t count = wholeNumber(accessor, "count", location);
   if (!sparse.is_object() || !sparse.contains("indices") || !sparse.contains("values")) {
-    throw FormatError{location + "/sparse", "has no indices or no values"};
+    throw FormatError{location + "/sparse", GLISSADE_TEXT("has no indices or no values")};
   }
   if (numbers.values.empty()) {
     // Zeros without data in the file; their number is limited by the number of bytes of the file.
     std::uint64_t bytes = 0;
     for (const std::string_view buffer : buffers_) bytes += buffer.size();
-    if (count > bytes) throw FormatError{location, "claims more elements than the file has bytes"};
+    if (count > bytes) throw FormatError{location, GLISSADE_TEXT("claims more elements than the file has bytes")};
     numbers.values.assign(count * components, 0.0);
   }
   const auto read = [&](const char* key, std::size_t width, std::uint64_t type) {
@@ -237,7 +237,7 @@ void GltfDocument::replaceSparse(const Json& accessor, const std::string& locati
   const std::vector<double> values = read("values", components, wholeNumber(accessor, "componentType", location));
   for (std::size_t i = 0; i < indices.size(); ++i) {
     if (!(indices[i] >= 0.0 && indices[i] < static_cast<double>(count))) {
-      throw FormatError{location + "/sparse", "has an index that does not exist"};
+      throw FormatError{location + "/sparse", GLISSADE_TEXT("has an index that does not exist")};
     }
     std::copy_n(
         values.begin() + static_cast<std::ptrdiff_t>(i * components), components,

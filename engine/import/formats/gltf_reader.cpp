@@ -32,7 +32,7 @@ void checkRequiredExtensions(const Json& root) {
       return name.compare(0, known.size(), known) == 0;
     });
     if (!harmless)
-      throw FormatError{"/extensionsRequired", "requires the extension " + inQuotes(name) + ", which is not read"};
+      throw FormatError{"/extensionsRequired", {GLISSADE_TEXT("requires the extension %1, which is not read"), {inQuotes(name)}}};
   }
 }
 
@@ -44,7 +44,7 @@ std::optional<std::vector<double>> listOf(const Json& object, const char* key, s
   const bool numbers = found->is_array() && found->size() == count &&
                        std::all_of(found->begin(), found->end(), [](const Json& entry) { return entry.is_number(); });
   if (!numbers)
-    throw FormatError{location, std::string("has a '") + key + "' that is not " + std::to_string(count) + " numbers"};
+    throw FormatError{location, {GLISSADE_TEXT("has a '%1' that is not %2 numbers"), {key, count}}};
   return found->get<std::vector<double>>();
 }
 
@@ -57,7 +57,7 @@ Eigen::Affine3d transformOf(const Json& node, const std::string& location) {
   if (const auto t = listOf(node, "translation", 3, location)) transform.translate(Vector3((*t)[0], (*t)[1], (*t)[2]));
   if (const auto r = listOf(node, "rotation", 4, location)) {
     const Quaternion rotation((*r)[3], (*r)[0], (*r)[1], (*r)[2]);
-    if (!(rotation.norm() > 0.0)) throw FormatError{location, "has a rotation of length zero"};
+    if (!(rotation.norm() > 0.0)) throw FormatError{location, GLISSADE_TEXT("has a rotation of length zero")};
     transform.rotate(rotation.normalized());
   }
   if (const auto s = listOf(node, "scale", 3, location)) transform.scale(Vector3((*s)[0], (*s)[1], (*s)[2]));
@@ -69,7 +69,7 @@ std::vector<std::size_t> trianglesOf(std::uint64_t mode, const std::vector<std::
                                      const std::string& location) {
   const std::size_t count = indices.size();
   if (count < 3 || (mode == kTriangles && count % 3 != 0)) {
-    throw FormatError{location, "has " + std::to_string(count) + " corners, which are not whole triangles"};
+    throw FormatError{location, {GLISSADE_TEXT("has %1 corners, which are not whole triangles"), {count}}};
   }
   if (mode == kTriangles) return indices;
   std::vector<std::size_t> corners;
@@ -118,12 +118,12 @@ class Scene {
     const auto found = object.find(key);
     if (found == object.end()) return children;
     for (const Json& child : *found) {
-      if (!child.is_number_unsigned()) throw FormatError{location, "names a node that is not a number"};
+      if (!child.is_number_unsigned()) throw FormatError{location, GLISSADE_TEXT("names a node that is not a number")};
       const auto node = child.get<std::uint64_t>();
       (void)document_.element("nodes", node);
       if (node >= reached_.size()) reached_.resize(node + 1, false);
       if (reached_[node])
-        throw FormatError{location, "names node " + std::to_string(node) + ", which is in the scene already"};
+        throw FormatError{location, {GLISSADE_TEXT("names node %1, which is in the scene already"), {node}}};
       reached_[node] = true;
       children.push_back({node, transform});
     }
@@ -135,9 +135,12 @@ class Scene {
     const Json& node = document_.element("nodes", placed.node);
     const Eigen::Affine3d transform = placed.parent * transformOf(node, location);
     if (node.contains("extensions") && node["extensions"].contains("EXT_mesh_gpu_instancing")) {
-      throw FormatError{location, "has instances by the extension 'EXT_mesh_gpu_instancing', which is not read"};
+      throw FormatError{location,
+                        GLISSADE_TEXT("has instances by the extension 'EXT_mesh_gpu_instancing', which is not read")};
     }
-    if (node.contains("skin")) content_.warnings.push_back(location + ": has a skin, which is not applied");
+    if (node.contains("skin")) {
+      content_.warnings.push_back({GLISSADE_TEXT("%1: has a skin, which is not applied"), {location}});
+    }
     if (node.contains("mesh")) readMesh(wholeNumber(node, "mesh", location), transform);
     return childrenOf(node, "children", location, transform);
   }
@@ -146,7 +149,7 @@ class Scene {
     const std::string location = "/meshes/" + std::to_string(index);
     const Json& mesh = document_.element("meshes", index);
     const auto primitives = mesh.find("primitives");
-    if (primitives == mesh.end() || !primitives->is_array()) throw FormatError{location, "has no primitives"};
+    if (primitives == mesh.end() || !primitives->is_array()) throw FormatError{location, GLISSADE_TEXT("has no primitives")};
     for (std::size_t i = 0; i < primitives->size(); ++i) {
       readPrimitive((*primitives)[i], location + "/primitives/" + std::to_string(i), transform);
     }
@@ -155,14 +158,15 @@ class Scene {
   void readPrimitive(const Json& primitive, const std::string& location, const Eigen::Affine3d& transform) {
     const std::uint64_t mode = wholeNumber(primitive, "mode", location, kTriangles);
     if (mode < kTriangles) return;  // points and lines
-    if (mode > kFan) throw FormatError{location, "has the unknown mode " + std::to_string(mode)};
-    if (primitive.contains("targets"))
-      content_.warnings.push_back(location + ": has morph targets, which are not applied");
+    if (mode > kFan) throw FormatError{location, {GLISSADE_TEXT("has the unknown mode %1"), {mode}}};
+    if (primitive.contains("targets")) {
+      content_.warnings.push_back({GLISSADE_TEXT("%1: has morph targets, which are not applied"), {location}});
+    }
     const Json attributes = primitive.value("attributes", Json::object());
     const GltfNumbers positions = document_.numbers(wholeNumber(attributes, "POSITION", location), 3);
     const bool finite = std::all_of(positions.values.begin(), positions.values.end(),
                                     [](double coordinate) { return std::isfinite(coordinate); });
-    if (!finite) throw FormatError{location, "has a position that is not a finite number"};
+    if (!finite) throw FormatError{location, GLISSADE_TEXT("has a position that is not a finite number")};
     noteSpacing(positions, transform);
     const std::vector<std::size_t> corners =
         trianglesOf(mode, indicesOf(primitive, positions.values.size() / 3, location), location);
@@ -185,8 +189,8 @@ class Scene {
     }
     for (const double index : document_.numbers(wholeNumber(primitive, "indices", location), 1).values) {
       if (!(index >= 0.0 && index < static_cast<double>(vertices))) {
-        throw FormatError{location, "has vertex " + indexText(index) + " in its indices, but " +
-                                        std::to_string(vertices) + " vertices"};
+        throw FormatError{
+            location, {GLISSADE_TEXT("has vertex %1 in its indices, but %2 vertices"), {indexText(index), vertices}}};
       }
       indices.push_back(static_cast<std::size_t>(index));
     }
@@ -262,7 +266,7 @@ MeshContent readGltf(std::string_view bytes) {
     const GltfDocument document(bytes);
     return Scene(document).read();
   } catch (const Json::exception&) {
-    throw FormatError{"", "has JSON values of the wrong types"};
+    throw FormatError{"", GLISSADE_TEXT("has JSON values of the wrong types")};
   }
 }
 

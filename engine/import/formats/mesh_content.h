@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/diagnostic.h"
 #include "engine/geometry/triangle_mesh.h"
 
 namespace glissade {
@@ -19,14 +20,14 @@ struct MeshContent {
   TriangleMesh mesh;                     ///< equal positions are one vertex; triangles with two equal corners are kept
   Vector3 vertexMean = Vector3::Zero();  ///< see ImportedMesh::vertexMean
   double coordinateSpacing = 0.0;        ///< see ImportedMesh::coordinateSpacing
-  std::vector<std::string> warnings;     ///< each names its line
+  std::vector<Message> warnings;         ///< each names its line
   std::vector<GroupRun> groups;          ///< groups of all triangles, in their order; empty: the format has no groups
 };
 
 /// An error in a file, with its place. Readers throw it; the importing process writes it as its message.
 struct FormatError {
-  std::string location;  ///< "line 12", "byte 934", or empty
-  std::string reason;    ///< sentence fragment, for people
+  Location location;  ///< "line 12", "byte 934", or empty
+  Message reason;     ///< sentence fragment
 };
 
 /// Spacing of 32-bit floating-point numbers at a magnitude.

@@ -78,8 +78,8 @@ class Obj {
       }
     } while (skipContinued(scanner));
     if (scanner.lastLineIsOpen()) {
-      content_.warnings.push_back("line " + std::to_string(scanner.line()) +
-                                  ": the last line has no end; the file may be cut off");
+      content_.warnings.push_back(
+          {GLISSADE_TEXT("line %1: the last line has no end; the file may be cut off"), {scanner.line()}});
     }
   }
 
@@ -94,18 +94,20 @@ class Obj {
   static void checkKeyword(const TextScanner& scanner, std::string_view keyword) {
     if (keyword.empty() || keyword == "f" || isOneOf(kSkipped, keyword)) return;
     if (isOneOf(kFreeForm, keyword)) {
-      throw scanner.error("has a free-form curve or surface (" + inQuotes(keyword) + "), which is not read");
+      throw scanner.error({GLISSADE_TEXT("has a free-form curve or surface (%1), which is not read"), {inQuotes(keyword)}});
     }
-    throw scanner.error("begins with " + inQuotes(keyword) + ", which is not a statement of an OBJ file");
+    throw scanner.error({GLISSADE_TEXT("begins with %1, which is not a statement of an OBJ file"), {inQuotes(keyword)}});
   }
 
   /// Reads x y z and an optional weight of 1 or colour.
   static Vector3 readPosition(const TextScanner& scanner, Statement& statement) {
     Vector3 position;
-    for (double& coordinate : position) coordinate = scanner.number(statement.word(), "the coordinate");
+    for (double& coordinate : position) coordinate = scanner.number(statement.word(), GLISSADE_TEXT("the coordinate"));
     const std::string_view weight = statement.word();
     if (weight.empty() || !statement.word().empty()) return position;
-    if (scanner.number(weight, "the weight") != 1.0) throw scanner.error("has a vertex with a weight other than 1");
+    if (scanner.number(weight, GLISSADE_TEXT("the weight")) != 1.0) {
+      throw scanner.error(GLISSADE_TEXT("has a vertex with a weight other than 1"));
+    }
     return position;
   }
 
@@ -151,14 +153,12 @@ class Obj {
     for (std::string_view word = statement.word(); !word.empty(); word = statement.word()) {
       corners_.push_back(readCorner(scanner, word));
     }
-    if (corners_.size() < 3) {
-      throw scanner.error("has a face of " + std::to_string(corners_.size()) +
-                          (corners_.size() == 1 ? " corner" : " corners"));
-    }
+    if (corners_.size() == 1) throw scanner.error(GLISSADE_TEXT("has a face of 1 corner"));
+    if (corners_.size() < 3) throw scanner.error({GLISSADE_TEXT("has a face of %1 corners"), {corners_.size()}});
     positions_.clear();
     for (const Corner& corner : corners_) positions_.push_back(positionOf(corner));
     const auto triangles = triangulatePolygon(positions_);
-    if (!triangles) throw scanner.error("has a face whose outline crosses itself");
+    if (!triangles) throw scanner.error(GLISSADE_TEXT("has a face whose outline crosses itself"));
     for (const auto& [a, b, c] : *triangles) {
       content_.mesh.triangles.push_back({indexOf(corners_[a]), indexOf(corners_[b]), indexOf(corners_[c])});
     }
@@ -178,27 +178,32 @@ class Obj {
       part = rest.substr(0, slash);
       rest = slash == std::string_view::npos ? std::string_view() : rest.substr(slash + 1);
     }
-    if (!rest.empty()) throw scanner.error("has the corner " + inQuotes(word) + ", which is not of the form a/b/c");
+    if (!rest.empty()) {
+      throw scanner.error({GLISSADE_TEXT("has the corner %1, which is not of the form a/b/c"), {inQuotes(word)}});
+    }
     Corner corner;
-    corner.vertex = readIndex(scanner, parts[0], verticesSoFar_, indices_.size(), "vertex");
-    if (!parts[1].empty())
-      corner.texture = readIndex(scanner, parts[1], texturesSoFar_, textures_.size(), "texture coordinate");
-    if (!parts[2].empty()) corner.normal = readIndex(scanner, parts[2], normalsSoFar_, normals_.size(), "normal");
+    corner.vertex = readIndex(scanner, parts[0], verticesSoFar_, indices_.size(), GLISSADE_TEXT("vertex"));
+    if (!parts[1].empty()) {
+      corner.texture =
+          readIndex(scanner, parts[1], texturesSoFar_, textures_.size(), GLISSADE_TEXT("texture coordinate"));
+    }
+    if (!parts[2].empty()) {
+      corner.normal = readIndex(scanner, parts[2], normalsSoFar_, normals_.size(), GLISSADE_TEXT("normal"));
+    }
     return corner;
   }
 
   /// Indices count from 1, or backwards from the latest element.
   static std::uint32_t readIndex(const TextScanner& scanner, std::string_view word, std::size_t soFar,
-                                 std::size_t count, const char* what) {
+                                 std::size_t count, CatalogueText what) {
     std::int64_t index = 0;
     const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), index);
     if (fault != std::errc() || end != word.data() + word.size()) {
-      throw scanner.error("has " + inQuotes(word) + " where the number of a " + what + " is expected");
+      throw scanner.error({GLISSADE_TEXT("has %1 where the number of a %2 is expected"), {inQuotes(word), what}});
     }
     const std::int64_t position = index > 0 ? index - 1 : index + static_cast<std::int64_t>(soFar);
     if (index == 0 || position < 0 || position >= static_cast<std::int64_t>(count)) {
-      throw scanner.error("has a face with " + std::string(what) + " " + std::to_string(index) + ", but the file has " +
-                          std::to_string(count));
+      throw scanner.error({GLISSADE_TEXT("has a face with %1 %2, but the file has %3"), {what, index, count}});
     }
     return static_cast<std::uint32_t>(position);
   }

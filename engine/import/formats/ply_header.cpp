@@ -33,7 +33,7 @@ constexpr std::array<TypeName, 16> kTypes{{{"char", PlyType::Int8},
 PlyType typeNamed(std::string_view name, const TextScanner& scanner) {
   const auto found =
       std::find_if(kTypes.begin(), kTypes.end(), [&](const TypeName& entry) { return entry.name == name; });
-  if (found == kTypes.end()) throw scanner.error("has " + inQuotes(name) + " where a type of numbers is expected");
+  if (found == kTypes.end()) throw scanner.error({GLISSADE_TEXT("has %1 where a type of numbers is expected"), {inQuotes(name)}});
   return found->type;
 }
 
@@ -41,7 +41,7 @@ PlyEncoding encodingNamed(std::string_view name, const TextScanner& scanner) {
   if (name == "ascii") return PlyEncoding::Text;
   if (name == "binary_little_endian") return PlyEncoding::LittleEndian;
   if (name == "binary_big_endian") return PlyEncoding::BigEndian;
-  throw scanner.error("has the unknown format " + inQuotes(name));
+  throw scanner.error({GLISSADE_TEXT("has the unknown format %1"), {inQuotes(name)}});
 }
 
 PlyElement readElement(TextScanner& scanner) {
@@ -50,7 +50,7 @@ PlyElement readElement(TextScanner& scanner) {
   const std::string_view count = scanner.wordInLine();
   const auto [end, fault] = std::from_chars(count.data(), count.data() + count.size(), element.count);
   if (fault != std::errc() || end != count.data() + count.size()) {
-    throw scanner.error("has " + inQuotes(count) + " where a number of elements is expected");
+    throw scanner.error({GLISSADE_TEXT("has %1 where a number of elements is expected"), {inQuotes(count)}});
   }
   return element;
 }
@@ -65,7 +65,7 @@ PlyProperty readProperty(TextScanner& scanner) {
   }
   property.type = typeNamed(type, scanner);
   property.name = scanner.wordInLine();
-  if (property.name.empty()) throw scanner.error("has a property without a name");
+  if (property.name.empty()) throw scanner.error(GLISSADE_TEXT("has a property without a name"));
   return property;
 }
 
@@ -76,8 +76,9 @@ void checkCounts(const PlyHeader& header, std::size_t fileBytes) {
     const std::uint64_t least = std::max<std::uint64_t>(1, element.leastBytes(header.encoding));
     // The last number of a text needs no separator.
     if (element.count > (left + 1) / least) {
-      throw FormatError{"", "claims " + std::to_string(element.count) + " of " + inQuotes(element.name) +
-                                " but is only " + std::to_string(fileBytes) + " bytes long"};
+      throw FormatError{"",
+                        {GLISSADE_TEXT("claims %1 of %2 but is only %3 bytes long"),
+                         {element.count, inQuotes(element.name), fileBytes}}};
     }
     left -= std::min(left, element.count * least);
   }
@@ -116,7 +117,7 @@ int PlyElement::find(std::string_view property) const {
 
 PlyHeader readPlyHeader(std::string_view bytes) {
   TextScanner scanner(bytes);
-  if (scanner.wordInLine() != "ply") throw scanner.error("does not begin with 'ply'");
+  if (scanner.wordInLine() != "ply") throw scanner.error(GLISSADE_TEXT("does not begin with 'ply'"));
   PlyHeader header;
   bool formatKnown = false;
   while (scanner.nextLine()) {
@@ -127,20 +128,20 @@ PlyHeader readPlyHeader(std::string_view bytes) {
     } else if (keyword == "element") {
       header.elements.push_back(readElement(scanner));
     } else if (keyword == "property") {
-      if (header.elements.empty()) throw scanner.error("has a property before any element");
+      if (header.elements.empty()) throw scanner.error(GLISSADE_TEXT("has a property before any element"));
       header.elements.back().properties.push_back(readProperty(scanner));
     } else if (keyword == "end_header") {
-      if (!formatKnown) throw scanner.error("does not say its format before 'end_header'");
-      if (!scanner.nextLine()) throw scanner.error("ends after its header");
+      if (!formatKnown) throw scanner.error(GLISSADE_TEXT("does not say its format before 'end_header'"));
+      if (!scanner.nextLine()) throw scanner.error(GLISSADE_TEXT("ends after its header"));
       header.bytes = scanner.position();
       header.lines = scanner.line() - 1;
       checkCounts(header, bytes.size());
       return header;
     } else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty()) {
-      throw scanner.error("has " + inQuotes(keyword) + " in its header");
+      throw scanner.error({GLISSADE_TEXT("has %1 in its header"), {inQuotes(keyword)}});
     }
   }
-  throw scanner.error("ends before 'end_header'");
+  throw scanner.error(GLISSADE_TEXT("ends before 'end_header'"));
 }
 
 }  // namespace glissade

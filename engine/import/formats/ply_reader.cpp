@@ -21,9 +21,9 @@ class TextNumbers {
   TextNumbers(std::string_view bytes, const PlyHeader& header)
       : scanner_(bytes.substr(header.bytes), header.lines + 1) {}
 
-  double next(PlyType) { return scanner_.number(scanner_.word(), "the number"); }
+  double next(PlyType) { return scanner_.number(scanner_.word(), GLISSADE_TEXT("the number")); }
   bool atEnd() { return scanner_.atEnd(); }
-  FormatError error(const std::string& reason) const { return scanner_.error(reason); }
+  FormatError error(const Message& reason) const { return scanner_.error(reason); }
 
  private:
   TextScanner scanner_;
@@ -54,12 +54,12 @@ class BinaryNumbers {
     const std::string_view rest = bytes_.substr(at_);
     return std::all_of(rest.begin(), rest.end(), [](char c) { return c == '\0' || c == '\n' || c == '\r'; });
   }
-  FormatError error(const std::string& reason) const { return {"byte " + std::to_string(at_), reason}; }
+  FormatError error(const Message& reason) const { return {{GLISSADE_TEXT("byte %1"), {at_}}, reason}; }
 
  private:
   template <class T>
   T take() {
-    if (bytes_.size() - at_ < sizeof(T)) throw error("ends before its last element");
+    if (bytes_.size() - at_ < sizeof(T)) throw error(GLISSADE_TEXT("ends before its last element"));
     std::array<char, sizeof(T)> raw;
     std::memcpy(raw.data(), bytes_.data() + at_, sizeof(T));
     if (swap_) std::reverse(raw.begin(), raw.end());
@@ -68,7 +68,7 @@ class BinaryNumbers {
   }
 
   double finite(double value) const {
-    if (!std::isfinite(value)) throw error("has a number that is not finite");
+    if (!std::isfinite(value)) throw error(GLISSADE_TEXT("has a number that is not finite"));
     return value;
   }
 
@@ -90,12 +90,12 @@ class Ply {
       } else if (element.name == "face") {
         readFaces(element);
       } else if (element.name == "tristrips") {
-        throw FormatError{"", "holds triangle strips, which are not read"};
+        throw FormatError{"", GLISSADE_TEXT("holds triangle strips, which are not read")};
       } else {
         for (std::uint64_t i = 0; i < element.count; ++i) readRow(element);
       }
     }
-    if (!numbers_.atEnd()) throw numbers_.error("goes on after the elements that its header claims");
+    if (!numbers_.atEnd()) throw numbers_.error(GLISSADE_TEXT("goes on after the elements that its header claims"));
     content_.mesh.vertices = std::move(welder_).takeVertices();
     content_.vertexMean = meanOfVertices();
     return std::move(content_);
@@ -115,7 +115,7 @@ class Ply {
   }
 
   void readList(const PlyProperty& property, double count, bool keep) {
-    if (!(count >= 0.0) || count != std::floor(count)) throw numbers_.error("has a list of an impossible length");
+    if (!(count >= 0.0) || count != std::floor(count)) throw numbers_.error(GLISSADE_TEXT("has a list of an impossible length"));
     if (keep) list_.clear();
     for (double i = 0; i < count; ++i) {
       const double item = numbers_.next(property.type);
@@ -129,7 +129,7 @@ class Ply {
     bool single = false;
     for (const int axis : axes) {
       if (axis < 0 || element.properties[static_cast<std::size_t>(axis)].isList) {
-        throw FormatError{"", "has vertices without x, y and z"};
+        throw FormatError{"", GLISSADE_TEXT("has vertices without x, y and z")};
       }
       single = single || element.properties[static_cast<std::size_t>(axis)].type == PlyType::Float;
     }
@@ -144,11 +144,11 @@ class Ply {
   }
 
   void readFaces(const PlyElement& element) {
-    if (positions_.empty() && element.count > 0) throw FormatError{"", "has faces before its vertices"};
+    if (positions_.empty() && element.count > 0) throw FormatError{"", GLISSADE_TEXT("has faces before its vertices")};
     int corners = element.find("vertex_indices");
     if (corners < 0) corners = element.find("vertex_index");
     if (corners < 0 || !element.properties[static_cast<std::size_t>(corners)].isList) {
-      throw FormatError{"", "has faces without a list 'vertex_indices'"};
+      throw FormatError{"", GLISSADE_TEXT("has faces without a list 'vertex_indices'")};
     }
     for (std::uint64_t i = 0; i < element.count; ++i) {
       readRow(element, corners);
@@ -157,17 +157,17 @@ class Ply {
   }
 
   void addFace() {
-    if (list_.size() < 3) throw numbers_.error("has a face of " + std::to_string(list_.size()) + " corners");
+    if (list_.size() < 3) throw numbers_.error({GLISSADE_TEXT("has a face of %1 corners"), {list_.size()}});
     corners_.clear();
     for (const double index : list_) {
       if (!(index >= 0.0 && index < static_cast<double>(positions_.size())) || index != std::floor(index)) {
-        throw numbers_.error("has a face with vertex " + indexText(index) + ", but the file has " +
-                             std::to_string(positions_.size()));
+        throw numbers_.error({GLISSADE_TEXT("has a face with vertex %1, but the file has %2"),
+                              {indexText(index), positions_.size()}});
       }
       corners_.push_back(positions_[static_cast<std::size_t>(index)]);
     }
     const auto triangles = triangulatePolygon(corners_);
-    if (!triangles) throw numbers_.error("has a face whose outline crosses itself");
+    if (!triangles) throw numbers_.error(GLISSADE_TEXT("has a face whose outline crosses itself"));
     for (const auto& [a, b, c] : *triangles) {
       const std::uint32_t first = welder_.indexOf(corners_[a]);
       const std::uint32_t second = welder_.indexOf(corners_[b]);

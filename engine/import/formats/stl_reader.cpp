@@ -81,10 +81,10 @@ class TextStl {
     Facet corners;
     for (Vector3& corner : corners) {
       expect("vertex");
-      for (double& coordinate : corner) coordinate = scanner_.number(scanner_.wordInLine(), "the coordinate");
+      for (double& coordinate : corner) coordinate = scanner_.number(scanner_.wordInLine(), GLISSADE_TEXT("the coordinate"));
     }
     const std::string_view end = scanner_.word();
-    if (isKeyword(end, "vertex")) throw scanner_.error("has a facet with more than three corners");
+    if (isKeyword(end, "vertex")) throw scanner_.error(GLISSADE_TEXT("has a facet with more than three corners"));
     if (!isKeyword(end, "endloop")) throw unexpected(end, "endloop");
     expect("endfacet");
     facets_.add(corners, attributes);
@@ -97,7 +97,7 @@ class TextStl {
     if (!isKeyword(word, "normal")) throw unexpected(word, "normal");
     for (int i = 0; i < 3; ++i) {
       word = scanner_.wordInLine();
-      if (word.empty()) throw scanner_.error("has a facet normal with fewer than three numbers");
+      if (word.empty()) throw scanner_.error(GLISSADE_TEXT("has a facet normal with fewer than three numbers"));
       attributes.normal[i] = attributeNumber(word);
     }
     return attributes;
@@ -110,8 +110,8 @@ class TextStl {
 
   FormatError unexpected(std::string_view word, const char* expected) {
     if (word.empty() || (scanner_.lastLineIsOpen() && scanner_.atEnd()))
-      return scanner_.error("ends before 'endsolid'");
-    return scanner_.error("has " + inQuotes(word) + " where '" + expected + "' is expected");
+      return scanner_.error(GLISSADE_TEXT("ends before 'endsolid'"));
+    return scanner_.error({GLISSADE_TEXT("has %1 where '%2' is expected"), {inQuotes(word), expected}});
   }
 
   TextScanner scanner_;
@@ -133,17 +133,17 @@ bool isText(std::string_view bytes) {
 }
 
 MeshContent readBinaryStl(std::string_view bytes) {
-  if (bytes.size() < kHeader) throw FormatError{"", "is too short for an STL file"};
+  if (bytes.size() < kHeader) throw FormatError{"", GLISSADE_TEXT("is too short for an STL file")};
   const std::uint32_t claimed = claimedTriangles(bytes);
   if ((bytes.size() - kHeader) / kRecord < claimed) {
-    throw FormatError{"", "claims " + std::to_string(claimed) + " triangles but is only " +
-                              std::to_string(bytes.size()) + " bytes long"};
+    throw FormatError{"",
+                      {GLISSADE_TEXT("claims %1 triangles but is only %2 bytes long"), {claimed, bytes.size()}}};
   }
   const std::size_t end = kHeader + kRecord * claimed;
   const std::string_view rest = bytes.substr(end);
   if (!std::all_of(rest.begin(), rest.end(), [](char c) { return c == '\0' || c == ' ' || c == '\n' || c == '\r'; })) {
-    throw FormatError{"byte " + std::to_string(end),
-                      "goes on after the " + std::to_string(claimed) + " triangles that it claims to have"};
+    throw FormatError{{GLISSADE_TEXT("byte %1"), {end}},
+                      {GLISSADE_TEXT("goes on after the %1 triangles that it claims to have"), {claimed}}};
   }
   Facets facets(claimed);
   float largest = 0.0F;
@@ -157,7 +157,8 @@ MeshContent readBinaryStl(std::string_view bytes) {
     for (std::size_t i = 0; i < 9; ++i) {
       const float coordinate = numbers[3 + i];
       if (!std::isfinite(coordinate)) {
-        throw FormatError{"byte " + std::to_string(at + 4 * (3 + i)), "has a coordinate that is not a finite number"};
+        throw FormatError{{GLISSADE_TEXT("byte %1"), {at + 4 * (3 + i)}},
+                          GLISSADE_TEXT("has a coordinate that is not a finite number")};
       }
       largest = std::max(largest, std::abs(coordinate));
       corners[i / 3][static_cast<Eigen::Index>(i % 3)] = coordinate;

@@ -47,18 +47,24 @@ bool TextScanner::atEnd() {
 
 bool TextScanner::lastLineIsOpen() const { return !text_.empty() && text_.back() != '\n' && text_.back() != '\r'; }
 
-FormatError TextScanner::error(const std::string& reason) const { return {"line " + std::to_string(line_), reason}; }
+FormatError TextScanner::error(const Message& reason) const {
+  return {{GLISSADE_TEXT("line %1"), {line_}}, reason};
+}
 
-double TextScanner::number(std::string_view word, const char* what) const {
-  if (word.empty()) throw error(std::string("ends before ") + what);
+double TextScanner::number(std::string_view word, CatalogueText what) const {
+  if (word.empty()) throw error({GLISSADE_TEXT("ends before %1"), {what}});
   const std::string_view digits = word.front() == '+' ? word.substr(1) : word;
   double value = 0.0;
   const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   // Out of range are numbers that overflow, and numbers too close to zero.
   if (fault == std::errc::result_out_of_range) value = std::strtod(std::string(digits).c_str(), nullptr);
   const bool whole = fault != std::errc::invalid_argument && end == digits.data() + digits.size();
-  if (!whole || digits.front() == '+') throw error(std::string(what) + " " + inQuotes(word) + " is not a number");
-  if (!std::isfinite(value)) throw error(std::string(what) + " " + inQuotes(word) + " is not a finite number");
+  if (!whole || digits.front() == '+') {
+    throw error({GLISSADE_TEXT("%1 %2 is not a number"), {what, inQuotes(word)}});
+  }
+  if (!std::isfinite(value)) {
+    throw error({GLISSADE_TEXT("%1 %2 is not a finite number"), {what, inQuotes(word)}});
+  }
   return value;
 }
 

@@ -27,10 +27,10 @@ class TextScanner {
 
   std::size_t line() const { return line_; }
   std::size_t position() const { return at_; }
-  FormatError error(const std::string& reason) const;
+  FormatError error(const Message& reason) const;
 
   /// The finite number in a word. `what` names it in the error: "the coordinate".
-  double number(std::string_view word, const char* what) const;
+  double number(std::string_view word, CatalogueText what) const;
 
  private:
   bool atLineEnd() const { return at_ == text_.size() || text_[at_] == '\n' || text_[at_] == '\r'; }

@@ -66,8 +66,9 @@ AutomaticPlanner::AutomaticPlanner(const Problem& problem, std::uint64_t seed, s
   updateCounts();
   const auto query = problem.world->makeQuery();
   if (goalRoots(problem, *query).empty()) {
-    failure_ = Diagnostic{ErrorKind::NoPath, "", "", GLISSADE_TEXT("the workspace has no configuration outside the product"),
-                          GLISSADE_TEXT("Widen the workspace.")};
+    failure_ =
+        Diagnostic{ErrorKind::NoPath, "", "", GLISSADE_TEXT("the workspace has no configuration outside the product"),
+                   GLISSADE_TEXT("Widen the workspace.")};
   }
 }
 

@@ -83,7 +83,8 @@ bool DirectMotions::solve(PlannerHost& host) {
 
 void DirectMotions::tryNext(PlannerHost& host) {
   if (next_ == ideas_.size()) {
-    failure_ = Diagnostic{ErrorKind::NoPath, "", "", GLISSADE_TEXT("no direct motion is free"), GLISSADE_TEXT("Choose a planner that searches.")};
+    failure_ = Diagnostic{ErrorKind::NoPath, "", "", GLISSADE_TEXT("no direct motion is free"),
+                          GLISSADE_TEXT("Choose a planner that searches.")};
     return;
   }
   const std::vector<Pose>& idea = ideas_[next_];

@@ -74,7 +74,9 @@ class MoveToClearance {
     const auto colliding = query_->collidingBody(q_);
     const auto body = static_cast<std::size_t>(colliding ? *colliding : query_->nearestObstacle(q_).body);
     const Message reason = colliding ? overlapWith(body) : nearnessTo(body);
-    return {ErrorKind::InCollision, "", "",
+    return {ErrorKind::InCollision,
+            "",
+            "",
             {GLISSADE_TEXT("%1; no clear position was found within %2 mm"),
              {reason, millimetres(kLongestWayOut * world_->objectRadius())}},
             GLISSADE_TEXT("Switch fits on, put the object elsewhere, or check the parts and their unit.")};
@@ -147,7 +149,8 @@ Result<Pose> moveToClearance(const CollisionWorldPtr& world, const Pose& q, doub
   if (search.isFree()) return q;
   if (const auto near = search.retract()) return *near;
   if (const auto out = search.slideOut()) return *out;
-  if (stop.stopRequested()) return Diagnostic{ErrorKind::Interrupted, "", "", GLISSADE_TEXT("the operation was stopped"), ""};
+  if (stop.stopRequested())
+    return Diagnostic{ErrorKind::Interrupted, "", "", GLISSADE_TEXT("the operation was stopped"), ""};
   return search.failure();
 }
 

@@ -40,9 +40,10 @@ bool PathRepair::solve(PlannerHost& host) {
     step(host);
     updateCounts();
     if (!path_ && queriesOf(counts_) > options_.work) {
-      failure_ = Diagnostic{ErrorKind::NoPath, "", "",
-                            GLISSADE_TEXT("the path of the shrunk object could not be repaired for the full-size object"),
-                            GLISSADE_TEXT("Start again with another seed.")};
+      failure_ =
+          Diagnostic{ErrorKind::NoPath, "", "",
+                     GLISSADE_TEXT("the path of the shrunk object could not be repaired for the full-size object"),
+                     GLISSADE_TEXT("Start again with another seed.")};
     }
     if (!host.afterStep()) break;
   }

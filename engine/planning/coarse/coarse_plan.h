@@ -43,14 +43,14 @@ struct TopologicalStep {
 
   int place = 0;    ///< index of the place to cross, or kWholeWorkspace
   int border = -1;  ///< border to reach; -1: the goal
-  Message placeName;
+  std::string placeName;
   std::string borderName;  ///< "G" for the goal
   Pose from;
   Pose to;  ///< the milestone in the border; undefined while `milestone` is false
   bool milestone = false;
   bool geometrical = false;                ///< the geometrical planner was asked for a region
   std::string planner;                     ///< id of the local planner; empty: not chosen yet
-  Message why;                         ///< "place 3: complexity 3, cluttered, so geometrical planner then rrt"
+  Message why;                             ///< "place 3: complexity 3, cluttered, so geometrical planner then rrt"
   std::uint64_t randomConfigurations = 0;  ///< random configurations of milestone and local planner together
   StepResult result = StepResult::Pending;
   SamplingRegionPtr region;       ///< region of the geometrical planner, or the place with its borders

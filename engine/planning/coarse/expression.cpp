@@ -329,14 +329,20 @@ Location columnAt(std::size_t position) { return {GLISSADE_TEXT("column %1"), {p
 
 Result<Expression> Expression::parse(const std::string& text, const NameTypes& typeOf) {
   if (text.size() > kLongest) {
-    return Diagnostic{ErrorKind::MalformedInput, "", columnAt(kLongest), GLISSADE_TEXT("the rule is too long"),
+    return Diagnostic{ErrorKind::MalformedInput,
+                      "",
+                      columnAt(kLongest),
+                      GLISSADE_TEXT("the rule is too long"),
                       {GLISSADE_TEXT("Use at most %1 characters."), {kLongest}}};
   }
   try {
     return Expression(text, Parser(text, typeOf).parse());
   } catch (const SyntaxError& error) {
     const std::string shown = text.size() > 200 ? text.substr(0, 200) + "..." : text;
-    return Diagnostic{ErrorKind::MalformedInput, "", columnAt(error.position), error.reason,
+    return Diagnostic{ErrorKind::MalformedInput,
+                      "",
+                      columnAt(error.position),
+                      error.reason,
                       {GLISSADE_TEXT("Correct the rule: %1"), {shown}}};
   }
 }

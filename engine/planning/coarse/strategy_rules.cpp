@@ -92,7 +92,9 @@ Result<ParsedRules> parseRules(const StrategyRules& rules, const AttributeTable&
     if (std::find(localPlanners.begin(), localPlanners.end(), local) == localPlanners.end()) {
       std::string known;
       for (const std::string& id : localPlanners) known += (known.empty() ? "" : ", ") + id;
-      return Diagnostic{ErrorKind::MalformedInput, "", pointer + "/local", 
+      return Diagnostic{ErrorKind::MalformedInput,
+                        "",
+                        pointer + "/local",
                         {GLISSADE_TEXT("there is no local planner '%1'"), {local}},
                         {GLISSADE_TEXT("Give one of %1."), {known}}};
     }

@@ -5,8 +5,6 @@
 #include <limits>
 #include <set>
 
-#include "engine/base/number_text.h"
-
 namespace glissade {
 namespace {
 
@@ -40,10 +38,12 @@ constexpr double kRounding = 1e-9;
 Result<double> costBy(const Expression& rule, const char* pointer, const NameLookup& lookup, const Message& where) {
   const double value = rule.number(lookup);
   if (value >= -kRounding) return std::max(0.0, value);
-  const Message reason = std::isnan(value)
-                             ? Message(GLISSADE_TEXT("divides by zero %1"), {where})
-                             : Message(GLISSADE_TEXT("gives the negative cost %1 %2"), {value, where});
-  return Diagnostic{ErrorKind::MalformedInput, "", pointer, reason,
+  const Message reason = std::isnan(value) ? Message(GLISSADE_TEXT("divides by zero %1"), {where})
+                                           : Message(GLISSADE_TEXT("gives the negative cost %1 %2"), {value, where});
+  return Diagnostic{ErrorKind::MalformedInput,
+                    "",
+                    pointer,
+                    reason,
                     {GLISSADE_TEXT("A cost is 0 or more: correct the rule %1"), {rule.text()}}};
 }
 
@@ -81,9 +81,8 @@ Result<TopologicalGraph> makeTopologicalGraph(const TopologicalMap& map, const S
       return toRuleValue(semantics.ofPlace(static_cast<std::size_t>(place), attribute).value);
     };
     const auto nameOf = [&](int place) { return semantics.placeName(static_cast<std::size_t>(place)); };
-    const auto cost =
-        costBy(rules.node, "/rules/node", lookup, 
-               {GLISSADE_TEXT("between %1 and %2"), {nameOf(border.placeA), nameOf(border.placeB)}});
+    const auto cost = costBy(rules.node, "/rules/node", lookup,
+                             {GLISSADE_TEXT("between %1 and %2"), {nameOf(border.placeA), nameOf(border.placeB)}});
     if (!cost) return cost.error();
     const int node = static_cast<int>(graph.nodes.size());
     graph.nodes.push_back({static_cast<int>(b), border.centre, *cost});

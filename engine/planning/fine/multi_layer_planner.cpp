@@ -98,7 +98,8 @@ void MultiLayerPlanner::prepare(PlannerHost& host) {
     plan_.coarseConfigurations += knowledge_->randomConfigurations();
   }
   if (!goal_) {
-    fail(GLISSADE_TEXT("the workspace has no configuration outside the product"), GLISSADE_TEXT("Widen the workspace."));
+    fail(GLISSADE_TEXT("the workspace has no configuration outside the product"),
+         GLISSADE_TEXT("Widen the workspace."));
     return;
   }
   coarse_.emplace(problem_, *goal_, knowledge_, rules_, edits_);
@@ -279,7 +280,7 @@ TopologicalStep& MultiLayerPlanner::wholeWorkspaceStep() {
   if (!plan_.steps.empty() && plan_.steps.back().place == TopologicalStep::kWholeWorkspace) return plan_.steps.back();
   TopologicalStep step;
   step.place = TopologicalStep::kWholeWorkspace;
-  step.placeName = GLISSADE_TEXT("the whole workspace");
+  step.placeName = "the whole workspace";
   step.borderName = "G";
   step.from = problem_.start;
   step.to = *goal_;
@@ -332,7 +333,8 @@ void MultiLayerPlanner::deliver(PlannerHost& host) {
   if (path.certificate.status == CertificateStatus::Certified) {
     path_ = std::move(path);
   } else if (!host.stopToken().stopRequested()) {
-    fail(GLISSADE_TEXT("the steps together cannot be certified"), GLISSADE_TEXT("Please report it with the scenario and the seed."));
+    fail(GLISSADE_TEXT("the steps together cannot be certified"),
+         GLISSADE_TEXT("Please report it with the scenario and the seed."));
   }
   publish();
 }

@@ -157,7 +157,7 @@ struct OmplPlanner::Engine {
 OmplPlanner::OmplPlanner(const Problem& problem, std::uint64_t seed, OmplAlgorithm algorithm, OmplManner manner) {
   nodes_.push_back({problem.start, Author::Computer, TreeSide::Start});
   counts_.nodes = 1;
-  guard(GLISSADE_TEXT(GLISSADE_TEXT("preparing OMPL's planner")), [&] {
+  guard(GLISSADE_TEXT("preparing OMPL's planner"), [&] {
     engine_ = std::make_unique<Engine>(problem, seed, algorithm, manner);
     counts_.queries = engine_->world.queryCounts();
     if (engine_->goals.empty()) {
@@ -184,7 +184,7 @@ void OmplPlanner::fail(ErrorKind kind, const Message& reason, const Message& adv
 
 bool OmplPlanner::solve(PlannerHost& host) {
   while (owedSteps_ > 0 || (!path_ && !failure_)) {
-    if (owedSteps_ == 0) guard(GLISSADE_TEXT(GLISSADE_TEXT("planning with OMPL")), [&] { grow(host); });
+    if (owedSteps_ == 0) guard(GLISSADE_TEXT("planning with OMPL"), [&] { grow(host); });
     if (owedSteps_ == 0) break;  // planning has failed
     // After a path is found, all steps of its piece are taken together, so that the end of the run does not depend on
     // where the piece is interrupted.
@@ -199,7 +199,7 @@ bool OmplPlanner::solve(PlannerHost& host) {
 }
 
 void OmplPlanner::completeRoadmap() {
-  guard(GLISSADE_TEXT(GLISSADE_TEXT("reading OMPL's roadmap")), [this] {
+  guard(GLISSADE_TEXT("reading OMPL's roadmap"), [this] {
     if (engine_) collect();
   });
 }
@@ -215,7 +215,8 @@ void OmplPlanner::grow(PlannerHost& host) {
   ++counts_.iterations;
   const ob::PlannerStatus status = engine_->solvePiece();
   if (status == ob::PlannerStatus::INVALID_START || status == ob::PlannerStatus::INVALID_GOAL) {
-    fail(ErrorKind::NoPath, GLISSADE_TEXT("OMPL's planner was given no free start within the bounds"), GLISSADE_TEXT("Widen the bounds."));
+    fail(ErrorKind::NoPath, GLISSADE_TEXT("OMPL's planner was given no free start within the bounds"),
+         GLISSADE_TEXT("Widen the bounds."));
   }
   if (engine_->definition->hasExactSolution()) deliverPath(host);
   engine_->definition->clearSolutionPaths();  // removes the approximate solution that every piece leaves
