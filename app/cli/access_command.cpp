@@ -176,12 +176,14 @@ int accessOfPlan(const AccessOptions& options, const StopToken& stop) {
 
 int runAccess(const AccessOptions& options) {
   if (options.path.empty() == options.plan.empty()) {
-    return reportError({ErrorKind::Usage, options.file, "--path, --plan", "one of them is needed, and not both",
-                        "Give a path of the scenario's object, or an assembly plan."},
-                       options.console);
+    return reportError(
+        {ErrorKind::Usage, options.file, "--path, --plan", GLISSADE_TEXT("one of them is needed, and not both"),
+         GLISSADE_TEXT("Give a path of the scenario's object, or an assembly plan.")},
+        options.console);
   }
   if (!std::all_of(options.eye.begin(), options.eye.end(), [](double x) { return std::isfinite(x); })) {
-    return reportError({ErrorKind::Usage, "", "--eye", "is not a place", "Give three numbers in metres."},
+    return reportError({ErrorKind::Usage, "", "--eye", GLISSADE_TEXT("is not a place"),
+                        GLISSADE_TEXT("Give three numbers in metres.")},
                        options.console);
   }
   const Interrupt interrupt;

@@ -74,13 +74,15 @@ Outcome addForbiddenPlaces(const std::string& file, const StopToken& stop, check
 int checkPath(const CheckOptions& options, const Interrupt& interrupt, const StopToken& stop) {
   if (!options.without.empty()) {
     return reportError({ErrorKind::Usage, options.scenario, "--without",
-                        "is for assembly plans: a path is of a scenario", "Remove the body from the scenario."},
+                        GLISSADE_TEXT("is for assembly plans: a path is of a scenario"),
+                        GLISSADE_TEXT("Remove the body from the scenario.")},
                        options.console);
   }
   if (options.trustPlan) {
-    return reportError({ErrorKind::Usage, options.scenario, "--trust-plan",
-                        "is for assembly plans: a path states no words of a person", "Leave it out."},
-                       options.console);
+    return reportError(
+        {ErrorKind::Usage, options.scenario, "--trust-plan",
+         GLISSADE_TEXT("is for assembly plans: a path states no words of a person"), GLISSADE_TEXT("Leave it out.")},
+        options.console);
   }
   const auto path = check::readPath(options.path);
   if (!path) return reportError(path.error(), options.console);
@@ -145,7 +147,8 @@ int checkPlan(const CheckOptions& options, const Interrupt& interrupt, const Sto
 
 int runCheck(const CheckOptions& options) {
   if (!(options.timeLimit >= 0.0)) {
-    return reportError({ErrorKind::Usage, "", "--time-limit", "is below zero", "Give seconds, 0 for none."},
+    return reportError({ErrorKind::Usage, "", "--time-limit", GLISSADE_TEXT("is below zero"),
+                        GLISSADE_TEXT("Give seconds, 0 for none.")},
                        options.console);
   }
   const Interrupt interrupt;

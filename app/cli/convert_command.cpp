@@ -40,8 +40,8 @@ int convertPath(const ConvertOptions& options) {
     return finish(exporter->write(path, none, {}, options.output), options);
   }
   if (options.scenario.empty()) {
-    return reportError({ErrorKind::Usage, options.output, "", "this format holds more than the path",
-                        "Name the scenario with --scenario, or write OMPL's format (.path)."},
+    return reportError({ErrorKind::Usage, options.output, "", GLISSADE_TEXT("this format holds more than the path"),
+                        GLISSADE_TEXT("Name the scenario with --scenario, or write OMPL's format (.path).")},
                        options.console);
   }
   const auto scenario = loadScenario(options.scenario);

@@ -34,7 +34,7 @@ Json toJson(const PairWay& way, const std::string& moving, const std::string& ot
     json["thinner"].push_back({{"body", fit.yields ? other : moving}, {"allowance_m", fit.allowance}});
     if (fit.hollow) json["thinner"].back()["hollow"] = true;
   }
-  if (!way.refused.empty()) json["refused"] = way.refused;
+  if (!way.refused.empty()) json["refused"] = toString(way.refused);
   return json;
 }
 
@@ -134,7 +134,7 @@ void printCsv(const std::vector<PairFit>& rows, const Product& tree) {
     std::cout << quoted(nameOf(row.a)) << "," << quoted(nameOf(row.b)) << "," << kindName(contact.kind) << ","
               << toText(contact.gap) << "," << toText(contact.overlap) << "," << toText(contact.uncertainty) << ","
               << toText(row.way().allowance()) << "," << statusName(row.status()) << "," << quoted(joined(thinner))
-              << "," << quoted(row.way().refused) << "\n";
+              << "," << quoted(toString(row.way().refused)) << "\n";
   }
 }
 
@@ -213,7 +213,8 @@ Outcome checkLimits(const ContactLimits& limits) {
   for (const auto& [option, value] :
        {std::pair{"--clearance-up-to", limits.clearanceUpTo}, std::pair{"--clash-above", limits.clashOverlap}}) {
     if (value >= 0.0) continue;
-    return Diagnostic{ErrorKind::Usage, "", option, "is below zero", "Give a length, as 0.5mm."};
+    return Diagnostic{ErrorKind::Usage, "", option, GLISSADE_TEXT("is below zero"),
+                      GLISSADE_TEXT("Give a length, as 0.5mm.")};
   }
   return Done{};
 }

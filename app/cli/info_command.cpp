@@ -240,9 +240,10 @@ Json toJson(const std::string& file, const AssembledProduct& product) {
 
 int runProductInfo(const InfoOptions& options) {
   if (options.places) {
-    return reportError({ErrorKind::Usage, options.file, "--places", "needs a scenario: a part file has no object",
-                        "Make a scenario of the file with glissade-cli new."},
-                       options.console);
+    return reportError(
+        {ErrorKind::Usage, options.file, "--places", GLISSADE_TEXT("needs a scenario: a part file has no object"),
+         GLISSADE_TEXT("Make a scenario of the file with glissade-cli new.")},
+        options.console);
   }
   const Interrupt interrupt;
   const auto loaded = readProduct(options.file, interrupt.token(), 0.0, {options.open, {}});

@@ -59,7 +59,7 @@ Cells cellsOf(const Joint& joint, const AssembledProduct& product) {
           joint.thread ? threadInWords(*joint.thread) : "",
           joint.thread ? rounded(joint.thread->turns(), 3) : "",
           driveInWords(joint),
-          joined(joint.evidence, "; ")};
+          toString(joined(joint.evidence, "; "))};
 }
 
 std::map<std::string, int> countsOf(const Joints& joints) {
@@ -121,7 +121,7 @@ void printJoints(const Joints& joints, const AssembledProduct& product) {
 /// The joints that were found, changed as the scenario says.
 Result<Joints> jointsOf(const ProductFile& loaded, bool confirmsSuggested, const StopToken& stop) {
   Joints found = findJoints(loaded.product, stop, loaded.classes);
-  if (stop.stopRequested()) return Diagnostic{ErrorKind::Interrupted, "", "", "was interrupted", ""};
+  if (stop.stopRequested()) return Diagnostic{ErrorKind::Interrupted, "", "", GLISSADE_TEXT("was interrupted"), ""};
   auto joints = applied(std::move(found), loaded.joints, loaded.product);
   if (!joints || !confirmsSuggested) return joints;
   const auto confirmations = confirmationsOf(*joints, loaded.product);

@@ -506,7 +506,8 @@ std::optional<Diagnostic> unwritten(PrintableOutput& output) {
   const int error = output.flush();
   if (error == 0 || error == EPIPE) return std::nullopt;
   return Diagnostic{ErrorKind::Unwritable, "standard output", "",
-                    std::string("cannot be written: ") + std::strerror(error), "Send it to another file."};
+                    std::string("cannot be written: ") + std::strerror(error),
+                    GLISSADE_TEXT("Send it to another file.")};
 }
 
 }  // namespace

@@ -58,7 +58,8 @@ Outcome leaveOut(const std::vector<std::string>& names, Scenario& scenario) {
   for (std::size_t i = 0; i < ids.size(); ++i) {
     if (!(*meant)[i]) continue;
     if (i >= others) {
-      return Diagnostic{ErrorKind::Usage, "", "--without", "names the part that moves", "Name another body."};
+      return Diagnostic{ErrorKind::Usage, "", "--without", GLISSADE_TEXT("names the part that moves"),
+                        GLISSADE_TEXT("Name another body.")};
     }
     if (const Outcome left = glissade::leaveOut(ids[i], scenario); !left) return left;
     reportWarnings({isLeftOut(scenario.leftOut.back().name)});

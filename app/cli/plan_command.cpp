@@ -55,7 +55,7 @@ std::string lowerCase(std::string text) {
 Outcome checkPlanner(const std::string& id) {
   if (makePlannerRegistry().find(id) != nullptr) return Done{};
   return Diagnostic{ErrorKind::Usage, "", "--strategy", "there is no planner '" + id + "'",
-                    "See 'glissade-cli plan --help' for the planners."};
+                    GLISSADE_TEXT("See 'glissade-cli plan --help' for the planners.")};
 }
 
 /// Sets up the recorded run, with the changes that the options make.
@@ -160,7 +160,8 @@ void warnOfUnused(const PlanOptions& options, const LoadedScenario& loaded) {
   Warnings unused;
   const auto warn = [&](const char* location, const char* what) {
     unused.push_back({ErrorKind::Usage, loaded.file, location,
-                      std::string(what) + " not used by strategy '" + strategy + "'", "Choose gts to plan with them."});
+                      std::string(what) + " not used by strategy '" + strategy + "'",
+                      GLISSADE_TEXT("Choose gts to plan with them.")});
   };
   if (!loaded.scenario.milestones.empty()) warn("/milestones", "are");
   if (std::any_of(places.begin(), places.end(), prefers)) warn("/places", "have preferences, which are");

@@ -39,7 +39,8 @@ Result<Replayed> replay(const ReplayOptions& options, const Interrupt& interrupt
   session->advance(0);
   while (isRunning(*session->snapshot()) && !interrupt.requested()) session->advance(kReplaySlice, interrupt.token());
   if (interrupt.requested()) {
-    return Diagnostic{ErrorKind::Interrupted, options.record, "", "the replay was not finished", "Start it again."};
+    return Diagnostic{ErrorKind::Interrupted, options.record, "", GLISSADE_TEXT("the replay was not finished"),
+                      GLISSADE_TEXT("Start it again.")};
   }
   return Replayed{std::move(*record), std::move(*log), session->snapshot()};
 }

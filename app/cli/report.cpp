@@ -33,8 +33,8 @@ int reportError(const Diagnostic& error, const Console& console) {
 
 Diagnostic placesHoldForPathsOnly(const std::string& file) {
   return {ErrorKind::MalformedInput, file, "",
-          "forbids places to the path of its object; the steps of an assembly plan may cross them",
-          "Forbid directions of parts instead (--forbid)."};
+          GLISSADE_TEXT("forbids places to the path of its object; the steps of an assembly plan may cross them"),
+          GLISSADE_TEXT("Forbid directions of parts instead (--forbid).")};
 }
 
 void reportWarnings(const Warnings& warnings, const Console& console) {

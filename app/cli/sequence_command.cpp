@@ -151,7 +151,7 @@ Outcome addStepDemands(const SequenceOptions& options, SequenceDemands& demands)
     const auto place = words.size() < 2 ? std::nullopt : toNumber(words[0]);
     if (!place || *place < 1.0 || *place > kMostPlaces || *place != std::floor(*place)) {
       return Diagnostic{ErrorKind::Usage, "", "--place", "is not a number from 1, a comma and a name: " + text,
-                        "Give 3,name."};
+                        GLISSADE_TEXT("Give 3,name.")};
     }
     demands.places.push_back({{words.begin() + 1, words.end()}, static_cast<std::size_t>(*place)});
   }
@@ -160,7 +160,7 @@ Outcome addStepDemands(const SequenceOptions& options, SequenceDemands& demands)
     const auto direction = words.size() < 2 ? std::nullopt : directionIn({words.begin() + 1, words.end()});
     if (!direction) {
       return Diagnostic{ErrorKind::Usage, "", "--forbid", "is not a name, a comma and a direction: " + text,
-                        "Give name,-z or name,0,0,-1."};
+                        GLISSADE_TEXT("Give name,-z or name,0,0,-1.")};
     }
     demands.forbidden.push_back({words[0], *direction});
   }
@@ -174,7 +174,7 @@ Result<SequenceDemands> demandsOf(const SequenceOptions& options, SequenceDemand
     const auto pair = listed(text);
     if (pair.size() != 2) {
       return Diagnostic{ErrorKind::Usage, "", "--before", "is not two names with a comma between them: " + text,
-                        "Give first,then."};
+                        GLISSADE_TEXT("Give first,then.")};
     }
     demands.before.emplace_back(pair[0], pair[1]);
   }
@@ -183,7 +183,8 @@ Result<SequenceDemands> demandsOf(const SequenceOptions& options, SequenceDemand
   if (!options.gravity.empty()) {
     if (options.gravity.size() != 3 ||
         Vector3(options.gravity[0], options.gravity[1], options.gravity[2]).isZero(0.0)) {
-      return Diagnostic{ErrorKind::Usage, "", "--gravity", "is no direction", "Give three numbers, as 0 0 -1."};
+      return Diagnostic{ErrorKind::Usage, "", "--gravity", GLISSADE_TEXT("is no direction"),
+                        GLISSADE_TEXT("Give three numbers, as 0 0 -1.")};
     }
     demands.gravity = {options.gravity[0], options.gravity[1], options.gravity[2]};
   }
@@ -192,7 +193,7 @@ Result<SequenceDemands> demandsOf(const SequenceOptions& options, SequenceDemand
     const auto use = jointUseByName(options.joints);
     if (!use) {
       return Diagnostic{ErrorKind::Usage, "", "--joints", "is unknown: " + options.joints,
-                        "Choose recognised, suggested or off."};
+                        GLISSADE_TEXT("Choose recognised, suggested or off.")};
     }
     demands.jointUse = *use;
   }
@@ -201,8 +202,8 @@ Result<SequenceDemands> demandsOf(const SequenceOptions& options, SequenceDemand
 
 Diagnostic fitsAreOff(const std::string& file) {
   return {ErrorKind::MalformedInput, file, "/fits",
-          "are off, so that no part leaves that touches another one where it is assembled",
-          "Run again with --fits on, or switch them on in the scenario."};
+          GLISSADE_TEXT("are off, so that no part leaves that touches another one where it is assembled"),
+          GLISSADE_TEXT("Run again with --fits on, or switch them on in the scenario.")};
 }
 
 /// Names of the staying bodies, from the options and from the product's attributes.
@@ -219,16 +220,17 @@ Result<AssemblyPlan> resumedPlan(const SequenceOptions& options) {
   const bool other = !options.strategy.empty() && plan->strategy != options.strategy;
   if (other || (options.seed && *options.seed != plan->seed) || !options.staying.empty() || options.deflection > 0.0) {
     return Diagnostic{ErrorKind::Usage, options.resume, "",
-                      "has a strategy, a seed, staying bodies and a deflection of its own",
-                      "Leave out --strategy, --seed, --stay and --deflection, or plan anew."};
+                      GLISSADE_TEXT("has a strategy, a seed, staying bodies and a deflection of its own"),
+                      GLISSADE_TEXT("Leave out --strategy, --seed, --stay and --deflection, or plan anew.")};
   }
   const bool demands = !options.together.empty() || !options.before.empty() || !options.gravity.empty() ||
                        !options.cost.empty() || !options.places.empty() || !options.forbidden.empty() ||
                        !options.joints.empty();
   if (demands && plan->demands != SequenceDemands()) {
     return Diagnostic{
-        ErrorKind::Usage, options.resume, "", "has demands of its own",
-        "Leave out --together, --before, --place, --forbid, --gravity, --joints and --cost, or plan anew."};
+        ErrorKind::Usage, options.resume, "", GLISSADE_TEXT("has demands of its own"),
+        GLISSADE_TEXT(
+            "Leave out --together, --before, --place, --forbid, --gravity, --joints and --cost, or plan anew.")};
   }
   return plan;
 }
@@ -276,7 +278,7 @@ void printSteps(const std::vector<AssemblyStep>& steps, const std::string& group
     }
     for (const std::string& id : step.falling) std::cout << before << "      to be held: " << host.nameOf(id) << "\n";
     for (const StepAllowance& allowance : step.allowances) {
-      std::cout << before << "      allowance: " << allowance.text << "\n";
+      std::cout << before << "      allowance: " << toString(allowance.text) << "\n";
     }
   }
 }
@@ -289,7 +291,7 @@ void printStuck(const std::vector<StuckBody>& all, const std::string& before, co
       std::cout << separator << host.nameOf(other);
       separator = ", ";
     }
-    std::cout << (stuck.reason.empty() ? "" : ": ") << stuck.reason << "\n";
+    std::cout << (stuck.reason.empty() ? "" : ": ") << toString(stuck.reason) << "\n";
   }
 }
 
@@ -353,10 +355,11 @@ int exitCodeOf(const AssemblyPlan& plan) {
 Outcome checkOptions(const SequenceOptions& options) {
   if (!options.strategy.empty() && makeSequenceStrategyRegistry().find(options.strategy) == nullptr) {
     return Diagnostic{ErrorKind::Usage, "", "--strategy", "is unknown: " + options.strategy,
-                      "Choose greedy or best-first."};
+                      GLISSADE_TEXT("Choose greedy or best-first.")};
   }
   if (!(options.timeLimit >= 0.0)) {
-    return Diagnostic{ErrorKind::Usage, "", "--time-limit", "is below zero", "Give seconds, 0 for none."};
+    return Diagnostic{ErrorKind::Usage, "", "--time-limit", GLISSADE_TEXT("is below zero"),
+                      GLISSADE_TEXT("Give seconds, 0 for none.")};
   }
   return Done{};
 }
@@ -463,8 +466,8 @@ int runSequence(const SequenceOptions& options) {
   SequenceRequest request{*staying, strategy, seed, *demands, earlier ? &*earlier : nullptr};
   request.joints = &*joints;
   if (outOfTime) {
-    reportWarnings({{ErrorKind::LimitReached, options.file, "--time-limit", "was reached while fits were searched",
-                     "Give more time."}});
+    reportWarnings({{ErrorKind::LimitReached, options.file, "--time-limit",
+                     GLISSADE_TEXT("was reached while fits were searched"), GLISSADE_TEXT("Give more time.")}});
   } else {
     reportWarnings(fits->warnings());
     reportWarnings(warningsOf(findAlternatives(product.bodies, stop), product.bodies));

@@ -39,10 +39,11 @@ int runSmooth(const SmoothOptions& options) {
   for (PathPoint& point : path.points) point.q.orientation.normalize();
   path.certificate = certifyPath(*problem.world->makeQuery(), path.points, loaded->parameters, interrupt.token());
   if (path.certificate.status != CertificateStatus::Certified) {
-    return reportError({ErrorKind::NoPath, options.input, "edge " + std::to_string(path.certificate.edge),
-                        inWords(path.certificate, *problem.world),
-                        "Only certified paths are smoothed. glissade-cli check says more about the path."},
-                       options.console);
+    return reportError(
+        {ErrorKind::NoPath, options.input, "edge " + std::to_string(path.certificate.edge),
+         inWords(path.certificate, *problem.world),
+         GLISSADE_TEXT("Only certified paths are smoothed. glissade-cli check says more about the path.")},
+        options.console);
   }
   const Path shorter =
       withShortcuts(path, problem, loaded->parameters, options.seed, options.attempts, interrupt.token());

@@ -124,7 +124,7 @@ Result<Shard> parseShard(const std::string& text) {
                     readWhole(std::string_view(text).substr(slash + 1), shard.count);
   if (read && shard.index >= 1 && shard.index <= shard.count && shard.count <= kMostShards) return shard;
   return Diagnostic{ErrorKind::Usage, "", "--shard", "'" + text + "' is not I/N with I from 1 to N",
-                    "Write 1/4, 2/4, 3/4 and 4/4 for four shards."};
+                    GLISSADE_TEXT("Write 1/4, 2/4, 3/4 and 4/4 for four shards.")};
 }
 
 /// Prints which runs the study has and how many of them the folder already holds.

@@ -57,9 +57,9 @@ int runSweep(const SweepOptions& options) {
     within.push_back(loaded->obstacles[body].shown());
   }
   if (interrupt.requested()) {
-    return reportError(
-        {ErrorKind::Interrupted, options.output, "", "the swept volume was not written", "Start it again."},
-        options.console);
+    return reportError({ErrorKind::Interrupted, options.output, "", GLISSADE_TEXT("the swept volume was not written"),
+                        GLISSADE_TEXT("Start it again.")},
+                       options.console);
   }
   Warnings warnings;
   const Outcome saved = saveSweptVolume(*sweep, "Swept volume of " + loaded->object.name, loaded->object.colour,

@@ -30,13 +30,36 @@ Message sizeInWords(const Joint& joint) {
   return {GLISSADE_TEXT("of %1 mm"), {millimetres}};
 }
 
-/// "4 screws". Only joints of these kinds hold bodies.
-Message countInWords(JointKind kind, std::size_t count) {
-  const bool isOne = count == 1;
-  if (kind == JointKind::Screw) return {isOne ? GLISSADE_TEXT("%1 screw") : GLISSADE_TEXT("%1 screws"), {count}};
-  if (kind == JointKind::Nut) return {isOne ? GLISSADE_TEXT("%1 nut") : GLISSADE_TEXT("%1 nuts"), {count}};
-  if (kind == JointKind::Thread) return {isOne ? GLISSADE_TEXT("%1 thread") : GLISSADE_TEXT("%1 threads"), {count}};
-  return {isOne ? GLISSADE_TEXT("%1 flexible") : GLISSADE_TEXT("%1 flexibles"), {count}};
+/// Texts for a number of joints of one kind, with their size and without.
+struct CountTexts {
+  CatalogueText one;
+  CatalogueText several;
+  CatalogueText oneOfSize;
+  CatalogueText severalOfSize;
+};
+
+/// Only joints of these kinds hold bodies.
+CountTexts countTexts(JointKind kind) {
+  if (kind == JointKind::Screw) {
+    return {GLISSADE_TEXT("%1 screw"), GLISSADE_TEXT("%1 screws"), GLISSADE_TEXT("%1 screw %2"),
+            GLISSADE_TEXT("%1 screws %2")};
+  }
+  if (kind == JointKind::Nut) {
+    return {GLISSADE_TEXT("%1 nut"), GLISSADE_TEXT("%1 nuts"), GLISSADE_TEXT("%1 nut %2"), GLISSADE_TEXT("%1 nuts %2")};
+  }
+  if (kind == JointKind::Thread) {
+    return {GLISSADE_TEXT("%1 thread"), GLISSADE_TEXT("%1 threads"), GLISSADE_TEXT("%1 thread %2"),
+            GLISSADE_TEXT("%1 threads %2")};
+  }
+  return {GLISSADE_TEXT("%1 flexible"), GLISSADE_TEXT("%1 flexibles"), GLISSADE_TEXT("%1 flexible %2"),
+          GLISSADE_TEXT("%1 flexibles %2")};
+}
+
+/// "4 screws M3x8"
+Message countInWords(JointKind kind, std::size_t count, const Message& size) {
+  const CountTexts texts = countTexts(kind);
+  if (size.empty()) return {count == 1 ? texts.one : texts.several, {count}};
+  return {count == 1 ? texts.oneOfSize : texts.severalOfSize, {count, size}};
 }
 
 /// Sizes of thread and drive, in steps of ten micrometres.
@@ -228,8 +251,7 @@ Message JointRules::inWords(const std::vector<std::size_t>& joints) const {
   }
   Message words;
   for (const auto& [what, each] : alike) {
-    const Message count = countInWords(what.first, each.bodies.size());
-    const Message next = each.size.empty() ? count : joined({count, each.size}, " ");
+    const Message next = countInWords(what.first, each.bodies.size(), each.size);
     words = words.empty() ? next : Message(GLISSADE_TEXT("%1 and %2"), {words, next});
   }
   return words;

@@ -67,8 +67,8 @@ TEST_P(TimesWindowTest, AllTextsAreInTheLanguage) {
   const auto* view = window->findChild<TimesView*>();
   const QTableWidget* table = view->findChild<QTableWidget*>();
   for (const WorkTimeRow& row : workTimeRows()) {
-    const auto found = table->findItems(QString::fromLatin1(row.meaning), Qt::MatchFixedString);
-    EXPECT_EQ(found.isEmpty(), french) << row.meaning;
+    const auto found = table->findItems(QString::fromLatin1(row.meaning.english), Qt::MatchFixedString);
+    EXPECT_EQ(found.isEmpty(), french) << row.meaning.english;
   }
   const QString trouble = view->findChild<QLabel*>(QStringLiteral("times-trouble"))->text();
   EXPECT_TRUE(

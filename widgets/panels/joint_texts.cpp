@@ -111,7 +111,7 @@ QString driveText(const Joint& joint) {
 QStringList jointEvidence(const JointRow& row) {
   QStringList lines;
   if (row.refusal) lines << diagnosticText(*row.refusal);
-  for (const std::string& each : row.joint.evidence) lines << engineText(each);
+  for (const Message& each : row.joint.evidence) lines << engineText(each);
   return lines;
 }
 

@@ -143,7 +143,7 @@ QLayout* SequencePanel::makeExplodingRow() {
          "list; the last of it keeps the order in which the parts were found to leave"));
   for (const StepCostPreset& preset : stepCostPresets()) {
     const QString id = QString::fromStdString(preset.id);
-    const QString shown = QCoreApplication::translate("Diagnostics", preset.label.c_str());
+    const QString shown = engineText(preset.label);
     cost_->addItem(shown, cost_->count() == 0 ? QString() : id);  // the first one is the default
     cost_->setItemData(cost_->count() - 1, QString::fromStdString(preset.expression), Qt::ToolTipRole);
   }

@@ -264,7 +264,7 @@ void StepTable::addStep(std::size_t place) {
                     markOf(demandsOn(step.bodies(), shown_.plan->demands), step)};
   marks.removeAll(QString());
   row->setText(StepState, twoLines(checkText(check), marks.join(QStringLiteral(", "))));
-  QStringList tips{checkTip(check), tr("found by %1").arg(engineText(step.method))};
+  QStringList tips{checkTip(check), tr("found by %1").arg(engineText(methodInWords(step.method)))};
   if (access != nullptr) tips << accessText(*access, shown_.product->bodies) << inside;
   if (after) tips << tr("found after %1 s of computing").arg(QLocale().toString(*after, 'f', 1));
   row->setToolTip(StepState, tips.join(QLatin1Char('\n')));

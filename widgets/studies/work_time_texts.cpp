@@ -39,7 +39,7 @@ QLocale numbers(const QLocale& language) {
 }  // namespace
 
 QString workTimeName(const WorkTimeRow& row) {
-  QString name = say(row.meaning);
+  QString name = say(row.meaning.english);
   name[0] = name[0].toUpper();
   return name;
 }
