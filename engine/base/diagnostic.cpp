@@ -19,7 +19,7 @@ int exitCode(ErrorKind kind) {
 }
 
 std::string toString(const Diagnostic& diagnostic, const MessageStyle& style) {
-  const char* colon = style.language == Language::French ? " : " : ": ";
+  const char* colon = style.language == Language::French ? "\u00a0: " : ": ";
   std::string text;
   for (const std::string& part : {diagnostic.file, toString(diagnostic.location, style)}) {
     if (!part.empty()) text += printableLine(part) + colon;

@@ -140,7 +140,8 @@ TEST(SaveFile, SaysThatAFolderIsReadOnly) {
   EXPECT_TRUE(inChild([&] {
     if (::geteuid() == 0 && !becomeNobody()) return false;
     const SaveResult result = saveFile(file, "new");
-    return result.status == SaveStatus::Failed && toString(result.why.reason).find("Permission denied") != std::string::npos &&
+    return result.status == SaveStatus::Failed &&
+           toString(result.why.reason).find("Permission denied") != std::string::npos &&
            toString(result.why.advice).find("folder") != std::string::npos;
   }));
   ASSERT_EQ(::chmod(folder.path().c_str(), 0755), 0);
@@ -188,7 +189,8 @@ TEST(SaveFile, KeepsTheOwnerWhereItMayAndSaysWhereItMayNot) {
   EXPECT_TRUE(inChild([&] {
     if (!becomeNobody()) return false;
     const SaveResult lost = saveFile(file, "as nobody");
-    return lost && lost.warnings.size() == 1 && toString(lost.warnings[0].reason).find("owner and group") != std::string::npos;
+    return lost && lost.warnings.size() == 1 &&
+           toString(lost.warnings[0].reason).find("owner and group") != std::string::npos;
   }));
   EXPECT_EQ(statusOf(file).st_uid, kNobody);
   EXPECT_EQ(statusOf(file).st_mode & 0777, 0666U);
@@ -213,7 +215,8 @@ TEST(SaveFile, TellsTheTruthWhenTheFileMayNotGrow) {
     const rlimit limit{1000, 1000};
     if (::setrlimit(RLIMIT_FSIZE, &limit) != 0) return false;
     const SaveResult result = saveFile(file, std::string(5000, 'x'));
-    return result.status == SaveStatus::Failed && toString(result.why.reason).find("File too large") != std::string::npos;
+    return result.status == SaveStatus::Failed &&
+           toString(result.why.reason).find("File too large") != std::string::npos;
   }));
   EXPECT_EQ(readWhole(file), "old");
   EXPECT_EQ(namesIn(folder.path()).size(), 1U);
