@@ -135,6 +135,12 @@ inline constexpr CatalogueText kStudyTexts[] = {
     GLISSADE_TEXT("The pump: ten times faster than GTS."),
     GLISSADE_TEXT("auto solves every run, with a certified path."),
     GLISSADE_TEXT("not-certified"),
+    GLISSADE_TEXT("paper"),
+    GLISSADE_TEXT("Scenario"),
+    GLISSADE_TEXT("Success rate (%)"),
+    GLISSADE_TEXT("Authority α"),
+    GLISSADE_TEXT("Contact samples N"),
+    GLISSADE_TEXT("Contact distance d (m)"),
 };
 
 }  // namespace glissade

@@ -6,9 +6,7 @@
 
 namespace glissade {
 
-/// A text of the engine in the user's language. A text that is not made from a known sentence is returned as it is.
-/// Names and numbers in it stay.
-QString engineText(const std::string& text);
+/// A text of the engine in the language of the window.
 QString engineText(const Message& message);
 
 /// The reason and the advice in the user's language, as sentences, without file and place.

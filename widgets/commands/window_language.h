@@ -2,7 +2,7 @@
 
 #include <QLocale>
 
-#include "engine/study/study_words.h"
+#include "engine/base/message.h"
 
 namespace glissade {
 

@@ -156,6 +156,7 @@ QWidget* AttributeEditor::makeNumberBox(const AttributeDefinition& definition) {
 /// The value below the range stands for different values; the box shows `scale` times the value.
 template <typename Box>
 QWidget* AttributeEditor::connected(Box* box, const std::string& unit, double scale) {
+  using Number = decltype(box->value());
   box->setSpecialValueText(kDiffers);
   box->setSuffix(unit.empty() ? QString() : QStringLiteral(" ") + QString::fromStdString(unit));
   connect(box, QOverload<Number>::of(&Box::valueChanged), this, [this, box, scale](Number value) {

@@ -1,7 +1,6 @@
 #include "widgets/plots/plot_view.h"
 
 #include <QClipboard>
-#include <QCoreApplication>
 #include <QEvent>
 #include <QGuiApplication>
 #include <QMouseEvent>
@@ -33,6 +32,8 @@
 #include <set>
 
 #include "engine/base/file.h"
+#include "engine/study/study_words.h"
+#include "widgets/commands/window_language.h"
 #include "widgets/plots/picture_file.h"
 
 namespace glissade {
@@ -86,7 +87,7 @@ class ZoomBand final : public QwtPlotPicker {
 };
 
 /// The engine's text in the user's language; names of strategies and titles of a study's columns stay as they are.
-QString translated(const std::string& words) { return QCoreApplication::translate("Plots", words.c_str()); }
+QString translated(const std::string& words) { return QString::fromStdString(StudyWords(windowLanguage())(words)); }
 
 QwtSymbol::Style symbolOf(const PlotSeries& series) {
   if (series.ofPaper) return QwtSymbol::Diamond;

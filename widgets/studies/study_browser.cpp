@@ -1,6 +1,5 @@
 #include "widgets/studies/study_browser.h"
 
-#include <QCoreApplication>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLocale>
@@ -14,6 +13,7 @@
 #include "engine/study/cell_value.h"
 #include "engine/study/finding_check.h"
 #include "engine/study/study_plots.h"
+#include "engine/study/study_words.h"
 #include "widgets/commands/window_language.h"
 #include "widgets/plots/plot_view.h"
 
@@ -178,7 +178,7 @@ void StudyBrowser::fillPlots() {
     auto* view = new PlotView(plot, plots_);
     connect(view, &PlotView::cellPicked, this, [this](int cell) { selectCell(cell); });
     connect(view, &PlotView::zoomChanged, this, &StudyBrowser::plotChanged);
-    const int tab = plots_->addTab(view, QCoreApplication::translate("Plots", plot.y.title().c_str()));
+    const int tab = plots_->addTab(view, QString::fromStdString(StudyWords(windowLanguage())(plot.y.title())));
     plots_->setTabToolTip(tab, shownText(plot.title + ". " + plot.caption));
   }
 }

@@ -3,30 +3,10 @@
 #include <QCoreApplication>
 #include <QLocale>
 
+#include "widgets/commands/diagnostic_text.h"
+
 namespace glissade {
 namespace {
-
-/// The meanings of workTimeRows(), listed for the translators.
-[[maybe_unused]] constexpr const char* kMeanings[] = {
-    QT_TRANSLATE_NOOP("WorkTimes", "a part is small below this length"),
-    QT_TRANSLATE_NOOP("WorkTimes", "a part is large above this length"),
-    QT_TRANSLATE_NOOP("WorkTimes", "a heavier part is handled as a large one"),
-    QT_TRANSLATE_NOOP("WorkTimes", "a heavier part needs a lifting aid"),
-    QT_TRANSLATE_NOOP("WorkTimes", "fetch a part"),
-    QT_TRANSLATE_NOOP("WorkTimes", "fetch a small part"),
-    QT_TRANSLATE_NOOP("WorkTimes", "fetch a large part with both hands"),
-    QT_TRANSLATE_NOOP("WorkTimes", "fetch a part with a lifting aid"),
-    QT_TRANSLATE_NOOP("WorkTimes", "place a part along a straight way"),
-    QT_TRANSLATE_NOOP("WorkTimes", "place a part into a fit"),
-    QT_TRANSLATE_NOOP("WorkTimes", "place a part along a way with turns"),
-    QT_TRANSLATE_NOOP("WorkTimes", "press a part into its seat"),
-    QT_TRANSLATE_NOOP("WorkTimes", "lay a flexible part on"),
-    QT_TRANSLATE_NOOP("WorkTimes", "start a thread"),
-    QT_TRANSLATE_NOOP("WorkTimes", "one turn with a powered tool"),
-    QT_TRANSLATE_NOOP("WorkTimes", "one turn by hand or with an open wrench"),
-    QT_TRANSLATE_NOOP("WorkTimes", "take another tool"),
-    QT_TRANSLATE_NOOP("WorkTimes", "hold one body meanwhile"),
-};
 
 QString say(const char* text) { return QCoreApplication::translate("WorkTimes", text); }
 
@@ -39,7 +19,7 @@ QLocale numbers(const QLocale& language) {
 }  // namespace
 
 QString workTimeName(const WorkTimeRow& row) {
-  QString name = say(row.meaning.english);
+  QString name = engineText(row.meaning);
   name[0] = name[0].toUpper();
   return name;
 }
