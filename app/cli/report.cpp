@@ -3,10 +3,9 @@
 #include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
+#include "app/cli/text_cells.h"
 #include "engine/base/printable_text.h"
-#include "engine/base/quantity_text.h"
 #include "engine/import/missing_shapes_json.h"
 #include "engine/scenario/certificate_json.h"
 #include "engine/scenario/scenario_fits.h"
@@ -14,19 +13,23 @@
 namespace glissade::cli {
 using Json = nlohmann::ordered_json;
 
-std::string bodyName(const CollisionWorld& world, int body) {
-  if (body == kForbiddenPlace) return "a forbidden place";
-  return body < 0 ? std::string() : world.obstacles()[static_cast<std::size_t>(body)].shown();
+Message bodyName(const CollisionWorld& world, int body) {
+  if (body == kForbiddenPlace) return GLISSADE_TEXT("a forbidden place");
+  return body < 0 ? Message() : Message(world.obstacles()[static_cast<std::size_t>(body)].shown());
 }
 
 void printJson(const Json& json) { std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << "\n"; }
 
-void Console::print(const Message& line) const { std::cout << toString(line, language) << "\n"; }
+void Console::print(const Message& line) const { std::cout << text(line) << "\n"; }
 
-void Console::note(const Message& line) const { std::cerr << "glissade-cli: " << toString(line, language) << "\n"; }
+void Console::note(const Message& line) const { std::cerr << "glissade-cli: " << text(line) << "\n"; }
+
+void noteError(const Diagnostic& error, const Console& console) {
+  std::cerr << "glissade-cli: " << toString(error, console.language) << "\n";
+}
 
 int reportError(const Diagnostic& error, const Console& console) {
-  std::cerr << "glissade-cli: " << toString(error, console.language) << "\n";
+  noteError(error, console);
   if (console.json) printJson({{"error", toJson(error)}});
   return exitCode(error.kind);
 }
@@ -60,44 +63,61 @@ Json toJson(const Diagnostic& error) {
 }
 
 Json toJson(const MotionCertificate& certificate, const CollisionWorld& world, bool edges) {
-  const BodyNames names = [&](int body) { return bodyName(world, body); };
+  const BodyNames names = [&](int body) { return toString(bodyName(world, body)); };
   Json json = certificateJson(certificate, names);
   if (edges) json["edges"] = edgesJson(certificate, names);
   return json;
 }
 
-std::string inWords(const MotionCertificate& certificate, const CollisionWorld& world) {
-  std::ostringstream text;
-  const std::string body = bodyName(world, certificate.nearest.body);
-  switch (certificate.status) {
-    case CertificateStatus::Certified:
-      text << "certified: ";
-      if (body.empty()) {
-        text << "nothing near";
-      } else {
-        text << "clearance " << certificate.minClearance * 1e3 << " mm to '" << body << "'";
-      }
-      text << " (required " << certificate.tolerance * 1e3 << " mm";
-      if (const std::size_t sliding = certificate.slidingEdges(); sliding > 0) {
-        text << ", " << sliding << " of " << certificate.edges.size() << " edges slide";
-      }
-      if (certificate.forbiddenMargin > 0.0) {
-        text << "; " << inMillimetres(certificate.forbiddenMargin) << " from forbidden places";
-      }
-      text << ")";
-      break;
-    case CertificateStatus::Violated:
-      if (certificate.againstThread) {
-        text << "violated: on edge " << certificate.edge << " the object is in the thread of '" << body
-             << "', and the edge is no turn about their axis by the pitch";
-        break;
-      }
-      text << "violated: " << certificate.minClearance * 1e3 << " mm to '" << body << "' on edge " << certificate.edge
-           << " at " << certificate.at << " (required " << certificate.tolerance * 1e3 << " mm)";
-      break;
-    case CertificateStatus::Undecided: text << "undecided on edge " << certificate.edge; break;
+namespace {
+
+std::string millimetres(double metres) { return rounded(metres * 1e3); }
+
+Message certifiedInWords(const MotionCertificate& certificate, const Message& body) {
+  Message near = GLISSADE_TEXT("nothing near");
+  if (!body.empty()) {
+    near = {GLISSADE_TEXT("clearance %1 mm to '%2'"), {millimetres(certificate.minClearance), body}};
   }
-  return text.str();
+  Message demand{GLISSADE_TEXT("required %1 mm"), {millimetres(certificate.tolerance)}};
+  if (const std::size_t sliding = certificate.slidingEdges(); sliding > 0) {
+    demand = {GLISSADE_TEXT("%1, %2 of %3 edges slide"), {demand, sliding, certificate.edges.size()}};
+  }
+  if (certificate.forbiddenMargin > 0.0) {
+    demand = {GLISSADE_TEXT("%1; %2 from forbidden places"), {demand, Length{certificate.forbiddenMargin}}};
+  }
+  return {GLISSADE_TEXT("certified: %1 (%2)"), {near, demand}};
+}
+
+Message violatedInWords(const MotionCertificate& certificate, const Message& body) {
+  if (certificate.againstThread) {
+    return {GLISSADE_TEXT("violated: on edge %1 the object is in the thread of '%2', and the edge is no turn about "
+                          "their axis by the pitch"),
+            {certificate.edge, body}};
+  }
+  return {GLISSADE_TEXT("violated: %1 mm to '%2' on edge %3 at %4 (required %5 mm)"),
+          {millimetres(certificate.minClearance), body, certificate.edge, rounded(certificate.at),
+           millimetres(certificate.tolerance)}};
+}
+
+CatalogueText inWords(CertificateStatus status) {
+  switch (status) {
+    case CertificateStatus::Certified: return GLISSADE_TEXT("certified");
+    case CertificateStatus::Violated: return GLISSADE_TEXT("violated");
+    case CertificateStatus::Undecided: break;
+  }
+  return GLISSADE_TEXT("undecided");
+}
+
+}  // namespace
+
+Message inWords(const MotionCertificate& certificate, const CollisionWorld& world) {
+  const Message body = bodyName(world, certificate.nearest.body);
+  switch (certificate.status) {
+    case CertificateStatus::Certified: return certifiedInWords(certificate, body);
+    case CertificateStatus::Violated: return violatedInWords(certificate, body);
+    case CertificateStatus::Undecided: break;
+  }
+  return {GLISSADE_TEXT("undecided on edge %1"), {certificate.edge}};
 }
 
 void addUncertainties(const LoadedScenario& scenario, const std::vector<PathPoint>& path, Json& certificate) {
@@ -107,31 +127,36 @@ void addUncertainties(const LoadedScenario& scenario, const std::vector<PathPoin
   if (!scenario.fits.allowed.empty()) certificate["allowances"] = allowancesJson(scenario, path);
 }
 
-std::string deviationInWords(const LoadedScenario& scenario, const std::vector<PathPoint>& path) {
-  std::ostringstream text;
+std::vector<Message> uncertaintiesInWords(const LoadedScenario& scenario, const std::vector<PathPoint>& path) {
+  std::vector<Message> lines;
   for (const Message& allowance : allowancesInWords(scenario, path)) {
-    text << "allowance: " << toString(allowance) << "\n";
+    lines.push_back({GLISSADE_TEXT("allowance: %1"), {allowance}});
   }
-  if (const MissingShapes& missing = scenario.missing; !missing.empty()) text << toString(statementOf(missing)) << "\n";
+  if (const MissingShapes& missing = scenario.missing; !missing.empty()) lines.push_back(statementOf(missing));
   if (const double deviation = surfaceDeviation(scenario); deviation > 0.0) {
-    text << "the certificate is about triangles, which are within +/- " << inMillimetres(deviation)
-         << " of the CAD surfaces\n";
+    lines.push_back({GLISSADE_TEXT("the certificate is about triangles, which are within +/- %1 of the CAD surfaces"),
+                     {Length{deviation}}});
   }
   if (const double spacing = coordinateSpacing(scenario); spacing > 0.0) {
-    text << "coordinate spacing: mesh files hold 32-bit numbers or were closed at T-junctions, so that bodies may be "
-         << spacing * 1e3 << " mm nearer\n";
+    lines.push_back({GLISSADE_TEXT("coordinate spacing: mesh files hold 32-bit numbers or were closed at T-junctions, "
+                                   "so that bodies may be %1 mm nearer"),
+                     {millimetres(spacing)}});
   }
-  return text.str();
+  return lines;
 }
 
-void printEdges(const MotionCertificate& certificate, const CollisionWorld& world) {
+void printEdges(const MotionCertificate& certificate, const CollisionWorld& world, const Console& console) {
   for (std::size_t i = 0; i < certificate.edges.size(); ++i) {
     const EdgeCertificate& edge = certificate.edges[i];
-    std::cout << "  edge " << i << ": " << statusName(edge.status) << ", clearance " << edge.provedClearance * 1e3
-              << " to " << edge.minClearance * 1e3 << " mm";
-    if (edge.nearest.body >= 0) std::cout << " to '" << bodyName(world, edge.nearest.body) << "' at " << edge.at;
-    std::cout << " (required " << edge.demand.clearance * 1e3 << " mm" << (edge.demand.sliding ? ", sliding" : "")
-              << ")\n";
+    Message clearance{GLISSADE_TEXT("clearance %1 to %2 mm"),
+                      {millimetres(edge.provedClearance), millimetres(edge.minClearance)}};
+    if (edge.nearest.body >= 0) {
+      clearance = {GLISSADE_TEXT("%1 to '%2' at %3"), {clearance, bodyName(world, edge.nearest.body), rounded(edge.at)}};
+    }
+    console.print(
+        {edge.demand.sliding ? GLISSADE_TEXT("  edge %1: %2, %3 (required %4 mm, sliding)")
+                             : GLISSADE_TEXT("  edge %1: %2, %3 (required %4 mm)"),
+         {i, inWords(edge.status), clearance, millimetres(edge.demand.clearance)}});
   }
 }
 

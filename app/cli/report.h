@@ -2,6 +2,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 #include "engine/base/diagnostic.h"
 #include "engine/collision/motion_certificate.h"
@@ -15,6 +16,8 @@ struct Console {
   bool json = false;
   Language language = Language::English;
 
+  /// The text in the language of the console.
+  std::string text(const Message& message) const { return toString(message, language); }
   /// Prints a line of text to standard output.
   void print(const Message& line) const;
   /// Prints a line about the progress of the command to standard error.
@@ -29,6 +32,8 @@ inline constexpr int kExitUnderConditions = 7;
 /// Prints one JSON document to stdout.
 void printJson(const nlohmann::ordered_json& json);
 
+/// Prints the error to stderr.
+void noteError(const Diagnostic& error, const Console& console);
 /// Prints the error to stderr (and as JSON to stdout) and returns its exit code.
 int reportError(const Diagnostic& error, const Console& console);
 void reportWarnings(const Warnings& warnings, const Console& console);
@@ -42,18 +47,19 @@ nlohmann::ordered_json vectorJson(const Vector3& v);
 nlohmann::ordered_json poseJson(const Pose& pose);
 nlohmann::ordered_json toJson(const MotionCertificate& certificate, const CollisionWorld& world, bool edges = false);
 /// Prints a line for every edge to stdout.
-void printEdges(const MotionCertificate& certificate, const CollisionWorld& world);
+void printEdges(const MotionCertificate& certificate, const CollisionWorld& world, const Console& console);
 /// Name of an obstacle; empty if the index is -1.
-std::string bodyName(const CollisionWorld& world, int body);
+Message bodyName(const CollisionWorld& world, int body);
 nlohmann::ordered_json toJson(const Diagnostic& error);
 
 /// Adds to the certificate what limits its accuracy: the tessellation, the number format of the files, the allowances
 /// of fits, the turns of the path in threads, and shapes that are no bodies.
 void addUncertainties(const LoadedScenario& scenario, const std::vector<PathPoint>& path,
                       nlohmann::ordered_json& certificate);
-std::string deviationInWords(const LoadedScenario& scenario, const std::vector<PathPoint>& path);
+/// The same in words, a message for each line.
+std::vector<Message> uncertaintiesInWords(const LoadedScenario& scenario, const std::vector<PathPoint>& path);
 
 /// The certificate in words, such as "certified: clearance 1.5 mm to 'wall_L1'".
-std::string inWords(const MotionCertificate& certificate, const CollisionWorld& world);
+Message inWords(const MotionCertificate& certificate, const CollisionWorld& world);
 
 }  // namespace glissade::cli

@@ -405,7 +405,7 @@ int deliver(const AssemblyPlan& plan, const ProductFile& loaded, const SequenceO
     printJson(report);
   } else {
     printPlan(plan, host, seconds);
-    if (!loaded.missing.empty()) std::cout << statementOf(loaded.missing) << "\n";
+    if (!loaded.missing.empty()) std::cout << toString(statementOf(loaded.missing)) << "\n";
     if (plainOverlaps > 0) std::cout << toString(check::plainOverlapsInWords(plainOverlaps)) << "\n";
   }
   return exitCodeOf(plan);

@@ -14,7 +14,7 @@ Result<std::vector<MovedEnd>> endsMovedClear(const LoadedScenario& scenario, dou
     const auto clear = moveToClearance(wholeWorld(scenario), *before, required, stop);
     if (!clear) {
       Diagnostic why = clear.error();
-      why.location = end == AssemblyItem::Kind::Start ? "start" : "goal";
+      why.location = end == AssemblyItem::Kind::Start ? GLISSADE_TEXT("start") : GLISSADE_TEXT("goal");
       return why;
     }
     if (*clear != *before) moved.push_back({item, *clear, (clear->position - before->position).norm()});

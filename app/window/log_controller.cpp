@@ -82,7 +82,7 @@ void LogController::followRun(const SnapshotPtr& snapshot) {
     const bool expected =
         snapshot->problem->kind == ErrorKind::LimitReached || snapshot->problem->kind == ErrorKind::NoPath;
     log.add(expected ? LogLevel::Warning : LogLevel::Error,
-            placeText(snapshot->problem->location).arg(diagnosticText(*snapshot->problem)));
+            placeText(toString(snapshot->problem->location)).arg(diagnosticText(*snapshot->problem)));
   }
   const bool ended = !isRunning(*snapshot) && (snapshot->run != run_ || snapshot->state != state_);
   if (ended && snapshot->run > 0 && !snapshot->problem) {

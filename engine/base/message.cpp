@@ -1,5 +1,9 @@
 #include "engine/base/message.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+
 namespace glissade {
 
 std::optional<Language> languageOf(std::string_view code) {
@@ -21,14 +25,36 @@ Message::Message(const char* plain) : Message(std::string(plain)) {}
 
 bool Message::operator==(const Message& other) const { return text == other.text && arguments == other.arguments; }
 
+namespace {
+
+/// The messages with a separator between them. There are at most nine, because a text has no more arguments.
+Message joinedInOneText(std::vector<MessageArgument> messages, std::string_view separator) {
+  std::string text;
+  for (std::size_t i = 1; i <= messages.size(); ++i) {
+    text += (i > 1 ? std::string(separator) : "") + "%" + std::to_string(i);
+  }
+  return {CatalogueText{text.c_str()}, std::move(messages)};
+}
+
+}  // namespace
+
+/// Joins nine at a time, so that a long list is nested a few levels deep.
 Message joined(const std::vector<Message>& messages, std::string_view separator) {
   if (messages.empty()) return {};
-  Message all = messages.front();
-  for (std::size_t i = 1; i < messages.size(); ++i) {
-    const std::string pattern = "%1" + std::string(separator) + "%2";
-    all = Message(CatalogueText{pattern.c_str()}, {std::move(all), messages[i]});
+  constexpr std::size_t kMost = 9;
+  std::vector<Message> left = messages;
+  while (left.size() > 1) {
+    std::vector<Message> joint;
+    for (std::size_t first = 0; first < left.size(); first += kMost) {
+      const std::size_t end = std::min(first + kMost, left.size());
+      std::vector<MessageArgument> some(std::make_move_iterator(left.begin() + static_cast<std::ptrdiff_t>(first)),
+                                        std::make_move_iterator(left.begin() + static_cast<std::ptrdiff_t>(end)));
+      joint.push_back(some.size() == 1 ? std::move(std::get<Message>(some.front().value))
+                                       : joinedInOneText(std::move(some), separator));
+    }
+    left = std::move(joint);
   }
-  return all;
+  return left.front();
 }
 
 }  // namespace glissade

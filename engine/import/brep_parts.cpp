@@ -3,8 +3,8 @@
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <ios>
-#include <stdexcept>
 
+#include "engine/import/import_refusal.h"
 #include "engine/import/loose_parts.h"
 #include "engine/import/nothing_read.h"
 
@@ -20,9 +20,9 @@ StepAssembly readBrepParts(std::istream& content) {
   } catch (const std::ios::failure&) {
     shape.Nullify();
   }
-  if (shape.IsNull()) throw std::runtime_error("it is not sound BREP text");
+  if (shape.IsNull()) throw ImportRefusal{GLISSADE_TEXT("it is not sound BREP text")};
   StepAssembly assembly = loosePartsOf({shape}, kGap, [](const TopoDS_Shape&) { return std::string(); });
-  if (assembly.solids.empty()) throw std::runtime_error(nothingRead(assembly.notes));
+  if (assembly.solids.empty()) throw ImportRefusal{nothingRead(assembly.notes)};
   return assembly;
 }
 

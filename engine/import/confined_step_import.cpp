@@ -10,18 +10,20 @@
 #include <gp_Quaternion.hxx>
 #include <istream>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <numeric>
-#include <stdexcept>
 #include <streambuf>
 #include <string_view>
 #include <tuple>
 
 #include "engine/assembly/body_path.h"
+#include "engine/base/message_json.h"
 #include "engine/base/printable_text.h"
 #include "engine/import/brep_parts.h"
 #include "engine/import/confinement.h"
 #include "engine/import/foreign_text.h"
 #include "engine/import/iges_parts.h"
+#include "engine/import/import_refusal.h"
 #include "engine/import/shape_overlaps.h"
 #include "engine/import/step_assembly.h"
 #include "engine/import/step_fineness.h"
@@ -60,6 +62,19 @@ void joinRounded(std::vector<double>& vertices) {
   }
 }
 
+/// The note as a line of the protocol.
+std::string lineOf(const StepNote& note) {
+  nlohmann::json json{{"kind", std::string(1, note.kind)}, {"text", toJson(note.text)}};
+  if (note.kind == protocol::kMissingLine) {
+    json["product"] = note.product;
+    json["entity"] = note.entity;
+    json["shape"] = note.shapeKind;
+  } else {
+    json["place"] = toJson(note.place);
+  }
+  return glissade::lineOf(json);
+}
+
 /// Writes the triangles of each shape once, whatever the number of its parts.
 class AssemblyMessage {
  public:
@@ -70,14 +85,15 @@ class AssemblyMessage {
         isSewn_(assembly.isSewn),
         externalParts_(assembly.externalParts) {
     addNotes(assembly.notes);
-    for (const std::string& loss : assembly.losses) notes_ += protocol::kLossLine + ("\t" + loss) + "\n";
+    addNotes(assembly.losses);
     total_.kind = protocol::kAssembly;
     for (const StepSolid& solid : assembly.solids) add(solid, assembly);
     addNotes(validationNotes(assembly.measures, [this](const TopoDS_Shape& shape) { return validated(shape); }));
     if (healings_ > kMostHealings) {
-      const std::string more =
-          std::to_string(healings_ - kMostHealings) + " more faces were triangulated from their boundaries";
-      notes_ += protocol::kHealedLine + ("\t\t" + more) + "\n";
+      notes_ += lineOf(
+          {protocol::kHealedLine,
+           "",
+           {GLISSADE_TEXT("%1 more faces were triangulated from their boundaries"), {healings_ - kMostHealings}}});
     }
   }
 
@@ -188,18 +204,18 @@ class AssemblyMessage {
     total_.triangles += shapes_.back().record.triangles;
     faces_ += shapes_.back().record.faces;
     if (total_.vertices > protocol::kMostElements || total_.triangles > protocol::kMostElements) {
-      throw std::runtime_error("it needs more than " + std::to_string(protocol::kMostElements) + " triangles");
+      throw ImportRefusal{{GLISSADE_TEXT("it needs more than %1 triangles"), {protocol::kMostElements}}};
     }
     if (faces_ > protocol::kMostFaces) {
-      throw std::runtime_error("it has more than " + std::to_string(protocol::kMostFaces) + " faces");
+      throw ImportRefusal{{GLISSADE_TEXT("it has more than %1 faces"), {protocol::kMostFaces}}};
     }
   }
 
   /// Each loss is a line; only a few healed faces are lines.
-  void addNotes(const std::vector<std::string>& notes) {
-    for (const std::string& note : notes) {
-      if (note.front() == protocol::kHealedLine && ++healings_ > kMostHealings) continue;
-      notes_ += note + "\n";
+  void addNotes(const StepNotes& notes) {
+    for (const StepNote& note : notes) {
+      if (note.kind == protocol::kHealedLine && ++healings_ > kMostHealings) continue;
+      notes_ += lineOf(note);
     }
   }
 
@@ -226,24 +242,28 @@ class AssemblyMessage {
   std::size_t healings_ = 0;
 };
 
-int failToRead(CadKind kind, const ImportOutput& output, const std::string& reason) {
-  const std::string as = kind == CadKind::Step ? "" : std::string(" as ") + nameOf(kind);
-  return output.fail("cannot be read" + as + ": " + reason);
+int failToRead(CadKind kind, const ImportOutput& output, const Message& reason) {
+  if (kind == CadKind::Step) return output.fail({GLISSADE_TEXT("cannot be read: %1"), {reason}});
+  return output.fail({GLISSADE_TEXT("cannot be read as %1: %2"), {nameOf(kind), reason}});
 }
 
-/// A note for the parent process.
-std::string noteOf(const ForeignNames& names) {
-  const char kind = names.isSure ? protocol::kForeignNamesLine : protocol::kDoubtfulNamesLine;
-  const std::string as = names.encoding + ": '" + printableLine(names.example) + "'";
-  const std::string what =
-      names.isSure ? "are read as " + as : "are in an encoding that cannot be told, and are read as " + as;
-  return kind + ("\tnames\t" + what);
+StepNote noteOf(const ForeignNames& names) {
+  const std::string example = printableLine(names.example);
+  if (names.isSure) {
+    return {protocol::kForeignNamesLine,
+            GLISSADE_TEXT("names"),
+            {GLISSADE_TEXT("are read as %1: '%2'"), {names.encoding, example}}};
+  }
+  return {
+      protocol::kDoubtfulNamesLine,
+      GLISSADE_TEXT("names"),
+      {GLISSADE_TEXT("are in an encoding that cannot be told, and are read as %1: '%2'"), {names.encoding, example}}};
 }
 
 StepAssembly readStepParts(std::vector<char>& content, bool solidNames, const ForeignText& foreign) {
   const auto names = foreign.makeUtf8(content);
   const std::string_view text(content.data(), content.size());
-  if (const auto fault = faultOfStepText(text)) throw std::runtime_error(*fault);
+  if (const auto fault = faultOfStepText(text)) throw ImportRefusal{*fault};
   const StepEntities entities(text);
   const StatedShapes stated = statedShapesOf(entities);
   StepStandIns standIns = standInsFor(entities, stated);
@@ -274,7 +294,7 @@ void writeVolumes(const std::vector<std::pair<std::string, std::string>>& pairs,
 
 int import(const StepImportOrder& order, const ForeignText& foreign, const ImportOutput& output) {
   std::vector<char> content = readStandardInput(protocol::kStepLimits.bytes);
-  if (content.empty()) return failToRead(order.kind, output, "it is empty or too large");
+  if (content.empty()) return failToRead(order.kind, output, GLISSADE_TEXT("it is empty or too large"));
   const StepAssembly assembly = order.kind == CadKind::Iges   ? readIgesParts(content)
                                 : order.kind == CadKind::Brep ? readBrepText(content)
                                                               : readStepParts(content, order.solidNames, foreign);
@@ -297,11 +317,13 @@ int confinedStepImport(const StepImportOrder& order) {
     return import(order, foreign, output);
   } catch (const Standard_Failure& failure) {
     return failToRead(order.kind, output,
-                      std::string("its shapes cannot be computed (") + failure.DynamicType()->Name() + ")");
+                      {GLISSADE_TEXT("its shapes cannot be computed (%1)"), {failure.DynamicType()->Name()}});
   } catch (const std::bad_alloc&) {
-    return failToRead(order.kind, output, "it needs more memory than an import may take");
+    return failToRead(order.kind, output, GLISSADE_TEXT("it needs more memory than an import may take"));
+  } catch (const ImportRefusal& refusal) {
+    return failToRead(order.kind, output, refusal.reason);
   } catch (const std::exception& error) {
-    return failToRead(order.kind, output, error.what());
+    return failToRead(order.kind, output, Message(error.what()));
   }
 }
 

@@ -19,15 +19,19 @@ Result<FileContent> readContent(const std::string& file, std::uint64_t mostBytes
   std::error_code unknown;
   const std::uintmax_t size = std::filesystem::file_size(file, unknown);
   if (!unknown && size > mostBytes) {
-    return Diagnostic{ErrorKind::MalformedInput, file, "",
-                      {GLISSADE_TEXT("is too large: it has %1, and at most %2 are read with the memory of this machine"),
-                       {sizeInWords(size), sizeInWords(mostBytes)}},
-                      GLISSADE_TEXT("Export fewer triangles, split the file, or use a machine with more free memory.")};
+    return Diagnostic{
+        ErrorKind::MalformedInput,
+        file,
+        "",
+        {GLISSADE_TEXT("is too large: it has %1, and at most %2 are read with the memory of this machine"),
+         {sizeInWords(size), sizeInWords(mostBytes)}},
+        GLISSADE_TEXT("Export fewer triangles, split the file, or use a machine with more free memory.")};
   }
   auto bytes = readFile(file, mostBytes);
   if (!bytes) return bytes.error();
   if (bytes->substr(0, kFirstLine).find(kLfsPointer) != std::string::npos) {
-    return Diagnostic{ErrorKind::MalformedInput, file, "", GLISSADE_TEXT("is a Git LFS pointer: the file itself was not fetched"),
+    return Diagnostic{ErrorKind::MalformedInput, file, "",
+                      GLISSADE_TEXT("is a Git LFS pointer: the file itself was not fetched"),
                       GLISSADE_TEXT("Fetch it (git lfs pull), and load again.")};
   }
   return FileContent{file, std::move(bytes).value()};

@@ -62,7 +62,9 @@ LoadedGeometryPtr found(const std::string& key, const GeometryCache* cache) {
 /// Warns of triangles with two equal corners, which bound nothing and were left out.
 void warnOfRemovedTriangles(std::size_t count, const std::string& file, Warnings& warnings) {
   if (count == 0) return;
-  warnings.push_back({ErrorKind::MalformedInput, file, "",
+  warnings.push_back({ErrorKind::MalformedInput,
+                      file,
+                      "",
                       {GLISSADE_TEXT("has %1 triangles with two equal corners, which were left out"), {count}},
                       GLISSADE_TEXT("They have no area, so that no surface is missing.")});
 }
@@ -70,7 +72,9 @@ void warnOfRemovedTriangles(std::size_t count, const std::string& file, Warnings
 /// Warns that the surface was changed, and by how little.
 void warnOfTJunctions(const ClosedAtTJunctions& closed, const std::string& file, Warnings& warnings) {
   warnings.push_back(
-      {ErrorKind::MalformedInput, file, "",
+      {ErrorKind::MalformedInput,
+       file,
+       "",
        {GLISSADE_TEXT("was closed along %1 edges on which vertices of neighbouring faces lie (T-junctions)"),
         {closed.edges}},
        {GLISSADE_TEXT("The surface has moved by at most %1 micrometres."), {std::ceil(1e8 * closed.moved) / 1e2}}});
@@ -80,7 +84,9 @@ void warnOfTJunctions(const ClosedAtTJunctions& closed, const std::string& file,
 TriangleMesh withoutHoles(const TriangleMesh& mesh, const std::string& file, Warnings& warnings) {
   ClosedHoles closed = withPlanarHolesClosed(mesh);
   if (closed.closed + closed.left == 0) return mesh;
-  warnings.push_back({ErrorKind::MalformedInput, file, "",
+  warnings.push_back({ErrorKind::MalformedInput,
+                      file,
+                      "",
                       {GLISSADE_TEXT("had %1 planar holes, which were closed as asked for; %2 holes are left open"),
                        {closed.closed, closed.left}},
                       GLISSADE_TEXT("Look at them: what is behind a closed hole is solid.")});
@@ -463,7 +469,9 @@ Result<LoadedGeometry> GeometryLoader::partOf(const std::string& asset, const st
 
 Outcome GeometryLoader::checkOwnUnit(const Asset& asset, const std::string& kind) const {
   if (asset.unit == 1.0 && asset.up == UpAxis::Z) return Done{};
-  return Diagnostic{ErrorKind::MalformedInput, file_, {GLISSADE_TEXT("asset '%1'"), {asset.id}},
+  return Diagnostic{ErrorKind::MalformedInput,
+                    file_,
+                    {GLISSADE_TEXT("asset '%1'"), {asset.id}},
                     {GLISSADE_TEXT("has a unit or an up-axis, but a %1 file says itself what its numbers mean, and is "
                                    "z up"),
                      {kind}},
@@ -476,7 +484,9 @@ void warnOfMissingFaces(const LoadedGeometry& geometry, const std::string& bodyI
                         Warnings& warnings) {
   for (const Occurrence& part : geometry.parts) {
     if (part.facesWithoutMesh == 0) continue;
-    warnings.push_back({ErrorKind::MalformedInput, file, {GLISSADE_TEXT("body '%1'"), {partId(bodyId, part)}},
+    warnings.push_back({ErrorKind::MalformedInput,
+                        file,
+                        {GLISSADE_TEXT("body '%1'"), {partId(bodyId, part)}},
                         {GLISSADE_TEXT("is not closed: faces or boundaries that could not be made: %1; proofs take "
                                        "what is missing as free space"),
                          {part.facesWithoutMesh}},
@@ -507,7 +517,8 @@ MissingShapes missingShapesOf(const GeometryCache& read, const std::vector<const
     const Asset& asset = assetById(*assetOf(*geometry), assets);
     for (const Occurrence& part : whole->second->parts) {
       if (isNamed(part, asset.id, named)) continue;
-      missing.push_back({asset.path, part.path, "", "", GLISSADE_TEXT("the scenario neither names it nor leaves it out")});
+      missing.push_back(
+          {asset.path, part.path, "", "", GLISSADE_TEXT("the scenario neither names it nor leaves it out")});
     }
   }
   for (const auto& [key, geometry] : read) {

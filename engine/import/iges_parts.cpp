@@ -17,10 +17,10 @@
 #include <array>
 #include <cstdio>
 #include <map>
-#include <stdexcept>
 
 #include "engine/base/printable_text.h"
 #include "engine/import/import_protocol.h"
+#include "engine/import/import_refusal.h"
 #include "engine/import/loose_parts.h"
 #include "engine/import/nothing_read.h"
 
@@ -39,8 +39,8 @@ constexpr double kMostGap = 0.05;
 /// OpenCASCADE reads IGES from a file, or from standard input if the file has no name. The process cannot open files.
 void readText(IGESControl_Reader& reader, std::vector<char>& content) {
   stdin = ::fmemopen(content.data(), content.size(), "r");
-  if (stdin == nullptr) throw std::runtime_error("it needs more memory than an import may take");
-  if (reader.ReadFile("") != IFSelect_RetDone) throw std::runtime_error("it is not sound IGES text");
+  if (stdin == nullptr) throw ImportRefusal{GLISSADE_TEXT("it needs more memory than an import may take")};
+  if (reader.ReadFile("") != IFSelect_RetDone) throw ImportRefusal{GLISSADE_TEXT("it is not sound IGES text")};
 }
 
 std::string entityName(const Entity& entity) {
@@ -80,7 +80,7 @@ class IgesShapes {
       if (entity.IsNull()) continue;
       const TopoDS_Shape shape = TransferBRep::ShapeResult(process_, entity);
       if (shape.IsNull()) {
-        if (isMaterial(entity, uses)) missing_.push_back(missingLine(entity));
+        if (isMaterial(entity, uses)) missing_.push_back(missingNote(entity));
         continue;
       }
       std::string& name = names_[shape.TShape().get()];
@@ -93,8 +93,8 @@ class IgesShapes {
     return known == names_.end() ? std::string() : known->second;
   }
 
-  /// A line of the protocol for each entity with material that was not made.
-  const std::vector<std::string>& missing() const { return missing_; }
+  /// A note for each entity with material that was not made.
+  const StepNotes& missing() const { return missing_; }
 
   double unit() const { return protocol::kMillimetre * model_->GlobalSection().UnitValue(); }
 
@@ -110,17 +110,22 @@ class IgesShapes {
     return isBounded(type) || isUnreadSolid(type) || (isSurface(type) && uses.Sharings(entity).NbEntities() == 0);
   }
 
-  std::string missingLine(const Entity& entity) const {
+  StepNote missingNote(const Entity& entity) const {
     const int type = entity->TypeNumber();
-    return std::string(1, protocol::kMissingLine) + "\t" + printableLine(entityName(entity)) + "\t" +
-           model_->StringLabel(entity)->ToCString() + "\tIGES " + std::to_string(type) + "\t" +
-           (isUnreadSolid(type) ? "its kind is not read" : "it could not be made");
+    const CatalogueText reason =
+        isUnreadSolid(type) ? GLISSADE_TEXT("its kind is not read") : GLISSADE_TEXT("it could not be made");
+    return {protocol::kMissingLine,
+            "",
+            reason,
+            printableLine(entityName(entity)),
+            model_->StringLabel(entity)->ToCString(),
+            "IGES " + std::to_string(type)};
   }
 
   Model model_;
   Handle(Transfer_TransientProcess) process_;
   std::map<const TopoDS_TShape*, std::string> names_;
-  std::vector<std::string> missing_;
+  StepNotes missing_;
 };
 
 }  // namespace
@@ -136,7 +141,7 @@ StepAssembly readIgesParts(std::vector<char>& content) {
   StepAssembly assembly =
       loosePartsOf(roots, shapes.gap(), [&](const TopoDS_Shape& shape) { return shapes.nameOf(shape); });
   assembly.notes.insert(assembly.notes.end(), shapes.missing().begin(), shapes.missing().end());
-  if (assembly.solids.empty()) throw std::runtime_error(nothingRead(assembly.notes));
+  if (assembly.solids.empty()) throw ImportRefusal{nothingRead(assembly.notes)};
   assembly.unit = shapes.unit();
   return assembly;
 }

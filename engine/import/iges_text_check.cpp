@@ -25,43 +25,48 @@ std::string_view withoutReturn(std::string_view line) { return line.substr(0, st
 
 class IgesTextCheck {
  public:
-  std::optional<std::string> faultOf(std::string_view text) {
+  std::optional<Message> faultOf(std::string_view text) {
     for (std::size_t begin = 0; begin < text.size() && section_ + 1 < kSections.size();) {
       const std::size_t end = std::min(text.find('\n', begin), text.size());
       if (auto fault = faultOfLine(text.substr(begin, end - begin))) return fault;
       begin = end + 1;
     }
-    if (section_ + 1 < kSections.size()) return "it ends before its terminate section (T): it is cut off";
+    if (section_ + 1 < kSections.size()) {
+      return GLISSADE_TEXT("it ends before its terminate section (T): it is cut off");
+    }
     return std::nullopt;
   }
 
  private:
-  std::optional<std::string> faultOfLine(std::string_view line) {
+  std::optional<Message> faultOfLine(std::string_view line) {
     ++line_;
     const std::size_t found =
         line.size() > kSectionColumn ? kSections.find(line[kSectionColumn]) : std::string_view::npos;
-    if (line_ == 1 && found != 0) return "column 73 of its first line is not S: it is no text of 80 columns";
+    if (line_ == 1 && found != 0) {
+      return GLISSADE_TEXT("column 73 of its first line is not S: it is no text of 80 columns");
+    }
     if (found == std::string_view::npos || found < section_ || found > section_ + 1) {
-      return "its line " + std::to_string(line_) + " is of no section, or of another one than the lines around it";
+      return Message(GLISSADE_TEXT("its line %1 is of no section, or of another one than the lines around it"),
+                     {line_});
     }
     section_ = found;
     ++lines_[section_];
     if (numberIn(withoutReturn(line.substr(kSectionColumn + 1))) != lines_[section_]) {
-      return "its line " + std::to_string(line_) + " is not numbered as it should be (" + kSections[section_] +
-             std::to_string(lines_[section_]) + "): lines are missing, or damaged";
+      return Message(GLISSADE_TEXT("its line %1 is not numbered as it should be (%2): lines are missing, or damaged"),
+                     {line_, kSections[section_] + std::to_string(lines_[section_])});
     }
     return kSections[section_] == 'T' ? faultOfCounts(line) : std::nullopt;
   }
 
   /// Checks the counts in "S0000001G0000003D0000010P0000009"; a missing count is permitted.
-  std::optional<std::string> faultOfCounts(std::string_view line) const {
+  std::optional<Message> faultOfCounts(std::string_view line) const {
     constexpr std::size_t kField = 8;
     for (std::size_t i = 0; i + 1 < kSections.size(); ++i) {
       const std::string_view field = line.substr(i * kField, kField);
       const auto stated = field.front() == kSections[i] ? numberIn(field.substr(1)) : std::nullopt;
       if (!stated || *stated == lines_[i]) continue;
-      return "it has " + std::to_string(lines_[i]) + " lines in its section " + kSections[i] + ", and states " +
-             std::to_string(*stated) + ": lines are missing";
+      return Message(GLISSADE_TEXT("it has %1 lines in its section %2, and states %3: lines are missing"),
+                     {lines_[i], std::string(1, kSections[i]), *stated});
     }
     return std::nullopt;
   }
@@ -73,6 +78,6 @@ class IgesTextCheck {
 
 }  // namespace
 
-std::optional<std::string> faultOfIgesText(std::string_view text) { return IgesTextCheck().faultOf(text); }
+std::optional<Message> faultOfIgesText(std::string_view text) { return IgesTextCheck().faultOf(text); }
 
 }  // namespace glissade

@@ -7,13 +7,13 @@
 namespace glissade::import_protocol {
 
 // Output of an importing process: a header, followed by data that depend on its kind.
-// kMesh: a MeshFacts, `vertices` x 3 doubles, `triangles` x 3 indices, the bytes of its warnings (a line each: a message),
-// the bytes of its groups (a line each: number of triangles, blank, name).
-// kAssembly: an AssemblyCounts; the bytes of the root's name; every shape as a Shape, its vertices x 3 doubles
-// (millimetres), its triangles x 3 indices, its faces as a Face each; every part as a Part, the bytes of its path below
-// the root (UTF-8), the bytes of the names of its steps as the file states them (a line each: product, tab, occurrence,
-// tab, designator; none if they equal the steps), the bytes of its former path; every use of another file as an
-// ExternalPart, the bytes of its path, of its names, of the file's name; the bytes of its notes, a line of JSON each:
+// kMesh: a MeshFacts, `vertices` x 3 doubles, `triangles` x 3 indices, the bytes of its warnings (a line each: a
+// message), the bytes of its groups (a line each: number of triangles, blank, name). kAssembly: an AssemblyCounts; the
+// bytes of the root's name; every shape as a Shape, its vertices x 3 doubles (millimetres), its triangles x 3 indices,
+// its faces as a Face each; every part as a Part, the bytes of its path below the root (UTF-8), the bytes of the names
+// of its steps as the file states them (a line each: product, tab, occurrence, tab, designator; none if they equal the
+// steps), the bytes of its former path; every use of another file as an ExternalPart, the bytes of its path, of its
+// names, of the file's name; the bytes of its notes, a line of JSON each:
 // {"kind": kind below, "place": message, "text": message}; for a missing shape: {"kind": "M", "product": text,
 // "entity": text, "shape": its kind, "text": message, its reason}.
 // kError (the file cannot be read) and kNotConfined (the process cannot give up its rights, and has read nothing):

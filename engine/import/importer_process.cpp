@@ -118,7 +118,9 @@ Result<ImporterAnswer> callImporter(const ImporterCall& call, std::string_view c
   const ImporterRefusal why = refused ? refusalIn(answer.message.rest()) : ImporterRefusal();
   if (header.kind == protocol::kNotConfined) {
     return Diagnostic{
-        ErrorKind::MalformedInput, call.file, "",
+        ErrorKind::MalformedInput,
+        call.file,
+        "",
         {GLISSADE_TEXT("was not read: the importing process cannot give up its rights (%1)"), {why.reason}},
         GLISSADE_TEXT(
             "Files are read only where the kernel permits seccomp filters: use another machine or container.")};

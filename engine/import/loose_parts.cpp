@@ -13,11 +13,11 @@
 #include <TopoDS_Solid.hxx>
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "engine/assembly/body_path.h"
 #include "engine/base/printable_text.h"
 #include "engine/import/import_protocol.h"
+#include "engine/import/import_refusal.h"
 #include "engine/import/node_steps.h"
 #include "engine/import/step_shape_notes.h"
 
@@ -62,7 +62,9 @@ class LooseParts {
 
   /// Adds the children; faces beside solids and compounds are parts together.
   void addBelow(const Place& place, const std::vector<TopoDS_Shape>& children) {
-    if (place.depth > protocol::kDeepestAssembly) throw std::runtime_error("its groups are nested too deeply");
+    if (place.depth > protocol::kDeepestAssembly) {
+      throw ImportRefusal{GLISSADE_TEXT("its groups are nested too deeply")};
+    }
     if (children.size() == 1 && isNode(children.front())) {
       addNode(place, children.front());
       return;
@@ -94,7 +96,9 @@ class LooseParts {
   }
 
   void addChildrenOf(const Place& place, const TopoDS_Shape& assembly) {
-    if (++occurrences_ > protocol::kMostOccurrences) throw std::runtime_error("it has too many groups and parts");
+    if (++occurrences_ > protocol::kMostOccurrences) {
+      throw ImportRefusal{GLISSADE_TEXT("it has too many groups and parts")};
+    }
     Place inside = place;
     inside.location = place.location * assembly.Location();
     ++inside.depth;
@@ -142,12 +146,12 @@ class LooseParts {
   }
 
   void noteCurves(const TopoDS_Shape& shape, const Place& place) {
-    for (std::string& note : curveNotes(shape, place.path)) assembly_.notes.push_back(std::move(note));
+    for (StepNote& note : curveNotes(shape, place.path)) assembly_.notes.push_back(std::move(note));
   }
 
   void addSolid(const Place& place, const TopoDS_Shape& shape, bool isOneOfSeveral) {
     if (assembly_.solids.size() == protocol::kMostParts) {
-      throw std::runtime_error("it has more than " + std::to_string(protocol::kMostParts) + " parts");
+      throw ImportRefusal{{GLISSADE_TEXT("it has more than %1 parts"), {protocol::kMostParts}}};
     }
     MirroredInstances none;
     const StepPlacement placement = none.placementOf(place.location * shape.Location(), place.path);
@@ -186,8 +190,8 @@ class LooseParts {
 
   void noteDeleted(int faces) {
     if (faces <= 0) return;
-    assembly_.notes.push_back(protocol::kLossLine + ("\t\t" + std::to_string(faces)) +
-                              " faces are smaller than the gaps between faces");
+    assembly_.notes.push_back(
+        {protocol::kLossLine, "", {GLISSADE_TEXT("%1 faces are smaller than the gaps between faces"), {faces}}});
   }
 
   double tolerance_;

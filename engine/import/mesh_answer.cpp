@@ -19,7 +19,9 @@ constexpr double kCoarsestSpacing = 1e-4;
 std::optional<Diagnostic> refuseCoarseCoordinates(const ImporterCall& call, const ImportedMesh& imported) {
   const double diagonal = boundingBox(imported.mesh).diagonal().norm();
   if (imported.coordinateSpacing <= kCoarsestSpacing * diagonal) return std::nullopt;
-  return Diagnostic{ErrorKind::MalformedInput, call.file, "",
+  return Diagnostic{ErrorKind::MalformedInput,
+                    call.file,
+                    "",
                     {GLISSADE_TEXT("holds 32-bit coordinates whose spacing of %1 is too coarse for a part with a "
                                    "diagonal of %2 (units of the file)"),
                      {imported.coordinateSpacing, diagonal}},

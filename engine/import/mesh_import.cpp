@@ -16,8 +16,12 @@ constexpr std::array<const char*, 6> kEndings{"stl", "obj", "ply", "dae", "gltf"
 
 Diagnostic unknownKind(const std::string& file) {
   if (const auto known = unreadKind(file)) return *known;
-  return {ErrorKind::MalformedInput, file, "", {GLISSADE_TEXT("is of a kind that is not read ('%1')"), {endingOf(file)}},
-          GLISSADE_TEXT("Use STL, OBJ, PLY, DAE, glTF or GLB; \"step\" and \"urdf\" are shapes of their own in a scenario.")};
+  return {ErrorKind::MalformedInput,
+          file,
+          "",
+          {GLISSADE_TEXT("is of a kind that is not read ('%1')"), {endingOf(file)}},
+          GLISSADE_TEXT(
+              "Use STL, OBJ, PLY, DAE, glTF or GLB; \"step\" and \"urdf\" are shapes of their own in a scenario.")};
 }
 
 }  // namespace

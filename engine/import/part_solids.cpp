@@ -177,7 +177,9 @@ Result<std::vector<Occurrence>> chosenParts(const std::vector<Occurrence>& solid
     for (const std::size_t node : tree.named(name)) nodes.push_back(tree.nodes()[node].path);
     if (nodes.empty() && name == whole) nodes.emplace_back();
     if (open(nodes, named, opened)) continue;
-    return Diagnostic{ErrorKind::Usage, "", "--open",
+    return Diagnostic{ErrorKind::Usage,
+                      "",
+                      "--open",
                       {GLISSADE_TEXT("names '%1', which is no part of several solids"), {name}},
                       GLISSADE_TEXT("See 'glissade-cli info' for the names.")};
   }

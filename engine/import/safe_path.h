@@ -12,7 +12,9 @@ namespace glissade {
 inline Result<std::string> resolveBelow(const std::string& folder, const std::string& name, const std::string& file,
                                         const Location& location) {
   namespace fs = std::filesystem;
-  const Diagnostic refused{ErrorKind::MalformedInput, file, location,
+  const Diagnostic refused{ErrorKind::MalformedInput,
+                           file,
+                           location,
                            {GLISSADE_TEXT("the file name '%1' leaves the folder"), {name}},
                            GLISSADE_TEXT("Put the file beside the scenario or below it and name it relative to it.")};
   const fs::path relative(name);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <sstream>
 
@@ -81,7 +83,7 @@ class StepDecoder {
       product.externals.push_back(std::move(*external));
     }
     if (product.parts.empty() && product.externals.empty()) {
-      return refusalOf(call_, "has no face that could be tessellated");
+      return refusalOf(call_, GLISSADE_TEXT("has no face that could be tessellated"));
     }
     const std::string notes = answer_.message.rest();
     if (notes.size() != counts.noteBytes) return broken();
@@ -90,65 +92,87 @@ class StepDecoder {
   }
 
  private:
-  Diagnostic broken() const { return refusalOf(call_, "the importer failed on it"); }
+  Diagnostic broken() const { return refusalOf(call_, GLISSADE_TEXT("the importer failed on it")); }
 
-  /// One note a line: kind, tab, place, tab, text; for a missing shape: kind, tab, product, tab, entity, tab, kind,
-  /// tab, reason.
+  /// One note a line. False if one has another form.
   bool takeNotes(const std::string& notes, StepAnswer& product) const {
     std::istringstream lines(notes);
     for (std::string line; std::getline(lines, line);) {
-      if (line.empty()) continue;
-      if (line.front() == protocol::kMissingLine) {
-        if (!takeMissing(line, product)) return false;
-        continue;
-      }
-      const std::size_t first = std::min(line.find('\t'), line.size());
-      const std::size_t second = std::min(line.find('\t', first + 1), line.size());
-      const std::string where = line.substr(std::min(first + 1, second), second - std::min(first + 1, second));
-      product.warnings.push_back(warningOf(line.front(), where, line.substr(std::min(second + 1, line.size()))));
+      const auto note = nlohmann::json::parse(line, nullptr, false);
+      const auto kind = nameIn(note, "kind");
+      const auto text = messageIn(note, "text");
+      if (!kind || kind->size() != 1 || !text) return false;
+      const bool isTaken = kind->front() == protocol::kMissingLine ? takeMissing(note, *text, product)
+                                                                   : takeWarning(kind->front(), note, *text, product);
+      if (!isTaken) return false;
     }
     return true;
   }
 
-  static bool takeMissing(const std::string& line, StepAnswer& product) {
-    std::vector<std::string> fields;
-    std::istringstream text(line);
-    for (std::string field; std::getline(text, field, '\t');) {
-      if (field != printableLine(field)) return false;
-      fields.push_back(field);
-    }
-    if (fields.size() != 5) return false;
-    product.missing.push_back({"", fields[1], fields[2], fields[3], fields[4]});
+  static bool takeMissing(const nlohmann::json& note, const Message& reason, StepAnswer& product) {
+    const auto name = nameIn(note, "product");
+    const auto entity = nameIn(note, "entity");
+    const auto shape = nameIn(note, "shape");
+    if (!name || !entity || !shape) return false;
+    product.missing.push_back({"", *name, *entity, *shape, reason});
     return true;
   }
 
-  Diagnostic warningOf(char kind, const std::string& where, const std::string& what) const {
+  bool takeWarning(char kind, const nlohmann::json& note, const Message& text, StepAnswer& product) const {
+    const auto place = messageIn(note, "place");
+    if (!place) return false;
+    product.warnings.push_back(warningOf(kind, *place, text));
+    return true;
+  }
+
+  /// A printable text on one line; nothing if there is none.
+  static std::optional<std::string> nameIn(const nlohmann::json& note, const char* key) {
+    if (!note.is_object() || !note.contains(key) || !note[key].is_string()) return std::nullopt;
+    auto name = note[key].get<std::string>();
+    return isLine(name) ? std::optional(std::move(name)) : std::nullopt;
+  }
+
+  /// A message whose text is printable on one line; nothing if there is none.
+  static std::optional<Message> messageIn(const nlohmann::json& note, const char* key) {
+    if (!note.is_object() || !note.contains(key)) return std::nullopt;
+    auto message = messageOfProgram(note[key]);
+    return message && isLine(toString(*message)) ? message : std::nullopt;
+  }
+
+  Diagnostic warningOf(char kind, const Location& where, const Message& what) const {
     if (kind == protocol::kHealedLine) {
       return {ErrorKind::MalformedInput, call_.file, where, what,
-              "The deviation counts in every certificate; export the part as a mesh if it is too much."};
+              GLISSADE_TEXT("The deviation counts in every certificate; export the part as a mesh if it is too much.")};
     }
-    const std::string doubt = "Do not trust paths near it; export it again, or as a mesh.";
+    const CatalogueText doubt = GLISSADE_TEXT("Do not trust paths near it; export it again, or as a mesh.");
     if (kind == protocol::kVolumeLine) return {ErrorKind::MalformedInput, call_.file, where, what, doubt};
     if (kind == protocol::kShapeLine) {
-      return {ErrorKind::MalformedInput, call_.file, where, what,
-              "It is an obstacle that can be inside of others. Export it as a solid, or leave it out (--without)."};
+      return {
+          ErrorKind::MalformedInput, call_.file, where, what,
+          GLISSADE_TEXT(
+              "It is an obstacle that can be inside of others. Export it as a solid, or leave it out (--without).")};
     }
     if (kind == protocol::kCurveLine) {
-      return {ErrorKind::MalformedInput, call_.file, where, what, "Give them faces if they are parts."};
+      return {ErrorKind::MalformedInput, call_.file, where, what, GLISSADE_TEXT("Give them faces if they are parts.")};
     }
     if (kind == protocol::kOrphanLine) {
-      return {ErrorKind::MalformedInput, call_.file, where, what, "Leave it out if it is no part (--without)."};
+      return {ErrorKind::MalformedInput, call_.file, where, what,
+              GLISSADE_TEXT("Leave it out if it is no part (--without).")};
     }
     if (kind == protocol::kSecondLine) {
       return {ErrorKind::MalformedInput, call_.file, where, what,
-              "Export solids and triangles as two products if they are two parts."};
+              GLISSADE_TEXT("Export solids and triangles as two products if they are two parts.")};
     }
     if (kind == protocol::kForeignNamesLine || kind == protocol::kDoubtfulNamesLine) {
       return {ErrorKind::MalformedInput, call_.file, where, what,
-              "Where that is wrong, export it with names in UTF-8, or name its parts by their numbers (#2)."};
+              GLISSADE_TEXT(
+                  "Where that is wrong, export it with names in UTF-8, or name its parts by their numbers (#2).")};
     }
-    return {ErrorKind::MalformedInput, call_.file, where,
-            what + ": the part is not closed there; proofs take what is missing as free space", doubt};
+    return {ErrorKind::MalformedInput,
+            call_.file,
+            where,
+            {GLISSADE_TEXT("%1: the part is not closed there; proofs take what is missing as free space"), {what}},
+            doubt};
   }
 
   Outcome takeShape() {
@@ -225,7 +249,7 @@ class StepDecoder {
     X_FP.position = protocol::kMillimetre * Vector3(record.position[0], record.position[1], record.position[2]);
     const auto& [x, y, z, w] = record.orientation;
     X_FP.orientation = Quaternion(w, x, y, z).normalized();
-    if (!isValid(X_FP)) return refusalOf(call_, "has a part that is at no place in space");
+    if (!isValid(X_FP)) return refusalOf(call_, GLISSADE_TEXT("has a part that is at no place in space"));
     return X_FP;
   }
 

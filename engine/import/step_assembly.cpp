@@ -20,12 +20,12 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <stdexcept>
 
 #include "engine/assembly/body_path.h"
 #include "engine/base/length_units.h"
 #include "engine/base/printable_text.h"
 #include "engine/import/import_protocol.h"
+#include "engine/import/import_refusal.h"
 #include "engine/import/node_steps.h"
 #include "engine/import/nothing_read.h"
 #include "engine/import/step_external_files.h"
@@ -105,11 +105,11 @@ class AssemblyWalk {
   };
 
   void visit(const TDF_Label& product, const Place& place) {
-    if (place.depth > protocol::kDeepestAssembly)
-      throw std::runtime_error("its assemblies are nested too deeply, or hold themselves");
+    if (place.depth > protocol::kDeepestAssembly) {
+      throw ImportRefusal{GLISSADE_TEXT("its assemblies are nested too deeply, or hold themselves")};
+    }
     if (++occurrences_ > protocol::kMostOccurrences) {
-      throw std::runtime_error("it has more than " + std::to_string(protocol::kMostOccurrences) +
-                               " assemblies and parts");
+      throw ImportRefusal{{GLISSADE_TEXT("it has more than %1 assemblies and parts"), {protocol::kMostOccurrences}}};
     }
     if (!XCAFDoc_ShapeTool::IsAssembly(product)) {
       addSolids(product, place);
@@ -171,13 +171,13 @@ class AssemblyWalk {
     const std::vector<TopoDS_Shape> shapes = rigidShapesOf(whole);
     if (shapes.empty()) addExternalPart(whole, place);
     if (!whole.IsNull() && seen_.Add(whole.Located(TopLoc_Location()))) {
-      for (std::string& note : curveNotes(whole, place.path)) assembly_.notes.push_back(std::move(note));
+      for (StepNote& note : curveNotes(whole, place.path)) assembly_.notes.push_back(std::move(note));
     }
     const bool several = shapes.size() > 1;
     const std::vector<NodeStep> steps = solidNames(product, shapes);
     for (std::size_t i = 0; i < shapes.size(); ++i) {
       if (assembly_.solids.size() == protocol::kMostParts) {
-        throw std::runtime_error("it has more than " + std::to_string(protocol::kMostParts) + " parts");
+        throw ImportRefusal{{GLISSADE_TEXT("it has more than %1 parts"), {protocol::kMostParts}}};
       }
       const TopoDS_Shape& shape = shapes[i];
       const Place at = several ? below(place, steps[i]) : place;
@@ -200,7 +200,7 @@ class AssemblyWalk {
   gp_Trsf rigidPlacement(const TopLoc_Location& location, const std::string& path) {
     const StepPlacement placement = mirrored_.placementOf(location, path);
     if (placement.mirrored || placement.scale != 1.0) {
-      throw std::runtime_error("'" + path + "' is mirrored or scaled by its assembly and is in another file");
+      throw ImportRefusal{{GLISSADE_TEXT("'%1' is mirrored or scaled by its assembly and is in another file"), {path}}};
     }
     return placement.rigid;
   }
@@ -265,20 +265,22 @@ void assign(const std::vector<StepLoss>& losses, std::vector<StepSolid>& solids)
   }
   for (const StepLoss& loss : losses) {
     const auto found = loss.face.IsNull() ? solidsOfFace.end() : solidsOfFace.find(loss.face.TShape().get());
-    if (found == solidsOfFace.end()) throw std::runtime_error(loss.entity + ": " + loss.what);
+    if (found == solidsOfFace.end()) throw ImportRefusal{{GLISSADE_TEXT("%1: %2"), {loss.entity, loss.what}}};
     for (StepSolid* solid : found->second) ++solid->losses;
   }
 }
 
-/// Many losses are reported as a few lines and one line that counts the rest.
-std::vector<std::string> inLines(const std::vector<StepLoss>& losses) {
+/// Many losses are reported as a few notes and one note that counts the rest.
+StepNotes inNotes(const std::vector<StepLoss>& losses) {
   constexpr std::size_t kMost = 20;
-  std::vector<std::string> lines;
+  StepNotes notes;
   for (std::size_t i = 0; i < std::min(kMost, losses.size()); ++i) {
-    lines.push_back(losses[i].entity + "\t" + losses[i].what);
+    notes.push_back({protocol::kLossLine, losses[i].entity, losses[i].what});
   }
-  if (losses.size() > kMost) lines.push_back("\t" + std::to_string(losses.size() - kMost) + " more could not be made");
-  return lines;
+  if (losses.size() > kMost) {
+    notes.push_back({protocol::kLossLine, "", {GLISSADE_TEXT("%1 more could not be made"), {losses.size() - kMost}}});
+  }
+  return notes;
 }
 
 /// Unit of length, metres: the first of several units; millimetres for an unknown name.
@@ -319,11 +321,13 @@ StepAssembly readStepAssembly(std::istream& content, bool solidNames, StepText t
   Interface_Static::SetIVal("read.stepcaf.subshapes.name", solidNames ? 1 : 0);
   Interface_Static::SetCVal("read.step.codepage", "UTF8");
   if (reader.ChangeReader().ReadStream("standard input", content) != IFSelect_RetDone) {
-    throw std::runtime_error("it is not sound STEP text");
+    throw ImportRefusal{GLISSADE_TEXT("it is not sound STEP text")};
   }
   MirroredInstances mirrored(reader);
   Handle(TDocStd_Document) document = new TDocStd_Document("XmlXCAF");
-  if (!reader.Transfer(document)) throw std::runtime_error("it holds no product that can be understood");
+  if (!reader.Transfer(document)) {
+    throw ImportRefusal{GLISSADE_TEXT("it holds no product that can be understood")};
+  }
   mirrored.locate(reader);
   StandInShapes standIns(reader, std::move(text.standIns), text.stated);
   const ExternalFiles externalFiles = externalFilesOf(reader);
@@ -336,18 +340,18 @@ StepAssembly readStepAssembly(std::istream& content, bool solidNames, StepText t
   SecondShapes second = takeOutSecondShapes(assembly.solids, standIns);
   std::vector<TopoDS_Shape> bodies;
   for (const StepSolid& solid : assembly.solids) bodies.push_back(solid.shape);
-  for (std::string& line :
-       missingShapeLines(reader, {text.entities, text.stated, standIns, second.items, externalFiles}, bodies)) {
-    assembly.notes.push_back(std::move(line));
+  for (StepNote& note :
+       missingShapeNotes(reader, {text.entities, text.stated, standIns, second.items, externalFiles}, bodies)) {
+    assembly.notes.push_back(std::move(note));
   }
   std::move(second.notes.begin(), second.notes.end(), std::back_inserter(assembly.notes));
   assembly.standIns = std::move(standIns);
   if (assembly.solids.empty() && assembly.externalParts.empty()) {
-    throw std::runtime_error(nothingRead(assembly.notes));
+    throw ImportRefusal{nothingRead(assembly.notes)};
   }
   const std::vector<StepLoss> losses = lossesOf(reader);
   if (!losses.empty()) assign(losses, assembly.solids);
-  assembly.losses = inLines(losses);
+  assembly.losses = inNotes(losses);
   assembly.faceEntities = FaceEntities(reader);
   assembly.measures = statedMeasuresOf(reader);
   assembly.unit = lengthUnitOf(reader.ChangeReader());

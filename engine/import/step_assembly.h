@@ -12,6 +12,7 @@
 #include "engine/assembly/node_names.h"
 #include "engine/import/step_face_entities.h"
 #include "engine/import/step_mirrors.h"
+#include "engine/import/step_note.h"
 #include "engine/import/step_stand_in_shapes.h"
 #include "engine/import/step_validation.h"
 
@@ -44,8 +45,8 @@ struct StepAssembly {
   bool isSewn = false;   ///< faces were sewn: their common vertices may differ by rounding
   std::vector<StepSolid> solids;
   std::vector<StepExternalPart> externalParts;
-  std::vector<std::string> notes;   ///< lines of the import protocol
-  std::vector<std::string> losses;  ///< "entity, tab, loss", as "#45<tab>its face #12 could not be made"
+  StepNotes notes;
+  StepNotes losses;
   FaceEntities faceEntities;
   std::vector<StatedMeasures> measures;  ///< measures that the file states for its products
   StandInShapes standIns;                ///< solids that stand in for triangles of the file
@@ -59,7 +60,7 @@ struct StepText {
 };
 
 /// Reads a STEP file. Without `solidNames`, the solids of a product with several solids are only numbered. Throws
-/// std::runtime_error with the reason if there is no result, or if a loss cannot be assigned to a part, and
+/// ImportRefusal with the reason if there is no result, or if a loss cannot be assigned to a part, and
 /// OpenCASCADE's Standard_Failure. Runs in the importing process only. The content is UTF-8.
 ///
 /// `text`: the text of the file; `content` is the text with stand-ins if there are any.

@@ -16,15 +16,16 @@ namespace {
 
 namespace protocol = import_protocol;
 
-constexpr const char* kUnread = "Export the part as a solid with faces, or as triangles.";
-constexpr const char* kAdvice = "Put the files there and load again, or export the product as one file.";
+constexpr CatalogueText kUnread = GLISSADE_TEXT("Export the part as a solid with faces, or as triangles.");
+constexpr CatalogueText kAdvice =
+    GLISSADE_TEXT("Put the files there and load again, or export the product as one file.");
 
 /// "'a', 'b' and 3 more".
-std::string listed(const std::vector<std::string>& names, std::size_t most) {
+Message listed(const std::vector<std::string>& names, std::size_t most) {
   std::string text;
   for (std::size_t i = 0; i < std::min(names.size(), most); ++i) text += (i > 0 ? ", '" : "'") + names[i] + "'";
-  if (names.size() > most) text += " and " + std::to_string(names.size() - most) + " more";
-  return text;
+  if (names.size() <= most) return text;
+  return {GLISSADE_TEXT("%1 and %2 more"), {text, names.size() - most}};
 }
 
 class Composition {
@@ -60,7 +61,7 @@ class Composition {
   };
   struct Missing {
     std::string name;
-    std::string whyNot;
+    Message whyNot;
     std::vector<std::string> paths;  ///< paths of its parts
   };
 
@@ -78,7 +79,7 @@ class Composition {
     chain_.push_back(&file);
     for (const Occurrence& part : file.answer.parts) {
       if (product_.parts.size() == protocol::kMostParts) {
-        return refusal(content_.file, "has more than " + std::to_string(protocol::kMostParts) + " parts");
+        return refusal(content_.file, {GLISSADE_TEXT("has more than %1 parts"), {protocol::kMostParts}});
       }
       product_.parts.push_back(part);
       product_.parts.back().path = joinedPath(place.path, part.path);
@@ -95,10 +96,13 @@ class Composition {
 
   Outcome addExternal(const File& in, const StepExternal& external, const Place& place) {
     if (++occurrences_ > protocol::kMostOccurrences) {
-      return refusal(content_.file, "places other files more than " + std::to_string(protocol::kMostOccurrences) +
-                                        " times, those that they place counted");
+      return refusal(content_.file,
+                     {GLISSADE_TEXT("places other files more than %1 times, those that they place counted"),
+                      {protocol::kMostOccurrences}});
     }
-    if (place.depth == protocol::kDeepestAssembly) return refusal(in.file, "is nested too deeply in other files");
+    if (place.depth == protocol::kDeepestAssembly) {
+      return refusal(in.file, GLISSADE_TEXT("is nested too deeply in other files"));
+    }
     const std::string path = joinedPath(place.path, external.path);
     const FoundStepPart found = findStepPart(folder_, in.folder, external.file);
     if (found.file.empty()) {
@@ -108,7 +112,7 @@ class Composition {
     const auto file = fileOf(found);
     if (!file) return file.error();
     if (std::find(chain_.begin(), chain_.end(), *file) != chain_.end()) {
-      return refusal(in.file, "names '" + found.name + "' for a part, which holds this file itself");
+      return refusal(in.file, {GLISSADE_TEXT("names '%1' for a part, which holds this file itself"), {found.name}});
     }
     return add(**file,
                {path, place.X_FP * external.X_FP, place.depth + 1, joinedNames(place, external.path, external.names)});
@@ -119,18 +123,19 @@ class Composition {
     std::unique_ptr<File>& known = files_[found.name];
     if (known) return known.get();
     if (files_.size() > protocol::kMostFiles) {
-      return refusal(content_.file, "names more than " + std::to_string(protocol::kMostFiles) + " files");
+      return refusal(content_.file, {GLISSADE_TEXT("names more than %1 files"), {protocol::kMostFiles}});
     }
     const auto content = readContent(found.file, protocol::kStepLimits.bytes);
     if (!content) return content.error();
     bytes_ += content->bytes.size();
     if (bytes_ > mostFileBytes()) {
-      return refusal(content_.file, "and the files that it names have more than " + sizeInWords(mostFileBytes()));
+      return refusal(content_.file,
+                     {GLISSADE_TEXT("and the files that it names have more than %1"), {sizeInWords(mostFileBytes())}});
     }
     auto answer = read_(*content);
     if (!answer) return answer.error();
     if (!countTriangles(*answer)) {
-      return refusal(content_.file, "needs more than " + std::to_string(protocol::kMostElements) + " triangles");
+      return refusal(content_.file, {GLISSADE_TEXT("needs more than %1 triangles"), {protocol::kMostElements}});
     }
     product_.warnings.insert(product_.warnings.end(), answer->warnings.begin(), answer->warnings.end());
     takeMissing(found.file, answer->missing);
@@ -158,14 +163,20 @@ class Composition {
       product_.missing.push_back(std::move(shape));
     }
     if (shapes.size() <= kMost) return;
-    product_.warnings.push_back({ErrorKind::MalformedInput, file, "",
-                                 std::to_string(shapes.size() - kMost) + " more of its shapes are missing", kUnread});
+    product_.warnings.push_back({ErrorKind::MalformedInput,
+                                 file,
+                                 "",
+                                 {GLISSADE_TEXT("%1 more of its shapes are missing"), {shapes.size() - kMost}},
+                                 kUnread});
   }
 
   static Diagnostic warningOf(const MissingShape& shape) {
     const std::string what = shape.kind.empty() ? shape.entity : shape.kind + " " + shape.entity;
-    return {ErrorKind::MalformedInput, shape.file, shape.product.empty() ? "" : "part '" + shape.product + "'",
-            "nothing is known of where " + what + " is, and proofs are about the product without it: " + shape.reason,
+    return {ErrorKind::MalformedInput,
+            shape.file,
+            shape.product.empty() ? Message() : Message(GLISSADE_TEXT("part '%1'"), {shape.product}),
+            {GLISSADE_TEXT("nothing is known of where %1 is, and proofs are about the product without it: %2"),
+             {what, shape.reason}},
             kUnread};
   }
 
@@ -187,26 +198,33 @@ class Composition {
     }
     if (missingInOrder_.size() <= kMost) return;
     product_.warnings.push_back(
-        {ErrorKind::MalformedInput, content_.file, "",
-         std::to_string(missingInOrder_.size() - kMost) + " more files of its parts are missing", kAdvice});
+        {ErrorKind::MalformedInput,
+         content_.file,
+         "",
+         {GLISSADE_TEXT("%1 more files of its parts are missing"), {missingInOrder_.size() - kMost}},
+         kAdvice});
   }
 
   Diagnostic warningOf(const Missing& missing) const {
-    return {ErrorKind::MalformedInput, content_.file, "part " + listed(missing.paths, 3),
-            "is missing, and proofs take it as free space: its file '" + missing.name + "' " + missing.whyNot +
-                " (looked for in '" + folder_ + "')",
+    return {ErrorKind::MalformedInput,
+            content_.file,
+            {GLISSADE_TEXT("part %1"), {listed(missing.paths, 3)}},
+            {GLISSADE_TEXT("is missing, and proofs take it as free space: its file '%1' %2 (looked for in '%3')"),
+             {missing.name, missing.whyNot, folder_}},
             kAdvice};
   }
 
   Diagnostic nothingLeft() const {
-    return {ErrorKind::MalformedInput, content_.file, "",
-            "has its parts in other files, and none of them is there: " + listed(missingInOrder_, 10) +
-                " (looked for in '" + folder_ + "')",
+    return {ErrorKind::MalformedInput,
+            content_.file,
+            "",
+            {GLISSADE_TEXT("has its parts in other files, and none of them is there: %1 (looked for in '%2')"),
+             {listed(missingInOrder_, 10), folder_}},
             kAdvice};
   }
 
   static Diagnostic refusal(const std::string& file, const Message& reason) {
-    return {ErrorKind::MalformedInput, file, "", reason, "Export the product as one file."};
+    return {ErrorKind::MalformedInput, file, "", reason, GLISSADE_TEXT("Export the product as one file.")};
   }
 
   const FileContent& content_;

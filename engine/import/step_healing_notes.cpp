@@ -11,33 +11,33 @@ namespace {
 namespace protocol = import_protocol;
 
 /// The type of the surface in plain words.
-std::string typeOf(const TopoDS_Face& face) {
+CatalogueText typeOf(const TopoDS_Face& face) {
   switch (BRepAdaptor_Surface(face, false).GetType()) {
-    case GeomAbs_Plane: return "plane";
-    case GeomAbs_Cylinder: return "cylinder";
-    case GeomAbs_Cone: return "cone";
-    case GeomAbs_Sphere: return "sphere";
-    case GeomAbs_Torus: return "torus";
-    case GeomAbs_BSplineSurface: return "B-spline surface";
-    case GeomAbs_BezierSurface: return "Bezier surface";
-    case GeomAbs_SurfaceOfRevolution: return "surface of revolution";
-    case GeomAbs_SurfaceOfExtrusion: return "surface of extrusion";
-    default: return "offset surface";
+    case GeomAbs_Plane: return GLISSADE_TEXT("plane");
+    case GeomAbs_Cylinder: return GLISSADE_TEXT("cylinder");
+    case GeomAbs_Cone: return GLISSADE_TEXT("cone");
+    case GeomAbs_Sphere: return GLISSADE_TEXT("sphere");
+    case GeomAbs_Torus: return GLISSADE_TEXT("torus");
+    case GeomAbs_BSplineSurface: return GLISSADE_TEXT("B-spline surface");
+    case GeomAbs_BezierSurface: return GLISSADE_TEXT("Bezier surface");
+    case GeomAbs_SurfaceOfRevolution: return GLISSADE_TEXT("surface of revolution");
+    case GeomAbs_SurfaceOfExtrusion: return GLISSADE_TEXT("surface of extrusion");
+    default: return GLISSADE_TEXT("offset surface");
   }
 }
 
-std::string placeOf(const HealedFace& healed, const FaceEntities& entities, const std::string& part) {
+Location placeOf(const HealedFace& healed, const FaceEntities& entities, const std::string& part) {
   const std::string entity = entities.nameOf(healed.face);
-  const std::string type = typeOf(healed.face);
-  if (part.empty()) return "face " + entity + " (" + type + ")";
-  return "face " + entity + " (" + type + ") of '" + part + "'";
+  const CatalogueText type = typeOf(healed.face);
+  if (part.empty()) return {GLISSADE_TEXT("face %1 (%2)"), {entity, type}};
+  return {GLISSADE_TEXT("face %1 (%2) of '%3'"), {entity, type, part}};
 }
 
-std::string faultText(FaceFault fault) {
+CatalogueText faultText(FaceFault fault) {
   switch (fault) {
-    case FaceFault::NoTriangles: return "OpenCASCADE makes no triangles for it";
-    case FaceFault::OpenBoundary: return "OpenCASCADE's triangles leave its boundary open";
-    default: return "OpenCASCADE's triangles overlap on it";
+    case FaceFault::NoTriangles: return GLISSADE_TEXT("OpenCASCADE makes no triangles for it");
+    case FaceFault::OpenBoundary: return GLISSADE_TEXT("OpenCASCADE's triangles leave its boundary open");
+    default: return GLISSADE_TEXT("OpenCASCADE's triangles overlap on it");
   }
 }
 
@@ -48,41 +48,38 @@ std::string inDigits(double value, int digits) {
   return text.str();
 }
 
-std::string healingText(const HealedFace& healed) {
-  const std::string fault = faultText(healed.fault);
+Message healingText(const HealedFace& healed) {
+  const CatalogueText fault = faultText(healed.fault);
   const std::string length = inDigits(healed.deflection, 3);
   switch (healed.meshing) {
     case FaceMeshing::InParameters:
-      return fault + "; it was triangulated from its boundaries, within " + length + " mm of its surface";
+      return {GLISSADE_TEXT("%1; it was triangulated from its boundaries, within %2 mm of its surface"),
+              {fault, length}};
     case FaceMeshing::BetweenPoints:
-      return fault + ", because its boundaries cross; it was triangulated between their points, within " + length +
-             " mm of its surface";
-    default: return fault + ", and its boundaries cannot be triangulated";
+      return {GLISSADE_TEXT("%1, because its boundaries cross; it was triangulated between their points, within %2 mm "
+                            "of its surface"),
+              {fault, length}};
+    default: return {GLISSADE_TEXT("%1, and its boundaries cannot be triangulated"), {fault}};
   }
 }
 
-std::string volumeText(const StepTriangles& triangles) {
+Message volumeText(const StepTriangles& triangles) {
   constexpr int kDigits = 7;
-  return "its triangles enclose " + inDigits(triangles.volume, kDigits) + " cubic millimetres, and its faces " +
-         inDigits(triangles.exactVolume, kDigits) +
-         ": they differ by more than the deviation of the triangles explains";
-}
-
-std::string lineOf(char kind, const std::string& where, const std::string& what) {
-  return std::string(1, kind) + "\t" + where + "\t" + what;
+  return {GLISSADE_TEXT("its triangles enclose %1 cubic millimetres, and its faces %2: they differ by more than the "
+                        "deviation of the triangles explains"),
+          {inDigits(triangles.volume, kDigits), inDigits(triangles.exactVolume, kDigits)}};
 }
 
 }  // namespace
 
-std::vector<std::string> healingNotes(const StepTriangles& triangles, const FaceEntities& entities,
-                                      const std::string& part) {
-  std::vector<std::string> notes;
+StepNotes healingNotes(const StepTriangles& triangles, const FaceEntities& entities, const std::string& part) {
+  StepNotes notes;
   for (const HealedFace& healed : triangles.healed) {
     const char kind = healed.meshing == FaceMeshing::Failed ? protocol::kLossLine : protocol::kHealedLine;
-    notes.push_back(lineOf(kind, placeOf(healed, entities, part), healingText(healed)));
+    notes.push_back({kind, placeOf(healed, entities, part), healingText(healed)});
   }
   if (triangles.volumeDiffers) {
-    notes.push_back(lineOf(protocol::kVolumeLine, "part '" + part + "'", volumeText(triangles)));
+    notes.push_back({protocol::kVolumeLine, {GLISSADE_TEXT("part '%1'"), {part}}, volumeText(triangles)});
   }
   return notes;
 }

@@ -24,31 +24,35 @@ std::optional<Diagnostic> precheckStep(const ImporterCall& call, std::string_vie
   const std::string_view header = text.substr(0, std::min(text.find("DATA;"), kHeader));
   if (header.find(kBeginning) == std::string_view::npos) {
     return Diagnostic{ErrorKind::MalformedInput, call.file, "",
-                      "is not a STEP file (it does not begin with ISO-10303-21)",
-                      "Export the part as STEP AP214 or AP242, not compressed and not as XML."};
+                      GLISSADE_TEXT("is not a STEP file (it does not begin with ISO-10303-21)"),
+                      GLISSADE_TEXT("Export the part as STEP AP214 or AP242, not compressed and not as XML.")};
   }
   const std::size_t schema = header.find("FILE_SCHEMA");
   if (schema != std::string_view::npos && header.find("IFC", schema) != std::string_view::npos) {
-    return Diagnostic{ErrorKind::MalformedInput, call.file, "FILE_SCHEMA", "is a building model (IFC), not a product",
-                      "Export it as STEP AP214 or AP242."};
+    return Diagnostic{ErrorKind::MalformedInput, call.file, "FILE_SCHEMA",
+                      GLISSADE_TEXT("is a building model (IFC), not a product"),
+                      GLISSADE_TEXT("Export it as STEP AP214 or AP242.")};
   }
-  if (text.rfind(kEnd) == std::string_view::npos) return refusalOf(call, "ends before END-ISO-10303-21: it is cut off");
+  if (text.rfind(kEnd) == std::string_view::npos) {
+    return refusalOf(call, GLISSADE_TEXT("ends before END-ISO-10303-21: it is cut off"));
+  }
   return std::nullopt;
 }
 
 std::optional<Diagnostic> precheckIges(const ImporterCall& call, std::string_view text) {
   const auto fault = faultOfIgesText(text);
-  return fault ? std::optional(refusalOf(call, "cannot be read as IGES: " + *fault)) : std::nullopt;
+  if (!fault) return std::nullopt;
+  return refusalOf(call, {GLISSADE_TEXT("cannot be read as %1: %2"), {nameOf(CadKind::Iges), *fault}});
 }
 
 std::optional<Diagnostic> precheckBrep(const ImporterCall& call, std::string_view text) {
   constexpr std::size_t kHeader = 1024;
   const std::string_view header = text.substr(0, kHeader);
   if (header.find("Open CASCADE Topology") != std::string_view::npos) {
-    return refusalOf(call, "is a binary BREP file, which is not read: write it as text");
+    return refusalOf(call, GLISSADE_TEXT("is a binary BREP file, which is not read: write it as text"));
   }
   if (header.find("CASCADE Topology V") == std::string_view::npos) {
-    return refusalOf(call, "is not a BREP file (it does not begin with 'CASCADE Topology V')");
+    return refusalOf(call, GLISSADE_TEXT("is not a BREP file (it does not begin with 'CASCADE Topology V')"));
   }
   return std::nullopt;
 }
@@ -69,7 +73,7 @@ ImporterCall callFor(const FileContent& content, const std::vector<std::string>&
                     {nameOf(kind)},
                     content.file,
                     protocol::stepLimitsFor(content.bytes.size()),
-                    "Export it again as STEP AP214 or AP242, or its parts as meshes."};
+                    GLISSADE_TEXT("Export it again as STEP AP214 or AP242, or its parts as meshes.")};
   call.arguments.insert(call.arguments.end(), arguments.begin(), arguments.end());
   return call;
 }
@@ -106,7 +110,7 @@ Result<std::vector<std::optional<double>>> commonVolumes(const std::string& file
   if (!answer) return answer.error();
   std::vector<double> stated(parts.size());
   if (answer->header.kind != protocol::kVolumes || !answer->message.take(stated.data(), stated.size())) {
-    return refusalOf(call, "the importer failed on it");
+    return refusalOf(call, GLISSADE_TEXT("the importer failed on it"));
   }
   constexpr double kCubicMillimetre = protocol::kMillimetre * protocol::kMillimetre * protocol::kMillimetre;
   for (std::size_t i = 0; i < stated.size(); ++i) {

@@ -11,7 +11,8 @@
 #include <Transfer_TransientProcess.hxx>
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
-#include <stdexcept>
+
+#include "engine/import/import_refusal.h"
 
 namespace glissade {
 namespace {
@@ -36,7 +37,7 @@ class LossSearch {
       lookAtFace(face);
     } else if (const auto solid = Handle(StepShape_ManifoldSolidBrep)::DownCast(entity);
                !solid.IsNull() && !isMade(solid)) {
-      note(solid, "the solid could not be made", {});
+      note(solid, GLISSADE_TEXT("the solid could not be made"), {});
     }
   }
 
@@ -44,9 +45,9 @@ class LossSearch {
     for (int i = 1; i <= shell->NbCfsFaces(); ++i) {
       const Handle(StepShape_Face) face = shell->CfsFacesValue(i);
       if (face.IsNull()) {
-        note(shell, "number " + std::to_string(i) + " of its faces is not a face", faceOf(shell));
+        note(shell, {GLISSADE_TEXT("number %1 of its faces is not a face"), {i}}, faceOf(shell));
       } else if (!isMade(face)) {
-        note(shell, "its face " + nameOf(face) + " could not be made", faceOf(shell));
+        note(shell, {GLISSADE_TEXT("its face %1 could not be made"), {nameOf(face)}}, faceOf(shell));
       }
     }
   }
@@ -56,7 +57,7 @@ class LossSearch {
       const Handle(StepShape_FaceBound) bound = face->BoundsValue(i);
       const Handle(StepShape_Loop) loop = bound.IsNull() ? nullptr : bound->Bound();
       if (!loop.IsNull() && (loop->IsKind(STANDARD_TYPE(StepShape_VertexLoop)) || isMade(loop))) continue;
-      note(face, "number " + std::to_string(i) + " of its boundaries could not be made",
+      note(face, {GLISSADE_TEXT("number %1 of its boundaries could not be made"), {i}},
            TransferBRep::ShapeResult(process_, face));
     }
   }
@@ -79,9 +80,9 @@ class LossSearch {
     return model_->StringLabel(entity)->ToCString();
   }
 
-  void note(const Handle(Standard_Transient) & entity, const std::string& what, const TopoDS_Shape& face) {
+  void note(const Handle(Standard_Transient) & entity, const Message& what, const TopoDS_Shape& face) {
     if (losses_.size() == kMostLosses) {
-      throw std::runtime_error("more than " + std::to_string(kMostLosses) + " of its faces could not be made");
+      throw ImportRefusal{{GLISSADE_TEXT("more than %1 of its faces could not be made"), {kMostLosses}}};
     }
     losses_.push_back({nameOf(entity), what, face});
   }

@@ -13,7 +13,8 @@
 #include <cmath>
 #include <gp_XYZ.hxx>
 #include <optional>
-#include <stdexcept>
+
+#include "engine/import/import_refusal.h"
 
 namespace glissade {
 namespace {
@@ -46,8 +47,11 @@ bool isMirror(const Operator& of) {
 bool isScaled(const Operator& of) { return of->HasScale() && !(std::abs(of->Scale() - 1.0) < kRigid); }
 
 [[noreturn]] void refuse(const std::string& name, const Operator& of) {
-  const std::string what = isMirror(of) ? "mirrors" : isScaled(of) ? "scales" : "places";
-  throw std::runtime_error(name + " " + what + " a part in a way that cannot be read: write it as a part of its own");
+  const CatalogueText what =
+      isMirror(of)   ? GLISSADE_TEXT("%1 mirrors a part in a way that cannot be read: write it as a part of its own")
+      : isScaled(of) ? GLISSADE_TEXT("%1 scales a part in a way that cannot be read: write it as a part of its own")
+                     : GLISSADE_TEXT("%1 places a part in a way that cannot be read: write it as a part of its own");
+  throw ImportRefusal{{what, {name}}};
 }
 
 /// The axes of ISO 10303-42: z as given, x perpendicular to it. Nothing if both have one direction.
@@ -159,13 +163,15 @@ void MirroredInstances::locate(const STEPCAFControl_Reader& reader) {
     const TopoDS_Shape shape = TransferBRep::ShapeResult(process, instance.item);
     const Handle(TopLoc_Datum3D) datum = shape.IsNull() ? nullptr : outermost(shape.Location());
     const auto factor = datum.IsNull() ? std::nullopt : factorOf(datum->Trsf());
-    if (!factor) throw std::runtime_error(instance.operatorName + " places a part that could not be made");
+    if (!factor) {
+      throw ImportRefusal{{GLISSADE_TEXT("%1 places a part that could not be made"), {instance.operatorName}}};
+    }
     trueOf_[datum.get()] = {instance.placed.linear, *factor * instance.placed.shift};
   }
 }
 
 StepPlacement MirroredInstances::placementOf(const TopLoc_Location& location, const std::string& path) {
-  const auto unusual = [&path] { return std::runtime_error("'" + path + "' is distorted by its assembly"); };
+  const auto unusual = [&path] { return ImportRefusal{{GLISSADE_TEXT("'%1' is distorted by its assembly"), {path}}}; };
   Similarity whole;
   whole.linear.SetIdentity();
   bool isTrue = false;
@@ -200,7 +206,9 @@ StepPlacement MirroredInstances::placementOf(const TopLoc_Location& location, co
 
 void MirroredInstances::demandAllUsed() const {
   for (const auto& [datum, placed] : trueOf_) {
-    if (used_.count(datum) == 0) throw std::runtime_error("a mirrored or scaled part was not found in its assembly");
+    if (used_.count(datum) == 0) {
+      throw ImportRefusal{GLISSADE_TEXT("a mirrored or scaled part was not found in its assembly")};
+    }
   }
 }
 

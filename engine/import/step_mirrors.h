@@ -24,7 +24,7 @@ struct StepPlacement {
 /// 7.6 ignores all three, so the instance would differ from the file's. Each such operator is therefore replaced by a
 /// plain translation before the transfer; the resulting location identifies the instance and its true transformation.
 ///
-/// Errors: std::runtime_error with the entity, if an operator is used other than by a mapped item, or its instance is
+/// Errors: ImportRefusal with the entity, if an operator is used other than by a mapped item, or its instance is
 /// not found. Runs in the importing process only.
 class MirroredInstances {
  public:

@@ -32,21 +32,22 @@ class MissingShapeSearch {
     }
   }
 
-  std::vector<std::string> lines() {
+  StepNotes notes() {
     for (const StatedShape& item : known_.stated.items) {
       if (!item.isSecond && known_.second.count(item.entity) == 0) addItem(item);
     }
     for (const StatedShape& orphan : known_.stated.orphans) addOrphan(orphan);
     for (const StatedGap& gap : known_.stated.shapeless) {
       if (isExternal(gap.product)) continue;
-      add(gap.entity, gap.kind, gap.product, "the product has no shape in the file");
+      add(gap.entity, gap.kind, gap.product, GLISSADE_TEXT("the product has no shape in the file"));
     }
     for (const StatedGap& gap : known_.stated.unknownUses) {
-      add(gap.entity, gap.kind, gap.product, "it places the part, and is not understood");
+      add(gap.entity, gap.kind, gap.product, GLISSADE_TEXT("it places the part, and is not understood"));
     }
-    for (const StatedGap& gap : known_.stated.loose)
-      add(gap.entity, gap.kind, gap.product, "it belongs to no solid of the file");
-    return std::move(lines_);
+    for (const StatedGap& gap : known_.stated.loose) {
+      add(gap.entity, gap.kind, gap.product, GLISSADE_TEXT("it belongs to no solid of the file"));
+    }
+    return std::move(notes_);
   }
 
  private:
@@ -58,17 +59,16 @@ class MissingShapeSearch {
   void addItem(const StatedShape& item) {
     const std::uint64_t places = placesOf(item.entity);
     if (places >= item.places) return;
-    std::string what = known_.standIns.faultOf(item.entity);
-    if (!what.empty()) {
-      what = "its triangles cannot be read: " + what;
-    } else if (places > 0) {
-      what = "it was made in " + std::to_string(places) + " of its " + std::to_string(item.places) + " places";
-    } else if (item.role == StepShapeRole::Unread) {
-      what = "its kind is not read";
-    } else {
-      what = "it could not be made";
-    }
-    add(item.entity, item.kind, item.product, what);
+    add(item.entity, item.kind, item.product, reasonOf(item, places));
+  }
+
+  /// `places`: number of places in which the item was made.
+  Message reasonOf(const StatedShape& item, std::uint64_t places) const {
+    const Message fault = known_.standIns.faultOf(item.entity);
+    if (!fault.empty()) return {GLISSADE_TEXT("its triangles cannot be read: %1"), {fault}};
+    if (places > 0) return {GLISSADE_TEXT("it was made in %1 of its %2 places"), {places, item.places}};
+    if (item.role == StepShapeRole::Unread) return GLISSADE_TEXT("its kind is not read");
+    return GLISSADE_TEXT("it could not be made");
   }
 
   void addOrphan(const StatedShape& orphan) {
@@ -76,9 +76,9 @@ class MissingShapeSearch {
       addItem(orphan);
       return;
     }
-    lines_.push_back(
-        stepShapeLine(import_protocol::kOrphanLine, orphan,
-                      "it belongs to no product of the file and is read as a body where its coordinates are"));
+    notes_.push_back(stepShapeNote(
+        import_protocol::kOrphanLine, orphan,
+        GLISSADE_TEXT("it belongs to no product of the file and is read as a body where its coordinates are")));
   }
 
   /// The shape that OpenCASCADE has made of an entity; null: none.
@@ -113,23 +113,23 @@ class MissingShapeSearch {
     return {};
   }
 
-  void add(std::uint64_t entity, const std::string& kind, std::uint64_t product, const std::string& what) {
-    lines_.push_back(std::string(1, import_protocol::kMissingLine) + "\t" + nameOf(product) + "\t#" +
-                     std::to_string(entity) + "\t" + printableLine(kind) + "\t" + printableLine(what));
+  void add(std::uint64_t entity, const std::string& kind, std::uint64_t product, const Message& what) {
+    notes_.push_back(
+        {import_protocol::kMissingLine, "", what, nameOf(product), "#" + std::to_string(entity), printableLine(kind)});
   }
 
   const KnownShapes& known_;
   Handle(Transfer_TransientProcess) process_;
   std::unordered_map<std::uint64_t, Handle(Standard_Transient)> made_;  ///< entities by number
   std::unordered_map<const TopoDS_TShape*, std::uint64_t> uses_;        ///< uses of solids and faces in the bodies
-  std::vector<std::string> lines_;
+  StepNotes notes_;
 };
 
 }  // namespace
 
-std::vector<std::string> missingShapeLines(const STEPCAFControl_Reader& reader, const KnownShapes& known,
-                                           const std::vector<TopoDS_Shape>& bodies) {
-  return MissingShapeSearch(reader, known, bodies).lines();
+StepNotes missingShapeNotes(const STEPCAFControl_Reader& reader, const KnownShapes& known,
+                            const std::vector<TopoDS_Shape>& bodies) {
+  return MissingShapeSearch(reader, known, bodies).notes();
 }
 
 }  // namespace glissade

@@ -22,10 +22,10 @@ struct KnownShapes {
   const ExternalFiles& externalFiles;
 };
 
-/// Lines of the protocol about each stated shape that is in none of `bodies` at its place, each product without a shape
+/// Notes about each stated shape that is in none of `bodies` at its place, each product without a shape
 /// that is in no other file, and each orphan that is read as a body. Compares the result of statedShapesOf() with the
 /// bodies that were made. Runs in the importing process only.
-std::vector<std::string> missingShapeLines(const STEPCAFControl_Reader& reader, const KnownShapes& known,
-                                           const std::vector<TopoDS_Shape>& bodies);
+StepNotes missingShapeNotes(const STEPCAFControl_Reader& reader, const KnownShapes& known,
+                            const std::vector<TopoDS_Shape>& bodies);
 
 }  // namespace glissade

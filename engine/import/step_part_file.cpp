@@ -20,16 +20,16 @@ FoundStepPart findStepPart(const std::string& productFolder, const std::string& 
   std::string name = named;
   std::replace(name.begin(), name.end(), '\\', '/');
   if (!name.empty() && isFromAnotherMachine(name)) name = name.substr(name.find_last_of("/:") + 1);
-  if (name.empty()) return {named, "", "is not a file name"};
-  FoundStepPart found{(fs::path(inFolder) / name).lexically_normal().generic_string(), "", ""};
+  if (name.empty()) return {named, "", GLISSADE_TEXT("is not a file name")};
+  FoundStepPart found{(fs::path(inFolder) / name).lexically_normal().generic_string(), "", {}};
   const auto file = resolveBelow(productFolder, found.name, "", "");
   std::error_code unknown;
   if (!file) {
-    found.whyNot = "is outside its folder";
+    found.whyNot = GLISSADE_TEXT("is outside its folder");
   } else if (!fs::is_regular_file(*file, unknown)) {
-    found.whyNot = "is not there";
+    found.whyNot = GLISSADE_TEXT("is not there");
   } else if (!hasStepEnding(name)) {
-    found.whyNot = "is not a STEP file";
+    found.whyNot = GLISSADE_TEXT("is not a STEP file");
   } else {
     found.file = *file;
   }

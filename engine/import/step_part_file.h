@@ -6,9 +6,9 @@ namespace glissade {
 
 /// The result of a search for a file that a STEP file names for a part.
 struct FoundStepPart {
-  std::string name;    ///< relative to the product's folder, '/' as separator
-  std::string file;    ///< path for opening; empty: the file does not exist
-  std::string whyNot;  ///< "is not there"
+  std::string name;  ///< relative to the product's folder, '/' as separator
+  std::string file;  ///< path for opening; empty: the file does not exist
+  Message whyNot;    ///< "is not there"
 };
 
 /// Searches a file that is named in a file of the folder `inFolder` below `productFolder` (empty: that folder). Names

@@ -44,13 +44,19 @@ Result<std::string> nodeNamed(const std::string& name, const Product& tree, cons
   if (found.count(name) > 0) return name;
   if (found.empty()) return noSuchPart(file, name, bodiesOf(tree));
   if (found.size() == 1) return *found.begin();
-  return Diagnostic{ErrorKind::MalformedInput, file, {GLISSADE_TEXT("part '%1'"), {name}}, GLISSADE_TEXT("is the name of several parts"),
+  return Diagnostic{ErrorKind::MalformedInput,
+                    file,
+                    {GLISSADE_TEXT("part '%1'"), {name}},
+                    GLISSADE_TEXT("is the name of several parts"),
                     {GLISSADE_TEXT("Give the whole name: %1."), {nameList({found.begin(), found.end()})}}};
 }
 
 Diagnostic noSuchPart(const std::string& file, const std::string& name, const std::vector<std::string>& parts) {
   const bool single = parts.size() == 1 && parts.front().empty();
-  return {ErrorKind::MalformedInput, file, {GLISSADE_TEXT("part '%1'"), {name}}, GLISSADE_TEXT("is not in the file"),
+  return {ErrorKind::MalformedInput,
+          file,
+          {GLISSADE_TEXT("part '%1'"), {name}},
+          GLISSADE_TEXT("is not in the file"),
           single ? Message(GLISSADE_TEXT("The file holds one part: leave out the name."))
                  : Message(GLISSADE_TEXT("It holds: %1."), {nameList(parts)})};
 }

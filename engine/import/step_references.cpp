@@ -37,7 +37,7 @@ std::optional<StepReferences::Fault> StepReferences::duplicate() const {
   const auto twice =
       std::adjacent_find(ids.begin(), ids.end(), [](const auto& a, const auto& b) { return a.first == b.first; });
   if (twice == ids.end()) return std::nullopt;
-  return Fault{(twice + 1)->second, "#" + std::to_string(twice->first) + " is there twice"};
+  return Fault{(twice + 1)->second, {GLISSADE_TEXT("#%1 is there twice"), {twice->first}}};
 }
 
 /// Replaces the ids by indices of entities.
@@ -51,7 +51,7 @@ std::optional<StepReferences::Fault> StepReferences::resolve() {
       const auto found = std::lower_bound(ids.begin(), ids.end(), std::pair(references_[k], std::size_t{0}));
       if (found == ids.end() || found->first != references_[k]) {
         return Fault{entities_[i].at,
-                     shown(i) + " refers to #" + std::to_string(references_[k]) + ", which is not in the file"};
+                     {GLISSADE_TEXT("%1 refers to #%2, which is not in the file"), {shown(i), references_[k]}}};
       }
       references_[k] = found->second;
     }
@@ -80,7 +80,8 @@ std::optional<StepReferences::Fault> StepReferences::circle() const {
       }
       const std::size_t next = references_[way.back().second++];
       if (seen[next] == Seen::OnTheWay) {
-        return Fault{entities_[entity].at, shown(entity) + " refers to " + shown(next) + ", which refers back to it"};
+        return Fault{entities_[entity].at,
+                     {GLISSADE_TEXT("%1 refers to %2, which refers back to it"), {shown(entity), shown(next)}}};
       }
       if (seen[next] == Seen::No) enter(next);
     }

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/base/message.h"
+
 namespace glissade {
 
 /// The entities of a STEP text and their references: `#12=CLOSED_SHELL('',(#7,#8));` is entity 12 with references to 7
@@ -19,7 +21,7 @@ class StepReferences {
 
   struct Fault {
     std::size_t at;  ///< position in the text
-    std::string reason;
+    Message reason;
   };
   /// The first fault: an entity that exists twice, a reference to a missing entity, or entities that refer to each
   /// other in a circle. A REPRESENTATION may contain itself, as it does in valid files. Takes O(n log n) time.

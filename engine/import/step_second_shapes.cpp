@@ -83,8 +83,8 @@ SecondShapes takeOutSecondShapes(std::vector<StepSolid>& solids, const StandInSh
     out.push_back(solid.path);
     if (!second.items.insert(item->entity).second) continue;
     second.notes.push_back(
-        stepShapeLine(import_protocol::kSecondLine, *item,
-                      "it is taken for a second representation of a solid of its size and is left out"));
+        stepShapeNote(import_protocol::kSecondLine, *item,
+                      GLISSADE_TEXT("it is taken for a second representation of a solid of its size and is left out")));
   }
   std::erase_if(solids,
                 [&](const StepSolid& solid) { return std::find(out.begin(), out.end(), solid.path) != out.end(); });

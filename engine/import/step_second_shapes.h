@@ -10,8 +10,8 @@
 namespace glissade {
 
 struct SecondShapes {
-  std::set<std::uint64_t> items;   ///< entities of the items
-  std::vector<std::string> notes;  ///< a line of the protocol for each
+  std::set<std::uint64_t> items;  ///< entities of the items
+  StepNotes notes;                ///< one for each
 };
 
 /// Removes triangles with the size and the place of their product's boundaries: they are a second representation,

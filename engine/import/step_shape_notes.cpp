@@ -16,8 +16,8 @@ namespace {
 
 namespace protocol = import_protocol;
 
-std::string lineAbout(char kind, const std::string& part, const std::string& what) {
-  return std::string(1, kind) + "\t" + (part.empty() ? part : "part '" + part + "'") + "\t" + what;
+StepNote noteAbout(char kind, const std::string& part, const Message& what) {
+  return {kind, part.empty() ? Message() : Message(GLISSADE_TEXT("part '%1'"), {part}), what};
 }
 
 /// Number of edges with one face only; a seam joins a face to itself.
@@ -66,25 +66,24 @@ bool hasNoThickness(const StepTriangles& triangles) {
 
 }  // namespace
 
-std::vector<std::string> shapeNotes(const TopoDS_Shape& shape, const StepTriangles& triangles,
-                                    const std::string& part) {
+StepNotes shapeNotes(const TopoDS_Shape& shape, const StepTriangles& triangles, const std::string& part) {
   if (shape.ShapeType() != TopAbs_SOLID) {
     const int open = openEdges(shape);
     if (open == 0) return {};
-    return {lineAbout(protocol::kShapeLine, part,
-                      "is no solid: its faces (" + std::to_string(facesOf(shape)) + ") bound nothing, " +
-                          std::to_string(open) + " of their edges are open")};
+    return {noteAbout(protocol::kShapeLine, part,
+                      {GLISSADE_TEXT("is no solid: its faces (%1) bound nothing, %2 of their edges are open"),
+                       {facesOf(shape), open}})};
   }
   if (!hasNoThickness(triangles)) return {};
-  return {lineAbout(protocol::kShapeLine, part, "has no thickness: its faces enclose no volume")};
+  return {noteAbout(protocol::kShapeLine, part, GLISSADE_TEXT("has no thickness: its faces enclose no volume"))};
 }
 
-std::vector<std::string> curveNotes(const TopoDS_Shape& product, const std::string& part) {
+StepNotes curveNotes(const TopoDS_Shape& product, const std::string& part) {
   TopTools_IndexedMapOfShape curves;
   for (TopExp_Explorer edge(product, TopAbs_EDGE, TopAbs_FACE); edge.More(); edge.Next()) curves.Add(edge.Current());
   if (curves.Extent() == 0) return {};
-  return {lineAbout(protocol::kCurveLine, part,
-                    "has curves that lie on no face (" + std::to_string(curves.Extent()) + "): they are left out")};
+  return {noteAbout(protocol::kCurveLine, part,
+                    {GLISSADE_TEXT("has curves that lie on no face (%1): they are left out"), {curves.Extent()}})};
 }
 
 }  // namespace glissade

@@ -84,9 +84,9 @@ bool StandInShapes::isBoundaryOf(std::uint64_t product, const TopoDS_Shape& shap
   return false;
 }
 
-std::string StandInShapes::faultOf(std::uint64_t item) const {
+Message StandInShapes::faultOf(std::uint64_t item) const {
   const auto found = faults_.find(item);
-  return found == faults_.end() ? std::string() : found->second;
+  return found == faults_.end() ? Message() : found->second;
 }
 
 }  // namespace glissade

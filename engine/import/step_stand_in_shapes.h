@@ -27,7 +27,7 @@ class StandInShapes {
   bool isBoundaryOf(std::uint64_t product, const TopoDS_Shape& shape) const;
 
   /// The reason why the triangles of an item cannot be read; empty if they can.
-  std::string faultOf(std::uint64_t item) const;
+  Message faultOf(std::uint64_t item) const;
 
  private:
   struct StandIn {
@@ -38,7 +38,7 @@ class StandInShapes {
   void take(const StatedShape& item, StepTessellation triangles, const TopoDS_Shape& standIn);
 
   std::map<const TopoDS_TShape*, StandIn> standIns_;
-  std::map<std::uint64_t, std::string> faults_;
+  std::map<std::uint64_t, Message> faults_;
   std::map<const TopoDS_TShape*, std::uint64_t> boundaries_;  ///< products of solids and faces
 };
 

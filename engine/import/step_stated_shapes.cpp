@@ -7,6 +7,8 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "engine/base/printable_text.h"
+
 namespace glissade {
 namespace {
 
@@ -396,8 +398,8 @@ class ShapeGraph {
 
 StatedShapes statedShapesOf(const StepEntities& entities) { return ShapeGraph(entities).stated(); }
 
-std::string stepShapeLine(char kind, const StatedShape& item, const std::string& what) {
-  return std::string(1, kind) + "\t#" + std::to_string(item.entity) + " (" + item.kind + ")\t" + what;
+StepNote stepShapeNote(char kind, const StatedShape& item, const Message& what) {
+  return {kind, "#" + std::to_string(item.entity) + " (" + printableLine(item.kind) + ")", what};
 }
 
 std::uint64_t productOfDefinition(const StepEntities& entities, std::uint64_t definition) {

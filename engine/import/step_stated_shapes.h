@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/import/step_entities.h"
+#include "engine/import/step_note.h"
 #include "engine/import/step_shape_kinds.h"
 
 namespace glissade {
@@ -43,8 +44,8 @@ struct StatedShapes {
 
 StatedShapes statedShapesOf(const StepEntities& entities);
 
-/// A line of the protocol about an item, such as "#12 (CSG_SOLID)".
-std::string stepShapeLine(char kind, const StatedShape& item, const std::string& what);
+/// A note about an item, such as "#12 (CSG_SOLID)".
+StepNote stepShapeNote(char kind, const StatedShape& item, const Message& what);
 
 /// The PRODUCT of a PRODUCT_DEFINITION; 0 if it has none.
 std::uint64_t productOfDefinition(const StepEntities& entities, std::uint64_t definition);

@@ -7,9 +7,10 @@
 #include <gp_Ax3.hxx>
 #include <map>
 #include <optional>
-#include <stdexcept>
 #include <unordered_map>
 
+#include "engine/base/printable_text.h"
+#include "engine/import/import_refusal.h"
 #include "engine/import/step_shape_kinds.h"
 
 namespace glissade {
@@ -30,7 +31,7 @@ std::vector<Number> numbersOf(std::string_view text) {
     }
     Number number{};
     const auto [end, error] = std::from_chars(text.data() + at, text.data() + text.size(), number);
-    if (error != std::errc()) throw std::runtime_error("a list of its numbers holds something else");
+    if (error != std::errc()) throw ImportRefusal{GLISSADE_TEXT("a list of its numbers holds something else")};
     numbers.push_back(number);
     at = static_cast<std::size_t>(end - text.data());
   }
@@ -46,9 +47,9 @@ class TessellationReader {
     StepTessellation result;
     try {
       add(item, 0);
-      if (triangles_.empty()) throw std::runtime_error("it has no triangle with three corners");
-    } catch (const std::runtime_error& why) {
-      result.fault = why.what();
+      if (triangles_.empty()) throw ImportRefusal{GLISSADE_TEXT("it has no triangle with three corners")};
+    } catch (const ImportRefusal& why) {
+      result.fault = why.reason;
       return result;
     }
     orient();
@@ -67,16 +68,16 @@ class TessellationReader {
     const std::vector<std::string_view> values = valuesOfKind(records);
     const std::size_t before = points_.size();
     const std::string kind = stepKindOf(records);
-    if (depth > kDeepest) throw std::runtime_error("its items are nested too deeply");
+    if (depth > kDeepest) throw ImportRefusal{GLISSADE_TEXT("its items are nested too deeply")};
     if (kind == "TESSELLATED_SOLID" || kind == "TESSELLATED_SHELL" || kind == "TESSELLATED_GEOMETRIC_SET") {
-      if (values.size() < 2) throw std::runtime_error(shown(item, kind) + " has too few values");
+      if (values.size() < 2) throw ImportRefusal{{GLISSADE_TEXT("%1 has too few values"), {shown(item, kind)}}};
       for (const std::uint64_t child : stepReferencesIn(values[1])) addChild(child, depth);
     } else if (kind == "TRIANGULATED_FACE" || kind == "COMPLEX_TRIANGULATED_FACE") {
       addTriangulation(shown(item, kind), values, 5);
     } else if (kind == "TRIANGULATED_SURFACE_SET" || kind == "COMPLEX_TRIANGULATED_SURFACE_SET") {
       addTriangulation(shown(item, kind), values, 4);
     } else {
-      throw std::runtime_error("its item " + shown(item, kind) + " is of a kind that is not read");
+      throw ImportRefusal{{GLISSADE_TEXT("its item %1 is of a kind that is not read"), {shown(item, kind)}}};
     }
     reposition(records, before);
   }
@@ -87,7 +88,9 @@ class TessellationReader {
     if (stepShapeRole(entities_, records) != StepShapeRole::NoMaterial) add(child, depth + 1);
   }
 
-  static std::string shown(std::uint64_t id, const std::string& kind) { return kind + " #" + std::to_string(id); }
+  static std::string shown(std::uint64_t id, const std::string& kind) {
+    return printableLine(kind) + " #" + std::to_string(id);
+  }
 
   /// The values with the name first, as in an entity of one type; values of a supertype come before those of its
   /// subtypes.
@@ -115,13 +118,15 @@ class TessellationReader {
   /// `first`: position of the list of indices among the values. Strips and fans follow in place of triangles.
   void addTriangulation(const std::string& who, const std::vector<std::string_view>& values, std::size_t first) {
     const bool strips = who.rfind("COMPLEX_", 0) == 0;
-    if (values.size() < first + (strips ? 3 : 2)) throw std::runtime_error(who + " has too few values");
+    if (values.size() < first + (strips ? 3 : 2)) throw ImportRefusal{{GLISSADE_TEXT("%1 has too few values"), {who}}};
     coordinates_ = &coordinatesOf(stepReference(values[1]), who);
     indices_ = numbersOf<std::uint32_t>(values[first]);
     corner_.clear();
     if (!strips) {
       const auto corners = numbersOf<std::uint32_t>(values[first + 1]);
-      if (corners.size() % 3 != 0) throw std::runtime_error(who + " has a triangle without three corners");
+      if (corners.size() % 3 != 0) {
+        throw ImportRefusal{{GLISSADE_TEXT("%1 has a triangle without three corners"), {who}}};
+      }
       for (std::size_t i = 0; i < corners.size(); i += 3) addTriangle(who, corners[i], corners[i + 1], corners[i + 2]);
       return;
     }
@@ -142,11 +147,14 @@ class TessellationReader {
     const auto [known, isNew] = lists_.try_emplace(id);
     if (!isNew) return known->second;
     const std::vector<StepRecord> records = entities_.recordsOf(id);
-    if (stepKindOf(records) != "COORDINATES_LIST") throw std::runtime_error(who + " has no COORDINATES_LIST");
+    if (stepKindOf(records) != "COORDINATES_LIST") {
+      throw ImportRefusal{{GLISSADE_TEXT("%1 has no COORDINATES_LIST"), {who}}};
+    }
     const std::vector<std::string_view> values = valuesOfKind(records);
     const auto numbers = numbersOf<double>(values.empty() ? std::string_view() : values.back());
-    if (numbers.size() % 3 != 0)
-      throw std::runtime_error("a point of COORDINATES_LIST #" + std::to_string(id) + " has no three numbers");
+    if (numbers.size() % 3 != 0) {
+      throw ImportRefusal{{GLISSADE_TEXT("a point of COORDINATES_LIST #%1 has no three numbers"), {id}}};
+    }
     for (std::size_t i = 0; i < numbers.size(); i += 3) {
       known->second.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
     }
@@ -165,11 +173,11 @@ class TessellationReader {
     std::size_t number = index;
     if (!indices_.empty()) number = index >= 1 && index <= indices_.size() ? indices_[index - 1] : 0;
     if (number < 1 || number > coordinates_->size()) {
-      throw std::runtime_error(who + " refers to point " + std::to_string(index) + ", which is not in its lists");
+      throw ImportRefusal{{GLISSADE_TEXT("%1 refers to point %2, which is not in its lists"), {who, index}}};
     }
     const HeldPoint& point = (*coordinates_)[number - 1];
     if (!std::all_of(point.begin(), point.end(), [](double value) { return std::isfinite(value); })) {
-      throw std::runtime_error(who + " has a point that is not in space");
+      throw ImportRefusal{{GLISSADE_TEXT("%1 has a point that is not in space"), {who}}};
     }
     const auto [at, isNewPoint] = indexOf_.try_emplace(point, static_cast<std::uint32_t>(points_.size()));
     if (isNewPoint) points_.push_back(point);
@@ -183,7 +191,9 @@ class TessellationReader {
       if (record.type != "REPOSITIONED_TESSELLATED_ITEM") continue;
       const auto values = stepValues(record.arguments);
       const auto frame = values.empty() ? std::nullopt : frameOf(stepReference(values.back()));
-      if (!frame || before != 0) throw std::runtime_error("it is repositioned in a way that is not read");
+      if (!frame || before != 0) {
+        throw ImportRefusal{GLISSADE_TEXT("it is repositioned in a way that is not read")};
+      }
       indexOf_.clear();
       for (std::size_t i = before; i < points_.size(); ++i) {
         gp_XYZ moved = frame->Location().XYZ();

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
+#include "engine/base/message.h"
 #include "engine/import/step_entities.h"
 
 namespace glissade {
@@ -13,7 +13,7 @@ namespace glissade {
 struct StepTessellation {
   std::vector<double> vertices;        ///< x y z, in the unit of the file, each position once
   std::vector<std::uint32_t> indices;  ///< three a triangle; counter-clockwise from outside if they enclose a volume
-  std::string fault;                   ///< reason why there are none; empty: there are some
+  Message fault;                       ///< reason why there are none; empty: there are some
 };
 
 /// Reads every face of the item, or returns a fault: a part of a body would be another body.

@@ -46,7 +46,7 @@ class StepTextCheck {
  public:
   explicit StepTextCheck(std::string_view text) : text_(text) {}
 
-  std::optional<std::string> fault() {
+  std::optional<Message> fault() {
     while (at_ < text_.size() && !fault_) checkToken();
     if (fault_) return fault_;
     const auto reference = references_.fault();
@@ -95,15 +95,16 @@ class StepTextCheck {
   }
 
   void checkDelimiter(char c) {
-    if (c == ';' && !valuesOfList_.empty()) fail("a parenthesis is not closed");
-    if (c == ')' && valuesOfList_.empty()) fail("a parenthesis is closed that was not opened");
+    if (c == ';' && !valuesOfList_.empty()) fail(GLISSADE_TEXT("a parenthesis is not closed"));
+    if (c == ')' && valuesOfList_.empty()) fail(GLISSADE_TEXT("a parenthesis is closed that was not opened"));
     if (c == '(') valuesOfList_.push_back(1);
     if (c == ')' && !valuesOfList_.empty()) valuesOfList_.pop_back();
     if (c == ',' && !valuesOfList_.empty()) ++valuesOfList_.back();
-    if (valuesOfList_.size() > kMostParentheses)
-      fail("parentheses are nested more than " + std::to_string(kMostParentheses) + " deep");
+    if (valuesOfList_.size() > kMostParentheses) {
+      fail({GLISSADE_TEXT("parentheses are nested more than %1 deep"), {kMostParentheses}});
+    }
     if (!isTessellation_ && !valuesOfList_.empty() && valuesOfList_.back() > kLongestList) {
-      fail("a list has more than " + std::to_string(kLongestList) + " values");
+      fail({GLISSADE_TEXT("a list has more than %1 values"), {kLongestList}});
     }
   }
 
@@ -112,16 +113,16 @@ class StepTextCheck {
     const std::size_t end = endOf(isOfWord, at_);
     const std::size_t next = endOf(isSpace, end);
     const bool alone = next < text_.size() && (text_[next] == ',' || text_[next] == ')');
-    if (alone && !valuesOfList_.empty()) fail("'" + shown(end) + "' is not a value");
+    if (alone && !valuesOfList_.empty()) fail({GLISSADE_TEXT("'%1' is not a value"), {shown(end)}});
     at_ = end;
   }
 
   void checkNumber() {
     const std::size_t end = endOf(isOfNumber, at_);
     if (end - at_ > kLongestNumber) {
-      fail("a number has " + std::to_string(end - at_) + " characters");
+      fail({GLISSADE_TEXT("a number has %1 characters"), {end - at_}});
     } else if (!isFinite(text_.substr(at_, end - at_)) || isGluedTo(end)) {
-      fail("'" + shown(endOf(isOfWord, end)) + "' is not a finite number");
+      fail({GLISSADE_TEXT("'%1' is not a finite number"), {shown(endOf(isOfWord, end))}});
     }
     at_ = end;
   }
@@ -151,10 +152,10 @@ class StepTextCheck {
     return token;
   }
 
-  void fail(const std::string& reason) { failAt(at_, reason); }
-  void failAt(std::size_t at, const std::string& reason) {
+  void fail(const Message& reason) { failAt(at_, reason); }
+  void failAt(std::size_t at, const Message& reason) {
     const auto line = 1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(at), '\n');
-    fault_ = "line " + std::to_string(line) + ": " + reason;
+    fault_ = Message(GLISSADE_TEXT("line %1: %2"), {line, reason});
   }
 
   std::string_view text_;
@@ -162,11 +163,11 @@ class StepTextCheck {
   std::vector<std::size_t> valuesOfList_;  ///< number of values of each open list
   bool isTessellation_ = false;            ///< the entity's lists are not given to OpenCASCADE
   StepReferences references_;
-  std::optional<std::string> fault_;
+  std::optional<Message> fault_;
 };
 
 }  // namespace
 
-std::optional<std::string> faultOfStepText(std::string_view text) { return StepTextCheck(text).fault(); }
+std::optional<Message> faultOfStepText(std::string_view text) { return StepTextCheck(text).fault(); }
 
 }  // namespace glissade

@@ -1,8 +1,9 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <string_view>
+
+#include "engine/base/message.h"
 
 namespace glissade {
 
@@ -15,6 +16,6 @@ namespace glissade {
 /// - entities that exist twice, that refer to a missing entity, or to each other in a circle (step_references.h):
 /// OpenCASCADE would silently leave out objects.
 /// Takes O(n log n) time. Other syntax errors are not searched.
-std::optional<std::string> faultOfStepText(std::string_view text);
+std::optional<Message> faultOfStepText(std::string_view text);
 
 }  // namespace glissade

@@ -64,19 +64,21 @@ std::string inDigits(double value) {
 class Comparison {
  public:
   Comparison(const StatedMeasures& stated, const ProductMeasures& own) : stated_(stated), own_(own) {
-    where_ = own.solids == 1 && !own.path.empty() ? "part '" + own.path + "'" : "validation property " + stated.entity;
+    const bool isPart = own.solids == 1 && !own.path.empty();
+    where_ = isPart ? Message(GLISSADE_TEXT("part '%1'"), {own.path})
+                    : Message(GLISSADE_TEXT("validation property %1"), {stated.entity});
   }
 
-  void compare(std::vector<std::string>& notes) const {
+  void compare(StepNotes& notes) const {
     if (stated_.volume && !(std::abs(own_.volume - *stated_.volume) <= uncertainty())) {
-      notes.push_back(line("its triangles enclose " + inDigits(own_.volume) +
-                           " cubic millimetres, and the file states " + inDigits(*stated_.volume) +
-                           ": they differ by more than the deviation of the triangles explains"));
+      notes.push_back(note({GLISSADE_TEXT("its triangles enclose %1 cubic millimetres, and the file states %2: they "
+                                          "differ by more than the deviation of the triangles explains"),
+                            {inDigits(own_.volume), inDigits(*stated_.volume)}}));
     }
     if (stated_.area && !(std::abs(own_.area - *stated_.area) <= areaUncertainty())) {
-      notes.push_back(line("its triangles have " + inDigits(own_.area) + " square millimetres, and the file states " +
-                           inDigits(*stated_.area) +
-                           ": they differ by more than the deviation of the triangles explains"));
+      notes.push_back(note({GLISSADE_TEXT("its triangles have %1 square millimetres, and the file states %2: they "
+                                          "differ by more than the deviation of the triangles explains"),
+                            {inDigits(own_.area), inDigits(*stated_.area)}}));
     }
     if (stated_.centroid && own_.volume != 0.0) compareCentroid(notes);
   }
@@ -88,29 +90,28 @@ class Comparison {
   /// for faces that need larger angles.
   double areaUncertainty() const { return (kStepAngle * kStepAngle / 6.0 + kStatedShare) * *stated_.area; }
 
-  void compareCentroid(std::vector<std::string>& notes) const {
+  void compareCentroid(StepNotes& notes) const {
     const gp_XYZ centroid = own_.moment / own_.volume;
     const double apart = (centroid - stated_.centroid->XYZ()).Modulus();
     const double explained = (own_.uncertainty / std::abs(own_.volume) + kStatedShare) * own_.size;
     if (apart <= explained) return;
-    notes.push_back(line("the centroid of its triangles is " + inDigits(apart) +
-                         " mm from the one that the file states: more than the deviation of the triangles explains"));
+    notes.push_back(note({GLISSADE_TEXT("the centroid of its triangles is %1 mm from the one that the file states: "
+                                        "more than the deviation of the triangles explains"),
+                          {inDigits(apart)}}));
   }
 
-  std::string line(const std::string& what) const {
-    return std::string(1, import_protocol::kVolumeLine) + "\t" + where_ + "\t" + what;
-  }
+  StepNote note(const Message& what) const { return {import_protocol::kVolumeLine, where_, what}; }
 
   const StatedMeasures& stated_;
   const ProductMeasures& own_;
-  std::string where_;
+  Location where_;
 };
 
 }  // namespace
 
-std::vector<std::string> validationNotes(const std::vector<StatedMeasures>& stated,
-                                         const std::function<const ValidatedSolid*(const TopoDS_Shape&)>& solidOf) {
-  std::vector<std::string> notes;
+StepNotes validationNotes(const std::vector<StatedMeasures>& stated,
+                          const std::function<const ValidatedSolid*(const TopoDS_Shape&)>& solidOf) {
+  StepNotes notes;
   for (const StatedMeasures& each : stated) {
     const auto own = measuresOf(each.shape, solidOf);
     if (own) Comparison(each, *own).compare(notes);

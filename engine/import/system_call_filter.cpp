@@ -59,8 +59,11 @@ std::vector<Rule> permitted() {
 
 /// libseccomp returns its errors as negative numbers of errno.
 Diagnostic cannotLoad(int error) {
-  return {ErrorKind::Internal, "", "",
-          {GLISSADE_TEXT("the filter of system calls cannot be loaded: %1"), {std::strerror(-error)}}, ""};
+  return {ErrorKind::Internal,
+          "",
+          "",
+          {GLISSADE_TEXT("the filter of system calls cannot be loaded: %1"), {std::strerror(-error)}},
+          ""};
 }
 
 }  // namespace

@@ -131,8 +131,8 @@ class LinkBuilder {
     const auto sized = [](std::initializer_list<double> sizes) {
       return std::all_of(sizes.begin(), sizes.end(), limits::isSize);
     };
-    const Diagnostic badSize =
-        malformedUrdf(file_, location, GLISSADE_TEXT("has a shape whose size is not a positive number from 1e-12 m to 1e9 m"));
+    const Diagnostic badSize = malformedUrdf(
+        file_, location, GLISSADE_TEXT("has a shape whose size is not a positive number from 1e-12 m to 1e9 m"));
     switch (geometry.type) {
       case urdf::Geometry::BOX: {
         const auto& box = static_cast<const urdf::Box&>(geometry);

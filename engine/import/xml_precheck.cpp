@@ -41,9 +41,7 @@ class XmlScanner {
   }
 
  private:
-  [[noreturn]] static void refuse(std::size_t position, const Message& reason) {
-    throw XmlRefusal{position, reason};
-  }
+  [[noreturn]] static void refuse(std::size_t position, const Message& reason) { throw XmlRefusal{position, reason}; }
 
   void checkCharacters() const {
     for (std::size_t at = 0; at < text_.size();) {
@@ -176,7 +174,10 @@ Result<XmlFacts> precheckXml(const std::string& text, const std::string& file) {
   } catch (const XmlRefusal& refusal) {
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(refusal.position);
     const auto line = 1 + std::count(text.begin(), end, '\n');
-    return Diagnostic{ErrorKind::MalformedInput, file, {GLISSADE_TEXT("line %1"), {line}}, refusal.reason,
+    return Diagnostic{ErrorKind::MalformedInput,
+                      file,
+                      {GLISSADE_TEXT("line %1"), {line}},
+                      refusal.reason,
                       GLISSADE_TEXT("Correct the file.")};
   }
 }

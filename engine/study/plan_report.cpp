@@ -230,7 +230,11 @@ class Composer {
       rows.push_back({say(GLISSADE_TEXT("Time")), secondsText(sum, plain_.words())});
     }
     addRows(
-        say(GLISSADE_TEXT("Found by")), steps, [](const AssemblyStep& step) { return Texts{step.method}; }, rows);
+        say(GLISSADE_TEXT("Found by")), steps,
+        [this](const AssemblyStep& step) {
+          return Texts{toString(methodInWords(step.method), plain_.words().language())};
+        },
+        rows);
     for (std::size_t at = place; at < place + steps.size(); ++at) {
       const std::string text = checkTextAt(content_.plan.steps.size() - 1 - at);
       if (rows.back().back() != text) rows.push_back({say(GLISSADE_TEXT("Check")), text});

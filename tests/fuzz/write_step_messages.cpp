@@ -124,7 +124,15 @@ int main(int argc, char** argv) {
   };
   write("one-part", messageOf({{Kind::Free, Kind::Plane}}, {{"L\u00e4ufer"}}, {}, "", ""));
   write("notes", messageOf({{Kind::Free, Kind::Free}}, {{"L\u00e4ufer"}}, {},
-                           "L\t#12\ta face\nH\tL\u00e4ufer, #14\ta cone\nV\tL\u00e4ufer\t2 % smaller\n", ""));
+                           R"({"kind": "L", "place": {"text": "#12"}, "text": {"text": "a face"}})"
+                           "\n"
+                           R"({"kind": "H", "place": {"text": "part '%1'", "arguments": ["L\u00e4ufer"]},)"
+                           R"( "text": {"text": "a %1, %2 off", "arguments": [{"text": "cone"}, {"length": 1e-5}]}})"
+                           "\n"
+                           R"({"kind": "M", "product": "pin", "entity": "#14", "shape": "CSG_SOLID",)"
+                           R"( "text": {"text": "its kind is not read"}})"
+                           "\n",
+                           ""));
   write("two-parts", messageOf({{Kind::Free, Kind::Cylinder}, {Kind::Cone, Kind::Torus}},
                                {{"pump/rotor", "pump\t\t\nrotor/left\tupper rotor\t\n"},
                                 {"pin", "", 1, "stift"},

@@ -67,7 +67,8 @@ TriangleMesh trianglesOf(const aiScene& scene) {
       TriangleIndices triangle;
       for (unsigned int i = 0; i < 3; ++i) {
         const unsigned int vertex = mesh.mFaces[f].mIndices[i];
-        if (vertex >= mesh.mNumVertices) throw FormatError{"", GLISSADE_TEXT("has a triangle with a corner that does not exist")};
+        if (vertex >= mesh.mNumVertices)
+          throw FormatError{"", GLISSADE_TEXT("has a triangle with a corner that does not exist")};
         const aiVector3D p = transform * mesh.mVertices[vertex];
         triangle[i] = welder.indexOf(Vector3(p.x, p.y, p.z));
       }

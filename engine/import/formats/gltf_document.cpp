@@ -100,7 +100,8 @@ void GltfDocument::readContainer(std::string_view bytes) {
   constexpr std::uint64_t kHeader = 12;
   constexpr std::uint64_t kChunkHeader = 8;
   const auto version = valueAt<std::uint32_t>(bytes, 4);
-  if (version != 2) throw FormatError{{GLISSADE_TEXT("byte %1"), {4}}, {GLISSADE_TEXT("is of version %1; only 2 is read"), {version}}};
+  if (version != 2)
+    throw FormatError{{GLISSADE_TEXT("byte %1"), {4}}, {GLISSADE_TEXT("is of version %1; only 2 is read"), {version}}};
   const auto length = valueAt<std::uint32_t>(bytes, 8);
   if (length > bytes.size()) {
     throw FormatError{{GLISSADE_TEXT("byte %1"), {8}},

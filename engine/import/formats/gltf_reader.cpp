@@ -32,7 +32,8 @@ void checkRequiredExtensions(const Json& root) {
       return name.compare(0, known.size(), known) == 0;
     });
     if (!harmless)
-      throw FormatError{"/extensionsRequired", {GLISSADE_TEXT("requires the extension %1, which is not read"), {inQuotes(name)}}};
+      throw FormatError{"/extensionsRequired",
+                        {GLISSADE_TEXT("requires the extension %1, which is not read"), {inQuotes(name)}}};
   }
 }
 
@@ -43,8 +44,7 @@ std::optional<std::vector<double>> listOf(const Json& object, const char* key, s
   if (found == object.end()) return std::nullopt;
   const bool numbers = found->is_array() && found->size() == count &&
                        std::all_of(found->begin(), found->end(), [](const Json& entry) { return entry.is_number(); });
-  if (!numbers)
-    throw FormatError{location, {GLISSADE_TEXT("has a '%1' that is not %2 numbers"), {key, count}}};
+  if (!numbers) throw FormatError{location, {GLISSADE_TEXT("has a '%1' that is not %2 numbers"), {key, count}}};
   return found->get<std::vector<double>>();
 }
 
@@ -149,7 +149,8 @@ class Scene {
     const std::string location = "/meshes/" + std::to_string(index);
     const Json& mesh = document_.element("meshes", index);
     const auto primitives = mesh.find("primitives");
-    if (primitives == mesh.end() || !primitives->is_array()) throw FormatError{location, GLISSADE_TEXT("has no primitives")};
+    if (primitives == mesh.end() || !primitives->is_array())
+      throw FormatError{location, GLISSADE_TEXT("has no primitives")};
     for (std::size_t i = 0; i < primitives->size(); ++i) {
       readPrimitive((*primitives)[i], location + "/primitives/" + std::to_string(i), transform);
     }

@@ -94,9 +94,11 @@ class Obj {
   static void checkKeyword(const TextScanner& scanner, std::string_view keyword) {
     if (keyword.empty() || keyword == "f" || isOneOf(kSkipped, keyword)) return;
     if (isOneOf(kFreeForm, keyword)) {
-      throw scanner.error({GLISSADE_TEXT("has a free-form curve or surface (%1), which is not read"), {inQuotes(keyword)}});
+      throw scanner.error(
+          {GLISSADE_TEXT("has a free-form curve or surface (%1), which is not read"), {inQuotes(keyword)}});
     }
-    throw scanner.error({GLISSADE_TEXT("begins with %1, which is not a statement of an OBJ file"), {inQuotes(keyword)}});
+    throw scanner.error(
+        {GLISSADE_TEXT("begins with %1, which is not a statement of an OBJ file"), {inQuotes(keyword)}});
   }
 
   /// Reads x y z and an optional weight of 1 or colour.

@@ -33,7 +33,8 @@ constexpr std::array<TypeName, 16> kTypes{{{"char", PlyType::Int8},
 PlyType typeNamed(std::string_view name, const TextScanner& scanner) {
   const auto found =
       std::find_if(kTypes.begin(), kTypes.end(), [&](const TypeName& entry) { return entry.name == name; });
-  if (found == kTypes.end()) throw scanner.error({GLISSADE_TEXT("has %1 where a type of numbers is expected"), {inQuotes(name)}});
+  if (found == kTypes.end())
+    throw scanner.error({GLISSADE_TEXT("has %1 where a type of numbers is expected"), {inQuotes(name)}});
   return found->type;
 }
 

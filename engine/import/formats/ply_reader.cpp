@@ -115,7 +115,8 @@ class Ply {
   }
 
   void readList(const PlyProperty& property, double count, bool keep) {
-    if (!(count >= 0.0) || count != std::floor(count)) throw numbers_.error(GLISSADE_TEXT("has a list of an impossible length"));
+    if (!(count >= 0.0) || count != std::floor(count))
+      throw numbers_.error(GLISSADE_TEXT("has a list of an impossible length"));
     if (keep) list_.clear();
     for (double i = 0; i < count; ++i) {
       const double item = numbers_.next(property.type);
@@ -161,8 +162,8 @@ class Ply {
     corners_.clear();
     for (const double index : list_) {
       if (!(index >= 0.0 && index < static_cast<double>(positions_.size())) || index != std::floor(index)) {
-        throw numbers_.error({GLISSADE_TEXT("has a face with vertex %1, but the file has %2"),
-                              {indexText(index), positions_.size()}});
+        throw numbers_.error(
+            {GLISSADE_TEXT("has a face with vertex %1, but the file has %2"), {indexText(index), positions_.size()}});
       }
       corners_.push_back(positions_[static_cast<std::size_t>(index)]);
     }

@@ -81,7 +81,8 @@ class TextStl {
     Facet corners;
     for (Vector3& corner : corners) {
       expect("vertex");
-      for (double& coordinate : corner) coordinate = scanner_.number(scanner_.wordInLine(), GLISSADE_TEXT("the coordinate"));
+      for (double& coordinate : corner)
+        coordinate = scanner_.number(scanner_.wordInLine(), GLISSADE_TEXT("the coordinate"));
     }
     const std::string_view end = scanner_.word();
     if (isKeyword(end, "vertex")) throw scanner_.error(GLISSADE_TEXT("has a facet with more than three corners"));
@@ -136,8 +137,7 @@ MeshContent readBinaryStl(std::string_view bytes) {
   if (bytes.size() < kHeader) throw FormatError{"", GLISSADE_TEXT("is too short for an STL file")};
   const std::uint32_t claimed = claimedTriangles(bytes);
   if ((bytes.size() - kHeader) / kRecord < claimed) {
-    throw FormatError{"",
-                      {GLISSADE_TEXT("claims %1 triangles but is only %2 bytes long"), {claimed, bytes.size()}}};
+    throw FormatError{"", {GLISSADE_TEXT("claims %1 triangles but is only %2 bytes long"), {claimed, bytes.size()}}};
   }
   const std::size_t end = kHeader + kRecord * claimed;
   const std::string_view rest = bytes.substr(end);

@@ -47,9 +47,7 @@ bool TextScanner::atEnd() {
 
 bool TextScanner::lastLineIsOpen() const { return !text_.empty() && text_.back() != '\n' && text_.back() != '\r'; }
 
-FormatError TextScanner::error(const Message& reason) const {
-  return {{GLISSADE_TEXT("line %1"), {line_}}, reason};
-}
+FormatError TextScanner::error(const Message& reason) const { return {{GLISSADE_TEXT("line %1"), {line_}}, reason}; }
 
 double TextScanner::number(std::string_view word, CatalogueText what) const {
   if (word.empty()) throw error({GLISSADE_TEXT("ends before %1"), {what}});

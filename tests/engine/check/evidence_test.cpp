@@ -202,7 +202,7 @@ TEST(Evidence, AClashIsNothingUnlessAPersonAcceptsIt) {
   const FitWords on{true, 0.0, {}};
   const PairBounds clash = boundsOf(a, b, on, nullptr);
   EXPECT_EQ(clash.one.most, 0.0);
-  EXPECT_NE(clash.refused().find("1.2 mm"), std::string::npos) << clash.refused();
+  EXPECT_NE(toString(clash.refused()).find("1.2 mm"), std::string::npos) << toString(clash.refused());
   PairWord word{"a", "b"};
   word.accepted = true;
   EXPECT_NEAR(boundsOf(a, b, on, &word).one.most, 0.0012, 3e-5);

@@ -189,7 +189,7 @@ std::vector<StatedAllowance> hollowLip(double allowance = 1e-6) {
 TEST(Hollow, AnAcceptedClashLeavesTheKnobNoWayThroughTheLip) {
   const Question question = knobInItsLip(1e-3);
   const PathVerdict up = judgePath(question, along(0.1, hollowLip()));
-  EXPECT_TRUE(up.refusals.empty()) << up.refusals.front();
+  EXPECT_TRUE(up.refusals.empty()) << toString(up.refusals.front());
   EXPECT_EQ(up.motion.verdict.status, Status::Violated) << "above the knob the lip is whole";
   const PathVerdict down = judgePath(question, along(-0.1, hollowLip()));
   EXPECT_TRUE(down.valid());
@@ -231,7 +231,7 @@ TEST(Hollow, ARoundGuestTurnsInTheHoleThatItMakes) {
 TEST(Hollow, FalseClaimsAreRefused) {
   const auto refused = [](double accepted, const std::vector<StatedAllowance>& claims) {
     const PathVerdict verdict = judgePath(knobInItsLip(accepted), along(-0.1, claims));
-    return verdict.valid() || verdict.refusals.empty() ? std::string() : verdict.refusals.front();
+    return verdict.valid() || verdict.refusals.empty() ? std::string() : toString(verdict.refusals.front());
   };
   EXPECT_NE(refused(0.0, hollowLip()).find("nobody accepted"), std::string::npos);
   EXPECT_NE(refused(5e-4, hollowLip()).find("nobody accepted"), std::string::npos) << "a deeper clash than accepted";

@@ -230,7 +230,8 @@ TEST(IndependentCheck, AStopLeavesItUndecidedAndSoDoesATurnOfHalfACircle) {
   Pose turned;
   turned.orientation = Quaternion(0.0, 0.0, 0.0, 1.0);
   EXPECT_EQ(check.check({Pose::identity(), turned}, demands).status, CertificateStatus::Undecided);
-  EXPECT_EQ(check.whyUndecided(Pose::identity(), turned, kRequired).find("the edge turns by half a circle"), 0U);
+  EXPECT_EQ(toString(check.whyUndecided(Pose::identity(), turned, kRequired)).find("the edge turns by half a circle"),
+            0U);
 }
 
 TEST(IndependentCheck, CoordinatesThatHideTheClearanceAreTheReason) {
@@ -239,7 +240,7 @@ TEST(IndependentCheck, CoordinatesThatHideTheClearanceAreTheReason) {
   const IndependentCheck check(plane, *cube(0.2));
   const Pose beside = Pose::translation({1e12, 1, 0});
   EXPECT_EQ(check.check({far, beside}, {{kRequired, false}}).status, CertificateStatus::Undecided);
-  EXPECT_EQ(check.whyUndecided(far, beside, kRequired).find("the rounding of coordinates"), 0U);
+  EXPECT_EQ(toString(check.whyUndecided(far, beside, kRequired)).find("the rounding of coordinates"), 0U);
   EXPECT_EQ(check.check({far, beside}, {{1.0, false}}).status, CertificateStatus::Certified);
 }
 

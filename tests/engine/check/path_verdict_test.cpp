@@ -37,7 +37,8 @@ TEST(PathVerdict, AnInventedAllowanceIsRefusedWithThePairAndBothNumbers) {
   EXPECT_FALSE(verdict.valid());
   ASSERT_EQ(verdict.refusals.size(), 1U);
   for (const char* part : {"'knob'", "'lip'", "1.2 mm", "0.77", "overlap", "let a person allow it"}) {
-    EXPECT_NE(verdict.refusals[0].find(part), std::string::npos) << part << ": " << verdict.refusals[0];
+    const std::string refusal = toString(verdict.refusals[0]);
+    EXPECT_NE(refusal.find(part), std::string::npos) << part << ": " << refusal;
   }
 }
 
@@ -121,7 +122,7 @@ TEST(PathVerdict, AForbiddenPlaceThatIsNotKnownIsNotPassedOver) {
   question.product.forbidsPlaces = true;
   const PathVerdict unknown = judgePath(question, path);
   ASSERT_FALSE(unknown.refusals.empty());
-  EXPECT_NE(unknown.refusals.front().find("forbids places"), std::string::npos);
+  EXPECT_NE(toString(unknown.refusals.front()).find("forbids places"), std::string::npos);
   EXPECT_TRUE(unknown.refused());
   question.forbidden = {{"P1", {Box3(Vector3::Constant(5.0), Vector3::Constant(6.0))}}};
   const PathVerdict known = judgePath(question, path);

@@ -47,7 +47,7 @@ struct PlanOfWords : ::testing::Test {
   check::PlanVerdict verdict() const { return judgePlan(plan, product, std::nullopt, {}, &said); }
   std::vector<std::string> conditions() const {
     std::vector<std::string> texts;
-    for (const check::Condition& each : verdict().allConditions()) texts.push_back(each.text);
+    for (const check::Condition& each : verdict().allConditions()) texts.push_back(toString(each.text));
     return texts;
   }
   void confirm(JointKind kind, const std::string& body, const std::vector<std::string>& others) {
@@ -148,7 +148,7 @@ TEST_F(PlanOfWords, NumbersThatAreWrongAreRefused) {
     change(plan.steps[0]);
     std::string all;
     const check::PlanVerdict judged = verdict();
-    for (const std::string& each : judged.steps[0].refusals) all += each + "\n";
+    for (const Message& each : judged.steps[0].refusals) all += toString(each) + "\n";
     return all;
   };
   const auto joint = [](AssemblyStep& step) -> StepJoint& {
@@ -221,7 +221,7 @@ TEST(PlanWords, AnUnusualPitchOrHandIsACondition) {
   const auto conditionsOf = [&](double pitch) {
     const check::PlanVerdict verdict = judgePlan(turnedBy(product, pitch), product, std::nullopt);
     std::string texts;
-    for (const check::Condition& each : verdict.allConditions()) texts += each.text + ";";
+    for (const check::Condition& each : verdict.allConditions()) texts += toString(each.text) + ";";
     return verdict.valid() ? texts : "not valid: " + check::reportText(verdict, judgedProduct(product));
   };
   EXPECT_EQ(conditionsOf(test::kCoarsePitch), "");

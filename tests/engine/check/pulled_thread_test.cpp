@@ -22,10 +22,10 @@ struct Parts {
   }
 
   std::string boltLeaves(const std::vector<Pose>& path, bool isCalled = false) const {
-    return pulledThread(commonThreads({bolt, around, overlap, isCalled}), path);
+    return toString(pulledThread(commonThreads({bolt, around, overlap, isCalled}), path));
   }
   std::string boltStays(const std::vector<Pose>& path, bool isCalled = false) const {
-    return pulledThread(commonThreads({around, bolt, overlap, isCalled}), path);
+    return toString(pulledThread(commonThreads({around, bolt, overlap, isCalled}), path));
   }
 
   double overlap;
@@ -174,7 +174,7 @@ TEST(PulledThread, AHelixStatesItsPitchAndItsHand) {
     ASSERT_EQ(threads.size(), 1U) << pitch;
     EXPECT_NEAR(threads[0].pitch, pitch, 0.01 * std::abs(pitch));
     EXPECT_NEAR(threads[0].radius, 0.005, 1e-9);
-    EXPECT_EQ(pulledThread(threads, turned(0.025 / std::abs(pitch), std::abs(pitch), 16)), "");
+    EXPECT_TRUE(pulledThread(threads, turned(0.025 / std::abs(pitch), std::abs(pitch), 16)).empty());
   }
 }
 
@@ -205,8 +205,8 @@ TEST(PulledThread, AHelixInTheHoleIsAThread) {
   }
   const PlacedBody cap = Parts::placed(turnedMesh(stations, true));
   const PlacedBody neck = Parts::placed(rodMesh(0.0048, -0.03, 0.0));
-  EXPECT_NE(pulledThread(commonThreads({cap, neck, 0.0006}), turned(0.0)), "");
-  EXPECT_NE(pulledThread(commonThreads({neck, cap, 0.0006}), turned(0.0)), "");
+  EXPECT_FALSE(pulledThread(commonThreads({cap, neck, 0.0006}), turned(0.0)).empty());
+  EXPECT_FALSE(pulledThread(commonThreads({neck, cap, 0.0006}), turned(0.0)).empty());
 }
 
 TEST(PulledThread, EachOfTwoHolesCountsForItself) {
@@ -218,7 +218,7 @@ TEST(PulledThread, EachOfTwoHolesCountsForItself) {
   const PlacedBody around = Parts::placed(two);
   const PlacedBody bolt = Parts::placed(test::prism(40, 0.005, 0.03));
   const std::vector<Pose> path = turned(0.02 / kPitch);
-  EXPECT_EQ(pulledThread(commonThreads({around, bolt, 0.0008}), path), "")
+  EXPECT_TRUE(pulledThread(commonThreads({around, bolt, 0.0008}), path).empty())
       << "free after the length of the hole that it is in";
 }
 

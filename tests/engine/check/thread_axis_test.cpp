@@ -53,11 +53,11 @@ TEST(ThreadAxis, APitchHasLimits) {
   thread.radiusMoving = thread.radiusOther = 0.005;
   for (const double pitch : {0.0015, -0.0015, 0.02, 1e-5}) {
     thread.pitch = pitch;
-    EXPECT_EQ(wrongPitch(thread), "") << pitch;
+    EXPECT_TRUE(wrongPitch(thread).empty()) << pitch;
   }
   for (const double pitch : {1e6, 0.021, 0.0, -9e-6}) {
     thread.pitch = pitch;
-    EXPECT_NE(wrongPitch(thread), "") << pitch;
+    EXPECT_FALSE(wrongPitch(thread).empty()) << pitch;
   }
 }
 

@@ -106,7 +106,7 @@ TEST(FitTable, WhatSufficesForTheSmallBodySufficesForTheLargeOne) {
   const FitTable table = tableOf(product);
   ASSERT_EQ(table.pairs().size(), 1U);
   for (const PairWay& way : table.pairs().front().ways) {
-    EXPECT_TRUE(way.refused.empty()) << way.refused;
+    EXPECT_TRUE(way.refused.empty()) << toString(way.refused);
     ASSERT_EQ(way.taken.size(), 1U);
     EXPECT_EQ(way.taken.front().allowance, 6e-6);
   }
@@ -123,7 +123,7 @@ TEST(FitTable, ARefusedPairSaysWhy) {
   const PairFit& pair = table.pairs().front();
   EXPECT_EQ(pair.status(), FitStatus::Clash);
   EXPECT_EQ(pair.contact.kind, ContactKind::Clash);
-  EXPECT_NE(pair.way().refused.find("1.203 mm"), std::string::npos) << pair.way().refused;
+  EXPECT_NE(toString(pair.way().refused).find("1.203 mm"), std::string::npos) << toString(pair.way().refused);
   EXPECT_TRUE(pair.thinner().empty());
   EXPECT_EQ(table.warnings().size(), 1U);
 }

@@ -75,7 +75,7 @@ TEST(ObjectFits, AnAcceptedRodThroughAPlateLeavesAlongAHoleOfItsOwnShape) {
   ASSERT_EQ(fits->allowed.size(), 2U);
   EXPECT_TRUE(fits->allowed[0].hollow && fits->allowed[0].yields) << "the plate, which is the larger one";
   EXPECT_LT(fits->allowed[1].allowance, 1e-5);
-  EXPECT_EQ(inWords(fits->allowed[0], "rod", "plate"),
+  EXPECT_EQ(toString(inWords(fits->allowed[0], "rod", "plate")),
             "plate taken without what overlaps rod, up to 3 mm deep (accepted clash)");
   const auto query = withFits(CollisionWorld::build(obstacles, rod.mesh), rod.mesh, fits->allowed)->makeQuery();
   const auto to = [&](const Vector3& way) {
@@ -87,13 +87,14 @@ TEST(ObjectFits, AnAcceptedRodThroughAPlateLeavesAlongAHoleOfItsOwnShape) {
 
 TEST(ObjectFits, SaysItInWords) {
   const Fit screw{0, ContactKind::Thread, Fit::Role::Shaft, 0.0004, 0.00041};
-  EXPECT_EQ(inWords(screw, "screw", "plate"), "screw taken 0.41 mm thinner in the tapped hole of plate (thread)");
+  EXPECT_EQ(toString(inWords(screw, "screw", "plate")),
+            "screw taken 0.41 mm thinner in the tapped hole of plate (thread)");
   const Fit nut{0, ContactKind::Cylindrical, Fit::Role::Hole, 0.0, 0.0000213};
-  EXPECT_EQ(inWords(nut, "nut", "bolt"), "nut taken 0.0213 mm thinner on the shaft of bolt (cylindrical)");
+  EXPECT_EQ(toString(inWords(nut, "nut", "bolt")), "nut taken 0.0213 mm thinner on the shaft of bolt (cylindrical)");
   Fit block{0, ContactKind::Planar, Fit::Role::Other, 0.0, 0.000001};
-  EXPECT_EQ(inWords(block, "block", "plate"), "block taken 0.001 mm thinner against plate (planar)");
+  EXPECT_EQ(toString(inWords(block, "block", "plate")), "block taken 0.001 mm thinner against plate (planar)");
   block.evidence.byPerson = 1e-6;
-  EXPECT_EQ(inWords(block, "block", "plate"),
+  EXPECT_EQ(toString(inWords(block, "block", "plate")),
             "block taken 0.001 mm thinner against plate (planar, as a person allows)");
 }
 
@@ -115,7 +116,8 @@ TEST(ObjectFits, AClashNeedsAPersonsWord) {
   EXPECT_TRUE(refused->allowed.empty());
   ASSERT_EQ(refused->clashes.size(), 1U);
   ASSERT_EQ(refused->warnings.size(), 1U);
-  EXPECT_EQ(toString(refused->warnings.front().reason), "overlap by 1.203 mm, which is a clash") << "1.2 mm, of triangles";
+  EXPECT_EQ(toString(refused->warnings.front().reason), "overlap by 1.203 mm, which is a clash")
+      << "1.2 mm, of triangles";
 
   FitSettings upTo = switchedOn();
   upTo.acceptedClash = 0.0011;
@@ -137,7 +139,7 @@ TEST(ObjectFits, APairHasOneDepthWhicheverBodyMoves) {
     FitSettings settings = switchedOn();
     settings.acceptedClash = accepted;
     const auto fits = findObjectFits({test::productOf({fixed}, object, settings), 1});
-    return fits->clashes.empty() ? std::string() : fits->clashes.front().refused;
+    return fits->clashes.empty() ? std::string() : toString(fits->clashes.front().refused);
   };
   for (const auto& [fixed, object] : {std::pair(block, rod), std::pair(rod, block)}) {
     EXPECT_EQ(clashOf(fixed, object, 0.0), "overlap by 10 mm, which is a clash");
@@ -155,7 +157,7 @@ TEST(ObjectFits, WhereItIsNotClearWhichBodyIsCutAPersonNamesIt) {
   const auto unclear = findObjectFits({test::productOf({along}, across, settings), 1});
   ASSERT_TRUE(unclear);
   ASSERT_EQ(unclear->clashes.size(), 1U);
-  EXPECT_NE(unclear->clashes.front().refused.find("which of the two is cut is not clear"), std::string::npos);
+  EXPECT_NE(toString(unclear->clashes.front().refused).find("which of the two is cut is not clear"), std::string::npos);
   for (const char* name : {"along", "across"}) {
     settings.cut = {name};
     const auto named = findObjectFits({test::productOf({along}, across, settings), 1});
@@ -304,7 +306,8 @@ TEST(ObjectFits, TheBodyWithTheHoleGivesWay) {
   EXPECT_EQ(fit.obstacle, 2U);
   EXPECT_FALSE(fit.yields);
   EXPECT_EQ(fit.role, Fit::Role::Hole);
-  EXPECT_EQ(inWords(fit, "plate", "screw").find("plate taken"), 0U) << inWords(fit, "plate", "screw");
+  const std::string words = toString(inWords(fit, "plate", "screw"));
+  EXPECT_EQ(words.find("plate taken"), 0U) << words;
   std::vector<RigidBody> others{product.bodies[1], product.bodies[2]};
   Fit moved = fit;
   moved.obstacle = 1;

@@ -319,7 +319,7 @@ std::string inWords(const Joints& joints) {
   for (const Joint& joint : joints) {
     words += std::string(jointStateName(joint.state)) + " " + jointName(joint.kind) + " of " +
              std::to_string(joint.body) + (joint.isDoubtful ? " (?): " : ": ");
-    for (const std::string& each : joint.evidence) words += each + "; ";
+    words += toString(joined(joint.evidence, "; ")) + "; ";
   }
   return words.empty() ? "nothing" : words;
 }

@@ -163,7 +163,7 @@ TEST(DemandedSteps, StepsComeAtTheirPlaces) {
     EXPECT_EQ(test::orderOf(plan), (Names{"three", "two", "one"})) << strategy;
     EXPECT_EQ(plan.end, PlanEnd::Complete);
     const check::PlanVerdict judged = judgePlan(plan, product, std::nullopt);
-    for (const check::StepVerdict& each : judged.steps) EXPECT_TRUE(each.valid()) << each.againstDemand;
+    for (const check::StepVerdict& each : judged.steps) EXPECT_TRUE(each.valid()) << toString(each.againstDemand);
   }
 }
 
@@ -181,7 +181,7 @@ TEST(DemandedSteps, AForcedStepSaysWhatItDoesNotKeepAndTheJudgeDemandsThatItDoes
   plan.steps[0].violates.clear();
   const check::PlanVerdict judged = judgePlan(plan, product, std::nullopt);
   EXPECT_FALSE(judged.steps[0].valid());
-  EXPECT_NE(judged.steps[0].againstDemand.find("'one'"), std::string::npos);
+  EXPECT_NE(toString(judged.steps[0].againstDemand).find("'one'"), std::string::npos);
 }
 
 TEST(DemandedSteps, WhatCannotBeProvedAtItsPlaceIsStuckWithItsBlockers) {

@@ -133,7 +133,7 @@ TEST(JointRules, AlikeScrewsThatClampTheSameAreOneTask) {
   EXPECT_EQ(rules.taskOf(3), 1U);
   EXPECT_EQ(rules.taskOf(4), 0U) << "another size";
   EXPECT_EQ(rules.taskOf(5), 0U) << "it clamps something else";
-  EXPECT_EQ(rules.inWords(rules.holding({1}, BodySet(7, true), false)), "held by 2 screws M3x8 and 1 screw M4x8");
+  EXPECT_EQ(toString(rules.inWords(rules.holding({1}, BodySet(7, true), false))), "2 screws M3x8 and 1 screw M4x8");
 }
 
 TEST(JointRules, TheBoltsOfAlikeNutsAreOneTaskBesideThatOfTheNuts) {

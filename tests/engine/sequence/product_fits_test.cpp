@@ -60,7 +60,7 @@ TEST(ProductFits, APlanWithFitsIsJudgedValidAndStatesThem) {
   EXPECT_EQ(plan.steps[1].allowances.size(), 1U);
   const check::PlanVerdict verdict = judgePlan(plan, product, std::nullopt);
   for (const check::StepVerdict& step : verdict.steps) {
-    EXPECT_TRUE(step.valid()) << whyInvalid(step, judgedProduct(product));
+    EXPECT_TRUE(step.valid()) << toString(whyInvalid(step, judgedProduct(product)));
   }
   AssembledProduct strict = product;
   strict.fits.on = false;
@@ -85,7 +85,7 @@ TEST(ProductFits, WhereABodyHasNoPlaceForAnAllowanceTheOtherOneIsTakenThinner) {
   ASSERT_EQ(plan.steps[0].allowances.size(), 1U);
   EXPECT_FALSE(plan.steps[0].allowances[0].yields);
   const check::StepVerdict step = judgePlan(plan, product, std::nullopt).steps[0];
-  EXPECT_TRUE(step.valid()) << whyInvalid(step, judgedProduct(product));
+  EXPECT_TRUE(step.valid()) << toString(whyInvalid(step, judgedProduct(product)));
 }
 
 }  // namespace

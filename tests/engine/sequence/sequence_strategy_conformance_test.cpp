@@ -27,7 +27,7 @@ TEST_P(SequenceStrategies, EveryStepIsCertifiedForWhatIsThere) {
   const check::PlanVerdict verdict = judgePlan(plan, product, std::nullopt);
   ASSERT_EQ(verdict.steps.size(), plan.steps.size());
   for (std::size_t i = 0; i < verdict.steps.size(); ++i) {
-    EXPECT_TRUE(verdict.steps[i].valid()) << whyInvalid(verdict.steps[i], judgedProduct(product));
+    EXPECT_TRUE(verdict.steps[i].valid()) << toString(whyInvalid(verdict.steps[i], judgedProduct(product)));
     EXPECT_LE(plan.steps[i].proof.afterSteps, i);
     EXPECT_GE(plan.steps[i].proof.provedClearance, plan.steps[i].proof.required);
   }

@@ -55,7 +55,7 @@ TEST(StepPrecedence, NothingIsAllowedAgainstWhatHasLeftInAnyOrder) {
   EXPECT_EQ(allowedAgainst(plan.steps[0]), (Names{"base", "two"}));
   EXPECT_EQ(allowedAgainst(plan.steps[1]), Names{"base"});
   const check::PlanVerdict judged = judgePlan(plan, product, std::nullopt);
-  EXPECT_TRUE(judged.steps[1].valid()) << judged.steps[1].againstDemand;
+  EXPECT_TRUE(judged.steps[1].valid()) << toString(judged.steps[1].againstDemand);
 }
 
 TEST(StepPrecedence, WhatMayLeaveLaterIsAllowedFor) {

@@ -68,7 +68,7 @@ TEST(ThreadCoreFits, TheScrewIsItsCoreInTheNutWhicheverOfThemMoves) {
   ASSERT_EQ(table.pairs().size(), 1U);
   EXPECT_EQ(table.pairs()[0].contact.kind, ContactKind::Thread);
   for (const PairWay& way : table.pairs()[0].ways) {
-    ASSERT_EQ(way.taken.size(), 1U) << way.refused;
+    ASSERT_EQ(way.taken.size(), 1U) << toString(way.refused);
     const Fit& fit = way.taken[0];
     EXPECT_TRUE(fit.core);
     ASSERT_TRUE(fit.thread);

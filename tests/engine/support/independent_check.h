@@ -143,7 +143,7 @@ class IndependentCheck {
     return certificate;
   }
 
-  std::string whyUndecided(const Pose& from, const Pose& to, double requiredClearance) const {
+  Message whyUndecided(const Pose& from, const Pose& to, double requiredClearance) const {
     return check_->whyUndecided(from, to, requiredClearance);
   }
 
